@@ -1,0 +1,17 @@
+// The one exception of the library: input that cannot be used.
+// Every layer may include this file.
+#pragma once
+
+#include <stdexcept>
+#include <string>
+
+namespace chasles {
+
+/// Wrong input from the caller. `what()` is one line "WHAT: WHERE: WHY" without a line break, for example
+/// "peg.obj: line 12: a vertex needs three finite numbers". Nothing else is thrown by the library.
+class InvalidInput : public std::invalid_argument {
+public:
+    explicit InvalidInput(const std::string& message) : std::invalid_argument(message) {}
+};
+
+} // namespace chasles

@@ -1,0 +1,97 @@
+// An immutable rigid body: vertices, polygon faces, unique edges, and the box hierarchy over its faces.
+#pragma once
+
+#include "chasles/mesh/box_hierarchy.h"
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace chasles {
+
+/// What to do with faces that are not as they should be.
+struct PolyhedronOptions {
+    /// Cut polygons that are not planar into triangles instead of refusing them.
+    bool triangulate = false;
+    /// Drop faces without area whose edges belong to other faces too instead of refusing them.
+    bool drop_degenerate = false;
+};
+
+/// How a mesh hangs together; see Polyhedron::report().
+struct MeshReport {
+    std::size_t vertices = 0;          ///< as given
+    std::size_t distinct_vertices = 0; ///< after merging vertices with the very same coordinates
+    std::size_t faces = 0;             ///< kept
+    std::size_t triangles = 0;         ///< after cutting every polygon into triangles
+    std::size_t polygons = 0;          ///< faces of more than three vertices
+    std::size_t edges = 0;             ///< distinct, each shared by any number of faces
+    std::size_t boundary_edges = 0;    ///< with one face
+    std::size_t nonmanifold_edges = 0; ///< with three faces or more
+    std::size_t dropped_faces = 0;     ///< collapsed faces left out because they add nothing to the surface
+    bool closed = false;               ///< no boundary edge
+};
+
+/// One edge between two vertices, `from` < `to`.
+struct Edge {
+    std::uint32_t from;
+    std::uint32_t to;
+};
+
+/// A polyhedral surface that never changes once made; copies share it. It need not be closed.
+///
+/// Vertices with the very same coordinates are one vertex: feature ids name the first of them. Each vertex and each
+/// edge is owned by exactly one of its faces, so that a traversal over pairs of faces meets it once.
+class Polyhedron {
+public:
+    /// From `vertices` (n points, the mesh's unit) and `faces` (m lists of at least three vertex indices from 0).
+    /// Throws InvalidInput, naming the face or the vertex, for: no face, an index out of range, a coordinate that is
+    /// NaN or infinite, a face with fewer than 3 distinct vertices, without area, or whose outline crosses itself,
+    /// and a polygon that is not planar (unless options.triangulate).
+    static Polyhedron from_polygons(std::span<const Eigen::Vector3d> vertices,
+                                    std::span<const std::vector<std::uint32_t>> faces,
+                                    const PolyhedronOptions& options = {});
+
+    /// From a file: OBJ, OFF, PLY, STL and what Assimp reads. Defined in chasles/io/mesh_files.cpp.
+    /// Throws InvalidInput that names the file, the line where there is one, and the reason.
+    static Polyhedron load(const std::filesystem::path& file, const PolyhedronOptions& options = {});
+
+    [[nodiscard]] std::size_t vertex_count() const;
+    [[nodiscard]] std::size_t face_count() const;
+
+    /// The vertices, n points in the body's frame.
+    [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const;
+
+    /// The outline of a face: its vertex ids in order, at least three.
+    [[nodiscard]] std::span<const std::uint32_t> face(std::size_t face) const;
+
+    /// The id that a face had in the input. It differs from `face` only where collapsed faces were dropped or
+    /// polygons were cut.
+    [[nodiscard]] std::uint32_t source_face(std::size_t face) const;
+
+    /// Triangles (as corner positions within the outline, three by three) that cover a face; empty for a convex face,
+    /// which is covered as it stands. The inner diagonals are not edges of the body.
+    [[nodiscard]] std::span<const std::uint32_t> face_triangles(std::size_t face) const;
+
+    /// Vertices and edges owned by a face. Each vertex of the surface and each edge occurs for exactly one face.
+    [[nodiscard]] std::span<const std::uint32_t> owned_vertices(std::size_t face) const;
+    [[nodiscard]] std::span<const Edge> owned_edges(std::size_t face) const;
+
+    /// Boxes over the faces, in the body's frame.
+    [[nodiscard]] const BoxHierarchy& hierarchy() const;
+
+    [[nodiscard]] MeshReport report() const;
+
+    /// Bytes held beyond the vertices.
+    [[nodiscard]] std::size_t memory() const;
+
+private:
+    struct Data;
+    explicit Polyhedron(std::shared_ptr<const Data> data);
+    std::shared_ptr<const Data> data_;
+};
+
+} // namespace chasles

@@ -1,0 +1,34 @@
+// A rigid pose: where a body's own frame stands in another frame.
+#pragma once
+
+#include <Eigen/Geometry>
+
+namespace chasles {
+
+/// A rigid displacement x -> R x + translation, with R given by a quaternion.
+///
+/// The quaternion (qw, qx, qy, qz) may have any non-zero length. The library normalises it exactly or with the
+/// error counted, never in plain double precision; two poses whose quaternions differ by a positive factor are
+/// the same pose.
+struct Pose {
+    Eigen::Vector3d translation = Eigen::Vector3d::Zero(); ///< in the mesh's unit
+    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+
+    Pose() = default;
+
+    /// Throws InvalidInput if a number is not finite or the quaternion is zero.
+    Pose(const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation);
+
+    /// From an isometry (implicit, so that Eigen users write poses as they are used to). Throws as from_matrix().
+    Pose(const Eigen::Isometry3d& isometry); // NOLINT(google-explicit-constructor)
+
+    /// From a homogeneous matrix. Its 3x3 part must be a rotation to within 1e-5 in each entry of R^T R - I, which
+    /// admits matrices printed with six digits; it is projected to the nearest rotation. Throws InvalidInput if it
+    /// is further off or mirrors, if the last row is not 0 0 0 1, or if a number is not finite.
+    static Pose from_matrix(const Eigen::Matrix4d& matrix);
+
+    /// The same pose as an isometry, rounded to double precision.
+    [[nodiscard]] Eigen::Isometry3d isometry() const;
+};
+
+} // namespace chasles

@@ -1,0 +1,44 @@
+// The paper's in-between motion: one screw from the start pose to the goal pose (paper, section 1.2).
+#pragma once
+
+#include "chasles/motion/motion_frame.h"
+#include "chasles/motion/pose.h"
+
+#include <vector>
+
+namespace chasles {
+
+/// Rotation by angle() * time about a fixed axis while sliding along it by slide() * tau(time), where
+/// tau(time) = tan(angle * time / 2) / tan(angle / 2), and tau = time for a translation. Both end poses are kept
+/// exactly. Source: paper section 1.2; docs/derivations/01-screw-from-two-poses.md.
+class ScrewMotion {
+public:
+    /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world.
+    static ScrewMotion between(const Pose& start, const Pose& goal);
+
+    /// The paper's motion for two moving bodies: the screw of the moving body as seen from the other one, which is
+    /// called fixed. All four poses are in the world. The fixed body itself runs along its own screw in the world.
+    static ScrewMotion relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
+                                const Pose& fixed_goal);
+
+    [[nodiscard]] double angle() const;                   ///< turn in [0, pi], radians
+    [[nodiscard]] double slide() const;                   ///< signed travel along axis_direction(), mesh unit
+    [[nodiscard]] Eigen::Vector3d axis_direction() const; ///< unit; of the travel if nothing turns; else 0 0 1
+    [[nodiscard]] Eigen::Vector3d axis_point() const;     ///< the axis point nearest to the start position of the
+                                                          ///< body's origin; that position itself if nothing turns
+
+    [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
+    [[nodiscard]] double time_at(double tau) const;  ///< its inverse
+    [[nodiscard]] Pose pose_at(double time) const;   ///< of the moving body in the world
+    [[nodiscard]] const MotionFrame& frame() const;  ///< what the elementary detections are built from
+
+    /// The screw in equal turns of at most `max_turn` radians, in order; each piece is one of the paper's motions
+    /// between poses rounded to double precision. A screw that turns by pi exactly, or too near for its half-angle
+    /// tangent, is cut in two whatever `max_turn`. Throws InvalidInput unless max_turn is positive.
+    [[nodiscard]] std::vector<ScrewMotion> cut(double max_turn) const;
+
+private:
+    MotionFrame frame_;
+};
+
+} // namespace chasles
