@@ -1,0 +1,56 @@
+# Thin: every target is what you could type yourself with the CMake presets.
+JOBS ?= $(shell nproc)
+PREFIX ?= /usr/local
+
+.PHONY: help demo check install bench asan tidy format clean
+
+help:
+	@echo "make demo     install what is missing, build, and let Chasles show itself"
+	@echo "make check    install what is missing, build with checks, and run every test"
+	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
+	@echo "make bench    build and run the benchmarks"
+	@echo "make asan     every test under the address and undefined-behaviour sanitizers"
+	@echo "make tidy     clang-tidy over the library, the scenes and the command line"
+	@echo "make format   lay out every source file"
+
+demo:
+	@tools/install_dependencies.sh
+	cmake --preset release
+	cmake --build --preset release --target chasles_cli -j $(JOBS)
+	build/release/bin/chasles demo
+
+check:
+	@tools/install_dependencies.sh check
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS)
+	ctest --preset dev -j $(JOBS)
+
+install:
+	@tools/install_dependencies.sh
+	cmake --preset release
+	cmake --build --preset release -j $(JOBS)
+	cmake --install build/release --prefix $(PREFIX)
+
+bench:
+	@tools/install_dependencies.sh bench
+	cmake --preset bench
+	cmake --build --preset bench -j $(JOBS)
+	build/bench/bin/chasles_bench
+
+asan:
+	@tools/install_dependencies.sh check
+	cmake --preset asan
+	cmake --build --preset asan -j $(JOBS)
+	ctest --preset asan -j $(JOBS)
+
+tidy:
+	@tools/install_dependencies.sh check tidy
+	cmake --preset dev
+	tools/tidy.sh build/dev
+
+format:
+	@tools/install_dependencies.sh check
+	tools/format.sh
+
+clean:
+	rm -rf build

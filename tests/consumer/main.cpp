@@ -1,0 +1,40 @@
+// What a user writes first: two bodies, a motion, a question. The answer is known: a unit cube rises by two through
+// the air and meets the slab after half of its way.
+#include "chasles/chasles.h"
+
+#include <cmath>
+#include <cstdio>
+
+namespace {
+
+chasles::Polyhedron box(double size, double height) {
+    std::vector<Eigen::Vector3d> corners;
+    for (const double z : {0.0, 1.0}) {
+        for (const double y : {0.0, size}) {
+            for (const double x : {0.0, size}) {
+                corners.emplace_back(x - size / 2, y - size / 2, z + height);
+            }
+        }
+    }
+    const std::vector<std::vector<std::uint32_t>> faces = {{0, 2, 3, 1}, {4, 5, 7, 6}, {0, 1, 5, 4},
+                                                           {2, 6, 7, 3}, {0, 4, 6, 2}, {1, 3, 7, 5}};
+    return chasles::Polyhedron::from_polygons(corners, faces);
+}
+
+} // namespace
+
+int main() {
+    const chasles::Polyhedron cube = box(1, 0);
+    const chasles::Polyhedron slab = box(4, 2);
+    Eigen::Isometry3d goal = Eigen::Isometry3d::Identity();
+    goal.translation().z() = 2;
+
+    const chasles::FirstContact found = chasles::first_contact(
+        {.moving = cube, .fixed = slab, .motion = chasles::ScrewMotion::between(Eigen::Isometry3d::Identity(), goal)});
+
+    const bool is_expected = found.verdict == chasles::Verdict::contact && found.time.lower <= 0.5 &&
+                             found.time.upper >= 0.5 && found.time.upper - found.time.lower < 1e-9;
+    std::printf("first contact in [%.17g, %.17g]: %s\n", found.time.lower, found.time.upper,
+                is_expected ? "as expected" : "wrong");
+    return is_expected ? 0 : 1;
+}

@@ -1,0 +1,86 @@
+#!/usr/bin/env python3
+"""The layer check can fail: each rule is broken once in a small tree made for it."""
+
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tools"))
+import check_layers  # noqa: E402
+
+SOUND = {
+    "chasles/chasles.h": '#include "chasles/query/first_contact.h"\n',
+    "chasles/invalid_input.h": "#include <string>\n",
+    "chasles/algebra/bernstein.h": "#include <array>\n",
+    "chasles/motion/pose.h": '#include "chasles/algebra/bernstein.h"\n#include "chasles/invalid_input.h"\n',
+    "chasles/elementary/plane.h": '#include "chasles/motion/pose.h"\n',
+    "chasles/mesh/box.h": "#include <vector>\n",
+    "chasles/mesh/box.cpp": '#include "chasles/mesh/box.h"\n',
+    "chasles/query/first_contact.h": '#include "chasles/mesh/box.h"\n#include "chasles/motion/pose.h"\n',
+    "chasles/io/file.h": '#include "chasles/mesh/box.h"\n',
+    "scenes/bolt.h": '#include "chasles/mesh/box.h"\n',
+    "cli/main.cpp": '#include "chasles/chasles.h"\n#include "scenes/bolt.h"\n',
+    "tests/mesh/box_test.cpp": '#include "chasles/io/file.h"\n#include <gtest/gtest.h>\n',
+}
+
+
+class CheckLayers(unittest.TestCase):
+    def violations_with(self, **changes: str) -> list[str]:
+        """What the check says of the sound tree after the files in `changes` got another text."""
+        with tempfile.TemporaryDirectory() as folder:
+            root = pathlib.Path(folder)
+            for name, text in (SOUND | changes).items():
+                (root / name).parent.mkdir(parents=True, exist_ok=True)
+                (root / name).write_text(text, encoding="utf-8")
+            return check_layers.violations(root)
+
+    def assert_violation(self, file: str, text: str, reason: str) -> None:
+        found = self.violations_with(**{file: text})
+        self.assertEqual(len(found), 1, found)
+        self.assertRegex(found[0], f"^{file}:[0-9]+: .*{reason}")
+
+    def test_sound_tree_passes(self):
+        self.assertEqual(self.violations_with(), [])
+
+    def test_upward_include_is_found_with_its_line(self):
+        text = '#include <array>\n#include "chasles/motion/pose.h"\n'
+        self.assert_violation("chasles/algebra/bernstein.h", text, "algebra must not know of motion")
+        self.assertIn(":2:", self.violations_with(**{"chasles/algebra/bernstein.h": text})[0])
+
+    def test_mesh_knows_nothing_of_motion(self):
+        self.assert_violation("chasles/mesh/box.cpp", '#include "chasles/motion/pose.h"\n', "mesh must not know of motion")
+
+    def test_io_knows_nothing_of_queries(self):
+        self.assert_violation("chasles/io/file.h", '#include "chasles/query/first_contact.h"\n', "io must not know")
+
+    def test_library_knows_nothing_of_its_faces(self):
+        self.assert_violation("chasles/query/first_contact.h", '#include "scenes/bolt.h"\n', "query must not know of scenes")
+
+    def test_layers_do_not_include_the_whole_surface(self):
+        self.assert_violation("chasles/io/file.h", '#include "chasles/chasles.h"\n', "whole surface")
+
+    def test_relative_include_is_found(self):
+        self.assert_violation("chasles/mesh/box.cpp", '#include "box.h"\n', "not a file of the project")
+
+    def test_own_header_in_angle_brackets_is_found(self):
+        self.assert_violation("chasles/mesh/box.cpp", "#include <chasles/mesh/box.h>\n", "in quotes")
+
+    def test_missing_header_is_found_in_tests_too(self):
+        self.assert_violation("tests/mesh/box_test.cpp", '#include "chasles/mesh/ball.h"\n', "not a file of the project")
+
+    def test_unknown_layer_is_found(self):
+        self.assert_violation("chasles/magic/wand.h", '#include "chasles/mesh/box.h"\n', '"magic" is not a layer')
+
+    def test_indented_include_is_found(self):
+        self.assert_violation("chasles/mesh/box.cpp", '  #  include "chasles/motion/pose.h"\n', "must not know")
+
+    def test_what_a_layer_may_include_is_closed(self):
+        """Nobody learns of a layer through another one: what mine may include, I may include."""
+        for layer, allowed in check_layers.MAY_INCLUDE.items():
+            for below in allowed:
+                self.assertLessEqual(set(check_layers.MAY_INCLUDE[below]), set(allowed), f"{layer} -> {below}")
+
+
+if __name__ == "__main__":
+    unittest.main()

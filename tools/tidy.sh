@@ -1,0 +1,11 @@
+#!/bin/sh
+# Runs clang-tidy, as set up in .clang-tidy, over the sources that the build in BUILD (default build/dev) knows.
+# Further arguments are patterns of files: tools/tidy.sh build/dev chasles/mesh
+set -eu
+cd "$(dirname "$0")/.."
+
+version=$(cat tools/clang-tools-version)
+build=${1:-build/dev}
+[ $# -eq 0 ] || shift
+[ $# -gt 0 ] || set -- "$PWD/(chasles|cli|scenes)/"
+"run-clang-tidy-$version" -clang-tidy-binary "clang-tidy-$version" -quiet -p "$build" "$@"
