@@ -1,0 +1,175 @@
+#include "scenes/triangle_mesh.h"
+
+#include "chasles/invalid_input.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/core.h>
+#include <fstream>
+#include <map>
+#include <utility>
+
+namespace chasles::scenes {
+
+namespace {
+
+// The rim's edges: those of a triangle whose reverse belongs to no other one, by their first vertex.
+std::map<Index, Index> open_edges(const TriangleMesh& mesh, double height) {
+    std::map<std::pair<Index, Index>, int> balance;
+    for (const Triangle& corner : mesh.triangles) {
+        for (int i = 0; i < 3; ++i) ++balance[{corner[i], corner[(i + 1) % 3]}];
+    }
+    std::map<Index, Index> open;
+    for (const auto& [edge, count] : balance) {
+        const auto [from, to] = edge;
+        const bool on_plane = mesh.vertices[from].z() == height && mesh.vertices[to].z() == height;
+        if (on_plane && !balance.contains({to, from})) open[from] = to;
+    }
+    return open;
+}
+
+// Cuts triangle by triangle; an edge that crosses the plane gets one vertex for both of its triangles.
+class Cutter {
+public:
+    Cutter(const TriangleMesh& mesh, Side kept, double height, double snap)
+        : result_{mesh.vertices, {}}, sign_(kept == Side::above ? 1 : -1), height_(height) {
+        for (Eigen::Vector3d& vertex : result_.vertices) {
+            if (std::abs(vertex.z() - height) < snap) vertex.z() = height;
+        }
+        for (const Triangle& triangle : mesh.triangles) add_kept_part(triangle);
+    }
+
+    TriangleMesh result() && { return std::move(result_); }
+
+private:
+    [[nodiscard]] double depth(Index vertex) const { return sign_ * (result_.vertices[vertex].z() - height_); }
+
+    Index crossing(Index a, Index b) {
+        const auto [entry, is_new] = crossings_.try_emplace(std::minmax(a, b), 0);
+        if (is_new) {
+            const double part = depth(entry->first.first) / (depth(entry->first.first) - depth(entry->first.second));
+            const Eigen::Vector3d& from = result_.vertices[entry->first.first];
+            const Eigen::Vector3d& to = result_.vertices[entry->first.second];
+            Eigen::Vector3d point = from + part * (to - from);
+            point.z() = height_;
+            entry->second = result_.add(point);
+        }
+        return entry->second;
+    }
+
+    void add_kept_part(const Triangle& triangle) {
+        if (std::ranges::all_of(triangle, [&](Index corner) { return depth(corner) <= 0; })) return;
+        std::vector<Index> outline;
+        for (int i = 0; i < 3; ++i) {
+            const Index here = triangle[i];
+            const Index next = triangle[(i + 1) % 3];
+            if (depth(here) >= 0) outline.push_back(here);
+            if (depth(here) * depth(next) < 0) outline.push_back(crossing(here, next));
+        }
+        for (std::size_t i = 2; i < outline.size(); ++i) {
+            result_.triangles.push_back({outline[0], outline[i - 1], outline[i]});
+        }
+    }
+
+    TriangleMesh result_;
+    std::map<std::pair<Index, Index>, Index> crossings_;
+    double sign_;
+    double height_;
+};
+
+// `loop` from its vertex nearest to `direction` (all stand equally far from the axis) and back to it.
+std::vector<Index> started_at(const Eigen::Vector3d& direction, const TriangleMesh& mesh, std::vector<Index> loop) {
+    const auto along = [&](Index corner) { return mesh.vertices[corner].head<2>().dot(direction.head<2>()); };
+    std::ranges::rotate(loop, std::ranges::max_element(loop, {}, along));
+    loop.push_back(loop.front());
+    return loop;
+}
+
+} // namespace
+
+Index TriangleMesh::add(const Eigen::Vector3d& vertex) {
+    vertices.push_back(vertex);
+    return static_cast<Index>(vertices.size() - 1);
+}
+
+Polyhedron TriangleMesh::polyhedron() const {
+    constexpr Index unused = ~Index{0};
+    std::vector<Index> number(vertices.size(), unused);
+    std::vector<Eigen::Vector3d> points;
+    std::vector<std::vector<Index>> faces;
+    for (const Triangle& triangle : triangles) {
+        std::vector<Index>& face = faces.emplace_back();
+        for (const Index corner : triangle) {
+            if (number[corner] == unused) {
+                number[corner] = static_cast<Index>(points.size());
+                points.push_back(vertices[corner]);
+            }
+            face.push_back(number[corner]);
+        }
+    }
+    return Polyhedron::from_polygons(points, faces);
+}
+
+TriangleMesh cut_off(const TriangleMesh& mesh, Side kept, double height, double snap) {
+    return Cutter(mesh, kept, height, snap).result();
+}
+
+std::vector<Index> rim(const TriangleMesh& mesh, double height) {
+    const std::map<Index, Index> next = open_edges(mesh, height);
+    std::vector<Index> loop;
+    if (!next.empty()) {
+        Index here = next.begin()->first;
+        do {
+            loop.push_back(here);
+            const auto edge = next.find(here);
+            if (edge == next.end()) break;
+            here = edge->second;
+        } while (here != loop.front() && loop.size() < next.size());
+    }
+    if (loop.size() < 3 || loop.size() != next.size()) {
+        throw InvalidInput(fmt::format("surface: rim at z = {}: it is not one closed loop", height));
+    }
+    return loop;
+}
+
+void close_with_fan(TriangleMesh& mesh, const std::vector<Index>& rim) {
+    const Index centre = mesh.add({0, 0, mesh.vertices[rim.front()].z()});
+    for (std::size_t i = 0; i < rim.size(); ++i) mesh.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], centre});
+}
+
+void close_with_ring(TriangleMesh& mesh, const std::vector<Index>& rim, const std::vector<Index>& outer) {
+    const std::vector<Index> corners = started_at(mesh.vertices[rim.front()], mesh, outer);
+    std::size_t at = 0;
+    const auto step_outward = [&](Index here) {
+        mesh.triangles.push_back({corners[at], corners[at + 1], here});
+        ++at;
+    };
+    const auto next_corner_is_nearer = [&](Index here) {
+        return (mesh.vertices[corners[at + 1]] - mesh.vertices[corners[at]]).dot(mesh.vertices[here]) > 0;
+    };
+    for (std::size_t i = 0; i < rim.size(); ++i) {
+        if (i > 0 && at + 1 < corners.size() && next_corner_is_nearer(rim[i])) step_outward(rim[i]);
+        mesh.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], corners[at]});
+    }
+    while (at + 1 < corners.size()) step_outward(rim.front());
+}
+
+void flip(TriangleMesh& mesh) {
+    for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+}
+
+void save_obj(const Polyhedron& body, const std::filesystem::path& file) {
+    std::ofstream out(file);
+    for (const Eigen::Vector3d& vertex : body.vertices()) {
+        out << fmt::format("v {} {} {}\n", vertex.x(), vertex.y(), vertex.z());
+    }
+    for (std::size_t face = 0; face < body.face_count(); ++face) {
+        out << 'f';
+        for (const Index corner : body.face(face)) out << ' ' << corner + 1;
+        out << '\n';
+    }
+    out.close();
+    if (!out) throw InvalidInput(fmt::format("{}: the file cannot be written", file.string()));
+}
+
+} // namespace chasles::scenes
