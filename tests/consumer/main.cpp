@@ -1,8 +1,7 @@
-// What a user writes first: two bodies, a motion, a question. The answer is known: a unit cube rises by two through
-// the air and meets the slab after half of its way.
+// What a user writes first: two bodies, a motion, a question. The answer is known: a unit cube rises by two and
+// meets a slab after half of its way.
 #include "chasles/chasles.h"
 
-#include <cmath>
 #include <cstdio>
 
 namespace {
@@ -21,6 +20,11 @@ chasles::Polyhedron box(double size, double height) {
     return chasles::Polyhedron::from_polygons(corners, faces);
 }
 
+bool meets_at_half(const chasles::FirstContact& found) {
+    return found.verdict == chasles::Verdict::contact && found.time.lower <= 0.5 && found.time.upper >= 0.5 &&
+           found.time.upper - found.time.lower < 1e-9;
+}
+
 } // namespace
 
 int main() {
@@ -29,12 +33,18 @@ int main() {
     Eigen::Isometry3d goal = Eigen::Isometry3d::Identity();
     goal.translation().z() = 2;
 
-    const chasles::FirstContact found = chasles::first_contact(
-        {.moving = cube, .fixed = slab, .motion = chasles::ScrewMotion::between(Eigen::Isometry3d::Identity(), goal)});
+    const chasles::Motion motion = chasles::ScrewMotion::between(Eigen::Isometry3d::Identity(), goal);
+    const chasles::FirstContact found = chasles::first_contact({.moving = cube, .fixed = slab, .motion = motion});
+    std::printf("first contact in [%.17g, %.17g]\n", found.time.lower, found.time.upper);
 
-    const bool is_expected = found.verdict == chasles::Verdict::contact && found.time.lower <= 0.5 &&
-                             found.time.upper >= 0.5 && found.time.upper - found.time.lower < 1e-9;
-    std::printf("first contact in [%.17g, %.17g]: %s\n", found.time.lower, found.time.upper,
-                is_expected ? "as expected" : "wrong");
+    // Arrays of motions go into the library and arrays of answers come out: both sides must agree on their layout.
+    const std::vector<chasles::Motion> motions(3, motion);
+    const std::vector<chasles::FirstContact> all =
+        chasles::first_contact_batch({.moving = cube, .fixed = slab, .motions = motions});
+    bool is_expected = all.size() == 3 && meets_at_half(found);
+    for (const chasles::FirstContact& one : all) {
+        is_expected = is_expected && meets_at_half(one);
+    }
+    std::puts(is_expected ? "as expected" : "wrong");
     return is_expected ? 0 : 1;
 }
