@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -29,6 +30,9 @@ struct BoxNode {
 /// a leaf. Every box encloses the boxes of its children and all vertices of its faces.
 class BoxHierarchy {
 public:
+    /// No node lies deeper below the root, whatever the boxes: a stack of this size suffices.
+    static constexpr std::size_t max_depth = 96;
+
     BoxHierarchy() = default;
 
     /// From the boxes of the faces (n of them, at least one).

@@ -1,0 +1,59 @@
+// The distinct corners in order along the line cut it into pieces; edges of the faces kept between corners cover them.
+#include "chasles/mesh/collapsed_faces.h"
+
+#include "chasles/invalid_input.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <tuple>
+
+namespace chasles {
+namespace {
+
+/// Ordered by coordinates, which for points of one line is the order along it.
+std::vector<std::uint32_t> corners_along_line(std::span<const std::uint32_t> outline,
+                                              std::span<const Eigen::Vector3d> vertices) {
+    std::vector<std::uint32_t> corners(outline.begin(), outline.end());
+    const auto place = [&](std::uint32_t corner) {
+        const Eigen::Vector3d& point = vertices[corner];
+        return std::tuple(point.x(), point.y(), point.z());
+    };
+    std::ranges::sort(corners, {}, place);
+    corners.erase(std::ranges::unique(corners).begin(), corners.end());
+    return corners;
+}
+
+/// Walks along the line as far as edges reach that begin where it has already been.
+bool is_covered_by(const MeshEdges& edges, std::span<const std::uint32_t> corners) {
+    std::size_t reached = 0;
+    for (std::size_t begin = 0; begin <= reached && begin < corners.size(); ++begin)
+        for (std::size_t end = corners.size() - 1; end > reached; --end)
+            if (edges.contains(corners[begin], corners[end]))
+                reached = end;
+    return reached + 1 == corners.size();
+}
+
+std::vector<bool> vertices_of(const FlatLists<std::uint32_t>& outlines, std::size_t vertex_count) {
+    std::vector<bool> is_used(vertex_count, false);
+    for (const std::uint32_t vertex : outlines.items)
+        is_used[vertex] = true;
+    return is_used;
+}
+
+} // namespace
+
+void check_covered(const FaceOutlines& collapsed, const FlatLists<std::uint32_t>& kept, const MeshEdges& edges,
+                   std::span<const Eigen::Vector3d> vertices) {
+    if (collapsed.source.empty())
+        return;
+    const std::vector<bool> is_kept = vertices_of(kept, vertices.size());
+    for (std::size_t i = 0; i < collapsed.source.size(); ++i) {
+        const std::vector<std::uint32_t> corners = corners_along_line(collapsed.outlines[i], vertices);
+        if (!is_kept[corners.front()] || !is_covered_by(edges, corners))
+            throw InvalidInput(fmt::format("face {}: has no area ({}) and is no part of other faces' edges",
+                                           collapsed.source[i],
+                                           corners.size() < 3 ? "its vertices coincide" : "its vertices lie on one line"));
+    }
+}
+
+} // namespace chasles

@@ -1,0 +1,60 @@
+// The filter is Shewchuk's first one for orient2d; the exact value is the determinant multiplied out.
+#include "chasles/mesh/exact_orientation.h"
+
+#include "chasles/mesh/exact_sum.h"
+
+#include <cmath>
+#include <limits>
+
+namespace chasles {
+namespace {
+
+int exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    ExactSum sum;
+    sum.add_product(a.x(), b.y());
+    sum.add_product(-a.y(), b.x());
+    sum.add_product(b.x(), c.y());
+    sum.add_product(-b.y(), c.x());
+    sum.add_product(c.x(), a.y());
+    sum.add_product(-c.y(), a.x());
+    return sum.sign();
+}
+
+Eigen::Vector2d without(int axis, const Eigen::Vector3d& point) {
+    return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
+}
+
+} // namespace
+
+int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    const Eigen::Vector2d ca = a - c;
+    const Eigen::Vector2d cb = b - c;
+    // A difference is zero only for equal numbers, so products of zeros are exact: points on an axis-parallel line.
+    if ((ca.x() == 0.0 || cb.y() == 0.0) && (ca.y() == 0.0 || cb.x() == 0.0))
+        return 0;
+    const double left = ca.x() * cb.y();
+    const double right = ca.y() * cb.x();
+    constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+    constexpr double relative = (3.0 + 16.0 * unit) * unit; // ccwerrboundA in Shewchuk's predicates.c
+    // The smallest normal number covers products that underflow.
+    const double bound = relative * (std::abs(left) + std::abs(right)) + std::numeric_limits<double>::min();
+    const double determinant = left - right;
+    if (std::abs(determinant) > bound)
+        return determinant > 0.0 ? 1 : -1;
+    return exact_orientation(a, b, c);
+}
+
+bool are_collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    for (int axis = 0; axis < 3; ++axis)
+        if (orientation(without(axis, a), without(axis, b), without(axis, c)) != 0)
+            return false;
+    return true;
+}
+
+bool lies_beyond(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
+    const Eigen::Vector2d lower = a.cwiseMin(c);
+    const Eigen::Vector2d upper = a.cwiseMax(c);
+    return (b.array() < lower.array()).any() || (b.array() > upper.array()).any();
+}
+
+} // namespace chasles

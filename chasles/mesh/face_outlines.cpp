@@ -1,0 +1,130 @@
+// Every check looks at one face at a time and names it in its message.
+#include "chasles/mesh/face_outlines.h"
+
+#include "chasles/invalid_input.h"
+#include "chasles/mesh/exact_orientation.h"
+#include "chasles/mesh/merge_vertices.h"
+
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
+#include <limits>
+#include <optional>
+
+namespace chasles {
+namespace {
+
+using Face = std::vector<std::uint32_t>;
+
+constexpr double largest_coordinate = 1e30;
+constexpr double smallest_size = 1e-30;
+
+[[noreturn]] void refuse_face(std::size_t face, const std::string& why) {
+    throw InvalidInput(fmt::format("face {}: {}", face, why));
+}
+
+void check_vertex(std::size_t index, const Eigen::Vector3d& vertex) {
+    for (int axis = 0; axis < 3; ++axis) {
+        if (!std::isfinite(vertex[axis]))
+            throw InvalidInput(fmt::format("vertex {}: {} is not a finite number", index, "xyz"[axis]));
+        if (std::abs(vertex[axis]) > largest_coordinate)
+            throw InvalidInput(fmt::format("vertex {}: {} = {} is out of range (-{} to {})", index, "xyz"[axis],
+                                           vertex[axis], largest_coordinate, largest_coordinate));
+    }
+}
+
+/// Corners and nodes are numbered with 32 bits.
+void check_counts(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces) {
+    if (faces.empty())
+        throw InvalidInput("mesh: has no faces");
+    constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 2;
+    std::size_t corners = 0;
+    for (const Face& face : faces)
+        corners += face.size();
+    if (vertices.size() > most || corners > most)
+        throw InvalidInput(fmt::format("mesh: {} vertices and {} face corners are too many (at most {} each)",
+                                       vertices.size(), corners, most));
+}
+
+void check_indices(std::size_t index, const Face& face, std::size_t vertex_count) {
+    if (face.size() < 3)
+        refuse_face(index, fmt::format("a face needs at least three vertices and this one has {}", face.size()));
+    for (const std::uint32_t vertex : face)
+        if (vertex >= vertex_count)
+            refuse_face(index, fmt::format("vertex index {} is out of range (the mesh has {} vertices)", vertex,
+                                           vertex_count));
+}
+
+std::size_t count_distinct(Face ids) {
+    std::ranges::sort(ids);
+    return static_cast<std::size_t>(std::ranges::unique(ids).begin() - ids.begin());
+}
+
+/// A vertex named twice in a row, or so often that no area can be left. Elsewhere in an outline a vertex may come
+/// back, as it does where a hole is bridged.
+void check_repeats(std::size_t index, const Face& face) {
+    for (std::size_t i = 0; i < face.size(); ++i)
+        if (face[i] == face[(i + 1) % face.size()])
+            refuse_face(index, fmt::format("names vertex {} twice in a row", face[i]));
+    if (face.size() > 3 && count_distinct(face) < 3)
+        refuse_face(index, "has fewer than three distinct vertices");
+}
+
+void merge_corners(const Face& face, std::span<const std::uint32_t> first_equal, Face& outline) {
+    outline.clear();
+    for (const std::uint32_t vertex : face)
+        if (outline.empty() || outline.back() != first_equal[vertex])
+            outline.push_back(first_equal[vertex]);
+    while (outline.size() > 1 && outline.front() == outline.back())
+        outline.pop_back();
+}
+
+bool is_on_one_line(std::span<const Eigen::Vector3d> vertices, const Face& outline) {
+    for (std::size_t i = 2; i < outline.size(); ++i)
+        if (!are_collinear(vertices[outline[0]], vertices[outline[1]], vertices[outline[i]]))
+            return false;
+    return true;
+}
+
+} // namespace
+
+void check_vertices(std::span<const Eigen::Vector3d> vertices) {
+    Eigen::Vector3d lower = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Vector3d upper = -lower;
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        check_vertex(i, vertices[i]);
+        lower = lower.cwiseMin(vertices[i]);
+        upper = upper.cwiseMax(vertices[i]);
+    }
+    if (!vertices.empty() && (upper - lower).maxCoeff() < smallest_size)
+        throw InvalidInput(fmt::format("mesh: all vertices lie within {} of each other, which is too small to compute "
+                                       "with (at least {})",
+                                       (upper - lower).maxCoeff(), smallest_size));
+}
+
+SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<const std::vector<std::uint32_t>> faces,
+                       const PolyhedronOptions& options) {
+    check_counts(vertices, faces);
+    const std::vector<std::uint32_t> first_equal = first_equal_vertices(vertices);
+    SortedFaces sorted;
+    for (std::uint32_t vertex = 0; vertex < first_equal.size(); ++vertex)
+        sorted.distinct_vertices += first_equal[vertex] == vertex ? 1 : 0;
+    Face outline;
+    for (std::uint32_t index = 0; index < faces.size(); ++index) {
+        check_indices(index, faces[index], vertices.size());
+        if (!options.drop_degenerate)
+            check_repeats(index, faces[index]);
+        merge_corners(faces[index], first_equal, outline);
+        if (!is_on_one_line(vertices, outline))
+            sorted.proper.append(outline, index);
+        else if (options.drop_degenerate || count_distinct(outline) < 3)
+            sorted.collapsed.append(outline, index);
+        else
+            refuse_face(index, "has no area (its vertices lie on one line)");
+    }
+    if (sorted.proper.source.empty())
+        throw InvalidInput("mesh: no face has an area");
+    return sorted;
+}
+
+} // namespace chasles

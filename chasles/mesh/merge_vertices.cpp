@@ -1,0 +1,43 @@
+// One pass with a hash table of open addressing: linear time and no allocation per vertex.
+#include "chasles/mesh/merge_vertices.h"
+
+#include <bit>
+
+namespace chasles {
+namespace {
+
+constexpr std::uint32_t nobody = 0xffffffff;
+
+std::uint64_t bits_of(double coordinate) {
+    return std::bit_cast<std::uint64_t>(coordinate + 0.0); // turns -0 into 0
+}
+
+/// Mixes well enough that coordinates on a grid spread over the table (the finaliser of splitmix64).
+std::uint64_t mixed(std::uint64_t value) {
+    value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
+    value = (value ^ (value >> 27)) * 0x94d049bb133111eb;
+    return value ^ (value >> 31);
+}
+
+std::uint64_t hash(const Eigen::Vector3d& point) {
+    return mixed(mixed(mixed(bits_of(point.x())) + bits_of(point.y())) + bits_of(point.z()));
+}
+
+} // namespace
+
+std::vector<std::uint32_t> first_equal_vertices(std::span<const Eigen::Vector3d> vertices) {
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), nobody);
+    const std::size_t mask = table.size() - 1;
+    std::vector<std::uint32_t> first(vertices.size());
+    for (std::uint32_t vertex = 0; vertex < vertices.size(); ++vertex) {
+        std::size_t slot = hash(vertices[vertex]) & mask;
+        while (table[slot] != nobody && vertices[table[slot]] != vertices[vertex])
+            slot = (slot + 1) & mask;
+        if (table[slot] == nobody)
+            table[slot] = vertex;
+        first[vertex] = table[slot];
+    }
+    return first;
+}
+
+} // namespace chasles

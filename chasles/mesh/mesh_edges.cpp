@@ -1,0 +1,94 @@
+// Sides are put into buckets by their lower vertex and sorted within: linear time for meshes of bounded valence.
+#include "chasles/mesh/mesh_edges.h"
+
+#include <algorithm>
+#include <numeric>
+
+namespace chasles {
+namespace {
+
+/// A side of a face, seen from its lower vertex.
+struct Side {
+    std::uint32_t to;     ///< the higher vertex
+    std::uint32_t corner; ///< where it starts in the outlines
+    std::uint32_t face;
+    bool is_upward; ///< runs from the lower to the higher vertex
+};
+
+/// Calls visit(corner, face, from, to) for every side of every face.
+template <typename Visit> void for_each_side(const FlatLists<std::uint32_t>& outlines, Visit visit) {
+    for (std::uint32_t face = 0; face < outlines.size(); ++face) {
+        const std::uint32_t begin = outlines.offsets[face];
+        const std::uint32_t end = outlines.offsets[face + 1];
+        for (std::uint32_t corner = begin; corner < end; ++corner)
+            visit(corner, face, outlines.items[corner], outlines.items[corner + 1 == end ? begin : corner + 1]);
+    }
+}
+
+FlatLists<Side> sides_by_lower_vertex(const FlatLists<std::uint32_t>& outlines, std::size_t vertex_count) {
+    FlatLists<Side> sides;
+    sides.offsets.assign(vertex_count + 1, 0);
+    for_each_side(outlines, [&](std::uint32_t, std::uint32_t, std::uint32_t from, std::uint32_t to) {
+        ++sides.offsets[std::min(from, to) + 1];
+    });
+    std::partial_sum(sides.offsets.begin(), sides.offsets.end(), sides.offsets.begin());
+    sides.items.resize(outlines.items.size());
+    std::vector<std::uint32_t> next(sides.offsets.begin(), sides.offsets.end() - 1);
+    for_each_side(outlines, [&](std::uint32_t corner, std::uint32_t face, std::uint32_t from, std::uint32_t to) {
+        sides.items[next[std::min(from, to)]++] = {std::max(from, to), corner, face, from < to};
+    });
+    return sides;
+}
+
+/// Faces that have the edge of these sides, which are sorted by face.
+std::size_t count_faces(std::span<const Side> sides) {
+    std::size_t faces = 0;
+    for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
+        int balance = 0;
+        for (; end < sides.size() && sides[end].face == sides[begin].face; ++end)
+            balance += sides[end].is_upward ? 1 : -1;
+        faces += balance != 0 ? 1 : 0;
+    }
+    return faces;
+}
+
+void add_edge(std::uint32_t from, std::span<const Side> sides, MeshEdges& result) {
+    const std::size_t faces = count_faces(sides);
+    const bool is_edge = faces > 0;
+    for (const Side& side : sides)
+        result.edge_of_side[side.corner] = is_edge ? static_cast<std::uint32_t>(result.edges.size()) : MeshEdges::none;
+    if (is_edge)
+        result.edges.push_back({from, sides.front().to});
+    result.boundary += faces == 1 ? 1 : 0;
+    result.nonmanifold += faces > 2 ? 1 : 0;
+}
+
+bool comes_before(const Edge& a, const Edge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; }
+
+} // namespace
+
+bool MeshEdges::contains(std::uint32_t a, std::uint32_t b) const {
+    return std::binary_search(edges.begin(), edges.end(), Edge{std::min(a, b), std::max(a, b)}, comes_before);
+}
+
+MeshEdges collect_edges(const FlatLists<std::uint32_t>& outlines, std::size_t vertex_count) {
+    FlatLists<Side> sides = sides_by_lower_vertex(outlines, vertex_count);
+    MeshEdges result;
+    result.edge_of_side.resize(outlines.items.size());
+    result.edges.reserve(outlines.items.size() / 2 + 1);
+    for (std::uint32_t from = 0; from < vertex_count; ++from) {
+        const std::span<Side> bucket(sides.items.data() + sides.offsets[from],
+                                     sides.items.data() + sides.offsets[from + 1]);
+        std::ranges::sort(bucket, [](const Side& a, const Side& b) {
+            return a.to != b.to ? a.to < b.to : a.corner < b.corner; // corners ascend with faces
+        });
+        for (std::size_t begin = 0, end = 0; begin < bucket.size(); begin = end) {
+            while (end < bucket.size() && bucket[end].to == bucket[begin].to)
+                ++end;
+            add_edge(from, bucket.subspan(begin, end - begin), result);
+        }
+    }
+    return result;
+}
+
+} // namespace chasles

@@ -1,0 +1,64 @@
+// Rounds of taking turns; a face that finds nothing free leaves, so the rounds shrink quickly.
+#include "chasles/mesh/ownership.h"
+
+#include <numeric>
+#include <vector>
+
+namespace chasles {
+namespace {
+
+constexpr std::uint32_t nobody = 0xffffffff;
+
+struct Taker {
+    std::uint32_t face;
+    std::uint32_t next; ///< first of its features not looked at yet
+};
+
+/// Lets the taker have its next free feature. False if there is none.
+bool take_one(Taker& taker, std::uint32_t end, std::span<const std::uint32_t> features,
+              std::vector<std::uint32_t>& owner) {
+    while (taker.next < end) {
+        const std::uint32_t feature = features[taker.next++];
+        if (feature == no_feature || owner[feature] != nobody)
+            continue;
+        owner[feature] = taker.face;
+        return true;
+    }
+    return false;
+}
+
+FlatLists<std::uint32_t> lists_by_owner(const std::vector<std::uint32_t>& owner, std::size_t face_count) {
+    FlatLists<std::uint32_t> lists;
+    lists.offsets.assign(face_count + 1, 0);
+    for (const std::uint32_t face : owner)
+        if (face != nobody)
+            ++lists.offsets[face + 1];
+    std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
+    lists.items.resize(lists.offsets.back());
+    std::vector<std::uint32_t> next(lists.offsets.begin(), lists.offsets.end() - 1);
+    for (std::uint32_t feature = 0; feature < owner.size(); ++feature)
+        if (owner[feature] != nobody)
+            lists.items[next[owner[feature]]++] = feature;
+    return lists;
+}
+
+} // namespace
+
+FlatLists<std::uint32_t> share_features(std::span<const std::uint32_t> offsets,
+                                        std::span<const std::uint32_t> features, std::size_t feature_count) {
+    const std::size_t face_count = offsets.size() - 1;
+    std::vector<std::uint32_t> owner(feature_count, nobody);
+    std::vector<Taker> takers(face_count);
+    for (std::uint32_t face = 0; face < face_count; ++face)
+        takers[face] = {face, offsets[face]};
+    while (!takers.empty()) {
+        std::size_t staying = 0;
+        for (Taker taker : takers)
+            if (take_one(taker, offsets[taker.face + 1], features, owner))
+                takers[staying++] = taker;
+        takers.resize(staying);
+    }
+    return lists_by_owner(owner, face_count);
+}
+
+} // namespace chasles

@@ -1,0 +1,94 @@
+// The normal is the sum of cross products of successive corners (M. Newell): the best one for a nearly planar outline.
+#include "chasles/mesh/polygon_plane.h"
+
+#include "chasles/mesh/exact_orientation.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace chasles {
+namespace {
+
+/// Not of unit length. Relative to the first corner, so that the distance from the origin costs no digits.
+Eigen::Vector3d newell_normal(std::span<const Eigen::Vector3d> vertices, std::span<const std::uint32_t> outline) {
+    const Eigen::Vector3d& origin = vertices[outline.front()];
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+        sum += (vertices[outline[i]] - origin).cross(vertices[outline[i + 1]] - origin);
+    return sum;
+}
+
+double half_thickness(std::span<const Eigen::Vector3d> vertices, std::span<const std::uint32_t> outline,
+                      const Eigen::Vector3d& normal) {
+    const Eigen::Vector3d& origin = vertices[outline.front()];
+    double least = 0.0;
+    double greatest = 0.0;
+    for (const std::uint32_t vertex : outline) {
+        const double height = normal.dot(vertices[vertex] - origin);
+        least = std::min(least, height);
+        greatest = std::max(greatest, height);
+    }
+    return (greatest - least) / 2;
+}
+
+std::vector<Eigen::Vector2d> seen_along(const Eigen::Vector3d& normal, std::span<const Eigen::Vector3d> vertices,
+                                        std::span<const std::uint32_t> outline) {
+    Eigen::Index left_out = 0;
+    normal.cwiseAbs().maxCoeff(&left_out);
+    const bool is_from_above = normal[left_out] > 0.0;
+    const Eigen::Index right = (left_out + (is_from_above ? 1 : 2)) % 3;
+    const Eigen::Index up = (left_out + (is_from_above ? 2 : 1)) % 3;
+    std::vector<Eigen::Vector2d> corners;
+    corners.reserve(outline.size());
+    for (const std::uint32_t vertex : outline)
+        corners.emplace_back(vertices[vertex][right], vertices[vertex][up]);
+    return corners;
+}
+
+bool is_ascending(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
+}
+
+} // namespace
+
+PolygonView view_polygon(std::span<const Eigen::Vector3d> vertices, std::span<const std::uint32_t> outline) {
+    const Eigen::Vector3d normal = newell_normal(vertices, outline).stableNormalized();
+    Eigen::Vector3d lower = vertices[outline.front()];
+    Eigen::Vector3d upper = lower;
+    for (const std::uint32_t vertex : outline) {
+        lower = lower.cwiseMin(vertices[vertex]);
+        upper = upper.cwiseMax(vertices[vertex]);
+    }
+    return {.corners = seen_along(normal, vertices, outline),
+            .deviation = half_thickness(vertices, outline, normal),
+            .size = (upper - lower).norm(),
+            .magnitude = lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).maxCoeff()};
+}
+
+bool is_convex(std::span<const Eigen::Vector2d> outline) {
+    const std::size_t count = outline.size();
+    std::size_t direction_changes = 0; // of the sweep along x; an outline that goes around once has two
+    for (std::size_t i = 0; i < count; ++i) {
+        const Eigen::Vector2d& a = outline[i];
+        const Eigen::Vector2d& b = outline[(i + 1) % count];
+        const Eigen::Vector2d& c = outline[(i + 2) % count];
+        if (orientation(a, b, c) < 0)
+            return false;
+        direction_changes += is_ascending(a, b) != is_ascending(b, c) ? 1 : 0;
+    }
+    return direction_changes == 2;
+}
+
+std::size_t find_turning_back(std::span<const Eigen::Vector2d> outline) {
+    const std::size_t count = outline.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Eigen::Vector2d& a = outline[(i + count - 1) % count];
+        const Eigen::Vector2d& b = outline[i];
+        const Eigen::Vector2d& c = outline[(i + 1) % count];
+        if (a != b && b != c && orientation(a, b, c) == 0 && (a == c || lies_beyond(a, b, c)))
+            return i;
+    }
+    return count;
+}
+
+} // namespace chasles

@@ -1,0 +1,191 @@
+// Why the answer can be trusted: cutting off triangles that turn to the left lowers the winding number inside each by
+// one and changes it nowhere else. When nothing is left and no two triangles overlap, the outline winds once around
+// the triangles and around nothing else. So the ears need no proof of their own, and a bad outline can't pass.
+#include "chasles/mesh/triangulate_polygon.h"
+
+#include "chasles/mesh/exact_orientation.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+
+namespace chasles {
+namespace {
+
+using Point = Eigen::Vector2d;
+
+/// A triangle that turns to the left, with its bounding box; "inside" means its interior.
+struct Triangle {
+    std::array<Point, 3> corners;
+    Point lower;
+    Point upper;
+
+    Triangle(const Point& a, const Point& b, const Point& c)
+        : corners{a, b, c}, lower(a.cwiseMin(b).cwiseMin(c)), upper(a.cwiseMax(b).cwiseMax(c)) {}
+
+    /// Whether one side of the triangle has all the points on its outer side or on it.
+    template <std::size_t Count> [[nodiscard]] bool has_beyond_a_side(const std::array<Point, Count>& points) const {
+        for (std::size_t side = 0; side < 3; ++side) {
+            const auto is_out = [&](const Point& point) {
+                return orientation(corners[side], corners[(side + 1) % 3], point) <= 0;
+            };
+            if (std::ranges::all_of(points, is_out))
+                return true;
+        }
+        return false;
+    }
+
+    [[nodiscard]] bool boxes_are_apart(const Point& other_lower, const Point& other_upper) const {
+        return (other_upper.array() <= lower.array()).any() || (other_lower.array() >= upper.array()).any();
+    }
+};
+
+bool overlap(const Triangle& first, const Triangle& second) {
+    return !first.boxes_are_apart(second.lower, second.upper) && !first.has_beyond_a_side(second.corners) &&
+           !second.has_beyond_a_side(first.corners);
+}
+
+/// Whether the line through p and q, different points, has the triangle on one side.
+bool is_on_one_side(const Triangle& triangle, const Point& p, const Point& q) {
+    int least = 1;
+    int greatest = -1;
+    for (const Point& corner : triangle.corners) {
+        const int side = orientation(p, q, corner);
+        least = std::min(least, side);
+        greatest = std::max(greatest, side);
+    }
+    return least >= 0 || greatest <= 0;
+}
+
+/// Whether the segment has a point inside the triangle: for convex sets in the plane the lines along the sides of the
+/// triangle and along the segment are all the separating lines there can be.
+bool enters(const Point& p, const Point& q, const Triangle& triangle) {
+    if (triangle.boxes_are_apart(p.cwiseMin(q), p.cwiseMax(q)))
+        return false;
+    return !triangle.has_beyond_a_side(std::array{p, q}) && (p == q || !is_on_one_side(triangle, p, q));
+}
+
+/// The part of the outline that has not been cut off yet, as a ring.
+class EarClipping {
+public:
+    explicit EarClipping(std::span<const Point> points)
+        : points_(points), next_(points.size()), previous_(points.size()), left_(points.size()) {
+        const auto count = static_cast<std::uint32_t>(points.size());
+        for (std::uint32_t i = 0; i < count; ++i) {
+            next_[i] = (i + 1) % count;
+            previous_[next_[i]] = i;
+        }
+    }
+
+    /// False if something is left that has no ear.
+    bool run() {
+        while (left_ >= 3)
+            if (!cut_first(&EarClipping::cut_ear) && !cut_first(&EarClipping::cut_ear_at_touching_places) &&
+                !cut_first(&EarClipping::cut_flat_corner))
+                return false;
+        return true;
+    }
+
+    [[nodiscard]] std::vector<std::uint32_t> triangles() && { return std::move(triangles_); }
+
+private:
+    using Cut = bool (EarClipping::*)(std::uint32_t);
+
+    /// Tries the corners in turn, beginning two behind the last cut: cutting neighbours in a row makes slivers.
+    bool cut_first(Cut cut) {
+        std::uint32_t corner = current_;
+        for (std::size_t tried = 0; tried < left_; ++tried, corner = next_[corner]) {
+            const std::uint32_t follower = next_[next_[corner]];
+            if (!(this->*cut)(corner))
+                continue;
+            current_ = follower;
+            return true;
+        }
+        return false;
+    }
+
+    bool cut_ear(std::uint32_t corner) {
+        return is_ear(corner) && !touches_diagonal(corner) && (cut_off(corner), true);
+    }
+
+    bool cut_ear_at_touching_places(std::uint32_t corner) { return is_ear(corner) && (cut_off(corner), true); }
+
+    /// Without area; it stays where holes are bridged.
+    bool cut_flat_corner(std::uint32_t corner) {
+        if (orientation(points_[previous_[corner]], points_[corner], points_[next_[corner]]) != 0)
+            return false;
+        unlink(corner);
+        return true;
+    }
+
+    /// Turns to the left, and no side of the ring comes inside.
+    [[nodiscard]] bool is_ear(std::uint32_t corner) const {
+        const Point& a = points_[previous_[corner]];
+        const Point& b = points_[corner];
+        const Point& c = points_[next_[corner]];
+        if (orientation(a, b, c) <= 0)
+            return false;
+        const Triangle ear(a, b, c);
+        for (std::uint32_t i = next_[corner]; i != previous_[corner]; i = next_[i])
+            if (enters(points_[i], points_[next_[i]], ear))
+                return false;
+        return true;
+    }
+
+    /// Whether another corner lies on the new side strictly between its ends.
+    [[nodiscard]] bool touches_diagonal(std::uint32_t corner) const {
+        const Point& a = points_[previous_[corner]];
+        const Point& c = points_[next_[corner]];
+        for (std::uint32_t i = next_[next_[corner]]; i != previous_[corner]; i = next_[i])
+            if (points_[i] != a && points_[i] != c && !lies_beyond(a, points_[i], c) &&
+                orientation(a, points_[i], c) == 0)
+                return true;
+        return false;
+    }
+
+    void cut_off(std::uint32_t corner) {
+        triangles_.insert(triangles_.end(), {previous_[corner], corner, next_[corner]});
+        unlink(corner);
+    }
+
+    void unlink(std::uint32_t corner) {
+        next_[previous_[corner]] = next_[corner];
+        previous_[next_[corner]] = previous_[corner];
+        --left_;
+    }
+
+    std::span<const Point> points_;
+    std::vector<std::uint32_t> next_;
+    std::vector<std::uint32_t> previous_;
+    std::vector<std::uint32_t> triangles_;
+    std::size_t left_;
+    std::uint32_t current_ = 0;
+};
+
+/// Sorted by their lower ends along x, triangles need comparing only while the next one begins before this one ends.
+bool any_overlap(std::span<const Point> points, std::span<const std::uint32_t> corners) {
+    std::vector<Triangle> triangles;
+    triangles.reserve(corners.size() / 3);
+    for (std::size_t i = 0; i < corners.size(); i += 3)
+        triangles.emplace_back(points[corners[i]], points[corners[i + 1]], points[corners[i + 2]]);
+    std::ranges::sort(triangles, {}, [](const Triangle& triangle) { return triangle.lower.x(); });
+    for (std::size_t i = 0; i < triangles.size(); ++i)
+        for (std::size_t j = i + 1; j < triangles.size() && triangles[j].lower.x() < triangles[i].upper.x(); ++j)
+            if (overlap(triangles[i], triangles[j]))
+                return true;
+    return false;
+}
+
+} // namespace
+
+std::optional<std::vector<std::uint32_t>> triangulate_polygon(std::span<const Eigen::Vector2d> outline) {
+    EarClipping clipping(outline);
+    if (!clipping.run())
+        return std::nullopt;
+    std::vector<std::uint32_t> triangles = std::move(clipping).triangles();
+    if (any_overlap(outline, triangles))
+        return std::nullopt;
+    return triangles;
+}
+
+} // namespace chasles
