@@ -1,0 +1,79 @@
+#!/bin/sh
+# install_dependencies.sh against a pretended system: commands in an own folder record what they are asked for.
+set -eu
+
+script=$(cd "$(dirname "$0")/../.." && pwd)/tools/install_dependencies.sh
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/bin"
+for tool in cat dirname env; do
+    ln -s "$(command -v "$tool")" "$folder/bin/$tool"
+done
+
+# pretend NAME BODY: a command that writes its call to the log and then does BODY.
+pretend() {
+    printf '#!/bin/sh\necho "%s $*" >>"%s/log"\n%s\n' "$1" "$folder" "$2" >"$folder/bin/$1"
+    chmod +x "$folder/bin/$1"
+}
+
+# run ARGUMENTS: the script with only the pretended commands; leaves its output, status and the log.
+run() {
+    : >"$folder/log"
+    status=0
+    output=$(PATH="$folder/bin" /bin/sh "$script" "$@" 2>&1) || status=$?
+    asked=$(grep -E '^(apt-get|sudo)' "$folder/log" || true)
+}
+
+expect() {
+    if ! eval "$2"; then
+        printf '%s\n' "FAILED: $1" "status: $status" "output: $output" "asked: $asked"
+        exit 1
+    fi
+}
+
+all=$(sh "$script" --list check bench tidy)
+everything=$(printf 'echo installed %s\n' $all)
+
+run --list check
+expect "the list names the compiler and the test framework" 'case $output in *g++*libgtest-dev*) ;; *) false ;; esac'
+
+run check
+expect "elsewhere than on Debian: one line, no failure" \
+    '[ $status -eq 0 ] && [ "$(printf "%s\n" "$output" | wc -l)" -eq 1 ] && [ -n "$output" ]'
+
+pretend apt-get ''
+pretend id 'echo 0'
+pretend dpkg-query "$everything"
+run check bench tidy
+expect "nothing missing: silent, and the package lists are left alone" '[ $status -eq 0 ] && [ -z "$output$asked" ]'
+
+pretend dpkg-query "$(printf '%s\n' "$everything" | grep -v -e 'installed libfmt-dev$')
+echo config-files libfmt-dev
+exit 1"
+run check
+expect "one missing, as root: update, then that one" \
+    'case $asked in "apt-get -q update"*install*" libfmt-dev") ;; *) false ;; esac'
+
+run bench nonsense
+expect "an unknown group is refused" '[ $status -eq 2 ] && [ -z "$asked" ]'
+
+pretend id 'echo 1000'
+run check
+expect "neither root nor sudo: says what to run" \
+    '[ $status -eq 1 ] && [ -z "$asked" ] && case $output in *"apt-get install libfmt-dev") ;; *) false ;; esac'
+
+pretend sudo '"$@"'
+run check
+expect "with sudo: the same, through sudo" 'case $asked in "sudo apt-get"*"sudo env"*install*) ;; *) false ;; esac'
+
+pretend id 'echo 0'
+pretend dpkg-query 'exit 1'
+run check
+expect "nothing installed: everything is asked for" \
+    'case $asked in *"install $(sh "$script" --list check)") ;; *) false ;; esac'
+
+pretend apt-get 'exit 100'
+run check
+expect "a failed installation stops the build" '[ $status -ne 0 ]'
+
+echo "every case as expected"
