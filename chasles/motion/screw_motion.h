@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chasles/motion/motion_frame.h"
-#include "chasles/motion/pose.h"
+#include "chasles/motion/screw_pose.h"
 
 #include <vector>
 
@@ -21,16 +21,22 @@ public:
     static ScrewMotion relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                 const Pose& fixed_goal);
 
-    [[nodiscard]] double angle() const;                   ///< turn in [0, pi], radians
-    [[nodiscard]] double slide() const;                   ///< signed travel along axis_direction(), mesh unit
-    [[nodiscard]] Eigen::Vector3d axis_direction() const; ///< unit; of the travel if nothing turns; else 0 0 1
-    [[nodiscard]] Eigen::Vector3d axis_point() const;     ///< the axis point nearest to the start position of the
-                                                          ///< body's origin; that position itself if nothing turns
+    /// Turn in [0, pi], radians.
+    [[nodiscard]] double angle() const { return numbers_.angle; }
+    /// Signed travel along axis_direction(), mesh unit.
+    [[nodiscard]] double slide() const { return numbers_.slide; }
+    /// Unit vector in the fixed body's frame. Of the travel if nothing turns; 0 0 1 if nothing moves.
+    [[nodiscard]] const Eigen::Vector3d& axis_direction() const { return numbers_.axis_direction; }
+    /// The axis point nearest to the start position of the body's origin; that position itself if nothing turns.
+    /// In the fixed body's frame.
+    [[nodiscard]] const Eigen::Vector3d& axis_point() const { return numbers_.axis_point; }
 
-    [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
-    [[nodiscard]] double time_at(double tau) const;  ///< its inverse
-    [[nodiscard]] Pose pose_at(double time) const;   ///< of the moving body in the world
-    [[nodiscard]] const MotionFrame& frame() const;  ///< what the elementary detections are built from
+    [[nodiscard]] double tau_at(double time) const; ///< the paper's parameter, [0, 1] -> [0, 1]
+    [[nodiscard]] double time_at(double tau) const; ///< its inverse
+    [[nodiscard]] Pose pose_at(double time) const;  ///< of the moving body in the world
+
+    /// What the elementary detections are built from. Its motion is defined for turns that cut(pi) leaves whole.
+    [[nodiscard]] const MotionFrame& frame() const { return frame_; }
 
     /// The screw in equal turns of at most `max_turn` radians, in order; each piece is one of the paper's motions
     /// between poses rounded to double precision. A screw that turns by pi exactly, or too near for its half-angle
@@ -38,7 +44,10 @@ public:
     [[nodiscard]] std::vector<ScrewMotion> cut(double max_turn) const;
 
 private:
+    static ScrewMotion from(MotionFrame frame);
+
     MotionFrame frame_;
+    motion::ScrewNumbers numbers_;
 };
 
 } // namespace chasles

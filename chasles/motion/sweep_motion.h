@@ -23,17 +23,17 @@ public:
     /// The same with another reference point, in the moving body's frame.
     [[nodiscard]] SweepMotion about(const Eigen::Vector3d& centre) const;
 
-    [[nodiscard]] double angle() const;                    ///< turn in [0, pi], radians
-    [[nodiscard]] Eigen::Vector3d axis_direction() const;  ///< of the turn, unit; 0 0 1 if nothing turns
-    [[nodiscard]] Eigen::Vector3d displacement() const;    ///< of the reference point, mesh unit
-    [[nodiscard]] Eigen::Vector3d start_point() const;     ///< where the reference point starts
+    [[nodiscard]] double angle() const;                 ///< turn in [0, pi], radians
+    [[nodiscard]] Eigen::Vector3d displacement() const; ///< of the reference point in the fixed body's frame
 
     [[nodiscard]] double tau_at(double time) const { return time; }
     [[nodiscard]] double time_at(double tau) const { return tau; }
     [[nodiscard]] Pose pose_at(double time) const; ///< of the moving body in the world
-    [[nodiscard]] const MotionFrame& frame() const;
+    [[nodiscard]] const MotionFrame& frame() const { return frame_; }
 
 private:
+    static SweepMotion from(MotionFrame frame, const Eigen::Vector3d& centre);
+
     MotionFrame frame_;
 };
 

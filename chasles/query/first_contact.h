@@ -39,6 +39,8 @@ struct Bracket {
 struct Feature {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
+
+    friend bool operator==(const Feature&, const Feature&) = default;
 };
 
 /// One feature pair in contact, in the world frame at FirstContact::time.lower.
@@ -57,6 +59,7 @@ struct Overlap {
     Feature edge;
     Feature face;
     Eigen::Vector3d point; ///< in the world frame
+    bool certain = true;   ///< false if the edge may just miss the face's rim
 };
 
 /// How much was done.

@@ -1,0 +1,98 @@
+// Vectors and matrices of three over any ring: doubles, double-doubles, rationals, lanes, polynomials.
+#pragma once
+
+namespace chasles::algebra {
+
+/// Three components in a Cartesian frame.
+template <class T>
+struct Vector3 {
+    T x{};
+    T y{};
+    T z{};
+
+    const T& operator[](int i) const { return i == 0 ? x : i == 1 ? y : z; }
+    T& operator[](int i) { return i == 0 ? x : i == 1 ? y : z; }
+
+    friend Vector3 operator+(const Vector3& a, const Vector3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
+    friend Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
+};
+
+/// Every component times a factor of another type, for example a vector of numbers times a polynomial.
+template <class T, class S>
+auto scale(const Vector3<T>& a, const S& s) {
+    using Product = decltype(a.x * s);
+    return Vector3<Product>{a.x * s, a.y * s, a.z * s};
+}
+
+template <class A, class B>
+auto dot(const Vector3<A>& a, const Vector3<B>& b) {
+    using Product = decltype(a.x * b.x);
+    return Product(a.x * b.x + a.y * b.y + a.z * b.z);
+}
+
+template <class A, class B>
+auto cross(const Vector3<A>& a, const Vector3<B>& b) {
+    using Product = decltype(a.x * b.x);
+    return Vector3<Product>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+/// Sum of the magnitudes of the components.
+template <class T>
+T norm1(const Vector3<T>& a) {
+    const auto magnitude_of = [](const T& value) { return value < T(0) ? T(-value) : value; };
+    return magnitude_of(a.x) + magnitude_of(a.y) + magnitude_of(a.z);
+}
+
+/// Three rows.
+template <class T>
+struct Matrix3 {
+    Vector3<T> row[3];
+
+    friend Matrix3 operator+(const Matrix3& a, const Matrix3& b) {
+        return {a.row[0] + b.row[0], a.row[1] + b.row[1], a.row[2] + b.row[2]};
+    }
+    [[nodiscard]] Matrix3 transposed() const {
+        return {{{row[0].x, row[1].x, row[2].x}, {row[0].y, row[1].y, row[2].y}, {row[0].z, row[1].z, row[2].z}}};
+    }
+};
+
+template <class T, class V>
+auto operator*(const Matrix3<T>& m, const Vector3<V>& v) {
+    using Product = decltype(m.row[0].x * v.x);
+    return Vector3<Product>{dot(m.row[0], v), dot(m.row[1], v), dot(m.row[2], v)};
+}
+
+template <class A, class B>
+auto operator*(const Matrix3<A>& a, const Matrix3<B>& b) {
+    using Product = decltype(a.row[0].x * b.row[0].x);
+    const Matrix3<B> columns = b.transposed();
+    return Matrix3<Product>{{columns * a.row[0], columns * a.row[1], columns * a.row[2]}};
+}
+
+template <class T, class S>
+auto scale(const Matrix3<T>& m, const S& s) {
+    using Product = decltype(m.row[0].x * s);
+    return Matrix3<Product>{{scale(m.row[0], s), scale(m.row[1], s), scale(m.row[2], s)}};
+}
+
+/// The matrix of the map v -> a x v.
+template <class T>
+Matrix3<T> cross_matrix(const Vector3<T>& a) {
+    const T zero{};
+    return {{{zero, T(zero - a.z), a.y}, {a.z, zero, T(zero - a.x)}, {T(zero - a.y), a.x, zero}}};
+}
+
+/// The matrix a b^T.
+template <class T>
+Matrix3<T> outer(const Vector3<T>& a, const Vector3<T>& b) {
+    return {{scale(b, a.x), scale(b, a.y), scale(b, a.z)}};
+}
+
+template <class T>
+Matrix3<T> identity_matrix() {
+    const T zero(0);
+    const T one(1);
+    return {{{one, zero, zero}, {zero, one, zero}, {zero, zero, one}}};
+}
+
+} // namespace chasles::algebra

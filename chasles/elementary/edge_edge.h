@@ -1,0 +1,203 @@
+// When do two edges first meet?
+// Source: paper sections 2.2.1 to 2.2.4; docs/derivations/04-edge-edge.md and 05-being-inside.md.
+// Legend: the moving edge runs from a to b with direction u = b - a, the fixed one from c to d with v = d - c.
+#pragma once
+
+#include "chasles/elementary/vertex_face.h"
+
+namespace chasles::elementary {
+
+/// A moving edge along the motion; every polynomial is W times what it names, in the frame of the fixed body.
+template <class S>
+struct EdgePath {
+    using Polynomial = Bernstein<3, S>;
+    Vector3<Polynomial> from;      ///< position of a
+    Vector3<Polynomial> to;        ///< position of b
+    Vector3<Polynomial> direction; ///< U, of the turned u
+    Vector3<Polynomial> moment;    ///< M, of the moved line
+    Vector3<S> body_from;          ///< a in the body's frame
+    Vector3<S> body_direction;     ///< u in the body's frame
+};
+
+/// The moving edge between two points of the body.
+template <class S>
+EdgePath<S> edge_path(const motion::ControlMaps<S>& maps, const Vector3<S>& from, const Vector3<S>& to) {
+    const Vector3<S> u = to - from;
+    return {maps.turn * from + maps.shift, maps.turn * to + maps.shift, maps.turn * u,
+            maps.turn * cross(from, u) + maps.moment * u, from, u};
+}
+
+/// A fixed edge.
+template <class S>
+struct FixedEdge {
+    Vector3<S> from;      ///< c
+    Vector3<S> direction; ///< v
+};
+
+namespace detail {
+
+/// All quantities of one edge pair, made as they are needed.
+template <class S>
+class EdgePair {
+public:
+    using Polynomial = Bernstein<3, S>;
+    using Vector = Vector3<Polynomial>;
+
+    EdgePair(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
+             const Accuracy& accuracy)
+        : maps_(maps), moving_(moving), fixed_(fixed), unit_(error_unit<S> * accuracy.scale.length),
+          stretch_unit_(error_unit<S> * accuracy.scale.stretch), u_(norm1(moving.body_direction)),
+          v_(norm1(fixed.direction)) {}
+
+    /// W times the reciprocal product of the two lines: v . M + (c x v) . U.
+    [[nodiscard]] Bounded<3, S> volume() const {
+        return {dot(moving_.moment, fixed_.direction) + dot(moving_.direction, cross(fixed_.from, fixed_.direction)),
+                S(unit_ * u_ * v_)};
+    }
+
+    /// U x v, whose direction tells how the edges cross, with one error for all components.
+    [[nodiscard]] Vector crossing() const { return cross(moving_.direction, fixed_.direction); }
+    [[nodiscard]] S crossing_error() const { return S(stretch_unit_ * u_ * v_); }
+
+    /// The meeting point is between a and b iff 0 lies between the i-th components of (W c - A) x v and
+    /// (W c - B) x v, and between c and d iff it does for c x U - M and d x U - M; when U x v has component i > 0
+    /// all along, the first of each is >= 0 and the second <= 0.
+    void add_inside(int i, int sign, std::vector<Constraint<3, S>>& constraints) const {
+        const Vector3<S> d = fixed_.from + fixed_.direction;
+        add_opposed({from_arm(moving_.from, i), S(unit_ * v_)}, {from_arm(moving_.to, i), S(unit_ * v_)}, sign,
+                    constraints);
+        add_opposed({line_arm(fixed_.from, i), S(unit_ * u_)}, {line_arm(d, i), S(unit_ * u_)}, sign, constraints);
+    }
+
+    /// The two edges overlap when both are projected on v, and when both are projected on u.
+    void add_overlaps(std::vector<Constraint<3, S>>& constraints) const {
+        const Vector3<S>& v = fixed_.direction;
+        const Vector3<S>& u = moving_.body_direction;
+        const S v_error(unit_ * v_);
+        const S u_error(unit_ * u_);
+        const VertexPath<S> from{moving_.from, maps_.weight};
+        const VertexPath<S> to{moving_.to, maps_.weight};
+        add_overlap(height(from, v, fixed_.from), height(to, v, fixed_.from), S(dot(v, v)), v_error, constraints);
+        const Vector c_in_body = in_body(fixed_.from);
+        const Vector d_in_body = in_body(fixed_.from + v);
+        const VertexPath<S> c{c_in_body, maps_.weight};
+        const VertexPath<S> d{d_in_body, maps_.weight};
+        add_overlap(height(c, u, moving_.body_from), height(d, u, moving_.body_from), S(dot(u, u)), u_error,
+                    constraints);
+    }
+
+private:
+    /// Component i of (W c - position) x v.
+    [[nodiscard]] Polynomial from_arm(const Vector& position, int i) const {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        return (maps_.weight * fixed_.from[j] - position[j]) * fixed_.direction[k] -
+               (maps_.weight * fixed_.from[k] - position[k]) * fixed_.direction[j];
+    }
+
+    /// Component i of point x U - M.
+    [[nodiscard]] Polynomial line_arm(const Vector3<S>& point, int i) const {
+        const int j = (i + 1) % 3;
+        const int k = (i + 2) % 3;
+        return moving_.direction[k] * point[j] - moving_.direction[j] * point[k] - moving_.moment[i];
+    }
+
+    [[nodiscard]] Vector in_body(const Vector3<S>& point) const {
+        return maps_.turn.transposed() * point - maps_.inverse_shift;
+    }
+
+    static Bounded<3, S> negated(const Bounded<3, S>& p) { return {Polynomial() - p.polynomial, p.error}; }
+
+    /// sign > 0: first >= 0 >= second. sign < 0: the reverse. 0: either.
+    static void add_opposed(const Bounded<3, S>& first, const Bounded<3, S>& second, int sign,
+                            std::vector<Constraint<3, S>>& constraints) {
+        if (sign == 0) {
+            constraints.push_back({first, second, true});
+            constraints.push_back({negated(first), negated(second), true});
+            return;
+        }
+        constraints.push_back({sign > 0 ? first : negated(first), {}, false});
+        constraints.push_back({sign > 0 ? negated(second) : second, {}, false});
+    }
+
+    /// Not both ends below 0, and not both above `length` times W.
+    void add_overlap(const Polynomial& from, const Polynomial& to, const S& length, const S& error,
+                     std::vector<Constraint<3, S>>& constraints) const {
+        const Polynomial end = maps_.weight * length;
+        constraints.push_back({{from, error}, {to, error}, true});
+        constraints.push_back({{end - from, error}, {end - to, error}, true});
+    }
+
+    const motion::ControlMaps<S>& maps_;
+    const EdgePath<S>& moving_;
+    const FixedEdge<S>& fixed_;
+    S unit_;
+    S stretch_unit_;
+    S u_;
+    S v_;
+};
+
+/// The component of U x v that is proven to keep its sign with the widest distance from zero; sign 0 if none is.
+struct CrossingAxis {
+    int component = 0;
+    int sign = 0;
+};
+
+template <class S>
+CrossingAxis crossing_axis(const Vector3<Bernstein<3, S>>& crossing, const Bernstein<3, S>& weight, const S& error) {
+    CrossingAxis best;
+    S widest(0);
+    for (int i = 0; i < 3; ++i) {
+        for (const int sign : {1, -1}) {
+            const Bernstein<3, S> side = crossing[i] * S(sign);
+            if (!is_positive(side, weight * error))
+                continue;
+            const S distance = side[0] < side[3] ? side[0] : side[3];
+            if (widest < distance) {
+                widest = distance;
+                best = {i, sign};
+            }
+        }
+    }
+    return best;
+}
+
+/// A constraint that fails all along settles the question without looking for roots.
+template <class S>
+bool fails(const Constraint<3, S>& constraint, const Bernstein<3, S>& weight) {
+    return is_negative(constraint.first.polynomial, weight * constraint.first.error) &&
+           (!constraint.has_alternative || is_negative(constraint.second.polynomial, weight * constraint.second.error));
+}
+
+} // namespace detail
+
+/// The first tau in [0, 1] at which the closed edges may meet; empty if they are proven never to. Edges that are, or
+/// become, parallel are no special case for the answer: where no component of U x v keeps its sign, all three decide
+/// together with the overlap along each edge.
+template <class S>
+std::optional<FeasibleInterval> edge_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving,
+                                          const FixedEdge<S>& fixed, const Accuracy& accuracy,
+                                          Workspace<S>& workspace) {
+    ++workspace.elementary_tests;
+    const detail::EdgePair<S> pair(maps, moving, fixed, accuracy);
+    const Bounded<3, S> volume = pair.volume();
+    const Bernstein<3, S> band = maps.weight * volume.error;
+    if (is_positive(volume.polynomial, band) || is_negative(volume.polynomial, band))
+        return std::nullopt;
+    const detail::CrossingAxis axis = detail::crossing_axis(pair.crossing(), maps.weight, pair.crossing_error());
+    auto& constraints = workspace.constraints;
+    constraints.clear();
+    pair.add_inside(axis.component, axis.sign, constraints);
+    if (axis.sign == 0) {
+        pair.add_inside(1, 0, constraints);
+        pair.add_inside(2, 0, constraints);
+        pair.add_overlaps(constraints);
+    }
+    for (const auto& constraint : constraints)
+        if (detail::fails(constraint, maps.weight))
+            return std::nullopt;
+    ++workspace.root_brackets;
+    return algebra::first_feasible<3, S>({maps.weight, volume, constraints}, accuracy.tolerance);
+}
+
+} // namespace chasles::elementary

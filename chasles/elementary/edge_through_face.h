@@ -1,0 +1,79 @@
+// Does an edge pass through a face at one instant? Tells bodies that overlap at the start from bodies that are apart.
+// Source: docs/derivations/05-being-inside.md, last section.
+#pragma once
+
+#include "chasles/elementary/face_shape.h"
+
+#include <optional>
+
+namespace chasles::elementary {
+
+/// A segment in the frame of the face's body.
+template <class S>
+struct Segment {
+    Vector3<S> from;
+    Vector3<S> to;
+};
+
+/// Where an edge passes through a face.
+template <class S>
+struct Passage {
+    Vector3<S> point;
+    bool certain = false; ///< proven; otherwise the edge may just miss the rim
+};
+
+namespace detail {
+
+/// Signed volumes of the segment with each edge of a convex part of the face: all non-negative if it passes inside.
+template <class S, class CornerAt>
+std::optional<bool> passes(const Segment<S>& segment, bool upwards, std::size_t count, CornerAt corner_at,
+                           const S& unit) {
+    const Vector3<S> u = upwards ? segment.to - segment.from : segment.from - segment.to;
+    bool certain = true;
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vector3<S>& from = corner_at(i);
+        const Vector3<S> v = corner_at(i + 1 == count ? 0 : i + 1) - from;
+        const S volume = dot(cross(from - segment.from, v), u);
+        const S error = unit * norm1(u) * norm1(v);
+        if (volume < S(0) - error)
+            return std::nullopt;
+        certain = certain && volume > error;
+    }
+    return certain;
+}
+
+} // namespace detail
+
+/// Strict passage: the two ends are proven to lie on opposite sides of the face's plane, and the segment between them
+/// may go through the face. Ends on the plane are left to vertex/face. `length` as in ErrorScale.
+template <class S>
+std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face, double length) {
+    const S unit(error_unit<S> * length);
+    const S band = unit * face.size + face.deviation;
+    const S from = dot(face.normal, segment.from - face.corners[0]);
+    const S to = dot(face.normal, segment.to - face.corners[0]);
+    const bool upwards = from < S(0) - band && to > band;
+    const bool downwards = to < S(0) - band && from > band;
+    if (!upwards && !downwards)
+        return std::nullopt;
+    const auto found = [&](bool certain) {
+        const S share = from / (from - to);
+        return Passage<S>{segment.from + scale(segment.to - segment.from, share), certain};
+    };
+    if (face.triangles.empty()) {
+        const auto passes = detail::passes(
+            segment, upwards, face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; },
+            unit);
+        return passes ? std::optional(found(*passes)) : std::nullopt;
+    }
+    for (std::size_t t = 0; t < face.triangles.size(); t += 3) {
+        const auto passes = detail::passes(
+            segment, upwards, 3,
+            [&](std::size_t i) -> const Vector3<S>& { return face.corners[face.triangles[t + i]]; }, unit);
+        if (passes)
+            return found(*passes);
+    }
+    return std::nullopt;
+}
+
+} // namespace chasles::elementary

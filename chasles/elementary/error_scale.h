@@ -1,0 +1,55 @@
+// The semi-static error bound of the elementary detections: one length and one ratio per motion and pair of bodies.
+// Source: docs/derivations/06-first-feasible.md, section "Constants".
+#pragma once
+
+#include "chasles/motion/control_maps.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chasles::elementary {
+
+/// Bounds every coefficient error by error_unit * length * (norms of the directions that enter) * weight.
+struct ErrorScale {
+    double length = 0;  ///< of positions, differences of positions, and moments of unit directions, over the weight
+    double stretch = 1; ///< of turned unit directions over the weight; 1 for a rotation, more for its control maps
+};
+
+/// Relative error of a coefficient, counted in the note. In exact scalars there is none; in double-double the maps
+/// themselves are rounded too, which the larger factor covers.
+template <class S>
+inline constexpr double error_unit = 0;
+template <>
+inline constexpr double error_unit<double> = 128 * algebra::unit_roundoff<double>;
+template <>
+inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit_roundoff<algebra::DoubleDouble>;
+
+/// The scale for moving points with coordinates up to `moving_reach` in the body's frame and fixed points up to
+/// `fixed_reach`, both in the mesh's unit, under maps over [0, 1].
+inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_reach, double fixed_reach) {
+    ErrorScale scale;
+    for (int lane = 0; lane <= 3; ++lane) {
+        const double weight = maps.weight[lane];
+        double rows = 0, columns = 0, shift = 0, inverse = 0, moment = 0;
+        for (int i = 0; i < 3; ++i) {
+            double row = 0, column = 0;
+            for (int j = 0; j < 3; ++j) {
+                row += std::abs(maps.turn.row[i][j][lane]);
+                column += std::abs(maps.turn.row[j][i][lane]);
+                moment = std::max(moment, std::abs(maps.moment.row[i][j][lane]));
+            }
+            rows = std::max(rows, row);
+            columns = std::max(columns, column);
+            shift = std::max(shift, std::abs(maps.shift[i][lane]));
+            inverse = std::max(inverse, std::abs(maps.inverse_shift[i][lane]));
+        }
+        const double turned = std::max(rows, columns) / weight;
+        scale.stretch = std::max(scale.stretch, turned);
+        scale.length = std::max({scale.length, turned * moving_reach + shift / weight + fixed_reach,
+                                 turned * fixed_reach + inverse / weight + moving_reach,
+                                 turned * (moving_reach + fixed_reach) + moment / weight});
+    }
+    return scale;
+}
+
+} // namespace chasles::elementary

@@ -1,0 +1,160 @@
+// A motion of the family as four affine maps and four positive weights, on [0, 1] or any part of it.
+// Source: design and docs/derivations/02-rational-motion.md, where each line is derived.
+#pragma once
+
+#include "chasles/algebra/bernstein.h"
+#include "chasles/motion/rational_motion.h"
+
+#include <array>
+
+namespace chasles::motion {
+
+using algebra::Bernstein;
+
+/// A motion as cubic polynomials over a positive weight W. For a body point b, a fixed point x, and the line through
+/// b with direction u in the body's frame, all at the same tau:
+///   turn b + shift              = W * (position of b in the frame of the fixed body)
+///   turn^T x - inverse_shift    = W * (position of x in the body's frame)
+///   turn u                      = W * (direction of the line in the fixed frame)
+///   turn (b x u) + moment u     = W * (moment of the line in the fixed frame)
+template <class S>
+struct ControlMaps {
+    using Polynomial = Bernstein<3, S>;
+    Polynomial weight;
+    Matrix3<Polynomial> turn;
+    Vector3<Polynomial> shift;
+    Vector3<Polynomial> inverse_shift;
+    Matrix3<Polynomial> moment;
+};
+
+namespace detail {
+
+/// Power coefficients of a polynomial of degree at most three whose values are scalars, vectors or matrices.
+template <class T>
+using Power = std::array<T, 4>;
+
+/// (a[0] + a[1] tau) * (b[0] + b[1] tau + b[2] tau^2) for any bilinear product.
+template <class A, class B, class Product>
+auto multiply(const std::array<A, 2>& a, const Power<B>& b, Product times) {
+    using T = decltype(times(a[0], b[0]));
+    return Power<T>{times(a[0], b[0]), times(a[0], b[1]) + times(a[1], b[0]), times(a[0], b[2]) + times(a[1], b[1]),
+                    times(a[1], b[2])};
+}
+
+template <class T>
+Power<T> sum(const Power<T>& a, const Power<T>& b) {
+    return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
+}
+
+/// The Bernstein form of one component: c_k = sum over j of binomial(k, j) / binomial(3, j) p_j.
+template <class S>
+Bernstein<3, S> polynomial(const S& p0, const S& p1, const S& p2, const S& p3) {
+    const S three(3);
+    Bernstein<3, S> result;
+    result.set(0, p0);
+    result.set(1, S(p0 + p1 / three));
+    result.set(2, S(p0 + (p1 + p1 + p2) / three));
+    result.set(3, S(p0 + p1 + p2 + p3));
+    return result;
+}
+
+template <class S>
+Vector3<Bernstein<3, S>> vector_polynomial(const Power<Vector3<S>>& p) {
+    Vector3<Bernstein<3, S>> result;
+    for (int i = 0; i < 3; ++i)
+        result[i] = polynomial<S>(p[0][i], p[1][i], p[2][i], p[3][i]);
+    return result;
+}
+
+template <class S>
+Matrix3<Bernstein<3, S>> matrix_polynomial(const Power<Matrix3<S>>& p) {
+    Matrix3<Bernstein<3, S>> result;
+    for (int i = 0; i < 3; ++i)
+        result.row[i] = vector_polynomial<S>({p[0].row[i], p[1].row[i], p[2].row[i], p[3].row[i]});
+    return result;
+}
+
+template <class S>
+Power<Matrix3<S>> transposed(const Power<Matrix3<S>>& p) {
+    return {p[0].transposed(), p[1].transposed(), p[2].transposed(), p[3].transposed()};
+}
+
+} // namespace detail
+
+/// The control maps on [0, 1]. Source: docs/derivations/02-rational-motion.md, where each line is derived.
+template <class S>
+ControlMaps<S> control_maps(const RationalMotion<S>& motion) {
+    using Matrix = Matrix3<S>;
+    using Vector = Vector3<S>;
+    const S two(2);
+    const S bend = motion.end_cosine - S(1); // e(tau) = 1 + bend tau
+    const Matrix identity = algebra::identity_matrix<S>();
+    const Matrix a = cross_matrix(motion.axis);
+    const Matrix m = cross_matrix(motion.moment);
+    const S square = bend * bend + dot(motion.axis, motion.axis);
+
+    const detail::Power<S> weight{S(1), S(two * bend), square, S(0)};
+    const detail::Power<Matrix> turn{identity, scale(identity, S(two * bend)) + scale(a, two),
+                                     scale(identity, square) + scale(a, S(two * bend)) + scale(a * a, two), Matrix()};
+    const std::array<Vector, 2> travel{motion.origin, motion.displacement};
+    const std::array<Matrix, 2> travel_cross{cross_matrix(motion.origin), cross_matrix(motion.displacement)};
+
+    const Vector axis_moment = cross(motion.axis, motion.moment);
+    const Vector bent_moment = scale(motion.moment, bend);
+    const detail::Power<Vector> swing{Vector(), scale(motion.moment, two), scale(bent_moment + axis_moment, two),
+                                      Vector()};
+    const detail::Power<Vector> inverse_swing{Vector(), scale(motion.moment, two),
+                                              scale(bent_moment - axis_moment, two), Vector()};
+    const detail::Power<Matrix> swing_moment{
+        Matrix(), scale(m, two), scale(scale(m, bend) + a * m + outer(motion.axis, motion.moment), two), Matrix()};
+
+    const auto vector_times = [](const Vector& v, const S& s) { return scale(v, s); };
+    const auto matrix_times = [](const Matrix& x, const Matrix& y) { return x * y; };
+    const auto transposed_times = [](const Vector& v, const Matrix& x) { return x * v; };
+    const detail::Power<Vector> shift = detail::sum(swing, detail::multiply(travel, weight, vector_times));
+    const detail::Power<Vector> inverse_shift =
+        detail::sum(inverse_swing, detail::multiply(travel, detail::transposed(turn), transposed_times));
+    const detail::Power<Matrix> moment = detail::sum(swing_moment, detail::multiply(travel_cross, turn, matrix_times));
+
+    // From the start orientation's axes to the body's own.
+    const Matrix& orientation = motion.orientation;
+    const auto in_body = [&](const detail::Power<Matrix>& p) {
+        return detail::Power<Matrix>{p[0] * orientation, p[1] * orientation, p[2] * orientation, p[3] * orientation};
+    };
+    const Matrix back = orientation.transposed();
+    return {detail::polynomial<S>(weight[0], weight[1], weight[2], weight[3]), detail::matrix_polynomial<S>(in_body(turn)),
+            detail::vector_polynomial<S>(shift),
+            detail::vector_polynomial<S>({back * inverse_shift[0], back * inverse_shift[1], back * inverse_shift[2],
+                                          back * inverse_shift[3]}),
+            detail::matrix_polynomial<S>(in_body(moment))};
+}
+
+/// A function applied to every polynomial of a set of control maps.
+template <class To, class From, class Function>
+ControlMaps<To> transformed(const ControlMaps<From>& maps, Function function) {
+    ControlMaps<To> result;
+    result.weight = function(maps.weight);
+    for (int i = 0; i < 3; ++i) {
+        result.shift[i] = function(maps.shift[i]);
+        result.inverse_shift[i] = function(maps.inverse_shift[i]);
+        for (int j = 0; j < 3; ++j) {
+            result.turn.row[i][j] = function(maps.turn.row[i][j]);
+            result.moment.row[i][j] = function(maps.moment.row[i][j]);
+        }
+    }
+    return result;
+}
+
+/// The same motion on [from, to], a part of [0, 1].
+template <class S>
+ControlMaps<S> restricted(const ControlMaps<S>& maps, const S& from, const S& to) {
+    return transformed<S>(maps, [&](const Bernstein<3, S>& p) { return algebra::restricted(p, from, to); });
+}
+
+/// The maps rounded to double precision.
+template <class S>
+ControlMaps<double> rounded(const ControlMaps<S>& maps) {
+    return transformed<double>(maps, [](const Bernstein<3, S>& p) { return algebra::converted<double>(p); });
+}
+
+} // namespace chasles::motion

@@ -1,0 +1,84 @@
+#include "chasles/motion/pose.h"
+
+#include "chasles/invalid_input.h"
+
+#include <Eigen/SVD>
+#include <cmath>
+#include <sstream>
+
+namespace chasles {
+
+namespace {
+
+/// How far R^T R may be from the identity: admits matrices printed with six digits.
+constexpr double orthogonality_tolerance = 1e-5;
+/// Below this a matrix is a rotation up to rounding, and projecting it would only add rounding.
+constexpr double rounding_tolerance = 1e-12;
+/// Far beyond any scene; keeps products of three lengths finite.
+constexpr double largest_length = 1e90;
+
+void require_usable(const Eigen::Vector3d& translation) {
+    if (!translation.allFinite())
+        throw InvalidInput("pose: translation: a number is NaN or infinite");
+    if (translation.cwiseAbs().maxCoeff() > largest_length)
+        throw InvalidInput("pose: translation: a number is larger than 1e90");
+}
+
+/// Scales by a power of two, which is exact, so that squares of the numbers neither overflow nor underflow.
+Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
+    const double largest = rotation.coeffs().cwiseAbs().maxCoeff();
+    if (!std::isfinite(largest))
+        throw InvalidInput("pose: quaternion: a number is NaN or infinite");
+    if (largest == 0)
+        throw InvalidInput("pose: quaternion: all four numbers are zero, which is no rotation");
+    if (largest >= 1e-3 && largest <= 1e3)
+        return rotation;
+    const int exponent = -std::ilogb(largest);
+    Eigen::Quaterniond scaled;
+    for (int i = 0; i < 4; ++i)
+        scaled.coeffs()[i] = std::ldexp(rotation.coeffs()[i], exponent);
+    return scaled;
+}
+
+Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
+    const double deviation = (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+    if (!(deviation <= orthogonality_tolerance)) {
+        std::ostringstream message;
+        message << "pose: matrix: the 3x3 part is not a rotation (an entry of R^T R is off by " << deviation
+                << ", allowed are " << orthogonality_tolerance << ")";
+        throw InvalidInput(message.str());
+    }
+    if (matrix.determinant() < 0)
+        throw InvalidInput("pose: matrix: the 3x3 part is a reflection (its determinant is negative)");
+    if (deviation <= rounding_tolerance)
+        return matrix;
+    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
+    return svd.matrixU() * svd.matrixV().transpose();
+}
+
+} // namespace
+
+Pose::Pose(const Eigen::Vector3d& translation_, const Eigen::Quaterniond& rotation_)
+    : translation(translation_), rotation(in_safe_range(rotation_)) {
+    require_usable(translation);
+}
+
+Pose::Pose(const Eigen::Isometry3d& isometry) : Pose(from_matrix(isometry.matrix())) {}
+
+Pose Pose::from_matrix(const Eigen::Matrix4d& matrix) {
+    if (!matrix.allFinite())
+        throw InvalidInput("pose: matrix: a number is NaN or infinite");
+    if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
+        throw InvalidInput("pose: matrix: the last row is not 0 0 0 1");
+    const Eigen::Matrix3d rotation = nearest_rotation(matrix.topLeftCorner<3, 3>());
+    return Pose(matrix.topRightCorner<3, 1>(), Eigen::Quaterniond(rotation));
+}
+
+Eigen::Isometry3d Pose::isometry() const {
+    Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
+    result.linear() = rotation.normalized().toRotationMatrix();
+    result.translation() = translation;
+    return result;
+}
+
+} // namespace chasles

@@ -1,0 +1,89 @@
+// The family of motions with cubic elementary equations, in any scalar: the paper's screw and the sweep.
+// Legend (design and docs/derivations/02-rational-motion.md): quaternion q(tau) = e(tau) + tau a with
+// e(tau) = 1 + tau (e1 - 1); weight W = |q|^2; moment m, perpendicular to a; displacement d.
+#pragma once
+
+#include "chasles/algebra/double_double.h"
+#include "chasles/algebra/vector.h"
+
+namespace chasles::motion {
+
+using algebra::Matrix3;
+using algebra::Vector3;
+
+/// A quaternion w + v of any length.
+template <class S>
+struct Quaternion {
+    S w{};
+    Vector3<S> v;
+
+    friend Quaternion operator*(const Quaternion& a, const Quaternion& b) {
+        return {S(a.w * b.w - dot(a.v, b.v)), scale(b.v, a.w) + scale(a.v, b.w) + cross(a.v, b.v)};
+    }
+    [[nodiscard]] Quaternion conjugate() const { return {w, Vector3<S>() - v}; }
+    [[nodiscard]] S squared_norm() const { return w * w + dot(v, v); }
+};
+
+/// The rotation matrix of a quaternion of any non-zero length.
+template <class S>
+Matrix3<S> rotation_matrix(const Quaternion<S>& q) {
+    const S square = q.w * q.w - dot(q.v, q.v);
+    const Matrix3<S> scaled = scale(algebra::identity_matrix<S>(), square) + scale(outer(q.v, q.v), S(2)) +
+                              scale(cross_matrix(q.v), S(S(2) * q.w));
+    return scale(scaled, S(S(1) / q.squared_norm()));
+}
+
+/// A pose with the quaternion as given.
+template <class S>
+struct GeneralPose {
+    Vector3<S> translation;
+    Quaternion<S> rotation;
+};
+
+/// One motion of the family. Body points b start at y = `orientation` * b, relative to `origin`; at tau they are at
+/// origin + (W y + 2 tau e (a x y + m) + 2 tau^2 a x (a x y + m)) / W + tau d.
+template <class S>
+struct RationalMotion {
+    S end_cosine{};            ///< e1
+    Vector3<S> axis;           ///< a; half-angle tangent times the axis direction for a screw
+    Vector3<S> moment;         ///< m, a length
+    Vector3<S> displacement;   ///< d, a length
+    Vector3<S> origin;         ///< start position of the body's origin, in the frame of the fixed body
+    Matrix3<S> orientation;    ///< at the start
+};
+
+/// The rotation from one pose's frame to the other's, with non-negative scalar part.
+template <class S>
+Quaternion<S> turn_between(const GeneralPose<S>& start, const GeneralPose<S>& goal) {
+    const Quaternion<S> turn = goal.rotation * start.rotation.conjugate();
+    return turn.w < S(0) ? Quaternion<S>{S(S(0) - turn.w), Vector3<S>() - turn.v} : turn;
+}
+
+/// The screw between two poses, which must not be a half turn apart. Exact where S is: no root is taken.
+/// Source: docs/derivations/01-screw-from-two-poses.md.
+template <class S>
+RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S>& goal) {
+    const Quaternion<S> turn = turn_between(start, goal);
+    const Vector3<S> axis = scale(turn.v, S(S(1) / turn.w));
+    const Vector3<S> shift = goal.translation - start.translation;
+    const S square = dot(turn.v, turn.v);
+    const bool turns = S(0) < square;
+    const Vector3<S> along = turns ? scale(turn.v, S(dot(turn.v, shift) / square)) : shift;
+    const Vector3<S> across = shift - along;
+    const Vector3<S> moment = scale(across - cross(axis, across), S(S(1) / S(2)));
+    return {S(1), axis, moment, along, start.translation, rotation_matrix(start.rotation)};
+}
+
+/// The sweep about the point that is at `reference` = orientation * centre, relative to the body's origin, at the
+/// start. `unit_turn` is the turn with length one.
+template <class S>
+RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S>& goal,
+                                const Quaternion<S>& unit_turn, const Vector3<S>& centre) {
+    const Matrix3<S> orientation = rotation_matrix(start.rotation);
+    const Vector3<S> reference = orientation * centre;
+    const Vector3<S> moved = rotation_matrix(goal.rotation) * centre;
+    const Vector3<S> displacement = (goal.translation - start.translation) + (moved - reference);
+    return {unit_turn.w, unit_turn.v, cross(reference, unit_turn.v), displacement, start.translation, orientation};
+}
+
+} // namespace chasles::motion

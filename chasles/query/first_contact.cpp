@@ -1,0 +1,163 @@
+#include "chasles/query/first_contact.h"
+
+#include "chasles/invalid_input.h"
+#include "chasles/query/contact_details.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+#include <string>
+#include <tuple>
+
+namespace chasles {
+
+namespace {
+
+/// The clock of one piece of the motion: piece `index` of `count` runs over an equal part of the whole time.
+struct PieceClock {
+    std::size_t index = 0;
+    std::size_t count = 1;
+
+    [[nodiscard]] double whole(double part) const { return (double(index) + part) / double(count); }
+};
+
+/// A few roundings of the arc tangent and of the sum with the piece's index.
+constexpr double clock_slack = 0x1p-50;
+
+void require(bool holds, const char* option, const std::string& why) {
+    if (!holds)
+        throw InvalidInput(std::string("query: ") + option + ": " + why);
+}
+
+void validate(const FirstContactQuery& query) {
+    require(query.margin == 0, "margin", "must be 0; distances above 0 are not supported by this version");
+    require(query.hold == 0, "hold", "must be 0; it belongs to a margin, which this version does not support");
+    require(query.time_tolerance >= 1e-15 && query.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
+    require(query.max_turn > 0, "max_turn", "must be a positive angle in radians");
+}
+
+/// dtau/dtime of one piece.
+double tau_rate(const ScrewMotion& screw, double tau) {
+    const double half = screw.angle() / 2;
+    const double tangent = std::tan(half);
+    return half < 1e-9 ? 1 : half / tangent * (1 + tau * tau * tangent * tangent);
+}
+double tau_rate(const SweepMotion&, double) { return 1; }
+
+/// One query, piece by piece.
+class Query {
+public:
+    explicit Query(const FirstContactQuery& query) : query_(query) {}
+
+    template <class AnyMotion>
+    FirstContact answer(const std::vector<AnyMotion>& pieces) {
+        FirstContact found;
+        for (std::size_t i = 0; i < pieces.size(); ++i) {
+            const PieceClock clock{i, pieces.size()};
+            const double tolerance = query_.time_tolerance * double(clock.count) / greatest_time_rate(pieces[i]);
+            const query::PieceResult result =
+                query::search_piece({query_.moving, query_.fixed, pieces[i].frame().motion, std::min(tolerance, 1.0),
+                                     query_.find, i == 0});
+            found.work += result.work;
+            if (result.overlap || !result.candidates.empty()) {
+                report(found, pieces[i], clock, result);
+                return found;
+            }
+        }
+        found.pose = pieces.back().pose_at(1);
+        return found;
+    }
+
+private:
+    /// tau as a function of time is convex, so that dtime/dtau is greatest at tau = 0.
+    template <class AnyMotion>
+    static double greatest_time_rate(const AnyMotion& piece) {
+        return std::max(1.0, 1 / tau_rate(piece, 0));
+    }
+
+    template <class AnyMotion>
+    void report(FirstContact& found, const AnyMotion& piece, const PieceClock& clock,
+                const query::PieceResult& result) const {
+        const Bracket tau = result.overlap ? Bracket{0, 0} : enclosing(result.candidates);
+        found.tau = {std::max(0.0, clock.whole(tau.lower) * (1 - clock_slack)),
+                     std::min(1.0, clock.whole(tau.upper) * (1 + clock_slack))};
+        found.time = {std::max(0.0, clock.whole(piece.time_at(tau.lower)) * (1 - clock_slack)),
+                      std::min(1.0, clock.whole(piece.time_at(tau.upper)) * (1 + clock_slack))};
+        found.verdict = found.tau.lower > 0 ? Verdict::contact : Verdict::contact_at_start;
+        found.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
+        found.pose = piece.pose_at(piece.time_at(tau.lower));
+        const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
+        found.overlap = result.overlap;
+        if (found.overlap)
+            found.overlap->point = to_world * found.overlap->point;
+        const double rate = tau_rate(piece, tau.lower) * double(clock.count);
+        const query::ContactDetails details(query_.moving, query_.fixed,
+                                            motion::rounded(motion::control_maps(piece.frame().motion)), tau.lower);
+        for (const query::Candidate& candidate : reported(result.candidates)) {
+            Contact contact = details.describe(candidate);
+            contact.point = to_world * contact.point;
+            contact.normal = to_world.linear() * contact.normal;
+            contact.approach_speed *= rate;
+            found.contacts.push_back(contact);
+        }
+    }
+
+    /// The first contact is not before any lower end nor after any upper end.
+    static Bracket enclosing(const std::vector<query::Candidate>& candidates) {
+        Bracket bracket{1, 1};
+        for (const query::Candidate& candidate : candidates) {
+            bracket.lower = std::min(bracket.lower, candidate.tau.lower);
+            bracket.upper = std::min(bracket.upper, candidate.tau.upper);
+        }
+        return bracket;
+    }
+
+    static bool is_certain(const std::vector<query::Candidate>& candidates, const Bracket& tau) {
+        return std::any_of(candidates.begin(), candidates.end(), [&](const query::Candidate& candidate) {
+            return candidate.tau.certain && candidate.tau.upper <= tau.upper;
+        });
+    }
+
+    [[nodiscard]] std::vector<query::Candidate> reported(std::vector<query::Candidate> candidates) const {
+        std::sort(candidates.begin(), candidates.end(), [](const query::Candidate& a, const query::Candidate& b) {
+            const auto key = [](const query::Candidate& c) {
+                return std::tuple(c.kind, c.moving.first, c.moving.second, c.fixed.first, c.fixed.second);
+            };
+            return key(a) < key(b);
+        });
+        // An edge or a vertex is met again in each interval of time that its contact borders on.
+        const auto same = [](const query::Candidate& a, const query::Candidate& b) {
+            return a.kind == b.kind && a.moving == b.moving && a.fixed == b.fixed;
+        };
+        candidates.erase(std::unique(candidates.begin(), candidates.end(), same), candidates.end());
+        if (query_.find != Find::first_with_all_contacts && candidates.size() > 1) {
+            const auto first = std::min_element(
+                candidates.begin(), candidates.end(),
+                [](const query::Candidate& a, const query::Candidate& b) { return a.tau.lower < b.tau.lower; });
+            candidates = {*first};
+        }
+        return candidates;
+    }
+
+    const FirstContactQuery& query_;
+};
+
+} // namespace
+
+Work& Work::operator+=(const Work& other) {
+    node_pairs += other.node_pairs;
+    face_pairs += other.face_pairs;
+    elementary_tests += other.elementary_tests;
+    root_brackets += other.root_brackets;
+    refined += other.refined;
+    return *this;
+}
+
+FirstContact first_contact(const FirstContactQuery& query) {
+    validate(query);
+    Query run(query);
+    if (const auto* screw = std::get_if<ScrewMotion>(&query.motion))
+        return run.answer(screw->cut(query.max_turn));
+    return run.answer(std::vector<SweepMotion>{std::get<SweepMotion>(query.motion)});
+}
+
+} // namespace chasles

@@ -1,0 +1,40 @@
+// One motion of the family over tau in [0, 1]: walks both hierarchies in space and time to the earliest contacts.
+// Source: paper section 5.1 (hierarchies moved by the same motion); docs/derivations/07-swept-boxes.md.
+#pragma once
+
+#include "chasles/query/feature_pairs.h"
+#include "chasles/query/first_contact.h"
+#include "chasles/query/swept_boxes.h"
+
+#include <memory>
+
+namespace chasles::query {
+
+/// A feature pair that may be in contact, with the tau of its first contact in the piece of motion.
+struct Candidate {
+    ContactKind kind = ContactKind::vertex_face;
+    Feature moving;
+    Feature fixed;
+    FeasibleInterval tau;
+};
+
+/// What one piece of a motion gave.
+struct PieceResult {
+    std::vector<Candidate> candidates; ///< none: proven clear. Those after the first contact are left out
+    std::optional<Overlap> overlap;    ///< only when asked for; the point is in the frame of the fixed body
+    Work work;
+};
+
+/// How to search one piece.
+struct PieceSearch {
+    const Polyhedron& moving;
+    const Polyhedron& fixed;
+    const motion::RationalMotion<algebra::DoubleDouble>& motion;
+    double tolerance = 1e-12; ///< of tau
+    Find find = Find::first;
+    bool check_start = true; ///< look for edges that pass through faces at tau = 0
+};
+
+PieceResult search_piece(const PieceSearch& search);
+
+} // namespace chasles::query
