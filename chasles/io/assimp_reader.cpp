@@ -1,0 +1,87 @@
+// What Assimp reads: glTF, COLLADA, 3MF and others. No post-processing is asked for, so polygons and coordinates stay
+// as they are; the transforms of the nodes are applied here, in double precision.
+#include "chasles/invalid_input.h"
+#include "chasles/io/mesh_files.h"
+#include "chasles/io/text_scan.h"
+
+#include <assimp/Importer.hpp>
+#include <assimp/scene.h>
+
+#include <Eigen/Geometry>
+#include <limits>
+
+namespace chasles::io {
+namespace {
+
+Eigen::Affine3d transform_of(const aiNode& node) {
+    Eigen::Matrix4d matrix;
+    for (unsigned row = 0; row < 4; ++row)
+        for (unsigned column = 0; column < 4; ++column)
+            matrix(row, column) = static_cast<double>(node.mTransformation[row][column]);
+    return Eigen::Affine3d(matrix);
+}
+
+void check_size(std::size_t vertices) {
+    if (vertices >= std::numeric_limits<std::uint32_t>::max())
+        throw InvalidInput("more than 4,294,967,294 vertices");
+}
+
+void add_vertices(PolygonSoup& soup, const aiMesh& mesh, const Eigen::Affine3d& to_world) {
+    check_size(soup.vertices.size() + mesh.mNumVertices);
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
+        const aiVector3D& vertex = mesh.mVertices[i];
+        soup.vertices.push_back(to_world * Eigen::Vector3d(vertex.x, vertex.y, vertex.z));
+        if (!soup.vertices.back().allFinite())
+            throw InvalidInput("mesh '" + one_line(mesh.mName.C_Str()) + "': vertex " + std::to_string(i) +
+                               ": NaN or infinity");
+    }
+}
+
+// Points and lines (faces of one or two vertices for Assimp) have no area and are left out.
+void add_faces(PolygonSoup& soup, const aiMesh& mesh, std::uint32_t first_vertex) {
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+        const aiFace& face = mesh.mFaces[i];
+        if (face.mNumIndices < 3)
+            continue;
+        std::vector<std::uint32_t> outline;
+        for (unsigned corner = 0; corner < face.mNumIndices; ++corner) {
+            if (face.mIndices[corner] >= mesh.mNumVertices)
+                throw InvalidInput("mesh '" + one_line(mesh.mName.C_Str()) + "': face " + std::to_string(i) +
+                                   ": vertex index " + std::to_string(face.mIndices[corner]) + " is out of range");
+            outline.push_back(first_vertex + face.mIndices[corner]);
+        }
+        soup.faces.push_back(std::move(outline));
+    }
+}
+
+// Assimp's own depth limit bounds the recursion: its tree is built by recursive readers.
+void add_node(PolygonSoup& soup, const aiScene& scene, const aiNode& node, const Eigen::Affine3d& parent) {
+    const Eigen::Affine3d to_world = parent * transform_of(node);
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+        const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
+        const auto first_vertex = static_cast<std::uint32_t>(soup.vertices.size());
+        add_vertices(soup, mesh, to_world);
+        add_faces(soup, mesh, first_vertex);
+    }
+    for (unsigned i = 0; i < node.mNumChildren; ++i)
+        add_node(soup, scene, *node.mChildren[i], to_world);
+}
+
+} // namespace
+
+PolygonSoup read_with_assimp(const std::filesystem::path& file) {
+    Assimp::Importer importer;
+    const std::string extension = file.extension().string();
+    if (extension.empty() || !importer.IsExtensionSupported(extension))
+        throw InvalidInput("no reader for the extension " + in_quotes(extension) +
+                           "; known are .obj, .off, .ply, .stl, " +
+                           ".gltf, .glb, .dae, .3mf and what else Assimp reads");
+    const aiScene* const scene = importer.ReadFile(file.string(), 0);
+    if (scene == nullptr || scene->mRootNode == nullptr)
+        throw InvalidInput("cannot be read: " + one_line(importer.GetErrorString()));
+    PolygonSoup soup;
+    add_node(soup, *scene, *scene->mRootNode, Eigen::Affine3d::Identity());
+    return soup;
+}
+
+} // namespace chasles::io

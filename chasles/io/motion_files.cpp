@@ -1,0 +1,121 @@
+// Paths and lists of motions: headers are compared to the letter, so that no column is ever taken for another one.
+#include "chasles/io/motion_files.h"
+
+#include "chasles/invalid_input.h"
+#include "chasles/io/csv_table.h"
+#include "chasles/io/pose_text.h"
+#include "chasles/io/read_file.h"
+
+#include <algorithm>
+#include <span>
+
+namespace chasles::io {
+namespace {
+
+constexpr std::string_view path_header = "x,y,z,qw,qx,qy,qz";
+constexpr std::string_view motion_header = "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1";
+
+using Cells = std::span<const std::string>;
+
+Cells without_first(Cells cells) {
+    return cells.subspan(1);
+}
+
+bool is_header(Cells cells, std::string_view header) {
+    const std::vector<std::string> names = split_csv(header);
+    return std::equal(cells.begin(), cells.end(), names.begin(), names.end());
+}
+
+std::vector<double> numbers_in(Cells cells, std::string_view header) {
+    const std::vector<std::string> names = split_csv(header);
+    if (cells.size() != names.size())
+        throw InvalidInput(std::to_string(cells.size()) + " columns found, " + std::to_string(names.size()) +
+                           " wanted");
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < cells.size(); ++i) {
+        const auto number = parse_finite(cells[i]);
+        if (!number)
+            throw InvalidInput(names[i] + ": not a finite number: " + in_quotes(cells[i]));
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+Pose read_pose(const CsvRow& row) {
+    try {
+        return pose_from_numbers(numbers_in(row.cells, path_header));
+    } catch (const InvalidInput& error) {
+        fail_at_line(row.line, error.what());
+    }
+}
+
+std::vector<Pose> read_path(std::string_view text) {
+    CsvTable table(text);
+    const auto header = table.next();
+    if (!header || !is_header(header->cells, path_header))
+        fail_at_line(header ? header->line : 1, "the header must be " + std::string(path_header));
+    std::vector<Pose> poses;
+    while (const auto row = table.next())
+        poses.push_back(read_pose(*row));
+    return poses;
+}
+
+void read_motion(const CsvRow& row, bool has_id, MotionRow& motion) {
+    try {
+        const Cells cells = has_id ? without_first(row.cells) : Cells(row.cells);
+        const std::vector<double> numbers = numbers_in(cells, motion_header);
+        motion.start = pose_from_numbers(std::span(numbers).first(7));
+        motion.goal = pose_from_numbers(std::span(numbers).last(7));
+    } catch (const InvalidInput& error) {
+        motion.error = "line " + std::to_string(row.line) + ": " + error.what();
+    }
+}
+
+// Whether the first column is "id".
+bool read_motion_header(CsvTable& table) {
+    const auto header = table.next();
+    if (header && is_header(header->cells, motion_header))
+        return false;
+    const bool has_id =
+        header && header->cells.front() == "id" && is_header(without_first(header->cells), motion_header);
+    if (!has_id)
+        fail_at_line(header ? header->line : 1,
+                     "the header must be " + std::string(motion_header) + ", with an optional first column id");
+    return true;
+}
+
+std::vector<MotionRow> read_motions(std::string_view text) {
+    CsvTable table(text);
+    const bool has_id = read_motion_header(table);
+    std::vector<MotionRow> motions;
+    while (const auto row = table.next()) {
+        MotionRow motion;
+        motion.id = has_id ? row->cells.front() : std::to_string(motions.size());
+        read_motion(*row, has_id, motion);
+        motions.push_back(std::move(motion));
+    }
+    return motions;
+}
+
+// Runs a reader over the file's content and puts its name in front of what goes wrong.
+template <typename Read>
+auto read_naming_file(const std::filesystem::path& file, const Read& read) {
+    const std::string text = read_file(file);
+    try {
+        return read(text);
+    } catch (const InvalidInput& error) {
+        fail_in_file(file, error.what());
+    }
+}
+
+} // namespace
+
+std::vector<Pose> load_path(const std::filesystem::path& file) {
+    return read_naming_file(file, read_path);
+}
+
+std::vector<MotionRow> load_motions(const std::filesystem::path& file) {
+    return read_naming_file(file, read_motions);
+}
+
+} // namespace chasles::io

@@ -1,0 +1,268 @@
+// PLY: ASCII and binary of either byte order, with any number types. Reads x, y, z of the element "vertex" and the list
+// vertex_indices (or vertex_index) of the element "face"; everything else is read over.
+#include "chasles/invalid_input.h"
+#include "chasles/io/bytes.h"
+#include "chasles/io/mesh_files.h"
+#include "chasles/io/ply_header.h"
+#include "chasles/io/text_scan.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <string>
+
+namespace chasles::io {
+namespace {
+
+/// The numbers of ASCII data: one item a line.
+class AsciiNumbers {
+public:
+    AsciiNumbers(std::string_view data, std::size_t header_lines) : lines_(data), header_lines_(header_lines) {}
+
+    // False at the end of the data.
+    bool begin_item() {
+        do {
+            if (!lines_.next())
+                return false;
+            words_ = Words(lines_.line());
+        } while (Words(words_).next().empty());
+        return true;
+    }
+
+    double read(PlyType /*type*/) {
+        const std::string_view word = words_.next();
+        const auto number = parse_number(word);
+        if (word.empty())
+            fail("has fewer numbers than the header announces: " + in_quotes(lines_.line()));
+        if (!number)
+            fail("not a number: " + in_quotes(word) + " in " + in_quotes(lines_.line()));
+        return *number;
+    }
+
+    void end_item() {
+        if (!words_.next().empty())
+            fail("has more numbers than the header announces: " + in_quotes(lines_.line()));
+    }
+
+    [[noreturn]] void fail(const std::string& why) const { fail_at_line(line(), why); }
+    [[nodiscard]] std::size_t line() const { return header_lines_ + lines_.number(); }
+
+private:
+    Lines lines_;
+    std::size_t header_lines_;
+    Words words_{""};
+};
+
+/// The numbers of binary data.
+class BinaryNumbers {
+public:
+    BinaryNumbers(std::string_view data, std::endian order) : data_(data), order_(order) {}
+
+    [[nodiscard]] bool begin_item() const { return !data_.empty(); }
+
+    double read(PlyType type) {
+        switch (type) {
+        case PlyType::int8:
+            return take<std::int8_t>();
+        case PlyType::uint8:
+            return take<std::uint8_t>();
+        case PlyType::int16:
+            return take<std::int16_t>();
+        case PlyType::uint16:
+            return take<std::uint16_t>();
+        case PlyType::int32:
+            return take<std::int32_t>();
+        case PlyType::uint32:
+            return take<std::uint32_t>();
+        case PlyType::float32:
+            return take<float>();
+        case PlyType::float64:
+            break;
+        }
+        return take<double>();
+    }
+
+    void end_item() const {}
+
+    [[noreturn]] void fail(const std::string& why) const { throw InvalidInput(why); }
+    [[nodiscard]] std::size_t line() const { return 0; }
+
+private:
+    template <typename Number>
+    Number take() {
+        if (data_.size() < sizeof(Number))
+            fail("the file is truncated");
+        const auto number = load<Number>(data_, order_);
+        data_.remove_prefix(sizeof(Number));
+        return number;
+    }
+
+    std::string_view data_;
+    std::endian order_;
+};
+
+/// Where an element keeps what we read; others are read over.
+struct Wanted {
+    std::vector<int> coordinate; ///< per property: 0, 1, 2 for x, y, z; -1 for others
+    int indices = -1;            ///< which property lists the vertices of a face
+};
+
+template <typename Numbers>
+class PlyReader {
+public:
+    PlyReader(const PlyHeader& header, Numbers numbers) : header_(header), numbers_(numbers) {}
+
+    PolygonSoup read() {
+        for (const PlyElement& element : header_.elements)
+            read_element(element);
+        if (numbers_.begin_item())
+            numbers_.fail("more data than the header announces");
+        check_indices();
+        return std::move(soup_);
+    }
+
+private:
+    void read_element(const PlyElement& element) {
+        if (element.name == "tristrips")
+            throw InvalidInput("triangle strips cannot be read, only faces");
+        if (element.properties.empty() && element.count > 0)
+            throw InvalidInput("the element '" + one_line(element.name) + "' has no properties");
+        const bool is_vertex = element.name == "vertex";
+        const bool is_face = element.name == "face";
+        const Wanted wanted = is_vertex ? find_coordinates(element) : is_face ? find_indices(element) : Wanted{};
+        for (std::size_t i = 0; i < element.count; ++i) {
+            if (!numbers_.begin_item())
+                fail_short(element, i);
+            if (is_vertex)
+                read_vertex(element, wanted);
+            else
+                read_item(element, wanted);
+            numbers_.end_item();
+        }
+    }
+
+    [[noreturn]] void fail_short(const PlyElement& element, std::size_t found) const {
+        throw InvalidInput("is truncated: the header announces " + std::to_string(element.count) + " of the element '" +
+                           one_line(element.name) + "', but there are " + std::to_string(found));
+    }
+
+    static Wanted find_coordinates(const PlyElement& element) {
+        Wanted wanted;
+        for (const PlyProperty& property : element.properties) {
+            const auto axis = std::string_view("xyz").find(property.name);
+            const bool is_axis = property.name.size() == 1 && axis != std::string_view::npos && !property.length_type;
+            wanted.coordinate.push_back(is_axis ? static_cast<int>(axis) : -1);
+        }
+        for (int axis = 0; axis < 3; ++axis)
+            if (std::count(wanted.coordinate.begin(), wanted.coordinate.end(), axis) != 1)
+                throw InvalidInput("the element 'vertex' needs the properties x, y and z");
+        return wanted;
+    }
+
+    static Wanted find_indices(const PlyElement& element) {
+        Wanted wanted;
+        for (std::size_t i = 0; i < element.properties.size(); ++i) {
+            const PlyProperty& property = element.properties[i];
+            const bool is_named = property.name == "vertex_indices" || property.name == "vertex_index";
+            if (is_named && property.length_type)
+                wanted.indices = static_cast<int>(i);
+        }
+        if (wanted.indices < 0)
+            throw InvalidInput("the element 'face' needs the list vertex_indices");
+        return wanted;
+    }
+
+    void read_vertex(const PlyElement& element, const Wanted& wanted) {
+        Eigen::Vector3d vertex;
+        for (std::size_t i = 0; i < element.properties.size(); ++i) {
+            if (wanted.coordinate[i] < 0)
+                skip(element.properties[i]);
+            else
+                vertex[wanted.coordinate[i]] = numbers_.read(element.properties[i].type);
+        }
+        if (!vertex.allFinite())
+            fail("vertex", soup_.vertices.size(), "NaN or infinity");
+        soup_.vertices.push_back(vertex);
+    }
+
+    void read_item(const PlyElement& element, const Wanted& wanted) {
+        for (std::size_t i = 0; i < element.properties.size(); ++i) {
+            if (static_cast<int>(i) == wanted.indices)
+                read_face(element.properties[i]);
+            else
+                skip(element.properties[i]);
+        }
+    }
+
+    void skip(const PlyProperty& property) {
+        const std::size_t count = property.length_type ? read_length(property) : 1;
+        for (std::size_t i = 0; i < count; ++i)
+            numbers_.read(property.type);
+    }
+
+    // A length that the data cannot fill ends at the end of the data: nothing is reserved for it.
+    std::size_t read_length(const PlyProperty& property) {
+        const double length = numbers_.read(*property.length_type);
+        if (!is_index(length))
+            numbers_.fail("the length of the list '" + one_line(property.name) + "' is not a count");
+        return static_cast<std::size_t>(length);
+    }
+
+    void read_face(const PlyProperty& property) {
+        const std::size_t length = read_length(property);
+        if (length < 3)
+            fail("face", soup_.faces.size(), "a face needs at least three vertices");
+        std::vector<std::uint32_t> face;
+        for (std::size_t i = 0; i < length; ++i) {
+            const double index = numbers_.read(property.type);
+            if (!is_index(index))
+                fail("face", soup_.faces.size(), "a vertex index is not a whole number from 0");
+            face.push_back(static_cast<std::uint32_t>(index));
+        }
+        soup_.faces.push_back(std::move(face));
+        if (numbers_.line() > 0)
+            soup_.face_lines.push_back(numbers_.line());
+    }
+
+    static bool is_index(double number) {
+        return number >= 0 && number <= std::numeric_limits<std::uint32_t>::max() && number == std::floor(number);
+    }
+
+    // Faces may come before vertices, so that only now their number is known.
+    void check_indices() const {
+        for (std::size_t i = 0; i < soup_.faces.size(); ++i)
+            for (const std::uint32_t vertex : soup_.faces[i])
+                if (vertex >= soup_.vertices.size())
+                    fail_index(i, vertex);
+    }
+
+    [[noreturn]] void fail_index(std::size_t face, std::uint32_t vertex) const {
+        const std::string why = "vertex index " + std::to_string(vertex) + " is out of range; there are " +
+                                std::to_string(soup_.vertices.size()) + " vertices, counted from 0";
+        if (!soup_.face_lines.empty())
+            fail_at_line(soup_.face_lines[face], why);
+        fail("face", face, why);
+    }
+
+    // Binary data has no lines: the item is named instead.
+    [[noreturn]] void fail(const std::string& item, std::size_t id, const std::string& why) const {
+        numbers_.fail(item + " " + std::to_string(id) + ": " + why);
+    }
+
+    const PlyHeader& header_;
+    Numbers numbers_;
+    PolygonSoup soup_;
+};
+
+} // namespace
+
+PolygonSoup read_ply(std::string_view text) {
+    const PlyHeader header = read_ply_header(text);
+    const std::string_view data = text.substr(std::min(header.size, text.size()));
+    if (header.format == PlyFormat::ascii)
+        return PlyReader(header, AsciiNumbers(data, header.lines)).read();
+    const std::endian order = header.format == PlyFormat::little_endian ? std::endian::little : std::endian::big;
+    return PlyReader(header, BinaryNumbers(data, order)).read();
+}
+
+} // namespace chasles::io

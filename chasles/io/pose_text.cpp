@@ -1,0 +1,70 @@
+// Poses and points out of text; what a pose may be is decided by chasles/motion/pose.h.
+#include "chasles/io/pose_text.h"
+
+#include "chasles/invalid_input.h"
+#include "chasles/io/text_scan.h"
+
+#include <cmath>
+#include <string>
+
+namespace chasles::io {
+namespace {
+
+double finite_number(std::string_view word) {
+    const auto number = parse_number(word);
+    if (!number)
+        throw InvalidInput("not a number: " + in_quotes(word));
+    if (!std::isfinite(*number))
+        throw InvalidInput("not a finite number: " + in_quotes(word));
+    return *number;
+}
+
+void add_words(std::string_view text, std::vector<double>& numbers) {
+    Words words(text);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next())
+        numbers.push_back(finite_number(word));
+}
+
+std::string count_of(std::size_t numbers) {
+    return std::to_string(numbers) + (numbers == 1 ? " number" : " numbers");
+}
+
+} // namespace
+
+std::vector<double> parse_numbers(std::string_view text) {
+    std::vector<double> numbers;
+    while (true) {
+        const std::size_t comma = text.find(',');
+        const std::size_t before = numbers.size();
+        add_words(text.substr(0, comma), numbers);
+        if (comma == std::string_view::npos && (before == 0 || numbers.size() > before))
+            return numbers;
+        if (numbers.size() == before)
+            throw InvalidInput("a number is missing beside a comma");
+        text.remove_prefix(comma + 1);
+    }
+}
+
+Pose pose_from_numbers(std::span<const double> n) {
+    if (n.size() == 3)
+        return {{n[0], n[1], n[2]}, Eigen::Quaterniond::Identity()};
+    if (n.size() == 7)
+        return {{n[0], n[1], n[2]}, {n[3], n[4], n[5], n[6]}};
+    if (n.size() == 16)
+        return Pose::from_matrix(Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(n.data()));
+    throw InvalidInput(count_of(n.size()) +
+                       " found; a pose has 3 (x y z), 7 (x y z qw qx qy qz) or 16 (4x4, row by row)");
+}
+
+Pose parse_pose(std::string_view text) {
+    return pose_from_numbers(parse_numbers(text));
+}
+
+Eigen::Vector3d parse_point(std::string_view text) {
+    const std::vector<double> n = parse_numbers(text);
+    if (n.size() != 3)
+        throw InvalidInput(count_of(n.size()) + " found; a point has 3 (x y z)");
+    return {n[0], n[1], n[2]};
+}
+
+} // namespace chasles::io

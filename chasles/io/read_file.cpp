@@ -1,0 +1,74 @@
+// A whole file in memory: readers that know where every byte is can say where it is wrong.
+// Reading to the end (rather than by the stated size) serves pipes as well.
+#include "chasles/io/read_file.h"
+
+#include "chasles/invalid_input.h"
+#include "chasles/io/text_scan.h"
+
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <memory>
+
+namespace chasles::io {
+namespace {
+
+struct CloseFile {
+    void operator()(std::FILE* file) const { std::fclose(file); }
+};
+using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
+
+std::string reason(int error) {
+    return std::string("cannot be read: ") + std::strerror(error);
+}
+
+OpenFile open_file(const std::filesystem::path& file) {
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) {
+        const bool is_missing = !error || error == std::errc::no_such_file_or_directory;
+        fail_in_file(file, is_missing ? "no such file" : reason(error.value()));
+    }
+    if (std::filesystem::is_directory(file, error))
+        fail_in_file(file, "is a directory, not a file");
+    OpenFile opened(std::fopen(file.string().c_str(), "rb"));
+    if (!opened)
+        fail_in_file(file, reason(errno));
+    return opened;
+}
+
+// The file's size as a first guess, so that a large file is not copied while it grows.
+std::size_t expected_size(const std::filesystem::path& file) {
+    std::error_code error;
+    const auto size = std::filesystem::file_size(file, error);
+    return error ? 0 : static_cast<std::size_t>(size);
+}
+
+} // namespace
+
+std::string shown_name(const std::filesystem::path& file) {
+    return one_line(file.string());
+}
+
+void fail_in_file(const std::filesystem::path& file, const std::string& why) {
+    throw InvalidInput(shown_name(file) + ": " + why);
+}
+
+std::string read_file(const std::filesystem::path& file) {
+    const OpenFile opened = open_file(file);
+    constexpr std::size_t step = 1 << 16;
+    std::string bytes(expected_size(file) + step, '\0');
+    std::size_t size = 0;
+    while (const std::size_t got = std::fread(bytes.data() + size, 1, bytes.size() - size, opened.get())) {
+        size += got;
+        if (bytes.size() - size < step)
+            bytes.resize(2 * bytes.size());
+    }
+    if (std::ferror(opened.get()))
+        fail_in_file(file, reason(errno));
+    bytes.resize(size);
+    if (bytes.empty())
+        fail_in_file(file, "is empty");
+    return bytes;
+}
+
+} // namespace chasles::io

@@ -1,0 +1,194 @@
+// STL, ASCII and binary. Equal vertices become one, so that ids name the vertices of the merged list in order of
+// first occurrence; the normals in the file are left out.
+#include "chasles/invalid_input.h"
+#include "chasles/io/bytes.h"
+#include "chasles/io/mesh_files.h"
+#include "chasles/io/text_scan.h"
+
+#include <array>
+#include <bit>
+#include <cmath>
+#include <string>
+#include <unordered_map>
+
+namespace chasles::io {
+namespace {
+
+constexpr std::size_t header_size = 84; ///< 80 bytes of anything and the number of triangles
+constexpr std::size_t triangle_size = 50;
+
+using Key = std::array<std::uint64_t, 3>;
+
+struct HashKey {
+    std::size_t operator()(const Key& key) const {
+        std::uint64_t hash = 0;
+        for (const std::uint64_t bits : key)
+            hash = (std::rotl(hash, 23) ^ bits) * 0x9e3779b97f4a7c15u;
+        return static_cast<std::size_t>(hash ^ (hash >> 32));
+    }
+};
+
+/// Collects triangles and gives equal vertices one number.
+class MergedTriangles {
+public:
+    std::uint32_t add_vertex(const Eigen::Vector3d& vertex) {
+        const Key key = {bits(vertex.x()), bits(vertex.y()), bits(vertex.z())};
+        const auto [place, is_new] = ids_.try_emplace(key, static_cast<std::uint32_t>(soup_.vertices.size()));
+        if (is_new)
+            soup_.vertices.push_back(vertex);
+        return place->second;
+    }
+
+    void add_face(std::vector<std::uint32_t> face) { soup_.faces.push_back(std::move(face)); }
+    void add_line(std::size_t line) { soup_.face_lines.push_back(line); }
+    PolygonSoup take() { return std::move(soup_); }
+
+private:
+    static std::uint64_t bits(double number) { return std::bit_cast<std::uint64_t>(number + 0.0); } // -0 equals 0
+
+    std::unordered_map<Key, std::uint32_t, HashKey> ids_;
+    PolygonSoup soup_;
+};
+
+/// solid NAME, then any number of: facet normal X Y Z, outer loop, vertex X Y Z (three times), endloop, endfacet; then
+/// endsolid NAME. Blanks and line ends separate words; a name runs to the end of its line.
+class AsciiStlReader {
+public:
+    explicit AsciiStlReader(std::string_view text) : lines_(text) {}
+
+    PolygonSoup read() {
+        while (next_word()) {
+            expect("solid");
+            words_ = Words("");
+            read_solid();
+        }
+        return triangles_.take();
+    }
+
+private:
+    bool next_word() {
+        word_ = words_.next();
+        while (word_.empty()) {
+            if (!lines_.next())
+                return false;
+            words_ = Words(lines_.line());
+            word_ = words_.next();
+        }
+        return true;
+    }
+
+    void read_solid() {
+        for (require_word("endsolid"); lower_case(word_) != "endsolid"; require_word("endsolid")) {
+            expect("facet");
+            read_facet();
+        }
+        words_ = Words("");
+    }
+
+    void read_facet() {
+        const std::size_t line = lines_.number();
+        require("normal");
+        for (int i = 0; i < 3; ++i)
+            require_word("normal");
+        require("outer");
+        require("loop");
+        std::vector<std::uint32_t> face;
+        for (int i = 0; i < 3; ++i)
+            face.push_back(read_vertex());
+        require("endloop");
+        require("endfacet");
+        triangles_.add_face(std::move(face));
+        triangles_.add_line(line);
+    }
+
+    std::uint32_t read_vertex() {
+        require("vertex");
+        Eigen::Vector3d vertex;
+        for (double& coordinate : vertex) {
+            require_word("vertex");
+            const auto number = parse_finite(word_);
+            if (!number)
+                fail("a vertex needs three finite numbers: " + in_quotes(lines_.line()));
+            coordinate = *number;
+        }
+        return triangles_.add_vertex(vertex);
+    }
+
+    void require(std::string_view keyword) {
+        require_word(keyword);
+        expect(keyword);
+    }
+
+    void require_word(std::string_view wanted) {
+        if (!next_word())
+            fail("the file ends before its '" + std::string(wanted) + "'");
+    }
+
+    void expect(std::string_view keyword) const {
+        if (lower_case(word_) != keyword)
+            fail("expected '" + std::string(keyword) + "', found " + in_quotes(lines_.line()));
+    }
+
+    [[noreturn]] void fail(const std::string& why) const { fail_at_line(lines_.number(), why); }
+
+    Lines lines_;
+    Words words_{""};
+    std::string_view word_;
+    MergedTriangles triangles_;
+};
+
+std::size_t announced_triangles(std::string_view bytes) {
+    return load<std::uint32_t>(bytes.substr(80), std::endian::little);
+}
+
+Eigen::Vector3d read_binary_vertex(std::string_view bytes, std::size_t triangle) {
+    Eigen::Vector3d vertex;
+    for (int axis = 0; axis < 3; ++axis) {
+        vertex[axis] = load<float>(bytes.substr(4 * static_cast<std::size_t>(axis)), std::endian::little);
+        if (!std::isfinite(vertex[axis]))
+            throw InvalidInput("triangle " + std::to_string(triangle) + ": NaN or infinity");
+    }
+    return vertex;
+}
+
+void check_binary_size(std::string_view bytes) {
+    if (bytes.size() < header_size)
+        throw InvalidInput("too short for an STL file");
+    const std::size_t announced = announced_triangles(bytes);
+    const std::size_t present = (bytes.size() - header_size) / triangle_size;
+    const std::string counts = std::to_string(announced) + " triangles are announced, but ";
+    if (present < announced)
+        throw InvalidInput("is truncated: " + counts + std::to_string(present) + " are there");
+    if (bytes.size() != header_size + announced * triangle_size)
+        throw InvalidInput(counts + "there are " +
+                           std::to_string(bytes.size() - header_size - announced * triangle_size) + " bytes more");
+}
+
+PolygonSoup read_binary_stl(std::string_view bytes) {
+    check_binary_size(bytes);
+    MergedTriangles triangles;
+    for (std::size_t i = 0; i < announced_triangles(bytes); ++i) {
+        const std::string_view triangle = bytes.substr(header_size + i * triangle_size, triangle_size);
+        std::vector<std::uint32_t> face;
+        for (std::size_t corner = 0; corner < 3; ++corner)
+            face.push_back(triangles.add_vertex(read_binary_vertex(triangle.substr(12 + 12 * corner), i)));
+        triangles.add_face(std::move(face));
+    }
+    return triangles.take();
+}
+
+// A binary file may begin with "solid" too: its size or a zero byte gives it away.
+bool is_ascii_stl(std::string_view bytes) {
+    const bool has_binary_size =
+        bytes.size() >= header_size && bytes.size() == header_size + announced_triangles(bytes) * triangle_size;
+    const bool has_zero_byte = bytes.substr(0, header_size).find('\0') != std::string_view::npos;
+    return !has_binary_size && !has_zero_byte && lower_case(Words(bytes.substr(0, header_size)).next()) == "solid";
+}
+
+} // namespace
+
+PolygonSoup read_stl(std::string_view text) {
+    return is_ascii_stl(text) ? AsciiStlReader(text).read() : read_binary_stl(text);
+}
+
+} // namespace chasles::io

@@ -1,0 +1,119 @@
+// Lines, words and numbers out of text.
+// std::from_chars does the rounding; strtod and streams are out because they follow the locale.
+#include "chasles/io/text_scan.h"
+
+#include "chasles/invalid_input.h"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+namespace chasles::io {
+namespace {
+
+constexpr std::string_view blanks = " \t\r\n\v\f";
+constexpr std::size_t longest_quote = 60;
+
+bool is_blank(char c) {
+    return c == ' ' || (c >= '\t' && c <= '\r');
+}
+
+std::string_view without_plus(std::string_view word) {
+    const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
+    return has_plus ? word.substr(1) : word;
+}
+
+template <typename Number>
+std::from_chars_result scan(std::string_view word, Number& number) {
+    return std::from_chars(word.data(), word.data() + word.size(), number);
+}
+
+// from_chars does not say which end of the range was left: long double tells tiny from huge.
+double beyond_range(std::string_view word) {
+    long double wide = HUGE_VALL;
+    scan(word, wide);
+    return static_cast<double>(wide);
+}
+
+} // namespace
+
+std::optional<double> parse_number(std::string_view word) {
+    word = without_plus(word);
+    double number = 0;
+    const auto [end, error] = scan(word, number);
+    if (word.empty() || end != word.data() + word.size())
+        return std::nullopt;
+    if (error == std::errc::result_out_of_range)
+        return beyond_range(word);
+    return error == std::errc() ? std::optional(number) : std::nullopt;
+}
+
+std::optional<double> parse_finite(std::string_view word) {
+    const auto number = parse_number(word);
+    return number && std::isfinite(*number) ? number : std::nullopt;
+}
+
+std::optional<std::int64_t> parse_integer(std::string_view word) {
+    word = without_plus(word);
+    std::int64_t number = 0;
+    const auto [end, error] = scan(word, number);
+    const bool is_whole = !word.empty() && error == std::errc() && end == word.data() + word.size();
+    return is_whole ? std::optional(number) : std::nullopt;
+}
+
+std::string one_line(std::string_view text) {
+    std::string line(text);
+    for (char& c : line)
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f)
+            c = is_blank(c) ? ' ' : '?';
+    return line;
+}
+
+std::string in_quotes(std::string_view text) {
+    const auto first = std::min(text.find_first_not_of(blanks), text.size());
+    text = text.substr(first, text.find_last_not_of(blanks) + 1 - first);
+    const bool is_long = text.size() > longest_quote;
+    std::string shown = one_line(text.substr(0, longest_quote));
+    for (char& c : shown)
+        if (static_cast<unsigned char>(c) >= 0x80)
+            c = '?'; // perhaps UTF-8, perhaps binary: readable either way
+    return "'" + shown + (is_long ? "...'" : "'");
+}
+
+std::string lower_case(std::string_view text) {
+    std::string lower(text);
+    for (char& c : lower)
+        if (c >= 'A' && c <= 'Z')
+            c = static_cast<char>(c - 'A' + 'a');
+    return lower;
+}
+
+void fail_at_line(std::size_t line, const std::string& why) {
+    throw InvalidInput("line " + std::to_string(line) + ": " + why);
+}
+
+std::string_view Words::next() {
+    std::size_t start = 0;
+    while (start < rest_.size() && is_blank(rest_[start]))
+        ++start;
+    std::size_t end = start;
+    while (end < rest_.size() && !is_blank(rest_[end]))
+        ++end;
+    const std::string_view word = rest_.substr(start, end - start);
+    rest_.remove_prefix(end);
+    return word;
+}
+
+bool Lines::next() {
+    if (position_ >= text_.size())
+        return false;
+    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+    line_ = text_.substr(position_, end - position_);
+    if (line_.ends_with('\r'))
+        line_.remove_suffix(1);
+    position_ = end + 1;
+    ++number_;
+    return true;
+}
+
+} // namespace chasles::io
