@@ -11,19 +11,31 @@ constexpr double crest_end = 1.0 / 16;  // in pitches from the middle of the cre
 constexpr double root_start = 6.0 / 16; // crest_end plus a flank of 5/16
 
 // The mean of r^2 where r runs linearly from `a` to `b`.
-double mean_square(double a, double b) { return (a * a + a * b + b * b) / 3; }
+double mean_square(double a, double b) {
+    return (a * a + a * b + b * b) / 3;
+}
 
 } // namespace
 
-double flank_slope() { return 1 / std::numbers::sqrt3; }
+double flank_slope() {
+    return 1 / std::numbers::sqrt3;
+}
 
-double MetricThread::triangle_height() const { return std::numbers::sqrt3 / 2 * pitch; }
+double MetricThread::triangle_height() const {
+    return std::numbers::sqrt3 / 2 * pitch;
+}
 
-double MetricThread::crest_radius() const { return major_diameter / 2; }
+double MetricThread::crest_radius() const {
+    return major_diameter / 2;
+}
 
-double MetricThread::root_radius() const { return crest_radius() - 0.625 * triangle_height(); }
+double MetricThread::root_radius() const {
+    return crest_radius() - 0.625 * triangle_height();
+}
 
-double MetricThread::pitch_radius() const { return crest_radius() - 0.375 * triangle_height(); }
+double MetricThread::pitch_radius() const {
+    return crest_radius() - 0.375 * triangle_height();
+}
 
 std::array<ProfileCorner, 4> MetricThread::corners() const {
     return {{{crest_radius(), -crest_end * pitch},
@@ -34,12 +46,16 @@ std::array<ProfileCorner, 4> MetricThread::corners() const {
 
 double MetricThread::radius_at(double axial) const {
     const double from_crest = std::abs(std::remainder(axial, pitch)) / pitch;
-    if (from_crest <= crest_end) return crest_radius();
-    if (from_crest >= root_start) return root_radius();
+    if (from_crest <= crest_end)
+        return crest_radius();
+    if (from_crest >= root_start)
+        return root_radius();
     return std::lerp(crest_radius(), root_radius(), (from_crest - crest_end) / (root_start - crest_end));
 }
 
-double MetricThread::lead(double angle) const { return pitch * angle / (2 * std::numbers::pi); }
+double MetricThread::lead(double angle) const {
+    return pitch * angle / (2 * std::numbers::pi);
+}
 
 double MetricThread::section_area() const {
     const double crest = 2 * crest_end;

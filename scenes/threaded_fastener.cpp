@@ -14,13 +14,16 @@ namespace {
 using std::numbers::pi;
 
 void require(bool holds, const char* where, const char* why) {
-    if (!holds) throw InvalidInput(fmt::format("threaded fastener: {}: {}", where, why));
+    if (!holds)
+        throw InvalidInput(fmt::format("threaded fastener: {}: {}", where, why));
 }
 
 void require_usable(const ThreadedFastener& size) {
-    const double lengths[] = {size.nominal_diameter, size.pitch,      size.bolt_length,       size.head_height,
-                              size.nut_height,       size.width_across_flats, size.radial_clearance};
-    for (const double length : lengths) require(length > 0 && length < 1e6, "sizes", "each must be positive");
+    const double lengths[] = {size.nominal_diameter, size.pitch,      size.bolt_length,
+                              size.head_height,      size.nut_height, size.width_across_flats,
+                              size.radial_clearance};
+    for (const double length : lengths)
+        require(length > 0 && length < 1e6, "sizes", "each must be positive");
     require(size.segments >= 12 && size.segments <= 10000, "segments", "between 12 and 10000");
     require(size.bolt_thread().root_radius() > 0, "pitch", "too coarse for the diameter");
     require(size.width_across_flats > 1.2 * size.nominal_diameter, "width across flats", "too small for the thread");
@@ -39,8 +42,7 @@ public:
         const ProfileCorner& corner = corners_[(line % 4 + 4) % 4];
         const double turns = std::floor(line / 4.0) + static_cast<double>(segment) / segments_;
         const double angle = 2 * pi * segment / segments_;
-        return {corner.radius * std::cos(angle), corner.radius * std::sin(angle),
-                corner.axial + thread_.pitch * turns};
+        return {corner.radius * std::cos(angle), corner.radius * std::sin(angle), corner.axial + thread_.pitch * turns};
     }
 
 private:
@@ -72,7 +74,8 @@ TriangleMesh endless_thread(const MetricThread& thread, const ThreadedFastener& 
     const int last = 4 * static_cast<int>(std::ceil(height / size.pitch)) + 8;
     TriangleMesh mesh;
     for (int line = first; line <= last + 4; ++line) {
-        for (int segment = 0; segment < size.segments; ++segment) mesh.add(lines.point(line, segment));
+        for (int segment = 0; segment < size.segments; ++segment)
+            mesh.add(lines.point(line, segment));
     }
     const auto vertex = [&](int line, int segment) {
         return static_cast<Index>((line - first + 4 * (segment / size.segments)) * size.segments +
@@ -104,7 +107,8 @@ std::vector<Index> add_hexagon(TriangleMesh& mesh, double width_across_flats, do
     const Eigen::Vector2d outline[] = {{corner, 0},  {corner / 2, half},   {-corner / 2, half},
                                        {-corner, 0}, {-corner / 2, -half}, {corner / 2, -half}};
     std::vector<Index> hexagon;
-    for (const Eigen::Vector2d& point : outline) hexagon.push_back(mesh.add({point.x(), point.y(), height}));
+    for (const Eigen::Vector2d& point : outline)
+        hexagon.push_back(mesh.add({point.x(), point.y(), height}));
     return hexagon;
 }
 
@@ -115,15 +119,23 @@ void add_walls(TriangleMesh& mesh, const std::vector<Index>& lower, const std::v
     }
 }
 
-std::vector<Index> reversed(const std::vector<Index>& loop) { return {loop.rbegin(), loop.rend()}; }
+std::vector<Index> reversed(const std::vector<Index>& loop) {
+    return {loop.rbegin(), loop.rend()};
+}
 
 } // namespace
 
-MetricThread ThreadedFastener::bolt_thread() const { return {nominal_diameter - 2 * radial_clearance, pitch}; }
+MetricThread ThreadedFastener::bolt_thread() const {
+    return {nominal_diameter - 2 * radial_clearance, pitch};
+}
 
-MetricThread ThreadedFastener::nut_thread() const { return {nominal_diameter, pitch}; }
+MetricThread ThreadedFastener::nut_thread() const {
+    return {nominal_diameter, pitch};
+}
 
-double axial_clearance(const ThreadedFastener& fastener) { return fastener.radial_clearance * flank_slope(); }
+double axial_clearance(const ThreadedFastener& fastener) {
+    return fastener.radial_clearance * flank_slope();
+}
 
 double radial_facet_error(const ThreadedFastener& fastener) {
     return fastener.nut_thread().crest_radius() * (1 - std::cos(pi / fastener.segments));
@@ -138,8 +150,7 @@ double axial_facet_error(const ThreadedFastener& fastener) {
 
 Polyhedron bolt(const ThreadedFastener& fastener) {
     require_usable(fastener);
-    TriangleMesh mesh =
-        thread_between_planes(fastener.bolt_thread(), fastener, fastener.bolt_length, Material::inside);
+    TriangleMesh mesh = thread_between_planes(fastener.bolt_thread(), fastener, fastener.bolt_length, Material::inside);
     close_with_fan(mesh, rim(mesh, fastener.bolt_length));
     const auto lower = add_hexagon(mesh, fastener.width_across_flats, -fastener.head_height);
     const auto upper = add_hexagon(mesh, fastener.width_across_flats, 0);

@@ -14,16 +14,18 @@ namespace chasles::scenes {
 namespace {
 
 // The rim's edges: those of a triangle whose reverse belongs to no other one, by their first vertex.
-std::map<Index, Index> open_edges(const TriangleMesh& mesh, double height) {
+std::multimap<Index, Index> open_edges(const TriangleMesh& mesh, double height) {
     std::map<std::pair<Index, Index>, int> balance;
     for (const Triangle& corner : mesh.triangles) {
-        for (int i = 0; i < 3; ++i) ++balance[{corner[i], corner[(i + 1) % 3]}];
+        for (int i = 0; i < 3; ++i)
+            ++balance[{corner[i], corner[(i + 1) % 3]}];
     }
-    std::map<Index, Index> open;
+    std::multimap<Index, Index> open;
     for (const auto& [edge, count] : balance) {
         const auto [from, to] = edge;
         const bool on_plane = mesh.vertices[from].z() == height && mesh.vertices[to].z() == height;
-        if (on_plane && !balance.contains({to, from})) open[from] = to;
+        if (on_plane && !balance.contains({to, from}))
+            open.emplace(from, to);
     }
     return open;
 }
@@ -34,9 +36,11 @@ public:
     Cutter(const TriangleMesh& mesh, Side kept, double height, double snap)
         : result_{mesh.vertices, {}}, sign_(kept == Side::above ? 1 : -1), height_(height) {
         for (Eigen::Vector3d& vertex : result_.vertices) {
-            if (std::abs(vertex.z() - height) < snap) vertex.z() = height;
+            if (std::abs(vertex.z() - height) < snap)
+                vertex.z() = height;
         }
-        for (const Triangle& triangle : mesh.triangles) add_kept_part(triangle);
+        for (const Triangle& triangle : mesh.triangles)
+            add_kept_part(triangle);
     }
 
     TriangleMesh result() && { return std::move(result_); }
@@ -58,13 +62,16 @@ private:
     }
 
     void add_kept_part(const Triangle& triangle) {
-        if (std::ranges::all_of(triangle, [&](Index corner) { return depth(corner) <= 0; })) return;
+        if (std::ranges::all_of(triangle, [&](Index corner) { return depth(corner) <= 0; }))
+            return;
         std::vector<Index> outline;
         for (int i = 0; i < 3; ++i) {
             const Index here = triangle[i];
             const Index next = triangle[(i + 1) % 3];
-            if (depth(here) >= 0) outline.push_back(here);
-            if (depth(here) * depth(next) < 0) outline.push_back(crossing(here, next));
+            if (depth(here) >= 0)
+                outline.push_back(here);
+            if (depth(here) * depth(next) < 0)
+                outline.push_back(crossing(here, next));
         }
         for (std::size_t i = 2; i < outline.size(); ++i) {
             result_.triangles.push_back({outline[0], outline[i - 1], outline[i]});
@@ -115,26 +122,23 @@ TriangleMesh cut_off(const TriangleMesh& mesh, Side kept, double height, double 
 }
 
 std::vector<Index> rim(const TriangleMesh& mesh, double height) {
-    const std::map<Index, Index> next = open_edges(mesh, height);
+    const std::multimap<Index, Index> next = open_edges(mesh, height);
     std::vector<Index> loop;
-    if (!next.empty()) {
-        Index here = next.begin()->first;
-        do {
-            loop.push_back(here);
-            const auto edge = next.find(here);
-            if (edge == next.end()) break;
-            here = edge->second;
-        } while (here != loop.front() && loop.size() < next.size());
+    for (auto edge = next.begin(); edge != next.end() && loop.size() < next.size(); edge = next.find(edge->second)) {
+        loop.push_back(edge->first);
+        const bool is_round = edge->second == loop.front();
+        if (is_round && loop.size() == next.size())
+            return loop;
+        if (is_round)
+            break;
     }
-    if (loop.size() < 3 || loop.size() != next.size()) {
-        throw InvalidInput(fmt::format("surface: rim at z = {}: it is not one closed loop", height));
-    }
-    return loop;
+    throw InvalidInput(fmt::format("surface: rim at z = {}: it is not one closed loop", height));
 }
 
 void close_with_fan(TriangleMesh& mesh, const std::vector<Index>& rim) {
     const Index centre = mesh.add({0, 0, mesh.vertices[rim.front()].z()});
-    for (std::size_t i = 0; i < rim.size(); ++i) mesh.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], centre});
+    for (std::size_t i = 0; i < rim.size(); ++i)
+        mesh.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], centre});
 }
 
 void close_with_ring(TriangleMesh& mesh, const std::vector<Index>& rim, const std::vector<Index>& outer) {
@@ -148,14 +152,17 @@ void close_with_ring(TriangleMesh& mesh, const std::vector<Index>& rim, const st
         return (mesh.vertices[corners[at + 1]] - mesh.vertices[corners[at]]).dot(mesh.vertices[here]) > 0;
     };
     for (std::size_t i = 0; i < rim.size(); ++i) {
-        if (i > 0 && at + 1 < corners.size() && next_corner_is_nearer(rim[i])) step_outward(rim[i]);
+        while (i > 0 && at + 1 < corners.size() && next_corner_is_nearer(rim[i]))
+            step_outward(rim[i]);
         mesh.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], corners[at]});
     }
-    while (at + 1 < corners.size()) step_outward(rim.front());
+    while (at + 1 < corners.size())
+        step_outward(rim.front());
 }
 
 void flip(TriangleMesh& mesh) {
-    for (Triangle& triangle : mesh.triangles) std::swap(triangle[1], triangle[2]);
+    for (Triangle& triangle : mesh.triangles)
+        std::swap(triangle[1], triangle[2]);
 }
 
 void save_obj(const Polyhedron& body, const std::filesystem::path& file) {
@@ -165,11 +172,13 @@ void save_obj(const Polyhedron& body, const std::filesystem::path& file) {
     }
     for (std::size_t face = 0; face < body.face_count(); ++face) {
         out << 'f';
-        for (const Index corner : body.face(face)) out << ' ' << corner + 1;
+        for (const Index corner : body.face(face))
+            out << ' ' << corner + 1;
         out << '\n';
     }
     out.close();
-    if (!out) throw InvalidInput(fmt::format("{}: the file cannot be written", file.string()));
+    if (!out)
+        throw InvalidInput(fmt::format("{}: the file cannot be written", file.string()));
 }
 
 } // namespace chasles::scenes

@@ -1,0 +1,222 @@
+#include "scenes/demo.h"
+
+#include "chasles/query/path.h"
+#include "scenes/nut_motions.h"
+#include "scenes/triangle_mesh.h"
+
+#include <chrono>
+#include <cmath>
+#include <fmt/core.h>
+#include <numbers>
+#include <string>
+#include <string_view>
+
+namespace chasles::scenes {
+
+namespace {
+
+constexpr double max_turn = std::numbers::pi / 18; // 10 degrees, as the queries have it by default
+
+// The nut stands on the bolt in phase, its top just below the tip.
+struct Stage {
+    ThreadedFastener size;
+    Polyhedron bolt;
+    Polyhedron nut;
+    double nut_height;
+};
+
+class Stopwatch {
+public:
+    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+Stage built(const ThreadedFastener& size) {
+    const double pitches = std::floor((size.bolt_length - size.nut_height) / size.pitch);
+    return {size, bolt(size), nut(size), std::max(0.0, pitches) * size.pitch};
+}
+
+// --- What is asked
+// ----------------------------------------------------------------------------------------------------
+
+PathContact answer_for_path(const Stage& stage, const NutTurn& motion) {
+    const std::vector<Pose> poses = nut_path(motion);
+    return first_contact_on_path({.moving = stage.nut, .fixed = stage.bolt, .poses = poses, .max_turn = max_turn});
+}
+
+FirstContact answer_for_pull(const Stage& stage) {
+    const Pose start = nut_pose({.height = stage.nut_height}, 0);
+    const Pose goal = nut_pose({.height = stage.size.bolt_length}, 0);
+    return first_contact({.moving = stage.nut, .fixed = stage.bolt, .motion = ScrewMotion::between(start, goal)});
+}
+
+// What the facets and the pieces' uneven slide can take of the play between the flanks.
+double play_lost(const Stage& stage, double slide_per_turn) {
+    return axial_facet_error(stage.size) + slide_deviation(slide_per_turn, max_turn);
+}
+
+// --- How it is told
+// ---------------------------------------------------------------------------------------------------
+
+void line(std::ostream& out, std::string_view name, const std::string& text) {
+    out << fmt::format("   {:<11}{}\n", name, text);
+}
+
+std::string grouped(std::uint64_t number) {
+    std::string text = std::to_string(number);
+    for (auto at = static_cast<std::ptrdiff_t>(text.size()) - 3; at > 0; at -= 3)
+        text.insert(at, 1, ',');
+    return text;
+}
+
+std::string named(const Verdict verdict) {
+    if (verdict == Verdict::clear)
+        return "proven clear";
+    return verdict == Verdict::contact ? "contact" : "contact at the start";
+}
+
+std::string named(const Contact& contact) {
+    const auto [first, second] = contact.moving;
+    switch (contact.kind) {
+    case ContactKind::vertex_face:
+        return fmt::format("vertex {} of the nut on face {} of the bolt", first, contact.fixed.first);
+    case ContactKind::face_vertex:
+        return fmt::format("face {} of the nut on vertex {} of the bolt", first, contact.fixed.first);
+    case ContactKind::edge_edge:
+        break;
+    }
+    return fmt::format("edge {}-{} of the nut on edge {}-{} of the bolt", first, second, contact.fixed.first,
+                       contact.fixed.second);
+}
+
+std::string printed(const Eigen::Vector3d& vector) {
+    return fmt::format("({:.6f}, {:.6f}, {:.6f})", vector.x(), vector.y(), vector.z());
+}
+
+void tell_contact(std::ostream& out, const FirstContact& found) {
+    for (const Contact& contact : found.contacts) {
+        line(out, "features", named(contact));
+        line(out, "at",
+             fmt::format("{} mm, {:.4f} mm from the axis", printed(contact.point), contact.point.head<2>().norm()));
+        line(out, "normal", printed(contact.normal));
+    }
+}
+
+void tell_cost(std::ostream& out, const Work& work, const Stopwatch& watch) {
+    line(out, "cost",
+         fmt::format("{} elementary tests, {} node pairs, {:.3f} s", grouped(work.elementary_tests),
+                     grouped(work.node_pairs), watch.seconds()));
+}
+
+bool told(std::ostream& out, bool is_as_expected) {
+    line(out, is_as_expected ? "right" : "WRONG", is_as_expected ? "as expected" : "this is not as it must be");
+    out << '\n';
+    return is_as_expected;
+}
+
+// --- The story
+// --------------------------------------------------------------------------------------------------------
+
+void tell_stage(std::ostream& out, const Stage& stage) {
+    const ThreadedFastener& size = stage.size;
+    out << fmt::format("A nut on its bolt: M{:g} x {:g}, {} facets a turn; lengths in millimetres\n\n",
+                       size.nominal_diameter, size.pitch, size.segments);
+    line(out, "bolt",
+         fmt::format("{} triangles, {:g} mm of thread", grouped(stage.bolt.face_count()), size.bolt_length));
+    line(out, "nut",
+         fmt::format("{} triangles, {:g} mm high, standing {:g} mm above the bolt's head",
+                     grouped(stage.nut.face_count()), size.nut_height, stage.nut_height));
+    line(out, "play",
+         fmt::format("{:.6f} mm along the axis either way; facets take at most {:.6f} mm of it", axial_clearance(size),
+                     play_lost(stage, size.pitch)));
+    out << '\n';
+}
+
+bool unscrew(std::ostream& out, const Stage& stage) {
+    const double pitch = stage.size.pitch;
+    const int turns = static_cast<int>(std::floor((stage.size.bolt_length - stage.nut_height) / pitch)) + 1;
+    out << fmt::format("1. Unscrew it: {:g} mm a turn, in motions of 10 degrees\n\n", pitch);
+    out << "   turn   verdict        elementary tests   node pairs   seconds\n";
+    bool is_clear = true;
+    for (int turn = 0; turn < turns && is_clear; ++turn) {
+        const Stopwatch watch;
+        const FirstContact found =
+            answer_for_path(stage, {.height = stage.nut_height + turn * pitch, .turns = 1, .slide_per_turn = pitch})
+                .contact;
+        out << fmt::format("   {:>4}   {:<13}  {:>16}   {:>10}   {:>7.3f}\n", turn + 1, named(found.verdict),
+                           grouped(found.work.elementary_tests), grouped(found.work.node_pairs), watch.seconds())
+            << std::flush;
+        is_clear = found.verdict == Verdict::clear;
+        tell_contact(out, found);
+    }
+    out << '\n';
+    if (is_clear)
+        line(out, "result", fmt::format("the nut is off the bolt after {} turns and touched nothing", turns));
+    return told(out, is_clear);
+}
+
+// In phase the nut has exactly the axial clearance to go, whatever the facets (derivation 09).
+bool pull(std::ostream& out, const Stage& stage) {
+    const Stopwatch watch;
+    const FirstContact found = answer_for_pull(stage);
+    const double way = stage.size.bolt_length - stage.nut_height;
+    const double travel = found.time.lower * way;
+    const double expected = axial_clearance(stage.size);
+    out << fmt::format("2. Pull it straight off, {:g} mm along the axis\n\n", way);
+    line(out, "verdict", named(found.verdict));
+    line(out, "travel", fmt::format("{:.12f} mm, time {:.15g} .. {:.15g}", travel, found.time.lower, found.time.upper));
+    line(out, "expected", fmt::format("{:.12f} mm, the play between the flanks", expected));
+    tell_contact(out, found);
+    tell_cost(out, found.work, watch);
+    return told(out, found.verdict == Verdict::contact && std::abs(travel - expected) < 1e-9);
+}
+
+// The nut strays from the thread by the difference of the pitches. It must touch before it is in phase again after
+// having strayed by all of the play, and cannot touch before it has strayed by what the facets leave of it.
+bool screw_wrongly(std::ostream& out, const Stage& stage) {
+    const double pitch = stage.size.pitch;
+    const double wrong = 0.875 * pitch;
+    const double first = axial_clearance(stage.size) - play_lost(stage, wrong);
+    const double last = axial_clearance(stage.size) + (pitch - wrong) / stage.size.segments;
+    const Stopwatch watch;
+    const NutTurn motion{.height = stage.nut_height, .turns = 1, .slide_per_turn = wrong};
+    const auto [found, segment] = answer_for_path(stage, motion);
+    const double turns = (static_cast<double>(segment) + found.time.lower) / steps_per_turn;
+    const double slide = found.pose.translation.z() - stage.nut_height;
+    const double strayed = turns * pitch - slide;
+    out << fmt::format("3. Unscrew it by the wrong pitch: {:g} mm a turn instead of {:g}\n\n", wrong, pitch);
+    line(out, "verdict", named(found.verdict));
+    line(out, "turn", fmt::format("{:.6f} degrees, with a slide of {:.6f} mm", 360 * turns, slide));
+    line(out, "strayed", fmt::format("{:.6f} mm from the thread", strayed));
+    line(out, "expected", fmt::format("{:.6f} to {:.6f} mm", first, last));
+    tell_contact(out, found);
+    tell_cost(out, found.work, watch);
+    return told(out, found.verdict == Verdict::contact && strayed >= first && strayed <= last);
+}
+
+} // namespace
+
+int run_demo(std::ostream& out, const std::filesystem::path& save_to) {
+    return run_demo(out, {}, save_to);
+}
+
+int run_demo(std::ostream& out, const ThreadedFastener& fastener, const std::filesystem::path& save_to) {
+    const Stopwatch watch;
+    const Stage stage = built(fastener);
+    if (!save_to.empty()) {
+        save_obj(stage.bolt, save_to / "bolt.obj");
+        save_obj(stage.nut, save_to / "nut.obj");
+    }
+    tell_stage(out, stage);
+    const bool is_unscrewed = unscrew(out, stage);
+    const bool is_held = pull(out, stage);
+    const bool is_jammed = screw_wrongly(out, stage);
+    const bool is_right = is_unscrewed && is_held && is_jammed;
+    out << fmt::format("{} in {:.2f} s\n", is_right ? "All as expected" : "NOT as expected", watch.seconds());
+    return is_right ? 0 : 1;
+}
+
+} // namespace chasles::scenes
