@@ -3,6 +3,8 @@
 // double-word arithmetic", ACM TOMS 44(2), 2017 (algorithm numbers below are theirs).
 #pragma once
 
+#include "chasles/algebra/unit_roundoff.h"
+
 #include <cmath>
 
 namespace chasles::algebra {
@@ -81,11 +83,6 @@ private:
     double low_ = 0;
 };
 
-/// A bound on the relative error of one operation in Scalar; zero for exact types.
-template <class Scalar>
-inline constexpr double unit_roundoff = 0;
-template <>
-inline constexpr double unit_roundoff<double> = 0x1p-53;
 template <>
 inline constexpr double unit_roundoff<DoubleDouble> = 0x1p-101;
 

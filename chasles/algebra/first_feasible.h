@@ -5,8 +5,10 @@
 #pragma once
 
 #include "chasles/algebra/bernstein.h"
+#include "chasles/algebra/unit_roundoff.h"
 
 #include <algorithm>
+#include <cmath>
 #include <optional>
 #include <span>
 
@@ -43,14 +45,33 @@ struct FeasibleInterval {
     bool certain = false;
 };
 
+/// When to stop.
+struct Tolerance {
+    double width = 1e-12;      ///< of an interval that holds a root for certain
+    double resolution = 1e-12; ///< below it, what is still not certain is reported as it stands
+};
+
 namespace detail {
 
-/// A part of [0, 1] that is still to be searched.
+/// A part of [0, 1] that is still to be searched. Its ends are as fine as the scalar.
+template <class Scalar>
 struct Part {
-    double lower;
-    double upper;
-    [[nodiscard]] double width() const { return upper - lower; }
+    Scalar lower;
+    Scalar upper;
+    [[nodiscard]] Scalar width() const { return upper - lower; }
 };
+
+/// The nearest double on the safe side.
+template <class Scalar>
+double rounded_down(const Scalar& x) {
+    const double nearest = static_cast<double>(x);
+    return Scalar(nearest) > x ? std::nextafter(nearest, -1.0) : nearest;
+}
+template <class Scalar>
+double rounded_up(const Scalar& x) {
+    const double nearest = static_cast<double>(x);
+    return Scalar(nearest) < x ? std::nextafter(nearest, 2.0) : nearest;
+}
 
 /// Fractions of a part that a clip leaves over; empty when lower > upper.
 struct Clip {
@@ -94,14 +115,14 @@ class FeasibilitySearch {
 public:
     using Polynomial = Bernstein<Degree, Scalar>;
     using Problem = FeasibilityProblem<Degree, Scalar>;
+    using Interval = Part<Scalar>;
 
-    FeasibilitySearch(const Problem& problem, double tolerance, Part whole)
-        : problem_(problem), tolerance_(tolerance), whole_(whole) {}
+    FeasibilitySearch(const Problem& problem, const Tolerance& tolerance) : problem_(problem), tolerance_(tolerance) {}
 
     std::optional<FeasibleInterval> run() const {
-        Part part = whole_;
-        std::array<Part, 64> later; // right halves, the earliest on top; a left half is at most 63 halvings deep
+        std::array<Interval, depth_limit> later; // right halves, the earliest on top
         std::size_t waiting = 0;
+        Interval part{Scalar(0), Scalar(1)};
         for (int steps = 0;; ++steps) {
             const Clip clip = clipped(part);
             if (clip.lower > clip.upper) {
@@ -110,38 +131,61 @@ public:
                 part = later[--waiting];
                 continue;
             }
-            const Part smaller = part_of(part, clip);
-            const double middle = smaller.lower + smaller.width() / 2;
-            const bool is_final = smaller.width() <= 0.5 * tolerance_ || middle <= smaller.lower ||
-                                  middle >= smaller.upper || steps >= step_limit || waiting == later.size();
-            if (is_final)
-                return answer(smaller);
-            if (smaller.width() > 0.5 * part.width()) {
+            const Interval smaller = part_of(part, clip);
+            const bool halves = smaller.width() > Scalar(0.5) * part.width();
+            const bool out_of_steps = steps >= step_limit || waiting == later.size();
+            if (const auto found = final_answer(smaller, halves, out_of_steps))
+                return found;
+            part = smaller;
+            if (halves) {
+                const Scalar middle = smaller.lower + Scalar(0.5) * smaller.width();
                 later[waiting++] = {middle, smaller.upper};
-                part = {smaller.lower, middle};
-            } else {
-                part = smaller;
+                part.upper = middle;
             }
         }
     }
 
 private:
     /// No search goes on for ever: what is left after so many steps is reported as an uncertain contact.
-    static constexpr int step_limit = 1000;
+    static constexpr int step_limit = 400;
+    static constexpr std::size_t depth_limit = 120;
 
-    static Part part_of(const Part& part, const Clip& clip) {
-        const double slack = 0x1p-52 * std::max(part.lower, part.upper);
-        const double lower = clip.lower <= 0 ? part.lower : part.lower + clip.lower * part.width() - slack;
-        const double upper = clip.upper >= 1 ? part.upper : part.lower + clip.upper * part.width() + slack;
-        return {std::max(part.lower, lower), std::min(part.upper, upper)};
+    static Interval part_of(const Interval& part, const Clip& clip) {
+        const Scalar slack = Scalar(2 * unit_roundoff<Scalar>) * part.upper;
+        const Scalar lower = part.lower + Scalar(clip.lower) * part.width() - slack;
+        const Scalar upper = part.lower + Scalar(clip.upper) * part.width() + slack;
+        return {clip.lower <= 0 || lower < part.lower ? part.lower : lower,
+                clip.upper >= 1 || upper > part.upper ? part.upper : upper};
     }
 
-    [[nodiscard]] Polynomial on(const Polynomial& p, const Part& part) const {
-        return restricted(p, Scalar(part.lower), Scalar(part.upper));
+    /// The answer, if `part` is narrow enough, or if looking closer cannot tell more.
+    [[nodiscard]] std::optional<FeasibleInterval> final_answer(const Interval& part, bool halves,
+                                                               bool out_of_steps) const {
+        if (halves && is_undecidable(part))
+            return uncertain({part.lower, std::min<Scalar>(part.upper, part.lower + Scalar(tolerance_.width))});
+        if (out_of_steps)
+            return uncertain(part);
+        if (part.width() > Scalar(0.5 * tolerance_.width))
+            return std::nullopt;
+        const Scalar rim = std::max<Scalar>(part.width(), Scalar(8 * unit_roundoff<Scalar>) * part.upper);
+        const Interval wider{std::max<Scalar>(Scalar(0), part.lower - rim), std::min<Scalar>(Scalar(1), part.upper + rim)};
+        if (is_certain(wider)) // what lies before `part` was excluded: the root is in it or in the rim above
+            return FeasibleInterval{rounded_down(part.lower), rounded_up(wider.upper), true};
+        const bool is_finest = part.width() <= Scalar(tolerance_.resolution) ||
+                               part.width() <= Scalar(4 * unit_roundoff<Scalar>) * part.upper;
+        return is_finest ? std::optional(uncertain(part)) : std::nullopt;
+    }
+
+    static FeasibleInterval uncertain(const Interval& part) {
+        return {rounded_down(part.lower), rounded_up(part.upper), false};
+    }
+
+    [[nodiscard]] Polynomial on(const Polynomial& p, const Interval& part) const {
+        return restricted(p, part.lower, part.upper);
     }
 
     /// The fractions of `part` where F may vanish and every constraint may hold.
-    [[nodiscard]] Clip clipped(const Part& part) const {
+    [[nodiscard]] Clip clipped(const Interval& part) const {
         const Polynomial weight = on(problem_.weight, part);
         const Polynomial function = on(problem_.function.polynomial, part);
         const Polynomial band = weight * problem_.function.error;
@@ -157,7 +201,7 @@ private:
 
     /// Coefficients not below those of the exact constraint; for alternatives, of the larger of the two.
     [[nodiscard]] Polynomial upper_bound(const Constraint<Degree, Scalar>& constraint, const Polynomial& weight,
-                                         const Part& part) const {
+                                         const Interval& part) const {
         const auto bound = [&](const Bounded<Degree, Scalar>& side) {
             return on(side.polynomial, part) + weight * side.error;
         };
@@ -166,16 +210,8 @@ private:
         return Polynomial(maximum(bound(constraint.first).coefficients, bound(constraint.second).coefficients));
     }
 
-    /// Certain if F changes sign and all constraints hold for certain on a slightly wider part. Whatever lies before
-    /// `part` was excluded, so that the root is in it or in the rim above.
-    [[nodiscard]] FeasibleInterval answer(const Part& part) const {
-        const double rim = std::max(part.width(), 0x1p-50 * part.upper);
-        const Part wider{std::max(whole_.lower, part.lower - rim), std::min(whole_.upper, part.upper + rim)};
-        const bool certain = is_certain(wider);
-        return {part.lower, certain ? wider.upper : part.upper, certain};
-    }
-
-    [[nodiscard]] bool is_certain(const Part& wider) const {
+    /// F changes sign and all constraints hold for certain.
+    [[nodiscard]] bool is_certain(const Interval& wider) const {
         const Polynomial weight = on(problem_.weight, wider);
         const Polynomial function = on(problem_.function.polynomial, wider);
         const Polynomial band = weight * problem_.function.error;
@@ -183,29 +219,52 @@ private:
         const bool rises = Scalar(Scalar(0) - function[0]) > band[0] && function[Degree] > band[Degree];
         if (!falls && !rises)
             return false;
-        const auto holds = [&](const Bounded<Degree, Scalar>& side) {
-            return is_positive(on(side.polynomial, wider), weight * side.error);
+        return std::all_of(problem_.constraints.begin(), problem_.constraints.end(),
+                           [&](const auto& constraint) { return holds(constraint, weight, wider); });
+    }
+
+    [[nodiscard]] bool holds(const Constraint<Degree, Scalar>& constraint, const Polynomial& weight,
+                             const Interval& part) const {
+        const auto side_holds = [&](const Bounded<Degree, Scalar>& side) {
+            return is_positive(on(side.polynomial, part), weight * side.error);
         };
-        return std::all_of(problem_.constraints.begin(), problem_.constraints.end(), [&](const auto& constraint) {
-            return holds(constraint.first) || (constraint.has_alternative && holds(constraint.second));
-        });
+        return side_holds(constraint.first) || (constraint.has_alternative && side_holds(constraint.second));
+    }
+
+    /// F is within its bound all along, and every constraint either holds or is within its bound: no smaller part can
+    /// be told apart from the whole.
+    [[nodiscard]] bool is_undecidable(const Interval& part) const {
+        const Polynomial weight = on(problem_.weight, part);
+        const auto is_blurred = [&](const Bounded<Degree, Scalar>& p) {
+            const auto size = magnitude(on(p.polynomial, part).coefficients);
+            const Polynomial error = weight * p.error;
+            for (int i = 0; i <= Degree; ++i)
+                if (size[static_cast<std::size_t>(i)] > error[i])
+                    return false;
+            return true;
+        };
+        return is_blurred(problem_.function) &&
+               std::all_of(problem_.constraints.begin(), problem_.constraints.end(), [&](const auto& constraint) {
+                   return is_blurred(constraint.first) ||
+                          (constraint.has_alternative && is_blurred(constraint.second)) ||
+                          holds(constraint, weight, part);
+               });
     }
 
     const Problem& problem_;
-    double tolerance_;
-    Part whole_;
+    Tolerance tolerance_;
 };
 
 } // namespace detail
 
-/// The first tau in [from, to], a part of [0, 1], where F may vanish and every constraint may hold. Empty: proven that
-/// there is none. Otherwise nothing feasible lies before `lower`, and `upper - lower` is at most `tolerance` unless F
-/// or the constraints graze zero by less than their error bounds. The errors must include the rounding of
-/// `restricted` (3 Degree unit roundoffs of the largest coefficient over its weight).
+/// The first tau in [0, 1] where F may vanish and every constraint may hold. Empty: proven that there is none.
+/// Otherwise nothing feasible lies before `lower`, and `upper - lower` is at most `tolerance.width` unless F or the
+/// constraints graze zero by less than their error bounds. The errors must include the rounding of `restricted`
+/// (3 Degree unit roundoffs of the largest coefficient over its weight).
 template <int Degree, class Scalar>
-std::optional<FeasibleInterval> first_feasible(const FeasibilityProblem<Degree, Scalar>& problem, double tolerance,
-                                               double from = 0, double to = 1) {
-    return detail::FeasibilitySearch<Degree, Scalar>(problem, tolerance, {from, to}).run();
+std::optional<FeasibleInterval> first_feasible(const FeasibilityProblem<Degree, Scalar>& problem,
+                                               const Tolerance& tolerance) {
+    return detail::FeasibilitySearch<Degree, Scalar>(problem, tolerance).run();
 }
 
 } // namespace chasles::algebra

@@ -25,7 +25,7 @@ struct VertexPath {
 /// What a detection is allowed to be off, and when it may stop.
 struct Accuracy {
     ErrorScale scale;
-    double tolerance = 1e-12; ///< of the interval that the paths run over
+    algebra::Tolerance tolerance; ///< of the interval that the paths run over
 };
 
 /// Room for constraints and counts of what was done; owned by the caller, so that detections do not allocate.

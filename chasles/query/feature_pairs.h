@@ -40,7 +40,7 @@ public:
         : moving_(moving), fixed_(fixed), accuracy_(accuracy) {}
 
     /// Sets the maps (kept by reference) and the tolerance of the interval that they run over.
-    void use(const motion::ControlMaps<S>& maps, double tolerance) {
+    void use(const motion::ControlMaps<S>& maps, const algebra::Tolerance& tolerance) {
         maps_ = &maps;
         accuracy_.tolerance = tolerance;
     }

@@ -21,6 +21,8 @@ struct NodePair {
 constexpr double travel_of_size = 0.4;
 /// After so many halvings of [0, 1] an interval is as short as the tolerance of the answer.
 constexpr int deepest_level = 40;
+/// Where double-double precision looks no closer: far below any clearance that doubles can describe.
+constexpr double finest_resolution = 0x1p-90;
 
 double reach(const BoxHierarchy& hierarchy) {
     const BoxNode& root = hierarchy.nodes()[0];
@@ -39,16 +41,17 @@ public:
         : search_(search), exact_maps_(motion::control_maps(search.motion)), maps_(motion::rounded(exact_maps_)),
           scale_(elementary::error_scale(maps_, reach(search.moving.hierarchy()), reach(search.fixed.hierarchy()))),
           times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
-          filter_(search.moving, search.fixed, {scale_, search.tolerance}),
-          refinement_(search.moving, search.fixed, {scale_, search.tolerance}),
+          filter_(search.moving, search.fixed, {scale_, {}}),
+          refinement_(search.moving, search.fixed, {scale_, {}}),
           moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
-        refinement_.use(exact_maps_, search.tolerance);
+        refinement_.use(exact_maps_, {search.tolerance, finest_resolution});
     }
 
     PieceResult run() {
         levels_[0] = {{0, 0}};
         search_interval(0, 0, 1);
-        std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > best_; });
+        const double last = result_.overlap ? 0 : best_;
+        std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > last; });
         result_.work.elementary_tests = filter_.workspace().elementary_tests;
         result_.work.root_brackets = filter_.workspace().root_brackets;
         return std::move(result_);
@@ -59,7 +62,8 @@ private:
     /// half first, so that a contact there saves the later one.
     void search_interval(int level, double lower, double upper) {
         const TimeInterval interval = times_.interval(lower, upper);
-        filter_.use(interval.maps, search_.tolerance / (upper - lower));
+        const double tolerance = search_.tolerance / (upper - lower);
+        filter_.use(interval.maps, {tolerance, tolerance});
         std::vector<NodePair>& stack = levels_[level];
         std::vector<NodePair>& halved = levels_[level + 1];
         halved.clear();
