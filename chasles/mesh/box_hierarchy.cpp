@@ -25,7 +25,9 @@ float difference_below(double a, double b) {
 }
 
 /// The smallest float that is at least a - b.
-float difference_above(double a, double b) { return -difference_below(b, a); }
+float difference_above(double a, double b) {
+    return -difference_below(b, a);
+}
 
 Eigen::Vector3d middle_of(std::span<const Box> boxes) {
     Eigen::Vector3d lower = boxes.front().lower;
@@ -70,32 +72,33 @@ public:
         while (!waiting.empty()) {
             const Subtree subtree = waiting.back();
             waiting.pop_back();
-            set_node(subtree);
+            const GroupBounds bounds(group_of(subtree).boxes);
+            set_node(subtree, bounds.boxes);
             if (subtree.count > 1)
-                divide(subtree, waiting);
+                divide(subtree, bounds, waiting);
         }
         return std::move(nodes_);
     }
 
 private:
-    void set_node(const Subtree& subtree) {
-        PackedBox bounds = PackedBox::empty();
-        for (std::size_t i = 0; i < subtree.count; ++i)
-            bounds.extend(boxes_[subtree.begin + i]);
+    [[nodiscard]] BoxGroup group_of(const Subtree& subtree) {
+        return BoxGroup{boxes_, faces_}.part(subtree.begin, subtree.count);
+    }
+
+    void set_node(const Subtree& subtree, const PackedBox& box) {
         BoxNode& node = nodes_[subtree.node];
         for (std::size_t axis = 0; axis < 3; ++axis) {
-            node.lower[axis] = bounds.lower[static_cast<Eigen::Index>(axis)];
-            node.upper[axis] = bounds.upper[static_cast<Eigen::Index>(axis)];
+            node.lower[axis] = box.lower[static_cast<Eigen::Index>(axis)];
+            node.upper[axis] = box.upper[static_cast<Eigen::Index>(axis)];
         }
         node.faces = static_cast<std::uint32_t>(subtree.count);
         node.first = subtree.count == 1 ? faces_[subtree.begin] : static_cast<std::uint32_t>(subtree.below);
     }
 
-    void divide(const Subtree& subtree, std::vector<Subtree>& waiting) {
-        const BoxGroup group = BoxGroup{boxes_, faces_}.part(subtree.begin, subtree.count);
+    void divide(const Subtree& subtree, const GroupBounds& bounds, std::vector<Subtree>& waiting) {
         // Uneven divisions in a row could make the tree as deep as it has faces.
         const bool may_be_uneven = subtree.depth < BoxHierarchy::max_depth - 32;
-        const std::size_t first = may_be_uneven ? split_boxes(group) : subtree.count / 2;
+        const std::size_t first = may_be_uneven ? split_boxes(group_of(subtree), bounds) : subtree.count / 2;
         // Two nodes for the children, then all 2 first - 2 nodes below the left one, then those below the right one.
         const std::size_t left = subtree.below;
         waiting.push_back(

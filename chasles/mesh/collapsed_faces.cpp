@@ -50,9 +50,9 @@ void check_covered(const FaceOutlines& collapsed, const FlatLists<std::uint32_t>
     for (std::size_t i = 0; i < collapsed.source.size(); ++i) {
         const std::vector<std::uint32_t> corners = corners_along_line(collapsed.outlines[i], vertices);
         if (!is_kept[corners.front()] || !is_covered_by(edges, corners))
-            throw InvalidInput(fmt::format("face {}: has no area ({}) and is no part of other faces' edges",
-                                           collapsed.source[i],
-                                           corners.size() < 3 ? "its vertices coincide" : "its vertices lie on one line"));
+            throw InvalidInput(
+                fmt::format("face {}: has no area ({}) and is no part of other faces' edges", collapsed.source[i],
+                            corners.size() < 3 ? "its vertices coincide" : "its vertices lie on one line"));
     }
 }
 

@@ -51,8 +51,8 @@ void check_indices(std::size_t index, const Face& face, std::size_t vertex_count
         refuse_face(index, fmt::format("a face needs at least three vertices and this one has {}", face.size()));
     for (const std::uint32_t vertex : face)
         if (vertex >= vertex_count)
-            refuse_face(index, fmt::format("vertex index {} is out of range (the mesh has {} vertices)", vertex,
-                                           vertex_count));
+            refuse_face(
+                index, fmt::format("vertex index {} is out of range (the mesh has {} vertices)", vertex, vertex_count));
 }
 
 std::size_t count_distinct(Face ids) {

@@ -8,7 +8,8 @@
 
 namespace chasles {
 
-template <typename T> struct FlatLists {
+template <typename T>
+struct FlatLists {
     std::vector<std::uint32_t> offsets; ///< n + 1 of them; none at all means that every list is empty
     std::vector<T> items;
 

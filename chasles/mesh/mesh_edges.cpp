@@ -16,7 +16,8 @@ struct Side {
 };
 
 /// Calls visit(corner, face, from, to) for every side of every face.
-template <typename Visit> void for_each_side(const FlatLists<std::uint32_t>& outlines, Visit visit) {
+template <typename Visit>
+void for_each_side(const FlatLists<std::uint32_t>& outlines, Visit visit) {
     for (std::uint32_t face = 0; face < outlines.size(); ++face) {
         const std::uint32_t begin = outlines.offsets[face];
         const std::uint32_t end = outlines.offsets[face + 1];
@@ -63,7 +64,9 @@ void add_edge(std::uint32_t from, std::span<const Side> sides, MeshEdges& result
     result.nonmanifold += faces > 2 ? 1 : 0;
 }
 
-bool comes_before(const Edge& a, const Edge& b) { return a.from != b.from ? a.from < b.from : a.to < b.to; }
+bool comes_before(const Edge& a, const Edge& b) {
+    return a.from != b.from ? a.from < b.from : a.to < b.to;
+}
 
 } // namespace
 

@@ -44,8 +44,8 @@ FlatLists<std::uint32_t> lists_by_owner(const std::vector<std::uint32_t>& owner,
 
 } // namespace
 
-FlatLists<std::uint32_t> share_features(std::span<const std::uint32_t> offsets,
-                                        std::span<const std::uint32_t> features, std::size_t feature_count) {
+FlatLists<std::uint32_t> share_features(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> features,
+                                        std::size_t feature_count) {
     const std::size_t face_count = offsets.size() - 1;
     std::vector<std::uint32_t> owner(feature_count, nobody);
     std::vector<Taker> takers(face_count);

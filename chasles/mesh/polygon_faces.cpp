@@ -69,6 +69,8 @@ void append_whole(const Polygon& polygon, PolygonFaces& result) {
 }
 
 void append_polygon(const Polygon& polygon, const PolyhedronOptions& options, PolygonFaces& result) {
+    if (polygon.view.is_flat)
+        polygon.refuse("has no area beyond rounding (its outline crosses itself, turns back or is too thin)");
     const double allowed = allowed_deviation(polygon.view, options);
     if (polygon.view.deviation <= allowed)
         append_whole(polygon, result);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <limits>
 
 namespace chasles {
 namespace {
@@ -52,17 +53,22 @@ bool is_ascending(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 } // namespace
 
 PolygonView view_polygon(std::span<const Eigen::Vector3d> vertices, std::span<const std::uint32_t> outline) {
-    const Eigen::Vector3d normal = newell_normal(vertices, outline).stableNormalized();
+    const Eigen::Vector3d twice_area = newell_normal(vertices, outline);
+    const Eigen::Vector3d normal = twice_area.stableNormalized();
     Eigen::Vector3d lower = vertices[outline.front()];
     Eigen::Vector3d upper = lower;
     for (const std::uint32_t vertex : outline) {
         lower = lower.cwiseMin(vertices[vertex]);
         upper = upper.cwiseMax(vertices[vertex]);
     }
+    const double size = (upper - lower).norm();
+    // Each of n cross products and n additions errs by a few units of at most the square of the size.
+    const double rounding = 8 * std::numeric_limits<double>::epsilon() * static_cast<double>(outline.size());
     return {.corners = seen_along(normal, vertices, outline),
             .deviation = half_thickness(vertices, outline, normal),
-            .size = (upper - lower).norm(),
-            .magnitude = lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).maxCoeff()};
+            .size = size,
+            .magnitude = lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).maxCoeff(),
+            .is_flat = twice_area.stableNorm() <= rounding * size * size};
 }
 
 bool is_convex(std::span<const Eigen::Vector2d> outline) {

@@ -14,6 +14,7 @@ struct PolygonView {
     double deviation; ///< greatest distance of a corner from the middle plane along the normal
     double size;      ///< diagonal of the bounding box
     double magnitude; ///< largest coordinate without sign
+    bool is_flat;     ///< the area is zero, or smaller than its own rounding; then the rest means nothing
 };
 
 [[nodiscard]] PolygonView view_polygon(std::span<const Eigen::Vector3d> vertices,

@@ -115,29 +115,45 @@ Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
 
 Polyhedron::Polyhedron(std::shared_ptr<const Data> data) : data_(std::move(data)) {}
 
-std::size_t Polyhedron::vertex_count() const { return data_->vertices.size(); }
+std::size_t Polyhedron::vertex_count() const {
+    return data_->vertices.size();
+}
 
-std::size_t Polyhedron::face_count() const { return data_->outlines.size(); }
+std::size_t Polyhedron::face_count() const {
+    return data_->outlines.size();
+}
 
-std::span<const Eigen::Vector3d> Polyhedron::vertices() const { return data_->vertices; }
+std::span<const Eigen::Vector3d> Polyhedron::vertices() const {
+    return data_->vertices;
+}
 
-std::span<const std::uint32_t> Polyhedron::face(std::size_t face) const { return data_->outlines[face]; }
+std::span<const std::uint32_t> Polyhedron::face(std::size_t face) const {
+    return data_->outlines[face];
+}
 
 std::uint32_t Polyhedron::source_face(std::size_t face) const {
     return data_->source.empty() ? static_cast<std::uint32_t>(face) : data_->source[face];
 }
 
-std::span<const std::uint32_t> Polyhedron::face_triangles(std::size_t face) const { return data_->triangles[face]; }
+std::span<const std::uint32_t> Polyhedron::face_triangles(std::size_t face) const {
+    return data_->triangles[face];
+}
 
 std::span<const std::uint32_t> Polyhedron::owned_vertices(std::size_t face) const {
     return data_->owned_vertices[face];
 }
 
-std::span<const Edge> Polyhedron::owned_edges(std::size_t face) const { return data_->owned_edges[face]; }
+std::span<const Edge> Polyhedron::owned_edges(std::size_t face) const {
+    return data_->owned_edges[face];
+}
 
-const BoxHierarchy& Polyhedron::hierarchy() const { return data_->hierarchy; }
+const BoxHierarchy& Polyhedron::hierarchy() const {
+    return data_->hierarchy;
+}
 
-MeshReport Polyhedron::report() const { return data_->report; }
+MeshReport Polyhedron::report() const {
+    return data_->report;
+}
 
 std::size_t Polyhedron::memory() const {
     return sizeof(Data) + data_->outlines.memory() + data_->source.capacity() * sizeof(std::uint32_t) +

@@ -8,7 +8,8 @@
 namespace chasles {
 namespace {
 
-constexpr int bin_count = 16;
+constexpr int bin_count = 12;
+constexpr std::size_t few = 12;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
 struct Bin {
@@ -23,35 +24,31 @@ struct Bin {
 
 using AxisBins = std::array<Bin, bin_count>;
 
-/// From centres to numbers of bins. Centres are doubled: the sum of both corners.
+/// Doubled: the sum of both corners.
+Eigen::Array4f centre_of(const PackedBox& box) {
+    return box.lower + box.upper;
+}
+
+/// Areas are measured in the size of the whole, so that they neither overflow nor vanish.
+float cost(const PackedBox& box, std::size_t count, float unit) {
+    const Eigen::Array4f size = (box.upper - box.lower) * unit;
+    return (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]) * static_cast<float>(count);
+}
+
+/// From centres to numbers of bins.
 struct Binning {
     Eigen::Array4f origin;
     Eigen::Array4f scale;
-    float unit; ///< areas are measured in it, so that they neither overflow nor vanish
 
-    explicit Binning(std::span<const PackedBox> boxes) {
-        PackedBox centres = PackedBox::empty();
-        PackedBox bounds = PackedBox::empty();
-        for (const PackedBox& box : boxes) {
-            const Eigen::Array4f centre = box.lower + box.upper;
-            centres.extend({centre, centre});
-            bounds.extend(box);
-        }
-        origin = centres.lower;
+    explicit Binning(const PackedBox& centres) : origin(centres.lower) {
         const Eigen::Array4f extent = centres.upper - centres.lower;
         // Less than the number of bins, so that the last centre falls into the last bin. One bin where it would
         // overflow.
         scale = (extent > 1e-36F).select(0.999F * bin_count / extent, 0.0F);
-        unit = 1.0F / (bounds.upper - bounds.lower).maxCoeff();
     }
 
     [[nodiscard]] Eigen::Array4i bins_of(const PackedBox& box) const {
-        return ((box.lower + box.upper - origin) * scale).cast<int>();
-    }
-
-    [[nodiscard]] float cost(const Bin& bin) const {
-        const Eigen::Array4f size = (bin.box.upper - bin.box.lower) * unit;
-        return (size[0] * size[1] + size[1] * size[2] + size[2] * size[0]) * static_cast<float>(bin.count);
+        return ((centre_of(box) - origin) * scale).cast<int>();
     }
 };
 
@@ -75,24 +72,25 @@ struct Division {
     int bin = 0;
 };
 
-void improve(Division& best, const AxisBins& bins, int axis, const Binning& binning) {
+void improve(Division& best, const AxisBins& bins, int axis, float unit) {
     std::array<float, bin_count> cost_from{}; // of all bins from here on
     Bin last;
     for (int bin = bin_count - 1; bin > 0; --bin) {
         last.extend(bins[bin]);
-        cost_from[bin] = last.count > 0 ? binning.cost(last) : infinite;
+        cost_from[bin] = last.count > 0 ? cost(last.box, last.count, unit) : infinite;
     }
     Bin first;
     for (int bin = 1; bin < bin_count; ++bin) {
         first.extend(bins[bin - 1]);
-        const float cost = first.count > 0 ? binning.cost(first) + cost_from[bin] : infinite;
-        if (cost < best.cost)
-            best = {cost, axis, bin};
+        const float total = first.count > 0 ? cost(first.box, first.count, unit) + cost_from[bin] : infinite;
+        if (total < best.cost)
+            best = {total, axis, bin};
     }
 }
 
 /// Swaps from both ends, so that the order depends on nothing but the boxes.
-template <typename ComesFirst> std::size_t partition(BoxGroup group, ComesFirst comes_first) {
+template <typename ComesFirst>
+std::size_t partition(BoxGroup group, ComesFirst comes_first) {
     std::size_t begin = 0;
     std::size_t end = group.size();
     while (true) {
@@ -107,19 +105,71 @@ template <typename ComesFirst> std::size_t partition(BoxGroup group, ComesFirst 
     }
 }
 
-} // namespace
-
-PackedBox PackedBox::empty() { return {Eigen::Array4f::Constant(infinite), Eigen::Array4f::Constant(-infinite)}; }
-
-std::size_t split_boxes(BoxGroup group) {
-    const Binning binning(group.boxes);
+std::size_t split_many(BoxGroup group, const GroupBounds& bounds) {
+    const Binning binning(bounds.centres);
     const std::array<AxisBins, 3> bins = fill_bins(binning, group.boxes);
     Division best;
     for (int axis = 0; axis < 3; ++axis)
-        improve(best, bins[axis], axis, binning);
+        improve(best, bins[axis], axis, bounds.unit());
     if (best.cost == infinite)
         return group.size() / 2;
     return partition(group, [&](const PackedBox& box) { return binning.bins_of(box)[best.axis] < best.bin; });
+}
+
+void sort_by_centre(BoxGroup group, Eigen::Index axis) {
+    for (std::size_t i = 1; i < group.size(); ++i)
+        for (std::size_t j = i; j > 0 && centre_of(group.boxes[j])[axis] < centre_of(group.boxes[j - 1])[axis]; --j) {
+            std::swap(group.boxes[j], group.boxes[j - 1]);
+            std::swap(group.faces[j], group.faces[j - 1]);
+        }
+}
+
+/// Tries every place along the axis on which the centres spread most; bins would cost more than the boxes.
+std::size_t split_few(BoxGroup group, const GroupBounds& bounds) {
+    Eigen::Index axis = 0;
+    (bounds.centres.upper - bounds.centres.lower).head<3>().maxCoeff(&axis);
+    sort_by_centre(group, axis);
+    const float unit = bounds.unit();
+    std::array<float, few> cost_from{};
+    PackedBox last = PackedBox::empty();
+    for (std::size_t i = group.size() - 1; i > 0; --i) {
+        last.extend(group.boxes[i]);
+        cost_from[i] = cost(last, group.size() - i, unit);
+    }
+    std::size_t best = group.size() / 2;
+    float best_cost = infinite;
+    PackedBox first = PackedBox::empty();
+    for (std::size_t i = 1; i < group.size(); ++i) {
+        first.extend(group.boxes[i - 1]);
+        const float total = cost(first, i, unit) + cost_from[i];
+        if (total < best_cost) {
+            best_cost = total;
+            best = i;
+        }
+    }
+    return best;
+}
+
+} // namespace
+
+PackedBox PackedBox::empty() {
+    return {Eigen::Array4f::Constant(infinite), Eigen::Array4f::Constant(-infinite)};
+}
+
+GroupBounds::GroupBounds(std::span<const PackedBox> group) {
+    for (const PackedBox& box : group) {
+        const Eigen::Array4f centre = centre_of(box);
+        centres.extend({centre, centre});
+        boxes.extend(box);
+    }
+}
+
+float GroupBounds::unit() const {
+    return 1.0F / (boxes.upper - boxes.lower).maxCoeff();
+}
+
+std::size_t split_boxes(BoxGroup group, const GroupBounds& bounds) {
+    return group.size() <= few ? split_few(group, bounds) : split_many(group, bounds);
 }
 
 } // namespace chasles

@@ -31,9 +31,18 @@ struct BoxGroup {
     }
 };
 
+/// What encloses a group, and what encloses the centres of its boxes (doubled: the sum of both corners).
+struct GroupBounds {
+    PackedBox boxes = PackedBox::empty();
+    PackedBox centres = PackedBox::empty();
+
+    explicit GroupBounds(std::span<const PackedBox> group);
+    [[nodiscard]] float unit() const;
+};
+
 /// Reorders at least two boxes and returns how many come first; both groups have some. The cost that is made small is
 /// the surface area of each group's box times its number of boxes (I. Wald, "On fast construction of SAH-based
 /// bounding volume hierarchies", 2007). Where no such division exists, halves.
-[[nodiscard]] std::size_t split_boxes(BoxGroup group);
+[[nodiscard]] std::size_t split_boxes(BoxGroup group, const GroupBounds& bounds);
 
 } // namespace chasles

@@ -24,7 +24,8 @@ struct Triangle {
         : corners{a, b, c}, lower(a.cwiseMin(b).cwiseMin(c)), upper(a.cwiseMax(b).cwiseMax(c)) {}
 
     /// Whether one side of the triangle has all the points on its outer side or on it.
-    template <std::size_t Count> [[nodiscard]] bool has_beyond_a_side(const std::array<Point, Count>& points) const {
+    template <std::size_t Count>
+    [[nodiscard]] bool has_beyond_a_side(const std::array<Point, Count>& points) const {
         for (std::size_t side = 0; side < 3; ++side) {
             const auto is_out = [&](const Point& point) {
                 return orientation(corners[side], corners[(side + 1) % 3], point) <= 0;
@@ -91,16 +92,12 @@ public:
 private:
     using Cut = bool (EarClipping::*)(std::uint32_t);
 
-    /// Tries the corners in turn, beginning two behind the last cut: cutting neighbours in a row makes slivers.
+    /// Tries the corners in turn, beginning behind the last cut.
     bool cut_first(Cut cut) {
         std::uint32_t corner = current_;
-        for (std::size_t tried = 0; tried < left_; ++tried, corner = next_[corner]) {
-            const std::uint32_t follower = next_[next_[corner]];
-            if (!(this->*cut)(corner))
-                continue;
-            current_ = follower;
-            return true;
-        }
+        for (std::size_t tried = 0; tried < left_; ++tried, corner = next_[corner])
+            if ((this->*cut)(corner))
+                return true;
         return false;
     }
 
@@ -114,7 +111,7 @@ private:
     bool cut_flat_corner(std::uint32_t corner) {
         if (orientation(points_[previous_[corner]], points_[corner], points_[next_[corner]]) != 0)
             return false;
-        unlink(corner);
+        leave_out(corner);
         return true;
     }
 
@@ -145,7 +142,36 @@ private:
 
     void cut_off(std::uint32_t corner) {
         triangles_.insert(triangles_.end(), {previous_[corner], corner, next_[corner]});
+        leave_out(corner);
+    }
+
+    /// Takes the corner out of the ring, and with it what then only runs to and fro: next to such a side a corner
+    /// that turns to the left need not have the polygon on its left.
+    void leave_out(std::uint32_t corner) {
+        std::uint32_t before = previous_[corner];
+        std::uint32_t behind = next_[corner];
         unlink(corner);
+        while (left_ >= 3) {
+            if (is_folded(before)) {
+                unlink(before);
+                before = previous_[before];
+            } else if (is_folded(behind)) {
+                unlink(behind);
+                behind = next_[behind];
+            } else {
+                break;
+            }
+        }
+        current_ = next_[behind]; // cutting neighbours in a row would make slivers
+    }
+
+    /// Turns back onto the side it came along, or lies where a neighbour lies.
+    [[nodiscard]] bool is_folded(std::uint32_t corner) const {
+        const Point& a = points_[previous_[corner]];
+        const Point& b = points_[corner];
+        const Point& c = points_[next_[corner]];
+        const bool is_at_neighbour = a == b || b == c || c == a;
+        return is_at_neighbour || (lies_beyond(a, b, c) && orientation(a, b, c) == 0);
     }
 
     void unlink(std::uint32_t corner) {

@@ -12,8 +12,8 @@ namespace chasles {
 /// Positions within `outline`, three by three, of triangles that turn to the left and cover the polygon exactly once;
 /// nothing if the outline crosses itself or turns to the right.
 ///
-/// The outline may touch itself and may use a side to and fro, as the bridge to a hole does. Where it has no such
-/// places every corner is a corner of some triangle: n - 2 triangles.
+/// The outline may touch itself and may use a side to and fro, as the bridge to a hole does, but must turn back onto
+/// itself at no corner. Where it touches itself nowhere every corner is used: n - 2 triangles.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> triangulate_polygon(std::span<const Eigen::Vector2d> outline);
 
 } // namespace chasles

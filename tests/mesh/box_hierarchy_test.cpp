@@ -1,0 +1,191 @@
+// A tree of the right size and depth that encloses everything exactly and holds each face once.
+#include "chasles/mesh/box_hierarchy.h"
+
+#include "chasles/mesh/polyhedron.h"
+#include "tests/mesh/shapes.h"
+
+#include <cstring>
+#include <gmpxx.h>
+#include <gtest/gtest.h>
+
+namespace chasles {
+namespace {
+
+/// Checks layout, enclosure of child boxes and the number of faces; returns how often each face is a leaf.
+std::vector<int> walk(const BoxHierarchy& tree, std::size_t face_count) {
+    struct Visit {
+        std::uint32_t node;
+        std::size_t depth;
+    };
+    std::vector<int> leaves(face_count, 0);
+    std::vector<int> visits(tree.nodes().size(), 0);
+    std::vector<Visit> waiting{{0, 0}};
+    while (!waiting.empty()) {
+        const auto [index, depth] = waiting.back();
+        waiting.pop_back();
+        const BoxNode& node = tree.nodes()[index];
+        ++visits[index];
+        EXPECT_LE(depth, BoxHierarchy::max_depth);
+        if (node.is_leaf()) {
+            ++leaves.at(node.first);
+            continue;
+        }
+        EXPECT_EQ(tree.nodes()[node.first].faces + tree.nodes()[node.first + 1].faces, node.faces);
+        for (const std::uint32_t child : {node.first, node.first + 1}) {
+            for (std::size_t axis = 0; axis < 3; ++axis) {
+                EXPECT_LE(node.lower[axis], tree.nodes()[child].lower[axis]);
+                EXPECT_GE(node.upper[axis], tree.nodes()[child].upper[axis]);
+            }
+            waiting.push_back({child, depth + 1});
+        }
+    }
+    EXPECT_TRUE(std::ranges::all_of(visits, [](int count) { return count == 1; }));
+    return leaves;
+}
+
+void expect_whole(const BoxHierarchy& tree, std::size_t face_count) {
+    ASSERT_EQ(tree.nodes().size(), 2 * face_count - 1);
+    EXPECT_EQ(tree.nodes()[0].faces, face_count);
+    const std::vector<int> leaves = walk(tree, face_count);
+    EXPECT_TRUE(std::ranges::all_of(leaves, [](int count) { return count == 1; }));
+}
+
+/// In exact arithmetic: no leaf leaves out any part of its face's box, or could be narrower by one float.
+void expect_tight_leaves(const BoxHierarchy& tree, const std::vector<Box>& boxes) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    for (const BoxNode& node : tree.nodes()) {
+        if (!node.is_leaf())
+            continue;
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+            const auto i = static_cast<Eigen::Index>(axis);
+            const mpq_class lower = mpq_class(boxes[node.first].lower[i]) - tree.centre()[i];
+            const mpq_class upper = mpq_class(boxes[node.first].upper[i]) - tree.centre()[i];
+            ASSERT_LE(mpq_class(node.lower[axis]), lower);
+            ASSERT_GT(mpq_class(std::nextafter(node.lower[axis], infinite)), lower);
+            ASSERT_GE(mpq_class(node.upper[axis]), upper);
+            ASSERT_LT(mpq_class(std::nextafter(node.upper[axis], -infinite)), upper);
+        }
+    }
+}
+
+std::vector<Box> random_boxes(std::mt19937_64& random, std::size_t count, double offset) {
+    std::uniform_real_distribution<double> place(-1.0, 1.0);
+    std::vector<Box> boxes(count);
+    for (Box& box : boxes) {
+        box.lower = Eigen::Vector3d(place(random) + offset, place(random), std::ldexp(place(random), -40));
+        box.upper = box.lower + 0.1 * Eigen::Vector3d(1 + place(random), 1 + place(random), 1e-20);
+    }
+    return boxes;
+}
+
+TEST(BoxHierarchy, OfOneFaceIsALeaf) {
+    const BoxHierarchy tree(std::vector{Box{{1, 2, 3}, {2, 3, 4}}});
+    ASSERT_EQ(tree.nodes().size(), 1U);
+    EXPECT_TRUE(tree.nodes()[0].is_leaf());
+    EXPECT_EQ(tree.nodes()[0].first, 0U);
+    EXPECT_EQ(tree.centre(), Eigen::Vector3d(1.5, 2.5, 3.5));
+}
+
+TEST(BoxHierarchy, EnclosesExactlyAndTightly) {
+    const unsigned seed = 20240509;
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    for (const double offset : {0.0, 1e3, 1e9}) {
+        const std::vector<Box> boxes = random_boxes(random, 1000, offset);
+        const BoxHierarchy tree(boxes);
+        expect_whole(tree, boxes.size());
+        expect_tight_leaves(tree, boxes);
+    }
+}
+
+TEST(BoxHierarchy, IsWholeForAnyFewFaces) {
+    const unsigned seed = 20240510;
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    for (std::size_t count = 1; count < 40; ++count)
+        expect_whole(BoxHierarchy(random_boxes(random, count, 0.0)), count);
+}
+
+TEST(BoxHierarchy, StaysShallowWhenAllBoxesAreEqual) {
+    const std::vector<Box> boxes(10000, Box{{0, 0, 0}, {1, 1, 1}});
+    expect_whole(BoxHierarchy(boxes), boxes.size());
+}
+
+TEST(BoxHierarchy, StaysShallowWhenEachBoxIsHalfTheOneBefore) {
+    std::vector<Box> boxes;
+    for (int i = 0; i < 120; ++i)
+        boxes.push_back(
+            {Eigen::Vector3d::Constant(std::ldexp(1.0, -i)), Eigen::Vector3d::Constant(std::ldexp(1.5, -i))});
+    boxes.insert(boxes.end(), 10000, boxes.back());
+    expect_whole(BoxHierarchy(boxes), boxes.size());
+}
+
+TEST(BoxHierarchy, HoldsAtTheEndsOfTheRange) {
+    const unsigned seed = 20240511;
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    for (const double scale : {1e30, 1e-30, 1e-300}) {
+        std::vector<Box> boxes = random_boxes(random, 300, 0.0);
+        for (Box& box : boxes)
+            box = {box.lower * scale / 2, box.upper * scale / 2};
+        const BoxHierarchy tree(boxes);
+        expect_whole(tree, boxes.size());
+        expect_tight_leaves(tree, boxes);
+    }
+}
+
+TEST(BoxHierarchy, IsTheSameEachTime) {
+    const unsigned seed = 20240512;
+    SCOPED_TRACE(seed);
+    std::mt19937_64 random(seed);
+    const std::vector<Box> boxes = random_boxes(random, 3000, 0.0);
+    const BoxHierarchy first(boxes);
+    const BoxHierarchy second(boxes);
+    EXPECT_EQ(std::memcmp(first.nodes().data(), second.nodes().data(), first.memory()), 0);
+}
+
+/// Expected number of nodes met by a random line that meets the root.
+double nodes_met(const BoxHierarchy& tree) {
+    const auto area = [](const BoxNode& node) {
+        const Eigen::Vector3d size(node.upper[0] - node.lower[0], node.upper[1] - node.lower[1],
+                                   node.upper[2] - node.lower[2]);
+        return size.x() * size.y() + size.y() * size.z() + size.z() * size.x();
+    };
+    double sum = 0.0;
+    for (const BoxNode& node : tree.nodes())
+        sum += area(node);
+    return sum / area(tree.nodes()[0]);
+}
+
+TEST(BoxHierarchy, IsGoodForATorus) {
+    // Measured 34.4; halves along the longest side give 39.5.
+    const test::Soup soup = test::torus(100, 50);
+    const Polyhedron torus = Polyhedron::from_polygons(soup.vertices, soup.faces);
+    EXPECT_LT(nodes_met(torus.hierarchy()), 36.0);
+}
+
+TEST(BoxHierarchy, EnclosesTheVerticesOfRealFaces) {
+    const auto rows = test::obj_files_of_manifest();
+    if (rows.empty())
+        GTEST_SKIP() << "no data beside the project";
+    for (const test::ManifestRow& row : rows) {
+        if (row.faces > 10000)
+            continue; // exact arithmetic takes its time
+        SCOPED_TRACE(row.file);
+        const test::Soup soup = test::read_obj(test::shared_data() / row.file);
+        const Polyhedron body = Polyhedron::from_polygons(soup.vertices, soup.faces, {.drop_degenerate = true});
+        std::vector<Box> boxes(body.face_count());
+        for (std::size_t f = 0; f < boxes.size(); ++f) {
+            boxes[f] = {soup.vertices[body.face(f)[0]], soup.vertices[body.face(f)[0]]};
+            for (const std::uint32_t v : body.face(f)) {
+                boxes[f].lower = boxes[f].lower.cwiseMin(soup.vertices[v]);
+                boxes[f].upper = boxes[f].upper.cwiseMax(soup.vertices[v]);
+            }
+        }
+        expect_whole(body.hierarchy(), body.face_count());
+        expect_tight_leaves(body.hierarchy(), boxes);
+    }
+}
+
+} // namespace
+} // namespace chasles

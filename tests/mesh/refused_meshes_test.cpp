@@ -1,0 +1,133 @@
+// Every way a mesh is refused, word for word: people read these lines.
+#include "chasles/invalid_input.h"
+#include "chasles/mesh/polyhedron.h"
+
+#include "tests/mesh/shapes.h"
+
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace chasles {
+namespace {
+
+using test::Soup;
+
+std::string refusal(const Soup& soup, const PolyhedronOptions& options = {}) {
+    try {
+        (void)Polyhedron::from_polygons(soup.vertices, soup.faces, options);
+    } catch (const InvalidInput& refused) {
+        return refused.what();
+    }
+    return "accepted";
+}
+
+TEST(RefusedMeshes, WithoutFaces) {
+    EXPECT_EQ(refusal({}), "mesh: has no faces");
+}
+
+TEST(RefusedMeshes, IndexOutOfRange) {
+    Soup soup = test::cube();
+    soup.faces[3][2] = 8;
+    EXPECT_EQ(refusal(soup), "face 3: vertex index 8 is out of range (the mesh has 8 vertices)");
+    EXPECT_EQ(refusal({{}, {{0, 1, 2}}}), "face 0: vertex index 0 is out of range (the mesh has 0 vertices)");
+}
+
+TEST(RefusedMeshes, CoordinatesThatAreNoNumbers) {
+    Soup soup = test::cube();
+    soup.vertices[5].y() = std::numeric_limits<double>::quiet_NaN();
+    EXPECT_EQ(refusal(soup), "vertex 5: y is not a finite number");
+    soup.vertices[5].y() = -std::numeric_limits<double>::infinity();
+    EXPECT_EQ(refusal(soup), "vertex 5: y is not a finite number");
+}
+
+TEST(RefusedMeshes, CoordinatesBeyondArithmetic) {
+    Soup soup = test::cube();
+    soup.vertices[1].z() = -2e30;
+    EXPECT_EQ(refusal(soup), "vertex 1: z = -2e+30 is out of range (-1e+30 to 1e+30)");
+    soup = test::cube();
+    for (Eigen::Vector3d& vertex : soup.vertices)
+        vertex *= 1e-31;
+    EXPECT_EQ(refusal(soup), "mesh: all vertices lie within 1e-31 of each other, which is too small to compute with "
+                             "(at least 1e-30)");
+    for (Eigen::Vector3d& vertex : soup.vertices)
+        vertex = {1, 2, 3};
+    EXPECT_EQ(refusal(soup), "mesh: all vertices lie within 0 of each other, which is too small to compute with "
+                             "(at least 1e-30)");
+}
+
+TEST(RefusedMeshes, TooFewVerticesInAFace) {
+    Soup soup = test::cube();
+    soup.faces[2] = {0, 1};
+    EXPECT_EQ(refusal(soup), "face 2: a face needs at least three vertices and this one has 2");
+    soup.faces[2] = {0, 1, 1};
+    EXPECT_EQ(refusal(soup), "face 2: names vertex 1 twice in a row");
+    soup.faces[2] = {0, 1, 4, 0};
+    EXPECT_EQ(refusal(soup), "face 2: names vertex 0 twice in a row");
+    soup.faces[2] = {0, 1, 0, 1};
+    EXPECT_EQ(refusal(soup), "face 2: has fewer than three distinct vertices");
+}
+
+TEST(RefusedMeshes, FacesWithoutArea) {
+    Soup soup = test::cube();
+    soup.vertices.emplace_back(0.5, 0, 0);
+    soup.faces.push_back({0, 8, 1});
+    EXPECT_EQ(refusal(soup), "face 6: has no area (its vertices lie on one line)");
+    const double least = std::numeric_limits<double>::denorm_min();
+    soup.vertices.back().y() = least;
+    EXPECT_EQ(refusal(soup), "accepted") << "an area however small is one";
+}
+
+TEST(RefusedMeshes, CollapsedFacesOnNoEdge) {
+    Soup soup = test::cube();
+    soup.vertices.emplace_back(soup.vertices[0]);
+    soup.faces.push_back({0, 8, 7}); // along a diagonal of the cube
+    EXPECT_EQ(refusal(soup), "face 6: has no area (its vertices coincide) and is no part of other faces' edges");
+    soup.vertices.emplace_back(0.5, 0.5, 0.5);
+    soup.faces.back() = {0, 9, 7};
+    EXPECT_EQ(refusal(soup, {.drop_degenerate = true}),
+              "face 6: has no area (its vertices lie on one line) and is no part of other faces' edges");
+}
+
+TEST(RefusedMeshes, CollapsedFacesAtALonePoint) {
+    Soup soup = test::cube();
+    soup.vertices.insert(soup.vertices.end(), 3, {5, 5, 5});
+    soup.faces.push_back({8, 9, 10});
+    EXPECT_EQ(refusal(soup), "face 6: has no area (its vertices coincide) and is no part of other faces' edges");
+}
+
+TEST(RefusedMeshes, NothingButCollapsedFaces) {
+    const Soup soup{{{0, 0, 0}, {1, 0, 0}, {1, 0, 0}}, {{0, 1, 2}}};
+    EXPECT_EQ(refusal(soup), "mesh: no face has an area");
+}
+
+TEST(RefusedMeshes, PolygonsThatAreNotPlanar) {
+    Soup soup = test::cube();
+    soup.vertices[7].z() = 1.01;
+    EXPECT_EQ(refusal(soup), "face 5: is not planar (its vertices leave a plane by 0.0025, and 1.41e-05 is allowed)");
+    EXPECT_EQ(refusal(soup, {.triangulate = true}), "accepted");
+}
+
+TEST(RefusedMeshes, OutlinesThatCrossThemselves) {
+    EXPECT_EQ(refusal(test::sheet({{0, 0}, {3, 0}, {3, 3}, {1, -1}})), "face 0: its outline crosses itself");
+    // Lobes of equal area and opposite turn leave no normal to look along.
+    EXPECT_EQ(refusal(test::sheet({{0, 0}, {1, 1}, {1, 0}, {0, 1}})),
+              "face 0: has no area beyond rounding (its outline crosses itself, turns back or is too thin)");
+}
+
+TEST(RefusedMeshes, OutlinesThatTurnBack) {
+    EXPECT_EQ(refusal(test::sheet({{0, 0}, {3, 0}, {2, 0}, {2, 2}})),
+              "face 0: its outline turns back onto itself at vertex 1");
+    // Opposite corners of a quad that coincide leave two segments.
+    EXPECT_EQ(refusal(test::sheet({{0, 0}, {1, 0}, {0, 0}, {0, 1}})),
+              "face 0: has no area beyond rounding (its outline crosses itself, turns back or is too thin)");
+}
+
+TEST(RefusedMeshes, BentPolygonsThatTouchThemselves) {
+    Soup soup = test::sheet({{0, 0}, {2, 1}, {4, 0}, {4, 2}, {2, 1}, {0, 2}});
+    soup.vertices[0].z() = 0.5;
+    EXPECT_EQ(refusal(soup, {.triangulate = true}),
+              "face 0: is not planar and can't be cut into triangles, because its outline touches itself");
+}
+
+} // namespace
+} // namespace chasles

@@ -1,0 +1,152 @@
+// Triangles cover an outline once or there is no answer.
+#include "chasles/mesh/triangulate_polygon.h"
+
+#include "tests/mesh/shapes.h"
+
+#include <algorithm>
+#include <gtest/gtest.h>
+
+namespace chasles {
+namespace {
+
+using test::Outline;
+
+double area_of_triangles(const Outline& outline, const std::vector<std::uint32_t>& corners) {
+    double sum = 0.0;
+    for (std::size_t i = 0; i < corners.size(); i += 3) {
+        const double area = test::signed_area({outline[corners[i]], outline[corners[i + 1]], outline[corners[i + 2]]});
+        EXPECT_GT(area, 0.0);
+        sum += area;
+    }
+    return sum;
+}
+
+void expect_covered(const Outline& outline, std::size_t triangle_count) {
+    const auto triangles = triangulate_polygon(outline);
+    ASSERT_TRUE(triangles.has_value());
+    EXPECT_EQ(triangles->size(), 3 * triangle_count);
+    const double area = test::signed_area(outline);
+    EXPECT_NEAR(area_of_triangles(outline, *triangles), area, 1e-12 * area);
+}
+
+TEST(TriangulatePolygon, CoversConvexAndReflexOutlines) {
+    expect_covered({{0, 0}, {1, 0}, {0, 1}}, 1);
+    expect_covered({{0, 0}, {1, 0}, {1, 1}, {0, 1}}, 2);
+    expect_covered({{0, 0}, {2, 0}, {2, 2}, {1, 0.5}}, 2);
+    expect_covered({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, 4);
+}
+
+TEST(TriangulatePolygon, UsesCornersOnStraightSides) {
+    expect_covered({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}, 6);
+    expect_covered({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 3}}, 3);
+}
+
+TEST(TriangulatePolygon, CoversRandomStars) {
+    const unsigned seed = 20240505;
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    for (std::size_t corners = 5; corners < 200; ++corners)
+        expect_covered(test::random_star(random, corners), corners - 2);
+}
+
+TEST(TriangulatePolygon, CoversRandomStarsOnAGrid) {
+    // Coarse coordinates make corners coincide with sides and with each other; what is no outline must be refused.
+    const unsigned seed = 20240506;
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    int covered = 0;
+    for (int round = 0; round < 500; ++round) {
+        Outline outline = test::random_star(random, 12);
+        for (Eigen::Vector2d& corner : outline)
+            corner = (4 * corner).array().round();
+        const auto triangles = triangulate_polygon(outline);
+        if (!triangles)
+            continue;
+        ++covered;
+        EXPECT_EQ(area_of_triangles(outline, *triangles), test::signed_area(outline)) << "round " << round;
+    }
+    EXPECT_GT(covered, 400);
+}
+
+TEST(TriangulatePolygon, CoversASquareAroundABridgedHole) {
+    expect_covered(test::square_with_bridged_hole(), 8);
+}
+
+TEST(TriangulatePolygon, CoversRandomStarsAroundBridgedHoles) {
+    const unsigned seed = 20240513;
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < 300; ++round) {
+        Outline outline = test::random_star(random, 5 + round % 40);
+        // The hole is the same star at half the size, the other way around; the bridge lies on a ray from the origin.
+        Outline hole = outline;
+        for (Eigen::Vector2d& corner : hole)
+            corner /= 2;
+        std::reverse(hole.begin() + 1, hole.end());
+        const Eigen::Vector2d start = outline.front();
+        outline.push_back(start);
+        outline.insert(outline.end(), hole.begin(), hole.end());
+        outline.push_back(hole.front());
+        expect_covered(outline, outline.size() - 2);
+    }
+}
+
+TEST(TriangulatePolygon, CoversTwoHolesBridgedAtOneCorner) {
+    // Both bridges leave from corner 0; the holes turn to the right.
+    expect_covered({{0, 0},
+                    {9, 0},
+                    {9, 9},
+                    {0, 9},
+                    {0, 0},
+                    {2, 4},
+                    {2, 6},
+                    {4, 6},
+                    {4, 4},
+                    {2, 4},
+                    {0, 0},
+                    {4, 2},
+                    {6, 3},
+                    {6, 2},
+                    {4, 2}},
+                   13);
+}
+
+TEST(TriangulatePolygon, CoversTrianglesThatTouchInAPoint) {
+    expect_covered({{0, 0}, {2, 1}, {4, 0}, {4, 2}, {2, 1}, {0, 2}}, 2);
+}
+
+TEST(TriangulatePolygon, RefusesOutlinesThatCrossThemselves) {
+    const std::vector<Outline> crossing = {
+        {{0, 0}, {1, 1}, {1, 0}, {0, 1}},                                                 // bow tie
+        {{0, 0}, {3, 0}, {3, 3}, {1, -1}},                                                // unequal bow tie
+        {{0, 0}, {1, 0}, {0, 1}, {0, 0}, {1, 0}, {0, 1}},                                 // twice around
+        {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {3, 1}, {3, 3}, {1, 3}, {1, 1}}, // hole turns to the left
+        {{0, 0}, {0, 1}, {1, 1}, {1, 0}},                                                 // turns to the right
+    };
+    for (std::size_t i = 0; i < crossing.size(); ++i)
+        EXPECT_FALSE(triangulate_polygon(crossing[i]).has_value()) << "outline " << i;
+}
+
+TEST(TriangulatePolygon, RefusesPentagrams) {
+    Outline star;
+    for (int i = 0; i < 5; ++i)
+        star.emplace_back(std::cos(4 * std::numbers::pi * i / 5), std::sin(4 * std::numbers::pi * i / 5));
+    EXPECT_FALSE(triangulate_polygon(star).has_value());
+}
+
+TEST(TriangulatePolygon, DecidesByTheLastBit) {
+    // The bottom side at x = 0.5 is between two neighbouring doubles, 0.2 and the one below.
+    const auto outline = [](double y) { return Outline{{0, 0.1}, {1, 0.3}, {1, 1}, {0.5, y}, {0, 1}}; };
+    EXPECT_TRUE(triangulate_polygon(outline(0.2)).has_value());
+    EXPECT_FALSE(triangulate_polygon(outline(std::nextafter(0.2, 0.0))).has_value());
+}
+
+TEST(TriangulatePolygon, IsQuickForManyCorners) {
+    const unsigned seed = 20240507;
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    expect_covered(test::random_star(random, 2000), 1998);
+}
+
+} // namespace
+} // namespace chasles
