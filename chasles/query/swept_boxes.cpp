@@ -69,13 +69,13 @@ SweptBoxes::SweptBoxes(const motion::ControlMaps<double>& maps, const Eigen::Vec
 SweptBoxes::Relation SweptBoxes::relation(const BoxNode& moving, const BoxNode& fixed) const {
     const BoxMiddle a = middle_of(moving);
     const BoxMiddle b = middle_of(fixed);
-    Relation relation;
+    LaneVector path;
     for (int i = 0; i < 3; ++i) { // along the fixed body's axes
         const Lanes centre = combined(turn_.row[i], a.centre) + offset_[i];
         const Lanes reach = combined(turn_size_.row[i], a.half) + times(weight_, b.half[i]) + slack_;
         if (is_apart(centre - times(weight_, b.centre[i]), reach))
             return {true, 0, 0};
-        relation.travel = std::max(relation.travel, spread(centre * inverse_weight_));
+        path[i] = centre;
     }
     for (int i = 0; i < 3; ++i) { // along the moving body's axes
         const LaneVector column{turn_.row[0][i], turn_.row[1][i], turn_.row[2][i]};
@@ -85,6 +85,9 @@ SweptBoxes::Relation SweptBoxes::relation(const BoxNode& moving, const BoxNode& 
         if (is_apart(centre - times(weight_, a.centre[i]), reach))
             return {true, 0, 0};
     }
+    Relation relation;
+    for (int i = 0; i < 3; ++i)
+        relation.travel = std::max(relation.travel, spread(path[i] * inverse_weight_));
     const double a_half = std::max({a.half[0], a.half[1], a.half[2]});
     const double b_half = std::max({b.half[0], b.half[1], b.half[2]});
     relation.travel += spin_ * a_half;
