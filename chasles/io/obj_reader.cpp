@@ -116,6 +116,9 @@ private:
     }
 
     void check_ignored(std::string_view keyword) const {
+        const bool has_nothing_read = soup_.vertices.empty() && soup_.faces.empty();
+        if (has_nothing_read && parse_integer(keyword))
+            return; // some files begin with a line of counts
         if (contains(curved_keywords, keyword))
             fail("curved surfaces cannot be read, only polygons: " + in_quotes(statement_));
         if (!contains(ignored_keywords, keyword))

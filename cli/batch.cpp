@@ -1,0 +1,155 @@
+// chasles batch: many motions of one pair of bodies, on all cores. Rows are written in order as they are answered, so
+// that an interruption loses only those that were not answered yet.
+#include "chasles/io/motion_files.h"
+#include "cli/batch_rows.h"
+#include "cli/commands.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress_bar.h"
+
+#include <array>
+#include <filesystem>
+#include <fmt/format.h>
+#include <memory>
+#include <span>
+
+namespace chasles::cli {
+namespace {
+
+/// Motions answered between two writings: enough to keep all cores busy, few enough to lose little.
+constexpr std::size_t chunk_size = 1024;
+
+struct BatchOptions {
+    BodyOptions bodies;
+    QueryOptions query;
+    std::string motions;
+    std::string out;
+    unsigned threads = 0;
+};
+
+/// How many rows came out as what.
+struct Tally {
+    std::array<std::size_t, 3> verdicts{}; ///< by Verdict
+    std::size_t errors = 0;
+    std::string first_error;
+
+    [[nodiscard]] std::size_t of(Verdict verdict) const { return verdicts[static_cast<std::size_t>(verdict)]; }
+};
+
+using Rows = std::span<const io::MotionRow>;
+
+std::vector<Motion> readable_motions(Rows rows) {
+    std::vector<Motion> motions;
+    for (const io::MotionRow& row : rows)
+        if (row.error.empty())
+            motions.emplace_back(ScrewMotion::between(row.start, row.goal));
+    return motions;
+}
+
+void count(Tally& tally, const io::MotionRow& row, const FirstContact* found) {
+    if (found) {
+        ++tally.verdicts[static_cast<std::size_t>(found->verdict)];
+        return;
+    }
+    if (tally.errors == 0)
+        tally.first_error = row.error;
+    ++tally.errors;
+}
+
+// The rows of one chunk; `answers` are those of its readable motions.
+std::string table_of(Rows rows, std::span<const FirstContact> answers, Tally& tally) {
+    std::string table;
+    for (const io::MotionRow& row : rows) {
+        const FirstContact* const found = row.error.empty() ? &answers.front() : nullptr;
+        table += found ? batch_row(row.id, *found) : batch_error_row(row.id, row.error);
+        count(tally, row, found);
+        if (found)
+            answers = answers.subspan(1);
+    }
+    return table;
+}
+
+// Opening the output empties it, which must not happen to an input.
+void check_out_is_no_input(const BatchOptions& options) {
+    for (const std::string& input : {options.motions, options.bodies.moving, options.bodies.fixed}) {
+        std::error_code ignored;
+        if (std::filesystem::equivalent(options.out, input, ignored))
+            throw InvalidInput("--out: " + options.out + ": is an input of this very command");
+    }
+}
+
+/// Answers chunk after chunk and writes each at once.
+class BatchRun {
+public:
+    BatchRun(const BatchOptions& options, Rows rows)
+        : rows_(rows), bodies_(load_bodies(options.bodies)), margin_(margin_of(options.query)),
+          time_tolerance_(time_tolerance_of(options.query)), max_turn_(max_turn_of(options.query)),
+          find_(options.query.any ? Find::any : Find::first), threads_(options.threads), out_(options.out) {}
+
+    Tally run() {
+        Tally tally;
+        ProgressBar bar("motions", rows_.size());
+        out_.write(batch_header());
+        for (std::size_t done = 0; done < rows_.size(); done += chunk_size) {
+            const Rows chunk = rows_.subspan(done, std::min(chunk_size, rows_.size() - done));
+            const auto answers = answer(readable_motions(chunk), [&](std::size_t n) { bar.show(done + n); });
+            out_.write(table_of(chunk, answers, tally));
+        }
+        out_.close();
+        return tally;
+    }
+
+private:
+    std::vector<FirstContact> answer(const std::vector<Motion>& motions,
+                                     std::function<void(std::size_t)> progress) const {
+        return first_contact_batch({.moving = bodies_.moving,
+                                    .fixed = bodies_.fixed,
+                                    .motions = motions,
+                                    .margin = margin_,
+                                    .time_tolerance = time_tolerance_,
+                                    .max_turn = max_turn_,
+                                    .find = find_,
+                                    .threads = threads_,
+                                    .progress = std::move(progress)});
+    }
+
+    Rows rows_;
+    Bodies bodies_;
+    double margin_;
+    double time_tolerance_;
+    double max_turn_;
+    Find find_;
+    unsigned threads_;
+    OutputFile out_; // last: opened only once everything else is in order
+};
+
+int run_batch(const BatchOptions& options) {
+    check_out_is_no_input(options);
+    const std::vector<io::MotionRow> rows = io::load_motions(options.motions);
+    const Tally tally = BatchRun(options, rows).run();
+    if (std::filesystem::is_regular_file(options.out)) // not where rows went to standard output themselves
+        print(fmt::format("{} motions: {} clear, {} in contact, {} in contact at the start, {} errors\n", rows.size(),
+                          tally.of(Verdict::clear), tally.of(Verdict::contact), tally.of(Verdict::contact_at_start),
+                          tally.errors));
+    if (tally.errors > 0)
+        throw InvalidInput(fmt::format("{}: {} of {} rows cannot be read; the first: {}", options.motions, tally.errors,
+                                       rows.size(), tally.first_error));
+    return tally.of(Verdict::clear) == rows.size() ? is_clear : is_contact;
+}
+
+} // namespace
+
+void add_batch(CLI::App& app, Task& task) {
+    const auto options = std::make_shared<BatchOptions>();
+    CLI::App& command = *app.add_subcommand("batch", "Answers many motions of one pair of bodies, on all cores.");
+    add_body_options(command, options->bodies);
+    command.add_option("--motions", options->motions, "CSV file, one motion a row: [id,]x0,...,qz0,x1,...,qz1")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--out", options->out, "CSV file to write, one answer a row")->required()->type_name("FILE");
+    command.add_option("--threads", options->threads, "number of threads; 0 for all cores")->capture_default_str();
+    add_query_options(command, options->query);
+    command.callback([options, &task] { task = [options] { return run_batch(*options); }; });
+}
+
+} // namespace chasles::cli

@@ -1,0 +1,59 @@
+// Rows of CSV; numbers are the shortest that read back to the same double.
+#include "cli/batch_rows.h"
+
+#include "chasles/io/csv_table.h"
+#include "cli/json_answer.h"
+
+#include <fmt/format.h>
+
+namespace chasles::cli {
+namespace {
+
+constexpr int contact_columns = 9; ///< kind, two features, point, normal
+
+std::string text_of(const Feature& feature) {
+    const bool is_edge = feature.first != feature.second;
+    return is_edge ? fmt::format("{} {}", feature.first, feature.second) : fmt::format("{}", feature.first);
+}
+
+std::string text_of(const Eigen::Vector3d& vector) {
+    return fmt::format("{},{},{}", vector.x(), vector.y(), vector.z());
+}
+
+std::string contact_cells(const Contact& contact) {
+    return fmt::format("{},{},{},{},{}", name_of(contact.kind), text_of(contact.moving), text_of(contact.fixed),
+                       text_of(contact.point), text_of(contact.normal));
+}
+
+// An overlap has features and a point, but neither kind nor normal.
+std::string overlap_cells(const Overlap& overlap) {
+    const Feature& moving = overlap.edge_is_moving ? overlap.edge : overlap.face;
+    const Feature& fixed = overlap.edge_is_moving ? overlap.face : overlap.edge;
+    return fmt::format(",{},{},{},,,", text_of(moving), text_of(fixed), text_of(overlap.point));
+}
+
+std::string place_cells(const FirstContact& found) {
+    if (!found.contacts.empty())
+        return contact_cells(found.contacts.front());
+    return found.overlap ? overlap_cells(*found.overlap) : std::string(contact_columns - 1, ',');
+}
+
+} // namespace
+
+std::string batch_header() {
+    return "id,verdict,time,time_upper,tau,tau_upper,certain,kind,moving_feature,fixed_feature,px,py,pz,nx,ny,nz\n";
+}
+
+std::string batch_row(const std::string& id, const FirstContact& found) {
+    const std::string start = io::csv_cell(id) + "," + name_of(found.verdict) + ",";
+    if (found.verdict == Verdict::clear)
+        return start + ",,,,," + std::string(contact_columns - 1, ',') + "\n";
+    return start + fmt::format("{},{},{},{},{},{}\n", found.time.lower, found.time.upper, found.tau.lower,
+                               found.tau.upper, found.certain, place_cells(found));
+}
+
+std::string batch_error_row(const std::string& id, const std::string& why) {
+    return io::csv_cell(id) + ",error,,,,,," + io::csv_cell(why) + std::string(contact_columns - 1, ',') + "\n";
+}
+
+} // namespace chasles::cli

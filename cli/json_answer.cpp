@@ -1,0 +1,117 @@
+// Answers as JSON; the keys are those of docs/command-line.md.
+#include "cli/json_answer.h"
+
+namespace chasles::cli {
+namespace {
+
+// A vertex is a number, a face a list of one, an edge a list of its two vertices.
+Json vertex(const Feature& feature) {
+    return feature.first;
+}
+Json face(const Feature& feature) {
+    return Json::array({feature.first});
+}
+Json edge(const Feature& feature) {
+    return Json::array({feature.first, feature.second});
+}
+
+Json moving_feature(const Contact& contact) {
+    if (contact.kind == ContactKind::edge_edge)
+        return edge(contact.moving);
+    return contact.kind == ContactKind::vertex_face ? vertex(contact.moving) : face(contact.moving);
+}
+
+Json fixed_feature(const Contact& contact) {
+    if (contact.kind == ContactKind::edge_edge)
+        return edge(contact.fixed);
+    return contact.kind == ContactKind::vertex_face ? face(contact.fixed) : vertex(contact.fixed);
+}
+
+Json json_of(const Pose& pose) {
+    const Eigen::Quaterniond rotation = pose.rotation.normalized();
+    return {pose.translation.x(), pose.translation.y(), pose.translation.z(), rotation.w(),
+            rotation.x(),         rotation.y(),         rotation.z()};
+}
+
+Json json_of(const Contact& contact) {
+    return {{"kind", name_of(contact.kind)},           {"moving_feature", moving_feature(contact)},
+            {"fixed_feature", fixed_feature(contact)}, {"point", vector_json(contact.point)},
+            {"normal", vector_json(contact.normal)},       {"approach_speed", contact.approach_speed}};
+}
+
+Json json_of(const Overlap& overlap) {
+    return {{"moving_feature", overlap.edge_is_moving ? edge(overlap.edge) : face(overlap.face)},
+            {"fixed_feature", overlap.edge_is_moving ? face(overlap.face) : edge(overlap.edge)},
+            {"point", vector_json(overlap.point)}};
+}
+
+Json json_of(const MotionNumbers& motion) {
+    return {{"angle", motion.angle},
+            {"slide", motion.slide},
+            {"axis_point", vector_json(motion.axis_point)},
+            {"axis_direction", vector_json(motion.axis_direction)}};
+}
+
+Json json_of(const Work& work) {
+    return {{"node_pairs", work.node_pairs},
+            {"face_pairs", work.face_pairs},
+            {"elementary_tests", work.elementary_tests},
+            {"root_brackets", work.root_brackets},
+            {"refined", work.refined}};
+}
+
+void add_contact(Json& answer, const FirstContact& found) {
+    answer["time"] = found.time.lower;
+    answer["time_upper"] = found.time.upper;
+    answer["tau"] = found.tau.lower;
+    answer["tau_upper"] = found.tau.upper;
+    answer["certain"] = found.certain;
+    answer["pose"] = json_of(found.pose);
+    answer["contacts"] = Json::array();
+    for (const Contact& contact : found.contacts)
+        answer["contacts"].push_back(json_of(contact));
+    if (found.overlap)
+        answer["overlap"] = json_of(*found.overlap);
+}
+
+} // namespace
+
+Json vector_json(const Eigen::Vector3d& vector) {
+    return {vector.x(), vector.y(), vector.z()};
+}
+
+std::string name_of(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::clear:
+        return "clear";
+    case Verdict::contact:
+        return "contact";
+    case Verdict::contact_at_start:
+        break;
+    }
+    return "contact_at_start";
+}
+
+std::string name_of(ContactKind kind) {
+    switch (kind) {
+    case ContactKind::vertex_face:
+        return "vertex_face";
+    case ContactKind::face_vertex:
+        return "face_vertex";
+    case ContactKind::edge_edge:
+        break;
+    }
+    return "edge_edge";
+}
+
+Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
+    Json answer;
+    answer["verdict"] = name_of(found.verdict);
+    if (found.verdict != Verdict::clear)
+        add_contact(answer, found);
+    answer["motion"] = json_of(motion);
+    answer["work"] = json_of(found.work);
+    return answer;
+}
+
+} // namespace chasles::cli

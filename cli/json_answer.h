@@ -1,0 +1,20 @@
+// Answers as JSON. Every number reads back to the very same double.
+#pragma once
+
+#include "cli/motion_numbers.h"
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace chasles::cli {
+
+using Json = nlohmann::ordered_json;
+
+/// The answer of `check`: verdict; time, tau, certain, pose, contacts and overlap unless clear; motion; work.
+Json answer_json(const FirstContact& found, const MotionNumbers& motion);
+
+Json vector_json(const Eigen::Vector3d& vector);
+std::string name_of(Verdict verdict);
+std::string name_of(ContactKind kind);
+
+} // namespace chasles::cli

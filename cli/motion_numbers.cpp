@@ -1,0 +1,30 @@
+// The screw's turn is proportional to time; the sweep's follows the normalised interpolation of quaternions
+// (docs/derivations/02-rational-motion.md).
+#include "cli/motion_numbers.h"
+
+#include <cmath>
+
+namespace chasles::cli {
+
+MotionNumbers numbers_of(const ScrewMotion& screw) {
+    return {.angle = screw.angle(),
+            .slide = screw.slide(),
+            .axis_point = screw.axis_point(),
+            .axis_direction = screw.axis_direction()};
+}
+
+MotionNumbers numbers_of(const SweepMotion& sweep, const ScrewMotion& screw_of_same_poses) {
+    MotionNumbers numbers = numbers_of(screw_of_same_poses);
+    numbers.is_sweep = true;
+    numbers.travel = sweep.displacement().norm();
+    return numbers;
+}
+
+double turned_so_far(const MotionNumbers& motion, const FirstContact& found) {
+    if (!motion.is_sweep)
+        return motion.angle * found.time.lower;
+    const double tau = found.tau.lower;
+    return 2 * std::atan2(tau * std::sin(motion.angle / 2), 1 + tau * (std::cos(motion.angle / 2) - 1));
+}
+
+} // namespace chasles::cli

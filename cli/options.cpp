@@ -1,0 +1,80 @@
+// Shared options: how they are declared, and how their text becomes numbers, poses and bodies.
+#include "cli/options.h"
+
+#include "chasles/io/pose_text.h"
+
+#include <numbers>
+
+namespace chasles::cli {
+namespace {
+
+template <typename Read>
+auto naming_option(const std::string& option, const Read& read) {
+    try {
+        return read();
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(option + ": " + error.what());
+    }
+}
+
+} // namespace
+
+void add_query_options(CLI::App& command, QueryOptions& options) {
+    command.add_option("--margin", options.margin, "distance that counts as contact (this version: 0 only)");
+    command
+        .add_option("--max-turn-deg", options.max_turn_degrees,
+                    "a screw that turns further is cut into equal turns; 180 for one screw in one piece")
+        ->capture_default_str();
+    command.add_option("--time-tolerance", options.time_tolerance, "aimed width of the bracket around the time")
+        ->capture_default_str();
+    command.add_flag("--any", options.any, "stop at any contact, not the first one");
+}
+
+void add_mesh_options(CLI::App& command, PolyhedronOptions& options) {
+    command.add_flag("--triangulate", options.triangulate, "cut polygons that are not planar into triangles");
+    command.add_flag("--drop-degenerate", options.drop_degenerate,
+                     "drop faces without area where that does not change the surface");
+}
+
+void add_body_options(CLI::App& command, BodyOptions& options) {
+    command.add_option("moving", options.moving, "mesh of the moving body")->required()->type_name("MOVING");
+    command.add_option("fixed", options.fixed, "mesh of the fixed body")->required()->type_name("FIXED");
+    add_mesh_options(command, options.polyhedron);
+}
+
+Bodies load_bodies(const BodyOptions& options) {
+    const Polyhedron moving = Polyhedron::load(options.moving, options.polyhedron);
+    if (options.fixed == options.moving)
+        return {moving, moving};
+    return {moving, Polyhedron::load(options.fixed, options.polyhedron)};
+}
+
+double number_of(const std::string& option, const std::string& text) {
+    const std::vector<double> numbers = naming_option(option, [&] { return io::parse_numbers(text); });
+    if (numbers.size() != 1)
+        throw InvalidInput(option + ": needs one number");
+    return numbers.front();
+}
+
+Pose pose_of(const std::string& option, const std::string& text) {
+    return naming_option(option, [&] { return io::parse_pose(text); });
+}
+
+Eigen::Vector3d point_of(const std::string& option, const std::string& text) {
+    return naming_option(option, [&] { return io::parse_point(text); });
+}
+
+double margin_of(const QueryOptions& options) {
+    return number_of("--margin", options.margin);
+}
+
+double time_tolerance_of(const QueryOptions& options) {
+    return number_of("--time-tolerance", options.time_tolerance);
+}
+
+// Divided first, so that 180 degrees are exactly the double nearest to pi.
+double max_turn_of(const QueryOptions& options) {
+    return number_of("--max-turn-deg", options.max_turn_degrees) / 180 * std::numbers::pi;
+}
+
+} // namespace chasles::cli

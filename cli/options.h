@@ -1,0 +1,46 @@
+// Options that several subcommands share, and what they become.
+#pragma once
+
+#include "chasles/chasles.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+
+namespace chasles::cli {
+
+/// Numbers stay text until they are used, so that they are read correctly rounded and with messages of our own.
+struct QueryOptions {
+    std::string margin = "0";
+    std::string max_turn_degrees = "10";
+    std::string time_tolerance = "1e-12";
+    bool any = false;
+};
+
+struct BodyOptions {
+    std::string moving;
+    std::string fixed;
+    PolyhedronOptions polyhedron;
+};
+
+struct Bodies {
+    Polyhedron moving;
+    Polyhedron fixed;
+};
+
+void add_query_options(CLI::App& command, QueryOptions& options);
+void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
+void add_body_options(CLI::App& command, BodyOptions& options);
+
+/// Loads both; a file that is named twice is loaded once.
+Bodies load_bodies(const BodyOptions& options);
+
+/// The number, pose or point that an option was given. Throws InvalidInput "OPTION: WHY".
+double number_of(const std::string& option, const std::string& text);
+Pose pose_of(const std::string& option, const std::string& text);
+Eigen::Vector3d point_of(const std::string& option, const std::string& text);
+
+double margin_of(const QueryOptions& options);
+double time_tolerance_of(const QueryOptions& options);
+double max_turn_of(const QueryOptions& options); ///< radians
+
+} // namespace chasles::cli

@@ -1,0 +1,50 @@
+// Output through C streams, because they say why they fail (errno).
+#include "cli/output.h"
+
+#include "chasles/invalid_input.h"
+#include "chasles/io/text_scan.h"
+
+#include <cerrno>
+#include <cstring>
+
+namespace chasles::cli {
+namespace {
+
+// 0 if all went well, otherwise the error of the system.
+int write_all(std::FILE* file, const std::string& text) {
+    errno = 0;
+    const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
+    return is_written ? 0 : (errno != 0 ? errno : EIO);
+}
+
+std::string why_not(int error) {
+    return std::string(": cannot be written: ") + std::strerror(error);
+}
+
+} // namespace
+
+void print(const std::string& text) {
+    if (const int error = write_all(stdout, text); error != 0)
+        throw InvalidInput("standard output" + why_not(error));
+}
+
+OutputFile::OutputFile(const std::string& name) : name_(name), file_(std::fopen(name.c_str(), "w")) {
+    if (!file_)
+        fail(errno);
+}
+
+void OutputFile::write(const std::string& text) {
+    if (const int error = write_all(file_.get(), text); error != 0)
+        fail(error);
+}
+
+void OutputFile::close() {
+    if (std::fclose(file_.release()) != 0)
+        fail(errno);
+}
+
+void OutputFile::fail(int error) const {
+    throw InvalidInput(io::one_line(name_) + why_not(error));
+}
+
+} // namespace chasles::cli

@@ -1,0 +1,80 @@
+// chasles path: a chain of screws through the poses of a file.
+#include "chasles/io/motion_files.h"
+#include "cli/commands.h"
+#include "cli/json_answer.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress_bar.h"
+#include "cli/report.h"
+
+#include <fmt/format.h>
+#include <memory>
+
+namespace chasles::cli {
+namespace {
+
+struct PathOptions {
+    BodyOptions bodies;
+    QueryOptions query;
+    std::string poses;
+    bool json = false;
+};
+
+// As `check` answers, with the segment; a path that is clear has neither segment nor one motion.
+Json path_json(const PathContact& found, const MotionNumbers& motion) {
+    Json answer = answer_json(found.contact, motion);
+    if (found.contact.verdict == Verdict::clear)
+        answer.erase("motion");
+    else
+        answer["segment"] = found.segment;
+    return answer;
+}
+
+std::string path_report(const PathContact& found, const MotionNumbers& motion, std::size_t poses) {
+    if (found.contact.verdict == Verdict::clear)
+        return headline(Verdict::clear) + labelled("path", fmt::format("{} segments", poses - 1)) +
+               report(found.contact.work);
+    return report(found.contact, motion) +
+           labelled("segment", fmt::format("{} of {} (from 0); the time counts from pose {} to pose {}", found.segment,
+                                           poses - 1, found.segment, found.segment + 1));
+}
+
+PathContact answer_path(const PathOptions& options, const std::vector<Pose>& poses) {
+    const double margin = margin_of(options.query);
+    const double time_tolerance = time_tolerance_of(options.query);
+    const double max_turn = max_turn_of(options.query);
+    const Bodies bodies = load_bodies(options.bodies);
+    ProgressBar bar("segments", poses.empty() ? 0 : poses.size() - 1);
+    return first_contact_on_path({.moving = bodies.moving,
+                                  .fixed = bodies.fixed,
+                                  .poses = poses,
+                                  .margin = margin,
+                                  .time_tolerance = time_tolerance,
+                                  .max_turn = max_turn,
+                                  .find = options.query.any ? Find::any : Find::first_with_all_contacts,
+                                  .progress = [&](std::size_t done) { bar.show(done); }});
+}
+
+int run_path(const PathOptions& options) {
+    const std::vector<Pose> poses = io::load_path(options.poses);
+    const PathContact found = answer_path(options, poses);
+    const MotionNumbers motion = numbers_of(ScrewMotion::between(poses[found.segment], poses[found.segment + 1]));
+    print(options.json ? path_json(found, motion).dump() + "\n" : path_report(found, motion, poses.size()));
+    return found.contact.verdict == Verdict::clear ? is_clear : is_contact;
+}
+
+} // namespace
+
+void add_path(CLI::App& app, Task& task) {
+    const auto options = std::make_shared<PathOptions>();
+    CLI::App& command = *app.add_subcommand("path", "When do two bodies first touch on a path of many poses?");
+    add_body_options(command, options->bodies);
+    command.add_option("--poses", options->poses, "CSV file with the header x,y,z,qw,qx,qy,qz, one pose a row")
+        ->required()
+        ->type_name("FILE");
+    add_query_options(command, options->query);
+    command.add_flag("--json", options->json, "print one JSON object");
+    command.callback([options, &task] { task = [options] { return run_path(*options); }; });
+}
+
+} // namespace chasles::cli

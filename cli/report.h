@@ -1,0 +1,22 @@
+// Answers for people: the verdict first, then when, how far along the motion, where and what touches.
+#pragma once
+
+#include "cli/motion_numbers.h"
+
+#include <string>
+
+namespace chasles::cli {
+
+/// The answer of `check` as a short text of several lines.
+std::string report(const FirstContact& found, const MotionNumbers& motion);
+
+/// The verdict as a headline.
+std::string headline(Verdict verdict);
+
+/// One line "  label     text", aligned with the others.
+std::string labelled(const std::string& label, const std::string& text);
+
+/// The line of work counters.
+std::string report(const Work& work);
+
+} // namespace chasles::cli
