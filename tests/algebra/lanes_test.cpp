@@ -1,0 +1,79 @@
+// The vector register and the plain array are the same four numbers.
+#include "chasles/algebra/lanes.h"
+
+#include "tests/support/random.h"
+#include "tests/support/rational.h"
+
+#include <limits>
+
+namespace chasles::algebra {
+namespace {
+
+using test::Random;
+using test::Rational;
+using Register = Lanes<4, double>;
+using Plain = Lanes<4, Rational>;
+
+double random_lane(Random& random) {
+    return random.chance(0.2) ? 0.0 : double(random.integer(-8, 8));
+}
+
+Register random_register(Random& random) {
+    Register lanes;
+    for (std::size_t i = 0; i < 4; ++i)
+        lanes.set(i, random_lane(random));
+    return lanes;
+}
+
+Plain plain(const Register& lanes) {
+    Plain result;
+    for (std::size_t i = 0; i < 4; ++i)
+        result.set(i, Rational(lanes[i]));
+    return result;
+}
+
+void expect_same(const Register& lanes, const Plain& reference) {
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(Rational(lanes[i]), reference[i]) << "lane " << i;
+}
+
+TEST(Lanes, RegisterDoesWhatThePlainArrayDoes) {
+    Random random(301);
+    int above = 0;
+    for (int trial = 0; trial < 5000; ++trial) {
+        const Register a = random_register(random);
+        const Register b = random_register(random);
+        expect_same(a + b, plain(a) + plain(b));
+        expect_same(a - b, plain(a) - plain(b));
+        expect_same(a * b, plain(a) * plain(b));
+        expect_same(maximum(a, b), maximum(plain(a), plain(b)));
+        expect_same(magnitude(a), magnitude(plain(a)));
+        EXPECT_EQ(all_above(a, b), all_above(plain(a), plain(b)));
+        above += all_above(a, b) ? 1 : 0;
+    }
+    EXPECT_GT(above, 100);
+}
+
+TEST(Lanes, AllAboveNeedsEveryLane) {
+    for (std::size_t lane = 0; lane < 4; ++lane) {
+        Register a = Register::all(1);
+        EXPECT_TRUE(all_above(a, Register::all(0)));
+        a.set(lane, 0);
+        EXPECT_FALSE(all_above(a, Register::all(0))) << "lane " << lane << " is equal, not above";
+        a.set(lane, std::numeric_limits<double>::quiet_NaN());
+        EXPECT_FALSE(all_above(a, Register::all(0))) << "lane " << lane << " is not a number";
+    }
+}
+
+TEST(Lanes, AllFillsEveryLane) {
+    expect_same(Register::all(7), Plain::all(7));
+    EXPECT_EQ((Lanes<7, Rational>::all(Rational(3))[6]), 3);
+}
+
+TEST(Lanes, StartAtZero) {
+    expect_same(Register(), Plain::all(0));
+    EXPECT_EQ((Lanes<3, Rational>()[2]), 0);
+}
+
+} // namespace
+} // namespace chasles::algebra
