@@ -91,7 +91,7 @@ std::size_t find_turning_back(std::span<const Eigen::Vector2d> outline) {
         const Eigen::Vector2d& a = outline[(i + count - 1) % count];
         const Eigen::Vector2d& b = outline[i];
         const Eigen::Vector2d& c = outline[(i + 1) % count];
-        if (a != b && b != c && orientation(a, b, c) == 0 && (a == c || lies_beyond(a, b, c)))
+        if (a != b && b != c && orientation(a, b, c) == 0 && lies_beyond(a, b, c))
             return i;
     }
     return count;

@@ -8,7 +8,7 @@
 namespace chasles {
 namespace {
 
-constexpr int bin_count = 12;
+constexpr int most_bins = 16;
 constexpr std::size_t few = 12;
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
@@ -22,7 +22,7 @@ struct Bin {
     }
 };
 
-using AxisBins = std::array<Bin, bin_count>;
+using AxisBins = std::array<Bin, most_bins>;
 
 /// Doubled: the sum of both corners.
 Eigen::Array4f centre_of(const PackedBox& box) {
@@ -39,16 +39,22 @@ float cost(const PackedBox& box, std::size_t count, float unit) {
 struct Binning {
     Eigen::Array4f origin;
     Eigen::Array4f scale;
+    int count; ///< few boxes need few bins
 
-    explicit Binning(const PackedBox& centres) : origin(centres.lower) {
+    Binning(const PackedBox& centres, std::size_t boxes) : origin(centres.lower), count(boxes < 100 ? 8 : most_bins) {
         const Eigen::Array4f extent = centres.upper - centres.lower;
         // Less than the number of bins, so that the last centre falls into the last bin. One bin where it would
         // overflow.
-        scale = (extent > 1e-36F).select(0.999F * bin_count / extent, 0.0F);
+        scale = (extent > 1e-36F).select(0.999F * static_cast<float>(count) / extent, 0.0F);
     }
 
     [[nodiscard]] Eigen::Array4i bins_of(const PackedBox& box) const {
         return ((centre_of(box) - origin) * scale).cast<int>();
+    }
+
+    /// The same along one axis, to the last bit.
+    [[nodiscard]] int bin_of(const PackedBox& box, int axis) const {
+        return static_cast<int>((box.lower[axis] + box.upper[axis] - origin[axis]) * scale[axis]);
     }
 };
 
@@ -72,8 +78,9 @@ struct Division {
     int bin = 0;
 };
 
-void improve(Division& best, const AxisBins& bins, int axis, float unit) {
-    std::array<float, bin_count> cost_from{}; // of all bins from here on
+void improve(Division& best, std::span<const Bin> bins, int axis, float unit) {
+    const int bin_count = static_cast<int>(bins.size());
+    std::array<float, most_bins> cost_from{}; // of all bins from here on
     Bin last;
     for (int bin = bin_count - 1; bin > 0; --bin) {
         last.extend(bins[bin]);
@@ -106,14 +113,14 @@ std::size_t partition(BoxGroup group, ComesFirst comes_first) {
 }
 
 std::size_t split_many(BoxGroup group, const GroupBounds& bounds) {
-    const Binning binning(bounds.centres);
+    const Binning binning(bounds.centres, group.size());
     const std::array<AxisBins, 3> bins = fill_bins(binning, group.boxes);
     Division best;
     for (int axis = 0; axis < 3; ++axis)
-        improve(best, bins[axis], axis, bounds.unit());
+        improve(best, std::span(bins[axis]).first(static_cast<std::size_t>(binning.count)), axis, bounds.unit());
     if (best.cost == infinite)
         return group.size() / 2;
-    return partition(group, [&](const PackedBox& box) { return binning.bins_of(box)[best.axis] < best.bin; });
+    return partition(group, [&](const PackedBox& box) { return binning.bin_of(box, best.axis) < best.bin; });
 }
 
 void sort_by_centre(BoxGroup group, Eigen::Index axis) {
@@ -151,10 +158,6 @@ std::size_t split_few(BoxGroup group, const GroupBounds& bounds) {
 }
 
 } // namespace
-
-PackedBox PackedBox::empty() {
-    return {Eigen::Array4f::Constant(infinite), Eigen::Array4f::Constant(-infinite)};
-}
 
 GroupBounds::GroupBounds(std::span<const PackedBox> group) {
     for (const PackedBox& box : group) {

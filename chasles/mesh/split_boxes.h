@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <span>
 
 namespace chasles {
@@ -13,7 +14,11 @@ struct PackedBox {
     Eigen::Array4f lower;
     Eigen::Array4f upper;
 
-    [[nodiscard]] static PackedBox empty();
+    [[nodiscard]] static PackedBox empty() {
+        constexpr float infinite = std::numeric_limits<float>::infinity();
+        return {Eigen::Array4f::Constant(infinite), Eigen::Array4f::Constant(-infinite)};
+    }
+
     void extend(const PackedBox& box) {
         lower = lower.min(box.lower);
         upper = upper.max(box.upper);

@@ -81,8 +81,7 @@ public:
     /// False if something is left that has no ear.
     bool run() {
         while (left_ >= 3)
-            if (!cut_first(&EarClipping::cut_ear) && !cut_first(&EarClipping::cut_ear_at_touching_places) &&
-                !cut_first(&EarClipping::cut_flat_corner))
+            if (!cut_first(&EarClipping::cut_ear) && !cut_first(&EarClipping::cut_flat_corner))
                 return false;
         return true;
     }
@@ -102,10 +101,12 @@ private:
     }
 
     bool cut_ear(std::uint32_t corner) {
-        return is_ear(corner) && !touches_diagonal(corner) && (cut_off(corner), true);
+        if (!is_ear(corner) || touches_diagonal(corner))
+            return false;
+        triangles_.insert(triangles_.end(), {previous_[corner], corner, next_[corner]});
+        leave_out(corner);
+        return true;
     }
-
-    bool cut_ear_at_touching_places(std::uint32_t corner) { return is_ear(corner) && (cut_off(corner), true); }
 
     /// Without area; it stays where holes are bridged.
     bool cut_flat_corner(std::uint32_t corner) {
@@ -138,11 +139,6 @@ private:
                 orientation(a, points_[i], c) == 0)
                 return true;
         return false;
-    }
-
-    void cut_off(std::uint32_t corner) {
-        triangles_.insert(triangles_.end(), {previous_[corner], corner, next_[corner]});
-        leave_out(corner);
     }
 
     /// Takes the corner out of the ring, and with it what then only runs to and fro: next to such a side a corner

@@ -112,11 +112,14 @@ TEST(BoxHierarchy, StaysShallowWhenAllBoxesAreEqual) {
 }
 
 TEST(BoxHierarchy, StaysShallowWhenEachBoxIsHalfTheOneBefore) {
-    std::vector<Box> boxes;
-    for (int i = 0; i < 120; ++i)
-        boxes.push_back(
-            {Eigen::Vector3d::Constant(std::ldexp(1.0, -i)), Eigen::Vector3d::Constant(std::ldexp(1.5, -i))});
-    boxes.insert(boxes.end(), 10000, boxes.back());
+    // Points crowd towards the middle along all three axes; the best division leaves out only the farthest ones.
+    std::vector<Box> boxes{{Eigen::Vector3d::Constant(-std::ldexp(1.0, 99)), Eigen::Vector3d::Zero()}};
+    for (int axis = 0; axis < 3; ++axis)
+        for (int exponent = 99; exponent > -149; --exponent) {
+            const Eigen::Vector3d point = std::ldexp(1.0, exponent) * Eigen::Vector3d::Unit(axis);
+            boxes.push_back({point, point});
+        }
+    boxes.insert(boxes.end(), 10000, {Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero()});
     expect_whole(BoxHierarchy(boxes), boxes.size());
 }
 
@@ -161,7 +164,7 @@ TEST(BoxHierarchy, IsGoodForATorus) {
     // Measured 34.4; halves along the longest side give 39.5.
     const test::Soup soup = test::torus(100, 50);
     const Polyhedron torus = Polyhedron::from_polygons(soup.vertices, soup.faces);
-    EXPECT_LT(nodes_met(torus.hierarchy()), 36.0);
+    EXPECT_LT(nodes_met(torus.hierarchy()), 35.0);
 }
 
 TEST(BoxHierarchy, EnclosesTheVerticesOfRealFaces) {

@@ -88,6 +88,16 @@ TEST(RefusedMeshes, CollapsedFacesOnNoEdge) {
               "face 6: has no area (its vertices lie on one line) and is no part of other faces' edges");
 }
 
+TEST(RefusedMeshes, CollapsedFacesThatEdgesCoverInPart) {
+    // Three corners on a line; the neighbours have the edge between the last two, or between the first two.
+    const std::vector<Eigen::Vector3d> vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}};
+    const std::string reason =
+        "face 2: has no area (its vertices lie on one line) and is no part of other faces' edges";
+    EXPECT_EQ(refusal({vertices, {{0, 4, 3}, {1, 2, 4}, {0, 1, 2}}}, {.drop_degenerate = true}), reason);
+    EXPECT_EQ(refusal({vertices, {{0, 1, 3}, {2, 4, 3}, {0, 1, 2}}}, {.drop_degenerate = true}), reason);
+    EXPECT_EQ(refusal({vertices, {{0, 1, 3}, {1, 2, 4}, {0, 1, 2}}}, {.drop_degenerate = true}), "accepted");
+}
+
 TEST(RefusedMeshes, CollapsedFacesAtALonePoint) {
     Soup soup = test::cube();
     soup.vertices.insert(soup.vertices.end(), 3, {5, 5, 5});

@@ -50,22 +50,53 @@ TEST(TriangulatePolygon, CoversRandomStars) {
 }
 
 TEST(TriangulatePolygon, CoversRandomStarsOnAGrid) {
-    // Coarse coordinates make corners coincide with sides and with each other; what is no outline must be refused.
+    // Coarse coordinates make corners coincide with sides and with each other. A few of these outlines turn inside out
+    // and are rightly refused.
     const unsigned seed = 20240506;
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
+    int outlines = 0;
     int covered = 0;
-    for (int round = 0; round < 500; ++round) {
-        Outline outline = test::random_star(random, 12);
+    for (std::size_t round = 0; round < 10000; ++round) {
+        Outline outline = test::random_star(random, 4 + round % 14);
         for (Eigen::Vector2d& corner : outline)
-            corner = (4 * corner).array().round();
+            corner = ((1.0 + static_cast<double>(round % 5)) * corner).array().round();
+        if (test::signed_area(outline) <= 0.0)
+            continue;
+        ++outlines;
         const auto triangles = triangulate_polygon(outline);
         if (!triangles)
             continue;
         ++covered;
         EXPECT_EQ(area_of_triangles(outline, *triangles), test::signed_area(outline)) << "round " << round;
     }
-    EXPECT_GT(covered, 400);
+    // Measured 98.9 %; 97.7 % without cutting flat corners, 89 % without leaving out folded ones.
+    EXPECT_GT(outlines, 8000);
+    EXPECT_GT(covered, 0.984 * outlines);
+}
+
+TEST(TriangulatePolygon, UsesEveryCornerOfASkyline) {
+    // All corners of the grid on the way are corners of the outline, so most of them lie on straight sides.
+    const unsigned seed = 20240514;
+    SCOPED_TRACE(seed);
+    std::mt19937 random(seed);
+    for (int round = 0; round < 50; ++round) {
+        Outline outline;
+        const int width = 3 + round % 10;
+        for (int x = 0; x <= width; ++x)
+            outline.emplace_back(x, 0);
+        int height = 0;
+        for (int x = width; x > 0; --x) {
+            const int roof = 1 + static_cast<int>(random() % 5);
+            for (; height != roof; height += height < roof ? 1 : -1)
+                if (height > 0)
+                    outline.emplace_back(x, height);
+            outline.emplace_back(x, roof);
+        }
+        for (; height > 0; --height)
+            outline.emplace_back(0, height);
+        expect_covered(outline, outline.size() - 2);
+    }
 }
 
 TEST(TriangulatePolygon, CoversASquareAroundABridgedHole) {
