@@ -1,0 +1,100 @@
+// Simulated motions of CAD parts: the first contact lies between the frames where a discrete test changes its mind.
+
+#include "tests/data/shared_data.h"
+
+#include <fstream>
+#include <sstream>
+
+namespace chasles::test {
+namespace {
+
+/// Both bodies in the world at one frame.
+struct Frame {
+    Pose moving;
+    Pose fixed;
+};
+
+Pose read_pose(std::istream& numbers) {
+    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+    for (int i = 0; i < 3; ++i)
+        numbers >> matrix(i, 3);
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            numbers >> matrix(i, j);
+    return Pose::from_matrix(matrix); // six decimals: projected to the nearest rotation
+}
+
+std::vector<Frame> read_frames(const std::filesystem::path& file) {
+    std::vector<Frame> frames;
+    std::ifstream lines(file);
+    std::string line;
+    std::getline(lines, line);
+    while (std::getline(lines, line)) {
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream numbers(line);
+        double time = 0;
+        numbers >> time;
+        Frame frame;
+        frame.moving = read_pose(numbers);
+        frame.fixed = read_pose(numbers);
+        frames.push_back(frame);
+    }
+    return frames;
+}
+
+struct FirstStep {
+    std::size_t step;
+    FirstContact found;
+};
+
+/// Step by step up to the first contact; both bodies move.
+FirstStep first_step(const std::string& set, const std::string& poses) {
+    const Polyhedron moving = Polyhedron::load(shared_data("fcl-motions/" + set + "/obj1.obj"));
+    const Polyhedron fixed = Polyhedron::load(shared_data("fcl-motions/" + set + "/obj2.obj"));
+    const std::vector<Frame> frames = read_frames(shared_data("fcl-motions/" + set + "/" + poses));
+    FirstStep result{0, {}};
+    for (std::size_t i = 0; i + 1 < frames.size(); ++i) {
+        const ScrewMotion motion =
+            ScrewMotion::relative(frames[i].moving, frames[i + 1].moving, frames[i].fixed, frames[i + 1].fixed);
+        result = {i, first_contact({.moving = moving, .fixed = fixed, .motion = motion})};
+        if (result.found.verdict != Verdict::clear)
+            break;
+    }
+    print_figures("%s %s: step %zu, %s, time %.15g (bracket %.1g), certain: %d", set.c_str(), poses.c_str(), result.step,
+                  result.found.verdict == Verdict::contact ? "contact" : "contact at start or clear",
+                  result.found.time.lower, result.found.time.upper - result.found.time.lower, result.found.certain);
+    return result;
+}
+
+TEST(CadMotions, BevelGearsTouchWithinTheStep) {
+    CHASLES_REQUIRE_DATA("fcl-motions");
+    const FirstStep first = first_step("bevel-gears-coarse", "poses-step.csv");
+    EXPECT_EQ(first.found.verdict, Verdict::contact);
+    EXPECT_EQ(first.step, 0u);
+    EXPECT_TRUE(first.found.certain);
+}
+
+TEST(CadMotions, RingMeetsPlateWithinTheStep) {
+    CHASLES_REQUIRE_DATA("fcl-motions");
+    const FirstStep first = first_step("ring-and-plate", "poses-scenario1.csv");
+    EXPECT_EQ(first.found.verdict, Verdict::contact);
+    EXPECT_TRUE(first.found.certain);
+}
+
+TEST(CadMotions, RingStartsInThePlate) {
+    CHASLES_REQUIRE_DATA("fcl-motions");
+    const FirstStep first = first_step("ring-and-plate", "poses-scenario2.csv");
+    EXPECT_EQ(first.found.verdict, Verdict::contact_at_start);
+    EXPECT_TRUE(first.found.overlap.has_value());
+}
+
+TEST(CadMotions, PolyhedronMeetsBlockBetweenFrames24And25) {
+    CHASLES_REQUIRE_DATA("fcl-motions");
+    const FirstStep first = first_step("polyhedron-and-block", "poses.csv");
+    EXPECT_EQ(first.found.verdict, Verdict::contact);
+    EXPECT_EQ(first.step, 24u);
+    EXPECT_TRUE(first.found.certain);
+}
+
+} // namespace
+} // namespace chasles::test

@@ -1,0 +1,154 @@
+// Elementary queries with exact truth (Wang et al. 2021), as mesh pairs: those whose primitives translate rigidly.
+// Each primitive becomes a sliver of a triangle, whose third corner trails behind, so that it adds hardly any contact.
+
+#include "tests/data/shared_data.h"
+
+#include <Eigen/Geometry>
+#include <array>
+#include <boost/multiprecision/gmp.hpp>
+#include <fstream>
+#include <sstream>
+
+namespace chasles::test {
+namespace {
+
+using Rational = boost::multiprecision::mpq_rational;
+using Integer = boost::multiprecision::mpz_int;
+using RationalPoint = std::array<Rational, 3>;
+
+/// Eight points (four at each end of the motion) and the truth.
+struct ElementaryQuery {
+    std::array<RationalPoint, 8> points;
+    bool is_vertex_face = false;
+    bool collides = false;
+    std::string name;
+
+    [[nodiscard]] RationalPoint displacement(int point) const {
+        RationalPoint d;
+        for (int c = 0; c < 3; ++c)
+            d[c] = points[point + 4][c] - points[point][c];
+        return d;
+    }
+    /// The first point of the second primitive: the face, or the second edge.
+    [[nodiscard]] int second() const { return is_vertex_face ? 1 : 2; }
+    [[nodiscard]] bool is_rigid() const {
+        for (int i = 0; i < 4; ++i)
+            if (displacement(i) != displacement(i < second() ? 0 : second()))
+                return false;
+        return true;
+    }
+};
+
+std::vector<ElementaryQuery> read_queries(const std::filesystem::path& file) {
+    std::vector<ElementaryQuery> queries;
+    std::ifstream lines(file);
+    int row = 0;
+    for (std::string line; std::getline(lines, line); ++row) {
+        std::array<std::string, 7> fields;
+        std::istringstream stream(line);
+        for (std::string& field : fields)
+            std::getline(stream, field, ',');
+        if (row % 8 == 0)
+            queries.emplace_back().name = file.string() + " query " + std::to_string(row / 8);
+        ElementaryQuery& query = queries.back();
+        for (int c = 0; c < 3; ++c)
+            query.points[row % 8][c] = Rational(Integer(fields[2 * c]), Integer(fields[2 * c + 1]));
+        query.collides = fields[6].find('1') != std::string::npos;
+        query.is_vertex_face = file.string().find("vertex-face") != std::string::npos;
+    }
+    return queries;
+}
+
+Eigen::Vector3d in_double(const RationalPoint& p) {
+    return {p[0].convert_to<double>(), p[1].convert_to<double>(), p[2].convert_to<double>()};
+}
+
+Polyhedron triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    const std::vector<Eigen::Vector3d> vertices{a, b, c};
+    const std::vector<std::vector<std::uint32_t>> faces{{0, 1, 2}};
+    return Polyhedron::from_polygons(vertices, faces);
+}
+
+constexpr double sliver_width = 0x1p-20;
+
+Polyhedron sliver_at(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Eigen::Vector3d behind) {
+    const Eigen::Vector3d edge = (b - a).normalized();
+    behind.normalize();
+    if (behind.cross(edge).norm() < 1e-3)
+        behind = edge.unitOrthogonal();
+    return triangle(a, b, 0.5 * (a + b) + sliver_width * behind);
+}
+
+Polyhedron spike_at(const Eigen::Vector3d& tip, Eigen::Vector3d behind) {
+    behind = behind.norm() > 0 ? behind.normalized() : Eigen::Vector3d::UnitX();
+    const Eigen::Vector3d base = tip + sliver_width * behind;
+    return triangle(tip, base, base + 0.1 * sliver_width * behind.unitOrthogonal());
+}
+
+FirstContact answer(const ElementaryQuery& query) {
+    std::array<Eigen::Vector3d, 4> p;
+    for (int i = 0; i < 4; ++i)
+        p[i] = in_double(query.points[i]);
+    const Pose moving_goal(in_double(query.displacement(0)), Eigen::Quaterniond::Identity());
+    const Pose fixed_goal(in_double(query.displacement(query.second())), Eigen::Quaterniond::Identity());
+    const Eigen::Vector3d ahead = moving_goal.translation - fixed_goal.translation;
+    const bool vf = query.is_vertex_face;
+    return first_contact({.moving = vf ? spike_at(p[0], -ahead) : sliver_at(p[0], p[1], -ahead),
+                          .fixed = vf ? triangle(p[1], p[2], p[3]) : sliver_at(p[2], p[3], ahead),
+                          .motion = ScrewMotion::relative(Pose(), moving_goal, Pose(), fixed_goal),
+                          .find = Find::first_with_all_contacts});
+}
+
+/// Whether the contact is between the query's own primitives and not with the corners that were added.
+bool is_own(const Contact& contact, bool is_vertex_face) {
+    if (is_vertex_face)
+        return contact.kind == ContactKind::vertex_face && contact.moving.first == 0;
+    const auto is_first_edge = [](const Feature& f) { return f.first == 0 && f.second == 1; };
+    return contact.kind == ContactKind::edge_edge && is_first_edge(contact.moving) && is_first_edge(contact.fixed);
+}
+
+struct Tally {
+    int queries = 0;
+    int colliding = 0;
+    int missed = 0;
+    int false_alarms = 0;   ///< contacts of the query's own primitives although the truth is no
+    int added_corners = 0;  ///< contacts of the corners that were added only
+};
+
+void compare(const ElementaryQuery& query, Tally& tally) {
+    const FirstContact found = answer(query);
+    const bool touches = found.verdict != Verdict::clear;
+    ++tally.queries;
+    tally.colliding += query.collides ? 1 : 0;
+    if (query.collides && !touches) {
+        ++tally.missed;
+        ADD_FAILURE() << query.name << " is missed";
+    }
+    if (query.collides || !touches)
+        return;
+    const bool own = std::any_of(found.contacts.begin(), found.contacts.end(),
+                                 [&](const Contact& c) { return is_own(c, query.is_vertex_face); });
+    ++(own ? tally.false_alarms : tally.added_corners);
+    if (own)
+        ADD_FAILURE() << query.name << " is a false alarm, certain: " << found.certain;
+}
+
+TEST(RationalQueries, NoContactIsMissedAndNoneIsInvented) {
+    CHASLES_REQUIRE_DATA("ccd-queries-rational");
+    Tally tally;
+    for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_data("ccd-queries-rational"))) {
+        if (entry.path().extension() != ".csv" || entry.path().filename() == "SUMMARY.csv")
+            continue;
+        for (const ElementaryQuery& query : read_queries(entry.path()))
+            if (query.is_rigid())
+                compare(query, tally);
+    }
+    EXPECT_EQ(tally.queries, 590);
+    EXPECT_EQ(tally.colliding, 173);
+    print_figures("ccd-queries-rational: %d rigid queries, %d collide; %d missed, %d false alarms "
+                  "(%d more contacts of the corners that make an edge or a vertex a mesh)",
+                  tally.queries, tally.colliding, tally.missed, tally.false_alarms, tally.added_corners);
+}
+
+} // namespace
+} // namespace chasles::test
