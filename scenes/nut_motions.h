@@ -17,8 +17,9 @@ struct NutTurn {
 /// The nut after some of the turns.
 Pose nut_pose(const NutTurn& motion, double turns_done);
 
-/// A screw between two poses turns by less than half a turn, so that a path needs some poses in between.
-inline constexpr int steps_per_turn = 3;
+/// A screw between two poses turns by less than half a turn, so that a path needs some poses in between; a dozen keep
+/// many cores busy.
+inline constexpr int steps_per_turn = 12;
 
 /// The whole motion as a path of equal steps, steps_per_turn of them if it is one turn. The queries cut each step
 /// again by their `max_turn`.

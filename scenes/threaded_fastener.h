@@ -6,7 +6,8 @@
 
 namespace chasles::scenes {
 
-/// A hexagon bolt, threaded up to its head (like ISO 4017), and a hexagon nut; lengths in millimetres.
+/// A hexagon bolt, threaded up to its head (like ISO 4017), and a thin hexagon nut (like ISO 4035); lengths in
+/// millimetres.
 ///
 /// The axis is z. The bolt's head ends at z = 0 and its tip is at z = bolt_length; the nut stands on z = 0. In these
 /// positions, and whenever the nut is raised by a whole number of pitches, both threads are in phase: the nut's tooth
@@ -16,11 +17,11 @@ struct ThreadedFastener {
     double pitch = 2;
     double bolt_length = 30;
     double head_height = 10;
-    double nut_height = 13;
+    double nut_height = 8;
     double width_across_flats = 24;
     double radial_clearance = 0.1; ///< the nut has the basic profile, every radius of the bolt is less by this;
                                    ///< the middle of the tolerances 6g/6H of M16 gives 0.11
-    int segments = 48;             ///< facets of a turn
+    int segments = 36;             ///< facets of a turn
 
     [[nodiscard]] MetricThread bolt_thread() const;
     [[nodiscard]] MetricThread nut_thread() const;

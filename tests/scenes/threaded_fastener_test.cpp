@@ -191,9 +191,9 @@ TEST(ThreadedFastener, FacetsKeepWithinTheirBoundsAndNearlyReachThem) {
 }
 
 TEST(ThreadedFastener, RefusesFacetsThatTakeAllOfTheClearance) {
-    EXPECT_THROW((void)nut({.radial_clearance = 0.01}), InvalidInput);
+    EXPECT_THROW((void)nut({.radial_clearance = 0.01, .segments = 48}), InvalidInput);
     EXPECT_THROW((void)bolt({.segments = 14}), InvalidInput);
-    EXPECT_NO_THROW((void)nut({.radial_clearance = 0.02}));
+    EXPECT_NO_THROW((void)nut({.radial_clearance = 0.02, .segments = 48}));
 }
 
 TEST(ThreadedFastener, RefusesSizesThatMakeNoBody) {
