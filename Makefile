@@ -35,7 +35,7 @@ bench:
 	@tools/install_dependencies.sh bench
 	cmake --preset bench
 	cmake --build --preset bench -j $(JOBS)
-	build/bench/bin/chasles_bench
+	for bench in build/bench/bin/*_bench*; do $$bench || exit 1; done
 
 asan:
 	@tools/install_dependencies.sh check
