@@ -7,24 +7,22 @@
 
 namespace chasles::elementary {
 
-/// A moving edge along the motion; every polynomial is W times what it names, in the frame of the fixed body.
+/// A moving edge and its line along the motion; a polynomial is W times what it names, in the fixed body's frame.
 template <class S>
 struct EdgePath {
     using Polynomial = Bernstein<3, S>;
-    Vector3<Polynomial> from;      ///< position of a
-    Vector3<Polynomial> to;        ///< position of b
+    Vector3<S> from;               ///< a in the body's frame
+    Vector3<S> to;                 ///< b
+    Vector3<S> along;              ///< u
     Vector3<Polynomial> direction; ///< U, of the turned u
     Vector3<Polynomial> moment;    ///< M, of the moved line
-    Vector3<S> body_from;          ///< a in the body's frame
-    Vector3<S> body_direction;     ///< u in the body's frame
 };
 
 /// The moving edge between two points of the body.
 template <class S>
 EdgePath<S> edge_path(const motion::ControlMaps<S>& maps, const Vector3<S>& from, const Vector3<S>& to) {
     const Vector3<S> u = to - from;
-    return {maps.turn * from + maps.shift, maps.turn * to + maps.shift, maps.turn * u,
-            maps.turn * cross(from, u) + maps.moment * u, from, u};
+    return {from, to, u, maps.turn * u, maps.turn * cross(from, u) + maps.moment * u};
 }
 
 /// A fixed edge.
@@ -46,7 +44,7 @@ public:
     EdgePair(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
              const Accuracy& accuracy)
         : maps_(maps), moving_(moving), fixed_(fixed), unit_(error_unit<S> * accuracy.scale.length),
-          stretch_unit_(error_unit<S> * accuracy.scale.stretch), u_(norm1(moving.body_direction)),
+          stretch_unit_(error_unit<S> * accuracy.scale.stretch), u_(norm1(moving.along)),
           v_(norm1(fixed.direction)) {}
 
     /// W times the reciprocal product of the two lines: v . M + (c x v) . U.
@@ -64,7 +62,7 @@ public:
     /// all along, the first of each is >= 0 and the second <= 0.
     void add_inside(int i, int sign, std::vector<Constraint<3, S>>& constraints) const {
         const Vector3<S> d = fixed_.from + fixed_.direction;
-        add_opposed({from_arm(moving_.from, i), S(unit_ * v_)}, {from_arm(moving_.to, i), S(unit_ * v_)}, sign,
+        add_opposed({end_arm(moving_.from, i), S(unit_ * v_)}, {end_arm(moving_.to, i), S(unit_ * v_)}, sign,
                     constraints);
         add_opposed({line_arm(fixed_.from, i), S(unit_ * u_)}, {line_arm(d, i), S(unit_ * u_)}, sign, constraints);
     }
@@ -72,27 +70,30 @@ public:
     /// The two edges overlap when both are projected on v, and when both are projected on u.
     void add_overlaps(std::vector<Constraint<3, S>>& constraints) const {
         const Vector3<S>& v = fixed_.direction;
-        const Vector3<S>& u = moving_.body_direction;
-        const S v_error(unit_ * v_);
-        const S u_error(unit_ * u_);
-        const VertexPath<S> from{moving_.from, maps_.weight};
-        const VertexPath<S> to{moving_.to, maps_.weight};
-        add_overlap(height(from, v, fixed_.from), height(to, v, fixed_.from), S(dot(v, v)), v_error, constraints);
-        const Vector c_in_body = in_body(fixed_.from);
-        const Vector d_in_body = in_body(fixed_.from + v);
-        const VertexPath<S> c{c_in_body, maps_.weight};
-        const VertexPath<S> d{d_in_body, maps_.weight};
-        add_overlap(height(c, u, moving_.body_from), height(d, u, moving_.body_from), S(dot(u, u)), u_error,
-                    constraints);
+        const Vector3<S>& u = moving_.along;
+        const Vector from = moved(moving_.from);
+        const Vector to = moved(moving_.to);
+        add_overlap(height<S>({from, maps_.weight}, v, fixed_.from), height<S>({to, maps_.weight}, v, fixed_.from),
+                    S(dot(v, v)), S(unit_ * v_), constraints);
+        const Vector c = in_body(fixed_.from);
+        const Vector d = in_body(fixed_.from + v);
+        add_overlap(height<S>({c, maps_.weight}, u, moving_.from), height<S>({d, maps_.weight}, u, moving_.from),
+                    S(dot(u, u)), S(unit_ * u_), constraints);
     }
 
 private:
-    /// Component i of (W c - position) x v.
-    [[nodiscard]] Polynomial from_arm(const Vector& position, int i) const {
+    /// W times the position of a body point.
+    [[nodiscard]] Polynomial moved(const Vector3<S>& point, int i) const {
+        return dot(maps_.turn.row[i], point) + maps_.shift[i];
+    }
+    [[nodiscard]] Vector moved(const Vector3<S>& point) const { return maps_.turn * point + maps_.shift; }
+
+    /// Component i of (W c - position) x v for an end of the moving edge.
+    [[nodiscard]] Polynomial end_arm(const Vector3<S>& end, int i) const {
         const int j = (i + 1) % 3;
         const int k = (i + 2) % 3;
-        return (maps_.weight * fixed_.from[j] - position[j]) * fixed_.direction[k] -
-               (maps_.weight * fixed_.from[k] - position[k]) * fixed_.direction[j];
+        return (maps_.weight * fixed_.from[j] - moved(end, j)) * fixed_.direction[k] -
+               (maps_.weight * fixed_.from[k] - moved(end, k)) * fixed_.direction[j];
     }
 
     /// Component i of point x U - M.
