@@ -31,9 +31,21 @@ inline Division divided(PowerPolynomial a, const PowerPolynomial& b) {
     return {trimmed(quotient), a};
 }
 
+/// A positive multiple with small coefficients: integers without a common divisor.
+inline PowerPolynomial shortened(const PowerPolynomial& p) {
+    using Integer = boost::multiprecision::mpz_int;
+    Integer multiple(1);
+    Integer divisor(0);
+    for (const Rational& c : p) {
+        multiple = lcm(multiple, Integer(denominator(c)));
+        divisor = gcd(divisor, Integer(numerator(c)));
+    }
+    return p.empty() ? p : scaled(p, Rational(multiple) / Rational(divisor));
+}
+
 inline PowerPolynomial common_divisor(PowerPolynomial a, PowerPolynomial b) {
     while (!b.empty()) {
-        PowerPolynomial next = divided(a, b).remainder;
+        PowerPolynomial next = shortened(divided(a, b).remainder);
         a = std::move(b);
         b = std::move(next);
     }
@@ -41,7 +53,7 @@ inline PowerPolynomial common_divisor(PowerPolynomial a, PowerPolynomial b) {
 }
 
 inline PowerPolynomial square_free(const PowerPolynomial& p) {
-    return degree(p) < 1 ? p : divided(p, common_divisor(p, derivative(p))).quotient;
+    return degree(p) < 1 ? p : shortened(divided(p, common_divisor(p, derivative(p))).quotient);
 }
 
 /// Counts the distinct roots of a square-free polynomial.
@@ -49,7 +61,8 @@ class SturmChain {
 public:
     explicit SturmChain(const PowerPolynomial& p) : chain_{p, derivative(p)} {
         while (!chain_.back().empty())
-            chain_.push_back(scaled(divided(chain_[chain_.size() - 2], chain_.back()).remainder, Rational(-1)));
+            chain_.push_back(
+                shortened(scaled(divided(chain_[chain_.size() - 2], chain_.back()).remainder, Rational(-1))));
         chain_.pop_back();
     }
 
@@ -83,13 +96,21 @@ struct AlgebraicRoot {
         if (is_point())
             return;
         const Rational middle = (lower + upper) / 2;
-        (SturmChain(polynomial).roots(lower, middle) > 0 ? upper : lower) = middle;
-        if (value(polynomial, upper) == 0)
-            lower = upper;
+        const int at_middle = value(polynomial, middle).sign();
+        (at_middle == sign_above_lower() ? lower : upper) = middle;
+        if (at_middle == 0)
+            lower = middle;
     }
     void narrow_to(const Rational& width) {
         while (upper - lower > width)
             halve();
+    }
+
+private:
+    /// The root is simple, and another one may lie at `lower`.
+    [[nodiscard]] int sign_above_lower() const {
+        const int at_lower = value(polynomial, lower).sign();
+        return at_lower != 0 ? at_lower : value(derivative(polynomial), lower).sign();
     }
 };
 

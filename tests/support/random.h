@@ -15,7 +15,7 @@ namespace chasles::test {
 class Random {
 public:
     explicit Random(std::uint64_t seed) : engine_(seed) {
-        std::cout << "seed " << seed << "\n";
+        std::cout << "seed " << seed << std::endl;
         testing::Test::RecordProperty("seed", std::to_string(seed));
     }
 

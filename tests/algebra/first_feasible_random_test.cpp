@@ -1,0 +1,167 @@
+// first_feasible against Sturm's theorem in exact rationals, on random problems that lean to corners.
+#include "chasles/algebra/first_feasible.h"
+
+#include "chasles/algebra/double_double.h"
+#include "tests/support/exact_feasible.h"
+#include "tests/support/random.h"
+
+namespace chasles::algebra {
+namespace {
+
+using namespace test;
+
+/// Sixteenths, with the ends, the middle and repetitions more often than chance has it.
+Rational random_root(Random& random) {
+    if (random.chance(0.2))
+        return ratio(random.integer(0, 2), 2);
+    return ratio(random.integer(-6, 22), 16);
+}
+
+PowerPolynomial random_function(Random& random, int degree) {
+    if (random.chance(0.05))
+        return {};
+    std::vector<Rational> roots;
+    for (int i = 0; i < degree; ++i)
+        roots.push_back(!roots.empty() && random.chance(0.15) ? roots.back() : random_root(random));
+    PowerPolynomial function = from_roots(roots, random.chance(0.5) ? 1 : -3);
+    return random.chance(0.3) ? sum(function, {ratio(random.integer(-2, 2), 64)}) : function;
+}
+
+template <int Degree>
+Bounded<Degree, Rational> random_side(Random& random) {
+    const int degree = random.integer(0, Degree);
+    return {bernstein_form<Degree>(random_function(random, degree)), 0};
+}
+
+template <int Degree>
+OwnedProblem<Degree, Rational> random_problem(Random& random) {
+    OwnedProblem<Degree, Rational> problem;
+    problem.function.polynomial = bernstein_form<Degree>(random_function(random, Degree));
+    const int count = random.integer(0, 3);
+    for (int i = 0; i < count; ++i)
+        problem.constraints.push_back({random_side<Degree>(random), random_side<Degree>(random), random.chance(0.4)});
+    return problem;
+}
+
+struct Tally {
+    int problems = 0;
+    int contacts = 0;
+    int certain = 0;
+    int doubtful = 0; ///< reported where there is none
+
+    void expect_hit_rates() const {
+        std::cout << contacts << " contacts of " << problems << ", " << certain << " certain, " << doubtful
+                  << " doubtful\n";
+        EXPECT_GT(contacts, problems / 5);
+        EXPECT_GT(problems - contacts, problems / 10);
+        EXPECT_GT(certain, contacts / 3);
+        EXPECT_LT(doubtful, problems / 10);
+    }
+};
+
+/// Never late, certain only if true, tight if certain.
+template <int Degree, class S>
+void expect_promises(const OwnedProblem<Degree, S>& problem, Tally& tally) {
+    const auto truth = first_feasible_exactly(problem);
+    const auto found = problem.solve();
+    ++tally.problems;
+    if (!truth) {
+        EXPECT_FALSE(found && found->certain) << "certain of a contact that is none";
+        tally.doubtful += found ? 1 : 0;
+        return;
+    }
+    ++tally.contacts;
+    ASSERT_TRUE(found) << "missed the contact at " << static_cast<double>(truth->upper);
+    EXPECT_LE(Rational(found->lower), truth->upper) << "late";
+    if (!found->certain)
+        return;
+    ++tally.certain;
+    EXPECT_GE(Rational(found->upper), truth->lower) << "the first contact is later than the bracket says";
+    EXPECT_LE(found->upper - found->lower, 1.001e-12);
+}
+
+/// Polynomials with rational coefficients are taken as they stand; rounded ones are judged as rounded.
+template <class S>
+void expect_promises_for_random_problems(std::uint64_t seed, int trials) {
+    Random random(seed);
+    Tally tally;
+    for_degrees<1, 6>([&](auto degree) {
+        for (int trial = 0; trial < trials; ++trial)
+            expect_promises(in_scalar<S>(random_problem<degree()>(random)), tally);
+    });
+    tally.expect_hit_rates();
+}
+
+TEST(FirstFeasibleRandom, DoublesKeepThePromises) {
+    expect_promises_for_random_problems<double>(501, 250);
+}
+TEST(FirstFeasibleRandom, DoubleDoublesKeepThePromises) {
+    expect_promises_for_random_problems<DoubleDouble>(502, 120);
+}
+TEST(FirstFeasibleRandom, RationalsKeepThePromises) {
+    expect_promises_for_random_problems<Rational>(503, 60);
+}
+
+/// Rationals have no bands: wherever they report something, it is there or the constraints are open by next to nothing.
+TEST(FirstFeasibleRandom, RationalBracketsEncloseTheFirstContactEvenWhenUncertain) {
+    Random random(504);
+    int uncertain = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        const auto problem = random_problem<3>(random);
+        const auto truth = first_feasible_exactly(problem);
+        const auto found = problem.solve();
+        if (!truth || !found || found->certain)
+            continue;
+        ++uncertain;
+        EXPECT_LE(found->upper - found->lower, 1.001e-12);
+        EXPECT_LE(Rational(found->lower), truth->upper);
+    }
+    EXPECT_GT(uncertain, 10);
+}
+
+/// A polynomial somewhere within the band of `p`.
+template <int Degree>
+Bernstein<Degree, Rational> perturbed(const Bounded<Degree, double>& p, Random& random) {
+    Bernstein<Degree, Rational> result = test::exact(p.polynomial);
+    for (int i = 0; i <= Degree; ++i) {
+        const double share = random.chance(0.3) ? (random.chance(0.5) ? 1.0 : -1.0) : random.uniform(-1, 1);
+        result.set(i, result[i] + Rational(p.error) * Rational(share));
+    }
+    return result;
+}
+
+TEST(FirstFeasibleRandom, PromisesHoldForEveryPolynomialWithinTheBands) {
+    Random random(505);
+    int contacts = 0;
+    int certain = 0;
+    for (int trial = 0; trial < 1500; ++trial) {
+        auto banded = in_scalar<double>(random_problem<3>(random));
+        const double band = random.scaled(-10, -3);
+        banded.function.error += std::abs(band);
+        for (auto& constraint : banded.constraints)
+            constraint.first.error += std::abs(band) * random.uniform(0, 3);
+        auto truth = OwnedProblem<3, Rational>();
+        truth.function.polynomial = perturbed(OwnedProblem<3, double>(banded).function, random);
+        for (const auto& constraint : banded.constraints)
+            truth.constraints.push_back({{perturbed(constraint.first, random), 0},
+                                         {test::exact(constraint.second.polynomial), 0},
+                                         constraint.has_alternative});
+        const auto root = first_feasible_exactly(truth);
+        const auto found = banded.solve({500 * std::abs(band), 1e-12});
+        if (found && found->certain) {
+            ++certain;
+            ASSERT_TRUE(root) << "certain, but a polynomial within the band has no contact";
+            EXPECT_GE(Rational(found->upper), root->lower);
+        }
+        if (!root)
+            continue;
+        ++contacts;
+        ASSERT_TRUE(found) << "missed a contact within the band";
+        EXPECT_LE(Rational(found->lower), root->upper);
+    }
+    EXPECT_GT(contacts, 300);
+    EXPECT_GT(certain, 50);
+}
+
+} // namespace
+} // namespace chasles::algebra

@@ -1,0 +1,224 @@
+// first_feasible on problems whose answer is known because they were built from it.
+#include "chasles/algebra/first_feasible.h"
+
+#include "chasles/algebra/double_double.h"
+#include "tests/support/exact_feasible.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::algebra {
+namespace {
+
+using namespace test;
+
+template <int Degree>
+using Problem = OwnedProblem<Degree, Rational>;
+
+template <int Degree>
+Constraint<Degree, Rational> at_least_zero(const PowerPolynomial& p) {
+    return {{bernstein_form<Degree>(p), 0}, {}, false};
+}
+
+template <int Degree>
+Constraint<Degree, Rational> either(const PowerPolynomial& p, const PowerPolynomial& q) {
+    return {{bernstein_form<Degree>(p), 0}, {bernstein_form<Degree>(q), 0}, true};
+}
+
+template <int Degree>
+Problem<Degree> problem(const PowerPolynomial& function, std::vector<Constraint<Degree, Rational>> constraints = {}) {
+    Problem<Degree> result;
+    result.function.polynomial = bernstein_form<Degree>(function);
+    result.constraints = std::move(constraints);
+    return result;
+}
+
+/// tau - root, and its negative.
+PowerPolynomial after(const Rational& root) {
+    return {Rational(-root), Rational(1)};
+}
+PowerPolynomial before(const Rational& root) {
+    return {root, Rational(-1)};
+}
+
+/// `slack`: how far rounded coefficients may move the root.
+template <class S, int Degree>
+void expect_first_in(const Problem<Degree>& exactly, const Rational& tau, double slack) {
+    const auto found = in_scalar<S>(exactly).solve();
+    ASSERT_TRUE(found) << "missed " << tau;
+    EXPECT_LE(Rational(found->lower), tau + Rational(slack));
+    EXPECT_GE(Rational(found->upper), tau - Rational(slack));
+    EXPECT_LE(found->upper - found->lower, 1.001e-12 + 2 * slack);
+}
+
+/// In all three scalars. A root of multiplicity k moves by the k-th root of the rounding.
+template <int Degree>
+void expect_first(const Problem<Degree>& exactly, const Rational& tau, int multiplicity = 1) {
+    expect_first_in<Rational>(exactly, tau, 0);
+    expect_first_in<double>(exactly, tau, 100 * std::pow(0x1p-50, 1.0 / multiplicity));
+    expect_first_in<DoubleDouble>(exactly, tau, 100 * std::pow(0x1p-98, 1.0 / multiplicity));
+}
+
+template <int Degree>
+void expect_none(const Problem<Degree>& exactly) {
+    EXPECT_FALSE(exactly.solve());
+    EXPECT_FALSE(in_scalar<double>(exactly).solve());
+    EXPECT_FALSE(in_scalar<DoubleDouble>(exactly).solve());
+}
+
+TEST(FirstFeasible, FindsASimpleRootOfEveryDegree) {
+    for_degrees<1, 6>([](auto degree) {
+        std::vector<Rational> roots{ratio(1, 3)};
+        for (int i = 1; i < degree(); ++i)
+            roots.push_back(ratio(i % 2 == 0 ? 4 : -3, i + 1));
+        expect_first(problem<degree()>(from_roots(roots, 2)), ratio(1, 3));
+    });
+}
+
+TEST(FirstFeasible, FindsTheFirstOfManyRoots) {
+    for_degrees<2, 6>([](auto degree) {
+        std::vector<Rational> roots;
+        for (int i = 0; i < degree(); ++i)
+            roots.push_back(ratio(2 * i + 1, 13));
+        expect_first(problem<degree()>(from_roots(roots, -5)), ratio(1, 13));
+    });
+}
+
+TEST(FirstFeasible, SimpleRootInsideIsCertain) {
+    const auto cubic =
+        problem<3>(from_roots({ratio(1, 3), ratio(3, 4), 2}, 1), {at_least_zero<3>(before(ratio(1, 2)))});
+    EXPECT_TRUE(cubic.solve()->certain);
+    EXPECT_TRUE(in_scalar<double>(cubic).solve()->certain);
+    EXPECT_TRUE(in_scalar<DoubleDouble>(cubic).solve()->certain);
+}
+
+TEST(FirstFeasible, DoubleRootsAreContacts) {
+    expect_first(problem<2>(from_roots({ratio(1, 2), ratio(1, 2)}, 1)), ratio(1, 2), 2);
+    expect_first(problem<3>(from_roots({ratio(1, 3), ratio(1, 3), 2}, 1)), ratio(1, 3), 2);
+    expect_first(problem<6>(from_roots({ratio(2, 7), ratio(2, 7), 2, 3, 2, 3}, 1)), ratio(2, 7), 2);
+}
+
+TEST(FirstFeasible, TripleRootsAreContacts) {
+    expect_first(problem<3>(from_roots({ratio(1, 2), ratio(1, 2), ratio(1, 2)}, 8)), ratio(1, 2), 3);
+    expect_first(problem<3>(from_roots({ratio(1, 3), ratio(1, 3), ratio(1, 3)}, 1)), ratio(1, 3), 3);
+}
+
+TEST(FirstFeasible, RootAtZeroIsReportedAtZero) {
+    const auto cubic = problem<3>(from_roots({0, ratio(1, 2), -1}, 1));
+    expect_first(cubic, 0);
+    EXPECT_EQ(in_scalar<double>(cubic).solve()->lower, 0);
+    expect_first(problem<3>(from_roots({0, 0, 2}, 1)), 0, 2);
+}
+
+TEST(FirstFeasible, RootAtOneIsReportedAtOne) {
+    const auto cubic = problem<3>(from_roots({1, -1, 2}, 1));
+    expect_first(cubic, 1);
+    EXPECT_EQ(in_scalar<double>(cubic).solve()->upper, 1);
+    expect_first(problem<3>(from_roots({1, 1, 1}, 1)), 1, 3);
+}
+
+TEST(FirstFeasible, RootsOutsideAreNone) {
+    expect_none(problem<3>(from_roots({ratio(-1, 1000), ratio(1001, 1000), 5}, 1)));
+    expect_none(problem<6>(from_roots({-1, -2, 2, 3, 4, ratio(11, 10)}, 1)));
+}
+
+TEST(FirstFeasible, ComplexRootsAreNone) {
+    // (2 tau - 1)^2 + 1e-6: clear of zero by a millionth.
+    expect_none(problem<2>({Rational(1) + ratio(1, 1000000), Rational(-4), Rational(4)}));
+}
+
+TEST(FirstFeasible, ZeroFunctionLeavesTheChoiceToTheConstraints) {
+    expect_first(problem<3>({}), 0);
+    expect_first(problem<3>({}, {at_least_zero<3>(after(ratio(1, 4)))}), ratio(1, 4));
+    expect_first(problem<3>({}, {at_least_zero<3>(after(ratio(1, 4))), at_least_zero<3>(after(ratio(2, 3)))}),
+                 ratio(2, 3));
+    expect_none(problem<3>({}, {at_least_zero<3>(after(ratio(2, 3))), at_least_zero<3>(before(ratio(1, 2)))}));
+    expect_none(problem<3>({}, {at_least_zero<3>({Rational(-1)})}));
+}
+
+TEST(FirstFeasible, ConstraintsExcludeRootsInTurn) {
+    const PowerPolynomial function = from_roots({ratio(1, 4), ratio(1, 2), ratio(3, 4)}, 1);
+    const auto not_the_first = at_least_zero<3>(after(ratio(3, 8)));
+    const auto not_the_second = at_least_zero<3>(from_roots({ratio(7, 16), ratio(9, 16)}, 1));
+    const auto not_the_third = at_least_zero<3>(before(ratio(5, 8)));
+    expect_first(problem<3>(function), ratio(1, 4));
+    expect_first(problem<3>(function, {not_the_first}), ratio(1, 2));
+    expect_first(problem<3>(function, {not_the_second}), ratio(1, 4));
+    expect_first(problem<3>(function, {not_the_first, not_the_second}), ratio(3, 4));
+    expect_none(problem<3>(function, {not_the_first, not_the_second, not_the_third}));
+}
+
+TEST(FirstFeasible, AnAlternativeIsEnough) {
+    const PowerPolynomial function = from_roots({ratio(1, 4), ratio(3, 4)}, 1);
+    const PowerPolynomial never{Rational(-1)};
+    expect_first(problem<3>(function, {either<3>(never, before(ratio(1, 2)))}), ratio(1, 4));
+    expect_first(problem<3>(function, {either<3>(before(ratio(1, 2)), never)}), ratio(1, 4));
+    expect_first(problem<3>(function, {either<3>(never, after(ratio(1, 2)))}), ratio(3, 4));
+    expect_none(problem<3>(function, {either<3>(never, never)}));
+    expect_none(problem<3>(function, {either<3>(before(ratio(1, 8)), after(ratio(7, 8)))}));
+}
+
+TEST(FirstFeasible, ConstraintsAreClosed) {
+    expect_first(problem<3>(after(ratio(1, 4)), {at_least_zero<3>(after(ratio(1, 4)))}), ratio(1, 4));
+    expect_first(problem<3>(after(ratio(1, 4)), {at_least_zero<3>(before(ratio(1, 4)))}), ratio(1, 4));
+}
+
+TEST(FirstFeasible, TinyMissesAreToldFromContactsInRationals) {
+    const Rational tiny(1e-11); // ten tolerances
+    expect_first_in<Rational>(problem<1>(after(ratio(1, 4)), {at_least_zero<1>(before(ratio(1, 4) + tiny))}),
+                              ratio(1, 4), 0);
+    EXPECT_FALSE(problem<1>(after(ratio(1, 4)), {at_least_zero<1>(before(ratio(1, 4) - tiny))}).solve());
+}
+
+TEST(FirstFeasible, DoubleDoubleTellsMissesThatDoublesCannot) {
+    const Rational tiny(1e-20);
+    const auto miss = problem<1>(after(ratio(1, 4)), {at_least_zero<1>(before(ratio(1, 4) - tiny))});
+    const auto in_doubles = in_scalar<double>(miss).solve({1e-12, 1e-12});
+    ASSERT_TRUE(in_doubles) << "a double cannot tell, so it must report";
+    EXPECT_FALSE(in_doubles->certain);
+    EXPECT_FALSE(in_scalar<DoubleDouble>(miss).solve({1e-12, 0x1p-90}));
+}
+
+TEST(FirstFeasible, ToleranceSetsTheWidthOfTheBracket) {
+    const auto cubic = in_scalar<double>(problem<3>(from_roots({ratio(1, 3), 2, -1}, 1)));
+    for (const double width : {1e-2, 1e-6, 1e-12}) {
+        const auto found = cubic.solve({width, width});
+        ASSERT_TRUE(found);
+        EXPECT_LE(found->upper - found->lower, 1.001 * width);
+        EXPECT_LE(Rational(found->lower), ratio(1, 3) + Rational(1e-15));
+        EXPECT_GE(Rational(found->upper), ratio(1, 3) - Rational(1e-15));
+    }
+}
+
+TEST(FirstFeasible, UnevenWeightsDoNotMoveTheRoot) {
+    auto weighted = problem<3>(from_roots({ratio(1, 3), 2, -1}, 1));
+    for (int i = 0; i <= 3; ++i)
+        weighted.weight.set(i, 1 + 5 * i * i);
+    const auto found = weighted.solve();
+    ASSERT_TRUE(found);
+    EXPECT_LE(Rational(found->lower), ratio(1, 3));
+    EXPECT_GE(Rational(found->upper), ratio(1, 3));
+}
+
+TEST(FirstFeasible, NearMissWithinTheBandIsReportedAsUncertain) {
+    OwnedProblem<3, double> near;
+    near.function = {Bernstein<3, double>::constant(1e-9), 2e-9};
+    const auto found = near.solve();
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->lower, 0);
+    EXPECT_FALSE(found->certain);
+    near.function.error = 5e-10;
+    EXPECT_FALSE(near.solve());
+}
+
+TEST(FirstFeasible, BandOfTheConstraintIsGivenTheBenefitOfTheDoubt) {
+    OwnedProblem<3, double> near = in_scalar<double>(problem<3>(after(ratio(1, 4))));
+    near.constraints.push_back({{Bernstein<3, double>::constant(-1e-9), 2e-9}, {}, false});
+    const auto found = near.solve();
+    ASSERT_TRUE(found);
+    EXPECT_FALSE(found->certain);
+    near.constraints[0].first.error = 5e-10;
+    EXPECT_FALSE(near.solve());
+}
+
+} // namespace
+} // namespace chasles::algebra
