@@ -1,0 +1,71 @@
+// Small bodies and poses that the tests of this layer build on.
+#pragma once
+
+#include "chasles/query/first_contact.h"
+
+#include <Eigen/Geometry>
+#include <random>
+
+namespace chasles::test {
+
+using Vertices = std::vector<Eigen::Vector3d>;
+using Faces = std::vector<std::vector<std::uint32_t>>;
+
+/// Vertices and faces before they become a polyhedron, so that tests can transform them.
+struct Body {
+    Vertices vertices;
+    Faces faces;
+
+    [[nodiscard]] Polyhedron polyhedron() const { return Polyhedron::from_polygons(vertices, faces); }
+};
+
+/// The box [-h, h] of six quads; vertex i has the bits of i as the signs of x, y, z.
+inline Body box(const Eigen::Vector3d& half) {
+    Body body;
+    for (int i = 0; i < 8; ++i)
+        body.vertices.emplace_back((i & 1 ? 1 : -1) * half.x(), (i & 2 ? 1 : -1) * half.y(), (i & 4 ? 1 : -1) * half.z());
+    body.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
+    return body;
+}
+
+inline Body triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    return {{a, b, c}, {{0, 1, 2}}};
+}
+
+inline double uniform(std::mt19937& random, double from, double to) {
+    return std::uniform_real_distribution<double>(from, to)(random);
+}
+
+inline Eigen::Vector3d random_vector(std::mt19937& random, double size) {
+    return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
+}
+
+/// An octahedron with shaken corners: eight triangles, closed.
+inline Body random_octahedron(std::mt19937& random) {
+    Body body;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0})
+            body.vertices.push_back(sign * Eigen::Vector3d::Unit(axis) * uniform(random, 0.3, 1) +
+                                    random_vector(random, 0.15));
+    body.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    return body;
+}
+
+inline Pose shifted(double x, double y, double z) {
+    return {Eigen::Vector3d(x, y, z), Eigen::Quaterniond::Identity()};
+}
+
+inline Pose turned(const Eigen::Vector3d& position, const Eigen::Vector3d& axis, double angle) {
+    return {position, Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis.normalized()))};
+}
+
+inline Pose random_pose(std::mt19937& random, double distance, double turn) {
+    return turned(random_vector(random, distance), random_vector(random, 1), uniform(random, -turn, turn));
+}
+
+/// outer * inner, in double precision.
+inline Pose composed(const Pose& outer, const Pose& inner) {
+    return {outer.rotation.normalized() * inner.translation + outer.translation, outer.rotation * inner.rotation};
+}
+
+} // namespace chasles::test

@@ -1,0 +1,130 @@
+// The whole query against every feature pair in exact rationals: no filter, no hierarchy, no splitting of time.
+#include "chasles/query/feature_pairs.h"
+#include "chasles/motion/screw_pose.h"
+#include "tests/query/bodies.h"
+
+#include <boost/multiprecision/gmp.hpp>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace chasles::test {
+namespace {
+
+using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
+
+motion::GeneralPose<Rational> exact_pose(const Pose& pose) {
+    const Eigen::Vector3d& t = pose.translation;
+    const Eigen::Quaterniond& q = pose.rotation;
+    return {{Rational(t.x()), Rational(t.y()), Rational(t.z())},
+            {Rational(q.w()), {Rational(q.x()), Rational(q.y()), Rational(q.z())}}};
+}
+
+/// The exact answer: whether edges pass through faces at the start, and the earliest contact of any feature pair.
+struct ExactAnswer {
+    bool overlaps = false;
+    std::optional<algebra::FeasibleInterval> first;
+
+    void keep(const std::optional<algebra::FeasibleInterval>& found) {
+        if (found && (!first || found->lower < first->lower))
+            first = found;
+    }
+};
+
+ExactAnswer brute_force(const Polyhedron& a, const Polyhedron& b, const Pose& start, const Pose& goal) {
+    const auto maps = motion::control_maps(motion::screw_between(exact_pose(start), exact_pose(goal)));
+    query::FeaturePairs<Rational> pairs(a, b, {});
+    pairs.use(maps, {1e-9, 1e-9});
+    ExactAnswer answer;
+    for (std::uint32_t f = 0; f < a.face_count(); ++f) {
+        for (std::uint32_t g = 0; g < b.face_count(); ++g) {
+            for (const std::uint32_t vertex : a.owned_vertices(f))
+                answer.keep(pairs.vertex_face(vertex, g));
+            for (const std::uint32_t vertex : b.owned_vertices(g))
+                answer.keep(pairs.face_vertex(f, vertex));
+            for (const Edge& edge : a.owned_edges(f)) {
+                answer.overlaps = answer.overlaps || pairs.moving_edge_passage(edge, g);
+                const auto path = pairs.path_of(edge);
+                for (const Edge& other : b.owned_edges(g))
+                    answer.keep(pairs.edge_edge(path, other));
+            }
+            for (const Edge& edge : b.owned_edges(g))
+                answer.overlaps = answer.overlaps || pairs.fixed_edge_passage(edge, f);
+        }
+    }
+    return answer;
+}
+
+Body random_body(std::mt19937& random) {
+    if (random() % 2 == 0)
+        return triangle(random_vector(random, 1), random_vector(random, 1), random_vector(random, 1));
+    const Vertices corners{random_vector(random, 1), random_vector(random, 1), random_vector(random, 1),
+                           random_vector(random, 1)};
+    return {corners, {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}}};
+}
+
+/// Coordinates on a coarse grid make parallel edges, shared planes and exact touches frequent.
+void snap(Body& body) {
+    for (Eigen::Vector3d& vertex : body.vertices)
+        vertex = (vertex * 2).array().round() / 2;
+}
+
+void compare(const Polyhedron& a, const Polyhedron& b, const Pose& start, const Pose& goal, int& contacts) {
+    const ExactAnswer exact = brute_force(a, b, start, goal);
+    const FirstContact found = first_contact({.moving = a,
+                                              .fixed = b,
+                                              .motion = ScrewMotion::between(start, goal),
+                                              .max_turn = std::numbers::pi});
+    contacts += found.verdict == Verdict::clear ? 0 : 1;
+    if (exact.overlaps) {
+        EXPECT_EQ(found.verdict, Verdict::contact_at_start);
+        return;
+    }
+    ASSERT_EQ(exact.first.has_value(), found.verdict != Verdict::clear);
+    if (!exact.first)
+        return;
+    EXPECT_LE(found.tau.lower, exact.first->upper) << "reported too late";
+    EXPECT_GE(found.tau.upper, exact.first->lower) << "reported too early";
+}
+
+TEST(BruteForce, RandomBodiesAgreeWithExactRationals) {
+    std::mt19937 random(21);
+    int contacts = 0;
+    for (int i = 0; i < 120; ++i) {
+        SCOPED_TRACE("seed 21, case " + std::to_string(i));
+        const Polyhedron a = random_body(random).polyhedron();
+        const Polyhedron b = random_body(random).polyhedron();
+        compare(a, b, random_pose(random, 1.5, 1.5), random_pose(random, 1.5, 1.5), contacts);
+    }
+    EXPECT_GT(contacts, 30);
+    EXPECT_LT(contacts, 110);
+}
+
+TEST(BruteForce, TranslationsOnAGridAgreeWithExactRationals) {
+    std::mt19937 random(22);
+    int contacts = 0;
+    int kept = 0;
+    for (int i = 0; i < 200; ++i) {
+        SCOPED_TRACE("seed 22, case " + std::to_string(i));
+        Body a = random_body(random);
+        Body b = random_body(random);
+        snap(a);
+        snap(b);
+        try {
+            const Polyhedron pa = a.polyhedron();
+            const Polyhedron pb = b.polyhedron();
+            const auto grid_pose = [&] {
+                const Eigen::Vector3d p = (random_vector(random, 3) * 2).array().round() / 2;
+                return shifted(p.x(), p.y(), p.z());
+            };
+            compare(pa, pb, grid_pose(), grid_pose(), contacts);
+            ++kept;
+        } catch (const std::exception&) { // the snapped body has no area
+        }
+    }
+    EXPECT_GT(kept, 60);
+    EXPECT_GT(contacts, 20);
+    EXPECT_LT(contacts, kept - 10);
+}
+
+} // namespace
+} // namespace chasles::test

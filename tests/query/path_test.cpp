@@ -1,0 +1,70 @@
+// Paths of poses, and batches on any number of threads.
+#include "chasles/query/path.h"
+
+#include "chasles/invalid_input.h"
+#include "tests/query/bodies.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::test {
+namespace {
+
+TEST(Path, TellsTheSegmentAndTheTimeWithinIt) {
+    const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
+    const std::vector<Pose> poses{shifted(-4, 0, 0), shifted(-3, 0, 0), shifted(-2, 0, 0), shifted(2, 0, 0)};
+    std::vector<std::size_t> reported;
+    const PathContact found = first_contact_on_path({.moving = body,
+                                                     .fixed = body,
+                                                     .poses = poses,
+                                                     .progress = [&](std::size_t done) { reported.push_back(done); }});
+    EXPECT_EQ(found.contact.verdict, Verdict::contact);
+    EXPECT_EQ(found.segment, 2u);
+    EXPECT_NEAR(found.contact.time.lower, 0.25, 1e-11);
+    EXPECT_EQ(reported, (std::vector<std::size_t>{1, 2, 3}));
+}
+
+TEST(Path, ClearPathCountsTheWorkOfAllSegments) {
+    const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
+    const std::vector<Pose> poses{shifted(-4, 2, 0), shifted(0, 2, 0), shifted(4, 2, 0)};
+    const PathContact found = first_contact_on_path({.moving = body, .fixed = body, .poses = poses});
+    EXPECT_EQ(found.contact.verdict, Verdict::clear);
+    EXPECT_EQ(found.segment, 1u);
+    EXPECT_GE(found.contact.work.node_pairs, 2u);
+}
+
+TEST(Path, FewerThanTwoPosesAreRefused) {
+    const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
+    const std::vector<Pose> poses{Pose()};
+    EXPECT_THROW(static_cast<void>(first_contact_on_path({.moving = body, .fixed = body, .poses = poses})),
+                 InvalidInput);
+}
+
+bool same_bits(const FirstContact& a, const FirstContact& b) {
+    return a.verdict == b.verdict && a.time.lower == b.time.lower && a.time.upper == b.time.upper &&
+           a.tau.lower == b.tau.lower && a.certain == b.certain && a.contacts.size() == b.contacts.size();
+}
+
+TEST(Batch, AnswersAreTheSameForAnyNumberOfThreads) {
+    std::mt19937 random(11);
+    const Polyhedron a = random_octahedron(random).polyhedron();
+    const Polyhedron b = random_octahedron(random).polyhedron();
+    std::vector<Motion> motions;
+    for (int i = 0; i < 300; ++i)
+        motions.emplace_back(ScrewMotion::between(random_pose(random, 3, 1), random_pose(random, 3, 1)));
+    std::size_t last = 0;
+    const auto count = [&](std::size_t done) { last = done; };
+    const auto one =
+        first_contact_batch({.moving = a, .fixed = b, .motions = motions, .threads = 1, .progress = count});
+    EXPECT_EQ(last, motions.size());
+    ASSERT_EQ(one.size(), motions.size());
+    for (const unsigned threads : {0u, 2u, 5u}) {
+        const auto many = first_contact_batch({.moving = a, .fixed = b, .motions = motions, .threads = threads});
+        for (std::size_t i = 0; i < motions.size(); ++i)
+            EXPECT_TRUE(same_bits(one[i], many[i])) << "motion " << i << ", " << threads << " threads";
+    }
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        EXPECT_TRUE(same_bits(one[i], first_contact({.moving = a, .fixed = b, .motion = motions[i]})));
+}
+
+} // namespace
+} // namespace chasles::test
