@@ -2,8 +2,10 @@
 
 #include "chasles/invalid_input.h"
 
+#include <algorithm>
 #include <mutex>
 #include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
 
@@ -51,8 +53,9 @@ std::vector<FirstContact> first_contact_batch(const BatchQuery& query) {
         if (query.progress)
             query.progress(done);
     };
-    const int threads = query.threads == 0 ? oneapi::tbb::task_arena::automatic : int(query.threads);
-    oneapi::tbb::task_arena arena(threads);
+    // More threads than cores gain nothing, and oneTBB would warn on standard error.
+    const auto cores = static_cast<unsigned>(oneapi::tbb::info::default_concurrency());
+    oneapi::tbb::task_arena arena(int(query.threads == 0 ? cores : std::min(query.threads, cores)));
     arena.execute([&] {
         oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, results.size(), 1), answer);
     });

@@ -30,7 +30,7 @@ struct PathQuery {
 /// Throws InvalidInput for fewer than two poses or an option out of its range.
 PathContact first_contact_on_path(const PathQuery& query);
 
-/// Many motions of one pair of bodies, answered on `threads` threads (0: all cores).
+/// Many motions of one pair of bodies, answered on at most `threads` threads (0: all cores).
 struct BatchQuery {
     const Polyhedron& moving;
     const Polyhedron& fixed;
