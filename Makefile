@@ -2,11 +2,12 @@
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: help demo check install bench asan tidy format clean
+.PHONY: help demo check facts install bench asan tidy format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
 	@echo "make check    install what is missing, build with checks, and run every test"
+	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
 	@echo "make bench    build and run the benchmarks"
 	@echo "make asan     every test under the address and undefined-behaviour sanitizers"
@@ -24,6 +25,12 @@ check:
 	cmake --preset dev
 	cmake --build --preset dev -j $(JOBS)
 	ctest --preset dev -j $(JOBS)
+
+facts:
+	@tools/install_dependencies.sh check
+	cmake --preset dev
+	cmake --build --preset dev --target chasles_data_tests -j $(JOBS)
+	build/dev/bin/chasles_data_tests --gtest_brief=1
 
 install:
 	@tools/install_dependencies.sh

@@ -14,8 +14,8 @@ list_only=false
 for group in "$@"; do
     case $group in
         --list) list_only=true ;;
-        # GMP is the exact arithmetic that the tests compare with; zlib reads packed test data.
-        check) packages="$packages libgtest-dev libgmp-dev zlib1g-dev python3 clang-format-$clang_version" ;;
+        # GMP, through Boost.Multiprecision, is the exact arithmetic that the tests compare with; zlib reads packed test data.
+        check) packages="$packages libgtest-dev libgmp-dev libboost-dev zlib1g-dev python3 clang-format-$clang_version" ;;
         # Highway is what the lanes are compared with.
         bench) packages="$packages libbenchmark-dev libhwy-dev" ;;
         tidy) packages="$packages clang-tidy-$clang_version" ;;
