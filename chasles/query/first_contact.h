@@ -21,7 +21,7 @@ enum class Verdict : std::uint8_t {
 /// Where a query may stop.
 enum class Find : std::uint8_t {
     first,                   ///< the first contact and one feature pair at it
-    any,                     ///< yes or no: stops at any contact that it meets
+    any,                     ///< yes or no: stops at the first contact that it meets, which need not be the earliest
     first_with_all_contacts, ///< the first contact and every feature pair in contact within the bracket
 };
 
@@ -75,7 +75,7 @@ struct Work {
 /// The answer to a query.
 struct [[nodiscard]] FirstContact {
     Verdict verdict = Verdict::clear;
-    Bracket time;        ///< of the first contact, in [0, 1]; {0, 0} if clear
+    Bracket time;        ///< of the first contact (with Find::any, of some contact), in [0, 1]; {0, 0} if clear
     Bracket tau;         ///< the same in the paper's parameter; see docs/derivations/02
     bool certain = true; ///< false where contact could not be told from a miss by less than the error bound
     std::vector<Contact> contacts;
