@@ -99,7 +99,7 @@ std::string named(const Verdict verdict) {
 }
 
 std::string named(const FirstContact& found) {
-    return named(found.verdict) + (found.certain ? "" : ", not told from a miss by less than rounding");
+    return named(found.verdict) + (found.certain ? "" : ", within the error bound of a miss");
 }
 
 std::string named(const Contact& contact) {
