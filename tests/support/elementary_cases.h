@@ -1,0 +1,166 @@
+// Elementary detections on cases given in exact rationals, asked in double, double-double and rationals alike.
+#pragma once
+
+#include "chasles/elementary/edge_edge.h"
+#include "tests/support/rational_motions.h"
+
+#include <vector>
+
+namespace chasles::test {
+
+using Point = Vector3<Rational>;
+using Points = std::vector<Point>;
+using Answer = std::optional<algebra::FeasibleInterval>;
+
+inline Point point(const Rational& x, const Rational& y, const Rational& z) {
+    return {x, y, z};
+}
+
+/// The control maps as the library makes them: in double-double, and rounded from there to double.
+template <class S>
+motion::ControlMaps<S> maps_in(const RationalMotion<Rational>& motion) {
+    return motion::control_maps(rounded_to<S>(motion));
+}
+template <>
+inline motion::ControlMaps<double> maps_in<double>(const RationalMotion<Rational>& motion) {
+    return motion::rounded(maps_in<DoubleDouble>(motion));
+}
+
+template <class S>
+constexpr algebra::Tolerance tolerance_in = {1e-12, 1e-12};
+template <>
+inline constexpr algebra::Tolerance tolerance_in<DoubleDouble> = {1e-12, 0x1p-90};
+
+inline double reach(const Points& points) {
+    double largest = 0;
+    for (const Point& p : points)
+        for (int i = 0; i < 3; ++i)
+            largest = std::max(largest, std::abs(static_cast<double>(p[i])) * (1 + 0x1p-40));
+    return largest;
+}
+
+/// A motion and the accuracy that the library would ask for with such bodies.
+template <class S>
+struct Stage {
+    motion::ControlMaps<S> maps;
+    elementary::Accuracy accuracy;
+    elementary::Workspace<S> workspace{};
+
+    Stage(const RationalMotion<Rational>& motion, const Points& moving, const Points& fixed)
+        : maps(maps_in<S>(motion)),
+          accuracy{elementary::error_scale(maps_in<double>(motion), reach(moving), reach(fixed)), tolerance_in<S>} {}
+};
+
+template <class S>
+std::vector<Vector3<S>> corners_in(const Points& corners) {
+    std::vector<Vector3<S>> result;
+    for (const Point& corner : corners)
+        result.push_back(rounded_to<S>(corner));
+    return result;
+}
+
+/// A face of a body: its outline, and its triangles unless it is convex.
+struct Face {
+    Points corners;
+    std::vector<std::uint32_t> triangles{};
+};
+
+/// A moving vertex, given where it starts, and a fixed face.
+struct VertexFaceCase {
+    PlainScrew screw;
+    Point vertex;
+    Face face;
+
+    template <class S>
+    [[nodiscard]] Answer ask() const {
+        Stage<S> stage(screw.motion(), {vertex}, face.corners);
+        const auto corners = corners_in<S>(face.corners);
+        const auto shape = elementary::face_shape<S>(corners, face.triangles);
+        const auto path = stage.maps.turn * rounded_to<S>(vertex) + stage.maps.shift;
+        return elementary::vertex_face<S>({path, stage.maps.weight}, shape, stage.accuracy, stage.workspace);
+    }
+};
+
+/// A moving face, given where it starts, and a fixed vertex.
+struct FaceVertexCase {
+    PlainScrew screw;
+    Face face;
+    Point vertex;
+
+    template <class S>
+    [[nodiscard]] Answer ask() const {
+        Stage<S> stage(screw.motion(), face.corners, {vertex});
+        const auto corners = corners_in<S>(face.corners);
+        const auto shape = elementary::face_shape<S>(corners, face.triangles);
+        const auto path = stage.maps.turn.transposed() * rounded_to<S>(vertex) - stage.maps.inverse_shift;
+        return elementary::vertex_face<S>({path, stage.maps.weight}, shape, stage.accuracy, stage.workspace);
+    }
+};
+
+struct Line {
+    Point from;
+    Point to;
+};
+
+/// A moving edge, given where it starts, and a fixed edge.
+struct EdgeEdgeCase {
+    PlainScrew screw;
+    Line moving;
+    Line fixed;
+
+    template <class S>
+    [[nodiscard]] Answer ask() const {
+        Stage<S> stage(screw.motion(), {moving.from, moving.to}, {fixed.from, fixed.to});
+        const auto path = elementary::edge_path(stage.maps, rounded_to<S>(moving.from), rounded_to<S>(moving.to));
+        const Vector3<S> from = rounded_to<S>(fixed.from);
+        return elementary::edge_edge<S>(stage.maps, path, {from, rounded_to<S>(fixed.to) - from}, stage.accuracy,
+                                        stage.workspace);
+    }
+};
+
+template <class S, class Case>
+void expect_contact_in(const Case& posed, const Rational& tau, double slack) {
+    const Answer found = posed.template ask<S>();
+    ASSERT_TRUE(found) << "missed";
+    EXPECT_LE(Rational(found->lower), tau + Rational(slack)) << "late";
+    EXPECT_GE(Rational(found->upper), tau - Rational(slack)) << "an earlier contact than there is";
+    EXPECT_LE(found->upper - found->lower, 1.001e-12 + slack);
+}
+
+/// First contact at tau, in all three scalars. Grazing contacts move by the square root of the rounding.
+template <class Case>
+void expect_contact(const Case& posed, const Rational& tau) {
+    expect_contact_in<Rational>(posed, tau, 0);
+    expect_contact_in<double>(posed, tau, 1e-12);
+    expect_contact_in<DoubleDouble>(posed, tau, 1e-26);
+}
+template <class Case>
+void expect_grazing(const Case& posed, const Rational& tau) {
+    expect_contact_in<Rational>(posed, tau, 0);
+    expect_contact_in<double>(posed, tau, 3e-6);
+    expect_contact_in<DoubleDouble>(posed, tau, 1e-12);
+}
+
+template <class Case>
+void expect_clear(const Case& posed) {
+    EXPECT_FALSE(posed.template ask<Rational>());
+    EXPECT_FALSE(posed.template ask<double>());
+    EXPECT_FALSE(posed.template ask<DoubleDouble>());
+}
+
+/// What the cases of the paper move by. Turns are given by their half-angle tangents about the third axis, to which
+/// every case can be rotated.
+inline PlainScrew no_motion() {
+    return {};
+}
+inline PlainScrew translation(const Point& shift) {
+    return {{}, {}, shift};
+}
+inline PlainScrew rotation(const Rational& tangent) {
+    return {{}, {0, 0, tangent}, {}};
+}
+inline PlainScrew screw(const Rational& tangent, const Rational& slide) {
+    return {{}, {0, 0, tangent}, {0, 0, slide}};
+}
+
+} // namespace chasles::test
