@@ -1,0 +1,132 @@
+// A pose takes every rigid displacement and refuses everything else, saying why.
+#include "chasles/motion/pose.h"
+
+#include "chasles/invalid_input.h"
+
+#include <cmath>
+#include <functional>
+#include <gtest/gtest.h>
+#include <limits>
+
+namespace chasles {
+namespace {
+
+constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+std::string refusal(const std::function<void()>& make) {
+    try {
+        make();
+    } catch (const InvalidInput& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+void expect_refused(const std::function<void()>& make, const std::string& reason) {
+    const std::string message = refusal(make);
+    EXPECT_NE(message.find(reason), std::string::npos) << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << "more than one line";
+}
+
+Eigen::Matrix4d quarter_turn() {
+    Eigen::Matrix4d matrix;
+    matrix << 0, -1, 0, 3, 1, 0, 0, 4, 0, 0, 1, 5, 0, 0, 0, 1;
+    return matrix;
+}
+
+TEST(Pose, DefaultMovesNothing) {
+    EXPECT_TRUE(Pose().isometry().isApprox(Eigen::Isometry3d::Identity(), 0));
+}
+
+TEST(Pose, QuaternionOfAnyLengthIsTheSameRotation) {
+    const Eigen::Quaterniond q(0.5, -0.1, 0.7, 0.2);
+    const Eigen::Isometry3d expected = Pose({1, 2, 3}, q).isometry();
+    for (const double factor : {1e-300, 1e-150, 0.125, 3.0, 1e150, 1e300}) {
+        const Pose scaled({1, 2, 3}, Eigen::Quaterniond(q.coeffs() * factor));
+        EXPECT_TRUE(scaled.isometry().isApprox(expected, 1e-15)) << "factor " << factor;
+    }
+}
+
+TEST(Pose, QuaternionIsKeptExactlyUpToAPowerOfTwo) {
+    const Eigen::Quaterniond q(0.5e200, -0.1e200, 0.7e200, 0.2e200);
+    const Eigen::Quaterniond kept = Pose({0, 0, 0}, q).rotation;
+    const double factor = kept.w() / q.w();
+    EXPECT_EQ(std::exp2(std::ilogb(factor)), factor);
+    EXPECT_EQ(kept.coeffs(), Eigen::Vector4d(q.coeffs() * factor));
+}
+
+TEST(Pose, NonFiniteNumbersAreRefused) {
+    const Eigen::Quaterniond none(1, 0, 0, 0);
+    for (const double bad : {nan, infinity, -infinity}) {
+        expect_refused([&] { Pose({0, bad, 0}, none); }, "pose: translation: a number is NaN or infinite");
+        expect_refused(
+            [&] {
+                Pose({0, 0, 0}, Eigen::Quaterniond(1, 0, bad, 0));
+            },
+            "pose: quaternion: a number is NaN or infinite");
+        Eigen::Matrix4d matrix = quarter_turn();
+        matrix(1, 2) = bad;
+        expect_refused([&] { Pose::from_matrix(matrix); }, "pose: matrix: a number is NaN or infinite");
+    }
+}
+
+TEST(Pose, ZeroQuaternionIsRefused) {
+    expect_refused([] { Pose({0, 0, 0}, Eigen::Quaterniond(0, 0, 0, 0)); }, "zero");
+    EXPECT_EQ(refusal([] { Pose({0, 0, 0}, Eigen::Quaterniond(0, 0, 0, 5e-324)); }), "accepted");
+}
+
+TEST(Pose, TranslationBeyondAllScenesIsRefused) {
+    const Eigen::Quaterniond none(1, 0, 0, 0);
+    expect_refused([&] { Pose({0, 0, -2e90}, none); }, "larger than 1e90");
+    EXPECT_EQ(refusal([&] { Pose({1e90, 0, 0}, none); }), "accepted");
+}
+
+TEST(Pose, MatrixGivesRotationAndTranslation) {
+    const Pose pose = Pose::from_matrix(quarter_turn());
+    EXPECT_EQ(pose.translation, Eigen::Vector3d(3, 4, 5));
+    EXPECT_TRUE((pose.isometry() * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(3, 5, 5), 1e-15));
+}
+
+TEST(Pose, MatrixOfSixDigitsIsProjectedToARotation) {
+    const Eigen::Matrix3d truth = Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 3).normalized()).toRotationMatrix();
+    Eigen::Matrix4d printed = Eigen::Matrix4d::Identity();
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            printed(i, j) = std::round(truth(i, j) * 1e6) / 1e6;
+    const Eigen::Matrix3d kept = Pose::from_matrix(printed).isometry().linear();
+    EXPECT_LT((kept.transpose() * kept - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff(), 1e-15);
+    EXPECT_LT((kept - truth).cwiseAbs().maxCoeff(), 1e-6);
+    // The nearest rotation is where R^T times the matrix is symmetric.
+    const Eigen::Matrix3d product = kept.transpose() * printed.topLeftCorner<3, 3>();
+    EXPECT_LT((product - product.transpose()).cwiseAbs().maxCoeff(), 1e-15);
+}
+
+TEST(Pose, MatrixThatScalesIsRefused) {
+    Eigen::Matrix4d matrix = quarter_turn();
+    matrix.topLeftCorner<3, 3>() *= 1.0001;
+    expect_refused([&] { Pose::from_matrix(matrix); }, "not a rotation");
+}
+
+TEST(Pose, MatrixThatMirrorsIsRefused) {
+    Eigen::Matrix4d matrix = quarter_turn();
+    matrix(2, 2) = -1;
+    expect_refused([&] { Pose::from_matrix(matrix); }, "reflection");
+}
+
+TEST(Pose, MatrixWithAnotherLastRowIsRefused) {
+    Eigen::Matrix4d matrix = quarter_turn();
+    matrix(3, 0) = 1e-9;
+    expect_refused([&] { Pose::from_matrix(matrix); }, "last row");
+}
+
+TEST(Pose, IsometryIsTakenAsItStands) {
+    Eigen::Isometry3d isometry = Eigen::Isometry3d::Identity();
+    isometry.rotate(Eigen::AngleAxisd(1.1, Eigen::Vector3d::UnitY()));
+    isometry.translation() = Eigen::Vector3d(-1, 0, 2);
+    const Pose pose = isometry;
+    EXPECT_TRUE(pose.isometry().isApprox(isometry, 1e-15));
+}
+
+} // namespace
+} // namespace chasles
