@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress_bar.h"
+#include "cli/report.h"
 
 #include <array>
 #include <filesystem>
@@ -89,12 +90,14 @@ public:
     Tally run() {
         Tally tally;
         ProgressBar bar("motions", rows_.size());
-        out_.write(batch_header());
+        std::string table = batch_header();
         for (std::size_t done = 0; done < rows_.size(); done += chunk_size) {
             const Rows chunk = rows_.subspan(done, std::min(chunk_size, rows_.size() - done));
             const auto answers = answer(readable_motions(chunk), [&](std::size_t n) { bar.show(done + n); });
-            out_.write(table_of(chunk, answers, tally));
+            out_.write(table + table_of(chunk, answers, tally));
+            table.clear();
         }
+        out_.write(table); // the header alone, if there was no row
         out_.close();
         return tally;
     }
@@ -128,9 +131,9 @@ int run_batch(const BatchOptions& options) {
     const std::vector<io::MotionRow> rows = io::load_motions(options.motions);
     const Tally tally = BatchRun(options, rows).run();
     if (std::filesystem::is_regular_file(options.out)) // not where rows went to standard output themselves
-        print(fmt::format("{} motions: {} clear, {} in contact, {} in contact at the start, {} errors\n", rows.size(),
+        print(fmt::format("{} motions: {} clear, {} in contact, {} in contact at the start, {}\n", rows.size(),
                           tally.of(Verdict::clear), tally.of(Verdict::contact), tally.of(Verdict::contact_at_start),
-                          tally.errors));
+                          counted(tally.errors, "error")));
     if (tally.errors > 0)
         throw InvalidInput(fmt::format("{}: {} of {} rows cannot be read; the first: {}", options.motions, tally.errors,
                                        rows.size(), tally.first_error));

@@ -117,7 +117,8 @@ void add_check(CLI::App& app, Task& task) {
     command.add_option("--centre", options->centre, "point of the moving body that a sweep carries along a line")
         ->type_name("\"X Y Z\"");
     add_query_options(command, options->query);
-    command.add_option("--hold", options->hold, "distance for bodies that start within the margin (this version: 0)");
+    command.add_option("--hold", options->hold, "distance for bodies that start within the margin (this version: 0)")
+        ->type_name("H");
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_check(*options); }; });
 }

@@ -1,5 +1,6 @@
 // chasles info: what a mesh file holds, and how its surface hangs together.
 #include "cli/commands.h"
+#include "cli/contact_table.h"
 #include "cli/json_answer.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -56,10 +57,6 @@ Json body_json(const Polyhedron& body) {
             {"bytes", body.memory()}};
 }
 
-std::string text_of(const Eigen::Vector3d& vector) {
-    return fmt::format("({:.9g}, {:.9g}, {:.9g})", vector.x(), vector.y(), vector.z());
-}
-
 std::string body_report(const std::string& name, const Polyhedron& body) {
     const MeshReport mesh = body.report();
     const Eigen::AlignedBox3d bounds = bounds_of(body);
@@ -72,8 +69,8 @@ std::string body_report(const std::string& name, const Polyhedron& body) {
     text += labelled("vertices", fmt::format("{}, {} distinct", mesh.vertices, mesh.distinct_vertices));
     text += labelled("edges", fmt::format("{}, {} with one face, {} with more than two", mesh.edges,
                                           mesh.boundary_edges, mesh.nonmanifold_edges));
-    text += labelled("box", text_of(bounds.min()) + " to " + text_of(bounds.max()));
-    text += labelled("size", text_of(bounds.sizes()));
+    text += labelled("box", vector_text(bounds.min()) + " to " + vector_text(bounds.max()));
+    text += labelled("size", vector_text(bounds.sizes()));
     return text + labelled("hierarchy", fmt::format("{} boxes, {} deep; {} bytes with the topology", nodes.size(),
                                                     depth_of(nodes), body.memory()));
 }
@@ -89,7 +86,7 @@ int run_info(const InfoOptions& options) {
 void add_info(CLI::App& app, Task& task) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App& command = *app.add_subcommand("info", "What a mesh file holds, and how its surface hangs together.");
-    command.add_option("mesh", options->mesh, "mesh file")->required()->type_name("MESH");
+    command.add_option("MESH", options->mesh, "mesh file")->required()->type_name("FILE");
     add_mesh_options(command, options->polyhedron);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_info(*options); }; });

@@ -36,7 +36,7 @@ Json json_of(const Pose& pose) {
 Json json_of(const Contact& contact) {
     return {{"kind", name_of(contact.kind)},           {"moving_feature", moving_feature(contact)},
             {"fixed_feature", fixed_feature(contact)}, {"point", vector_json(contact.point)},
-            {"normal", vector_json(contact.normal)},       {"approach_speed", contact.approach_speed}};
+            {"normal", vector_json(contact.normal)},   {"approach_speed", contact.approach_speed}};
 }
 
 Json json_of(const Overlap& overlap) {

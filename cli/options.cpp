@@ -20,12 +20,15 @@ auto naming_option(const std::string& option, const Read& read) {
 } // namespace
 
 void add_query_options(CLI::App& command, QueryOptions& options) {
-    command.add_option("--margin", options.margin, "distance that counts as contact (this version: 0 only)");
+    command.add_option("--margin", options.margin, "distance that counts as contact (this version: 0 only)")
+        ->type_name("D");
     command
         .add_option("--max-turn-deg", options.max_turn_degrees,
                     "a screw that turns further is cut into equal turns; 180 for one screw in one piece")
+        ->type_name("DEGREES")
         ->capture_default_str();
     command.add_option("--time-tolerance", options.time_tolerance, "aimed width of the bracket around the time")
+        ->type_name("T")
         ->capture_default_str();
     command.add_flag("--any", options.any, "stop at any contact, not the first one");
 }
@@ -37,8 +40,8 @@ void add_mesh_options(CLI::App& command, PolyhedronOptions& options) {
 }
 
 void add_body_options(CLI::App& command, BodyOptions& options) {
-    command.add_option("moving", options.moving, "mesh of the moving body")->required()->type_name("MOVING");
-    command.add_option("fixed", options.fixed, "mesh of the fixed body")->required()->type_name("FIXED");
+    command.add_option("MOVING", options.moving, "mesh of the moving body")->required()->type_name("FILE");
+    command.add_option("FIXED", options.fixed, "mesh of the fixed body")->required()->type_name("FILE");
     add_mesh_options(command, options.polyhedron);
 }
 

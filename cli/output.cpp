@@ -6,6 +6,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <filesystem>
 
 namespace chasles::cli {
 namespace {
@@ -28,12 +29,24 @@ void print(const std::string& text) {
         throw InvalidInput("standard output" + why_not(error));
 }
 
-OutputFile::OutputFile(const std::string& name) : name_(name), file_(std::fopen(name.c_str(), "w")) {
+OutputFile::OutputFile(const std::string& name) : name_(name), file_(std::fopen(name.c_str(), "a")) {
     if (!file_)
         fail(errno);
 }
 
+// Appending goes on at the new end. What is no regular file, a pipe or a device, cannot be emptied and need not be.
+void OutputFile::empty() {
+    std::error_code error;
+    if (std::filesystem::is_regular_file(name_))
+        std::filesystem::resize_file(name_, 0, error);
+    if (error)
+        fail(error.value());
+    is_emptied_ = true;
+}
+
 void OutputFile::write(const std::string& text) {
+    if (!is_emptied_)
+        empty();
     if (const int error = write_all(file_.get(), text); error != 0)
         fail(error);
 }

@@ -10,7 +10,9 @@ namespace chasles::cli {
 /// Writes to standard output. Throws InvalidInput if it cannot be written.
 void print(const std::string& text);
 
-/// A file for output, emptied when it is opened. Throws InvalidInput "FILE: WHY" if it cannot be opened or written.
+/// A file for output. Opening it shows whether it can be written; what it held before is lost only with the first
+/// writing, so that a mistake found in between costs nothing. Throws InvalidInput "FILE: WHY" if it cannot be opened or
+/// written.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& name);
@@ -25,10 +27,12 @@ private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
+    void empty();
     [[noreturn]] void fail(int error) const;
 
     std::string name_;
     std::unique_ptr<std::FILE, Close> file_;
+    bool is_emptied_ = false;
 };
 
 } // namespace chasles::cli

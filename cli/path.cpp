@@ -32,11 +32,11 @@ Json path_json(const PathContact& found, const MotionNumbers& motion) {
 
 std::string path_report(const PathContact& found, const MotionNumbers& motion, std::size_t poses) {
     if (found.contact.verdict == Verdict::clear)
-        return headline(Verdict::clear) + labelled("path", fmt::format("{} segments", poses - 1)) +
-               report(found.contact.work);
-    return report(found.contact, motion) +
+        return headline(found.contact) + labelled("path", counted(poses - 1, "segment")) + report(found.contact.work);
+    return headline(found.contact) +
            labelled("segment", fmt::format("{} of {} (from 0); the time counts from pose {} to pose {}", found.segment,
-                                           poses - 1, found.segment, found.segment + 1));
+                                           poses - 1, found.segment, found.segment + 1)) +
+           details(found.contact, motion);
 }
 
 PathContact answer_path(const PathOptions& options, const std::vector<Pose>& poses) {

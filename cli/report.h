@@ -10,13 +10,17 @@ namespace chasles::cli {
 /// The answer of `check` as a short text of several lines.
 std::string report(const FirstContact& found, const MotionNumbers& motion);
 
-/// The verdict as a headline.
-std::string headline(Verdict verdict);
+/// Its two parts: the verdict in one line, and all the rest.
+std::string headline(const FirstContact& found);
+std::string details(const FirstContact& found, const MotionNumbers& motion);
 
 /// One line "  label     text", aligned with the others.
 std::string labelled(const std::string& label, const std::string& text);
 
 /// The line of work counters.
 std::string report(const Work& work);
+
+/// "1 segment", "2 segments".
+std::string counted(std::size_t count, const std::string& noun);
 
 } // namespace chasles::cli

@@ -28,11 +28,22 @@ std::from_chars_result scan(std::string_view word, Number& number) {
     return std::from_chars(word.data(), word.data() + word.size(), number);
 }
 
-// from_chars does not say which end of the range was left: long double tells tiny from huge.
+// The decimal exponent; one too large for any number counts as the largest.
+std::int64_t exponent_of(std::string_view digits) {
+    if (digits.empty())
+        return 0;
+    constexpr std::int64_t beyond_all = std::int64_t{1} << 62;
+    return parse_integer(digits).value_or(digits.front() == '-' ? -beyond_all : beyond_all);
+}
+
+// from_chars does not say which end of the range was left: the place of the first digit does, zero or infinity.
 double beyond_range(std::string_view word) {
-    long double wide = HUGE_VALL;
-    scan(word, wide);
-    return static_cast<double>(wide);
+    const std::size_t mantissa_end = std::min(word.find_first_of("eE"), word.size());
+    const auto point = static_cast<std::int64_t>(std::min(word.find('.'), mantissa_end));
+    const auto digit = static_cast<std::int64_t>(word.find_first_of("123456789"));
+    const std::string_view exponent = word.substr(std::min(mantissa_end + 1, word.size()));
+    const double size = point - digit + exponent_of(exponent) > 0 ? HUGE_VAL : 0.0;
+    return word.front() == '-' ? -size : size;
 }
 
 } // namespace

@@ -1,0 +1,106 @@
+// chasles batch: one row a motion in the order of the input, whatever is wrong with some of them.
+#include "tests/cli/cli_test_files.h"
+
+#include "chasles/io/csv_table.h"
+
+namespace chasles {
+namespace {
+
+const std::string columns = "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1\n";
+const std::string hits = ".25,.5,3,1,0,0,0,.25,.5,-1,1,0,0,0\n";
+const std::string misses = "3,0,0,1,0,0,0,9,0,0,1,0,0,0\n";
+const std::string overlaps = ".5,.25,.25,1,0,0,0,9,0,0,1,0,0,0\n";
+
+class Batch : public tests::CommandLine {
+protected:
+    [[nodiscard]] tests::Finished batch(const std::string& motions, const std::string& options = "") const {
+        write("motions.csv", motions);
+        return run("batch cube.obj cube.obj --motions motions.csv --out out.csv " + options);
+    }
+    [[nodiscard]] std::string output() const {
+        std::ifstream file(path("out.csv"), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    [[nodiscard]] std::vector<std::vector<std::string>> rows() const {
+        const std::string text = output();
+        io::CsvTable table(text);
+        std::vector<std::vector<std::string>> rows;
+        while (const auto row = table.next())
+            rows.push_back(row->cells);
+        return rows;
+    }
+};
+
+TEST_F(Batch, WritesOneRowAMotion) {
+    const auto finished = batch("id," + columns + "\"a,b\"," + hits + "far," + misses + "in," + overlaps);
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_EQ(finished.err, "");
+    EXPECT_TRUE(output().starts_with(
+        "id,verdict,time,time_upper,tau,tau_upper,certain,kind,moving_feature,fixed_feature,px,py,pz,nx,ny,nz\n"));
+    const auto table = rows();
+    ASSERT_EQ(table.size(), 4U);
+    for (const auto& row : table)
+        EXPECT_EQ(row.size(), 16U);
+    EXPECT_EQ(table[1][0], "a,b");
+    EXPECT_EQ(table[1][1], "contact");
+    EXPECT_LE(std::stod(table[1][2]), 0.5);
+    EXPECT_GE(std::stod(table[1][3]), 0.5);
+    EXPECT_EQ(table[1][6], "true");
+    EXPECT_EQ(output().find("far,clear,,,,,,,,,,,,,,\n") != std::string::npos, true) << output();
+    EXPECT_EQ(table[3][1], "contact_at_start");
+}
+
+TEST_F(Batch, AnswersClearWhenAllAre) {
+    EXPECT_EQ(batch(columns + misses + misses).status, 0);
+    EXPECT_EQ(rows()[2][0], "1") << "the number of the row, from 0";
+}
+
+TEST_F(Batch, AnswersTheOthersWhereRowsAreBad) {
+    const auto finished = batch(columns + misses + "1,2\n" + hits + "x" + misses);
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_EQ(finished.err,
+              "chasles: motions.csv: 2 of 4 rows cannot be read; the first: line 3: 2 columns found, 14 wanted\n");
+    const auto table = rows();
+    ASSERT_EQ(table.size(), 5U);
+    EXPECT_EQ(table[1][1], "clear");
+    EXPECT_EQ(table[2][1], "error");
+    EXPECT_EQ(table[2][7], "line 3: 2 columns found, 14 wanted");
+    EXPECT_EQ(table[3][1], "contact");
+    EXPECT_EQ(table[4][1], "error");
+    for (const auto& row : table)
+        EXPECT_EQ(row.size(), 16U);
+}
+
+TEST_F(Batch, DoesNotDependOnThreads) {
+    std::string motions = columns;
+    for (int i = 0; i < 1500; ++i)
+        motions += std::to_string(i % 7) + ".125,.5,3,1,0,0,0,.25,.5,-1,1,0,0,0\n";
+    EXPECT_EQ(batch(motions, "--threads 1").status, 1);
+    const std::string alone = output();
+    EXPECT_EQ(batch(motions, "--threads 4").status, 1);
+    EXPECT_EQ(output(), alone);
+    EXPECT_EQ(rows().size(), 1501U) << "more than one chunk";
+}
+
+TEST_F(Batch, FindsOutBeforeTheWorkThatItCannotWrite) {
+    write("motions.csv", columns + misses);
+    const std::string batch = "batch cube.obj cube.obj --motions motions.csv --out ";
+    EXPECT_EQ(complaint(batch + "no/out.csv"), "chasles: no/out.csv: cannot be written: No such file or directory");
+    EXPECT_TRUE(complaint(batch + ".").starts_with("chasles: .: cannot be written: "));
+    EXPECT_EQ(complaint(batch + "motions.csv"), "chasles: --out: motions.csv: is an input of this very command");
+    EXPECT_EQ(complaint(batch + "./cube.obj"), "chasles: --out: ./cube.obj: is an input of this very command");
+    if (std::filesystem::exists("/dev/full")) {
+        EXPECT_EQ(complaint(batch + "/dev/full"), "chasles: /dev/full: cannot be written: No space left on device");
+    }
+}
+
+TEST_F(Batch, LeavesAnEarlierOutputAloneWhenItsInputIsWrong) {
+    write("out.csv", "precious");
+    EXPECT_EQ(batch("x,y\n").status, 2);
+    EXPECT_EQ(output(), "precious");
+    EXPECT_EQ(batch(columns + misses, "--margin x").status, 2);
+    EXPECT_EQ(output(), "precious");
+}
+
+} // namespace
+} // namespace chasles

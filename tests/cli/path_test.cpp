@@ -1,0 +1,47 @@
+// chasles path: the first contact of a chain of screws, with the segment where it is.
+#include "tests/cli/cli_test_files.h"
+
+#include <nlohmann/json.hpp>
+
+namespace chasles {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string header = "x,y,z,qw,qx,qy,qz\n";
+const std::string around = header + "3,.25,.25,1,0,0,0\n3,3,.25,1,0,0,0\n.25,3,.25,1,0,0,0\n";
+
+using Path = tests::CommandLine;
+
+TEST_F(Path, AnswersClear) {
+    write("path.csv", around);
+    const auto finished = run("path cube.obj cube.obj --poses path.csv --json");
+    EXPECT_EQ(finished.status, 0);
+    EXPECT_EQ(Json::parse(finished.out)["verdict"], "clear");
+    EXPECT_FALSE(Json::parse(finished.out).contains("segment"));
+    EXPECT_TRUE(run("path cube.obj cube.obj --poses path.csv").out.starts_with("CLEAR"));
+}
+
+TEST_F(Path, AnswersTheSegmentAndTheTimeWithinIt) {
+    write("path.csv", around + ".25,0,.25,1,0,0,0\n");
+    const auto finished = run("path cube.obj cube.obj --poses path.csv --json");
+    EXPECT_EQ(finished.status, 1);
+    const Json answer = Json::parse(finished.out);
+    EXPECT_EQ(answer["segment"], 2);
+    EXPECT_LE(answer["time"], 2.0 / 3);
+    EXPECT_GE(answer["time_upper"], 2.0 / 3);
+    EXPECT_EQ(answer["motion"]["slide"], 3.0);
+    EXPECT_TRUE(run("path cube.obj cube.obj --poses path.csv --any").out.starts_with("CONTACT"));
+}
+
+TEST_F(Path, RefusesBadFiles) {
+    const std::string path = "path cube.obj cube.obj --poses ";
+    EXPECT_EQ(complaint(path + "no.csv"), "chasles: no.csv: no such file");
+    write("bad.csv", around + "1,2,x,1,0,0,0\n");
+    EXPECT_EQ(complaint(path + "bad.csv"), "chasles: bad.csv: line 5: z: not a finite number: 'x'");
+    write("one.csv", header + "3,0,0,1,0,0,0\n");
+    EXPECT_EQ(complaint(path + "one.csv"), "chasles: path: poses: at least two are needed");
+}
+
+} // namespace
+} // namespace chasles

@@ -1,0 +1,86 @@
+// CSV files of poses and motions: a path is all or nothing, a bad row of motions costs only itself.
+#include "chasles/io/csv_table.h"
+#include "chasles/io/motion_files.h"
+#include "tests/io/message_of.h"
+
+namespace chasles::io {
+namespace {
+
+using tests::message_of;
+
+const std::string path_header = "x,y,z,qw,qx,qy,qz\n";
+const std::string motion_header = "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1\n";
+const std::string motion = "0,0,1,1,0,0,0,0,0,2,1,0,0,0\n";
+
+class MotionFiles : public tests::FileTest {
+protected:
+    [[nodiscard]] std::string path_message(const std::string& content) const {
+        return without_folder(message_of([&] { (void)load_path(write("path.csv", content)); }));
+    }
+    [[nodiscard]] std::vector<MotionRow> motions(const std::string& content) const {
+        return load_motions(write("motions.csv", content));
+    }
+};
+
+TEST(SplitCsv, KnowsQuotesAndBlanks) {
+    using Cells = std::vector<std::string>;
+    EXPECT_EQ(split_csv("a, b ,,d"), (Cells{"a", "b", "", "d"}));
+    EXPECT_EQ(split_csv("\"a,b\",\"say \"\"hi\"\"\",c"), (Cells{"a,b", "say \"hi\"", "c"}));
+    EXPECT_EQ(split_csv(""), (Cells{""}));
+    EXPECT_EQ(split_csv("a,"), (Cells{"a", ""}));
+}
+
+TEST(CsvCell, ReadsBackToTheSameText) {
+    for (const char* const text : {"plain", "with, comma", "with \"quotes\"", " blanks ", ""})
+        EXPECT_EQ(split_csv(csv_cell(text)).front(), text);
+}
+
+TEST_F(MotionFiles, ReadsPaths) {
+    const auto poses =
+        load_path(write("path.csv", "\xEF\xBB\xBF x, y,z,qw,qx,qy,qz\r\n1,2,3,1,0,0,0\r\n\r\n-.5,0,1e-3,0,0,0,2\r\n"));
+    ASSERT_EQ(poses.size(), 2U);
+    EXPECT_EQ(poses[1].translation, Eigen::Vector3d(-0.5, 0, 1e-3));
+}
+
+TEST_F(MotionFiles, RefusesBadPaths) {
+    EXPECT_EQ(path_message("x,y,z,qx,qy,qz,qw\n"), "path.csv: line 1: the header must be x,y,z,qw,qx,qy,qz");
+    EXPECT_EQ(path_message("\n\n"), "path.csv: line 1: the header must be x,y,z,qw,qx,qy,qz");
+    EXPECT_EQ(path_message(path_header + "1,2,3\n"), "path.csv: line 2: 3 columns found, 7 wanted");
+    EXPECT_EQ(path_message(path_header + "1,2,3,1,0,0,0\n1,2,nan,1,0,0,0\n"),
+              "path.csv: line 3: z: not a finite number: 'nan'");
+    EXPECT_EQ(path_message(path_header + "1,2,,1,0,0,0\n"), "path.csv: line 2: z: not a finite number: ''");
+    EXPECT_TRUE(path_message(path_header + "1,2,3,0,0,0,0\n").starts_with("path.csv: line 2: pose: quaternion: "));
+    EXPECT_EQ(without_folder(message_of([&] { (void)load_path(path("no.csv")); })), "no.csv: no such file");
+}
+
+TEST_F(MotionFiles, NumbersRowsFromZeroOrTakesTheirIds) {
+    const auto numbered = motions(motion_header + motion + motion);
+    ASSERT_EQ(numbered.size(), 2U);
+    EXPECT_EQ(numbered[1].id, "1");
+    EXPECT_EQ(numbered[1].goal.translation, Eigen::Vector3d(0, 0, 2));
+    const auto named = motions("id," + motion_header + "\"a,b\"," + motion);
+    ASSERT_EQ(named.size(), 1U);
+    EXPECT_EQ(named[0].id, "a,b");
+    EXPECT_TRUE(named[0].error.empty());
+}
+
+TEST_F(MotionFiles, KeepsGoodRowsBesideBadOnes) {
+    const auto rows =
+        motions(motion_header + motion + "1,2\n" + "0,0,1,1,0,0,0,0,0,2,0,0,0,0\n" + motion + "x" + motion);
+    ASSERT_EQ(rows.size(), 5U);
+    EXPECT_EQ(rows[1].error, "line 3: 2 columns found, 14 wanted");
+    EXPECT_TRUE(rows[2].error.starts_with("line 4: pose: quaternion: "));
+    EXPECT_TRUE(rows[3].error.empty());
+    EXPECT_EQ(rows[4].error, "line 6: x0: not a finite number: 'x0'");
+}
+
+TEST_F(MotionFiles, RefusesOtherHeaders) {
+    const std::string wanted =
+        "motions.csv: line 1: the header must be x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1, "
+        "with an optional first column id";
+    EXPECT_EQ(without_folder(message_of([&] { (void)motions("x,y\n1,2\n"); })), wanted);
+    EXPECT_EQ(without_folder(message_of([&] { (void)motions("name," + motion_header); })), wanted);
+}
+
+} // namespace
+} // namespace chasles::io

@@ -1,0 +1,105 @@
+// STL: ASCII and binary are told apart whatever their first bytes; equal vertices become one; nothing is lost silently.
+#include "chasles/io/mesh_files.h"
+#include "tests/io/message_of.h"
+
+#include <array>
+#include <bit>
+#include <limits>
+
+namespace chasles::io {
+namespace {
+
+using tests::message_of;
+using Face = std::vector<std::uint32_t>;
+
+const std::string facet = "facet normal 0 0 1\n  outer loop\n    vertex 0 0 0\n    vertex 1 0 0\n    vertex 0 1 0\n"
+                          "  endloop\nendfacet\n";
+
+std::string message(const std::string& bytes) {
+    return message_of([&] { (void)read_stl(bytes); });
+}
+
+// Little-endian like the format, on every machine that the tests run on.
+template <typename Number>
+std::string bytes_of(Number number) {
+    const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
+    return {raw.begin(), raw.end()};
+}
+
+std::string binary_triangle(const std::array<float, 9>& corners) {
+    std::string bytes(12, '\0');
+    for (const float coordinate : corners)
+        bytes += bytes_of(coordinate);
+    return bytes + std::string(2, '\0');
+}
+
+std::string binary_stl(const std::string& title, std::uint32_t count, const std::string& triangles) {
+    return (title + std::string(80, ' ')).substr(0, 80) + bytes_of(count) + triangles;
+}
+
+const std::string two_triangles =
+    binary_triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}) + binary_triangle({1, 0, 0, 1, 1, 0, 0, 1, 0});
+
+TEST(ReadStl, ReadsAsciiAndMergesEqualVertices) {
+    const std::string other =
+        "facet normal 0 0 1\nouter loop\nvertex 1 0 0\nvertex 1 1 0\nvertex -0 1.0 0e5\nendloop\nendfacet\n";
+    const PolygonSoup soup = read_stl("solid a facet normal\n" + facet + other + "endsolid a facet normal\n");
+    EXPECT_EQ(soup.vertices.size(), 4U);
+    EXPECT_EQ(soup.faces, (std::vector<Face>{{0, 1, 2}, {1, 3, 2}}));
+    EXPECT_EQ(soup.face_lines, (std::vector<std::size_t>{2, 9}));
+}
+
+TEST(ReadStl, ReadsAsciiInFullPrecision) {
+    const PolygonSoup soup = read_stl("solid\nfacet normal nan nan nan outer loop vertex 0.1 0 0 vertex 1 0 0\n"
+                                      "vertex 0 0.30000000000000004 0 endloop endfacet endsolid\n");
+    EXPECT_EQ(std::bit_cast<std::uint64_t>(soup.vertices[0].x()), 0x3fb999999999999aU);
+    EXPECT_EQ(soup.vertices[2].y(), 0.30000000000000004);
+}
+
+TEST(ReadStl, ReadsSeveralSolidsInCapitals) {
+    const PolygonSoup soup = read_stl("\n SOLID a\r\n" + facet + "EndSolid\nsolid b\n" + facet + "endsolid b\n");
+    EXPECT_EQ(soup.faces, (std::vector<Face>{{0, 1, 2}, {0, 1, 2}}));
+}
+
+TEST(ReadStl, ReadsBinaryWhateverItsTitle) {
+    for (const char* const title : {"", "part", "solid part", "solid"}) {
+        const PolygonSoup soup = read_stl(binary_stl(title, 2, two_triangles));
+        EXPECT_EQ(soup.vertices.size(), 4U) << title;
+        EXPECT_EQ(soup.faces, (std::vector<Face>{{0, 1, 2}, {1, 3, 2}})) << title;
+        EXPECT_TRUE(soup.face_lines.empty());
+    }
+}
+
+TEST(ReadStl, MergesMinusZeroWithZeroButNoNeighbours) {
+    const float next = std::nextafterf(1.0F, 2.0F);
+    const PolygonSoup soup = read_stl(binary_stl(
+        "", 2, binary_triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}) + binary_triangle({-0.0F, 0, 0, next, 0, 0, 0, 1, 0})));
+    EXPECT_EQ(soup.faces, (std::vector<Face>{{0, 1, 2}, {0, 3, 2}}));
+}
+
+TEST(ReadStl, RefusesBinaryWhoseCountDisagrees) {
+    EXPECT_EQ(message(binary_stl("", 3, two_triangles)), "is truncated: 3 triangles are announced, but 2 are there");
+    EXPECT_EQ(message(binary_stl("solid", 4000000000U, two_triangles)),
+              "is truncated: 4000000000 triangles are announced, but 2 are there");
+    EXPECT_EQ(message(binary_stl("", 1, two_triangles)), "1 triangles are announced, but there are 50 bytes more");
+    EXPECT_EQ(message(binary_stl("", 2, two_triangles).substr(0, 60)), "too short for an STL file");
+    const float nan = std::numeric_limits<float>::quiet_NaN();
+    EXPECT_EQ(message(binary_stl("", 1, binary_triangle({0, 0, 0, nan, 0, 0, 0, 1, 0}))),
+              "triangle 0: NaN or infinity");
+}
+
+TEST(ReadStl, RefusesBrokenAscii) {
+    EXPECT_EQ(message("solid\n" + facet), "line 8: the file ends before its 'endsolid'");
+    EXPECT_EQ(message("solid\n" + facet.substr(0, 26)), "line 3: the file ends before its 'loop'");
+    EXPECT_EQ(message("solid\nfacett normal 0 0 1\n"), "line 2: expected 'facet', found 'facett normal 0 0 1'");
+    EXPECT_EQ(message("solid\n" + facet + "endsolid\n" + facet),
+              "line 10: expected 'solid', found 'facet normal 0 0 1'");
+    EXPECT_EQ(message("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 nan 0\n"),
+              "line 4: a vertex needs three finite numbers: 'vertex 0 nan 0'");
+    EXPECT_EQ(
+        message("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"),
+        "line 7: expected 'endloop', found 'vertex 0 1 0'");
+}
+
+} // namespace
+} // namespace chasles::io

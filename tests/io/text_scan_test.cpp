@@ -1,0 +1,105 @@
+// Numbers are correctly rounded, whole words, and independent of the locale; lines and words lose nothing.
+#include "chasles/io/text_scan.h"
+
+#include <bit>
+#include <clocale>
+#include <cmath>
+#include <cstring>
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <limits>
+#include <random>
+
+namespace chasles::io {
+namespace {
+
+TEST(ParseNumber, ReadsBackEveryDoubleToTheSameBits) {
+    std::mt19937_64 random(20240607);
+    for (int i = 0; i < 20000; ++i) {
+        const double number = std::bit_cast<double>(random());
+        if (!std::isfinite(number))
+            continue;
+        const auto shortest = parse_number(fmt::format("{}", number));
+        const auto long_form = parse_number(fmt::format("{:.25e}", number));
+        ASSERT_TRUE(shortest && long_form) << number;
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(*shortest), std::bit_cast<std::uint64_t>(number));
+        ASSERT_EQ(std::bit_cast<std::uint64_t>(*long_form), std::bit_cast<std::uint64_t>(number));
+    }
+}
+
+TEST(ParseNumber, RoundsHalfwayCasesToEven) {
+    EXPECT_EQ(parse_number("9007199254740993"), 9007199254740992.0); // 2^53 + 1
+    EXPECT_EQ(parse_number("9007199254740993.0000000000000000000000000001"), 9007199254740994.0);
+    EXPECT_EQ(parse_number("1.00000000000000011102230246251565404236316680908203125"), 1.0);
+}
+
+TEST(ParseNumber, KnowsBothEndsOfTheRange) {
+    EXPECT_EQ(parse_number("4.9e-324"), std::numeric_limits<double>::denorm_min());
+    EXPECT_EQ(parse_number("1e-400"), 0.0);
+    EXPECT_TRUE(std::signbit(*parse_number("-1e-400")));
+    EXPECT_EQ(parse_number("1e-99999"), 0.0);
+    EXPECT_EQ(parse_number("0." + std::string(400, '0') + "1"), 0.0);
+    EXPECT_EQ(parse_number("-1" + std::string(400, '0')), -HUGE_VAL);
+    EXPECT_EQ(parse_number("1e-99999999999999999999"), 0.0);
+    EXPECT_EQ(parse_number("1e99999999999999999999"), HUGE_VAL);
+    EXPECT_EQ(parse_number("0e99999"), 0.0);
+    EXPECT_TRUE(std::isinf(*parse_number("1e400")));
+    EXPECT_TRUE(std::isinf(*parse_number("-1e99999")));
+    EXPECT_FALSE(parse_finite("1e400"));
+    EXPECT_FALSE(parse_finite("nan"));
+}
+
+TEST(ParseNumber, TakesWholeWordsOnly) {
+    for (const char* const word : {"1", "+1", "-.5", "1.", "1e3", "1E+3", "-0"})
+        EXPECT_TRUE(parse_number(word)) << word;
+    for (const char* const word : {"", "+", "-", "1x", "0x10", "1e", "1,5", "+-1", "++1", "1 ", "e5", "."})
+        EXPECT_FALSE(parse_number(word)) << word;
+}
+
+TEST(ParseNumber, DoesNotFollowTheLocale) {
+    const char* const german = std::setlocale(LC_ALL, "de_DE.UTF-8");
+    EXPECT_EQ(parse_number("1.5"), 1.5);
+    EXPECT_FALSE(parse_number("1,5"));
+    std::setlocale(LC_ALL, "C");
+    if (german == nullptr)
+        GTEST_SKIP() << "the locale de_DE.UTF-8 is not installed";
+}
+
+TEST(ParseInteger, TakesWholeNumbersThatFit) {
+    EXPECT_EQ(parse_integer("-12"), -12);
+    EXPECT_EQ(parse_integer("+12"), 12);
+    EXPECT_EQ(parse_integer("9223372036854775807"), std::numeric_limits<std::int64_t>::max());
+    for (const char* const word : {"", "1.0", "1e3", "9223372036854775808", "12a"})
+        EXPECT_FALSE(parse_integer(word)) << word;
+}
+
+TEST(Lines, TakeBothLineEndsAndCountFromOne) {
+    Lines lines("one\r\n\ntwo");
+    ASSERT_TRUE(lines.next());
+    EXPECT_EQ(lines.line(), "one");
+    ASSERT_TRUE(lines.next());
+    EXPECT_EQ(lines.line(), "");
+    ASSERT_TRUE(lines.next());
+    EXPECT_EQ(lines.line(), "two");
+    EXPECT_EQ(lines.number(), 3U);
+    EXPECT_FALSE(lines.next());
+}
+
+TEST(Words, AreSeparatedByAnyBlanks) {
+    Words words(" a\tb  c ");
+    EXPECT_EQ(words.next(), "a");
+    EXPECT_EQ(words.next(), "b");
+    EXPECT_EQ(words.next(), "c");
+    EXPECT_EQ(words.next(), "");
+}
+
+TEST(InQuotes, IsShortPrintableAndOneLine) {
+    EXPECT_EQ(in_quotes("  v 1 2\t3 \n"), "'v 1 2 3'");
+    EXPECT_EQ(in_quotes(std::string("a\0\xff\x1b", 4)), "'a"
+                                                        "???"
+                                                        "'");
+    EXPECT_EQ(in_quotes(std::string(100, 'x')), "'" + std::string(60, 'x') + "...'");
+}
+
+} // namespace
+} // namespace chasles::io
