@@ -59,6 +59,14 @@ struct Tally {
     }
 };
 
+/// A bracket may be wide only because F is within a few error bounds of zero there.
+template <int Degree, class S>
+void expect_blurred(const OwnedProblem<Degree, S>& problem, const FeasibleInterval& found) {
+    const Rational at_lower = value_at(test::exact(problem.function.polynomial), Rational(found.lower));
+    EXPECT_LE(test::magnitude(at_lower), 4 * test::exact(problem.function.error))
+        << "wide for no reason: " << found.lower << " to " << found.upper;
+}
+
 /// Never late, certain only if true, tight if certain.
 template <int Degree, class S>
 void expect_promises(const OwnedProblem<Degree, S>& problem, Tally& tally) {
@@ -77,7 +85,8 @@ void expect_promises(const OwnedProblem<Degree, S>& problem, Tally& tally) {
         return;
     ++tally.certain;
     EXPECT_GE(Rational(found->upper), truth->lower) << "the first contact is later than the bracket says";
-    EXPECT_LE(found->upper - found->lower, 1.001e-12);
+    if (found->upper - found->lower > 1.001e-12)
+        expect_blurred(problem, *found);
 }
 
 /// Polynomials with rational coefficients are taken as they stand; rounded ones are judged as rounded.

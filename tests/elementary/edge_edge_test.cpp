@@ -34,15 +34,16 @@ TEST(EdgeEdge, Section221NoMotionParallelEdges) {
 }
 
 TEST(EdgeEdge, Section222TranslationFig1) {
+    const Rational off(1e-12); // a tenth of a trillionth of the scene
     const Line falling{point(0, -1, 1), point(0, 1, 1)};
     const auto met = [&](const Line& fixed) { return EdgeEdgeCase{translation({0, 0, -4}), falling, fixed}; };
     expect_contact(met({point(-1, 0, 0), point(1, 0, 0)}), ratio(1, 4));
     expect_contact(met({point(0, 0, 0), point(2, 0, 0)}), ratio(1, 4));
     expect_contact(met({point(-1, 1, 0), point(1, 1, 0)}), ratio(1, 4));
-    expect_clear(met({point(ratio(1, 1000000), 0, 0), point(2, 0, 0)}));
-    expect_clear(met({point(-1, 1 + ratio(1, 1000000), 0), point(1, 1 + ratio(1, 1000000), 0)}));
-    expect_clear(met({point(-1, -1 - ratio(1, 1000000), 0), point(1, -1 - ratio(1, 1000000), 0)}));
-    expect_clear(met({point(-2, 0, 0), point(-ratio(1, 1000000), 0, 0)}));
+    expect_clear(met({point(off, 0, 0), point(2, 0, 0)}));
+    expect_clear(met({point(-1, 1 + off, 0), point(1, 1 + off, 0)}));
+    expect_clear(met({point(-1, -1 - off, 0), point(1, -1 - off, 0)}));
+    expect_clear(met({point(-2, 0, 0), point(-off, 0, 0)}));
     expect_clear(met({point(-1, 0, -4), point(1, 0, -4)}));
 }
 

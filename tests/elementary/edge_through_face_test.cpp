@@ -1,0 +1,126 @@
+// An edge passes a face strictly: ends on opposite sides, the way between them through the face.
+#include "chasles/elementary/edge_through_face.h"
+
+#include "tests/support/elementary_cases.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::elementary {
+namespace {
+
+using namespace test;
+
+template <class S>
+std::optional<Passage<S>> passage(const Line& edge, const Face& face) {
+    const auto corners = corners_in<S>(face.corners);
+    const double length = reach(face.corners) + reach({edge.from, edge.to});
+    return edge_through_face<S>({rounded_to<S>(edge.from), rounded_to<S>(edge.to)},
+                                face_shape<S>(corners, face.triangles), 4 * length);
+}
+
+template <class S>
+void expect_passage_in(const Line& edge, const Face& face, const Point& place) {
+    const auto found = passage<S>(edge, face);
+    ASSERT_TRUE(found);
+    EXPECT_TRUE(found->certain);
+    for (int i = 0; i < 3; ++i)
+        EXPECT_LT(test::magnitude(test::exact(found->point[i]) - place[i]), Rational(1e-14));
+}
+
+void expect_passage(const Line& edge, const Face& face, const Point& place) {
+    expect_passage_in<double>(edge, face, place);
+    expect_passage_in<DoubleDouble>(edge, face, place);
+    expect_passage_in<Rational>(edge, face, place);
+}
+
+void expect_none(const Line& edge, const Face& face) {
+    EXPECT_FALSE(passage<double>(edge, face));
+    EXPECT_FALSE(passage<DoubleDouble>(edge, face));
+    EXPECT_FALSE(passage<Rational>(edge, face));
+}
+
+const Face triangle{{point(0, 0, 0), point(4, 0, 0), point(0, 4, 0)}};
+const Face flipped{{point(0, 4, 0), point(4, 0, 0), point(0, 0, 0)}};
+
+TEST(EdgeThroughFace, PassesInEitherDirectionOnEitherSide) {
+    for (const Face& face : {triangle, flipped}) {
+        expect_passage({point(1, 1, -1), point(1, 1, 3)}, face, point(1, 1, 0));
+        expect_passage({point(1, 1, 3), point(1, 1, -1)}, face, point(1, 1, 0));
+        expect_passage({point(0, 0, 1), point(2, 2, -1)}, face, point(1, 1, 0));
+    }
+}
+
+TEST(EdgeThroughFace, BesideTheFaceIsNone) {
+    for (const Face& face : {triangle, flipped})
+        for (const Point& beside : {point(3, 3, 0), point(-1, 1, 0), point(1, -1, 0)})
+            expect_none({beside - point(0, 0, 1), beside + point(0, 0, 1)}, face);
+}
+
+TEST(EdgeThroughFace, ShortOfThePlaneIsNone) {
+    expect_none({point(1, 1, 1), point(1, 1, 3)}, triangle);
+    expect_none({point(1, 1, -1), point(1, 1, -3)}, triangle);
+}
+
+TEST(EdgeThroughFace, EndOnThePlaneIsLeftToVertexAndFace) {
+    expect_none({point(1, 1, 0), point(1, 1, 3)}, triangle);
+    expect_none({point(1, 1, 0), point(2, 1, 0)}, triangle);
+}
+
+TEST(EdgeThroughFace, ThroughTheRimIsUncertain) {
+    for (const Point& rim : {point(2, 0, 0), point(0, 0, 0), point(2, 2, 0)}) {
+        const auto found = passage<double>({rim - point(0, 0, 1), rim + point(0, 0, 1)}, triangle);
+        ASSERT_TRUE(found);
+        EXPECT_FALSE(found->certain);
+    }
+}
+
+TEST(EdgeThroughFace, NonConvexFaceLeavesItsNotchOpen) {
+    const Face bent_bar{
+        {point(0, 0, 0), point(3, 0, 0), point(3, 1, 0), point(1, 1, 0), point(1, 3, 0), point(0, 3, 0)},
+        {0, 1, 2, 0, 2, 3, 0, 3, 5, 3, 4, 5}};
+    expect_none({point(2, 2, -1), point(2, 2, 1)}, bent_bar);
+    expect_passage({point(2, ratio(1, 4), -1), point(2, ratio(1, 4), 1)}, bent_bar, point(2, ratio(1, 4), 0));
+    expect_passage({point(ratio(1, 4), 2, -1), point(ratio(1, 4), 2, 1)}, bent_bar, point(ratio(1, 4), 2, 0));
+}
+
+/// By signed volumes of tetrahedra, as determinants.
+int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
+    const Point p = a - d;
+    const Point q = b - d;
+    const Point r = c - d;
+    return Rational(p.x * (q.y * r.z - q.z * r.y) - p.y * (q.x * r.z - q.z * r.x) + p.z * (q.x * r.y - q.y * r.x))
+        .sign();
+}
+
+bool passes_strictly(const Line& edge, const Points& t) {
+    if (orientation(t[0], t[1], t[2], edge.from) * orientation(t[0], t[1], t[2], edge.to) >= 0)
+        return false;
+    const int side = orientation(edge.from, edge.to, t[0], t[1]);
+    return side != 0 && side == orientation(edge.from, edge.to, t[1], t[2]) &&
+           side == orientation(edge.from, edge.to, t[2], t[0]);
+}
+
+Point small_place(Random& random) {
+    const int x = random.integer(-3, 3);
+    const int y = random.integer(-3, 3);
+    return point(x, y, random.integer(-3, 3));
+}
+
+TEST(EdgeThroughFace, AgreesWithTheSignsOfTetrahedra) {
+    Random random(731);
+    int passing = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Line edge{small_place(random), small_place(random)};
+        const Face face{{small_place(random), small_place(random), small_place(random)}};
+        const bool expected = passes_strictly(edge, face.corners);
+        passing += expected ? 1 : 0;
+        const auto found = passage<Rational>(edge, face);
+        EXPECT_EQ(found && found->certain, expected);
+        const auto in_doubles = passage<double>(edge, face);
+        EXPECT_EQ(in_doubles && in_doubles->certain, expected) << "small integers leave no doubt";
+    }
+    EXPECT_GT(passing, 60);
+}
+
+} // namespace
+} // namespace chasles::elementary
