@@ -134,7 +134,7 @@ public:
             const Interval smaller = part_of(part, clip);
             const bool halves = smaller.width() > Scalar(0.5) * part.width();
             const bool out_of_steps = steps >= step_limit || waiting == later.size();
-            if (const auto found = final_answer(smaller, halves, out_of_steps))
+            if (const auto found = final_answer(smaller, is_finest(part), halves, out_of_steps))
                 return found;
             part = smaller;
             if (halves) {
@@ -159,21 +159,24 @@ private:
     }
 
     /// The answer, if `part` is narrow enough, or if looking closer cannot tell more.
-    [[nodiscard]] std::optional<FeasibleInterval> final_answer(const Interval& part, bool halves,
+    [[nodiscard]] std::optional<FeasibleInterval> final_answer(const Interval& part, bool was_finest, bool halves,
                                                                bool out_of_steps) const {
-        if (halves && is_undecidable(part))
-            return uncertain({part.lower, std::min<Scalar>(part.upper, part.lower + Scalar(tolerance_.width))});
-        if (out_of_steps)
-            return uncertain(part);
-        if (part.width() > Scalar(0.5 * tolerance_.width))
+        const bool undecidable = halves && is_undecidable(part);
+        if (!undecidable && !out_of_steps && part.width() > Scalar(0.5 * tolerance_.width))
             return std::nullopt;
         const Scalar rim = std::max<Scalar>(part.width(), Scalar(8 * unit_roundoff<Scalar>) * part.upper);
         const Interval wider{std::max<Scalar>(Scalar(0), part.lower - rim), std::min<Scalar>(Scalar(1), part.upper + rim)};
         if (is_certain(wider)) // what lies before `part` was excluded: the root is in it or in the rim above
             return FeasibleInterval{rounded_down(part.lower), rounded_up(wider.upper), true};
-        const bool is_finest = part.width() <= Scalar(tolerance_.resolution) ||
-                               part.width() <= Scalar(4 * unit_roundoff<Scalar>) * part.upper;
-        return is_finest ? std::optional(uncertain(part)) : std::nullopt;
+        if (undecidable) // F is as good as zero from the lower end on
+            return uncertain({part.lower, std::min<Scalar>(part.upper, part.lower + Scalar(tolerance_.width))});
+        return was_finest || out_of_steps ? std::optional(uncertain(part)) : std::nullopt;
+    }
+
+    /// A part that is too narrow to be halved. It is clipped once more before it counts as a contact.
+    [[nodiscard]] bool is_finest(const Interval& part) const {
+        return part.width() <= Scalar(tolerance_.resolution) ||
+               part.width() <= Scalar(4 * unit_roundoff<Scalar>) * part.upper;
     }
 
     static FeasibleInterval uncertain(const Interval& part) {
@@ -231,19 +234,19 @@ private:
         return side_holds(constraint.first) || (constraint.has_alternative && side_holds(constraint.second));
     }
 
-    /// F is within its bound all along, and every constraint either holds or is within its bound: no smaller part can
-    /// be told apart from the whole.
+    /// F is within about its bound all along (twice, as clips are rounded outward), and every constraint either holds
+    /// or is within its bound: no smaller part can be told apart from the whole.
     [[nodiscard]] bool is_undecidable(const Interval& part) const {
         const Polynomial weight = on(problem_.weight, part);
-        const auto is_blurred = [&](const Bounded<Degree, Scalar>& p) {
+        const auto is_blurred = [&](const Bounded<Degree, Scalar>& p, double times = 1) {
             const auto size = magnitude(on(p.polynomial, part).coefficients);
-            const Polynomial error = weight * p.error;
+            const Polynomial error = weight * Scalar(p.error * Scalar(times));
             for (int i = 0; i <= Degree; ++i)
                 if (size[static_cast<std::size_t>(i)] > error[i])
                     return false;
             return true;
         };
-        return is_blurred(problem_.function) &&
+        return is_blurred(problem_.function, 2) &&
                std::all_of(problem_.constraints.begin(), problem_.constraints.end(), [&](const auto& constraint) {
                    return is_blurred(constraint.first) ||
                           (constraint.has_alternative && is_blurred(constraint.second)) ||
