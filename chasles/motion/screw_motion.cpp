@@ -49,26 +49,39 @@ Pose ScrewMotion::pose_at(double time) const {
     return frame_.in_world(motion::screw_pose(frame_.start, frame_.goal, {time, tau_at(time)}), time);
 }
 
-std::vector<ScrewMotion> ScrewMotion::cut(double max_turn) const {
-    if (!(max_turn > 0))
-        throw InvalidInput("motion: max_turn: must be positive");
-    const double turn = std::min(max_turn, largest_turn);
+std::size_t ScrewMotion::piece_count(double max_turn) const {
+    if (!(max_turn >= least_max_turn))
+        throw InvalidInput("motion: max_turn: must be at least 1e-4 radians");
     // A turn that exceeds a multiple of max_turn only by rounding is not worth another piece.
-    const auto pieces = static_cast<int>(std::ceil(angle() / turn * (1 - 1e-9)));
-    if (pieces <= 1)
-        return {*this};
-    std::vector<ScrewMotion> result;
+    const double count = std::ceil(angle() / std::min(max_turn, largest_turn) * (1 - 1e-9));
+    return std::max<std::size_t>(1, static_cast<std::size_t>(count));
+}
+
+ScrewMotion ScrewMotion::piece(std::size_t index, std::size_t count) const {
+    if (count == 1)
+        return *this;
+    const auto time_of = [&](std::size_t i) { return double(i) / double(count); };
+    const auto pose_of = [&](std::size_t i) { // the same bits as the end of one piece and the start of the next
+        return motion::exact(motion::screw_pose(frame_.start, frame_.goal, {time_of(i), time_of(i)}));
+    };
     MotionFrame piece = frame_;
-    for (int i = 1; i <= pieces; ++i) {
-        const double time = double(i) / pieces;
-        piece.goal = i == pieces ? frame_.goal
-                                 : motion::exact(motion::screw_pose(frame_.start, frame_.goal, {time, time}));
-        piece.fixed_goal = i == pieces ? frame_.fixed_goal : frame_.fixed_pose_at(time);
-        result.push_back(from(piece));
-        piece.start = piece.goal;
-        piece.fixed_start = piece.fixed_goal;
+    if (index > 0) {
+        piece.start = pose_of(index);
+        piece.fixed_start = frame_.fixed_pose_at(time_of(index));
     }
-    return result;
+    if (index + 1 < count) {
+        piece.goal = pose_of(index + 1);
+        piece.fixed_goal = frame_.fixed_pose_at(time_of(index + 1));
+    }
+    return from(piece);
+}
+
+std::vector<ScrewMotion> ScrewMotion::cut(double max_turn) const {
+    const std::size_t count = piece_count(max_turn);
+    std::vector<ScrewMotion> pieces;
+    for (std::size_t i = 0; i < count; ++i)
+        pieces.push_back(piece(i, count));
+    return pieces;
 }
 
 } // namespace chasles

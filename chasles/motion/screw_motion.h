@@ -40,8 +40,15 @@ public:
 
     /// The screw in equal turns of at most `max_turn` radians, in order; each piece is one of the paper's motions
     /// between poses rounded to double precision. A screw that turns by pi exactly, or too near for its half-angle
-    /// tangent, is cut in two whatever `max_turn`. Throws InvalidInput unless max_turn is positive.
+    /// tangent, is cut in two whatever `max_turn`. Throws InvalidInput if max_turn is less than least_max_turn.
     [[nodiscard]] std::vector<ScrewMotion> cut(double max_turn) const;
+
+    /// How many pieces cut() gives, and one of them, from 0; for long screws that need not be held whole.
+    [[nodiscard]] std::size_t piece_count(double max_turn) const;
+    [[nodiscard]] ScrewMotion piece(std::size_t index, std::size_t count) const;
+
+    /// The least max_turn, radians: a screw has some ten thousand pieces at most.
+    static constexpr double least_max_turn = 1e-4;
 
 private:
     static ScrewMotion from(MotionFrame frame);

@@ -32,7 +32,7 @@ void validate(const FirstContactQuery& query) {
     require(query.margin == 0, "margin", "must be 0; distances above 0 are not supported by this version");
     require(query.hold == 0, "hold", "must be 0; it belongs to a margin, which this version does not support");
     require(query.time_tolerance >= 1e-15 && query.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
-    require(query.max_turn > 0, "max_turn", "must be a positive angle in radians");
+    require(query.max_turn >= ScrewMotion::least_max_turn, "max_turn", "must be at least 1e-4 radians");
 }
 
 /// dtau/dtime of one piece.
@@ -48,22 +48,24 @@ class Query {
 public:
     explicit Query(const FirstContactQuery& query) : query_(query) {}
 
-    template <class AnyMotion>
-    FirstContact answer(const std::vector<AnyMotion>& pieces) {
+    /// `piece_at` gives the pieces of the motion in order.
+    template <class PieceAt>
+    FirstContact answer(std::size_t count, PieceAt piece_at) const {
         FirstContact found;
-        for (std::size_t i = 0; i < pieces.size(); ++i) {
-            const PieceClock clock{i, pieces.size()};
-            const double tolerance = query_.time_tolerance * double(clock.count) / greatest_time_rate(pieces[i]);
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto piece = piece_at(i);
+            const double tolerance = query_.time_tolerance * double(count) / greatest_time_rate(piece);
             const query::PieceResult result =
-                query::search_piece({query_.moving, query_.fixed, pieces[i].frame().motion, std::min(tolerance, 1.0),
+                query::search_piece({query_.moving, query_.fixed, piece.frame().motion, std::min(tolerance, 1.0),
                                      query_.find, i == 0});
             found.work += result.work;
             if (result.overlap || !result.candidates.empty()) {
-                report(found, pieces[i], clock, result);
+                report(found, piece, {i, count}, result);
                 return found;
             }
+            if (i + 1 == count)
+                found.pose = piece.pose_at(1);
         }
-        found.pose = pieces.back().pose_at(1);
         return found;
     }
 
@@ -154,10 +156,12 @@ Work& Work::operator+=(const Work& other) {
 
 FirstContact first_contact(const FirstContactQuery& query) {
     validate(query);
-    Query run(query);
-    if (const auto* screw = std::get_if<ScrewMotion>(&query.motion))
-        return run.answer(screw->cut(query.max_turn));
-    return run.answer(std::vector<SweepMotion>{std::get<SweepMotion>(query.motion)});
+    const Query run(query);
+    if (const auto* screw = std::get_if<ScrewMotion>(&query.motion)) {
+        const std::size_t count = screw->piece_count(query.max_turn);
+        return run.answer(count, [&](std::size_t i) { return screw->piece(i, count); });
+    }
+    return run.answer(1, [&](std::size_t) { return std::get<SweepMotion>(query.motion); });
 }
 
 } // namespace chasles
