@@ -34,13 +34,14 @@ struct Bernstein {
     friend Bernstein operator*(const Scalar& s, const Bernstein& a) { return a * s; }
 };
 
-/// a + t (b - a), as a convex combination: the error is at most 3 unit roundoffs of max(|a|, |b|) for t in [0, 1].
+/// a + t (b - a), as a convex combination: for t in [0, 1] the error is at most u (3 (1 - t) |a| + 2 t |b|), with u
+/// the unit roundoff. It is relative in each term, so that it stays below a bound that is restricted the same way.
 template <class Scalar>
 Scalar mix(const Scalar& a, const Scalar& b, const Scalar& t) {
     return a * (Scalar(1) - t) + b * t;
 }
 
-/// The value at tau (de Casteljau); error at most 3 Degree unit roundoffs of the largest coefficient.
+/// The value at tau (de Casteljau); error at most 3 Degree unit roundoffs of the value with all coefficients positive.
 template <int Degree, class Scalar>
 Scalar value_at(const Bernstein<Degree, Scalar>& p, const Scalar& tau) {
     std::array<Scalar, Degree + 1> c;
@@ -53,7 +54,7 @@ Scalar value_at(const Bernstein<Degree, Scalar>& p, const Scalar& tau) {
 }
 
 /// The same polynomial on [from, to], again over [0, 1]: its coefficients are the blossom at Degree - k times `from`
-/// and k times `to`. All weights are convex, so errors do not grow: 3 Degree unit roundoffs of the largest coefficient.
+/// and k times `to`. All weights are convex: errors are 3 Degree unit roundoffs of the magnitudes, restricted alike.
 template <int Degree, class Scalar>
 Bernstein<Degree, Scalar> restricted(const Bernstein<Degree, Scalar>& p, const Scalar& from, const Scalar& to) {
     std::array<std::array<Scalar, Degree + 1>, Degree + 1> blossom; // [k][i]: k arguments are `to`, i-th window

@@ -79,7 +79,7 @@ struct Clip {
     double upper = 1;
 };
 
-/// A fraction rounded so that clipping never cuts off too much.
+/// A fraction rounded so that clipping never cuts off too much; also covers roundings of `part_of` below.
 inline constexpr double clip_slack = 0x1p-50;
 
 /// Where the hull of the points (i / Degree, high_i) may be >= 0. Everything outside is proven negative.
@@ -263,7 +263,7 @@ private:
 /// The first tau in [0, 1] where F may vanish and every constraint may hold. Empty: proven that there is none.
 /// Otherwise nothing feasible lies before `lower`, and `upper - lower` is at most `tolerance.width` unless F or the
 /// constraints graze zero by less than their error bounds. The errors must include the rounding of `restricted`
-/// (3 Degree unit roundoffs of the largest coefficient over its weight).
+/// (3 Degree unit roundoffs of the coefficient magnitudes).
 template <int Degree, class Scalar>
 std::optional<FeasibleInterval> first_feasible(const FeasibilityProblem<Degree, Scalar>& problem,
                                                const Tolerance& tolerance) {

@@ -44,34 +44,42 @@ std::optional<bool> passes(const Segment<S>& segment, bool upwards, std::size_t 
 
 } // namespace detail
 
-/// Strict passage: the two ends are proven to lie on opposite sides of the face's plane, and the segment between them
-/// may go through the face. Ends on the plane are left to vertex/face. `length` as in ErrorScale.
+/// Which segments to ask about.
+enum class Ends : std::uint8_t {
+    not_proven_on_one_side, ///< a filter: also segments that may only touch the plane; `certain` says nothing then
+    proven_opposite,        ///< the answer: an end on the plane is left to vertex/face
+};
+
+/// Whether the segment may go through the face. `length` as in ErrorScale.
 template <class S>
-std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face, double length) {
+std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face, double length,
+                                            Ends ends = Ends::proven_opposite) {
     const S unit(error_unit<S> * length);
     const S band = unit * face.size + face.deviation;
+    const S limit = ends == Ends::proven_opposite ? band : S(0) - band;
     const S from = dot(face.normal, segment.from - face.corners[0]);
     const S to = dot(face.normal, segment.to - face.corners[0]);
-    const bool upwards = from < S(0) - band && to > band;
-    const bool downwards = to < S(0) - band && from > band;
-    if (!upwards && !downwards)
-        return std::nullopt;
-    const auto found = [&](bool certain) {
-        const S share = from / (from - to);
+    const bool upwards = from < S(0) - limit && to > limit;
+    const bool downwards = to < S(0) - limit && from > limit;
+    const auto passes = [&](std::size_t count, auto corner_at) {
+        auto found = upwards ? detail::passes(segment, true, count, corner_at, unit) : std::nullopt;
+        return !found && downwards ? detail::passes(segment, false, count, corner_at, unit) : found;
+    };
+    const auto passage = [&](bool certain) {
+        const S height = from - to;
+        const S share = height < S(0) || height > S(0) ? S(from / height) : S(0);
         return Passage<S>{segment.from + scale(segment.to - segment.from, share), certain};
     };
     if (face.triangles.empty()) {
-        const auto passes = detail::passes(
-            segment, upwards, face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; },
-            unit);
-        return passes ? std::optional(found(*passes)) : std::nullopt;
+        const auto found =
+            passes(face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; });
+        return found ? std::optional(passage(*found)) : std::nullopt;
     }
     for (std::size_t t = 0; t < face.triangles.size(); t += 3) {
-        const auto passes = detail::passes(
-            segment, upwards, 3,
-            [&](std::size_t i) -> const Vector3<S>& { return face.corners[face.triangles[t + i]]; }, unit);
-        if (passes)
-            return found(*passes);
+        const auto found =
+            passes(3, [&](std::size_t i) -> const Vector3<S>& { return face.corners[face.triangles[t + i]]; });
+        if (found)
+            return passage(*found);
     }
     return std::nullopt;
 }

@@ -5,6 +5,7 @@
 #include "chasles/mesh/polygon_plane.h"
 #include "chasles/mesh/triangulate_polygon.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <fmt/format.h>
@@ -22,11 +23,17 @@ double allowed_deviation(const PolygonView& view, const PolyhedronOptions& optio
     return (options.triangulate ? rounding_within : planar_within) * std::max(view.size, view.magnitude);
 }
 
+/// A turn counts as one only when it exceeds the rounding of the normal and of the turn itself by far.
+constexpr double clear_turn = 0x1p-44;
+
 /// One polygon on its way through the checks.
 struct Polygon {
+    std::span<const Eigen::Vector3d> vertices; ///< of the whole mesh
     std::span<const std::uint32_t> outline;
     std::uint32_t source;
     PolygonView view;
+
+    [[nodiscard]] const Eigen::Vector3d& corner(std::size_t i) const { return vertices[outline[i % outline.size()]]; }
 
     [[noreturn]] void refuse(const std::string& why) const {
         throw InvalidInput(fmt::format("face {}: {}", source, why));
@@ -57,15 +64,45 @@ void append_cut(const Polygon& polygon, FaceOutlines& faces) {
                      polygon.source);
 }
 
+/// Whether every corner turns left, seen along the normal that contact is tested with (Newell's sum). The half-planes
+/// of the edges cover the polygon only then; being convex along a coordinate axis is not enough for a corner that is
+/// off the plane or straight. Source: docs/derivations/05-being-inside.md.
+bool turns_left_everywhere(const Polygon& polygon) {
+    Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+    double size = 0;
+    for (std::size_t i = 1; i + 1 < polygon.outline.size(); ++i) {
+        const Eigen::Vector3d a = polygon.corner(i) - polygon.corner(0);
+        const Eigen::Vector3d b = polygon.corner(i + 1) - polygon.corner(0);
+        normal += a.cross(b);
+        size += a.lpNorm<1>() * b.lpNorm<1>();
+    }
+    for (std::size_t i = 0; i < polygon.outline.size(); ++i) {
+        const Eigen::Vector3d in = polygon.corner(i + 1) - polygon.corner(i);
+        const Eigen::Vector3d out = polygon.corner(i + 2) - polygon.corner(i + 1);
+        if (!(normal.dot(in.cross(out)) > clear_turn * size * in.lpNorm<1>() * out.lpNorm<1>()))
+            return false;
+    }
+    return true;
+}
+
+/// The triangles at the first corner, which cover a polygon that is convex up to its corners' deviation.
+std::vector<std::uint32_t> fan(std::size_t corners) {
+    std::vector<std::uint32_t> triangles;
+    for (std::uint32_t i = 1; i + 1 < corners; ++i)
+        triangles.insert(triangles.end(), {0, i, i + 1});
+    return triangles;
+}
+
 void append_whole(const Polygon& polygon, PolygonFaces& result) {
     check_not_folded(polygon);
     const std::size_t face = result.faces.source.size();
     result.faces.append(polygon.outline, polygon.source);
-    if (is_convex(polygon.view.corners))
+    const bool convex = is_convex(polygon.view.corners);
+    if (convex && turns_left_everywhere(polygon))
         return;
     FlatLists<std::uint32_t>& triangles = result.triangles;
     triangles.offsets.resize(face + 1, static_cast<std::uint32_t>(triangles.items.size())); // none for those before
-    triangles.append(triangles_of(polygon));
+    triangles.append(convex ? fan(polygon.outline.size()) : triangles_of(polygon));
 }
 
 void append_polygon(const Polygon& polygon, const PolyhedronOptions& options, PolygonFaces& result) {
@@ -95,7 +132,7 @@ PolygonFaces examine_polygons(FaceOutlines given, std::span<const Eigen::Vector3
         if (outline.size() == 3)
             result.faces.append(outline, given.source[i]);
         else
-            append_polygon({outline, given.source[i], view_polygon(vertices, outline)}, options, result);
+            append_polygon({vertices, outline, given.source[i], view_polygon(vertices, outline)}, options, result);
     }
     if (!result.triangles.items.empty())
         result.triangles.offsets.resize(result.faces.source.size() + 1, result.triangles.offsets.back());

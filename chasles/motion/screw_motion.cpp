@@ -12,6 +12,8 @@ namespace {
 
 /// The half-angle tangent of a longer turn exceeds 1000, and the error bounds grow with it.
 constexpr double largest_turn = std::numbers::pi - 2e-3;
+/// Turns that exceed a whole number of pieces by this part, which is rounding, get no further piece.
+constexpr double turn_slack = 1e-9;
 /// Below this turn, tau and time differ by less than half an ulp (their ratio is 1 + O(angle^2)).
 constexpr double uniform_turn = 1e-9;
 
@@ -19,7 +21,7 @@ constexpr double uniform_turn = 1e-9;
 
 ScrewMotion ScrewMotion::from(MotionFrame frame) {
     ScrewMotion screw;
-    if (motion::turn_angle(frame.start, frame.goal) <= largest_turn)
+    if (motion::turn_angle(frame.start, frame.goal) <= largest_turn * (1 + 2 * turn_slack))
         frame.motion = motion::screw_between(frame.start, frame.goal);
     screw.numbers_ = motion::screw_numbers(frame.start, frame.goal);
     screw.frame_ = std::move(frame);
@@ -36,13 +38,17 @@ ScrewMotion ScrewMotion::relative(const Pose& moving_start, const Pose& moving_g
 }
 
 double ScrewMotion::tau_at(double time) const {
-    const double half = angle() / 2;
-    return angle() < uniform_turn ? time : std::tan(half * time) / std::tan(half);
+    return angle() < uniform_turn ? time : std::tan(angle() / 2 * time) / numbers_.half_tangent;
 }
 
 double ScrewMotion::time_at(double tau) const {
-    const double half = angle() / 2;
-    return angle() < uniform_turn ? tau : std::atan(tau * std::tan(half)) / half;
+    const double tangent = numbers_.half_tangent; // itself to the last bit: the arc tangents then lose none
+    return angle() < uniform_turn ? tau : std::atan(tau * tangent) / std::atan(tangent);
+}
+
+double ScrewMotion::tau_rate(double tau) const {
+    const double tangent = numbers_.half_tangent;
+    return angle() < uniform_turn ? 1 : std::atan(tangent) / tangent * (1 + tau * tau * tangent * tangent);
 }
 
 Pose ScrewMotion::pose_at(double time) const {
@@ -52,8 +58,7 @@ Pose ScrewMotion::pose_at(double time) const {
 std::size_t ScrewMotion::piece_count(double max_turn) const {
     if (!(max_turn >= least_max_turn))
         throw InvalidInput("motion: max_turn: must be at least 1e-4 radians");
-    // A turn that exceeds a multiple of max_turn only by rounding is not worth another piece.
-    const double count = std::ceil(angle() / std::min(max_turn, largest_turn) * (1 - 1e-9));
+    const double count = std::ceil(angle() / std::min(max_turn, largest_turn) * (1 - turn_slack));
     return std::max<std::size_t>(1, static_cast<std::size_t>(count));
 }
 

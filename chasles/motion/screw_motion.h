@@ -33,7 +33,8 @@ public:
 
     [[nodiscard]] double tau_at(double time) const; ///< the paper's parameter, [0, 1] -> [0, 1]
     [[nodiscard]] double time_at(double tau) const; ///< its inverse
-    [[nodiscard]] Pose pose_at(double time) const;  ///< of the moving body in the world
+    [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at a tau
+    [[nodiscard]] Pose pose_at(double time) const;   ///< of the moving body in the world
 
     /// What the elementary detections are built from. Its motion is defined for turns that cut(pi) leaves whole.
     [[nodiscard]] const MotionFrame& frame() const { return frame_; }

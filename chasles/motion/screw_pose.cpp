@@ -97,6 +97,7 @@ ScrewNumbers screw_numbers(const GeneralPose<Scalar>& start, const GeneralPose<S
     const Parts parts = parts_of(start, goal);
     ScrewNumbers numbers;
     numbers.angle = 2 * std::atan2(parts.half_sine.high(), parts.turn.w.high());
+    numbers.half_tangent = (parts.half_sine / parts.turn.w).high();
     numbers.slide = dot(parts.along, parts.direction).high();
     numbers.axis_direction = rounded(parts.direction);
     if (numbers.axis_direction.isZero())

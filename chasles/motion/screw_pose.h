@@ -36,6 +36,7 @@ Pose screw_pose(const GeneralPose<algebra::DoubleDouble>& start, const GeneralPo
 /// A screw by its numbers, in double precision.
 struct ScrewNumbers {
     double angle;
+    double half_tangent; ///< of the angle; huge or infinite at a half turn
     double slide;
     Eigen::Vector3d axis_direction;
     Eigen::Vector3d axis_point;

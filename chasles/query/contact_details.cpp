@@ -46,8 +46,8 @@ Eigen::Vector3d box_centre(const Polyhedron& body) { return body.hierarchy().cen
 } // namespace
 
 ContactDetails::ContactDetails(const Polyhedron& moving, const Polyhedron& fixed,
-                               const motion::ControlMaps<double>& maps, double tau)
-    : moving_(moving), fixed_(fixed) {
+                               const motion::ControlMaps<double>& maps, double tau, bool at_start)
+    : moving_(moving), fixed_(fixed), at_start_(at_start) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
             const Quotient entry = quotient_at(maps.turn.row[i][j], maps.weight, tau);
@@ -107,7 +107,8 @@ Contact ContactDetails::describe(const Candidate& candidate) const {
     const Place place = place_of(candidate);
     const Eigen::Vector3d velocity = velocity_at(place.point);
     const double closing = place.normal.dot(velocity);
-    const bool approaches = std::abs(closing) > no_direction * velocity.norm();
+    // Before a first contact the gap was closing; at the very start there was no before.
+    const bool approaches = !at_start_ && std::abs(closing) > no_direction * velocity.norm();
     const double towards_moving = approaches ? -closing : place.normal.dot(place.fallback);
     Contact contact;
     contact.kind = candidate.kind;
@@ -115,7 +116,7 @@ Contact ContactDetails::describe(const Candidate& candidate) const {
     contact.fixed = candidate.fixed;
     contact.point = place.point;
     contact.normal = towards_moving < 0 ? Eigen::Vector3d(-place.normal) : place.normal;
-    contact.approach_speed = std::abs(closing);
+    contact.approach_speed = towards_moving < 0 ? closing : -closing;
     return contact;
 }
 

@@ -9,9 +9,10 @@ namespace chasles::query {
 /// Describes candidates of one piece of a motion at one tau.
 class ContactDetails {
 public:
-    /// `tau` in [0, 1] within the piece; `maps` over the whole piece.
+    /// `tau` in [0, 1] within the piece; `maps` over the whole piece; `at_start` at time 0, where what the bodies do
+    /// next says nothing about the side that they touch from.
     ContactDetails(const Polyhedron& moving, const Polyhedron& fixed, const motion::ControlMaps<double>& maps,
-                   double tau);
+                   double tau, bool at_start);
 
     /// In the frame of the fixed body; `approach_speed` is per unit of tau.
     [[nodiscard]] Contact describe(const Candidate& candidate) const;
@@ -33,6 +34,7 @@ private:
 
     const Polyhedron& moving_;
     const Polyhedron& fixed_;
+    bool at_start_;
     Eigen::Matrix3d turn_;
     Eigen::Vector3d shift_;
     Eigen::Matrix3d turn_rate_; ///< d/dtau

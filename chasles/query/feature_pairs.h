@@ -70,19 +70,21 @@ public:
     }
 
     /// At the start of the interval: a moving edge through a fixed face, in the fixed body's frame.
-    std::optional<elementary::Passage<S>> moving_edge_passage(const Edge& edge, std::uint32_t fixed_face) {
+    std::optional<elementary::Passage<S>> moving_edge_passage(const Edge& edge, std::uint32_t fixed_face,
+                                                            elementary::Ends ends) {
         const elementary::Segment<S> segment{start(maps_->turn, HeldFace<S>::point(moving_, edge.from), maps_->shift),
                                              start(maps_->turn, HeldFace<S>::point(moving_, edge.to), maps_->shift)};
-        return elementary::edge_through_face(segment, face_.hold(fixed_, fixed_face), accuracy_.scale.length);
+        return elementary::edge_through_face(segment, face_.hold(fixed_, fixed_face), accuracy_.scale.length, ends);
     }
 
     /// At the start of the interval: a fixed edge through a moving face, in the moving body's frame.
-    std::optional<elementary::Passage<S>> fixed_edge_passage(const Edge& edge, std::uint32_t moving_face) {
+    std::optional<elementary::Passage<S>> fixed_edge_passage(const Edge& edge, std::uint32_t moving_face,
+                                                           elementary::Ends ends) {
         const auto back = maps_->turn.transposed();
         const auto shift = Vector3<Polynomial>() - maps_->inverse_shift;
         const elementary::Segment<S> segment{start(back, HeldFace<S>::point(fixed_, edge.from), shift),
                                              start(back, HeldFace<S>::point(fixed_, edge.to), shift)};
-        return elementary::edge_through_face(segment, face_.hold(moving_, moving_face), accuracy_.scale.length);
+        return elementary::edge_through_face(segment, face_.hold(moving_, moving_face), accuracy_.scale.length, ends);
     }
 
     [[nodiscard]] const elementary::Workspace<S>& workspace() const { return workspace_; }

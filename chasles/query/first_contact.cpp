@@ -4,7 +4,6 @@
 #include "chasles/query/contact_details.h"
 
 #include <Eigen/Geometry>
-#include <cmath>
 #include <string>
 #include <tuple>
 
@@ -34,14 +33,6 @@ void validate(const FirstContactQuery& query) {
     require(query.time_tolerance >= 1e-15 && query.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
     require(query.max_turn >= ScrewMotion::least_max_turn, "max_turn", "must be at least 1e-4 radians");
 }
-
-/// dtau/dtime of one piece.
-double tau_rate(const ScrewMotion& screw, double tau) {
-    const double half = screw.angle() / 2;
-    const double tangent = std::tan(half);
-    return half < 1e-9 ? 1 : half / tangent * (1 + tau * tau * tangent * tangent);
-}
-double tau_rate(const SweepMotion&, double) { return 1; }
 
 /// One query, piece by piece.
 class Query {
@@ -73,7 +64,7 @@ private:
     /// tau as a function of time is convex, so that dtime/dtau is greatest at tau = 0.
     template <class AnyMotion>
     static double greatest_time_rate(const AnyMotion& piece) {
-        return std::max(1.0, 1 / tau_rate(piece, 0));
+        return std::max(1.0, 1 / piece.tau_rate(0));
     }
 
     template <class AnyMotion>
@@ -91,9 +82,10 @@ private:
         found.overlap = result.overlap;
         if (found.overlap)
             found.overlap->point = to_world * found.overlap->point;
-        const double rate = tau_rate(piece, tau.lower) * double(clock.count);
+        const double rate = piece.tau_rate(tau.lower) * double(clock.count);
         const query::ContactDetails details(query_.moving, query_.fixed,
-                                            motion::rounded(motion::control_maps(piece.frame().motion)), tau.lower);
+                                            motion::rounded(motion::control_maps(piece.frame().motion)), tau.lower,
+                                            found.verdict == Verdict::contact_at_start);
         for (const query::Candidate& candidate : reported(result.candidates)) {
             Contact contact = details.describe(candidate);
             contact.point = to_world * contact.point;

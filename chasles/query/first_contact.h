@@ -50,7 +50,8 @@ struct Contact {
     Feature fixed;
     Eigen::Vector3d point;     ///< mesh unit
     Eigen::Vector3d normal;    ///< unit, from the fixed body to the moving one
-    double approach_speed = 0; ///< -d(gap)/dtime at contact, mesh unit per motion; positive when closing
+    double approach_speed = 0; ///< -d(gap)/dtime at contact, mesh unit per motion; positive when closing, and
+                               ///< negative only at the start, for bodies that touch there and part
 };
 
 /// An edge of one body that passes through a face of the other at time 0.
@@ -97,7 +98,7 @@ struct FirstContactQuery {
 };
 
 /// Answers the question. Throws InvalidInput for an option out of its range.
-/// Source: paper sections 2, 3, 4 and 5.1; design in docs/derivations/07-swept-boxes.md.
+/// Source: paper sections 2, 3, 4 and 5.1; docs/derivations/07-swept-boxes.md proves that the search loses nothing.
 FirstContact first_contact(const FirstContactQuery& query);
 
 } // namespace chasles

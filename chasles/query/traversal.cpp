@@ -162,12 +162,15 @@ private:
     }
 
     void look_for_overlap(std::uint32_t moving_face, std::uint32_t fixed_face) {
+        using elementary::Ends;
         for (const Edge& edge : search_.moving.owned_edges(moving_face))
-            if (filter_.moving_edge_passage(edge, fixed_face))
-                report_overlap(true, edge, fixed_face, refinement_.moving_edge_passage(edge, fixed_face));
+            if (filter_.moving_edge_passage(edge, fixed_face, Ends::not_proven_on_one_side))
+                report_overlap(true, edge, fixed_face,
+                               refinement_.moving_edge_passage(edge, fixed_face, Ends::proven_opposite));
         for (const Edge& edge : search_.fixed.owned_edges(fixed_face))
-            if (filter_.fixed_edge_passage(edge, moving_face))
-                report_overlap(false, edge, moving_face, refinement_.fixed_edge_passage(edge, moving_face));
+            if (filter_.fixed_edge_passage(edge, moving_face, Ends::not_proven_on_one_side))
+                report_overlap(false, edge, moving_face,
+                               refinement_.fixed_edge_passage(edge, moving_face, Ends::proven_opposite));
     }
 
     /// An overlap ends the search: nothing is earlier.

@@ -42,13 +42,13 @@ ExactAnswer brute_force(const Polyhedron& a, const Polyhedron& b, const Pose& st
             for (const std::uint32_t vertex : b.owned_vertices(g))
                 answer.keep(pairs.face_vertex(f, vertex));
             for (const Edge& edge : a.owned_edges(f)) {
-                answer.overlaps = answer.overlaps || pairs.moving_edge_passage(edge, g);
+                answer.overlaps = answer.overlaps || pairs.moving_edge_passage(edge, g, elementary::Ends::proven_opposite);
                 const auto path = pairs.path_of(edge);
                 for (const Edge& other : b.owned_edges(g))
                     answer.keep(pairs.edge_edge(path, other));
             }
             for (const Edge& edge : b.owned_edges(g))
-                answer.overlaps = answer.overlaps || pairs.fixed_edge_passage(edge, f);
+                answer.overlaps = answer.overlaps || pairs.fixed_edge_passage(edge, f, elementary::Ends::proven_opposite);
         }
     }
     return answer;

@@ -1,0 +1,127 @@
+// Cases that an adversary found: each was once answered wrongly.
+#include "tests/query/bodies.h"
+
+#include <cmath>
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace chasles::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+
+/// A thin closed spike with its tip at `tip`, standing along `up`.
+Polyhedron needle(const Eigen::Vector3d& tip, const Eigen::Vector3d& up) {
+    const Eigen::Vector3d side = up.unitOrthogonal();
+    const Eigen::Vector3d other = up.cross(side).normalized();
+    const Eigen::Vector3d top = tip + up;
+    const double width = 1e-12;
+    const Vertices corners{tip, top + width * side, top - width * side + width * other, top - width * other};
+    const Faces faces{{0, 2, 1}, {0, 3, 2}, {0, 1, 3}, {1, 2, 3}};
+    return Polyhedron::from_polygons(corners, faces);
+}
+
+/// A pentagon with one corner 4e-6 off its plane, turned by 44 degrees: convex in every view along a coordinate axis,
+/// and not along its own normal.
+TEST(HardCases, NeedleHitsAPentagonThatIsConvexOnlyInACoordinateView) {
+    const double c = std::cos(44 * pi / 180);
+    const double s = std::sin(44 * pi / 180);
+    const auto placed = [&](double u, double t, double h) { return Eigen::Vector3d(u, t * c - h * s, t * s + h * c); };
+    const Vertices corners{placed(0, 0, 0), placed(0.5, 1e-6, 4e-6), placed(1, 0, 0), placed(1, 1, 0), placed(0, 1, 0)};
+    const Polyhedron pentagon = Polyhedron::from_polygons(corners, Faces{{0, 1, 2, 3, 4}});
+    const Eigen::Vector3d normal = placed(0, 0, 1);
+    const Polyhedron needle_body = needle(placed(0.95, 6e-7, 0), normal);
+    const Eigen::Vector3d above = 0.5 * normal;
+    const Eigen::Vector3d below = -normal;
+    const FirstContact found = first_contact({.moving = needle_body,
+                                              .fixed = pentagon,
+                                              .motion = ScrewMotion::between(shifted(above.x(), above.y(), above.z()),
+                                                                             shifted(below.x(), below.y(), below.z()))});
+    EXPECT_EQ(found.verdict, Verdict::contact);
+}
+
+TEST(HardCases, PolygonWithAStraightCornerIsCovered) {
+    const Vertices corners{{0, 0, 0}, {0.5, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
+    const Polyhedron pentagon = Polyhedron::from_polygons(corners, Faces{{0, 1, 2, 3, 4}});
+    for (const double x : {0.01, 0.3, 0.5, 0.8, 0.99})
+        for (const double y : {1e-9, 0.2, 0.6, 1 - 1e-9}) {
+            const FirstContact found =
+                first_contact({.moving = needle({x, y, 0}, {0, 0, 1}),
+                               .fixed = pentagon,
+                               .motion = ScrewMotion::between(shifted(0, 0, 1), shifted(0, 0, -1))});
+            ASSERT_EQ(found.verdict, Verdict::contact) << x << ", " << y;
+            EXPECT_NEAR(found.time.lower, 0.5, 1e-12);
+        }
+}
+
+/// Just above the longest turn that is left whole, the screw must still be defined.
+TEST(HardCases, TurnsAroundTheLongestPieceFindTheSameContact) {
+    const Polyhedron bar = box({1, 0.05, 0.05}).polyhedron();
+    const Polyhedron post = box({0.02, 0.02, 1}).polyhedron();
+    const double longest = pi - 2e-3;
+    for (const double part : {1 - 1e-9, 1.0, 1 + 0.5e-9, 1 + 0.99e-9, 1 + 1.01e-9, 1 + 1e-8}) {
+        const double angle = longest * part;
+        const Pose post_pose = turned(0.8 * Eigen::Vector3d(std::cos(1.5), std::sin(1.5), 0), {0, 0, 1}, 1.5);
+        const FirstContact found = first_contact(
+            {.moving = bar,
+             .fixed = post,
+             .motion = ScrewMotion::relative(Pose(), turned({0, 0, 0}, {0, 0, 1}, angle), post_pose, post_pose),
+             .max_turn = pi});
+        ASSERT_EQ(found.verdict, Verdict::contact) << part;
+        const double contact_angle = 1.5 - std::asin(0.05 / 0.78) - 0.02 / 0.78;
+        EXPECT_NEAR(found.time.lower * angle, contact_angle, 2e-3) << part;
+    }
+}
+
+TEST(HardCases, BoxLiftedOffATableHasItsNormalFromTheTable) {
+    const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
+    const Polyhedron table = box({5, 5, 0.5}).polyhedron();
+    for (const double way : {1.0, -1.0}) {
+        const FirstContact found =
+            first_contact({.moving = body,
+                           .fixed = table,
+                           .motion = ScrewMotion::between(shifted(0, 0, 1), shifted(0, 0, 1 + way)),
+                           .find = Find::first_with_all_contacts});
+        ASSERT_EQ(found.verdict, Verdict::contact_at_start);
+        ASSERT_FALSE(found.contacts.empty());
+        for (const Contact& contact : found.contacts) {
+            EXPECT_TRUE(contact.normal.isApprox(Eigen::Vector3d::UnitZ())) << contact.normal.transpose();
+            EXPECT_NEAR(contact.approach_speed, -way, 1e-12);
+        }
+    }
+}
+
+/// An end of the needle is within the bound of the sliver's plane, but beside the sliver.
+TEST(HardCases, NeedleThroughASliverOverlapsAtTheStart) {
+    const Polyhedron sliver = triangle({0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}).polyhedron();
+    const Polyhedron spike =
+        triangle({0.5, 1.03e-8, 1e-7}, {0.5, -9.7e-9, -1e-7}, {0.5 + 1e-11, -9.7e-9, -1e-7}).polyhedron();
+    for (const double sideways : {0.0, 3.0}) {
+        const FirstContact found = first_contact(
+            {.moving = spike, .fixed = sliver, .motion = ScrewMotion::between(Pose(), shifted(0, sideways, 0))});
+        EXPECT_EQ(found.verdict, Verdict::contact_at_start);
+    }
+}
+
+TEST(HardCases, LargeTurnsInOnePieceKeepTimeInsideItsBracket) {
+    // A point on a long arm at a known angle: the bracket of time must hold angle / turn for turns up to the longest.
+    const Polyhedron arm = needle({1, 0, 0}, {-0.5, 0, 0});
+    for (const double turn : {2.0, 2.8, 3.0, 3.1, 3.13}) {
+        const double at = 0.9 * turn;
+        const Eigen::Vector3d there(std::cos(at), std::sin(at), 0);
+        const Polyhedron wall = Polyhedron::from_polygons(
+            Vertices{0.5 * there - Eigen::Vector3d(0, 0, 1), 2 * there - Eigen::Vector3d(0, 0, 1),
+                     2 * there + Eigen::Vector3d(0, 0, 1), 0.5 * there + Eigen::Vector3d(0, 0, 1)},
+            Faces{{0, 1, 2, 3}});
+        const FirstContact found = first_contact({.moving = arm,
+                                                  .fixed = wall,
+                                                  .motion = ScrewMotion::between(Pose(), turned({0, 0, 0}, {0, 0, 1}, turn)),
+                                                  .max_turn = pi});
+        ASSERT_EQ(found.verdict, Verdict::contact);
+        EXPECT_NEAR(found.time.lower, 0.9, 1e-10) << "the needle is 1e-12 wide";
+        EXPECT_LE(found.time.lower, 0.9 + 1e-15);
+    }
+}
+
+} // namespace
+} // namespace chasles::test
