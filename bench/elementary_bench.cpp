@@ -1,0 +1,141 @@
+// Nanoseconds of one elementary detection: rejected by signs, solved in double, refined in double-double precision.
+// Each problem is timed by itself, so that the spread over the problems is seen; answers are checked first.
+#include "bench/elementary_cases.h"
+#include "bench/run_benchmarks.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+
+namespace chasles::bench {
+namespace {
+
+using algebra::DoubleDouble;
+using algebra::FeasibleInterval;
+using Answer = std::optional<FeasibleInterval>;
+
+/// What a query does for one feature pair, in either scalar.
+template <class S>
+class Detector {
+public:
+    using Vector = algebra::Vector3<S>;
+
+    Detector(const motion::ControlMaps<S>& maps, const motion::ControlMaps<double>& rounded, double resolution)
+        : maps_(maps),
+          accuracy_{elementary::error_scale(rounded, elementary_reach, elementary_reach), {1e-12, resolution}} {}
+
+    Answer operator()(const VertexFaceProblem& problem) {
+        const Vector corners[] = {in_scalar(problem.face[0]), in_scalar(problem.face[1]), in_scalar(problem.face[2])};
+        const auto position = maps_.turn * in_scalar(problem.vertex) + maps_.shift;
+        return elementary::vertex_face<S>({position, maps_.weight}, elementary::face_shape<S>(corners, {}), accuracy_,
+                                          workspace_);
+    }
+
+    Answer operator()(const EdgeEdgeProblem& problem) {
+        const auto path = elementary::edge_path(maps_, in_scalar(problem.moving[0]), in_scalar(problem.moving[1]));
+        const Vector from = in_scalar(problem.fixed[0]);
+        const elementary::FixedEdge<S> fixed{from, in_scalar(problem.fixed[1]) - from};
+        return elementary::edge_edge<S>(maps_, path, fixed, accuracy_, workspace_);
+    }
+
+    [[nodiscard]] std::uint64_t root_brackets() const { return workspace_.root_brackets; }
+
+private:
+    static Vector in_scalar(const Point& p) { return {S(p.x), S(p.y), S(p.z)}; }
+
+    const motion::ControlMaps<S>& maps_;
+    elementary::Accuracy accuracy_;
+    elementary::Workspace<S> workspace_;
+};
+
+/// Built from a contact: nothing later than it may be the first, up to the rounding of the problem itself. Brackets
+/// are far narrower than demanded here but for edges that hardly cross.
+template <class S, class Problem>
+bool finds_contacts(Detector<S> detect, const std::vector<Problem>& problems) {
+    return std::all_of(problems.begin(), problems.end(), [&](const Problem& problem) {
+        const Answer found = detect(problem);
+        return found && found->lower <= problem.tau + 1e-9 && found->upper - found->lower <= 1e-6;
+    });
+}
+
+/// Without looking for a root.
+template <class Problem>
+bool rejects(Detector<double> detect, const std::vector<Problem>& problems) {
+    const bool all = std::none_of(problems.begin(), problems.end(),
+                                  [&](const Problem& problem) { return detect(problem).has_value(); });
+    return all && detect.root_brackets() == 0;
+}
+
+/// The least of a few timings of one problem: the machine is shared.
+template <class S, class Problem>
+double nanoseconds_of(Detector<S>& detect, const Problem& problem) {
+    using Clock = std::chrono::steady_clock;
+    const int repeats = 50;
+    double least = 1e9;
+    for (int timing = 0; timing < 7; ++timing) {
+        const auto start = Clock::now();
+        for (int i = 0; i < repeats; ++i)
+            benchmark::DoNotOptimize(detect(problem));
+        least = std::min(least, std::chrono::duration<double, std::nano>(Clock::now() - start).count() / repeats);
+    }
+    return least;
+}
+
+template <class S, class Problem>
+void report_spread(benchmark::State& state, Detector<S>& detect, const std::vector<Problem>& problems) {
+    std::vector<double> times;
+    for (const Problem& problem : problems)
+        times.push_back(nanoseconds_of(detect, problem));
+    std::sort(times.begin(), times.end());
+    state.counters["median_ns"] = times[times.size() / 2];
+    state.counters["p99_ns"] = times[times.size() * 99 / 100];
+    state.counters["worst_ns"] = times.back();
+}
+
+template <class S, class Problem>
+void add(const char* name, const Detector<S>& detector, const std::vector<Problem>& problems) {
+    benchmark::RegisterBenchmark(name, [detector, &problems](benchmark::State& state) {
+        Detector<S> detect = detector;
+        report_spread(state, detect, problems);
+        std::size_t next = 0;
+        for (auto _ : state) {
+            benchmark::DoNotOptimize(detect(problems[next]));
+            next = next + 1 == problems.size() ? 0 : next + 1;
+        }
+    });
+}
+
+int run(int argc, char** argv) {
+    const ElementaryCases cases = elementary_cases();
+    const Detector<double> filter(cases.maps, cases.maps, 1e-12);
+    const Detector<DoubleDouble> refinement(cases.exact_maps, cases.maps, 0x1p-90);
+    const std::pair<const char*, bool> checks[] = {
+        {"vertex/face in double", finds_contacts(filter, cases.vertex_face_contacts)},
+        {"vertex/face in double-double", finds_contacts(refinement, cases.vertex_face_contacts)},
+        {"vertex/face rejections", rejects(filter, cases.vertex_face_rejections)},
+        {"edge/edge in double", finds_contacts(filter, cases.edge_edge_contacts)},
+        {"edge/edge in double-double", finds_contacts(refinement, cases.edge_edge_contacts)},
+        {"edge/edge rejections", rejects(filter, cases.edge_edge_rejections)}};
+    std::printf("%zu problems of each kind, seed %u\n", elementary_problems, elementary_seed);
+    bool right = true;
+    for (const auto& [what, holds] : checks) {
+        std::printf("%-28s %s\n", what, holds ? "checked" : "an answer is wrong");
+        right = right && holds;
+    }
+    if (!right)
+        return 1;
+    add("vertex_face/rejection", filter, cases.vertex_face_rejections);
+    add("vertex_face/solve", filter, cases.vertex_face_contacts);
+    add("vertex_face/refinement", refinement, cases.vertex_face_contacts);
+    add("edge_edge/rejection", filter, cases.edge_edge_rejections);
+    add("edge_edge/solve", filter, cases.edge_edge_contacts);
+    add("edge_edge/refinement", refinement, cases.edge_edge_contacts);
+    return run_benchmarks(argc, argv);
+}
+
+} // namespace
+} // namespace chasles::bench
+
+int main(int argc, char** argv) {
+    return chasles::bench::run(argc, argv);
+}

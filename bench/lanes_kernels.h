@@ -1,0 +1,108 @@
+// The two inner loops of a query, for any type of four lanes: the same lines in every form that is compared.
+// Source: chasles/elementary/vertex_face.h (rejection by signs) and chasles/query/swept_boxes.cpp.
+#pragma once
+
+#include "chasles/algebra/vector.h"
+#include "chasles/motion/control_maps.h"
+
+namespace chasles::bench {
+
+using algebra::Matrix3;
+using algebra::Vector3;
+
+/// Control maps, prepared as a query does.
+template <class Pack>
+struct PackedMaps {
+    Matrix3<Pack> turn;
+    Matrix3<Pack> turn_size; ///< magnitudes
+    Vector3<Pack> shift;
+    Vector3<Pack> inverse_shift;
+    Pack weight;
+    Pack slack;
+};
+
+/// A moving vertex and the plane of a fixed face.
+struct VertexAndPlane {
+    double vertex[3];
+    double normal[3];
+    double anchor[3]; ///< a point of the plane
+    double error;     ///< of the height over the plane, times |normal|
+};
+
+/// A box of each body.
+struct BoxPair {
+    double moving_centre[3];
+    double moving_half[3];
+    double fixed_centre[3];
+    double fixed_half[3];
+};
+
+template <class Pack>
+Pack load_lanes(const motion::Bernstein<3, double>& p) {
+    return Pack::of({p[0], p[1], p[2], p[3]});
+}
+
+template <class Pack>
+PackedMaps<Pack> packed(const motion::ControlMaps<double>& maps, double slack) {
+    PackedMaps<Pack> result;
+    result.weight = load_lanes<Pack>(maps.weight);
+    result.slack = result.weight * Pack::all(slack);
+    for (int i = 0; i < 3; ++i) {
+        result.shift[i] = load_lanes<Pack>(maps.shift[i]);
+        result.inverse_shift[i] = load_lanes<Pack>(maps.inverse_shift[i]);
+        for (int j = 0; j < 3; ++j) {
+            result.turn.row[i][j] = load_lanes<Pack>(maps.turn.row[i][j]);
+            result.turn_size.row[i][j] = magnitude(result.turn.row[i][j]);
+        }
+    }
+    return result;
+}
+
+template <class Pack>
+Pack combined(const Vector3<Pack>& row, const double* by) {
+    return row.x * Pack::all(by[0]) + row.y * Pack::all(by[1]) + row.z * Pack::all(by[2]);
+}
+
+template <class Pack>
+bool is_apart(const Pack& distance, const Pack& reach) {
+    return all_above(distance, reach) || all_above(Pack::all(0) - distance, reach);
+}
+
+/// W times the height of the moving vertex over the plane.
+template <class Pack>
+Pack height(const PackedMaps<Pack>& maps, const VertexAndPlane& pair) {
+    Vector3<Pack> arm;
+    for (int i = 0; i < 3; ++i)
+        arm[i] = combined(maps.turn.row[i], pair.vertex) + maps.shift[i] - maps.weight * Pack::all(pair.anchor[i]);
+    return combined(arm, pair.normal);
+}
+
+/// The vertex never meets the plane.
+template <class Pack>
+bool is_rejected(const PackedMaps<Pack>& maps, const VertexAndPlane& pair) {
+    return is_apart(height(maps, pair), maps.weight * Pack::all(pair.error));
+}
+
+/// The boxes never touch: some face normal of either separates them all along.
+template <class Pack>
+bool is_rejected(const PackedMaps<Pack>& maps, const BoxPair& pair) {
+    const auto separates = [&](const Vector3<Pack>& row, const Vector3<Pack>& size, const Pack& offset,
+                               const double* turned, const double* turned_half, double still, double still_half) {
+        const Pack reach = combined(size, turned_half) + maps.weight * Pack::all(still_half) + maps.slack;
+        return is_apart(combined(row, turned) + offset - maps.weight * Pack::all(still), reach);
+    };
+    for (int i = 0; i < 3; ++i)
+        if (separates(maps.turn.row[i], maps.turn_size.row[i], maps.shift[i], pair.moving_centre, pair.moving_half,
+                      pair.fixed_centre[i], pair.fixed_half[i]))
+            return true;
+    for (int i = 0; i < 3; ++i) {
+        const Vector3<Pack> column{maps.turn.row[0][i], maps.turn.row[1][i], maps.turn.row[2][i]};
+        const Vector3<Pack> size{maps.turn_size.row[0][i], maps.turn_size.row[1][i], maps.turn_size.row[2][i]};
+        if (separates(column, size, Pack::all(0) - maps.inverse_shift[i], pair.fixed_centre, pair.fixed_half,
+                      pair.moving_centre[i], pair.moving_half[i]))
+            return true;
+    }
+    return false;
+}
+
+} // namespace chasles::bench

@@ -1,0 +1,27 @@
+// Medians of repetitions that take turns, and their ratios to one form: single times say little on a shared machine.
+#pragma once
+
+#include <benchmark/benchmark.h>
+
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace chasles::bench {
+
+/// Remembers the median nanoseconds per item of benchmarks that are named "<family>/<form>".
+class RatioReporter : public benchmark::ConsoleReporter {
+public:
+    explicit RatioReporter(std::string reference) : ConsoleReporter(OO_None), reference_(std::move(reference)) {}
+
+    void ReportRuns(const std::vector<Run>& runs) override;
+    void Finalize() override;
+
+private:
+    std::string reference_;
+    std::vector<std::string> families_;                                     ///< as they came
+    std::map<std::string, std::vector<std::pair<std::string, double>>> of_; ///< family -> form, nanoseconds
+};
+
+} // namespace chasles::bench
