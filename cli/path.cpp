@@ -20,13 +20,10 @@ struct PathOptions {
     bool json = false;
 };
 
-// As `check` answers, with the segment; a path that is clear has neither segment nor one motion.
+// As `check` answers, with the segment that the time and the motion belong to; of a clear path, the last one.
 Json path_json(const PathContact& found, const MotionNumbers& motion) {
     Json answer = answer_json(found.contact, motion);
-    if (found.contact.verdict == Verdict::clear)
-        answer.erase("motion");
-    else
-        answer["segment"] = found.segment;
+    answer["segment"] = found.segment;
     return answer;
 }
 
