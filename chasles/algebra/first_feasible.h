@@ -165,7 +165,8 @@ private:
         if (!undecidable && !out_of_steps && part.width() > Scalar(0.5 * tolerance_.width))
             return std::nullopt;
         const Scalar rim = std::max<Scalar>(part.width(), Scalar(8 * unit_roundoff<Scalar>) * part.upper);
-        const Interval wider{std::max<Scalar>(Scalar(0), part.lower - rim), std::min<Scalar>(Scalar(1), part.upper + rim)};
+        const Interval wider{std::max<Scalar>(Scalar(0), part.lower - rim),
+                             std::min<Scalar>(Scalar(1), part.upper + rim)};
         if (is_certain(wider)) // what lies before `part` was excluded: the root is in it or in the rim above
             return FeasibleInterval{rounded_down(part.lower), rounded_up(wider.upper), true};
         if (undecidable) // F is as good as zero from the lower end on

@@ -44,8 +44,7 @@ public:
     EdgePair(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
              const Accuracy& accuracy)
         : maps_(maps), moving_(moving), fixed_(fixed), unit_(error_unit<S> * accuracy.scale.length),
-          stretch_unit_(error_unit<S> * accuracy.scale.stretch), u_(norm1(moving.along)),
-          v_(norm1(fixed.direction)) {}
+          stretch_unit_(error_unit<S> * accuracy.scale.stretch), u_(norm1(moving.along)), v_(norm1(fixed.direction)) {}
 
     /// W times the reciprocal product of the two lines: v . M + (c x v) . U.
     [[nodiscard]] Bounded<3, S> volume() const {

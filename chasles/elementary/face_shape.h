@@ -14,11 +14,11 @@ using algebra::Vector3;
 /// A planar face in its body's frame. A convex one is covered as it stands, any other by its triangles.
 template <class S>
 struct FaceShape {
-    std::span<const Vector3<S>> corners;         ///< the outline, at least three
-    std::span<const std::uint32_t> triangles;    ///< corner positions, three by three; empty if convex
-    Vector3<S> normal;                           ///< of any length, by Newell's sum
-    S size{};                                    ///< at least |normal|_1, and the scale of its rounding
-    S deviation{};                               ///< all corners have |normal . (corner - corners[0])| <= deviation
+    std::span<const Vector3<S>> corners;      ///< the outline, at least three
+    std::span<const std::uint32_t> triangles; ///< corner positions, three by three; empty if convex
+    Vector3<S> normal;                        ///< of any length, by Newell's sum
+    S size{};                                 ///< at least |normal|_1, and the scale of its rounding
+    S deviation{};                            ///< all corners have |normal . (corner - corners[0])| <= deviation
 };
 
 /// Newell's normal as a sum over the fan of triangles at the first corner, which is exact for one triangle up to the

@@ -122,10 +122,10 @@ ControlMaps<S> control_maps(const RationalMotion<S>& motion) {
         return detail::Power<Matrix>{p[0] * orientation, p[1] * orientation, p[2] * orientation, p[3] * orientation};
     };
     const Matrix back = orientation.transposed();
-    return {detail::polynomial<S>(weight[0], weight[1], weight[2], weight[3]), detail::matrix_polynomial<S>(in_body(turn)),
-            detail::vector_polynomial<S>(shift),
-            detail::vector_polynomial<S>({back * inverse_shift[0], back * inverse_shift[1], back * inverse_shift[2],
-                                          back * inverse_shift[3]}),
+    return {detail::polynomial<S>(weight[0], weight[1], weight[2], weight[3]),
+            detail::matrix_polynomial<S>(in_body(turn)), detail::vector_polynomial<S>(shift),
+            detail::vector_polynomial<S>(
+                {back * inverse_shift[0], back * inverse_shift[1], back * inverse_shift[2], back * inverse_shift[3]}),
             detail::matrix_polynomial<S>(in_body(moment))};
 }
 

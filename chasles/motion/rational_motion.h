@@ -44,12 +44,12 @@ struct GeneralPose {
 /// origin + (W y + 2 tau e (a x y + m) + 2 tau^2 a x (a x y + m)) / W + tau d.
 template <class S>
 struct RationalMotion {
-    S end_cosine{};            ///< e1
-    Vector3<S> axis;           ///< a; half-angle tangent times the axis direction for a screw
-    Vector3<S> moment;         ///< m, a length
-    Vector3<S> displacement;   ///< d, a length
-    Vector3<S> origin;         ///< start position of the body's origin, in the frame of the fixed body
-    Matrix3<S> orientation;    ///< at the start
+    S end_cosine{};          ///< e1
+    Vector3<S> axis;         ///< a; half-angle tangent times the axis direction for a screw
+    Vector3<S> moment;       ///< m, a length
+    Vector3<S> displacement; ///< d, a length
+    Vector3<S> origin;       ///< start position of the body's origin, in the frame of the fixed body
+    Matrix3<S> orientation;  ///< at the start
 };
 
 /// The rotation from one pose's frame to the other's, with non-negative scalar part.
@@ -77,8 +77,8 @@ RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S
 /// The sweep about the point that is at `reference` = orientation * centre, relative to the body's origin, at the
 /// start. `unit_turn` is the turn with length one.
 template <class S>
-RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S>& goal,
-                                const Quaternion<S>& unit_turn, const Vector3<S>& centre) {
+RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S>& goal, const Quaternion<S>& unit_turn,
+                                const Vector3<S>& centre) {
     const Matrix3<S> orientation = rotation_matrix(start.rotation);
     const Vector3<S> reference = orientation * centre;
     const Vector3<S> moved = rotation_matrix(goal.rotation) * centre;

@@ -31,8 +31,8 @@ public:
     /// In the fixed body's frame.
     [[nodiscard]] const Eigen::Vector3d& axis_point() const { return numbers_.axis_point; }
 
-    [[nodiscard]] double tau_at(double time) const; ///< the paper's parameter, [0, 1] -> [0, 1]
-    [[nodiscard]] double time_at(double tau) const; ///< its inverse
+    [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
+    [[nodiscard]] double time_at(double tau) const;  ///< its inverse
     [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at a tau
     [[nodiscard]] Pose pose_at(double time) const;   ///< of the moving body in the world
 

@@ -9,11 +9,17 @@ namespace {
 using Scalar = algebra::DoubleDouble;
 using Vector = Vector3<Scalar>;
 
-Vector exact(const Eigen::Vector3d& v) { return {v.x(), v.y(), v.z()}; }
+Vector exact(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
 
-Eigen::Vector3d rounded(const Vector& v) { return {v.x.high(), v.y.high(), v.z.high()}; }
+Eigen::Vector3d rounded(const Vector& v) {
+    return {v.x.high(), v.y.high(), v.z.high()};
+}
 
-Scalar length(const Vector& v) { return sqrt(dot(v, v)); }
+Scalar length(const Vector& v) {
+    return sqrt(dot(v, v));
+}
 
 /// The displacement of the body's origin along and across the axis, and the turn with length one.
 struct Parts {

@@ -39,9 +39,13 @@ SweepMotion SweepMotion::relative(const Pose& moving_start, const Pose& moving_g
     return from(MotionFrame::relative(moving_start, moving_goal, fixed_start, fixed_goal), Eigen::Vector3d::Zero());
 }
 
-SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const { return from(frame_, centre); }
+SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const {
+    return from(frame_, centre);
+}
 
-double SweepMotion::angle() const { return motion::turn_angle(frame_.start, frame_.goal); }
+double SweepMotion::angle() const {
+    return motion::turn_angle(frame_.start, frame_.goal);
+}
 
 Eigen::Vector3d SweepMotion::displacement() const {
     const auto& d = frame_.motion.displacement;

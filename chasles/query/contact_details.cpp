@@ -39,9 +39,13 @@ Eigen::Vector3d face_normal(const Polyhedron& body, std::uint32_t face) {
     return sum.stableNormalized();
 }
 
-Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& direction) { return direction.unitOrthogonal(); }
+Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& direction) {
+    return direction.unitOrthogonal();
+}
 
-Eigen::Vector3d box_centre(const Polyhedron& body) { return body.hierarchy().centre(); }
+Eigen::Vector3d box_centre(const Polyhedron& body) {
+    return body.hierarchy().centre();
+}
 
 } // namespace
 
@@ -60,7 +64,9 @@ ContactDetails::ContactDetails(const Polyhedron& moving, const Polyhedron& fixed
     }
 }
 
-Eigen::Vector3d ContactDetails::moved(const Eigen::Vector3d& body_point) const { return turn_ * body_point + shift_; }
+Eigen::Vector3d ContactDetails::moved(const Eigen::Vector3d& body_point) const {
+    return turn_ * body_point + shift_;
+}
 
 Eigen::Vector3d ContactDetails::velocity_at(const Eigen::Vector3d& point) const {
     return turn_rate_ * (turn_.transpose() * (point - shift_)) + shift_rate_;
@@ -76,9 +82,9 @@ ContactDetails::Place ContactDetails::place_of(const Candidate& candidate) const
         return {fixed_.vertices()[candidate.fixed.first], normal.normalized(), -normal};
     }
     const auto line = [](const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return Line{from, to - from}; };
-    return edge_place(line(moved(moving_.vertices()[candidate.moving.first]),
-                           moved(moving_.vertices()[candidate.moving.second])),
-                      line(fixed_.vertices()[candidate.fixed.first], fixed_.vertices()[candidate.fixed.second]));
+    return edge_place(
+        line(moved(moving_.vertices()[candidate.moving.first]), moved(moving_.vertices()[candidate.moving.second])),
+        line(fixed_.vertices()[candidate.fixed.first], fixed_.vertices()[candidate.fixed.second]));
 }
 
 /// The point is on the fixed edge. Parallel edges share a stretch: its middle is taken, and the normal is across the

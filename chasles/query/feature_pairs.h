@@ -71,7 +71,7 @@ public:
 
     /// At the start of the interval: a moving edge through a fixed face, in the fixed body's frame.
     std::optional<elementary::Passage<S>> moving_edge_passage(const Edge& edge, std::uint32_t fixed_face,
-                                                            elementary::Ends ends) {
+                                                              elementary::Ends ends) {
         const elementary::Segment<S> segment{start(maps_->turn, HeldFace<S>::point(moving_, edge.from), maps_->shift),
                                              start(maps_->turn, HeldFace<S>::point(moving_, edge.to), maps_->shift)};
         return elementary::edge_through_face(segment, face_.hold(fixed_, fixed_face), accuracy_.scale.length, ends);
@@ -79,7 +79,7 @@ public:
 
     /// At the start of the interval: a fixed edge through a moving face, in the moving body's frame.
     std::optional<elementary::Passage<S>> fixed_edge_passage(const Edge& edge, std::uint32_t moving_face,
-                                                           elementary::Ends ends) {
+                                                             elementary::Ends ends) {
         const auto back = maps_->turn.transposed();
         const auto shift = Vector3<Polynomial>() - maps_->inverse_shift;
         const elementary::Segment<S> segment{start(back, HeldFace<S>::point(fixed_, edge.from), shift),
@@ -97,8 +97,8 @@ private:
                             const Vector3<Polynomial>& shift) {
         Vector3<S> result;
         for (int i = 0; i < 3; ++i)
-            result[i] = turn.row[i][0][0] * point.x + turn.row[i][1][0] * point.y + turn.row[i][2][0] * point.z +
-                        shift[i][0];
+            result[i] =
+                turn.row[i][0][0] * point.x + turn.row[i][1][0] * point.y + turn.row[i][2][0] * point.z + shift[i][0];
         return result;
     }
 

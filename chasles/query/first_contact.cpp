@@ -46,9 +46,8 @@ public:
         for (std::size_t i = 0; i < count; ++i) {
             const auto piece = piece_at(i);
             const double tolerance = query_.time_tolerance * double(count) / greatest_time_rate(piece);
-            const query::PieceResult result =
-                query::search_piece({query_.moving, query_.fixed, piece.frame().motion, std::min(tolerance, 1.0),
-                                     query_.find, i == 0});
+            const query::PieceResult result = query::search_piece(
+                {query_.moving, query_.fixed, piece.frame().motion, std::min(tolerance, 1.0), query_.find, i == 0});
             found.work += result.work;
             if (result.overlap || !result.candidates.empty()) {
                 report(found, piece, {i, count}, result);

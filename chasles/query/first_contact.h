@@ -90,10 +90,10 @@ struct FirstContactQuery {
     const Polyhedron& moving;
     const Polyhedron& fixed;
     Motion motion;
-    double margin = 0;                           ///< distance that counts as contact; must be 0 in this version
-    double hold = 0;                             ///< must be 0 in this version
-    double time_tolerance = 1e-12;               ///< aimed width of the bracket, of the motion; in [1e-15, 1]
-    double max_turn = std::numbers::pi / 18;     ///< a screw that turns more is cut into equal turns; radians
+    double margin = 0;                       ///< distance that counts as contact; must be 0 in this version
+    double hold = 0;                         ///< must be 0 in this version
+    double time_tolerance = 1e-12;           ///< aimed width of the bracket, of the motion; in [1e-15, 1]
+    double max_turn = std::numbers::pi / 18; ///< a screw that turns more is cut into equal turns; radians
     Find find = Find::first;
 };
 

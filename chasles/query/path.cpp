@@ -56,9 +56,8 @@ std::vector<FirstContact> first_contact_batch(const BatchQuery& query) {
     // More threads than cores gain nothing, and oneTBB would warn on standard error.
     const auto cores = static_cast<unsigned>(oneapi::tbb::info::default_concurrency());
     oneapi::tbb::task_arena arena(int(query.threads == 0 ? cores : std::min(query.threads, cores)));
-    arena.execute([&] {
-        oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, results.size(), 1), answer);
-    });
+    arena.execute(
+        [&] { oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, results.size(), 1), answer); });
     return results;
 }
 

@@ -15,7 +15,9 @@ namespace {
 using Lanes = algebra::Lanes<4, double>;
 using LaneVector = algebra::Vector3<Lanes>;
 
-Lanes times(const Lanes& lanes, double factor) { return lanes * Lanes::all(factor); }
+Lanes times(const Lanes& lanes, double factor) {
+    return lanes * Lanes::all(factor);
+}
 
 double spread(const Lanes& lanes) {
     return std::max(std::max(lanes[0], lanes[1]), std::max(lanes[2], lanes[3])) -

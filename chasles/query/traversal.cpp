@@ -41,8 +41,7 @@ public:
         : search_(search), exact_maps_(motion::control_maps(search.motion)), maps_(motion::rounded(exact_maps_)),
           scale_(elementary::error_scale(maps_, reach(search.moving.hierarchy()), reach(search.fixed.hierarchy()))),
           times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
-          filter_(search.moving, search.fixed, {scale_, {}}),
-          refinement_(search.moving, search.fixed, {scale_, {}}),
+          filter_(search.moving, search.fixed, {scale_, {}}), refinement_(search.moving, search.fixed, {scale_, {}}),
           moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
         refinement_.use(exact_maps_, {search.tolerance, finest_resolution});
     }
@@ -154,9 +153,12 @@ private:
         const Edge moving{candidate.moving.first, candidate.moving.second};
         const Edge fixed{candidate.fixed.first, candidate.fixed.second};
         switch (candidate.kind) {
-        case ContactKind::vertex_face: return refinement_.vertex_face(moving.from, fixed.from);
-        case ContactKind::face_vertex: return refinement_.face_vertex(moving.from, fixed.from);
-        case ContactKind::edge_edge: return refinement_.edge_edge(refinement_.path_of(moving), fixed);
+        case ContactKind::vertex_face:
+            return refinement_.vertex_face(moving.from, fixed.from);
+        case ContactKind::face_vertex:
+            return refinement_.face_vertex(moving.from, fixed.from);
+        case ContactKind::edge_edge:
+            return refinement_.edge_edge(refinement_.path_of(moving), fixed);
         }
         return std::nullopt;
     }
@@ -206,6 +208,8 @@ private:
 
 } // namespace
 
-PieceResult search_piece(const PieceSearch& search) { return Traversal(search).run(); }
+PieceResult search_piece(const PieceSearch& search) {
+    return Traversal(search).run();
+}
 
 } // namespace chasles::query

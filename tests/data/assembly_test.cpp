@@ -49,8 +49,8 @@ void expect_threads_to_run(const Thread& thread, const char* name) {
     EXPECT_TRUE(down.contact.certain);
     const double degrees = -step_degrees * (double(down.segment) + down.contact.time.lower);
     EXPECT_NEAR(degrees, thread.first_contact, 0.01);
-    print_figures("%s: turned the other way: first contact at %.6f degrees (sampled: %.2f), bracket %.1g", name, degrees,
-                  thread.first_contact, down.contact.time.upper - down.contact.time.lower);
+    print_figures("%s: turned the other way: first contact at %.6f degrees (sampled: %.2f), bracket %.1g", name,
+                  degrees, thread.first_contact, down.contact.time.upper - down.contact.time.lower);
 }
 
 TEST(Assembly, M16NutUnscrewsAndTouchesWhereItShould) {

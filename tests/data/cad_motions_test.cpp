@@ -60,8 +60,8 @@ FirstStep first_step(const std::string& set, const std::string& poses) {
         if (result.found.verdict != Verdict::clear)
             break;
     }
-    print_figures("%s %s: step %zu, %s, time %.15g (bracket %.1g), certain: %d", set.c_str(), poses.c_str(), result.step,
-                  result.found.verdict == Verdict::contact ? "contact" : "contact at start or clear",
+    print_figures("%s %s: step %zu, %s, time %.15g (bracket %.1g), certain: %d", set.c_str(), poses.c_str(),
+                  result.step, result.found.verdict == Verdict::contact ? "contact" : "contact at start or clear",
                   result.found.time.lower, result.found.time.upper - result.found.time.lower, result.found.certain);
     return result;
 }

@@ -43,14 +43,19 @@ Pose pose(const Json& numbers) {
 
 const char* name_of(Verdict verdict) {
     switch (verdict) {
-    case Verdict::clear: return "clear";
-    case Verdict::contact: return "contact";
-    case Verdict::contact_at_start: return "contact_at_start";
+    case Verdict::clear:
+        return "clear";
+    case Verdict::contact:
+        return "contact";
+    case Verdict::contact_at_start:
+        return "contact_at_start";
     }
     return "";
 }
 
-bool encloses(const Bracket& bracket, double value) { return bracket.lower <= value && value <= bracket.upper; }
+bool encloses(const Bracket& bracket, double value) {
+    return bracket.lower <= value && value <= bracket.upper;
+}
 
 struct Tally {
     int cases = 0;
@@ -81,7 +86,8 @@ void answer(const std::string& line, Tally& tally) {
     tally.widest = std::max(tally.widest, found.time.upper - found.time.lower);
     if (!encloses(found.tau, truth["tau"]) || !encloses(found.time, truth["time"])) {
         ++tally.outside_bracket;
-        ADD_FAILURE() << one["id"] << ": tau in [" << found.tau.lower << ", " << found.tau.upper << "] excludes " << truth;
+        ADD_FAILURE() << one["id"] << ": tau in [" << found.tau.lower << ", " << found.tau.upper << "] excludes "
+                      << truth;
     }
 }
 

@@ -111,8 +111,8 @@ struct Tally {
     int queries = 0;
     int colliding = 0;
     int missed = 0;
-    int false_alarms = 0;   ///< contacts of the query's own primitives although the truth is no
-    int added_corners = 0;  ///< contacts of the corners that were added only
+    int false_alarms = 0;  ///< contacts of the query's own primitives although the truth is no
+    int added_corners = 0; ///< contacts of the corners that were added only
 };
 
 void compare(const ElementaryQuery& query, Tally& tally) {

@@ -37,5 +37,5 @@ void print_figures(const char* format, Arguments... arguments) {
 
 /// Leaves the test where the data is not there.
 #define CHASLES_REQUIRE_DATA(name)                                                                                     \
-    if (std::string(CHASLES_DATA_DIR).empty() || !std::filesystem::exists(chasles::test::shared_data(name)))            \
+    if (std::string(CHASLES_DATA_DIR).empty() || !std::filesystem::exists(chasles::test::shared_data(name)))           \
     GTEST_SKIP() << "skipped: no folder " << name << " of real inputs"

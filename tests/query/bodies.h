@@ -23,7 +23,8 @@ struct Body {
 inline Body box(const Eigen::Vector3d& half) {
     Body body;
     for (int i = 0; i < 8; ++i)
-        body.vertices.emplace_back((i & 1 ? 1 : -1) * half.x(), (i & 2 ? 1 : -1) * half.y(), (i & 4 ? 1 : -1) * half.z());
+        body.vertices.emplace_back((i & 1 ? 1 : -1) * half.x(), (i & 2 ? 1 : -1) * half.y(),
+                                   (i & 4 ? 1 : -1) * half.z());
     body.faces = {{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4}, {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     return body;
 }

@@ -1,6 +1,6 @@
 // The whole query against every feature pair in exact rationals: no filter, no hierarchy, no splitting of time.
-#include "chasles/query/feature_pairs.h"
 #include "chasles/motion/screw_pose.h"
+#include "chasles/query/feature_pairs.h"
 #include "tests/query/bodies.h"
 
 #include <boost/multiprecision/gmp.hpp>
@@ -42,13 +42,15 @@ ExactAnswer brute_force(const Polyhedron& a, const Polyhedron& b, const Pose& st
             for (const std::uint32_t vertex : b.owned_vertices(g))
                 answer.keep(pairs.face_vertex(f, vertex));
             for (const Edge& edge : a.owned_edges(f)) {
-                answer.overlaps = answer.overlaps || pairs.moving_edge_passage(edge, g, elementary::Ends::proven_opposite);
+                answer.overlaps =
+                    answer.overlaps || pairs.moving_edge_passage(edge, g, elementary::Ends::proven_opposite);
                 const auto path = pairs.path_of(edge);
                 for (const Edge& other : b.owned_edges(g))
                     answer.keep(pairs.edge_edge(path, other));
             }
             for (const Edge& edge : b.owned_edges(g))
-                answer.overlaps = answer.overlaps || pairs.fixed_edge_passage(edge, f, elementary::Ends::proven_opposite);
+                answer.overlaps =
+                    answer.overlaps || pairs.fixed_edge_passage(edge, f, elementary::Ends::proven_opposite);
         }
     }
     return answer;
@@ -75,10 +77,8 @@ enum class Demand { same, safe };
 void compare(const Polyhedron& a, const Polyhedron& b, const Pose& start, const Pose& goal, int& contacts,
              Demand demand = Demand::same) {
     const ExactAnswer exact = brute_force(a, b, start, goal);
-    const FirstContact found = first_contact({.moving = a,
-                                              .fixed = b,
-                                              .motion = ScrewMotion::between(start, goal),
-                                              .max_turn = std::numbers::pi});
+    const FirstContact found = first_contact(
+        {.moving = a, .fixed = b, .motion = ScrewMotion::between(start, goal), .max_turn = std::numbers::pi});
     contacts += found.verdict == Verdict::clear ? 0 : 1;
     if (exact.overlaps) {
         EXPECT_EQ(found.verdict, Verdict::contact_at_start);

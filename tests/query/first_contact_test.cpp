@@ -38,11 +38,11 @@ TEST(FirstContact, TiltedBoxFallsOnTableWithOneCorner) {
             z = std::min(z, (Eigen::AngleAxisd(0.5, axis) * v).z());
         return z;
     }();
-    const FirstContact found = first_contact({.moving = unit_box(),
-                                              .fixed = table(),
-                                              .motion = ScrewMotion::between(turned({0.1, 0.2, 4}, axis, 0.5),
-                                                                             turned({0.1, 0.2, 0}, axis, 0.5)),
-                                              .find = Find::first_with_all_contacts});
+    const FirstContact found = first_contact(
+        {.moving = unit_box(),
+         .fixed = table(),
+         .motion = ScrewMotion::between(turned({0.1, 0.2, 4}, axis, 0.5), turned({0.1, 0.2, 0}, axis, 0.5)),
+         .find = Find::first_with_all_contacts});
     ASSERT_EQ(found.verdict, Verdict::contact);
     EXPECT_TRUE(found.certain);
     expect_encloses(found.time, (4 - 0.5 - lowest) / 4, 1e-11);
@@ -101,11 +101,11 @@ TEST(FirstContact, DoorSwingsAgainstPostAtTheAngleOfGeometry) {
     const double at = pi / 6;
     const Pose post_pose({0.8 * std::cos(at), 0.8 * std::sin(at), 0},
                          Eigen::Quaterniond(Eigen::AngleAxisd(at, Eigen::Vector3d::UnitZ())));
-    const FirstContact found = first_contact({.moving = door,
-                                              .fixed = post,
-                                              .motion = ScrewMotion::relative(opened(0), opened(pi / 3), post_pose,
-                                                                              post_pose),
-                                              .max_turn = pi});
+    const FirstContact found =
+        first_contact({.moving = door,
+                       .fixed = post,
+                       .motion = ScrewMotion::relative(opened(0), opened(pi / 3), post_pose, post_pose),
+                       .max_turn = pi});
     ASSERT_EQ(found.verdict, Verdict::contact);
     // The door's face y = 0.001 meets the post's nearer corner (0.79, -0.01) in the post's frame.
     const double corner_angle = at + std::atan2(-0.01, 0.79);
@@ -135,11 +135,10 @@ TEST(FirstContact, ClearanceOfAHundredBillionthIsClear) {
 }
 
 TEST(FirstContact, SlidingAlongFaceToFaceIsContactFromWhereTheyMeet) {
-    const FirstContact found =
-        first_contact({.moving = unit_box(),
-                       .fixed = unit_box(),
-                       .motion = ScrewMotion::between(shifted(-5, 1, 0), shifted(5, 1, 0)),
-                       .find = Find::first_with_all_contacts});
+    const FirstContact found = first_contact({.moving = unit_box(),
+                                              .fixed = unit_box(),
+                                              .motion = ScrewMotion::between(shifted(-5, 1, 0), shifted(5, 1, 0)),
+                                              .find = Find::first_with_all_contacts});
     ASSERT_EQ(found.verdict, Verdict::contact);
     expect_encloses(found.time, 0.4);
     EXPECT_FALSE(found.certain) << "an exact touch cannot be told from a miss by less than the bound";
@@ -159,10 +158,10 @@ TEST(FirstContact, BodiesTouchingAtTheStartSaySo) {
 }
 
 TEST(FirstContact, OverlapAtTheStartNamesAnEdgeAndAFace) {
-    const FirstContact found = first_contact({.moving = unit_box(),
-                                              .fixed = table(),
-                                              .motion = ScrewMotion::between(turned({0.3, 0.2, 0.6}, {1, 2, 3}, 0.4),
-                                                                             shifted(0, 0, 5))});
+    const FirstContact found =
+        first_contact({.moving = unit_box(),
+                       .fixed = table(),
+                       .motion = ScrewMotion::between(turned({0.3, 0.2, 0.6}, {1, 2, 3}, 0.4), shifted(0, 0, 5))});
     ASSERT_EQ(found.verdict, Verdict::contact_at_start);
     EXPECT_TRUE(found.certain);
     EXPECT_EQ(found.time.upper, 0);

@@ -33,10 +33,11 @@ TEST(HardCases, NeedleHitsAPentagonThatIsConvexOnlyInACoordinateView) {
     const Polyhedron needle_body = needle(placed(0.95, 6e-7, 0), normal);
     const Eigen::Vector3d above = 0.5 * normal;
     const Eigen::Vector3d below = -normal;
-    const FirstContact found = first_contact({.moving = needle_body,
-                                              .fixed = pentagon,
-                                              .motion = ScrewMotion::between(shifted(above.x(), above.y(), above.z()),
-                                                                             shifted(below.x(), below.y(), below.z()))});
+    const FirstContact found =
+        first_contact({.moving = needle_body,
+                       .fixed = pentagon,
+                       .motion = ScrewMotion::between(shifted(above.x(), above.y(), above.z()),
+                                                      shifted(below.x(), below.y(), below.z()))});
     EXPECT_EQ(found.verdict, Verdict::contact);
 }
 
@@ -113,10 +114,11 @@ TEST(HardCases, LargeTurnsInOnePieceKeepTimeInsideItsBracket) {
             Vertices{0.5 * there - Eigen::Vector3d(0, 0, 1), 2 * there - Eigen::Vector3d(0, 0, 1),
                      2 * there + Eigen::Vector3d(0, 0, 1), 0.5 * there + Eigen::Vector3d(0, 0, 1)},
             Faces{{0, 1, 2, 3}});
-        const FirstContact found = first_contact({.moving = arm,
-                                                  .fixed = wall,
-                                                  .motion = ScrewMotion::between(Pose(), turned({0, 0, 0}, {0, 0, 1}, turn)),
-                                                  .max_turn = pi});
+        const FirstContact found =
+            first_contact({.moving = arm,
+                           .fixed = wall,
+                           .motion = ScrewMotion::between(Pose(), turned({0, 0, 0}, {0, 0, 1}, turn)),
+                           .max_turn = pi});
         ASSERT_EQ(found.verdict, Verdict::contact);
         EXPECT_NEAR(found.time.lower, 0.9, 1e-10) << "the needle is 1e-12 wide";
         EXPECT_LE(found.time.lower, 0.9 + 1e-15);

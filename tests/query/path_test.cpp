@@ -13,10 +13,10 @@ TEST(Path, TellsTheSegmentAndTheTimeWithinIt) {
     const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
     const std::vector<Pose> poses{shifted(-4, 0, 0), shifted(-3, 0, 0), shifted(-2, 0, 0), shifted(2, 0, 0)};
     std::vector<std::size_t> reported;
-    const PathContact found = first_contact_on_path({.moving = body,
-                                                     .fixed = body,
-                                                     .poses = poses,
-                                                     .progress = [&](std::size_t done) { reported.push_back(done); }});
+    const PathContact found =
+        first_contact_on_path({.moving = body, .fixed = body, .poses = poses, .progress = [&](std::size_t done) {
+                                   reported.push_back(done);
+                               }});
     EXPECT_EQ(found.contact.verdict, Verdict::contact);
     EXPECT_EQ(found.segment, 2u);
     EXPECT_NEAR(found.contact.time.lower, 0.25, 1e-11);

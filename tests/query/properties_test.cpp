@@ -28,10 +28,13 @@ Case random_case(std::mt19937& random) {
 }
 
 FirstContact answer(const Body& moving, const Body& fixed, const ScrewMotion& motion) {
-    return first_contact({.moving = moving.polyhedron(), .fixed = fixed.polyhedron(), .motion = motion, .max_turn = pi});
+    return first_contact(
+        {.moving = moving.polyhedron(), .fixed = fixed.polyhedron(), .motion = motion, .max_turn = pi});
 }
 
-bool overlap(const Bracket& a, const Bracket& b) { return a.lower <= b.upper && b.lower <= a.upper; }
+bool overlap(const Bracket& a, const Bracket& b) {
+    return a.lower <= b.upper && b.lower <= a.upper;
+}
 
 /// Runs a comparison on random cases, and makes sure that enough of them touch and enough do not.
 template <class Compare>
@@ -51,8 +54,7 @@ void on_random_cases(unsigned seed, Compare compare) {
 
 TEST(Properties, SwappingTheBodiesSwapsTheContact) {
     on_random_cases(1, [](const Case& one, const FirstContact& found, std::mt19937&) {
-        const FirstContact swapped =
-            answer(one.b, one.a, ScrewMotion::relative(Pose(), Pose(), one.start, one.goal));
+        const FirstContact swapped = answer(one.b, one.a, ScrewMotion::relative(Pose(), Pose(), one.start, one.goal));
         ASSERT_EQ(found.verdict, swapped.verdict);
         EXPECT_TRUE(overlap(found.tau, swapped.tau));
         if (found.contacts.empty() || swapped.contacts.empty())
@@ -84,9 +86,8 @@ TEST(Properties, ASweepThatIsClearForwardsIsClearBackwards) {
 TEST(Properties, MovingTheWorldMovesTheContact) {
     on_random_cases(3, [](const Case& one, const FirstContact& found, std::mt19937& random) {
         const Pose world = random_pose(random, 10, 3);
-        const FirstContact moved =
-            answer(one.a, one.b,
-                   ScrewMotion::relative(composed(world, one.start), composed(world, one.goal), world, world));
+        const FirstContact moved = answer(
+            one.a, one.b, ScrewMotion::relative(composed(world, one.start), composed(world, one.goal), world, world));
         ASSERT_EQ(found.verdict, moved.verdict);
         EXPECT_NEAR(found.tau.lower, moved.tau.lower, 1e-9) << "the poses were rounded";
         if (found.contacts.empty() || moved.contacts.empty())
@@ -133,8 +134,8 @@ Body shuffled(const Body& body, std::mt19937& random) {
 
 TEST(Properties, OrderOfVerticesAndFacesDoesNotMatter) {
     on_random_cases(5, [](const Case& one, const FirstContact& found, std::mt19937& random) {
-        const FirstContact other = answer(shuffled(one.a, random), shuffled(one.b, random),
-                                          ScrewMotion::between(one.start, one.goal));
+        const FirstContact other =
+            answer(shuffled(one.a, random), shuffled(one.b, random), ScrewMotion::between(one.start, one.goal));
         ASSERT_EQ(found.verdict, other.verdict);
         EXPECT_TRUE(overlap(found.time, other.time));
     });
