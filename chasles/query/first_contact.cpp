@@ -79,8 +79,10 @@ private:
         found.pose = piece.pose_at(piece.time_at(tau.lower));
         const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
         found.overlap = result.overlap;
-        if (found.overlap)
+        if (found.overlap) {
             found.overlap->point = to_world * found.overlap->point;
+            name_face(found.overlap->face, found.overlap->edge_is_moving ? query_.fixed : query_.moving);
+        }
         const double rate = piece.tau_rate(tau.lower) * double(clock.count);
         const query::ContactDetails details(query_.moving, query_.fixed,
                                             motion::rounded(motion::control_maps(piece.frame().motion)), tau.lower,
@@ -90,8 +92,20 @@ private:
             contact.point = to_world * contact.point;
             contact.normal = to_world.linear() * contact.normal;
             contact.approach_speed *= rate;
+            name_faces(contact);
             found.contacts.push_back(contact);
         }
+    }
+
+    /// From the body's own numbering of faces to that of its input.
+    static void name_face(Feature& feature, const Polyhedron& body) {
+        feature.first = feature.second = body.source_face(feature.first);
+    }
+    void name_faces(Contact& contact) const {
+        if (contact.kind == ContactKind::face_vertex)
+            name_face(contact.moving, query_.moving);
+        if (contact.kind == ContactKind::vertex_face)
+            name_face(contact.fixed, query_.fixed);
     }
 
     /// The first contact is not before any lower end nor after any upper end.

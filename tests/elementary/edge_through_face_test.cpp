@@ -11,11 +11,11 @@ namespace {
 using namespace test;
 
 template <class S>
-std::optional<Passage<S>> passage(const Line& edge, const Face& face) {
+std::optional<Passage<S>> passage(const Line& edge, const Face& face, Ends ends = Ends::proven_opposite) {
     const auto corners = corners_in<S>(face.corners);
     const double length = reach(face.corners) + reach({edge.from, edge.to});
     return edge_through_face<S>({rounded_to<S>(edge.from), rounded_to<S>(edge.to)},
-                                face_shape<S>(corners, face.triangles), 4 * length);
+                                face_shape<S>(corners, face.triangles), 4 * length, ends);
 }
 
 template <class S>
@@ -120,6 +120,31 @@ TEST(EdgeThroughFace, AgreesWithTheSignsOfTetrahedra) {
         EXPECT_EQ(in_doubles && in_doubles->certain, expected) << "small integers leave no doubt";
     }
     EXPECT_GT(passing, 60);
+}
+
+TEST(EdgeThroughFace, FilterKeepsWhatOnlyTouchesThePlane) {
+    const auto filtered = [](const Line& edge) {
+        return passage<double>(edge, triangle, Ends::not_proven_on_one_side).has_value();
+    };
+    EXPECT_TRUE(filtered({point(1, 1, 0), point(1, 1, 3)}));
+    EXPECT_TRUE(filtered({point(1, 1, -3), point(1, 1, 0)}));
+    EXPECT_TRUE(filtered({point(1, 1, -1), point(1, 1, 1)}));
+    EXPECT_FALSE(filtered({point(1, 1, 1), point(1, 1, 3)}));
+    EXPECT_FALSE(filtered({point(3, 3, -1), point(3, 3, 1)}));
+}
+
+TEST(EdgeThroughFace, FilterLosesNothing) {
+    Random random(732);
+    int passing = 0;
+    for (int trial = 0; trial < 1000; ++trial) {
+        const Line edge{small_place(random), small_place(random)};
+        const Face face{{small_place(random), small_place(random), small_place(random)}};
+        if (!passes_strictly(edge, face.corners))
+            continue;
+        ++passing;
+        EXPECT_TRUE(passage<double>(edge, face, Ends::not_proven_on_one_side));
+    }
+    EXPECT_GT(passing, 30);
 }
 
 } // namespace

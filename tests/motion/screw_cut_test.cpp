@@ -54,6 +54,19 @@ TEST(ScrewCut, ExactMultiplesAreNotCutOnceMore) {
     EXPECT_EQ(ScrewMotion::between(Pose(), goal).cut(pi / 2).size(), 1u);
 }
 
+TEST(ScrewCut, OnePieceAtATimeIsTheSame) {
+    Random random(653);
+    const Pose start = random_pose(random, 5);
+    const auto whole = ScrewMotion::between(start, random_goal(random, start, 2, 3));
+    const auto pieces = whole.cut(0.3);
+    ASSERT_EQ(whole.piece_count(0.3), pieces.size());
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const ScrewMotion piece = whole.piece(i, pieces.size());
+        EXPECT_TRUE(same_pose(piece.frame().start, pieces[i].frame().start));
+        EXPECT_TRUE(same_pose(piece.frame().goal, pieces[i].frame().goal));
+    }
+}
+
 TEST(ScrewCut, TranslationIsNeverCut) {
     const auto straight = ScrewMotion::between(Pose(), Pose({0, 3, 4}, Eigen::Quaterniond::Identity()));
     EXPECT_EQ(straight.cut(1e-6).size(), 1u);

@@ -69,6 +69,26 @@ TEST(FirstContact, BoxLandsFlatWithItsFourCorners) {
         EXPECT_EQ(contact.kind, ContactKind::vertex_face);
 }
 
+TEST(FirstContact, FacesAreNamedAsInTheInput) {
+    // Before the table's faces stands one that collapses when equal corners are merged, and is dropped.
+    Body with_collapsed = box({5, 5, 0.5});
+    with_collapsed.vertices.push_back(with_collapsed.vertices[0]);
+    with_collapsed.faces.insert(with_collapsed.faces.begin(), {0, 8, 1});
+    const Eigen::Vector3d axis(1, 0.3, 0.2);
+    const FirstContact found = first_contact(
+        {.moving = unit_box(),
+         .fixed = with_collapsed.polyhedron(),
+         .motion = ScrewMotion::between(turned({0.1, 0.2, 4}, axis, 0.5), turned({0.1, 0.2, 0}, axis, 0.5))});
+    ASSERT_EQ(found.contacts.size(), 1u);
+    EXPECT_EQ(found.contacts[0].fixed.first, 6u);
+    const FirstContact inside =
+        first_contact({.moving = unit_box(),
+                       .fixed = with_collapsed.polyhedron(),
+                       .motion = ScrewMotion::between(turned({0.3, 0.2, 0.6}, axis, 0.4), Pose())});
+    ASSERT_TRUE(inside.overlap.has_value());
+    EXPECT_EQ(inside.overlap->face.first, 6u);
+}
+
 TEST(FirstContact, CrossedEdgesMeet) {
     // Two boxes standing on edge across each other: the lowest edge of one meets the highest of the other.
     const double height = std::sqrt(0.5);
