@@ -69,7 +69,7 @@ TEST(ScrewCut, OnePieceAtATimeIsTheSame) {
 
 TEST(ScrewCut, TranslationIsNeverCut) {
     const auto straight = ScrewMotion::between(Pose(), Pose({0, 3, 4}, Eigen::Quaterniond::Identity()));
-    EXPECT_EQ(straight.cut(1e-6).size(), 1u);
+    EXPECT_EQ(straight.cut(ScrewMotion::least_max_turn).size(), 1u);
 }
 
 TEST(ScrewCut, HalfTurnIsCutWhateverIsAllowed) {
@@ -115,9 +115,9 @@ TEST(ScrewCut, PiecesOfARelativeMotionCutTheFixedBodyToo) {
     EXPECT_TRUE(pieces.back().pose_at(1).isometry().isApprox(whole.pose_at(1).isometry(), 1e-14));
 }
 
-TEST(ScrewCut, TurnThatIsNotPositiveIsRefused) {
+TEST(ScrewCut, TurnBelowTheLeastIsRefused) {
     const auto screw = ScrewMotion::between(Pose(), Pose());
-    for (const double bad : {0.0, -1.0, std::numeric_limits<double>::quiet_NaN()})
+    for (const double bad : {0.0, -1.0, 0.99 * ScrewMotion::least_max_turn, std::numeric_limits<double>::quiet_NaN()})
         EXPECT_THROW((void)screw.cut(bad), InvalidInput);
 }
 
