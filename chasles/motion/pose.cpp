@@ -26,9 +26,9 @@ void require_usable(const Eigen::Vector3d& translation) {
 
 /// Scales by a power of two, which is exact, so that squares of the numbers neither overflow nor underflow.
 Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
-    const double largest = rotation.coeffs().cwiseAbs().maxCoeff();
-    if (!std::isfinite(largest))
+    if (!rotation.coeffs().allFinite())
         throw InvalidInput("pose: quaternion: a number is NaN or infinite");
+    const double largest = rotation.coeffs().cwiseAbs().maxCoeff();
     if (largest == 0)
         throw InvalidInput("pose: quaternion: all four numbers are zero, which is no rotation");
     if (largest >= 1e-3 && largest <= 1e3)

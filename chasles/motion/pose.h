@@ -12,7 +12,8 @@ namespace chasles {
 /// the same pose.
 struct Pose {
     Eigen::Vector3d translation = Eigen::Vector3d::Zero(); ///< in the mesh's unit
-    Eigen::Quaterniond rotation = Eigen::Quaterniond::Identity();
+    /// Not aligned for vectors: the layout is the same whatever instruction set a user compiles for.
+    Eigen::Quaternion<double, Eigen::DontAlign> rotation = Eigen::Quaterniond::Identity();
 
     Pose() = default;
 

@@ -38,6 +38,8 @@ ScrewMotion ScrewMotion::relative(const Pose& moving_start, const Pose& moving_g
 }
 
 double ScrewMotion::tau_at(double time) const {
+    if (time <= 0 || time >= 1) // the ends to the last bit
+        return time <= 0 ? 0 : 1;
     return angle() < uniform_turn ? time : std::tan(angle() / 2 * time) / numbers_.half_tangent;
 }
 

@@ -31,7 +31,8 @@ void validate(const FirstContactQuery& query) {
     require(query.margin == 0, "margin", "must be 0; distances above 0 are not supported by this version");
     require(query.hold == 0, "hold", "must be 0; it belongs to a margin, which this version does not support");
     require(query.time_tolerance >= 1e-15 && query.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
-    require(query.max_turn >= ScrewMotion::least_max_turn, "max_turn", "must be at least 1e-4 radians");
+    require(query.max_turn >= ScrewMotion::least_max_turn, "max_turn",
+            "must be at least 1e-4 radians (0.00573 degrees)");
 }
 
 /// One query, piece by piece.
@@ -51,6 +52,8 @@ public:
             found.work += result.work;
             if (result.overlap || !result.candidates.empty()) {
                 report(found, piece, {i, count}, result);
+                if (found.verdict == Verdict::contact && !found.certain)
+                    settle(found, piece_at, {i, count}, enclosing(result.candidates), 0.5 * std::min(tolerance, 1.0));
                 return found;
             }
             if (i + 1 == count)
@@ -95,6 +98,28 @@ private:
             name_faces(contact);
             found.contacts.push_back(contact);
         }
+    }
+
+    /// A touch that no change of sign proves (exactly on an edge, in a plane, or between two pieces) is certain all the
+    /// same if the surfaces pass through each other right behind it: they were proven apart before.
+    template <class PieceAt>
+    void settle(FirstContact& found, PieceAt piece_at, PieceClock clock, const Bracket& tau, double ahead) const {
+        double later = std::max(tau.upper, tau.lower + ahead);
+        if (later > 1) {
+            if (++clock.index == clock.count)
+                return;
+            later = ahead;
+        }
+        const auto piece = piece_at(clock.index);
+        const auto standing = motion::standing_at(piece.frame().motion, MotionFrame::Scalar(later));
+        const query::PieceResult then =
+            query::search_piece({query_.moving, query_.fixed, standing, 1, Find::first_with_all_contacts, true});
+        found.work += then.work;
+        found.certain = then.overlap && then.overlap->certain;
+        if (!found.certain)
+            return;
+        found.tau.upper = std::min(1.0, clock.whole(later) * (1 + clock_slack));
+        found.time.upper = std::min(1.0, clock.whole(piece.time_at(later)) * (1 + clock_slack));
     }
 
     /// From the body's own numbering of faces to that of its input.

@@ -1,9 +1,11 @@
 #include "chasles/query/swept_boxes.h"
 
 // The hottest function of the library is compiled twice, and the processor at hand chooses: four lanes are one
-// register with AVX2 and two without. No fused operations: the answers are the same to the last bit.
-#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__AVX2__) && !defined(__SANITIZE_ADDRESS__)
-#define CHASLES_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default")))
+// register with AVX2 and two without. No fused operations: the answers are the same to the last bit. All that it calls
+// has to be inlined (flatten), because the two forms pass vectors in different ways; without optimisation it is not.
+#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__OPTIMIZE__) && !defined(__AVX2__) &&                    \
+    !defined(__SANITIZE_ADDRESS__)
+#define CHASLES_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default"), flatten))
 #else
 #define CHASLES_ALSO_FOR_AVX2
 #endif

@@ -66,6 +66,15 @@ TEST(Pose, NonFiniteNumbersAreRefused) {
     }
 }
 
+TEST(Pose, QuaternionsThatAreNotFiniteAreRefused) {
+    for (const double bad : {nan, infinity, -infinity})
+        for (Eigen::Index i = 0; i < 4; ++i) {
+            Eigen::Quaterniond q(1, 2, 3, 4);
+            q.coeffs()[i] = bad;
+            expect_refused([&] { Pose({0, 0, 0}, q); }, "pose: quaternion: a number is NaN or infinite");
+        }
+}
+
 TEST(Pose, ZeroQuaternionIsRefused) {
     expect_refused([] { Pose({0, 0, 0}, Eigen::Quaterniond(0, 0, 0, 0)); }, "zero");
     EXPECT_EQ(refusal([] { Pose({0, 0, 0}, Eigen::Quaterniond(0, 0, 0, 5e-324)); }), "accepted");

@@ -104,6 +104,40 @@ TEST(HardCases, NeedleThroughASliverOverlapsAtTheStart) {
     }
 }
 
+/// A corner goes straight into a face at half time, which is where two pieces of the screw join, or not.
+TEST(HardCases, ContactBetweenTwoPiecesOfAScrewIsCertain) {
+    const Polyhedron block = box({1, 1, 1}).polyhedron();
+    for (const double degrees : {3.0, 9.0, 11.0, 19.0, 21.0, 31.0, 41.0}) {
+        const double half = degrees * pi / 360;
+        const auto tip_at = [&](double angle, double x) { return turned({x, 0.1, 0.2}, {1, 0, 0}, angle); };
+        const FirstContact found = first_contact({.moving = needle({0, 0, 0}, {1, 0, 0}),
+                                                  .fixed = block,
+                                                  .motion = ScrewMotion::between(tip_at(-half, 3), tip_at(half, -1))});
+        ASSERT_EQ(found.verdict, Verdict::contact) << degrees;
+        EXPECT_TRUE(found.certain) << degrees << " degrees";
+        EXPECT_NEAR(found.time.lower, 0.5, 1e-3) << "the slide of a piece is not quite uniform";
+        EXPECT_LE(found.time.upper - found.time.lower, 1e-12) << degrees;
+    }
+}
+
+TEST(HardCases, CornerThatHitsExactlyAnEdgeIsCertainWhenItGoesOn) {
+    const Polyhedron block = box({1, 1, 1}).polyhedron();
+    const auto answer = [&](double x) {
+        return first_contact({.moving = needle({x, 0, 0}, {0.5, 0, 1}),
+                              .fixed = block,
+                              .motion = ScrewMotion::between(shifted(0, 0, 3), shifted(0, 0, 0))});
+    };
+    const FirstContact through = answer(1);
+    EXPECT_EQ(through.verdict, Verdict::contact);
+    EXPECT_FALSE(through.certain) << "it slides down the side";
+    const FirstContact into = first_contact({.moving = needle({1, 0, 0}, {0.5, 0, 1}),
+                                             .fixed = block,
+                                             .motion = ScrewMotion::between(shifted(1, 0, 2), shifted(-1, 0, 0))});
+    EXPECT_EQ(into.verdict, Verdict::contact);
+    EXPECT_TRUE(into.certain) << "it goes in through the edge";
+    EXPECT_NEAR(into.time.lower, 0.5, 1e-12);
+}
+
 TEST(HardCases, LargeTurnsInOnePieceKeepTimeInsideItsBracket) {
     // A point on a long arm at a known angle: the bracket of time must hold angle / turn for turns up to the longest.
     const Polyhedron arm = needle({1, 0, 0}, {-0.5, 0, 0});
