@@ -5,6 +5,7 @@
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cmath>
@@ -39,7 +40,18 @@ public:
         return place->second;
     }
 
-    void add_face(std::vector<std::uint32_t> face) { soup_.faces.push_back(std::move(face)); }
+    /// A facet that names one place twice gets a vertex of its own there: what is to become of a face that collapses
+    /// when equal vertices are merged is for the mesh to decide (docs/decisions/0011).
+    void add_face(std::vector<std::uint32_t> face) {
+        for (std::size_t i = 1; i < face.size(); ++i) {
+            if (std::find(face.begin(), face.begin() + std::ptrdiff_t(i), face[i]) == face.begin() + std::ptrdiff_t(i))
+                continue;
+            const Eigen::Vector3d again = soup_.vertices[face[i]];
+            face[i] = static_cast<std::uint32_t>(soup_.vertices.size());
+            soup_.vertices.push_back(again);
+        }
+        soup_.faces.push_back(std::move(face));
+    }
     void add_line(std::size_t line) { soup_.face_lines.push_back(line); }
     PolygonSoup take() { return std::move(soup_); }
 

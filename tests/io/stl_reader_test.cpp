@@ -1,5 +1,6 @@
 // STL: ASCII and binary are told apart whatever their first bytes; equal vertices become one; nothing is lost silently.
 #include "chasles/io/mesh_files.h"
+#include "chasles/mesh/polyhedron.h"
 #include "tests/io/message_of.h"
 
 #include <array>
@@ -39,6 +40,17 @@ std::string binary_stl(const std::string& title, std::uint32_t count, const std:
 
 const std::string two_triangles =
     binary_triangle({0, 0, 0, 1, 0, 0, 0, 1, 0}) + binary_triangle({1, 0, 0, 1, 1, 0, 0, 1, 0});
+
+TEST(ReadStl, FacetsThatCollapseAreLeftToTheMesh) {
+    const std::string collapsed =
+        "facet normal 0 0 1\n  outer loop\n    vertex 0 0 0\n    vertex 1 0 0\n    vertex 1 0 0\n"
+        "  endloop\nendfacet\n";
+    const PolygonSoup soup = read_stl("solid s\n" + facet + collapsed + "endsolid s\n");
+    ASSERT_EQ(soup.faces.size(), 2u);
+    EXPECT_EQ(soup.faces[1], (Face{0, 1, 3}));
+    EXPECT_EQ(soup.vertices[3], soup.vertices[1]);
+    EXPECT_EQ(Polyhedron::from_polygons(soup.vertices, soup.faces).report().dropped_faces, 1u);
+}
 
 TEST(ReadStl, ReadsAsciiAndMergesEqualVertices) {
     const std::string other =
