@@ -70,7 +70,7 @@ std::string headline(const FirstContact& found) {
     case Verdict::clear:
         return "CLEAR: proven that nothing touches on the whole way\n";
     case Verdict::contact:
-        return fmt::format("CONTACT at time {:.12g}\n", found.time.upper);
+        return fmt::format("CONTACT at time {:.12g}\n", found.time.lower);
     case Verdict::contact_at_start:
         break;
     }
