@@ -11,16 +11,18 @@
 
 namespace chasles::reference {
 
-/// Vertices, the edges of its faces, and triangles that cover them. Every triangle has an area.
+/// Vertices, those that are corners of faces, the edges of faces, and triangles that cover them. Every triangle has an
+/// area.
 struct Surface {
     std::vector<Eigen::Vector3d> vertices;
+    std::set<std::uint32_t> corners;
     std::vector<std::array<std::uint32_t, 2>> edges;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 
     /// From faces that are convex polygons, planar to the last bit.
     static Surface from_convex_faces(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::vector<std::uint32_t>> faces) {
-        Surface surface{{vertices.begin(), vertices.end()}, {}, {}};
+        Surface surface{{vertices.begin(), vertices.end()}, {}, {}, {}};
         for (const auto& face : faces) {
             surface.add_outline(face);
             for (std::size_t i = 1; i + 1 < face.size(); ++i)
@@ -30,6 +32,7 @@ struct Surface {
     }
 
     void add_outline(const std::vector<std::uint32_t>& face) {
+        corners.insert(face.begin(), face.end());
         for (std::size_t i = 0; i < face.size(); ++i) {
             const std::uint32_t from = face[i];
             const std::uint32_t to = face[(i + 1) % face.size()];
@@ -143,10 +146,10 @@ public:
             earliest.offer(Root::point(0, 0), [](Root&) { return true; });
             return earliest.first();
         }
-        for (std::uint32_t v = 0; v < moving_.size(); ++v)
+        for (const std::uint32_t v : moving_surface_.corners)
             for (const auto& t : fixed_surface_.triangles)
                 vertex_triangle(earliest, v, t);
-        for (std::uint32_t v = 0; v < fixed_.size(); ++v)
+        for (const std::uint32_t v : fixed_surface_.corners)
             for (const auto& t : moving_surface_.triangles)
                 triangle_vertex(earliest, t, v);
         for (const auto& e : moving_surface_.edges)
