@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace chasles::attack {
 
@@ -36,11 +35,13 @@ struct Tally {
     Tally& operator+=(const Tally& other);
 };
 
-/// One line a family and one for all; returns the sum.
+/// A line of the table.
 struct NamedTally {
     std::string name;
     Tally tally;
 };
-Tally print_table(const std::string& title, const std::vector<NamedTally>& tallies);
+
+void print_header(const std::string& title);
+void print_line(const NamedTally& one);
 
 } // namespace chasles::attack
