@@ -8,6 +8,8 @@ MotionFrame MotionFrame::between(const Pose& start, const Pose& goal) {
     MotionFrame frame;
     frame.start = motion::exact(start);
     frame.goal = motion::exact(goal);
+    frame.given_start = {start, {}};
+    frame.given_goal = {goal, {}};
     return frame;
 }
 
@@ -19,6 +21,8 @@ MotionFrame MotionFrame::relative(const Pose& moving_start, const Pose& moving_g
     frame.fixed_start = fixed_start;
     frame.fixed_goal = fixed_goal;
     frame.fixed_moves = true;
+    frame.given_start = {moving_start, fixed_start};
+    frame.given_goal = {moving_goal, fixed_goal};
     return frame;
 }
 

@@ -26,6 +26,7 @@ SweepMotion SweepMotion::from(MotionFrame frame, const Eigen::Vector3d& centre) 
     const algebra::Vector3<Scalar> reference{centre.x(), centre.y(), centre.z()};
     SweepMotion sweep;
     frame.motion = motion::sweep_between(frame.start, frame.goal, unit_turn(frame), reference);
+    frame.swept_centre = centre;
     sweep.frame_ = std::move(frame);
     return sweep;
 }

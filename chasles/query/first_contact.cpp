@@ -47,8 +47,9 @@ public:
         for (std::size_t i = 0; i < count; ++i) {
             const auto piece = piece_at(i);
             const double tolerance = query_.time_tolerance * double(count) / greatest_time_rate(piece);
-            const query::PieceResult result = query::search_piece(
-                {query_.moving, query_.fixed, piece.frame().motion, std::min(tolerance, 1.0), query_.find, i == 0});
+            const query::PieceResult result =
+                query::search_piece({query_.moving, query_.fixed, piece.frame().motion, &piece.frame(),
+                                     std::min(tolerance, 1.0), query_.find, i == 0});
             found.work += result.work;
             if (result.overlap || !result.candidates.empty()) {
                 report(found, piece, {i, count}, result);
@@ -112,8 +113,8 @@ private:
         }
         const auto piece = piece_at(clock.index);
         const auto standing = motion::standing_at(piece.frame().motion, MotionFrame::Scalar(later));
-        const query::PieceResult then =
-            query::search_piece({query_.moving, query_.fixed, standing, 1, Find::first_with_all_contacts, true});
+        const query::PieceResult then = query::search_piece(
+            {query_.moving, query_.fixed, standing, nullptr, 1, Find::first_with_all_contacts, true});
         found.work += then.work;
         found.certain = then.overlap && then.overlap->certain;
         if (!found.certain)
@@ -181,6 +182,7 @@ Work& Work::operator+=(const Work& other) {
     elementary_tests += other.elementary_tests;
     root_brackets += other.root_brackets;
     refined += other.refined;
+    exact += other.exact;
     return *this;
 }
 
