@@ -34,7 +34,7 @@ std::optional<bool> passes(const Segment<S>& segment, bool upwards, std::size_t 
         const Vector3<S>& from = corner_at(i);
         const Vector3<S> v = corner_at(i + 1 == count ? 0 : i + 1) - from;
         const S volume = dot(cross(from - segment.from, v), u);
-        const S error = unit * norm1(u) * norm1(v);
+        const S error = with_underflow<S>(unit * norm1(u) * norm1(v));
         if (volume < S(0) - error)
             return std::nullopt;
         certain = certain && volume > error;
@@ -55,7 +55,7 @@ template <class S>
 std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face, double length,
                                             Ends ends = Ends::proven_opposite) {
     const S unit(error_unit<S> * length);
-    const S band = unit * face.size + face.deviation;
+    const S band = with_underflow<S>(unit * face.size + face.deviation);
     const S limit = ends == Ends::proven_opposite ? band : S(0) - band;
     const S from = dot(face.normal, segment.from - face.corners[0]);
     const S to = dot(face.normal, segment.to - face.corners[0]);

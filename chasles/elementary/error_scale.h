@@ -15,14 +15,24 @@ struct ErrorScale {
     double stretch = 1; ///< of turned unit directions over the weight; 1 for a rotation, more for its control maps
 };
 
-/// Relative error of a coefficient, counted in the note. In exact scalars there is none; in double-double the maps
-/// themselves are rounded too, which the larger factor covers.
+/// Relative error of a coefficient, counted in the notes. In exact scalars there is none; in double-double the maps
+/// themselves are rounded too, which the larger factor covers: docs/derivations/10-error-bounds.md.
 template <class S>
 inline constexpr double error_unit = 0;
 template <>
 inline constexpr double error_unit<double> = 128 * algebra::unit_roundoff<double>;
 template <>
-inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit_roundoff<algebra::DoubleDouble>;
+inline constexpr double error_unit<algebra::DoubleDouble> = 0x1p17 * algebra::unit_roundoff<algebra::DoubleDouble>;
+
+/// What underflow adds at most, far below any bound of bodies of size 1e-30 with features of 1e-50. Makes signs of
+/// numbers that lost digits to underflow count for nothing, also where subnormal numbers are flushed to zero.
+inline constexpr double underflow = 0x1p-760;
+
+/// The bound of a coefficient's error, over the weight.
+template <class S>
+S with_underflow(const S& relative_part) {
+    return error_unit<S> > 0 ? S(relative_part + S(underflow)) : relative_part;
+}
 
 /// The scale for moving points with coordinates up to `moving_reach` in the body's frame and fixed points up to
 /// `fixed_reach`, both in the mesh's unit, under maps over [0, 1].
