@@ -50,11 +50,11 @@ enum class Ends : std::uint8_t {
     proven_opposite,        ///< the answer: an end on the plane is left to vertex/face
 };
 
-/// Whether the segment may go through the face. `length` as in ErrorScale.
+/// Whether the segment may go through the face. `bounds` as for the detections.
 template <class S>
-std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face, double length,
-                                            Ends ends = Ends::proven_opposite) {
-    const S unit(error_unit<S> * length);
+std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face,
+                                            const ErrorScale& bounds, Ends ends = Ends::proven_opposite) {
+    const S unit(relative_error<S>(bounds) * bounds.length);
     const S band = with_underflow<S>(unit * face.size + face.deviation);
     const S limit = ends == Ends::proven_opposite ? band : S(0) - band;
     const S from = dot(face.normal, segment.from - face.corners[0]);

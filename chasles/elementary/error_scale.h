@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace chasles::elementary {
 
@@ -13,16 +14,23 @@ namespace chasles::elementary {
 struct ErrorScale {
     double length = 0;  ///< of positions, differences of positions, and moments of unit directions, over the weight
     double stretch = 1; ///< of turned unit directions over the weight; 1 for a rotation, more for its control maps
+    double turn = 1;    ///< over the cosine of half a screw's turn: what its numbers in double-double lose by it
 };
 
 /// Relative error of a coefficient, counted in the notes. In exact scalars there is none; in double-double the maps
-/// themselves are rounded too, which the larger factor covers: docs/derivations/10-error-bounds.md.
+/// themselves are rounded too, which the larger factor covers (docs/derivations/10-error-bounds.md).
 template <class S>
 inline constexpr double error_unit = 0;
 template <>
 inline constexpr double error_unit<double> = 128 * algebra::unit_roundoff<double>;
 template <>
-inline constexpr double error_unit<algebra::DoubleDouble> = 0x1p17 * algebra::unit_roundoff<algebra::DoubleDouble>;
+inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit_roundoff<algebra::DoubleDouble>;
+
+/// The same for one motion.
+template <class S>
+double relative_error(const ErrorScale& scale) {
+    return std::is_same_v<S, double> ? error_unit<S> : error_unit<S> * scale.turn;
+}
 
 /// What underflow adds at most, far below any bound of bodies of size 1e-30 with features of 1e-50. Makes signs of
 /// numbers that lost digits to underflow count for nothing, also where subnormal numbers are flushed to zero.
@@ -38,6 +46,7 @@ S with_underflow(const S& relative_part) {
 /// `fixed_reach`, both in the mesh's unit, under maps over [0, 1].
 inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_reach, double fixed_reach) {
     ErrorScale scale;
+    scale.turn = std::sqrt(std::max(1.0, maps.weight[3]));
     for (int lane = 0; lane <= 3; ++lane) {
         const double weight = maps.weight[lane];
         double rows = 0, columns = 0, shift = 0, inverse = 0, moment = 0;

@@ -82,7 +82,7 @@ template <class S>
 std::optional<FeasibleInterval> vertex_face(const VertexPath<S>& path, const FaceShape<S>& face,
                                             const Accuracy& accuracy, Workspace<S>& workspace) {
     ++workspace.elementary_tests;
-    const S unit(error_unit<S> * accuracy.scale.length);
+    const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
     const Bounded<3, S> plane = detail::plane(path, face, unit);
     const Bernstein<3, S> band = path.weight * plane.error;
     if (is_positive(plane.polynomial, band) || is_negative(plane.polynomial, band))

@@ -24,8 +24,9 @@ inline ExactPose exact(const Pose& pose) {
 }
 
 /// `pose` in the frame that `frame` places.
-inline ExactPose seen_from(const ExactPose& frame, const ExactPose& pose) {
-    const motion::Quaternion<Rational> back = frame.rotation.conjugate();
+template <class S>
+motion::GeneralPose<S> seen_from(const motion::GeneralPose<S>& frame, const motion::GeneralPose<S>& pose) {
+    const motion::Quaternion<S> back = frame.rotation.conjugate();
     return {motion::rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation};
 }
 
@@ -118,6 +119,23 @@ inline PosedMotion sweep_of(const SweepMotion& sweep, const ExactPose& start, co
     return {sweep.frame().motion, motion::sweep_between(start, goal, turn, exact(about))};
 }
 
+struct FourPoses {
+    Pose moving_start;
+    Pose moving_goal;
+    Pose fixed_start;
+    Pose fixed_goal;
+};
+
+/// Two moving bodies: the first one goes about from `start` to `goal` as the second one sees it, up to rounding.
+inline FourPoses random_four_poses(Random& random, const Pose& start, const Pose& goal, double size) {
+    const auto [fixed_start, fixed_goal] = random_pose_pair(random, {size, random.uniform(0, 3)});
+    const auto carried = [](const Pose& frame, const Pose& pose) {
+        const Eigen::Quaterniond q(frame.rotation);
+        return Pose(q.normalized() * pose.translation + frame.translation, q * Eigen::Quaterniond(pose.rotation));
+    };
+    return {carried(fixed_start, start), carried(fixed_goal, goal), fixed_start, fixed_goal};
+}
+
 /// A screw, a piece of one, or a sweep; of one body or of two.
 inline PosedMotion random_posed_motion(Random& random, double size) {
     const bool sweeps = random.chance(0.3);
@@ -133,20 +151,15 @@ inline PosedMotion random_posed_motion(Random& random, double size) {
         return random.chance(0.3) ? random_piece(random, screw, exact(start), exact(goal))
                                   : screw_of(screw, exact(start), exact(goal));
     }
-    // The moving body is placed so that it turns by the chosen angle as seen from the fixed one.
-    const auto [fixed_start, fixed_goal] = random_pose_pair(random, {size, random.uniform(0, 3)});
-    const auto carried = [](const Pose& frame, const Pose& pose) {
-        const Eigen::Quaterniond q(frame.rotation);
-        return Pose(q.normalized() * pose.translation + frame.translation, q * Eigen::Quaterniond(pose.rotation));
-    };
-    const Pose moving_start = carried(fixed_start, start);
-    const Pose moving_goal = carried(fixed_goal, goal);
-    const ExactPose seen_start = seen_from(exact(fixed_start), exact(moving_start));
-    const ExactPose seen_goal = seen_from(exact(fixed_goal), exact(moving_goal));
+    const FourPoses poses = random_four_poses(random, start, goal, size);
+    const ExactPose seen_start = seen_from(exact(poses.fixed_start), exact(poses.moving_start));
+    const ExactPose seen_goal = seen_from(exact(poses.fixed_goal), exact(poses.moving_goal));
     if (sweeps)
-        return sweep_of(SweepMotion::relative(moving_start, moving_goal, fixed_start, fixed_goal), seen_start,
-                        seen_goal, Eigen::Vector3d::Zero());
-    const ScrewMotion screw = ScrewMotion::relative(moving_start, moving_goal, fixed_start, fixed_goal);
+        return sweep_of(
+            SweepMotion::relative(poses.moving_start, poses.moving_goal, poses.fixed_start, poses.fixed_goal),
+            seen_start, seen_goal, Eigen::Vector3d::Zero());
+    const ScrewMotion screw =
+        ScrewMotion::relative(poses.moving_start, poses.moving_goal, poses.fixed_start, poses.fixed_goal);
     return random.chance(0.3) ? random_piece(random, screw, seen_start, seen_goal)
                               : screw_of(screw, seen_start, seen_goal);
 }
