@@ -35,7 +35,7 @@ std::optional<bool> passes(const Segment<S>& segment, bool upwards, std::size_t 
         const Vector3<S>& from = corner_at(i);
         const Vector3<S> v = corner_at(i + 1 == count ? 0 : i + 1) - from;
         const S volume = dot(cross(scale(from, segment.weight) - segment.from, v), u);
-        const S error = unit * norm1(u) * norm1(v);
+        const S error = with_underflow<S>(unit * norm1(u) * norm1(v));
         if (volume < S(0) - error)
             return std::nullopt;
         certain = certain && volume > error;
@@ -51,12 +51,12 @@ enum class Ends : std::uint8_t {
     proven_opposite,        ///< the answer: an end on the plane is left to vertex/face
 };
 
-/// Whether the segment may go through the face. `length` as in ErrorScale.
+/// Whether the segment may go through the face. `bounds` as for the detections.
 template <class S>
-std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face, double length,
-                                            Ends ends = Ends::proven_opposite) {
-    const S unit(error_unit<S> * length);
-    const S band = unit * face.size + face.deviation;
+std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face,
+                                            const ErrorScale& bounds, Ends ends = Ends::proven_opposite) {
+    const S unit(relative_error<S>(bounds) * bounds.length);
+    const S band = with_underflow<S>(unit * face.size + face.deviation);
     const S limit = ends == Ends::proven_opposite ? band : S(0) - band;
     const Vector3<S> anchor = scale(face.corners[0], segment.weight);
     const S from = dot(face.normal, segment.from - anchor);

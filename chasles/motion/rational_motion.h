@@ -57,6 +57,7 @@ struct RationalMotion {
     Vector3<S> displacement; ///< d, a length
     Vector3<S> origin;       ///< start position of the body's origin, in the frame of the fixed body
     Matrix3<S> orientation;  ///< at the start
+    double reach = 0;        ///< of the body points that the numbers were made from: of a sweep's reference point
     S turn_unit = S(1);
     S length_unit = S(1);
     S orientation_unit = S(1);
@@ -93,7 +94,8 @@ RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S
     const Vector3<S> reference = orientation * centre;
     const Vector3<S> moved = rotation_matrix(goal.rotation) * centre;
     const Vector3<S> displacement = (goal.translation - start.translation) + (moved - reference);
-    return {unit_turn.w, unit_turn.v, cross(reference, unit_turn.v), displacement, start.translation, orientation};
+    return {unit_turn.w,       unit_turn.v, cross(reference, unit_turn.v),     displacement,
+            start.translation, orientation, static_cast<double>(norm1(centre))};
 }
 
 } // namespace chasles::motion

@@ -75,7 +75,7 @@ public:
         const elementary::Segment<S> segment{start(maps_->turn, HeldFace<S>::point(moving_, edge.from), maps_->shift),
                                              start(maps_->turn, HeldFace<S>::point(moving_, edge.to), maps_->shift),
                                              maps_->weight[0]};
-        return elementary::edge_through_face(segment, face_.hold(fixed_, fixed_face), accuracy_.scale.length, ends);
+        return elementary::edge_through_face(segment, face_.hold(fixed_, fixed_face), accuracy_.scale, ends);
     }
 
     /// At the start of the interval: a fixed edge through a moving face, in the moving body's frame.
@@ -85,7 +85,7 @@ public:
         const auto shift = Vector3<Polynomial>() - maps_->inverse_shift;
         const elementary::Segment<S> segment{start(back, HeldFace<S>::point(fixed_, edge.from), shift),
                                              start(back, HeldFace<S>::point(fixed_, edge.to), shift), maps_->weight[0]};
-        return elementary::edge_through_face(segment, face_.hold(moving_, moving_face), accuracy_.scale.length, ends);
+        return elementary::edge_through_face(segment, face_.hold(moving_, moving_face), accuracy_.scale, ends);
     }
 
     [[nodiscard]] const elementary::Workspace<S>& workspace() const { return workspace_; }

@@ -1,5 +1,6 @@
 #include "chasles/query/first_contact.h"
 
+#include "chasles/algebra/rounding_mode.h"
 #include "chasles/invalid_input.h"
 #include "chasles/query/contact_details.h"
 
@@ -19,8 +20,9 @@ struct PieceClock {
     [[nodiscard]] double whole(double part) const { return (double(index) + part) / double(count); }
 };
 
-/// A few roundings of the arc tangent and of the sum with the piece's index.
-constexpr double clock_slack = 0x1p-50;
+/// Roundings of tau, of two arc tangents good to two units each, and of the sum with the piece's index: 15 of 16 units
+/// at most (docs/derivations/10-error-bounds.md, "Time").
+constexpr double clock_slack = 0x1p-49;
 
 void require(bool holds, const char* option, const std::string& why) {
     if (!holds)
@@ -28,6 +30,7 @@ void require(bool holds, const char* option, const std::string& why) {
 }
 
 void validate(const FirstContactQuery& query) {
+    require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");
     require(query.margin == 0, "margin", "must be 0; distances above 0 are not supported by this version");
     require(query.hold == 0, "hold", "must be 0; it belongs to a margin, which this version does not support");
     require(query.time_tolerance >= 1e-15 && query.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");

@@ -26,6 +26,9 @@ double spread(const Lanes& lanes) {
            std::min(std::min(lanes[0], lanes[1]), std::min(lanes[2], lanes[3]));
 }
 
+/// Boxes lose at most so much where subnormal floats are flushed to zero: 4 x 2^-126, stretched by less than 1000.
+constexpr double flushed = 0x1p-110;
+
 struct BoxMiddle {
     double centre[3];
     double half[3];
@@ -60,7 +63,7 @@ SweptBoxes::SweptBoxes(const motion::ControlMaps<double>& maps, const Eigen::Vec
     weight_ = maps.weight.coefficients;
     for (int i = 0; i < 4; ++i)
         inverse_weight_.set(i, 1 / weight_[i]);
-    slack_ = times(weight_, elementary::error_unit<double> * scale.length);
+    slack_ = times(weight_, elementary::error_unit<double> * scale.length + flushed);
     for (int i = 0; i < 3; ++i) {
         double row_spin = 0;
         for (int j = 0; j < 3; ++j) {

@@ -40,7 +40,8 @@ class Traversal {
 public:
     explicit Traversal(const PieceSearch& search)
         : search_(search), exact_maps_(motion::control_maps(search.motion)), maps_(motion::rounded(exact_maps_)),
-          scale_(elementary::error_scale(maps_, reach(search.moving.hierarchy()), reach(search.fixed.hierarchy()))),
+          scale_(elementary::error_scale(maps_, std::max(reach(search.moving.hierarchy()), search.motion.reach),
+                                         reach(search.fixed.hierarchy()))),
           times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
           filter_(search.moving, search.fixed, {scale_, {}}), refinement_(search.moving, search.fixed, {scale_, {}}),
           moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
