@@ -2,12 +2,13 @@
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 
-.PHONY: help demo check facts install bench asan tidy format clean
+.PHONY: help demo check facts attack install bench asan tidy format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
 	@echo "make check    install what is missing, build with checks, and run every test"
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
+	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (half an hour)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
 	@echo "make bench    build and run the benchmarks"
 	@echo "make asan     every test under the address and undefined-behaviour sanitizers"
@@ -31,6 +32,12 @@ facts:
 	cmake --preset dev
 	cmake --build --preset dev --target chasles_data_tests -j $(JOBS)
 	build/dev/bin/chasles_data_tests --gtest_brief=1
+
+attack:
+	@tools/install_dependencies.sh check
+	cmake --preset dev
+	cmake --build --preset dev --target chasles_attack -j $(JOBS)
+	build/dev/bin/chasles_attack --threads $(JOBS)
 
 install:
 	@tools/install_dependencies.sh

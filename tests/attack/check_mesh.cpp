@@ -1,0 +1,166 @@
+#include "tests/attack/check_mesh.h"
+
+#include "chasles/invalid_input.h"
+#include "chasles/query/first_contact.h"
+#include "tests/support/exact_reference.h"
+
+#include <chrono>
+#include <cstdio>
+
+namespace chasles::attack {
+
+namespace {
+
+using reference::ExactScene;
+using reference::Root;
+using reference::Surface;
+
+double now() {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// The first touch, in which piece of how many.
+struct Truth {
+    std::optional<Root> tau;
+    std::size_t piece = 0;
+    std::size_t count = 1;
+
+    /// The order of the exact tau, (piece + tau) / count, and a double.
+    [[nodiscard]] int compared_to(double x) const {
+        Integer mantissa(static_cast<long long>(std::ldexp(x, 62)));
+        unsigned depth = 62;
+        while (std::ldexp(static_cast<double>(mantissa), -int(depth)) != x) { // tiny numbers
+            depth += 62;
+            mantissa = Integer(numerator(Rational(Rational(x) * Integer(Integer(1) << depth))));
+        }
+        const Integer within = mantissa * Integer(count) - (Integer(piece) << depth);
+        Root copy = *tau;
+        Root there = Root::point(within, depth);
+        return compare(copy, there);
+    }
+};
+
+Truth truth_of(const MeshCase& posed) {
+    const Surface moving = Surface::from_convex_faces(posed.moving.vertices, posed.moving.faces);
+    const Surface fixed = Surface::from_convex_faces(posed.fixed.vertices, posed.fixed.faces);
+    const auto paths = posed.posed.paths();
+    for (std::size_t i = 0; i < paths.size(); ++i)
+        if (auto found = ExactScene(moving, fixed, paths[i]).first_touch())
+            return {std::move(found), i, paths.size()};
+    return {std::nullopt, 0, paths.size()};
+}
+
+/// How many detections exact arithmetic decided, where the library counts them.
+template <class AnyWork>
+std::uint64_t exact_count(const AnyWork& work) {
+    if constexpr (requires { work.exact; })
+        return work.exact;
+    else
+        return 0;
+}
+
+std::string judged(const Truth& truth, const FirstContact& found, Tally& tally) {
+    const bool touches = found.verdict != Verdict::clear;
+    tally.uncertain += found.certain ? 0 : 1;
+    tally.touches += truth.tau ? 1 : 0;
+    if (!truth.tau) {
+        tally.false_alarms += touches ? 1 : 0;
+        return !touches ? "" : found.certain ? "a false alarm that is certain" : "a false alarm";
+    }
+    if (!touches) {
+        ++tally.missed;
+        return "missed";
+    }
+    if (truth.compared_to(found.tau.lower) < 0) {
+        ++tally.late;
+        return "late";
+    }
+    const bool behind = truth.compared_to(found.tau.upper) > 0;
+    if (!found.certain) {
+        tally.loose += behind ? 1 : 0;
+        return "";
+    }
+    if (found.verdict == Verdict::contact_at_start && truth.compared_to(0) > 0) {
+        ++tally.misnamed;
+        return "called a contact at the start";
+    }
+    tally.outside += behind ? 1 : 0;
+    tally.widest = std::max(tally.widest, found.tau.upper - found.tau.lower);
+    return behind ? "certain of a bracket that the touch is not in" : "";
+}
+
+void append(std::string& text, const char* format, double a, double b, double c) {
+    char buffer[200];
+    std::snprintf(buffer, sizeof buffer, format, a, b, c);
+    text += buffer;
+}
+
+void append(std::string& text, const char* name, const Pose& pose) {
+    text += name;
+    append(text, " %a %a %a", pose.translation.x(), pose.translation.y(), pose.translation.z());
+    append(text, "  %a %a %a", pose.rotation.w(), pose.rotation.x(), pose.rotation.y());
+    append(text, " %a\n", pose.rotation.z(), 0, 0);
+}
+
+void append(std::string& text, const char* name, const Shape& shape) {
+    text.append(name).append("\n");
+    for (const Eigen::Vector3d& v : shape.vertices)
+        append(text, "  v %a %a %a\n", v.x(), v.y(), v.z());
+    for (const auto& face : shape.faces) {
+        text += "  f";
+        for (const std::uint32_t vertex : face)
+            text.append(" ").append(std::to_string(vertex));
+        text += "\n";
+    }
+}
+
+} // namespace
+
+std::string check(const MeshCase& posed, Tally& tally) {
+    const auto answer = [&]() -> std::optional<FirstContact> {
+        try {
+            const Polyhedron moving = Polyhedron::from_polygons(posed.moving.vertices, posed.moving.faces);
+            const Polyhedron fixed = Polyhedron::from_polygons(posed.fixed.vertices, posed.fixed.faces);
+            const double before = now();
+            const FirstContact found = first_contact(
+                {.moving = moving, .fixed = fixed, .motion = posed.posed.motion(), .max_turn = posed.posed.max_turn});
+            tally.seconds += now() - before;
+            return found;
+        } catch (const InvalidInput&) {
+            return std::nullopt;
+        }
+    };
+    const auto found = answer();
+    if (!found) {
+        ++tally.refused;
+        return "";
+    }
+    ++tally.queries;
+    tally.tests += found->work.elementary_tests;
+    tally.refined += found->work.refined;
+    tally.exact += exact_count(found->work);
+    const double before = now();
+    std::string wrong = judged(truth_of(posed), *found, tally);
+    tally.reference_seconds += now() - before;
+    if (!wrong.empty()) {
+        wrong += found->certain ? ", certain" : ", not certain";
+        append(wrong, ", tau in [%a, %a]", found->tau.lower, found->tau.upper, 0);
+    }
+    return wrong;
+}
+
+std::string described(const MeshCase& posed) {
+    std::string text;
+    append(text, "moving", posed.moving);
+    append(text, "fixed", posed.fixed);
+    text += posed.posed.kind == MotionKind::screw ? "screw" : "sweep";
+    text += posed.posed.is_relative ? ", both bodies move\n" : ", the fixed body stands still\n";
+    append(text, "max_turn %a\n", posed.posed.max_turn, 0, 0);
+    append(text, "moving_start", posed.posed.moving_start);
+    append(text, "moving_goal", posed.posed.moving_goal);
+    append(text, "fixed_start", posed.posed.fixed_start);
+    append(text, "fixed_goal", posed.posed.fixed_goal);
+    return text;
+}
+
+} // namespace chasles::attack

@@ -1,0 +1,15 @@
+// One mesh pair: the library's answer against the exact one.
+#pragma once
+
+#include "tests/attack/mesh_families.h"
+#include "tests/attack/tally.h"
+
+namespace chasles::attack {
+
+/// Counts the case; returns what is wrong with the answer, empty if nothing is.
+std::string check(const MeshCase& posed, Tally& tally);
+
+/// The case with every number in hexadecimal.
+std::string described(const MeshCase& posed);
+
+} // namespace chasles::attack

@@ -1,0 +1,160 @@
+// Attacks the library with millions of questions, most of them degenerate on purpose, and holds every answer against
+// the exact reference. Exits with 1 on any miss, false alarm, late or wrong bracket; with --certain also where an
+// answer says that it is not certain.
+#include "tests/attack/check_elementary.h"
+#include "tests/attack/check_mesh.h"
+
+#include <CLI/CLI.hpp>
+#include <atomic>
+#include <iostream>
+#include <mutex>
+#include <thread>
+
+namespace chasles::attack {
+namespace {
+
+struct Options {
+    std::uint64_t seed = 1;
+    std::uint64_t mesh_pairs = 100'000;
+    std::uint64_t elementary = 10'000'000;
+    unsigned threads = std::max(1u, std::thread::hardware_concurrency());
+    std::string family;
+    std::int64_t index = -1;
+    int shown = 3;
+    bool certain = false;
+};
+
+/// Calls attack(index, tally) for all indices on several threads.
+template <class Attack>
+Tally run(std::uint64_t count, unsigned threads, Attack attack) {
+    std::atomic<std::uint64_t> next{0};
+    std::mutex mutex;
+    Tally sum;
+    const auto work = [&] {
+        Tally mine;
+        for (std::uint64_t i = next++; i < count; i = next++)
+            attack(i, mine);
+        const std::lock_guard lock(mutex);
+        sum += mine;
+    };
+    std::vector<std::thread> pool;
+    for (unsigned i = 1; i < threads; ++i)
+        pool.emplace_back(work);
+    work();
+    for (std::thread& thread : pool)
+        thread.join();
+    return sum;
+}
+
+/// Prints the first few wrong answers of a family, with what brings them back.
+class Failures {
+public:
+    Failures(const Options& options, std::string family) : options_(options), family_(std::move(family)) {}
+
+    void report(std::uint64_t index, const std::string& what, const std::string& described) {
+        const std::lock_guard lock(mutex_);
+        if (shown_++ < options_.shown)
+            std::cout << "WRONG: " << what << "\n  chasles_attack --seed " << options_.seed << " --family \"" << family_
+                      << "\" --index " << index << "\n"
+                      << described << std::flush;
+    }
+
+private:
+    const Options& options_;
+    std::string family_;
+    std::mutex mutex_;
+    int shown_ = 0;
+};
+
+Tally attack_meshes(const MeshFamily& family, std::uint64_t number, const Options& options) {
+    Failures failures(options, std::string("mesh ") + family.name);
+    const auto attack = [&](std::uint64_t index, Tally& tally) {
+        AttackRandom random(options.seed, number, index);
+        const MeshCase posed = family.make(random);
+        const std::string wrong = check(posed, tally);
+        if (!wrong.empty())
+            failures.report(index, wrong, described(posed));
+        else if (options.index >= 0)
+            std::cout << described(posed);
+    };
+    if (options.index >= 0) {
+        Tally tally;
+        attack(static_cast<std::uint64_t>(options.index), tally);
+        return tally;
+    }
+    const auto count = static_cast<std::uint64_t>(std::ceil(family.share * double(options.mesh_pairs)));
+    return run(count, options.threads, attack);
+}
+
+/// The filter's line and the refinement's.
+std::array<NamedTally, 2> attack_elementary(const ElementaryFamily& family, std::uint64_t number,
+                                            const Options& options) {
+    Failures failures(options, family.name);
+    std::mutex mutex;
+    StageTallies sum;
+    const auto attack = [&](std::uint64_t index, Tally&) {
+        AttackRandom random(options.seed, number, index);
+        StageTallies mine;
+        const std::string wrong = check(family.make(random), mine);
+        if (!wrong.empty())
+            failures.report(index, wrong, "");
+        const std::lock_guard lock(mutex);
+        sum.filter += mine.filter;
+        sum.refinement += mine.refinement;
+    };
+    const double groups = family.share * double(options.elementary) / double(questions_of_group);
+    if (options.index >= 0) {
+        Tally none;
+        attack(static_cast<std::uint64_t>(options.index), none);
+    } else {
+        run(static_cast<std::uint64_t>(std::ceil(groups)), options.threads, attack);
+    }
+    const std::string name = family.name;
+    return {NamedTally{name + ", double", sum.filter}, NamedTally{name + ", dd", sum.refinement}};
+}
+
+int attack_all(const Options& options) {
+    std::cout << "seed " << options.seed << "\n";
+    std::vector<NamedTally> elementary;
+    std::uint64_t number = 0;
+    for (const ElementaryFamily& family : elementary_families()) {
+        ++number;
+        if (options.elementary > 0 && (options.family.empty() || options.family == family.name))
+            for (const NamedTally& line : attack_elementary(family, number, options))
+                elementary.push_back(line);
+    }
+    std::vector<NamedTally> meshes;
+    number = 100;
+    for (const MeshFamily& family : mesh_families()) {
+        ++number;
+        const std::string name = std::string("mesh ") + family.name;
+        if (options.mesh_pairs > 0 && (options.family.empty() || options.family == name))
+            meshes.push_back({family.name, attack_meshes(family, number, options)});
+    }
+    const Tally parts = print_table("elementary", elementary);
+    const Tally whole = print_table("mesh pairs", meshes);
+    const auto is_idle = [](const NamedTally& one) { return one.tally.is_idle(); };
+    const bool idle = std::any_of(elementary.begin(), elementary.end(), is_idle) ||
+                      std::any_of(meshes.begin(), meshes.end(), is_idle);
+    if (idle)
+        std::cout << "WRONG: a family with hardly any touches\n";
+    return parts.is_broken() || whole.is_broken() || idle || (options.certain && whole.is_in_doubt()) ? 1 : 0;
+}
+
+} // namespace
+} // namespace chasles::attack
+
+int main(int argc, char** argv) {
+    chasles::attack::Options options;
+    CLI::App app("Degenerate questions in bulk, each answer held against exact arithmetic.");
+    app.add_option("--seed", options.seed, "brings back the same questions")->capture_default_str();
+    app.add_option("--mesh-pairs", options.mesh_pairs, "how many")->capture_default_str();
+    app.add_option("--elementary", options.elementary, "how many elementary queries")->capture_default_str();
+    app.add_option("--threads", options.threads, "at most")->capture_default_str();
+    app.add_option("--family", options.family, "only this one");
+    app.add_option("--index", options.index, "only this case of the family");
+    app.add_option("--show", options.shown, "wrong answers to print, for each family")->capture_default_str();
+    app.add_flag("--certain", options.certain, "fail where an answer about a mesh pair is not certain");
+    CLI11_PARSE(app, argc, argv);
+    return chasles::attack::attack_all(options);
+}

@@ -1,0 +1,236 @@
+#include "tests/attack/mesh_families.h"
+
+#include "tests/attack/any_motion.h"
+
+#include <Eigen/Geometry>
+
+namespace chasles::attack {
+
+namespace {
+
+/// Fans of triangles instead of polygons, which rounding would bend.
+void cut_into_triangles(Shape& shape) {
+    Faces triangles;
+    for (const auto& face : shape.faces)
+        for (std::size_t i = 1; i + 1 < face.size(); ++i)
+            triangles.push_back({face[0], face[i], face[i + 1]});
+    shape.faces = triangles;
+}
+
+MeshCase placed(const LatticeMotion& motion, const Shape& moving, const Shape& fixed) {
+    MeshCase result{moving, fixed, motion.posed};
+    for (Eigen::Vector3d& v : result.moving.vertices)
+        v = motion.moving_point(v);
+    for (Eigen::Vector3d& v : result.fixed.vertices)
+        v = motion.fixed_point(v);
+    return result;
+}
+
+/// Two shapes that touch across a plane at some tau of any motion.
+MeshCase touching(AttackRandom& random, const MotionWish& wish) {
+    const Shape fixed = random_shape(random);
+    Shape moving = random_shape(random);
+    set_against(moving, fixed, some_direction(fixed, random), random);
+    return placed(lattice_motion(random, wish), moving, fixed);
+}
+
+// --- The families
+// -----------------------------------------------------------------------------------------------------
+
+Shape shaken(Shape shape, AttackRandom& random) {
+    cut_into_triangles(shape);
+    for (Eigen::Vector3d& v : shape.vertices)
+        v = v / 12 + random.vector(0.2);
+    return shape;
+}
+
+MeshCase random_pair(AttackRandom& random) {
+    return {shaken(random_shape(random), random), shaken(random_shape(random), random), any_motion(random, 2)};
+}
+
+MeshCase grid_pair(AttackRandom& random) {
+    MotionWish wish;
+    wish.turns = random.chance(0.5) ? 1 : 0;
+    wish.travel = 6 * random.grid_direction(4);
+    Shape moving = random_shape(random);
+    shift(moving, 6 * random.grid(3).cast<double>());
+    return placed(lattice_motion(random, wish), moving, random_shape(random));
+}
+
+MeshCase touch(AttackRandom& random) {
+    return touching(random, {});
+}
+
+MeshCase touch_at_start(AttackRandom& random) {
+    MotionWish wish;
+    wish.tau = 0;
+    return touching(random, wish);
+}
+
+MeshCase touch_at_goal(AttackRandom& random) {
+    MotionWish wish;
+    wish.tau = 1;
+    return touching(random, wish);
+}
+
+/// A moving vertex whose path is tangent to a fixed triangle, or the other way round in spirit: the triangle is large.
+MeshCase tangent(AttackRandom& random) {
+    MotionWish wish;
+    wish.turns = 1;
+    const LatticeMotion motion = lattice_motion(random, wish);
+    const Eigen::Vector3d z = 6 * random.grid_direction(3).cast<double>();
+    Shape moving{{z}, {{0, 1, 2}}};
+    const int corners = random.integer(2, 3);
+    for (int i = 0; i < corners; ++i)
+        moving.vertices.push_back(z + random.grid_direction(4).cast<double>());
+    if (corners == 3)
+        moving.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    MeshCase result = placed(motion, moving, Shape{{z}, {{1, 2, 3}}});
+    const Eigen::Vector3d place = result.fixed.vertices[0];
+    const Eigen::Vector3d along = motion.velocity(z);
+    const Eigen::Vector3d across = random.grid_direction(9).cast<double>() * std::ceil(along.cwiseAbs().maxCoeff() / 8);
+    const double far = random.integer(1, 4);
+    result.fixed.vertices = {place, place - far * along - far * across, place + far * along - far * across,
+                             place + far * across};
+    return result;
+}
+
+/// Faces and edges in one plane, which the motion keeps.
+MeshCase sliding(AttackRandom& random) {
+    Shape fixed = random_shape(random);
+    Shape moving = random_shape(random);
+    const int axis = random.integer(0, 2);
+    set_against(moving, fixed, Eigen::Vector3d::Unit(axis), random);
+    MotionWish wish;
+    wish.turns = random.chance(0.5) ? 1 : 0;
+    wish.slides = 0;
+    wish.axis = Eigen::Vector3i::Unit(axis) * (random.chance(0.5) ? 1 : -1);
+    for (int i = 0; i < 3; ++i)
+        wish.travel[i] = i == axis ? 0 : 6 * random.integer(-6, 6);
+    Eigen::Vector3d aside = 6 * random.grid(4).cast<double>();
+    aside[axis] = 0;
+    shift(moving, aside);
+    return placed(lattice_motion(random, wish), moving, fixed);
+}
+
+/// The same mesh twice, coincident at some tau, or mirrored beside itself.
+MeshCase coincident(AttackRandom& random) {
+    const Shape shape = random.chance(0.3) ? fan_shape(random) : random_shape(random);
+    Shape other = shape;
+    if (random.chance(0.5)) {
+        const int axis = random.integer(0, 2);
+        const double mirror = 12 * random.integer(-1, 1);
+        for (Eigen::Vector3d& v : other.vertices)
+            v[axis] = mirror - v[axis];
+    } else if (random.chance(0.5)) {
+        set_against(other, shape, some_direction(shape, random), random);
+    }
+    return placed(lattice_motion(random), other, shape);
+}
+
+/// Boxes of one grid: shared planes, parallel edges.
+MeshCase grid_boxes(AttackRandom& random) {
+    const auto cell = [&]() -> Eigen::Vector3d { return 6 * random.grid(2).cast<double>(); };
+    const auto size = [&]() -> Eigen::Vector3d {
+        return 6 * Eigen::Vector3d(random.integer(1, 2), random.integer(1, 2), random.integer(1, 2));
+    };
+    const Eigen::Vector3d a = cell();
+    const Eigen::Vector3d b = cell();
+    MotionWish wish;
+    wish.turns = random.chance(0.4) ? 1 : 0;
+    wish.axis = Eigen::Vector3i::Unit(random.integer(0, 2));
+    wish.travel = random.chance(0.5) ? Eigen::Vector3i(random.integer(-8, 8) * 6 * wish.axis)
+                                     : Eigen::Vector3i(6 * random.grid_direction(4));
+    return placed(lattice_motion(random, wish), box_shape(a, a + size()), box_shape(b, b + size()));
+}
+
+/// Fans around common edges and vertices, faces that occur twice.
+MeshCase repeated(AttackRandom& random) {
+    Shape fixed = fan_shape(random);
+    Shape moving = fan_shape(random);
+    if (random.chance(0.5))
+        fixed.faces.push_back(fixed.faces[0]);
+    set_against(moving, fixed, some_direction(fixed, random), random);
+    return placed(lattice_motion(random), moving, fixed);
+}
+
+void nudge(Shape& shape, AttackRandom& random) {
+    Eigen::Vector3d& v = shape.vertices[std::size_t(random.integer(0, int(shape.vertices.size()) - 1))];
+    double& x = v[random.integer(0, 2)];
+    for (int i = random.integer(1, 3); i > 0; --i)
+        x = std::nextafter(x, random.chance(0.5) ? 1e300 : -1e300);
+}
+
+/// A degenerate touch off by a few units in the last place.
+MeshCase nudged(AttackRandom& random) {
+    MeshCase result = random.chance(0.3) ? sliding(random) : random.chance(0.3) ? tangent(random) : touch(random);
+    for (Shape* shape : {&result.moving, &result.fixed}) {
+        cut_into_triangles(*shape);
+        for (int i = random.integer(0, 2); i > 0; --i)
+            nudge(*shape, random);
+    }
+    return result;
+}
+
+/// Tiny and huge units, powers of two and others.
+MeshCase scaled(AttackRandom& random) {
+    MeshCase result = random.chance(0.3)   ? random_pair(random)
+                      : random.chance(0.3) ? grid_boxes(random)
+                                           : touch(random);
+    constexpr double factors[] = {0x1p-120, 0x1p-40, 0x1p60, 0x1p150, 1e-9, 1e-30, 1e12, 3.3e25};
+    const double factor = random.pick(factors);
+    for (Shape* shape : {&result.moving, &result.fixed}) {
+        cut_into_triangles(*shape);
+        for (Eigen::Vector3d& v : shape->vertices)
+            v *= factor;
+    }
+    scale_lengths(result.posed, factor);
+    return result;
+}
+
+/// Turns of 1e-16 to 1e-3 radians, or next to none at all.
+MeshCase tiny_turn(AttackRandom& random) {
+    MeshCase result = random.chance(0.5) ? random_pair(random) : touch(random);
+    PosedMotion& posed = result.posed;
+    for (Shape* shape : {&result.moving, &result.fixed})
+        cut_into_triangles(*shape);
+    turn_hardly(posed, random);
+    return result;
+}
+
+/// Screws by nearly pi: those that one piece can hold, and those that the library cuts.
+MeshCase half_turn(AttackRandom& random) {
+    MeshCase result = random.chance(0.5) ? random_pair(random) : touch(random);
+    PosedMotion& posed = result.posed;
+    for (Shape* shape : {&result.moving, &result.fixed})
+        cut_into_triangles(*shape);
+    turn_around(posed, random);
+    if (random.chance(0.3))
+        posed.max_turn = 0.5;
+    return result;
+}
+
+constexpr MeshFamily families[] = {
+    {"random", 0.15, random_pair},
+    {"grid", 0.1, grid_pair},
+    {"touch", 0.15, touch},
+    {"touch at 0", 0.05, touch_at_start},
+    {"touch at 1", 0.05, touch_at_goal},
+    {"tangent", 0.1, tangent},
+    {"sliding", 0.08, sliding},
+    {"coincident", 0.05, coincident},
+    {"grid boxes", 0.05, grid_boxes},
+    {"repeated", 0.05, repeated},
+    {"nudged", 0.07, nudged},
+    {"scaled", 0.04, scaled},
+    {"tiny turn", 0.03, tiny_turn},
+    {"half turn", 0.03, half_turn},
+};
+
+} // namespace
+
+std::span<const MeshFamily> mesh_families() {
+    return families;
+}
+
+} // namespace chasles::attack
