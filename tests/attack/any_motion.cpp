@@ -26,6 +26,8 @@ PosedMotion any_motion(AttackRandom& random, double distance) {
         *pose = posed.kind == MotionKind::screw ? any_pose(random, distance) : sweepable_pose(random, distance);
     if (posed.is_relative) // mostly with each other, so that they meet
         posed.fixed_start.translation *= 0.3;
+    else
+        posed.fixed_start = posed.fixed_goal = Pose();
     return posed;
 }
 
@@ -42,6 +44,7 @@ void turn_hardly(PosedMotion& posed, AttackRandom& random) {
 void turn_around(PosedMotion& posed, AttackRandom& random) {
     posed.kind = MotionKind::screw;
     posed.is_relative = false;
+    posed.fixed_start = posed.fixed_goal = Pose();
     const Eigen::Vector3d v = random.grid_direction(3).cast<double>();
     const double cosine = random.chance(0.6) ? std::ldexp(1.0, -random.integer(3, 9)) : random.uniform(0, 0.3);
     const double end = random.chance(0.1) ? 0 : cosine;

@@ -1,6 +1,7 @@
 // Elementary queries with exact truth (Wang et al. 2021), as mesh pairs: those whose primitives translate rigidly.
 // Each primitive becomes a sliver of a triangle, whose third corner trails behind, so that it adds hardly any contact.
 
+#include "tests/attack/check_mesh.h"
 #include "tests/data/shared_data.h"
 
 #include <Eigen/Geometry>
@@ -63,15 +64,17 @@ Eigen::Vector3d in_double(const RationalPoint& p) {
     return {p[0].convert_to<double>(), p[1].convert_to<double>(), p[2].convert_to<double>()};
 }
 
-Polyhedron triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
-    const std::vector<Eigen::Vector3d> vertices{a, b, c};
-    const std::vector<std::vector<std::uint32_t>> faces{{0, 1, 2}};
-    return Polyhedron::from_polygons(vertices, faces);
+attack::Shape triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
+    return {{a, b, c}, {{0, 1, 2}}};
+}
+
+Polyhedron polyhedron(const attack::Shape& shape) {
+    return Polyhedron::from_polygons(shape.vertices, shape.faces);
 }
 
 constexpr double sliver_width = 0x1p-20;
 
-Polyhedron sliver_at(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Eigen::Vector3d behind) {
+attack::Shape sliver_at(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Eigen::Vector3d behind) {
     const Eigen::Vector3d edge = (b - a).normalized();
     behind.normalize();
     if (behind.cross(edge).norm() < 1e-3)
@@ -79,23 +82,30 @@ Polyhedron sliver_at(const Eigen::Vector3d& a, const Eigen::Vector3d& b, Eigen::
     return triangle(a, b, 0.5 * (a + b) + sliver_width * behind);
 }
 
-Polyhedron spike_at(const Eigen::Vector3d& tip, Eigen::Vector3d behind) {
+attack::Shape spike_at(const Eigen::Vector3d& tip, Eigen::Vector3d behind) {
     behind = behind.norm() > 0 ? behind.normalized() : Eigen::Vector3d::UnitX();
     const Eigen::Vector3d base = tip + sliver_width * behind;
     return triangle(tip, base, base + 0.1 * sliver_width * behind.unitOrthogonal());
 }
 
-FirstContact answer(const ElementaryQuery& query) {
+attack::MeshCase mesh_case(const ElementaryQuery& query) {
     std::array<Eigen::Vector3d, 4> p;
     for (int i = 0; i < 4; ++i)
         p[i] = in_double(query.points[i]);
-    const Pose moving_goal(in_double(query.displacement(0)), Eigen::Quaterniond::Identity());
-    const Pose fixed_goal(in_double(query.displacement(query.second())), Eigen::Quaterniond::Identity());
-    const Eigen::Vector3d ahead = moving_goal.translation - fixed_goal.translation;
+    attack::PosedMotion posed;
+    posed.is_relative = true;
+    posed.moving_goal = Pose(in_double(query.displacement(0)), Eigen::Quaterniond::Identity());
+    posed.fixed_goal = Pose(in_double(query.displacement(query.second())), Eigen::Quaterniond::Identity());
+    const Eigen::Vector3d ahead = posed.moving_goal.translation - posed.fixed_goal.translation;
     const bool vf = query.is_vertex_face;
-    return first_contact({.moving = vf ? spike_at(p[0], -ahead) : sliver_at(p[0], p[1], -ahead),
-                          .fixed = vf ? triangle(p[1], p[2], p[3]) : sliver_at(p[2], p[3], ahead),
-                          .motion = ScrewMotion::relative(Pose(), moving_goal, Pose(), fixed_goal),
+    return {vf ? spike_at(p[0], -ahead) : sliver_at(p[0], p[1], -ahead),
+            vf ? triangle(p[1], p[2], p[3]) : sliver_at(p[2], p[3], ahead), posed};
+}
+
+FirstContact answer(const attack::MeshCase& pair) {
+    return first_contact({.moving = polyhedron(pair.moving),
+                          .fixed = polyhedron(pair.fixed),
+                          .motion = pair.posed.motion(),
                           .find = Find::first_with_all_contacts});
 }
 
@@ -113,10 +123,13 @@ struct Tally {
     int missed = 0;
     int false_alarms = 0;  ///< contacts of the query's own primitives although the truth is no
     int added_corners = 0; ///< contacts of the corners that were added only
+    attack::Tally exact{}; ///< the same mesh pairs against the exact reference
 };
 
 void compare(const ElementaryQuery& query, Tally& tally) {
-    const FirstContact found = answer(query);
+    const attack::MeshCase pair = mesh_case(query);
+    EXPECT_EQ(attack::check(pair, tally.exact), "") << query.name;
+    const FirstContact found = answer(pair);
     const bool touches = found.verdict != Verdict::clear;
     ++tally.queries;
     tally.colliding += query.collides ? 1 : 0;
@@ -148,6 +161,9 @@ TEST(RationalQueries, NoContactIsMissedAndNoneIsInvented) {
     print_figures("ccd-queries-rational: %d rigid queries, %d collide; %d missed, %d false alarms "
                   "(%d more contacts of the corners that make an edge or a vertex a mesh)",
                   tally.queries, tally.colliding, tally.missed, tally.false_alarms, tally.added_corners);
+    print_figures("  against exact arithmetic on the doubles: %d missed, %d false alarms, %d late, %d not certain",
+                  int(tally.exact.missed), int(tally.exact.false_alarms), int(tally.exact.late),
+                  int(tally.exact.uncertain));
 }
 
 } // namespace
