@@ -57,7 +57,8 @@ Json json_of(const Work& work) {
             {"face_pairs", work.face_pairs},
             {"elementary_tests", work.elementary_tests},
             {"root_brackets", work.root_brackets},
-            {"refined", work.refined}};
+            {"refined", work.refined},
+            {"exact", work.exact}};
 }
 
 void add_contact(Json& answer, const FirstContact& found) {

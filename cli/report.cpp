@@ -86,10 +86,10 @@ std::string counted(std::size_t count, const std::string& noun) {
 }
 
 std::string report(const Work& work) {
-    return labelled("work",
-                    fmt::format("{}, {}, {}: {} looked for roots, {} refined", counted(work.node_pairs, "box pair"),
-                                counted(work.face_pairs, "face pair"),
-                                counted(work.elementary_tests, "elementary test"), work.root_brackets, work.refined));
+    return labelled("work", fmt::format("{}, {}, {}: {} looked for roots, {} refined, {} exact",
+                                        counted(work.node_pairs, "box pair"), counted(work.face_pairs, "face pair"),
+                                        counted(work.elementary_tests, "elementary test"), work.root_brackets,
+                                        work.refined, work.exact));
 }
 
 std::string details(const FirstContact& found, const MotionNumbers& motion) {

@@ -7,15 +7,16 @@ set -eu
 
 clang_version=$(cat "$(dirname "$0")/clang-tools-version")
 
-# The build: oneTBB for batches, Assimp for mesh files of other formats, CLI11, fmt and nlohmann_json for the command line.
-packages="make cmake ninja-build g++ libeigen3-dev libtbb-dev libassimp-dev libfmt-dev libcli11-dev nlohmann-json3-dev"
+# The build: Boost.Multiprecision for the exact stage, oneTBB for batches, Assimp for mesh files of other formats, CLI11,
+# fmt and nlohmann_json for the command line.
+packages="make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libassimp-dev libfmt-dev libcli11-dev nlohmann-json3-dev"
 
 list_only=false
 for group in "$@"; do
     case $group in
         --list) list_only=true ;;
-        # GMP, through Boost.Multiprecision, is the exact arithmetic that the tests compare with; zlib reads packed test data.
-        check) packages="$packages libgtest-dev libgmp-dev libboost-dev zlib1g-dev python3 clang-format-$clang_version" ;;
+        # GMP is the exact arithmetic that the tests compare with; zlib reads packed test data.
+        check) packages="$packages libgtest-dev libgmp-dev zlib1g-dev python3 clang-format-$clang_version" ;;
         # Highway is what the lanes are compared with.
         bench) packages="$packages libbenchmark-dev libhwy-dev" ;;
         tidy) packages="$packages clang-tidy-$clang_version" ;;

@@ -5,9 +5,16 @@
 
 #include "chasles/algebra/unit_roundoff.h"
 
+#include <cfloat>
 #include <cmath>
 
+#if defined(__FAST_MATH__)
+#error "chasles needs every operation rounded as it is written: compile without -ffast-math"
+#endif
+
 namespace chasles::algebra {
+
+static_assert(FLT_EVAL_METHOD == 0, "chasles needs doubles that are rounded after every operation");
 
 /// high + low with |low| <= half an ulp of high. Each operation has a relative error of at most 2^-101
 /// (unit_roundoff<DoubleDouble>), away from overflow and underflow.

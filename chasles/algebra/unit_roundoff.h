@@ -1,4 +1,4 @@
-// How exact a scalar is.
+// What is asked of a scalar: how exact it is, and whether it can be divided.
 #pragma once
 
 namespace chasles::algebra {
@@ -8,5 +8,9 @@ template <class Scalar>
 inline constexpr double unit_roundoff = 0;
 template <>
 inline constexpr double unit_roundoff<double> = 0x1p-53;
+
+/// Numbers of the exact stage cannot be.
+template <class Scalar>
+concept Divisible = requires(Scalar a) { a / a; };
 
 } // namespace chasles::algebra

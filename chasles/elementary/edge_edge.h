@@ -43,27 +43,30 @@ public:
 
     EdgePair(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
              const Accuracy& accuracy)
-        : maps_(maps), moving_(moving), fixed_(fixed), unit_(error_unit<S> * accuracy.scale.length),
-          stretch_unit_(error_unit<S> * accuracy.scale.stretch), u_(norm1(moving.along)), v_(norm1(fixed.direction)) {}
+        : maps_(maps), moving_(moving), fixed_(fixed), unit_(relative_error<S>(accuracy.scale) * accuracy.scale.length),
+          stretch_unit_(relative_error<S>(accuracy.scale) * accuracy.scale.stretch), u_(norm1(moving.along)),
+          v_(norm1(fixed.direction)) {}
 
     /// W times the reciprocal product of the two lines: v . M + (c x v) . U.
     [[nodiscard]] Bounded<3, S> volume() const {
         return {dot(moving_.moment, fixed_.direction) + dot(moving_.direction, cross(fixed_.from, fixed_.direction)),
-                S(unit_ * u_ * v_)};
+                with_underflow<S>(unit_ * u_ * v_)};
     }
 
     /// U x v, whose direction tells how the edges cross, with one error for all components.
     [[nodiscard]] Vector crossing() const { return cross(moving_.direction, fixed_.direction); }
-    [[nodiscard]] S crossing_error() const { return S(stretch_unit_ * u_ * v_); }
+    [[nodiscard]] S size() const { return u_ * v_; }
+    [[nodiscard]] S crossing_error() const { return with_underflow<S>(stretch_unit_ * u_ * v_); }
 
     /// The meeting point is between a and b iff 0 lies between the i-th components of (W c - A) x v and
     /// (W c - B) x v, and between c and d iff it does for c x U - M and d x U - M; when U x v has component i > 0
     /// all along, the first of each is >= 0 and the second <= 0.
     void add_inside(int i, int sign, std::vector<Constraint<3, S>>& constraints) const {
         const Vector3<S> d = fixed_.from + fixed_.direction;
-        add_opposed({end_arm(moving_.from, i), S(unit_ * v_)}, {end_arm(moving_.to, i), S(unit_ * v_)}, sign,
-                    constraints);
-        add_opposed({line_arm(fixed_.from, i), S(unit_ * u_)}, {line_arm(d, i), S(unit_ * u_)}, sign, constraints);
+        const S end_error = with_underflow<S>(unit_ * v_);
+        const S line_error = with_underflow<S>(unit_ * u_);
+        add_opposed({end_arm(moving_.from, i), end_error}, {end_arm(moving_.to, i), end_error}, sign, constraints);
+        add_opposed({line_arm(fixed_.from, i), line_error}, {line_arm(d, i), line_error}, sign, constraints);
     }
 
     /// The two edges overlap when both are projected on v, and when both are projected on u.
@@ -73,11 +76,11 @@ public:
         const Vector from = moved(moving_.from);
         const Vector to = moved(moving_.to);
         add_overlap(height<S>({from, maps_.weight}, v, fixed_.from), height<S>({to, maps_.weight}, v, fixed_.from),
-                    S(dot(v, v)), S(unit_ * v_), constraints);
+                    S(dot(v, v)), with_underflow<S>(unit_ * v_), constraints);
         const Vector c = in_body(fixed_.from);
         const Vector d = in_body(fixed_.from + v);
         add_overlap(height<S>({c, maps_.weight}, u, moving_.from), height<S>({d, maps_.weight}, u, moving_.from),
-                    S(dot(u, u)), S(unit_ * u_), constraints);
+                    S(dot(u, u)), with_underflow<S>(unit_ * u_), constraints);
     }
 
 private:
@@ -137,16 +140,22 @@ private:
     S v_;
 };
 
-/// The component of U x v that is proven to keep its sign with the widest distance from zero; sign 0 if none is.
+/// Edges at a smaller angle count as parallel. Both ways are right for any angle, but the distance of two lines is
+/// known to the error over their angle only, and the moments of the ends say more (note 04, "Nearly parallel edges").
+inline constexpr double parallel_angle = 0x1p-32;
+
+/// The component of U x v that is proven to keep its sign with the widest distance from zero; sign 0 if none is, or if
+/// none is as far from it as `least`.
 struct CrossingAxis {
     int component = 0;
     int sign = 0;
 };
 
 template <class S>
-CrossingAxis crossing_axis(const Vector3<Bernstein<3, S>>& crossing, const Bernstein<3, S>& weight, const S& error) {
+CrossingAxis crossing_axis(const Vector3<Bernstein<3, S>>& crossing, const Bernstein<3, S>& weight, const S& error,
+                           const S& least) {
     CrossingAxis best;
-    S widest(0);
+    S widest = least;
     for (int i = 0; i < 3; ++i) {
         for (const int sign : {1, -1}) {
             const Bernstein<3, S> side = crossing[i] * S(sign);
@@ -184,7 +193,8 @@ std::optional<FeasibleInterval> edge_edge(const motion::ControlMaps<S>& maps, co
     const Bernstein<3, S> band = maps.weight * volume.error;
     if (is_positive(volume.polynomial, band) || is_negative(volume.polynomial, band))
         return std::nullopt;
-    const detail::CrossingAxis axis = detail::crossing_axis(pair.crossing(), maps.weight, pair.crossing_error());
+    const detail::CrossingAxis axis = detail::crossing_axis(pair.crossing(), maps.weight, pair.crossing_error(),
+                                                            S(S(detail::parallel_angle) * pair.size()));
     auto& constraints = workspace.constraints;
     constraints.clear();
     pair.add_inside(axis.component, axis.sign, constraints);

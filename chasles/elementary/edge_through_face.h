@@ -8,17 +8,18 @@
 
 namespace chasles::elementary {
 
-/// A segment in the frame of the face's body.
+/// A segment in the frame of the face's body, times a positive weight.
 template <class S>
 struct Segment {
     Vector3<S> from;
     Vector3<S> to;
+    S weight{1};
 };
 
 /// Where an edge passes through a face.
 template <class S>
 struct Passage {
-    Vector3<S> point;
+    Vector3<S> point;     ///< over the weight; an end of the segment in scalars without division
     bool certain = false; ///< proven; otherwise the edge may just miss the rim
 };
 
@@ -33,8 +34,8 @@ std::optional<bool> passes(const Segment<S>& segment, bool upwards, std::size_t 
     for (std::size_t i = 0; i < count; ++i) {
         const Vector3<S>& from = corner_at(i);
         const Vector3<S> v = corner_at(i + 1 == count ? 0 : i + 1) - from;
-        const S volume = dot(cross(from - segment.from, v), u);
-        const S error = unit * norm1(u) * norm1(v);
+        const S volume = dot(cross(scale(from, segment.weight) - segment.from, v), u);
+        const S error = with_underflow<S>(unit * norm1(u) * norm1(v));
         if (volume < S(0) - error)
             return std::nullopt;
         certain = certain && volume > error;
@@ -50,15 +51,16 @@ enum class Ends : std::uint8_t {
     proven_opposite,        ///< the answer: an end on the plane is left to vertex/face
 };
 
-/// Whether the segment may go through the face. `length` as in ErrorScale.
+/// Whether the segment may go through the face. `bounds` as for the detections.
 template <class S>
-std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face, double length,
-                                            Ends ends = Ends::proven_opposite) {
-    const S unit(error_unit<S> * length);
-    const S band = unit * face.size + face.deviation;
+std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face,
+                                            const ErrorScale& bounds, Ends ends = Ends::proven_opposite) {
+    const S unit(relative_error<S>(bounds) * bounds.length);
+    const S band = with_underflow<S>(unit * face.size + face.deviation);
     const S limit = ends == Ends::proven_opposite ? band : S(0) - band;
-    const S from = dot(face.normal, segment.from - face.corners[0]);
-    const S to = dot(face.normal, segment.to - face.corners[0]);
+    const Vector3<S> anchor = scale(face.corners[0], segment.weight);
+    const S from = dot(face.normal, segment.from - anchor);
+    const S to = dot(face.normal, segment.to - anchor);
     const bool upwards = from < S(0) - limit && to > limit;
     const bool downwards = to < S(0) - limit && from > limit;
     const auto passes = [&](std::size_t count, auto corner_at) {
@@ -66,8 +68,11 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
         return !found && downwards ? detail::passes(segment, false, count, corner_at, unit) : found;
     };
     const auto passage = [&](bool certain) {
-        const S height = from - to;
-        const S share = height < S(0) || height > S(0) ? S(from / height) : S(0);
+        S share(0);
+        if constexpr (algebra::Divisible<S>) {
+            const S height = from - to;
+            share = height < S(0) || height > S(0) ? S(from / height) : S(0);
+        }
         return Passage<S>{segment.from + scale(segment.to - segment.from, share), certain};
     };
     if (face.triangles.empty()) {

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 namespace chasles::elementary {
 
@@ -13,10 +14,11 @@ namespace chasles::elementary {
 struct ErrorScale {
     double length = 0;  ///< of positions, differences of positions, and moments of unit directions, over the weight
     double stretch = 1; ///< of turned unit directions over the weight; 1 for a rotation, more for its control maps
+    double turn = 1;    ///< over the cosine of half a screw's turn: what its numbers in double-double lose by it
 };
 
-/// Relative error of a coefficient, counted in the note. In exact scalars there is none; in double-double the maps
-/// themselves are rounded too, which the larger factor covers.
+/// Relative error of a coefficient, counted in the notes. In exact scalars there is none; in double-double the maps
+/// themselves are rounded too, which the larger factor covers (docs/derivations/10-error-bounds.md).
 template <class S>
 inline constexpr double error_unit = 0;
 template <>
@@ -24,10 +26,27 @@ inline constexpr double error_unit<double> = 128 * algebra::unit_roundoff<double
 template <>
 inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit_roundoff<algebra::DoubleDouble>;
 
+/// The same for one motion.
+template <class S>
+double relative_error(const ErrorScale& scale) {
+    return std::is_same_v<S, double> ? error_unit<S> : error_unit<S> * scale.turn;
+}
+
+/// What underflow adds at most, far below any bound of bodies of size 1e-30 with features of 1e-50. Makes signs of
+/// numbers that lost digits to underflow count for nothing, also where subnormal numbers are flushed to zero.
+inline constexpr double underflow = 0x1p-760;
+
+/// The bound of a coefficient's error, over the weight.
+template <class S>
+S with_underflow(const S& relative_part) {
+    return error_unit<S> > 0 ? S(relative_part + S(underflow)) : relative_part;
+}
+
 /// The scale for moving points with coordinates up to `moving_reach` in the body's frame and fixed points up to
 /// `fixed_reach`, both in the mesh's unit, under maps over [0, 1].
 inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_reach, double fixed_reach) {
     ErrorScale scale;
+    scale.turn = std::sqrt(std::max(1.0, maps.weight[3]));
     for (int lane = 0; lane <= 3; ++lane) {
         const double weight = maps.weight[lane];
         double rows = 0, columns = 0, shift = 0, inverse = 0, moment = 0;

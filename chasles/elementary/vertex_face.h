@@ -47,18 +47,30 @@ Bernstein<3, S> height(const VertexPath<S>& path, const Vector3<S>& direction, c
     return dot(arm, direction);
 }
 
+/// W times the height of the vertex over the face's plane.
+template <class S>
+Bounded<3, S> plane(const VertexPath<S>& path, const FaceShape<S>& face, const S& unit) {
+    return {height(path, face.normal, face.corners[0]), with_underflow<S>(unit * face.size + face.deviation)};
+}
+
+/// Positive on the inner side of one edge of the face.
+template <class S>
+Bounded<3, S> inside(const VertexPath<S>& path, const FaceShape<S>& face, const Vector3<S>& from, const Vector3<S>& to,
+                     const S& unit) {
+    const Vector3<S> edge = to - from;
+    return {height(path, cross(face.normal, edge), from), with_underflow<S>(unit * face.size * norm1(edge))};
+}
+
 /// The vertex is within the three or more edges of a convex part of the face; false if proven outside all along.
 template <class S, class CornerAt>
 bool add_inside_constraints(const VertexPath<S>& path, const FaceShape<S>& face, std::size_t count, CornerAt corner_at,
                             const S& unit, std::vector<Constraint<3, S>>& constraints) {
     constraints.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        const Vector3<S>& from = corner_at(i);
-        const Vector3<S> edge = corner_at(i + 1 == count ? 0 : i + 1) - from;
-        const Bounded<3, S> inside{height(path, cross(face.normal, edge), from), S(unit * face.size * norm1(edge))};
-        if (is_negative(inside.polynomial, path.weight * inside.error))
+        const Bounded<3, S> side = inside(path, face, corner_at(i), corner_at(i + 1 == count ? 0 : i + 1), unit);
+        if (is_negative(side.polynomial, path.weight * side.error))
             return false;
-        constraints.push_back({inside, {}, false});
+        constraints.push_back({side, {}, false});
     }
     return true;
 }
@@ -70,8 +82,8 @@ template <class S>
 std::optional<FeasibleInterval> vertex_face(const VertexPath<S>& path, const FaceShape<S>& face,
                                             const Accuracy& accuracy, Workspace<S>& workspace) {
     ++workspace.elementary_tests;
-    const S unit(error_unit<S> * accuracy.scale.length);
-    const Bounded<3, S> plane{detail::height(path, face.normal, face.corners[0]), S(unit * face.size + face.deviation)};
+    const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
+    const Bounded<3, S> plane = detail::plane(path, face, unit);
     const Bernstein<3, S> band = path.weight * plane.error;
     if (is_positive(plane.polynomial, band) || is_negative(plane.polynomial, band))
         return std::nullopt;

@@ -49,17 +49,6 @@ Pose read_pose(const CsvRow& row) {
     }
 }
 
-std::vector<Pose> read_path(std::string_view text) {
-    CsvTable table(text);
-    const auto header = table.next();
-    if (!header || !is_header(header->cells, path_header))
-        fail_at_line(header ? header->line : 1, "the header must be " + std::string(path_header));
-    std::vector<Pose> poses;
-    while (const auto row = table.next())
-        poses.push_back(read_pose(*row));
-    return poses;
-}
-
 void read_motion(const CsvRow& row, bool has_id, MotionRow& motion) {
     try {
         const Cells cells = has_id ? without_first(row.cells) : Cells(row.cells);
@@ -84,19 +73,6 @@ bool read_motion_header(CsvTable& table) {
     return true;
 }
 
-std::vector<MotionRow> read_motions(std::string_view text) {
-    CsvTable table(text);
-    const bool has_id = read_motion_header(table);
-    std::vector<MotionRow> motions;
-    while (const auto row = table.next()) {
-        MotionRow motion;
-        motion.id = has_id ? row->cells.front() : std::to_string(motions.size());
-        read_motion(*row, has_id, motion);
-        motions.push_back(std::move(motion));
-    }
-    return motions;
-}
-
 // Runs a reader over the file's content and puts its name in front of what goes wrong.
 template <typename Read>
 auto read_naming_file(const std::filesystem::path& file, const Read& read) {
@@ -109,6 +85,30 @@ auto read_naming_file(const std::filesystem::path& file, const Read& read) {
 }
 
 } // namespace
+
+std::vector<Pose> read_path(std::string_view text) {
+    CsvTable table(text);
+    const auto header = table.next();
+    if (!header || !is_header(header->cells, path_header))
+        fail_at_line(header ? header->line : 1, "the header must be " + std::string(path_header));
+    std::vector<Pose> poses;
+    while (const auto row = table.next())
+        poses.push_back(read_pose(*row));
+    return poses;
+}
+
+std::vector<MotionRow> read_motions(std::string_view text) {
+    CsvTable table(text);
+    const bool has_id = read_motion_header(table);
+    std::vector<MotionRow> motions;
+    while (const auto row = table.next()) {
+        MotionRow motion;
+        motion.id = has_id ? row->cells.front() : std::to_string(motions.size());
+        read_motion(*row, has_id, motion);
+        motions.push_back(std::move(motion));
+    }
+    return motions;
+}
 
 std::vector<Pose> load_path(const std::filesystem::path& file) {
     return read_naming_file(file, read_path);

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace chasles::io {
@@ -24,5 +25,9 @@ struct MotionRow {
 /// Motions, one a row, under the header "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1", with an optional first
 /// column "id". A row that cannot be read costs only itself; throws InvalidInput if the file or its header cannot.
 std::vector<MotionRow> load_motions(const std::filesystem::path& file);
+
+/// The same from the content of a file; what they throw does not name it.
+std::vector<Pose> read_path(std::string_view text);
+std::vector<MotionRow> read_motions(std::string_view text);
 
 } // namespace chasles::io

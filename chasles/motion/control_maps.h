@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chasles/algebra/bernstein.h"
+#include "chasles/algebra/unit_roundoff.h"
 #include "chasles/motion/rational_motion.h"
 
 #include <array>
@@ -17,6 +18,7 @@ using algebra::Bernstein;
 ///   turn^T x - inverse_shift    = W * (position of x in the body's frame)
 ///   turn u                      = W * (direction of the line in the fixed frame)
 ///   turn (b x u) + moment u     = W * (moment of the line in the fixed frame)
+/// W is 1 at the start in scalars with division, and some positive number in others.
 template <class S>
 struct ControlMaps {
     using Polynomial = Bernstein<3, S>;
@@ -46,15 +48,23 @@ Power<T> sum(const Power<T>& a, const Power<T>& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
 }
 
-/// The Bernstein form of one component: c_k = sum over j of binomial(k, j) / binomial(3, j) p_j.
+/// The Bernstein form of one component: c_k = sum over j of binomial(k, j) / binomial(3, j) p_j; three times that
+/// where a third is not to be had.
 template <class S>
 Bernstein<3, S> polynomial(const S& p0, const S& p1, const S& p2, const S& p3) {
     const S three(3);
     Bernstein<3, S> result;
-    result.set(0, p0);
-    result.set(1, S(p0 + p1 / three));
-    result.set(2, S(p0 + (p1 + p1 + p2) / three));
-    result.set(3, S(p0 + p1 + p2 + p3));
+    if constexpr (algebra::Divisible<S>) {
+        result.set(0, p0);
+        result.set(1, S(p0 + p1 / three));
+        result.set(2, S(p0 + (p1 + p1 + p2) / three));
+        result.set(3, S(p0 + p1 + p2 + p3));
+    } else {
+        result.set(0, S(three * p0));
+        result.set(1, S(three * p0 + p1));
+        result.set(2, S(three * p0 + (p1 + p1 + p2)));
+        result.set(3, S(three * (p0 + p1 + p2 + p3)));
+    }
     return result;
 }
 
@@ -86,27 +96,28 @@ template <class S>
 ControlMaps<S> control_maps(const RationalMotion<S>& motion) {
     using Matrix = Matrix3<S>;
     using Vector = Vector3<S>;
-    const S two(2);
-    const S bend = motion.end_cosine - S(1); // e(tau) = 1 + bend tau
+    const S& one = motion.turn_unit;
+    const S two = S(2) * one;
+    const S bend = motion.end_cosine - one; // e(tau) = one + bend tau
     const Matrix identity = algebra::identity_matrix<S>();
     const Matrix a = cross_matrix(motion.axis);
     const Matrix m = cross_matrix(motion.moment);
     const S square = bend * bend + dot(motion.axis, motion.axis);
 
-    const detail::Power<S> weight{S(1), S(two * bend), square, S(0)};
-    const detail::Power<Matrix> turn{identity, scale(identity, S(two * bend)) + scale(a, two),
-                                     scale(identity, square) + scale(a, S(two * bend)) + scale(a * a, two), Matrix()};
+    const detail::Power<S> weight{S(one * one), S(two * bend), square, S(0)};
+    const detail::Power<Matrix> turn{scale(identity, S(one * one)), scale(identity, S(two * bend)) + scale(a, two),
+                                     scale(identity, square) + scale(a, S(S(2) * bend)) + scale(a * a, S(2)), Matrix()};
     const std::array<Vector, 2> travel{motion.origin, motion.displacement};
     const std::array<Matrix, 2> travel_cross{cross_matrix(motion.origin), cross_matrix(motion.displacement)};
 
     const Vector axis_moment = cross(motion.axis, motion.moment);
     const Vector bent_moment = scale(motion.moment, bend);
-    const detail::Power<Vector> swing{Vector(), scale(motion.moment, two), scale(bent_moment + axis_moment, two),
+    const detail::Power<Vector> swing{Vector(), scale(motion.moment, two), scale(bent_moment + axis_moment, S(2)),
                                       Vector()};
     const detail::Power<Vector> inverse_swing{Vector(), scale(motion.moment, two),
-                                              scale(bent_moment - axis_moment, two), Vector()};
+                                              scale(bent_moment - axis_moment, S(2)), Vector()};
     const detail::Power<Matrix> swing_moment{
-        Matrix(), scale(m, two), scale(scale(m, bend) + a * m + outer(motion.axis, motion.moment), two), Matrix()};
+        Matrix(), scale(m, two), scale(scale(m, bend) + a * m + outer(motion.axis, motion.moment), S(2)), Matrix()};
 
     const auto vector_times = [](const Vector& v, const S& s) { return scale(v, s); };
     const auto matrix_times = [](const Matrix& x, const Matrix& y) { return x * y; };
@@ -122,11 +133,18 @@ ControlMaps<S> control_maps(const RationalMotion<S>& motion) {
         return detail::Power<Matrix>{p[0] * orientation, p[1] * orientation, p[2] * orientation, p[3] * orientation};
     };
     const Matrix back = orientation.transposed();
-    return {detail::polynomial<S>(weight[0], weight[1], weight[2], weight[3]),
-            detail::matrix_polynomial<S>(in_body(turn)), detail::vector_polynomial<S>(shift),
-            detail::vector_polynomial<S>(
-                {back * inverse_shift[0], back * inverse_shift[1], back * inverse_shift[2], back * inverse_shift[3]}),
-            detail::matrix_polynomial<S>(in_body(moment))};
+    ControlMaps<S> maps{detail::polynomial<S>(weight[0], weight[1], weight[2], weight[3]),
+                        detail::matrix_polynomial<S>(in_body(turn)), detail::vector_polynomial<S>(shift),
+                        detail::vector_polynomial<S>({back * inverse_shift[0], back * inverse_shift[1],
+                                                      back * inverse_shift[2], back * inverse_shift[3]}),
+                        detail::matrix_polynomial<S>(in_body(moment))};
+    if constexpr (!algebra::Divisible<S>) { // all five over one unit
+        const S& length = motion.length_unit;
+        maps.weight = maps.weight * S(length * motion.orientation_unit);
+        maps.shift = scale(maps.shift, motion.orientation_unit);
+        maps.turn = scale(maps.turn, length);
+    }
+    return maps;
 }
 
 /// The body standing still where the motion has it at tau.

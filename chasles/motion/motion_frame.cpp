@@ -1,24 +1,41 @@
 #include "chasles/motion/motion_frame.h"
 
+#include "chasles/algebra/rounding_mode.h"
+#include "chasles/invalid_input.h"
 #include "chasles/motion/screw_pose.h"
 
 namespace chasles {
 
+namespace {
+
+/// The members of a pose are open to everyone: what its constructor refuses is refused here again.
+Pose checked(const Pose& pose) {
+    if (!algebra::rounds_to_nearest())
+        throw InvalidInput("motion: floating point: must round to nearest; it is set to round otherwise");
+    return {pose.translation, Eigen::Quaterniond(pose.rotation)};
+}
+
+} // namespace
+
 MotionFrame MotionFrame::between(const Pose& start, const Pose& goal) {
     MotionFrame frame;
-    frame.start = motion::exact(start);
-    frame.goal = motion::exact(goal);
+    frame.start = motion::exact(checked(start));
+    frame.goal = motion::exact(checked(goal));
+    frame.given_start = {start, {}};
+    frame.given_goal = {goal, {}};
     return frame;
 }
 
 MotionFrame MotionFrame::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                   const Pose& fixed_goal) {
     MotionFrame frame;
-    frame.start = motion::seen_from(motion::exact(fixed_start), motion::exact(moving_start));
-    frame.goal = motion::seen_from(motion::exact(fixed_goal), motion::exact(moving_goal));
-    frame.fixed_start = fixed_start;
-    frame.fixed_goal = fixed_goal;
+    frame.fixed_start = checked(fixed_start);
+    frame.fixed_goal = checked(fixed_goal);
+    frame.start = motion::seen_from(motion::exact(frame.fixed_start), motion::exact(checked(moving_start)));
+    frame.goal = motion::seen_from(motion::exact(frame.fixed_goal), motion::exact(checked(moving_goal)));
     frame.fixed_moves = true;
+    frame.given_start = {moving_start, fixed_start};
+    frame.given_goal = {moving_goal, fixed_goal};
     return frame;
 }
 

@@ -24,13 +24,18 @@ struct Quaternion {
     [[nodiscard]] S squared_norm() const { return w * w + dot(v, v); }
 };
 
+/// The rotation matrix of a quaternion of any non-zero length, times its squared norm.
+template <class S>
+Matrix3<S> scaled_rotation_matrix(const Quaternion<S>& q) {
+    const S square = q.w * q.w - dot(q.v, q.v);
+    return scale(algebra::identity_matrix<S>(), square) + scale(outer(q.v, q.v), S(2)) +
+           scale(cross_matrix(q.v), S(S(2) * q.w));
+}
+
 /// The rotation matrix of a quaternion of any non-zero length.
 template <class S>
 Matrix3<S> rotation_matrix(const Quaternion<S>& q) {
-    const S square = q.w * q.w - dot(q.v, q.v);
-    const Matrix3<S> scaled = scale(algebra::identity_matrix<S>(), square) + scale(outer(q.v, q.v), S(2)) +
-                              scale(cross_matrix(q.v), S(S(2) * q.w));
-    return scale(scaled, S(S(1) / q.squared_norm()));
+    return scale(scaled_rotation_matrix(q), S(S(1) / q.squared_norm()));
 }
 
 /// A pose with the quaternion as given.
@@ -40,8 +45,10 @@ struct GeneralPose {
     Quaternion<S> rotation;
 };
 
-/// One motion of the family. Body points b start at y = `orientation` * b, relative to `origin`; at tau they are at
-/// origin + (W y + 2 tau e (a x y + m) + 2 tau^2 a x (a x y + m)) / W + tau d.
+/// One motion of the family, for units of 1. Body points b start at y = `orientation` * b, relative to `origin`; at tau
+/// they are at origin + (W y + 2 tau e (a x y + m) + 2 tau^2 a x (a x y + m)) / W + tau d. Other units save exact
+/// scalars every division: e1 and a are multiples of 1 / turn_unit, origin and d of 1 / length_unit, m of 1 /
+/// (turn_unit length_unit) and the orientation of 1 / orientation_unit.
 template <class S>
 struct RationalMotion {
     S end_cosine{};          ///< e1
@@ -50,6 +57,10 @@ struct RationalMotion {
     Vector3<S> displacement; ///< d, a length
     Vector3<S> origin;       ///< start position of the body's origin, in the frame of the fixed body
     Matrix3<S> orientation;  ///< at the start
+    double reach = 0;        ///< of the body points that the numbers were made from: of a sweep's reference point
+    S turn_unit = S(1);
+    S length_unit = S(1);
+    S orientation_unit = S(1);
 };
 
 /// The rotation from one pose's frame to the other's, with non-negative scalar part.
@@ -83,7 +94,8 @@ RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S
     const Vector3<S> reference = orientation * centre;
     const Vector3<S> moved = rotation_matrix(goal.rotation) * centre;
     const Vector3<S> displacement = (goal.translation - start.translation) + (moved - reference);
-    return {unit_turn.w, unit_turn.v, cross(reference, unit_turn.v), displacement, start.translation, orientation};
+    return {unit_turn.w,       unit_turn.v, cross(reference, unit_turn.v),     displacement,
+            start.translation, orientation, static_cast<double>(norm1(centre))};
 }
 
 } // namespace chasles::motion

@@ -69,15 +69,17 @@ ScrewMotion ScrewMotion::piece(std::size_t index, std::size_t count) const {
         return *this;
     const auto time_of = [&](std::size_t i) { return double(i) / double(count); };
     const auto pose_of = [&](std::size_t i) { // the same bits as the end of one piece and the start of the next
-        return motion::exact(motion::screw_pose(frame_.start, frame_.goal, {time_of(i), time_of(i)}));
+        return motion::screw_pose(frame_.start, frame_.goal, {time_of(i), time_of(i)});
     };
     MotionFrame piece = frame_;
     if (index > 0) {
-        piece.start = pose_of(index);
+        piece.given_start = {pose_of(index), {}};
+        piece.start = motion::exact(piece.given_start.pose);
         piece.fixed_start = frame_.fixed_pose_at(time_of(index));
     }
     if (index + 1 < count) {
-        piece.goal = pose_of(index + 1);
+        piece.given_goal = {pose_of(index + 1), {}};
+        piece.goal = motion::exact(piece.given_goal.pose);
         piece.fixed_goal = frame_.fixed_pose_at(time_of(index + 1));
     }
     return from(piece);

@@ -29,18 +29,26 @@ Quotient quotient_at(const Polynomial& p, const Polynomial& w, double tau) {
     return {value, (value_at(p_rate, tau) - value * value_at(w_rate, tau)) / weight};
 }
 
-/// Newell's normal; zero only for a face without area, which no polyhedron has.
-Eigen::Vector3d face_normal(const Polyhedron& body, std::uint32_t face) {
-    const auto corners = body.face(face);
-    const auto vertices = body.vertices();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        sum += (vertices[corners[i]] - vertices[corners[0]]).cross(vertices[corners[i + 1]] - vertices[corners[0]]);
-    return sum.stableNormalized();
+Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& direction) {
+    return direction.stableNormalized().unitOrthogonal();
 }
 
-Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& direction) {
-    return direction.unitOrthogonal();
+/// Newell's normal of the face at the size of one, where nothing underflows. Of a face so thin that it vanishes in
+/// rounding, any normal of its longest diagonal.
+Eigen::Vector3d face_normal(const Polyhedron& body, std::uint32_t face) {
+    const auto corners = body.face(face);
+    const auto arm = [&](std::size_t i) -> Eigen::Vector3d {
+        return body.vertices()[corners[i]] - body.vertices()[corners[0]];
+    };
+    Eigen::Vector3d longest = arm(1);
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        if (arm(i).stableNorm() > longest.stableNorm())
+            longest = arm(i);
+    const double size = longest.cwiseAbs().maxCoeff();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        sum += (arm(i) / size).cross(arm(i + 1) / size);
+    return sum.isZero(0) ? any_perpendicular(longest) : Eigen::Vector3d(sum.stableNormalized());
 }
 
 Eigen::Vector3d box_centre(const Polyhedron& body) {
@@ -90,23 +98,25 @@ ContactDetails::Place ContactDetails::place_of(const Candidate& candidate) const
 /// The point is on the fixed edge. Parallel edges share a stretch: its middle is taken, and the normal is across the
 /// edges along the relative velocity.
 ContactDetails::Place ContactDetails::edge_place(const Line& moving, const Line& fixed) const {
-    const Eigen::Vector3d crossing = moving.direction.cross(fixed.direction);
-    const double size = moving.direction.norm() * fixed.direction.norm();
+    const double length = fixed.direction.stableNorm();
+    const Eigen::Vector3d along = fixed.direction.stableNormalized();
+    const Eigen::Vector3d moving_along = moving.direction.stableNormalized();
+    const Eigen::Vector3d crossing = moving_along.cross(along);
     const Eigen::Vector3d outward = moved(box_centre(moving_)) - box_centre(fixed_);
-    const double square = fixed.direction.squaredNorm();
-    if (crossing.norm() > no_direction * size) {
-        const Eigen::Vector3d arm = (moving.point - fixed.point).cross(moving.direction);
-        const double share = -arm.dot(crossing) / crossing.squaredNorm();
-        return {fixed.point + std::clamp(share, 0.0, 1.0) * fixed.direction, crossing.normalized(), outward};
+    if (crossing.norm() > no_direction) {
+        const Eigen::Vector3d arm = (moving.point - fixed.point).cross(moving_along);
+        const double way = -arm.dot(crossing) / crossing.squaredNorm();
+        return {fixed.point + std::clamp(way, 0.0, length) * along, crossing.normalized(), outward};
     }
-    const double from = (moving.point - fixed.point).dot(fixed.direction) / square;
-    const double to = (moving.point + moving.direction - fixed.point).dot(fixed.direction) / square;
-    const double share = 0.5 * (std::clamp(std::min(from, to), 0.0, 1.0) + std::clamp(std::max(from, to), 0.0, 1.0));
-    const Eigen::Vector3d point = fixed.point + share * fixed.direction;
+    const double from = (moving.point - fixed.point).dot(along);
+    const double to = (moving.point + moving.direction - fixed.point).dot(along);
+    const double way =
+        0.5 * (std::clamp(std::min(from, to), 0.0, length) + std::clamp(std::max(from, to), 0.0, length));
+    const Eigen::Vector3d point = fixed.point + way * along;
     const Eigen::Vector3d velocity = velocity_at(point);
-    const Eigen::Vector3d across = velocity - fixed.direction * (velocity.dot(fixed.direction) / square);
-    const bool slides = across.norm() <= no_direction * velocity.norm();
-    return {point, slides ? any_perpendicular(fixed.direction) : across.normalized(), outward};
+    const Eigen::Vector3d across = velocity - along * velocity.dot(along);
+    const bool slides = across.stableNorm() <= no_direction * velocity.stableNorm();
+    return {point, slides ? any_perpendicular(along) : Eigen::Vector3d(across.stableNormalized()), outward};
 }
 
 Contact ContactDetails::describe(const Candidate& candidate) const {

@@ -73,8 +73,9 @@ public:
     std::optional<elementary::Passage<S>> moving_edge_passage(const Edge& edge, std::uint32_t fixed_face,
                                                               elementary::Ends ends) {
         const elementary::Segment<S> segment{start(maps_->turn, HeldFace<S>::point(moving_, edge.from), maps_->shift),
-                                             start(maps_->turn, HeldFace<S>::point(moving_, edge.to), maps_->shift)};
-        return elementary::edge_through_face(segment, face_.hold(fixed_, fixed_face), accuracy_.scale.length, ends);
+                                             start(maps_->turn, HeldFace<S>::point(moving_, edge.to), maps_->shift),
+                                             maps_->weight[0]};
+        return elementary::edge_through_face(segment, face_.hold(fixed_, fixed_face), accuracy_.scale, ends);
     }
 
     /// At the start of the interval: a fixed edge through a moving face, in the moving body's frame.
@@ -83,8 +84,8 @@ public:
         const auto back = maps_->turn.transposed();
         const auto shift = Vector3<Polynomial>() - maps_->inverse_shift;
         const elementary::Segment<S> segment{start(back, HeldFace<S>::point(fixed_, edge.from), shift),
-                                             start(back, HeldFace<S>::point(fixed_, edge.to), shift)};
-        return elementary::edge_through_face(segment, face_.hold(moving_, moving_face), accuracy_.scale.length, ends);
+                                             start(back, HeldFace<S>::point(fixed_, edge.to), shift), maps_->weight[0]};
+        return elementary::edge_through_face(segment, face_.hold(moving_, moving_face), accuracy_.scale, ends);
     }
 
     [[nodiscard]] const elementary::Workspace<S>& workspace() const { return workspace_; }
@@ -92,7 +93,7 @@ public:
 private:
     using Polynomial = algebra::Bernstein<3, S>;
 
-    /// The first control point; the weight there is 1 at the start of the whole motion.
+    /// The first control point.
     static Vector3<S> start(const algebra::Matrix3<Polynomial>& turn, const Vector3<S>& point,
                             const Vector3<Polynomial>& shift) {
         Vector3<S> result;

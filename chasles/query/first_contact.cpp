@@ -1,5 +1,6 @@
 #include "chasles/query/first_contact.h"
 
+#include "chasles/algebra/rounding_mode.h"
 #include "chasles/invalid_input.h"
 #include "chasles/query/contact_details.h"
 
@@ -19,8 +20,9 @@ struct PieceClock {
     [[nodiscard]] double whole(double part) const { return (double(index) + part) / double(count); }
 };
 
-/// A few roundings of the arc tangent and of the sum with the piece's index.
-constexpr double clock_slack = 0x1p-50;
+/// Roundings of tau, of two arc tangents good to two units each, and of the sum with the piece's index: 15 of 16 units
+/// at most (docs/derivations/10-error-bounds.md, "Time").
+constexpr double clock_slack = 0x1p-49;
 
 void require(bool holds, const char* option, const std::string& why) {
     if (!holds)
@@ -28,6 +30,7 @@ void require(bool holds, const char* option, const std::string& why) {
 }
 
 void validate(const FirstContactQuery& query) {
+    require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");
     require(query.margin == 0, "margin", "must be 0; distances above 0 are not supported by this version");
     require(query.hold == 0, "hold", "must be 0; it belongs to a margin, which this version does not support");
     require(query.time_tolerance >= 1e-15 && query.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
@@ -47,8 +50,9 @@ public:
         for (std::size_t i = 0; i < count; ++i) {
             const auto piece = piece_at(i);
             const double tolerance = query_.time_tolerance * double(count) / greatest_time_rate(piece);
-            const query::PieceResult result = query::search_piece(
-                {query_.moving, query_.fixed, piece.frame().motion, std::min(tolerance, 1.0), query_.find, i == 0});
+            const query::PieceResult result =
+                query::search_piece({query_.moving, query_.fixed, piece.frame().motion, &piece.frame(),
+                                     std::min(tolerance, 1.0), query_.find, i == 0});
             found.work += result.work;
             if (result.overlap || !result.candidates.empty()) {
                 report(found, piece, {i, count}, result);
@@ -112,8 +116,8 @@ private:
         }
         const auto piece = piece_at(clock.index);
         const auto standing = motion::standing_at(piece.frame().motion, MotionFrame::Scalar(later));
-        const query::PieceResult then =
-            query::search_piece({query_.moving, query_.fixed, standing, 1, Find::first_with_all_contacts, true});
+        const query::PieceResult then = query::search_piece(
+            {query_.moving, query_.fixed, standing, nullptr, 1, Find::first_with_all_contacts, true});
         found.work += then.work;
         found.certain = then.overlap && then.overlap->certain;
         if (!found.certain)
@@ -181,6 +185,7 @@ Work& Work::operator+=(const Work& other) {
     elementary_tests += other.elementary_tests;
     root_brackets += other.root_brackets;
     refined += other.refined;
+    exact += other.exact;
     return *this;
 }
 

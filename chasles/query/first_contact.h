@@ -70,6 +70,7 @@ struct Work {
     std::uint64_t elementary_tests = 0; ///< vertex/face and edge/edge detections
     std::uint64_t root_brackets = 0;    ///< of those, the ones that had to look for roots
     std::uint64_t refined = 0;          ///< of those, the ones repeated in double-double precision
+    std::uint64_t exact = 0;            ///< of those, and of edges through faces at the start, decided exactly
     Work& operator+=(const Work& other);
 };
 
@@ -78,7 +79,7 @@ struct [[nodiscard]] FirstContact {
     Verdict verdict = Verdict::clear;
     Bracket time;        ///< of the first contact (with Find::any, of some contact), in [0, 1]; {0, 0} if clear
     Bracket tau;         ///< the same in the paper's parameter; see docs/derivations/02
-    bool certain = true; ///< false where contact could not be told from a miss by less than the error bound
+    bool certain = true; ///< false where contact could not be told from a miss: at faces that are not exactly planar
     std::vector<Contact> contacts;
     std::optional<Overlap> overlap; ///< only with contact_at_start, when surfaces pass through each other
     Pose pose;                      ///< of the moving body in the world at time.lower; the goal if clear

@@ -1,5 +1,6 @@
 #include "chasles/query/traversal.h"
 
+#include "chasles/query/exact_stage.h"
 #include "chasles/query/time_tree.h"
 
 #include <array>
@@ -39,7 +40,8 @@ class Traversal {
 public:
     explicit Traversal(const PieceSearch& search)
         : search_(search), exact_maps_(motion::control_maps(search.motion)), maps_(motion::rounded(exact_maps_)),
-          scale_(elementary::error_scale(maps_, reach(search.moving.hierarchy()), reach(search.fixed.hierarchy()))),
+          scale_(elementary::error_scale(maps_, std::max(reach(search.moving.hierarchy()), search.motion.reach),
+                                         reach(search.fixed.hierarchy()))),
           times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
           filter_(search.moving, search.fixed, {scale_, {}}), refinement_(search.moving, search.fixed, {scale_, {}}),
           moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
@@ -49,6 +51,7 @@ public:
     PieceResult run() {
         levels_[0] = {{0, 0}};
         search_interval(0, 0, 1);
+        decide_overlaps();
         const double last = result_.overlap ? 0 : best_;
         std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > last; });
         result_.work.elementary_tests = filter_.workspace().elementary_tests;
@@ -129,66 +132,95 @@ private:
         }
     }
 
-    /// Keeps a candidate of the filter, in terms of the whole piece; what is not certain or not tight in double
-    /// precision is asked again in double-double.
+    /// Keeps a candidate of the filter, in terms of the whole piece, unless a later stage proves that it is none.
     void add(Candidate candidate, const TimeInterval& interval) {
         const double width = interval.upper - interval.lower;
         candidate.tau.lower = interval.lower + candidate.tau.lower * width;
         candidate.tau.upper = std::min(interval.upper, interval.lower + candidate.tau.upper * width);
         if (stop_ || candidate.tau.lower > best_)
             return;
-        if (!candidate.tau.certain || candidate.tau.upper - candidate.tau.lower > search_.tolerance) {
-            ++result_.work.refined;
-            const auto refined = refine(candidate);
-            if (!refined)
-                return;
-            candidate.tau = *refined;
-        }
+        if (!is_decided(candidate.tau) && !decide(candidate))
+            return;
         result_.candidates.push_back(candidate);
         best_ = std::min(best_, candidate.tau.upper);
+        if (candidate.tau.certain)
+            first_certain_ = std::min(first_certain_, candidate.tau.lower);
         stop_ = search_.find == Find::any || (search_.find == Find::first && candidate.tau.lower <= 0);
     }
 
-    std::optional<FeasibleInterval> refine(const Candidate& candidate) {
-        const Edge moving{candidate.moving.first, candidate.moving.second};
-        const Edge fixed{candidate.fixed.first, candidate.fixed.second};
-        switch (candidate.kind) {
-        case ContactKind::vertex_face:
-            return refinement_.vertex_face(moving.from, fixed.from);
-        case ContactKind::face_vertex:
-            return refinement_.face_vertex(moving.from, fixed.from);
-        case ContactKind::edge_edge:
-            return refinement_.edge_edge(refinement_.path_of(moving), fixed);
+    [[nodiscard]] bool is_decided(const FeasibleInterval& tau) const {
+        return tau.certain && tau.upper - tau.lower <= search_.tolerance;
+    }
+
+    /// What is not certain or not tight in double precision is asked again in double-double, and what still is not,
+    /// exactly; false if there is no contact before best_.
+    bool decide(Candidate& candidate) {
+        ++result_.work.refined;
+        const auto refined = first_contact_of(refinement_, candidate);
+        if (!refined || refined->lower > best_)
+            return false;
+        candidate.tau = *refined;
+        if (is_decided(candidate.tau) || search_.given == nullptr)
+            return true;
+        if (candidate.tau.lower >=
+            first_certain_) { // a contact beside a proven one; as it may be none, it ends nothing
+            candidate.tau.upper = std::max(candidate.tau.upper, best_);
+            return true;
         }
-        return std::nullopt;
+        ++result_.work.exact;
+        const auto decided = exact_stage().first_contact_of(candidate, search_.tolerance);
+        if (decided)
+            candidate.tau = *decided;
+        return decided && decided->lower <= best_;
+    }
+
+    ExactStage& exact_stage() {
+        if (!exact_stage_)
+            exact_stage_.emplace(search_.moving, search_.fixed, *search_.given);
+        return *exact_stage_;
     }
 
     void look_for_overlap(std::uint32_t moving_face, std::uint32_t fixed_face) {
         using elementary::Ends;
         for (const Edge& edge : search_.moving.owned_edges(moving_face))
             if (filter_.moving_edge_passage(edge, fixed_face, Ends::not_proven_on_one_side))
-                report_overlap(true, edge, fixed_face,
-                               refinement_.moving_edge_passage(edge, fixed_face, Ends::proven_opposite));
+                report_overlap({true, {edge.from, edge.to}, {fixed_face, fixed_face}, {}, false});
         for (const Edge& edge : search_.fixed.owned_edges(fixed_face))
             if (filter_.fixed_edge_passage(edge, moving_face, Ends::not_proven_on_one_side))
-                report_overlap(false, edge, moving_face,
-                               refinement_.fixed_edge_passage(edge, moving_face, Ends::proven_opposite));
+                report_overlap({false, {edge.from, edge.to}, {moving_face, moving_face}, {}, false});
     }
 
-    /// An overlap ends the search: nothing is earlier.
-    void report_overlap(bool edge_is_moving, const Edge& edge, std::uint32_t face,
-                        const std::optional<elementary::Passage<Scalar>>& passage) {
+    /// An overlap ends the search: nothing is earlier. Double-double leaves doubt where an end of the edge is hardly
+    /// off the face's plane, or the edge hardly within its rim.
+    void report_overlap(Overlap overlap) {
+        const auto passage = passage_of(refinement_, overlap, elementary::Ends::not_proven_on_one_side);
         if (!passage || stop_)
             return;
         Vector3<Scalar> point = passage->point;
-        if (!edge_is_moving)
+        if (!overlap.edge_is_moving)
             point = search_.motion.orientation * point + search_.motion.origin;
-        result_.overlap = Overlap{edge_is_moving,
-                                  {edge.from, edge.to},
-                                  {face, face},
-                                  {double(point.x), double(point.y), double(point.z)},
-                                  passage->certain};
-        stop_ = true;
+        overlap.point = {double(point.x), double(point.y), double(point.z)};
+        const auto proven = passage_of(refinement_, overlap, elementary::Ends::proven_opposite);
+        overlap.certain = proven && proven->certain;
+        if (search_.given != nullptr && !overlap.certain) {
+            doubtful_overlaps_.push_back(overlap);
+        } else if (proven) {
+            result_.overlap = overlap;
+            stop_ = true;
+        }
+    }
+
+    /// Exactly, and last: where the bodies just touch at the start, their features have been found to.
+    void decide_overlaps() {
+        for (Overlap& overlap : doubtful_overlaps_) {
+            if (result_.overlap || first_certain_ <= 0)
+                return;
+            ++result_.work.exact;
+            if (exact_stage().passes(overlap)) {
+                overlap.certain = true;
+                result_.overlap = overlap;
+            }
+        }
     }
 
     const PieceSearch& search_;
@@ -198,11 +230,14 @@ private:
     const TimeTree times_;
     FeaturePairs<double> filter_;
     FeaturePairs<Scalar> refinement_;
+    std::optional<ExactStage> exact_stage_; ///< made when it is first asked
     std::span<const BoxNode> moving_nodes_;
     std::span<const BoxNode> fixed_nodes_;
     std::array<std::vector<NodePair>, deepest_level + 2> levels_;
-    double best_ = 1; ///< an upper end of the first contact found so far
+    double best_ = 1;          ///< an upper end of the first contact found so far
+    double first_certain_ = 2; ///< the lower end of the first contact that is proven
     bool stop_ = false;
+    std::vector<Overlap> doubtful_overlaps_;
     PieceResult result_;
 };
 

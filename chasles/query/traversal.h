@@ -2,21 +2,10 @@
 // Source: paper section 5.1 (hierarchies moved by the same motion); docs/derivations/07-swept-boxes.md.
 #pragma once
 
-#include "chasles/query/feature_pairs.h"
-#include "chasles/query/first_contact.h"
+#include "chasles/query/candidate.h"
 #include "chasles/query/swept_boxes.h"
 
-#include <memory>
-
 namespace chasles::query {
-
-/// A feature pair that may be in contact, with the tau of its first contact in the piece of motion.
-struct Candidate {
-    ContactKind kind = ContactKind::vertex_face;
-    Feature moving;
-    Feature fixed;
-    FeasibleInterval tau;
-};
 
 /// What one piece of a motion gave.
 struct PieceResult {
@@ -30,7 +19,8 @@ struct PieceSearch {
     const Polyhedron& moving;
     const Polyhedron& fixed;
     const motion::RationalMotion<algebra::DoubleDouble>& motion;
-    double tolerance = 1e-12; ///< of tau
+    const MotionFrame* given = nullptr; ///< what the motion is rounded from; without it, doubt is not decided
+    double tolerance = 1e-12;           ///< of tau
     Find find = Find::first;
     bool check_start = true; ///< look for edges that pass through faces at tau = 0
 };

@@ -13,9 +13,9 @@ using namespace test;
 template <class S>
 std::optional<Passage<S>> passage(const Line& edge, const Face& face, Ends ends = Ends::proven_opposite) {
     const auto corners = corners_in<S>(face.corners);
-    const double length = reach(face.corners) + reach({edge.from, edge.to});
+    const ErrorScale scale{.length = 4 * (reach(face.corners) + reach({edge.from, edge.to}))};
     return edge_through_face<S>({rounded_to<S>(edge.from), rounded_to<S>(edge.to)},
-                                face_shape<S>(corners, face.triangles), 4 * length, ends);
+                                face_shape<S>(corners, face.triangles), scale, ends);
 }
 
 template <class S>

@@ -1,59 +1,16 @@
 // The whole query against every feature pair in exact rationals: no filter, no hierarchy, no splitting of time.
-#include "chasles/motion/screw_pose.h"
-#include "chasles/query/feature_pairs.h"
 #include "tests/query/bodies.h"
+#include "tests/query/exact_answer.h"
+#include "tests/support/posed_motions.h"
 
-#include <boost/multiprecision/gmp.hpp>
 #include <gtest/gtest.h>
 #include <numbers>
 
 namespace chasles::test {
 namespace {
 
-using Rational = boost::multiprecision::number<boost::multiprecision::gmp_rational, boost::multiprecision::et_off>;
-
-motion::GeneralPose<Rational> exact_pose(const Pose& pose) {
-    const Eigen::Vector3d& t = pose.translation;
-    const Eigen::Quaterniond& q = pose.rotation;
-    return {{Rational(t.x()), Rational(t.y()), Rational(t.z())},
-            {Rational(q.w()), {Rational(q.x()), Rational(q.y()), Rational(q.z())}}};
-}
-
-/// The exact answer: whether edges pass through faces at the start, and the earliest contact of any feature pair.
-struct ExactAnswer {
-    bool overlaps = false;
-    std::optional<algebra::FeasibleInterval> first;
-
-    void keep(const std::optional<algebra::FeasibleInterval>& found) {
-        if (found && (!first || found->lower < first->lower))
-            first = found;
-    }
-};
-
 ExactAnswer brute_force(const Polyhedron& a, const Polyhedron& b, const Pose& start, const Pose& goal) {
-    const auto maps = motion::control_maps(motion::screw_between(exact_pose(start), exact_pose(goal)));
-    query::FeaturePairs<Rational> pairs(a, b, {});
-    pairs.use(maps, {1e-9, 1e-32});
-    ExactAnswer answer;
-    for (std::uint32_t f = 0; f < a.face_count(); ++f) {
-        for (std::uint32_t g = 0; g < b.face_count(); ++g) {
-            for (const std::uint32_t vertex : a.owned_vertices(f))
-                answer.keep(pairs.vertex_face(vertex, g));
-            for (const std::uint32_t vertex : b.owned_vertices(g))
-                answer.keep(pairs.face_vertex(f, vertex));
-            for (const Edge& edge : a.owned_edges(f)) {
-                answer.overlaps =
-                    answer.overlaps || pairs.moving_edge_passage(edge, g, elementary::Ends::proven_opposite);
-                const auto path = pairs.path_of(edge);
-                for (const Edge& other : b.owned_edges(g))
-                    answer.keep(pairs.edge_edge(path, other));
-            }
-            for (const Edge& edge : b.owned_edges(g))
-                answer.overlaps =
-                    answer.overlaps || pairs.fixed_edge_passage(edge, f, elementary::Ends::proven_opposite);
-        }
-    }
-    return answer;
+    return exact_answer(a, b, motion::screw_between(exact(start), exact(goal)));
 }
 
 Body random_body(std::mt19937& random) {
@@ -76,23 +33,23 @@ enum class Demand { same, safe };
 
 void compare(const Polyhedron& a, const Polyhedron& b, const Pose& start, const Pose& goal, int& contacts,
              Demand demand = Demand::same) {
-    const ExactAnswer exact = brute_force(a, b, start, goal);
+    const ExactAnswer truth = brute_force(a, b, start, goal);
     const FirstContact found = first_contact(
         {.moving = a, .fixed = b, .motion = ScrewMotion::between(start, goal), .max_turn = std::numbers::pi});
     contacts += found.verdict == Verdict::clear ? 0 : 1;
-    if (exact.overlaps) {
+    if (truth.overlaps) {
         EXPECT_EQ(found.verdict, Verdict::contact_at_start);
         return;
     }
     if (demand == Demand::safe && found.verdict != Verdict::clear && !found.certain) {
-        EXPECT_TRUE(!exact.first || found.tau.lower <= exact.first->upper) << "reported too late";
+        EXPECT_TRUE(!truth.first || found.tau.lower <= truth.first->upper) << "reported too late";
         return;
     }
-    ASSERT_EQ(exact.first.has_value(), found.verdict != Verdict::clear);
-    if (!exact.first)
+    ASSERT_EQ(truth.first.has_value(), found.verdict != Verdict::clear);
+    if (!truth.first)
         return;
-    EXPECT_LE(found.tau.lower, exact.first->upper) << "reported too late";
-    EXPECT_GE(found.tau.upper, exact.first->lower) << "reported too early";
+    EXPECT_LE(found.tau.lower, truth.first->upper) << "reported too late";
+    EXPECT_GE(found.tau.upper, truth.first->lower) << "reported too early";
 }
 
 TEST(BruteForce, RandomBodiesAgreeWithExactRationals) {

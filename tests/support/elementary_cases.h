@@ -109,8 +109,9 @@ struct EdgeEdgeCase {
     Line fixed;
 
     template <class S>
-    [[nodiscard]] Answer ask() const {
+    [[nodiscard]] Answer ask(const algebra::Tolerance& tolerance = tolerance_in<S>) const {
         Stage<S> stage(screw.motion(), {moving.from, moving.to}, {fixed.from, fixed.to});
+        stage.accuracy.tolerance = tolerance;
         const auto path = elementary::edge_path(stage.maps, rounded_to<S>(moving.from), rounded_to<S>(moving.to));
         const Vector3<S> from = rounded_to<S>(fixed.from);
         return elementary::edge_edge<S>(stage.maps, path, {from, rounded_to<S>(fixed.to) - from}, stage.accuracy,

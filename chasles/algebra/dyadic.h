@@ -1,0 +1,86 @@
+// Whole multiples of powers of two, of any size: sums, differences and products of doubles without rounding.
+#pragma once
+
+#if defined(__GNUC__) && !defined(__clang__) // copies of numbers that are too short for memory of their own look unset
+#pragma GCC diagnostic push
+#pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
+#include <boost/multiprecision/cpp_int.hpp>
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic pop
+#endif
+#include <cmath>
+
+namespace chasles::algebra {
+
+/// mantissa * 2^exponent. There is no division; halving is exact.
+class Dyadic {
+public:
+    /// Small numbers, which are most, need no memory of their own.
+    using Integer = boost::multiprecision::number<
+        boost::multiprecision::cpp_int_backend<1024, 0, boost::multiprecision::signed_magnitude,
+                                               boost::multiprecision::unchecked>,
+        boost::multiprecision::et_off>;
+
+    Dyadic() = default;
+    /// The double as it is; it must be finite.
+    Dyadic(double x) { // NOLINT(google-explicit-constructor)
+        if (x == 0)
+            return;
+        exponent_ = std::ilogb(x) - 52;
+        auto digits = static_cast<std::int64_t>(std::ldexp(x, -exponent_));
+        for (; digits % 2 == 0; ++exponent_)
+            digits /= 2;
+        mantissa_ = digits;
+    }
+
+    Dyadic(Integer mantissa, int exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
+
+    [[nodiscard]] const Integer& mantissa() const { return mantissa_; }
+    [[nodiscard]] int exponent() const { return exponent_; }
+    [[nodiscard]] int sign() const { return mantissa_.sign(); }
+    [[nodiscard]] Dyadic times_power_of_two(int power) const { return Dyadic(mantissa_, exponent_ + power); }
+
+    friend Dyadic operator+(const Dyadic& a, const Dyadic& b) {
+        if (a.sign() == 0 || b.sign() == 0)
+            return a.sign() == 0 ? b : a;
+        const int exponent = std::min(a.exponent_, b.exponent_);
+        return Dyadic(a.at(exponent) + b.at(exponent), exponent);
+    }
+    friend Dyadic operator-(const Dyadic& a) { return Dyadic(Integer(-a.mantissa_), a.exponent_); }
+    friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
+    friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
+        if (a.sign() == 0 || b.sign() == 0)
+            return {};
+        return Dyadic(a.mantissa_ * b.mantissa_, a.exponent_ + b.exponent_);
+    }
+    friend bool operator<(const Dyadic& a, const Dyadic& b) { return (a - b).sign() < 0; }
+    friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == 0; }
+
+    /// The largest double that is not greater, for magnitudes up to 1.
+    [[nodiscard]] double rounded_down() const {
+        const double near = nearly();
+        return *this < Dyadic(near) ? std::nextafter(near, -2.0) : near;
+    }
+    /// The least double that is not less.
+    [[nodiscard]] double rounded_up() const { return -(-*this).rounded_down(); }
+
+private:
+    /// The mantissa of the same number over a power of two that is not larger.
+    [[nodiscard]] Integer at(int exponent) const { return mantissa_ << unsigned(exponent_ - exponent); }
+
+    /// The next double towards zero, or, below the normal ones, the nearest.
+    [[nodiscard]] double nearly() const {
+        if (sign() == 0)
+            return 0;
+        const Integer size = abs(mantissa_);
+        const int excess = std::max(0, static_cast<int>(msb(size)) - 52);
+        const double digits = static_cast<double>(static_cast<std::int64_t>(Integer(size >> unsigned(excess))));
+        return std::ldexp(sign() < 0 ? -digits : digits, exponent_ + excess);
+    }
+
+    Integer mantissa_{};
+    int exponent_ = 0;
+};
+
+} // namespace chasles::algebra

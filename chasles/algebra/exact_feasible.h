@@ -1,0 +1,86 @@
+// `first_feasible` for polynomials that are known exactly: every case is decided, also touches and coincidences.
+// Source: docs/derivations/12-exact-stage.md.
+#pragma once
+
+#include "chasles/algebra/exact_roots.h"
+#include "chasles/algebra/first_feasible.h"
+
+namespace chasles::algebra::detail {
+
+/// Takes the place of the search by clipping. An error of F that is not zero asks for |F| <= error W: F is then known
+/// no better than that, and what is found is not certain. Constraints must have no errors.
+template <int Degree>
+class FeasibilitySearch<Degree, ExactNumber> {
+public:
+    using Polynomial = Bernstein<Degree, ExactNumber>;
+    using Problem = FeasibilityProblem<Degree, ExactNumber>;
+    using Root = ExactRoot<Degree>;
+
+    FeasibilitySearch(const Problem& problem, const Tolerance& tolerance)
+        : function_(problem.function.polynomial), constraints_(problem.constraints.begin(), problem.constraints.end()),
+          level_(1 - std::ilogb(tolerance.width)) {
+        const ExactNumber& error = problem.function.error;
+        if (error.sign() == 0)
+            return;
+        is_exact_ = false;
+        const Polynomial band = problem.weight * error;
+        constraints_.push_back({{band + function_, {}}});
+        constraints_.push_back({{band - function_, {}}});
+        function_ = Polynomial();
+    }
+
+    std::optional<FeasibleInterval> run() const {
+        const bool vanishes = leading_sign(function_) == 0;
+        for (const Root& root : vanishes ? places_of_change() : Root::roots_of(function_))
+            if (holds_at(root))
+                return answer(root);
+        return std::nullopt;
+    }
+
+private:
+    using OneConstraint = Constraint<Degree, ExactNumber>;
+
+    /// Roots of different polynomials that are closer than 2^-100 may be out of order.
+    static constexpr int order_level = 100;
+
+    /// Where F vanishes all along, the first feasible tau is 0 or a root of a constraint.
+    [[nodiscard]] std::vector<Root> places_of_change() const {
+        std::vector<Root> places{Root::at(Dyadic())};
+        const auto add = [&](const Polynomial& p) {
+            if (leading_sign(p) != 0)
+                for (Root& root : Root::roots_of(p))
+                    places.push_back(std::move(root));
+        };
+        for (const OneConstraint& constraint : constraints_) {
+            add(constraint.first.polynomial);
+            if (constraint.has_alternative)
+                add(constraint.second.polynomial);
+        }
+        for (Root& root : places)
+            root.narrow_to(order_level);
+        std::stable_sort(places.begin(), places.end(),
+                         [](const Root& a, const Root& b) { return a.lower() < b.lower(); });
+        return places;
+    }
+
+    /// Of a copy, since places out of order may lie before a root that is narrowed further.
+    [[nodiscard]] bool holds_at(Root root) const {
+        return std::all_of(constraints_.begin(), constraints_.end(), [&](const OneConstraint& constraint) {
+            return root.sign_of(constraint.first.polynomial) >= 0 ||
+                   (constraint.has_alternative && root.sign_of(constraint.second.polynomial) >= 0);
+        });
+    }
+
+    [[nodiscard]] FeasibleInterval answer(Root root) const {
+        root.narrow_to(level_);
+        root.separate_from_zero();
+        return {root.lower().rounded_down(), root.upper().rounded_up(), is_exact_};
+    }
+
+    Polynomial function_;
+    std::vector<OneConstraint> constraints_;
+    int level_;
+    bool is_exact_ = true;
+};
+
+} // namespace chasles::algebra::detail

@@ -1,0 +1,97 @@
+// Polynomials as sums of c_j tau^j with exact coefficients: common divisors, by Euclid's algorithm without division.
+// Source: D. Knuth, "The Art of Computer Programming", volume 2, section 4.6.1; docs/derivations/12-exact-stage.md.
+#pragma once
+
+#include "chasles/algebra/bernstein.h"
+#include "chasles/algebra/exact_number.h"
+
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace chasles::algebra {
+
+/// Coefficient j belongs to tau^j; the last one is not zero. Empty: the zero polynomial.
+using PowerForm = std::vector<ExactNumber>;
+
+inline PowerForm trimmed(PowerForm p) {
+    while (!p.empty() && p.back().sign() == 0)
+        p.pop_back();
+    return p;
+}
+
+template <int Degree>
+PowerForm power_form(const Bernstein<Degree, ExactNumber>& p) {
+    PowerForm result;
+    for (int j = 0; j <= Degree; ++j) {
+        ExactNumber difference;
+        for (int i = 0; i <= j; ++i)
+            difference = difference + p[i] * ExactNumber(double(((j - i) % 2 == 0 ? 1 : -1) * binomial(j, i)));
+        result.push_back(difference * ExactNumber(double(binomial(Degree, j))));
+    }
+    return trimmed(std::move(result));
+}
+
+/// A positive multiple of p, which is of degree Degree at most.
+template <int Degree>
+Bernstein<Degree, ExactNumber> bernstein_form(const PowerForm& p) {
+    std::int64_t multiple = 1;
+    for (int j = 0; j <= Degree; ++j)
+        multiple = std::lcm(multiple, binomial(Degree, j));
+    Bernstein<Degree, ExactNumber> result;
+    for (int k = 0; k <= Degree; ++k) {
+        ExactNumber sum;
+        for (int j = 0; j <= k && j < int(p.size()); ++j)
+            sum = sum + p[std::size_t(j)] * ExactNumber(double(multiple / binomial(Degree, j) * binomial(k, j)));
+        result.set(k, sum);
+    }
+    return result;
+}
+
+inline PowerForm derivative(const PowerForm& p) {
+    PowerForm result;
+    for (std::size_t j = 1; j < p.size(); ++j)
+        result.push_back(p[j] * ExactNumber(double(j)));
+    return result;
+}
+
+/// With some power c of the leading coefficient of b: c a = quotient b + remainder.
+struct PseudoDivision {
+    PowerForm quotient;
+    PowerForm remainder;
+};
+
+inline PseudoDivision pseudo_division(PowerForm a, const PowerForm& b) {
+    PowerForm quotient(a.size() < b.size() ? 0 : a.size() - b.size() + 1);
+    while (a.size() >= b.size()) {
+        const ExactNumber leading = a.back();
+        const std::size_t shift = a.size() - b.size();
+        for (ExactNumber& c : a)
+            c = c * b.back();
+        for (ExactNumber& c : quotient)
+            c = c * b.back();
+        quotient[shift] = quotient[shift] + leading;
+        for (std::size_t i = 0; i < b.size(); ++i)
+            a[shift + i] = a[shift + i] - leading * b[i];
+        a = trimmed(std::move(a));
+    }
+    return {trimmed(std::move(quotient)), std::move(a)};
+}
+
+/// A greatest common divisor, up to a factor.
+inline PowerForm common_divisor(PowerForm a, PowerForm b) {
+    while (!b.empty()) {
+        PowerForm next = pseudo_division(std::move(a), b).remainder;
+        a = std::move(b);
+        b = std::move(next);
+    }
+    return a;
+}
+
+/// A polynomial with the same roots, each of them once. p must not be zero.
+inline PowerForm without_multiple_roots(const PowerForm& p) {
+    const PowerForm multiple = common_divisor(p, derivative(p));
+    return multiple.size() < 2 ? p : pseudo_division(p, multiple).quotient;
+}
+
+} // namespace chasles::algebra

@@ -1,0 +1,114 @@
+#include "chasles/motion/exact_motion.h"
+
+namespace chasles::motion {
+
+namespace {
+
+using Exact = algebra::ExactNumber;
+using Vector = Vector3<Exact>;
+
+/// A pose whose translation is a multiple of 1 / unit.
+struct ScaledPose {
+    GeneralPose<Exact> pose;
+    Exact unit;
+};
+
+/// Both poses over one unit.
+struct Ends {
+    GeneralPose<Exact> start;
+    GeneralPose<Exact> goal;
+    Exact unit;
+
+    [[nodiscard]] Vector shift() const { return goal.translation - start.translation; }
+};
+
+Vector exact(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
+GeneralPose<Exact> exact_pose(const Pose& pose) {
+    const auto& q = pose.rotation;
+    return {exact(pose.translation), {q.w(), {q.x(), q.y(), q.z()}}};
+}
+
+ScaledPose in_fixed_frame(const GivenPose& given) {
+    const GeneralPose<Exact> pose = exact_pose(given.pose);
+    if (!given.seen_from)
+        return {pose, Exact(1)};
+    const GeneralPose<Exact> frame = exact_pose(*given.seen_from);
+    const Quaternion<Exact> back = frame.rotation.conjugate();
+    return {{scaled_rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation},
+            back.squared_norm()};
+}
+
+Ends ends_of(const MotionFrame& frame) {
+    const ScaledPose start = in_fixed_frame(frame.given_start);
+    const ScaledPose goal = in_fixed_frame(frame.given_goal);
+    return {{scale(start.pose.translation, goal.unit), start.pose.rotation},
+            {scale(goal.pose.translation, start.unit), goal.pose.rotation},
+            start.unit * goal.unit};
+}
+
+RationalMotion<Exact> started(const GeneralPose<Exact>& start) {
+    RationalMotion<Exact> motion;
+    motion.orientation = scaled_rotation_matrix(start.rotation);
+    motion.orientation_unit = start.rotation.squared_norm();
+    return motion;
+}
+
+/// `screw_between`, times 2 |v|^2 of the turn (w, v) in lengths, or 1 where nothing turns.
+RationalMotion<Exact> exact_screw(const Ends& ends) {
+    const Quaternion<Exact> turn = turn_between(ends.start, ends.goal);
+    const Exact square = dot(turn.v, turn.v);
+    const Vector shift = ends.shift();
+    RationalMotion<Exact> motion = started(ends.start);
+    motion.turn_unit = motion.end_cosine = turn.w;
+    motion.axis = turn.v;
+    if (square.sign() == 0) {
+        motion.length_unit = ends.unit;
+        motion.origin = ends.start.translation;
+        motion.displacement = shift;
+        return motion;
+    }
+    const Exact twice = square + square;
+    const Vector along = scale(turn.v, dot(turn.v, shift));
+    const Vector across = scale(shift, square) - along;
+    motion.length_unit = ends.unit * twice;
+    motion.origin = scale(ends.start.translation, twice);
+    motion.displacement = along + along;
+    motion.moment = scale(across, turn.w) - cross(turn.v, across);
+    return motion;
+}
+
+/// `sweep_between`, times the squared norms of both end quaternions in lengths. `norm` is that of the turn.
+RationalMotion<Exact> exact_sweep(const Ends& ends, const Quaternion<Exact>& turn, const Exact& norm,
+                                  const Vector& centre) {
+    const Exact start_square = ends.start.rotation.squared_norm();
+    const Exact goal_square = ends.goal.rotation.squared_norm();
+    RationalMotion<Exact> motion = started(ends.start);
+    motion.turn_unit = norm;
+    motion.end_cosine = turn.w;
+    motion.axis = turn.v;
+    motion.length_unit = ends.unit * start_square * goal_square;
+    motion.origin = scale(ends.start.translation, start_square * goal_square);
+    const Vector reference = scale(motion.orientation * centre, ends.unit * goal_square);
+    const Vector moved = scale(scaled_rotation_matrix(ends.goal.rotation) * centre, ends.unit * start_square);
+    motion.displacement = scale(ends.shift(), start_square * goal_square) + moved - reference;
+    motion.moment = cross(reference, turn.v);
+    return motion;
+}
+
+} // namespace
+
+ExactMotion exact_motion(const MotionFrame& frame) {
+    const Ends ends = ends_of(frame);
+    if (!frame.swept_centre)
+        return {nullptr, control_maps(exact_screw(ends))};
+    const Quaternion<Exact> turn = turn_between(ends.start, ends.goal);
+    auto radicand = std::make_unique<const algebra::Dyadic>(turn.squared_norm().rational());
+    const Exact norm = Exact::root_of(*radicand);
+    auto maps = control_maps(exact_sweep(ends, turn, norm, exact(*frame.swept_centre)));
+    return {std::move(radicand), std::move(maps)};
+}
+
+} // namespace chasles::motion

@@ -1,0 +1,42 @@
+// What a search of one piece of motion finds: feature pairs by their ids, and how any stage is asked about one.
+#pragma once
+
+#include "chasles/query/feature_pairs.h"
+#include "chasles/query/first_contact.h"
+
+namespace chasles::query {
+
+/// A feature pair that may be in contact, with the tau of its first contact in the piece of motion.
+struct Candidate {
+    ContactKind kind = ContactKind::vertex_face;
+    Feature moving;
+    Feature fixed;
+    FeasibleInterval tau;
+};
+
+/// The first contact of the candidate's features as this stage sees it.
+template <class S>
+std::optional<FeasibleInterval> first_contact_of(FeaturePairs<S>& pairs, const Candidate& candidate) {
+    const Edge moving{candidate.moving.first, candidate.moving.second};
+    const Edge fixed{candidate.fixed.first, candidate.fixed.second};
+    switch (candidate.kind) {
+    case ContactKind::vertex_face:
+        return pairs.vertex_face(moving.from, fixed.from);
+    case ContactKind::face_vertex:
+        return pairs.face_vertex(moving.from, fixed.from);
+    case ContactKind::edge_edge:
+        return pairs.edge_edge(pairs.path_of(moving), fixed);
+    }
+    return std::nullopt;
+}
+
+/// Whether the overlap's edge may go through its face at the start.
+template <class S>
+std::optional<elementary::Passage<S>> passage_of(FeaturePairs<S>& pairs, const Overlap& overlap,
+                                                 elementary::Ends ends) {
+    const Edge edge{overlap.edge.first, overlap.edge.second};
+    return overlap.edge_is_moving ? pairs.moving_edge_passage(edge, overlap.face.first, ends)
+                                  : pairs.fixed_edge_passage(edge, overlap.face.first, ends);
+}
+
+} // namespace chasles::query

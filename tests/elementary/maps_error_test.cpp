@@ -1,0 +1,91 @@
+// The control maps in double-double, for any rounding of any operation between the caller's poses and them: their
+// errors are within the part of the bound that docs/derivations/10-error-bounds.md leaves to them.
+#include "chasles/elementary/error_scale.h"
+#include "tests/support/error_ratios.h"
+#include "tests/support/posed_motions.h"
+#include "tests/support/tracked.h"
+
+namespace chasles::elementary {
+namespace {
+
+using namespace test;
+
+motion::GeneralPose<Tracked> tracked(const Pose& pose) {
+    const auto& q = pose.rotation;
+    const Eigen::Vector3d& t = pose.translation;
+    return {{t.x(), t.y(), t.z()}, {q.w(), {q.x(), q.y(), q.z()}}};
+}
+
+/// A motion of the family with the errors that its numbers may have. Turns are not tiny: the direction of a tiny one is
+/// inaccurate, which cancels between along and across, and errors that are only added up do not know that.
+RationalMotion<Tracked> random_tracked_motion(Random& random, double size) {
+    const bool sweeps = random.chance(0.3);
+    const double angle =
+        random.chance(0.3) ? std::numbers::pi - 2.1e-3 * random.uniform(1, 10) : random.uniform(0.1, 3);
+    const auto [start, goal] = random_pose_pair(random, {size, angle});
+    motion::GeneralPose<Tracked> from = tracked(start);
+    motion::GeneralPose<Tracked> to = tracked(goal);
+    if (random.chance(0.5)) {
+        const FourPoses poses = random_four_poses(random, start, goal, size);
+        from = seen_from(tracked(poses.fixed_start), tracked(poses.moving_start));
+        to = seen_from(tracked(poses.fixed_goal), tracked(poses.moving_goal));
+    }
+    if (!sweeps)
+        return motion::screw_between(from, to);
+    motion::Quaternion<Tracked> turn = motion::turn_between(from, to);
+    const Tracked inverse = Tracked(1) / sqrt(turn.squared_norm());
+    turn = {turn.w * inverse, scale(turn.v, inverse)};
+    const Vector3<double> centre = random.vector(size * (random.chance(0.3) ? std::abs(random.scaled(0, 12)) : 1));
+    return motion::sweep_between(from, to, turn, {centre.x, centre.y, centre.z});
+}
+
+/// Largest errors of the entries of one lane, summed along rows and columns as the scale sums their values.
+struct LaneErrors {
+    double turn = 0;
+    double shift = 0;
+    double inverse = 0;
+    double moment = 0;
+    double weight = 0;
+
+    LaneErrors(const motion::ControlMaps<Tracked>& maps, int lane) : weight(maps.weight[lane].error()) {
+        for (int i = 0; i < 3; ++i) {
+            double row = 0, column = 0;
+            for (int j = 0; j < 3; ++j) {
+                row += maps.turn.row[i][j][lane].error();
+                column += maps.turn.row[j][i][lane].error();
+                moment = std::max(moment, maps.moment.row[i][j][lane].error());
+            }
+            turn = std::max({turn, row, column});
+            shift = std::max(shift, maps.shift[i][lane].error());
+            inverse = std::max(inverse, maps.inverse_shift[i][lane].error());
+        }
+    }
+};
+
+TEST(ErrorScale, LeavesRoomForEveryRoundingOfTheMaps) {
+    Random random(731);
+    ErrorRatios ratios;
+    for (int trial = 0; trial < 2000 * times_if_long(100); ++trial) {
+        const double size = std::abs(random.scaled(-6, 6));
+        const RationalMotion<Tracked> motion = random_tracked_motion(random, size);
+        const auto maps = motion::control_maps(motion);
+        const auto in_doubles = motion::transformed<double>(
+            maps, [](const Bernstein<3, Tracked>& p) { return algebra::converted<double>(p); });
+        const double moving = std::max(motion.reach, size * std::abs(random.scaled(-6, 2)));
+        const double fixed = size * std::abs(random.scaled(-6, 2));
+        const ErrorScale scale = error_scale(in_doubles, moving, fixed);
+        const double bound = relative_error<DoubleDouble>(scale);
+        for (int lane = 0; lane <= 3; ++lane) {
+            const LaneErrors e(maps, lane);
+            const double length = bound * scale.length * in_doubles.weight[lane];
+            ratios.note("turn", e.turn / (bound * scale.stretch * in_doubles.weight[lane]));
+            ratios.note("arms from the fixed body", (e.turn * moving + e.shift + e.weight * fixed) / length);
+            ratios.note("arms from the moving body", (e.turn * fixed + e.inverse + e.weight * moving) / length);
+            ratios.note("moments", (e.turn * (moving + fixed) + e.moment) / length);
+        }
+    }
+    ratios.expect_sound(0.01);
+}
+
+} // namespace
+} // namespace chasles::elementary

@@ -1,0 +1,162 @@
+// The exact reference, asked piece by piece until one touches. Compiled without sanitizers: it is not what is tested.
+#include "tests/fuzz/exact_answer.h"
+
+#include "chasles/motion/screw_pose.h"
+#include "tests/support/exact_reference.h"
+
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <cstring>
+#include <gmp.h>
+
+namespace chasles::fuzz {
+namespace {
+
+using reference::Rational;
+
+/// Memory for GMP, which takes and gives back a hundred thousand small pieces a question: the sanitizers would watch
+/// over each of them. Never returned.
+class Pool {
+public:
+    static void install() { mp_set_memory_functions(take, take_more, give_back); }
+
+private:
+    static constexpr std::size_t step = 16;
+    static constexpr std::size_t largest = 1024;
+    using Piece = std::array<std::byte, step>;
+
+    static std::vector<void*>& waiting(std::size_t size) {
+        static auto& lists = *new std::array<std::vector<void*>, largest / step + 1>;
+        return lists[(size + step - 1) / step];
+    }
+    static void* take(std::size_t size) {
+        if (size > largest)
+            return std::malloc(size);
+        std::vector<void*>& list = waiting(size);
+        if (list.empty()) {
+            const std::size_t pieces = (size + step - 1) / step;
+            auto* const block = new Piece[64 * pieces];
+            for (std::size_t i = 0; i < 64; ++i)
+                list.push_back(block + i * pieces);
+        }
+        void* const place = list.back();
+        list.pop_back();
+        return place;
+    }
+    static void give_back(void* place, std::size_t size) {
+        size > largest ? std::free(place) : waiting(size).push_back(place);
+    }
+    static void* take_more(void* place, std::size_t old_size, std::size_t new_size) {
+        void* const larger = take(new_size);
+        std::memcpy(larger, place, std::min(old_size, new_size));
+        give_back(place, old_size);
+        return larger;
+    }
+};
+
+Rational exact(const algebra::DoubleDouble& x) {
+    return Rational(x.high()) + Rational(x.low());
+}
+reference::Triple exact(const algebra::Vector3<algebra::DoubleDouble>& v) {
+    return {exact(v.x), exact(v.y), exact(v.z)};
+}
+reference::ExactPose exact(const motion::GeneralPose<algebra::DoubleDouble>& pose) {
+    return {exact(pose.translation), {exact(pose.rotation.w), exact(pose.rotation.v)}};
+}
+
+reference::Surface surface_of(const Polyhedron& body) {
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::uint32_t face = 0; face < body.face_count(); ++face)
+        faces.emplace_back(body.face(face).begin(), body.face(face).end());
+    return reference::Surface::from_convex_faces(body.vertices(), faces);
+}
+
+double below(const Rational& x) {
+    const auto nearest = x.convert_to<double>();
+    return Rational(nearest) > x ? std::nextafter(nearest, -2.0) : nearest;
+}
+double above(const Rational& x) {
+    return -below(Rational(-x));
+}
+
+/// tau -> time of one of the paper's motions (the inverse of f).
+long double time_at(const reference::Turn& turn, const Rational& tau) {
+    const Rational square = reference::inner(turn.v, turn.v) / (turn.w * turn.w);
+    const long double tangent = std::sqrt(square.convert_to<long double>());
+    const auto at = tau.convert_to<long double>();
+    return tangent < 1e-12L ? at : std::atan(at * tangent) / std::atan(tangent);
+}
+
+/// Looks at a motion piece by piece until one touches.
+class ExactSearch {
+public:
+    ExactSearch(const Polyhedron& moving, const Polyhedron& fixed)
+        : moving_(surface_of(moving)), fixed_(surface_of(fixed)) {}
+
+    ExactAnswer along(const ScrewMotion& whole, double max_turn) {
+        ExactAnswer answer;
+        const std::size_t count = whole.piece_count(max_turn);
+        for (std::size_t i = 0; i < count && !answer.touches; ++i) {
+            const MotionFrame frame = whole.piece(i, count).frame();
+            const auto start = exact(frame.start);
+            const auto goal = exact(frame.goal);
+            const auto turn = reference::detail::shorter_turn(start, goal);
+            look(answer, reference::screw_path(start, goal), {i, count},
+                 [&](const Rational& tau) { return time_at(turn, tau); });
+        }
+        return answer;
+    }
+
+    /// The turn must have a rational length. `centre` as in SweepMotion.
+    ExactAnswer along(const SweepMotion& whole, const Eigen::Vector3d& centre) {
+        ExactAnswer answer;
+        look(answer,
+             reference::sweep_path(exact(whole.frame().start), exact(whole.frame().goal), reference::exact(centre)),
+             {0, 1}, [](const Rational& tau) { return tau.convert_to<long double>(); });
+        return answer;
+    }
+
+private:
+    struct Piece {
+        std::size_t index;
+        std::size_t count;
+    };
+
+    template <class TimeAt>
+    void look(ExactAnswer& answer, const reference::MotionPath<Rational>& path, const Piece& piece, TimeAt time_at) {
+        reference::ExactScene scene(moving_, fixed_, path);
+        auto first = scene.first_touch();
+        if (!first)
+            return;
+        const Rational lower = first->narrowed();
+        const Rational upper = lower + Rational(0x1p-60);
+        const auto whole = [&](const Rational& part) {
+            return Rational((Rational(piece.index) + part) / Rational(piece.count));
+        };
+        const auto whole_time = [&](const Rational& part) {
+            return (static_cast<long double>(piece.index) + time_at(part)) / static_cast<long double>(piece.count);
+        };
+        answer.touches = true;
+        answer.at_start = piece.index == 0 && scene.touches_at_start();
+        answer.tau_lower = below(whole(lower));
+        answer.tau_upper = above(whole(upper));
+        answer.time_lower = static_cast<double>(whole_time(lower) * (1 - 0x1p-52L));
+        answer.time_upper = static_cast<double>(whole_time(upper) * (1 + 0x1p-52L));
+    }
+
+    reference::Surface moving_;
+    reference::Surface fixed_;
+};
+
+} // namespace
+
+ExactAnswer exact_answer(const Question& question) {
+    [[maybe_unused]] static const bool is_installed = (Pool::install(), true); // before the first number is made
+    ExactSearch search(question.moving, question.fixed);
+    if (const auto* screw = std::get_if<ScrewMotion>(&question.motion))
+        return search.along(*screw, question.max_turn);
+    return search.along(std::get<SweepMotion>(question.motion), question.centre);
+}
+
+} // namespace chasles::fuzz

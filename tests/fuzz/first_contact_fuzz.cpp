@@ -1,0 +1,46 @@
+// Small bodies that move, against an answer in exact rationals: never a miss, never late, and honest about doubt.
+#include "chasles/invalid_input.h"
+#include "tests/fuzz/exact_answer.h"
+#include "tests/fuzz/sound_answer.h"
+
+namespace chasles::fuzz {
+namespace {
+
+void demand_right(const FirstContact& found, const ExactAnswer& exact, const Question& question) {
+    const bool is_clear = found.verdict == Verdict::clear;
+    demand(!exact.touches || !is_clear, "no contact is missed");
+    // Coordinates on the grid touch, or are apart by far more than any error bound.
+    demand(exact.touches || is_clear || question.coordinates != Coordinates::grid, "no false alarm on the grid");
+    if (is_clear)
+        return;
+    if (exact.touches && question.find != Find::any) {
+        demand(found.tau.lower <= exact.tau_upper, "tau is not after the first contact");
+        demand(found.time.lower <= exact.time_upper, "time is not after the first contact");
+    }
+    demand(!exact.at_start || found.verdict == Verdict::contact_at_start || question.find == Find::any,
+           "a contact at the start is called one");
+    if (!found.certain)
+        return;
+    demand(exact.touches, "what is certain is true");
+    demand(found.tau.upper >= exact.tau_lower, "tau of a certain contact is not before the first");
+    demand(found.time.upper >= exact.time_lower, "time of a certain contact is not before the first");
+}
+
+void ask(Bytes& bytes) {
+    const Question question = question_from(bytes);
+    const FirstContact found = question.ask();
+    demand_sound(found, question.find);
+    demand_right(found, exact_answer(question), question);
+}
+
+} // namespace
+} // namespace chasles::fuzz
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    chasles::fuzz::Bytes bytes(data, size);
+    try {
+        chasles::fuzz::ask(bytes);
+    } catch (const chasles::InvalidInput&) { // a body without area, or a pose without a rotation
+    }
+    return 0;
+}

@@ -1,0 +1,41 @@
+// What holds for every answer, whatever was asked.
+#pragma once
+
+#include "chasles/query/first_contact.h"
+#include "tests/fuzz/bytes.h"
+
+#include <cmath>
+
+namespace chasles::fuzz {
+
+/// Far above what any small pair of bodies was seen to need; a search that stalls exceeds it at once.
+inline constexpr std::uint64_t most_work = 2'000'000;
+
+inline void demand_bracket(const Bracket& bracket) {
+    demand(bracket.lower >= 0 && bracket.upper <= 1, "brackets are within [0, 1]");
+    demand(bracket.lower <= bracket.upper, "brackets are in order");
+}
+
+inline void demand_sound(const Contact& contact) {
+    demand(contact.point.allFinite(), "contact points are finite");
+    demand(std::abs(contact.normal.norm() - 1) < 1e-9, "contact normals have unit length");
+    demand(std::isfinite(contact.approach_speed), "approach speeds are finite");
+}
+
+inline void demand_sound(const FirstContact& found, Find find) {
+    demand_bracket(found.time);
+    demand_bracket(found.tau);
+    demand(found.pose.translation.allFinite() && found.pose.rotation.coeffs().allFinite(), "poses are finite");
+    demand(found.work.node_pairs + found.work.elementary_tests < most_work, "work is bounded");
+    for (const Contact& contact : found.contacts)
+        demand_sound(contact);
+    if (found.overlap)
+        demand(found.overlap->point.allFinite(), "overlap points are finite");
+    const bool has_feature = !found.contacts.empty() || found.overlap;
+    demand(has_feature == (found.verdict != Verdict::clear), "a contact has features, and clear has none");
+    demand(!found.overlap || found.verdict == Verdict::contact_at_start, "overlaps are at the start");
+    demand(find == Find::first_with_all_contacts || found.contacts.size() <= 1,
+           "one feature pair unless all are wanted");
+}
+
+} // namespace chasles::fuzz

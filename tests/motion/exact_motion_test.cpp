@@ -1,0 +1,133 @@
+// The exact control maps against the definition of the motions in rationals, whatever the poses.
+#include "chasles/motion/exact_motion.h"
+
+#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/sweep_motion.h"
+#include "tests/support/exact_numbers.h"
+#include "tests/support/random_poses.h"
+#include "tests/support/rational_motions.h"
+
+namespace chasles::test {
+namespace {
+
+using motion::GeneralPose;
+using motion::Quaternion;
+
+GeneralPose<Rational> rational(const Pose& pose) {
+    const auto& q = pose.rotation;
+    return {exact(algebra::Vector3<double>{pose.translation.x(), pose.translation.y(), pose.translation.z()}),
+            {Rational(q.w()), {Rational(q.x()), Rational(q.y()), Rational(q.z())}}};
+}
+
+GeneralPose<Rational> seen_from(const GeneralPose<Rational>& frame, const GeneralPose<Rational>& pose) {
+    const auto back = frame.rotation.conjugate();
+    return {motion::rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation};
+}
+
+/// Of maps whose root, if any, is rational: the numbers of `maps` with `root` in its place.
+Rational value(const ExactNumber& x, const Rational& root) {
+    return exact(x.rational()) + exact(x.irrational()) * root;
+}
+
+void expect_equal(const Bernstein<3, ExactNumber>& p, const Bernstein<3, Rational>& truth, const Rational& unit,
+                  const Rational& root) {
+    for (int i = 0; i < 4; ++i)
+        EXPECT_EQ(value(p[i], root), truth[i] * unit);
+}
+
+/// All maps are the rational ones times one positive unit.
+void expect_multiple(const motion::ExactMotion& found, const motion::ControlMaps<Rational>& truth,
+                     const Rational& root = 0) {
+    const Rational unit = value(found.maps.weight[0], root) / truth.weight[0];
+    EXPECT_GT(unit, 0);
+    expect_equal(found.maps.weight, truth.weight, unit, root);
+    for (int i = 0; i < 3; ++i) {
+        expect_equal(found.maps.shift[i], truth.shift[i], unit, root);
+        expect_equal(found.maps.inverse_shift[i], truth.inverse_shift[i], unit, root);
+        for (int j = 0; j < 3; ++j) {
+            expect_equal(found.maps.turn.row[i][j], truth.turn.row[i][j], unit, root);
+            expect_equal(found.maps.moment.row[i][j], truth.moment.row[i][j], unit, root);
+        }
+    }
+}
+
+TEST(ExactMotion, ScrewsBetweenAnyPoses) {
+    Random random(741);
+    for (int trial = 0; trial < 20; ++trial) {
+        const Pose start = random_pose(random, 3);
+        const Pose goal = trial % 4 == 0 ? Pose(random_point(random, 3), start.rotation) : random_pose(random, 3);
+        const auto truth = motion::control_maps(motion::screw_between(rational(start), rational(goal)));
+        expect_multiple(motion::exact_motion(ScrewMotion::between(start, goal).frame()), truth);
+    }
+}
+
+TEST(ExactMotion, ScrewsOfTwoMovingBodies) {
+    Random random(742);
+    for (int trial = 0; trial < 10; ++trial) {
+        const Pose poses[] = {random_pose(random, 2), random_pose(random, 2), random_pose(random, 2),
+                              random_pose(random, 2)};
+        const auto start = seen_from(rational(poses[2]), rational(poses[0]));
+        const auto goal = seen_from(rational(poses[3]), rational(poses[1]));
+        const auto truth = motion::control_maps(motion::screw_between(start, goal));
+        const auto screw = ScrewMotion::relative(poses[0], poses[1], poses[2], poses[3]);
+        expect_multiple(motion::exact_motion(screw.frame()), truth);
+    }
+}
+
+TEST(ExactMotion, PiecesOfAScrewRunBetweenTheirPoses) {
+    Random random(743);
+    const Pose start = random_pose(random, 2);
+    const Pose goal = random_goal(random, start, 0.5, 1);
+    const auto pieces = ScrewMotion::between(start, goal).cut(0.2);
+    ASSERT_EQ(pieces.size(), 3u);
+    for (const ScrewMotion& piece : pieces) {
+        const auto truth = motion::control_maps(
+            motion::screw_between(rational(piece.frame().given_start.pose), rational(piece.frame().given_goal.pose)));
+        expect_multiple(motion::exact_motion(piece.frame()), truth);
+    }
+    EXPECT_EQ(pieces[0].frame().given_goal.pose.translation, pieces[1].frame().given_start.pose.translation);
+}
+
+/// Quaternions of whole numbers; the turn of the second kind has the norm |start|^2 n, a square.
+TEST(ExactMotion, SweepsWhoseQuaternionsHaveRationalLengths) {
+    Random random(744);
+    const auto whole = [&] { return double(random.integer(-4, 4)); };
+    for (int trial = 0; trial < 20; ++trial) {
+        const Eigen::Quaterniond start_turn(whole() + 0.5, whole(), whole(), whole());
+        const Eigen::Quaterniond step(whole() + 0.5, whole(), whole(), whole()); // squared: of length |step|^2
+        const Pose start(random_point(random, 2), start_turn);
+        const Pose goal(random_point(random, 2), step * step * start_turn);
+        const Eigen::Vector3d centre = random_point(random, 1);
+        const auto rational_turn = motion::turn_between(rational(start), rational(goal));
+        const Rational norm = Rational(start_turn.squaredNorm()) * Rational(step.squaredNorm());
+        ASSERT_EQ(rational_turn.squared_norm(), norm * norm);
+        const Quaternion<Rational> unit{rational_turn.w / norm, scale(rational_turn.v, Rational(1 / norm))};
+        const auto truth = motion::control_maps(
+            motion::sweep_between(rational(start), rational(goal), unit,
+                                  exact(algebra::Vector3<double>{centre.x(), centre.y(), centre.z()})));
+        const auto found = motion::exact_motion(SweepMotion::between(start, goal, centre).frame());
+        EXPECT_EQ(exact(*found.radicand), norm * norm);
+        expect_multiple(found, truth, norm);
+    }
+}
+
+/// With the root standing for a number whose square the radicand is; its sign is then what decides nothing else.
+TEST(ExactMotion, SweepsEndAtTheirGoalsWhateverTheRoot) {
+    Random random(745);
+    for (int trial = 0; trial < 10; ++trial) {
+        const Pose start = random_pose(random, 2);
+        const Pose goal = random_pose(random, 2);
+        const auto found = motion::exact_motion(SweepMotion::between(start, goal, random_point(random, 1)).frame());
+        const auto truth = motion::rotation_matrix(rational(goal).rotation);
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < 3; ++j) { // turn * denominator = weight * numerator, in the ring
+                const Rational entry = truth.row[i][j];
+                const ExactNumber left = found.maps.turn.row[i][j][3] * exact_number(Rational(denominator(entry)));
+                const ExactNumber right = found.maps.weight[3] * exact_number(Rational(numerator(entry)));
+                EXPECT_EQ(left, right);
+            }
+    }
+}
+
+} // namespace
+} // namespace chasles::test

@@ -1,0 +1,42 @@
+// Random questions for `first_feasible` in rationals, leaning to double roots, coincidences and the ends of [0, 1].
+#pragma once
+
+#include "tests/support/exact_feasible.h"
+#include "tests/support/random.h"
+
+namespace chasles::test {
+
+/// Sixteenths, with the ends, the middle and repetitions more often than chance has it.
+inline Rational random_root(Random& random) {
+    if (random.chance(0.2))
+        return ratio(random.integer(0, 2), 2);
+    return ratio(random.integer(-6, 22), 16);
+}
+
+inline PowerPolynomial random_function(Random& random, int degree) {
+    if (random.chance(0.05))
+        return {};
+    std::vector<Rational> roots;
+    for (int i = 0; i < degree; ++i)
+        roots.push_back(!roots.empty() && random.chance(0.15) ? roots.back() : random_root(random));
+    PowerPolynomial function = from_roots(roots, random.chance(0.5) ? 1 : -3);
+    return random.chance(0.3) ? sum(function, {ratio(random.integer(-2, 2), 64)}) : function;
+}
+
+template <int Degree>
+algebra::Bounded<Degree, Rational> random_side(Random& random) {
+    const int degree = random.integer(0, Degree);
+    return {bernstein_form<Degree>(random_function(random, degree)), 0};
+}
+
+template <int Degree>
+OwnedProblem<Degree, Rational> random_problem(Random& random) {
+    OwnedProblem<Degree, Rational> problem;
+    problem.function.polynomial = bernstein_form<Degree>(random_function(random, Degree));
+    const int count = random.integer(0, 3);
+    for (int i = 0; i < count; ++i)
+        problem.constraints.push_back({random_side<Degree>(random), random_side<Degree>(random), random.chance(0.4)});
+    return problem;
+}
+
+} // namespace chasles::test

@@ -1,0 +1,56 @@
+// A double-double that carries a bound on its own error: whatever way the operations before it were rounded, the exact
+// value is no further away. Running error analysis; source: N. Higham, "Accuracy and Stability of Numerical
+// Algorithms", section 3.3. The library's templates run in it as they stand.
+#pragma once
+
+#include "chasles/algebra/double_double.h"
+
+#include <algorithm>
+
+namespace chasles::test {
+
+using algebra::DoubleDouble;
+
+class Tracked {
+public:
+    /// Of sums and products; quotients and roots may be off by twice as much (docs/derivations/10-error-bounds.md).
+    static constexpr double unit = 5 * 0x1p-106;
+
+    Tracked() = default;
+    Tracked(double exact) : value_(exact) {} // NOLINT(google-explicit-constructor): as for double-double
+
+    [[nodiscard]] const DoubleDouble& value() const { return value_; }
+    [[nodiscard]] double error() const { return error_; }
+
+    friend Tracked operator+(const Tracked& a, const Tracked& b) {
+        return {a.value_ + b.value_, a.error_ + b.error_, 1};
+    }
+    friend Tracked operator-(const Tracked& a, const Tracked& b) {
+        return {a.value_ - b.value_, a.error_ + b.error_, 1};
+    }
+    friend Tracked operator-(const Tracked& a) { return Tracked() - a; }
+    friend Tracked operator*(const Tracked& a, const Tracked& b) {
+        return {a.value_ * b.value_, a.size() * b.error_ + b.size() * a.error_ + a.error_ * b.error_, 1};
+    }
+    friend Tracked operator/(const Tracked& a, const Tracked& b) {
+        const DoubleDouble quotient = a.value_ / b.value_;
+        const double size = std::abs(quotient.high());
+        return {quotient, (a.error_ + size * b.error_) / (b.size() - b.error_), 2};
+    }
+    friend Tracked sqrt(const Tracked& a) {
+        const DoubleDouble root = sqrt(a.value_);
+        return {root, a.error_ == 0 ? 0 : a.error_ / root.high(), 2};
+    }
+    friend bool operator<(const Tracked& a, const Tracked& b) { return a.value_ < b.value_; }
+    explicit operator double() const { return value_.high(); }
+
+private:
+    Tracked(const DoubleDouble& value, double carried, int units)
+        : value_(value), error_((carried + units * unit * std::abs(value.high())) * (1 + 0x1p-40)) {}
+    [[nodiscard]] double size() const { return std::abs(value_.high()) * (1 + 0x1p-50); }
+
+    DoubleDouble value_;
+    double error_ = 0;
+};
+
+} // namespace chasles::test
