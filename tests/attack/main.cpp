@@ -66,12 +66,23 @@ private:
     int shown_ = 0;
 };
 
+/// What is wrong, also where something was thrown.
+template <class Check>
+std::string guarded(Check check, Tally& tally) {
+    try {
+        return check();
+    } catch (const std::exception& error) {
+        ++tally.failed;
+        return error.what();
+    }
+}
+
 Tally attack_meshes(const MeshFamily& family, std::uint64_t number, const Options& options) {
     Failures failures(options, std::string("mesh ") + family.name);
     const auto attack = [&](std::uint64_t index, Tally& tally) {
         AttackRandom random(options.seed, number, index);
         const MeshCase posed = family.make(random);
-        const std::string wrong = check(posed, tally);
+        const std::string wrong = guarded([&] { return check(posed, tally); }, tally);
         if (!wrong.empty())
             failures.report(index, wrong, described(posed));
         else if (options.index >= 0)
@@ -95,7 +106,7 @@ std::array<NamedTally, 2> attack_elementary(const ElementaryFamily& family, std:
     const auto attack = [&](std::uint64_t index, Tally&) {
         AttackRandom random(options.seed, number, index);
         StageTallies mine;
-        const std::string wrong = check(family.make(random), mine);
+        const std::string wrong = guarded([&] { return check(family.make(random), mine); }, mine.filter);
         if (!wrong.empty())
             failures.report(index, wrong, "");
         const std::lock_guard lock(mutex);

@@ -16,6 +16,7 @@ Tally& Tally::operator+=(const Tally& other) {
     loose += other.loose;
     uncertain += other.uncertain;
     refused += other.refused;
+    failed += other.failed;
     widest = std::max(widest, other.widest);
     tests += other.tests;
     refined += other.refined;
