@@ -241,7 +241,7 @@ QuestionGroup nudged(AttackRandom& random) {
 
 QuestionGroup scaled(AttackRandom& random) {
     QuestionGroup group = random.chance(0.3) ? random_points(random) : any_degenerate(random);
-    constexpr double factors[] = {0x1p-120, 0x1p-40, 0x1p60, 0x1p150, 1e-9, 1e-30, 1e12, 3.3e25};
+    constexpr double factors[] = {0x1p-80, 0x1p-40, 0x1p60, 0x1p72, 1e-9, 1e-22, 1e12, 3.3e20};
     const double factor = random.pick(factors);
     scale_lengths(group.posed, factor);
     for (Question& question : group.questions)

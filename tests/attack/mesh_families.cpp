@@ -179,7 +179,7 @@ MeshCase scaled(AttackRandom& random) {
     MeshCase result = random.chance(0.3)   ? random_pair(random)
                       : random.chance(0.3) ? grid_boxes(random)
                                            : touch(random);
-    constexpr double factors[] = {0x1p-120, 0x1p-40, 0x1p60, 0x1p150, 1e-9, 1e-30, 1e12, 3.3e25};
+    constexpr double factors[] = {0x1p-80, 0x1p-40, 0x1p60, 0x1p72, 1e-9, 1e-22, 1e12, 3.3e20};
     const double factor = random.pick(factors);
     for (Shape* shape : {&result.moving, &result.fixed}) {
         cut_into_triangles(*shape);
