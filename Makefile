@@ -37,7 +37,7 @@ attack:
 	@tools/install_dependencies.sh check
 	cmake --preset dev
 	cmake --build --preset dev --target chasles_attack -j $(JOBS)
-	build/dev/bin/chasles_attack --threads $(JOBS)
+	build/dev/bin/chasles_attack --certain --threads $(JOBS)
 
 install:
 	@tools/install_dependencies.sh

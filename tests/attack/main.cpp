@@ -66,12 +66,23 @@ private:
     int shown_ = 0;
 };
 
+/// What is wrong, also where something was thrown.
+template <class Check>
+std::string guarded(Check check, Tally& tally) {
+    try {
+        return check();
+    } catch (const std::exception& error) {
+        ++tally.failed;
+        return error.what();
+    }
+}
+
 Tally attack_meshes(const MeshFamily& family, std::uint64_t number, const Options& options) {
     Failures failures(options, std::string("mesh ") + family.name);
     const auto attack = [&](std::uint64_t index, Tally& tally) {
         AttackRandom random(options.seed, number, index);
         const MeshCase posed = family.make(random);
-        const std::string wrong = check(posed, tally);
+        const std::string wrong = guarded([&] { return check(posed, tally); }, tally);
         if (!wrong.empty())
             failures.report(index, wrong, described(posed));
         else if (options.index >= 0)
@@ -95,7 +106,7 @@ std::array<NamedTally, 2> attack_elementary(const ElementaryFamily& family, std:
     const auto attack = [&](std::uint64_t index, Tally&) {
         AttackRandom random(options.seed, number, index);
         StageTallies mine;
-        const std::string wrong = check(family.make(random), mine);
+        const std::string wrong = guarded([&] { return check(family.make(random), mine); }, mine.filter);
         if (!wrong.empty())
             failures.report(index, wrong, "");
         const std::lock_guard lock(mutex);
@@ -113,32 +124,53 @@ std::array<NamedTally, 2> attack_elementary(const ElementaryFamily& family, std:
     return {NamedTally{name + ", double", sum.filter}, NamedTally{name + ", dd", sum.refinement}};
 }
 
+/// A table that grows line by line.
+class Table {
+public:
+    explicit Table(const std::string& title) { print_header(title); }
+    void add(const NamedTally& line) {
+        print_line(line);
+        sum_.tally += line.tally;
+        any_idle_ = any_idle_ || line.tally.is_idle();
+    }
+    /// Prints the last line.
+    const Tally& sum() const {
+        print_line(sum_);
+        if (any_idle_)
+            std::cout << "WRONG: a family with hardly any touches\n";
+        return sum_.tally;
+    }
+    [[nodiscard]] bool is_broken() const { return any_idle_ || sum_.tally.is_broken(); }
+
+private:
+    NamedTally sum_{"all", {}};
+    bool any_idle_ = false;
+};
+
 int attack_all(const Options& options) {
-    std::cout << "seed " << options.seed << "\n";
-    std::vector<NamedTally> elementary;
+    std::cout << "seed " << options.seed << std::endl;
+    const auto is_chosen = [&](const std::string& name) { return options.family.empty() || options.family == name; };
+    bool is_broken = false;
     std::uint64_t number = 0;
-    for (const ElementaryFamily& family : elementary_families()) {
-        ++number;
-        if (options.elementary > 0 && (options.family.empty() || options.family == family.name))
-            for (const NamedTally& line : attack_elementary(family, number, options))
-                elementary.push_back(line);
+    if (options.elementary > 0) {
+        Table table("elementary");
+        for (const ElementaryFamily& family : elementary_families())
+            if (++number; is_chosen(family.name))
+                for (const NamedTally& line : attack_elementary(family, number, options))
+                    table.add(line);
+        table.sum();
+        is_broken = table.is_broken();
     }
-    std::vector<NamedTally> meshes;
-    number = 100;
-    for (const MeshFamily& family : mesh_families()) {
-        ++number;
-        const std::string name = std::string("mesh ") + family.name;
-        if (options.mesh_pairs > 0 && (options.family.empty() || options.family == name))
-            meshes.push_back({family.name, attack_meshes(family, number, options)});
+    if (options.mesh_pairs > 0) {
+        Table table("mesh pairs");
+        number = 100;
+        for (const MeshFamily& family : mesh_families())
+            if (++number; is_chosen(std::string("mesh ") + family.name))
+                table.add({family.name, attack_meshes(family, number, options)});
+        const Tally& sum = table.sum();
+        is_broken = is_broken || table.is_broken() || (options.certain && sum.is_in_doubt());
     }
-    const Tally parts = print_table("elementary", elementary);
-    const Tally whole = print_table("mesh pairs", meshes);
-    const auto is_idle = [](const NamedTally& one) { return one.tally.is_idle(); };
-    const bool idle = std::any_of(elementary.begin(), elementary.end(), is_idle) ||
-                      std::any_of(meshes.begin(), meshes.end(), is_idle);
-    if (idle)
-        std::cout << "WRONG: a family with hardly any touches\n";
-    return parts.is_broken() || whole.is_broken() || idle || (options.certain && whole.is_in_doubt()) ? 1 : 0;
+    return is_broken ? 1 : 0;
 }
 
 } // namespace

@@ -85,6 +85,8 @@ MeshCase tangent(AttackRandom& random) {
         moving.vertices.push_back(z + random.grid_direction(4).cast<double>());
     if (corners == 3)
         moving.faces = {{0, 2, 1}, {0, 1, 3}, {1, 2, 3}, {2, 0, 3}};
+    if (!have_area(moving))
+        return tangent(random);
     MeshCase result = placed(motion, moving, Shape{{z}, {{1, 2, 3}}});
     const Eigen::Vector3d place = result.fixed.vertices[0];
     const Eigen::Vector3d along = motion.velocity(z);

@@ -1,6 +1,7 @@
 #include "tests/attack/shapes.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 
 namespace chasles::attack {
 
@@ -158,6 +159,12 @@ Shape random_shape(AttackRandom& random) {
     default:
         return fan_shape(random);
     }
+}
+
+bool have_area(const Shape& shape) {
+    const auto& v = shape.vertices;
+    return std::all_of(shape.faces.begin(), shape.faces.end(),
+                       [&](const auto& face) { return has_area(v[face[0]], v[face[1]], v[face[2]]); });
 }
 
 void shift(Shape& shape, const Eigen::Vector3d& by) {

@@ -24,6 +24,9 @@ Shape random_shape(AttackRandom& random);
 /// A fan of many triangles around one edge or one vertex.
 Shape fan_shape(AttackRandom& random);
 
+/// No face is without area; the reference takes no other.
+bool have_area(const Shape& shape);
+
 void shift(Shape& shape, const Eigen::Vector3d& by);
 
 /// Shifts `moving` to the side `direction` of `fixed`, so that both touch one plane across it from both sides and have

@@ -3,7 +3,6 @@
 
 #include <cstdint>
 #include <string>
-#include <vector>
 
 namespace chasles::attack {
 
@@ -19,6 +18,7 @@ struct Tally {
     std::uint64_t loose = 0;        ///< not certain, and the exact tau is behind the bracket
     std::uint64_t uncertain = 0;    ///< answers that say that they are not certain
     std::uint64_t refused = 0;      ///< meshes that are not taken
+    std::uint64_t failed = 0;       ///< questions at which the reference or the library gave up
     double widest = 0;              ///< bracket of tau, of certain answers
     std::uint64_t tests = 0;        ///< elementary tests of all queries
     std::uint64_t refined = 0;      ///< of those, repeated in double-double
@@ -26,7 +26,7 @@ struct Tally {
     double seconds = 0;             ///< of the library
     double reference_seconds = 0;
 
-    [[nodiscard]] bool is_broken() const { return missed + false_alarms + late + outside + misnamed > 0; }
+    [[nodiscard]] bool is_broken() const { return missed + false_alarms + late + outside + misnamed + failed > 0; }
     /// Whether an answer left something open that the exact reference tells.
     [[nodiscard]] bool is_in_doubt() const { return uncertain + loose > 0; }
     /// Whether a family does not do what it is there for.
@@ -36,11 +36,13 @@ struct Tally {
     Tally& operator+=(const Tally& other);
 };
 
-/// One line a family and one for all; returns the sum.
+/// A line of the table.
 struct NamedTally {
     std::string name;
     Tally tally;
 };
-Tally print_table(const std::string& title, const std::vector<NamedTally>& tallies);
+
+void print_header(const std::string& title);
+void print_line(const NamedTally& one);
 
 } // namespace chasles::attack
