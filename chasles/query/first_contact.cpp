@@ -84,7 +84,7 @@ private:
         const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
         found.overlap = result.overlap;
         if (found.overlap) {
-            found.overlap->point = to_world * found.overlap->point;
+            found.overlap->point = query::product(to_world.linear(), found.overlap->point) + to_world.translation();
             name_face(found.overlap->face, found.overlap->edge_is_moving ? query_.fixed : query_.moving);
         }
         const double rate = piece.tau_rate(tau.lower) * double(clock.count);
@@ -93,8 +93,8 @@ private:
                                             found.verdict == Verdict::contact_at_start);
         for (const query::Candidate& candidate : reported(result.candidates)) {
             Contact contact = details.describe(candidate);
-            contact.point = to_world * contact.point;
-            contact.normal = to_world.linear() * contact.normal;
+            contact.point = query::product(to_world.linear(), contact.point) + to_world.translation();
+            contact.normal = query::product(to_world.linear(), contact.normal);
             contact.approach_speed *= rate;
             name_faces(contact);
             found.contacts.push_back(contact);
