@@ -1,8 +1,9 @@
 # Thin: every target is what you could type yourself with the CMake presets.
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
+SECONDS ?= 60
 
-.PHONY: help demo check facts attack install bench asan tidy format clean
+.PHONY: help demo check facts attack install bench asan tsan fuzz tidy format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
@@ -12,6 +13,8 @@ help:
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
 	@echo "make bench    build and run the benchmarks"
 	@echo "make asan     every test under the address and undefined-behaviour sanitizers"
+	@echo "make tsan     the tests that share bodies between threads, under the thread sanitizer"
+	@echo "make fuzz     run each fuzzer for SECONDS (default $(SECONDS))"
 	@echo "make tidy     clang-tidy over the library, the scenes and the command line"
 	@echo "make format   lay out every source file"
 
@@ -22,10 +25,11 @@ demo:
 	build/release/bin/chasles demo
 
 check:
-	@tools/install_dependencies.sh check
+	@tools/install_dependencies.sh check fuzz
 	cmake --preset dev
 	cmake --build --preset dev -j $(JOBS)
 	ctest --preset dev -j $(JOBS)
+	tools/fuzz.sh $(SECONDS) $(JOBS)
 
 facts:
 	@tools/install_dependencies.sh check
@@ -56,6 +60,16 @@ asan:
 	cmake --preset asan
 	cmake --build --preset asan -j $(JOBS)
 	ctest --preset asan -j $(JOBS)
+
+tsan:
+	@tools/install_dependencies.sh check
+	cmake --preset tsan
+	cmake --build --preset tsan --target chasles_query_tests -j $(JOBS)
+	ctest --preset tsan -j $(JOBS)
+
+fuzz:
+	@tools/install_dependencies.sh fuzz
+	tools/fuzz.sh $(SECONDS) $(JOBS)
 
 tidy:
 	@tools/install_dependencies.sh check tidy

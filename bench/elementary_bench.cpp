@@ -1,6 +1,6 @@
 // Nanoseconds of one elementary detection: rejected by signs, solved in double, refined in double-double precision.
 // Each problem is timed by itself, so that the spread over the problems is seen; answers are checked first.
-#include "bench/elementary_cases.h"
+#include "bench/elementary_detector.h"
 #include "bench/run_benchmarks.h"
 
 #include <algorithm>
@@ -13,40 +13,6 @@ namespace {
 using algebra::DoubleDouble;
 using algebra::FeasibleInterval;
 using Answer = std::optional<FeasibleInterval>;
-
-/// What a query does for one feature pair, in either scalar.
-template <class S>
-class Detector {
-public:
-    using Vector = algebra::Vector3<S>;
-
-    Detector(const motion::ControlMaps<S>& maps, const motion::ControlMaps<double>& rounded, double resolution)
-        : maps_(maps),
-          accuracy_{elementary::error_scale(rounded, elementary_reach, elementary_reach), {1e-12, resolution}} {}
-
-    Answer operator()(const VertexFaceProblem& problem) {
-        const Vector corners[] = {in_scalar(problem.face[0]), in_scalar(problem.face[1]), in_scalar(problem.face[2])};
-        const auto position = maps_.turn * in_scalar(problem.vertex) + maps_.shift;
-        return elementary::vertex_face<S>({position, maps_.weight}, elementary::face_shape<S>(corners, {}), accuracy_,
-                                          workspace_);
-    }
-
-    Answer operator()(const EdgeEdgeProblem& problem) {
-        const auto path = elementary::edge_path(maps_, in_scalar(problem.moving[0]), in_scalar(problem.moving[1]));
-        const Vector from = in_scalar(problem.fixed[0]);
-        const elementary::FixedEdge<S> fixed{from, in_scalar(problem.fixed[1]) - from};
-        return elementary::edge_edge<S>(maps_, path, fixed, accuracy_, workspace_);
-    }
-
-    [[nodiscard]] std::uint64_t root_brackets() const { return workspace_.root_brackets; }
-
-private:
-    static Vector in_scalar(const Point& p) { return {S(p.x), S(p.y), S(p.z)}; }
-
-    const motion::ControlMaps<S>& maps_;
-    elementary::Accuracy accuracy_;
-    elementary::Workspace<S> workspace_;
-};
 
 /// Built from a contact: nothing later than it may be the first, up to the rounding of the problem itself. Brackets
 /// are far narrower than demanded here but for edges that hardly cross.

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the Debian packages that are missing, and says nothing when none is.
 #
-#   install_dependencies.sh [check] [bench] [tidy]    what `make demo` needs, and what the named targets add
+#   install_dependencies.sh [check] [fuzz] [bench] [tidy]    what `make demo` needs, and what the named targets add
 #   install_dependencies.sh --list [check] ...        prints the packages instead
 set -eu
 
@@ -17,11 +17,13 @@ for group in "$@"; do
         --list) list_only=true ;;
         # GMP is the exact arithmetic that the tests compare with; zlib reads packed test data.
         check) packages="$packages libgtest-dev libgmp-dev zlib1g-dev python3 clang-format-$clang_version" ;;
+        # libFuzzer and the sanitizers are in the runtime library.
+        fuzz) packages="$packages clang-$clang_version libclang-rt-$clang_version-dev libgmp-dev" ;;
         # Highway is what the lanes are compared with.
         bench) packages="$packages libbenchmark-dev libhwy-dev" ;;
         tidy) packages="$packages clang-tidy-$clang_version" ;;
         *)
-            echo "install_dependencies.sh: unknown group \"$group\" (known: check, bench, tidy)" >&2
+            echo "install_dependencies.sh: unknown group \"$group\" (known: check, fuzz, bench, tidy)" >&2
             exit 2
             ;;
     esac

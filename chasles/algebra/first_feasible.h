@@ -51,6 +51,14 @@ struct Tolerance {
     double resolution = 1e-12; ///< below it, what is still not certain is reported as it stands
 };
 
+/// How many polynomials a search may restrict to parts of [0, 1] before it leaves the question to the next stage. It is
+/// a matter of time only: an ordinary search needs some 30, and one that takes more is hardly decided by the same
+/// digits.
+template <class Scalar>
+inline constexpr int restriction_limit = unit_roundoff<Scalar> > 0 ? 40 : 20'000;
+template <>
+inline constexpr int restriction_limit<double> = 96;
+
 namespace detail {
 
 /// A part of [0, 1] that is still to be searched. Its ends are as fine as the scalar.
@@ -119,11 +127,11 @@ public:
 
     FeasibilitySearch(const Problem& problem, const Tolerance& tolerance) : problem_(problem), tolerance_(tolerance) {}
 
-    std::optional<FeasibleInterval> run() const {
+    std::optional<FeasibleInterval> run() {
         std::array<Interval, depth_limit> later; // right halves, the earliest on top
         std::size_t waiting = 0;
         Interval part{Scalar(0), Scalar(1)};
-        for (int steps = 0;; ++steps) {
+        for (;;) {
             const Clip clip = clipped(part);
             if (clip.lower > clip.upper) {
                 if (waiting == 0)
@@ -133,7 +141,7 @@ public:
             }
             const Interval smaller = part_of(part, clip);
             const bool halves = smaller.width() > Scalar(0.5) * part.width();
-            const bool out_of_steps = steps >= step_limit || waiting == later.size();
+            const bool out_of_steps = restrictions_ >= restriction_limit<Scalar> || waiting == later.size();
             if (const auto found = final_answer(smaller, is_finest(part), halves, out_of_steps))
                 return found;
             part = smaller;
@@ -146,8 +154,6 @@ public:
     }
 
 private:
-    /// No search goes on for ever: what is left after so many steps is reported as an uncertain contact.
-    static constexpr int step_limit = 400;
     static constexpr std::size_t depth_limit = 120;
 
     static Interval part_of(const Interval& part, const Clip& clip) {
@@ -160,7 +166,7 @@ private:
 
     /// The answer, if `part` is narrow enough, or if looking closer cannot tell more.
     [[nodiscard]] std::optional<FeasibleInterval> final_answer(const Interval& part, bool was_finest, bool halves,
-                                                               bool out_of_steps) const {
+                                                               bool out_of_steps) {
         const bool undecidable = halves && is_undecidable(part);
         if (!undecidable && !out_of_steps && part.width() > Scalar(0.5 * tolerance_.width))
             return std::nullopt;
@@ -184,12 +190,13 @@ private:
         return {rounded_down(part.lower), rounded_up(part.upper), false};
     }
 
-    [[nodiscard]] Polynomial on(const Polynomial& p, const Interval& part) const {
+    [[nodiscard]] Polynomial on(const Polynomial& p, const Interval& part) {
+        ++restrictions_;
         return restricted(p, part.lower, part.upper);
     }
 
     /// The fractions of `part` where F may vanish and every constraint may hold.
-    [[nodiscard]] Clip clipped(const Interval& part) const {
+    [[nodiscard]] Clip clipped(const Interval& part) {
         const Polynomial weight = on(problem_.weight, part);
         const Polynomial function = on(problem_.function.polynomial, part);
         const Polynomial band = weight * problem_.function.error;
@@ -205,7 +212,7 @@ private:
 
     /// Coefficients not below those of the exact constraint; for alternatives, of the larger of the two.
     [[nodiscard]] Polynomial upper_bound(const Constraint<Degree, Scalar>& constraint, const Polynomial& weight,
-                                         const Interval& part) const {
+                                         const Interval& part) {
         const auto bound = [&](const Bounded<Degree, Scalar>& side) {
             return on(side.polynomial, part) + weight * side.error;
         };
@@ -215,7 +222,7 @@ private:
     }
 
     /// F changes sign and all constraints hold for certain.
-    [[nodiscard]] bool is_certain(const Interval& wider) const {
+    [[nodiscard]] bool is_certain(const Interval& wider) {
         const Polynomial weight = on(problem_.weight, wider);
         const Polynomial function = on(problem_.function.polynomial, wider);
         const Polynomial band = weight * problem_.function.error;
@@ -228,7 +235,7 @@ private:
     }
 
     [[nodiscard]] bool holds(const Constraint<Degree, Scalar>& constraint, const Polynomial& weight,
-                             const Interval& part) const {
+                             const Interval& part) {
         const auto side_holds = [&](const Bounded<Degree, Scalar>& side) {
             return is_positive(on(side.polynomial, part), weight * side.error);
         };
@@ -237,26 +244,31 @@ private:
 
     /// F is within about its bound all along (twice, as clips are rounded outward), and every constraint either holds
     /// or is within its bound: no smaller part can be told apart from the whole.
-    [[nodiscard]] bool is_undecidable(const Interval& part) const {
+    [[nodiscard]] bool is_undecidable(const Interval& part) {
         const Polynomial weight = on(problem_.weight, part);
-        const auto is_blurred = [&](const Bounded<Degree, Scalar>& p, double times = 1) {
-            const auto size = magnitude(on(p.polynomial, part).coefficients);
-            const Polynomial error = weight * Scalar(p.error * Scalar(times));
+        const auto is_blurred = [](const Polynomial& p, const Polynomial& error) {
+            const auto size = magnitude(p.coefficients);
             for (int i = 0; i <= Degree; ++i)
                 if (size[static_cast<std::size_t>(i)] > error[i])
                     return false;
             return true;
         };
-        return is_blurred(problem_.function, 2) &&
-               std::all_of(problem_.constraints.begin(), problem_.constraints.end(), [&](const auto& constraint) {
-                   return is_blurred(constraint.first) ||
-                          (constraint.has_alternative && is_blurred(constraint.second)) ||
-                          holds(constraint, weight, part);
-               });
+        const Bounded<Degree, Scalar>& function = problem_.function;
+        if (!is_blurred(on(function.polynomial, part), weight * Scalar(function.error * Scalar(2))))
+            return false;
+        const auto tells_no_more = [&](const Bounded<Degree, Scalar>& side) {
+            const Polynomial p = on(side.polynomial, part);
+            const Polynomial error = weight * side.error;
+            return is_blurred(p, error) || is_positive(p, error);
+        };
+        return std::all_of(problem_.constraints.begin(), problem_.constraints.end(), [&](const auto& constraint) {
+            return tells_no_more(constraint.first) || (constraint.has_alternative && tells_no_more(constraint.second));
+        });
     }
 
     const Problem& problem_;
     Tolerance tolerance_;
+    int restrictions_ = 0; ///< so far; what is left when there are too many is reported as an uncertain contact
 };
 
 } // namespace detail

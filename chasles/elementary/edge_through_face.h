@@ -23,19 +23,37 @@ struct Passage {
     bool certain = false; ///< proven; otherwise the edge may just miss the rim
 };
 
+/// Which segments to ask about.
+enum class Ends : std::uint8_t {
+    not_proven_on_one_side, ///< a filter: also segments that may only touch the plane; `certain` says nothing then
+    proven_opposite,        ///< the answer: an end on the plane is left to vertex/face
+};
+
 namespace detail {
 
+/// A segment with ends that are ordered to run along the face's normal.
+template <class S>
+struct Way {
+    const Segment<S>& segment;
+    bool upwards;
+    Ends ends;
+};
+
 /// Signed volumes of the segment with each edge of a convex part of the face: all non-negative if it passes inside.
+/// Where the ends are not proven on opposite sides, the place in the plane says nothing, and the volumes are only as
+/// good as the ends times the distance of the face's edge.
 template <class S, class CornerAt>
-std::optional<bool> passes(const Segment<S>& segment, bool upwards, std::size_t count, CornerAt corner_at,
-                           const S& unit) {
-    const Vector3<S> u = upwards ? segment.to - segment.from : segment.from - segment.to;
+std::optional<bool> passes(const Way<S>& way, std::size_t count, CornerAt corner_at, const S& unit) {
+    const Segment<S>& segment = way.segment;
+    const Vector3<S> u = way.upwards ? segment.to - segment.from : segment.from - segment.to;
     bool certain = true;
     for (std::size_t i = 0; i < count; ++i) {
         const Vector3<S>& from = corner_at(i);
         const Vector3<S> v = corner_at(i + 1 == count ? 0 : i + 1) - from;
-        const S volume = dot(cross(scale(from, segment.weight) - segment.from, v), u);
-        const S error = with_underflow<S>(unit * norm1(u) * norm1(v));
+        const Vector3<S> arm = scale(from, segment.weight) - segment.from;
+        const S volume = dot(cross(arm, v), u);
+        const S size = way.ends == Ends::proven_opposite ? norm1(u) : S(norm1(u) + norm1(arm));
+        const S error = with_underflow<S>(unit * size * norm1(v));
         if (volume < S(0) - error)
             return std::nullopt;
         certain = certain && volume > error;
@@ -44,12 +62,6 @@ std::optional<bool> passes(const Segment<S>& segment, bool upwards, std::size_t 
 }
 
 } // namespace detail
-
-/// Which segments to ask about.
-enum class Ends : std::uint8_t {
-    not_proven_on_one_side, ///< a filter: also segments that may only touch the plane; `certain` says nothing then
-    proven_opposite,        ///< the answer: an end on the plane is left to vertex/face
-};
 
 /// Whether the segment may go through the face. `bounds` as for the detections.
 template <class S>
@@ -64,8 +76,8 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
     const bool upwards = from < S(0) - limit && to > limit;
     const bool downwards = to < S(0) - limit && from > limit;
     const auto passes = [&](std::size_t count, auto corner_at) {
-        auto found = upwards ? detail::passes(segment, true, count, corner_at, unit) : std::nullopt;
-        return !found && downwards ? detail::passes(segment, false, count, corner_at, unit) : found;
+        auto found = upwards ? detail::passes<S>({segment, true, ends}, count, corner_at, unit) : std::nullopt;
+        return !found && downwards ? detail::passes<S>({segment, false, ends}, count, corner_at, unit) : found;
     };
     const auto passage = [&](bool certain) {
         S share(0);

@@ -6,7 +6,7 @@
 namespace chasles {
 namespace {
 
-constexpr std::uint32_t nobody = 0xffffffff;
+constexpr std::uint32_t no_vertex = 0xffffffff;
 
 std::uint64_t bits_of(double coordinate) {
     return std::bit_cast<std::uint64_t>(coordinate + 0.0); // turns -0 into 0
@@ -26,14 +26,14 @@ std::uint64_t hash(const Eigen::Vector3d& point) {
 } // namespace
 
 std::vector<std::uint32_t> first_equal_vertices(std::span<const Eigen::Vector3d> vertices) {
-    std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), nobody);
+    std::vector<std::uint32_t> table(std::bit_ceil(2 * vertices.size() + 1), no_vertex);
     const std::size_t mask = table.size() - 1;
     std::vector<std::uint32_t> first(vertices.size());
     for (std::uint32_t vertex = 0; vertex < vertices.size(); ++vertex) {
         std::size_t slot = hash(vertices[vertex]) & mask;
-        while (table[slot] != nobody && vertices[table[slot]] != vertices[vertex])
+        while (table[slot] != no_vertex && vertices[table[slot]] != vertices[vertex])
             slot = (slot + 1) & mask;
-        if (table[slot] == nobody)
+        if (table[slot] == no_vertex)
             table[slot] = vertex;
         first[vertex] = table[slot];
     }

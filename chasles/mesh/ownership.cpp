@@ -7,7 +7,7 @@
 namespace chasles {
 namespace {
 
-constexpr std::uint32_t nobody = 0xffffffff;
+constexpr std::uint32_t no_owner = 0xffffffff;
 
 struct Taker {
     std::uint32_t face;
@@ -19,7 +19,7 @@ bool take_one(Taker& taker, std::uint32_t end, std::span<const std::uint32_t> fe
               std::vector<std::uint32_t>& owner) {
     while (taker.next < end) {
         const std::uint32_t feature = features[taker.next++];
-        if (feature == no_feature || owner[feature] != nobody)
+        if (feature == no_feature || owner[feature] != no_owner)
             continue;
         owner[feature] = taker.face;
         return true;
@@ -31,13 +31,13 @@ FlatLists<std::uint32_t> lists_by_owner(const std::vector<std::uint32_t>& owner,
     FlatLists<std::uint32_t> lists;
     lists.offsets.assign(face_count + 1, 0);
     for (const std::uint32_t face : owner)
-        if (face != nobody)
+        if (face != no_owner)
             ++lists.offsets[face + 1];
     std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
     lists.items.resize(lists.offsets.back());
     std::vector<std::uint32_t> next(lists.offsets.begin(), lists.offsets.end() - 1);
     for (std::uint32_t feature = 0; feature < owner.size(); ++feature)
-        if (owner[feature] != nobody)
+        if (owner[feature] != no_owner)
             lists.items[next[owner[feature]]++] = feature;
     return lists;
 }
@@ -47,7 +47,7 @@ FlatLists<std::uint32_t> lists_by_owner(const std::vector<std::uint32_t>& owner,
 FlatLists<std::uint32_t> share_features(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> features,
                                         std::size_t feature_count) {
     const std::size_t face_count = offsets.size() - 1;
-    std::vector<std::uint32_t> owner(feature_count, nobody);
+    std::vector<std::uint32_t> owner(feature_count, no_owner);
     std::vector<Taker> takers(face_count);
     for (std::uint32_t face = 0; face < face_count; ++face)
         takers[face] = {face, offsets[face]};

@@ -147,21 +147,6 @@ ControlMaps<S> control_maps(const RationalMotion<S>& motion) {
     return maps;
 }
 
-/// The body standing still where the motion has it at tau.
-template <class S>
-RationalMotion<S> standing_at(const RationalMotion<S>& motion, const S& tau) {
-    const ControlMaps<S> maps = control_maps(motion);
-    const S inverse_weight = S(1) / value_at(maps.weight, tau);
-    RationalMotion<S> standing;
-    standing.end_cosine = S(1);
-    for (int i = 0; i < 3; ++i) {
-        standing.origin[i] = value_at(maps.shift[i], tau) * inverse_weight;
-        for (int j = 0; j < 3; ++j)
-            standing.orientation.row[i][j] = value_at(maps.turn.row[i][j], tau) * inverse_weight;
-    }
-    return standing;
-}
-
 /// A function applied to every polynomial of a set of control maps.
 template <class To, class From, class Function>
 ControlMaps<To> transformed(const ControlMaps<From>& maps, Function function) {

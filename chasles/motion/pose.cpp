@@ -1,6 +1,7 @@
 #include "chasles/motion/pose.h"
 
 #include "chasles/invalid_input.h"
+#include "chasles/motion/rational_motion.h"
 
 #include <Eigen/SVD>
 #include <cmath>
@@ -76,7 +77,11 @@ Pose Pose::from_matrix(const Eigen::Matrix4d& matrix) {
 
 Eigen::Isometry3d Pose::isometry() const {
     Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-    result.linear() = rotation.normalized().toRotationMatrix();
+    // Not by Eigen, whose packets fuse operations where the compiler may.
+    const auto turn = motion::rotation_matrix<double>({rotation.w(), {rotation.x(), rotation.y(), rotation.z()}});
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            result(i, j) = turn.row[i][j];
     result.translation() = translation;
     return result;
 }

@@ -73,11 +73,11 @@ ContactDetails::ContactDetails(const Polyhedron& moving, const Polyhedron& fixed
 }
 
 Eigen::Vector3d ContactDetails::moved(const Eigen::Vector3d& body_point) const {
-    return turn_ * body_point + shift_;
+    return product(turn_, body_point) + shift_;
 }
 
 Eigen::Vector3d ContactDetails::velocity_at(const Eigen::Vector3d& point) const {
-    return turn_rate_ * (turn_.transpose() * (point - shift_)) + shift_rate_;
+    return product(turn_rate_, product(turn_.transpose(), point - shift_)) + shift_rate_;
 }
 
 ContactDetails::Place ContactDetails::place_of(const Candidate& candidate) const {
@@ -86,7 +86,7 @@ ContactDetails::Place ContactDetails::place_of(const Candidate& candidate) const
         return {moved(moving_.vertices()[candidate.moving.first]), normal, normal};
     }
     if (candidate.kind == ContactKind::face_vertex) {
-        const Eigen::Vector3d normal = turn_ * face_normal(moving_, candidate.moving.first);
+        const Eigen::Vector3d normal = product(turn_, face_normal(moving_, candidate.moving.first));
         return {fixed_.vertices()[candidate.fixed.first], normal.normalized(), -normal};
     }
     const auto line = [](const Eigen::Vector3d& from, const Eigen::Vector3d& to) { return Line{from, to - from}; };

@@ -6,6 +6,14 @@
 
 namespace chasles::query {
 
+/// matrix * v, each operation rounded as written: Eigen fuses them where the compiler may (docs/decisions/0001).
+inline Eigen::Vector3d product(const Eigen::Matrix3d& matrix, const Eigen::Vector3d& v) {
+    Eigen::Vector3d result;
+    for (int i = 0; i < 3; ++i)
+        result[i] = matrix(i, 0) * v.x() + matrix(i, 1) * v.y() + matrix(i, 2) * v.z();
+    return result;
+}
+
 /// Describes candidates of one piece of a motion at one tau.
 class ContactDetails {
 public:

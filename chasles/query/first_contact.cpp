@@ -50,14 +50,11 @@ public:
         for (std::size_t i = 0; i < count; ++i) {
             const auto piece = piece_at(i);
             const double tolerance = query_.time_tolerance * double(count) / greatest_time_rate(piece);
-            const query::PieceResult result =
-                query::search_piece({query_.moving, query_.fixed, piece.frame().motion, &piece.frame(),
-                                     std::min(tolerance, 1.0), query_.find, i == 0});
+            const query::PieceResult result = query::search_piece(
+                {query_.moving, query_.fixed, piece.frame(), std::min(tolerance, 1.0), query_.find, i == 0});
             found.work += result.work;
             if (result.overlap || !result.candidates.empty()) {
                 report(found, piece, {i, count}, result);
-                if (found.verdict == Verdict::contact && !found.certain)
-                    settle(found, piece_at, {i, count}, enclosing(result.candidates), 0.5 * std::min(tolerance, 1.0));
                 return found;
             }
             if (i + 1 == count)
@@ -87,7 +84,7 @@ private:
         const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
         found.overlap = result.overlap;
         if (found.overlap) {
-            found.overlap->point = to_world * found.overlap->point;
+            found.overlap->point = query::product(to_world.linear(), found.overlap->point) + to_world.translation();
             name_face(found.overlap->face, found.overlap->edge_is_moving ? query_.fixed : query_.moving);
         }
         const double rate = piece.tau_rate(tau.lower) * double(clock.count);
@@ -96,34 +93,12 @@ private:
                                             found.verdict == Verdict::contact_at_start);
         for (const query::Candidate& candidate : reported(result.candidates)) {
             Contact contact = details.describe(candidate);
-            contact.point = to_world * contact.point;
-            contact.normal = to_world.linear() * contact.normal;
+            contact.point = query::product(to_world.linear(), contact.point) + to_world.translation();
+            contact.normal = query::product(to_world.linear(), contact.normal);
             contact.approach_speed *= rate;
             name_faces(contact);
             found.contacts.push_back(contact);
         }
-    }
-
-    /// A touch that no change of sign proves (exactly on an edge, in a plane, or between two pieces) is certain all the
-    /// same if the surfaces pass through each other right behind it: they were proven apart before.
-    template <class PieceAt>
-    void settle(FirstContact& found, PieceAt piece_at, PieceClock clock, const Bracket& tau, double ahead) const {
-        double later = std::max(tau.upper, tau.lower + ahead);
-        if (later > 1) {
-            if (++clock.index == clock.count)
-                return;
-            later = ahead;
-        }
-        const auto piece = piece_at(clock.index);
-        const auto standing = motion::standing_at(piece.frame().motion, MotionFrame::Scalar(later));
-        const query::PieceResult then = query::search_piece(
-            {query_.moving, query_.fixed, standing, nullptr, 1, Find::first_with_all_contacts, true});
-        found.work += then.work;
-        found.certain = then.overlap && then.overlap->certain;
-        if (!found.certain)
-            return;
-        found.tau.upper = std::min(1.0, clock.whole(later) * (1 + clock_slack));
-        found.time.upper = std::min(1.0, clock.whole(piece.time_at(later)) * (1 + clock_slack));
     }
 
     /// From the body's own numbering of faces to that of its input.

@@ -39,8 +39,8 @@ double reach(const BoxHierarchy& hierarchy) {
 class Traversal {
 public:
     explicit Traversal(const PieceSearch& search)
-        : search_(search), exact_maps_(motion::control_maps(search.motion)), maps_(motion::rounded(exact_maps_)),
-          scale_(elementary::error_scale(maps_, std::max(reach(search.moving.hierarchy()), search.motion.reach),
+        : search_(search), exact_maps_(motion::control_maps(search.frame.motion)), maps_(motion::rounded(exact_maps_)),
+          scale_(elementary::error_scale(maps_, std::max(reach(search.moving.hierarchy()), search.frame.motion.reach),
                                          reach(search.fixed.hierarchy()))),
           times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
           filter_(search.moving, search.fixed, {scale_, {}}), refinement_(search.moving, search.fixed, {scale_, {}}),
@@ -160,10 +160,9 @@ private:
         if (!refined || refined->lower > best_)
             return false;
         candidate.tau = *refined;
-        if (is_decided(candidate.tau) || search_.given == nullptr)
+        if (is_decided(candidate.tau))
             return true;
-        if (candidate.tau.lower >=
-            first_certain_) { // a contact beside a proven one; as it may be none, it ends nothing
+        if (candidate.tau.lower >= first_certain_) { // beside a proven contact; as it may be none, it ends nothing
             candidate.tau.upper = std::max(candidate.tau.upper, best_);
             return true;
         }
@@ -176,7 +175,7 @@ private:
 
     ExactStage& exact_stage() {
         if (!exact_stage_)
-            exact_stage_.emplace(search_.moving, search_.fixed, *search_.given);
+            exact_stage_.emplace(search_.moving, search_.fixed, search_.frame);
         return *exact_stage_;
     }
 
@@ -198,16 +197,16 @@ private:
             return;
         Vector3<Scalar> point = passage->point;
         if (!overlap.edge_is_moving)
-            point = search_.motion.orientation * point + search_.motion.origin;
+            point = search_.frame.motion.orientation * point + search_.frame.motion.origin;
         overlap.point = {double(point.x), double(point.y), double(point.z)};
         const auto proven = passage_of(refinement_, overlap, elementary::Ends::proven_opposite);
         overlap.certain = proven && proven->certain;
-        if (search_.given != nullptr && !overlap.certain) {
+        if (!overlap.certain) {
             doubtful_overlaps_.push_back(overlap);
-        } else if (proven) {
-            result_.overlap = overlap;
-            stop_ = true;
+            return;
         }
+        result_.overlap = overlap;
+        stop_ = true;
     }
 
     /// Exactly, and last: where the bodies just touch at the start, their features have been found to.

@@ -18,9 +18,8 @@ struct PieceResult {
 struct PieceSearch {
     const Polyhedron& moving;
     const Polyhedron& fixed;
-    const motion::RationalMotion<algebra::DoubleDouble>& motion;
-    const MotionFrame* given = nullptr; ///< what the motion is rounded from; without it, doubt is not decided
-    double tolerance = 1e-12;           ///< of tau
+    const MotionFrame& frame;
+    double tolerance = 1e-12; ///< of tau
     Find find = Find::first;
     bool check_start = true; ///< look for edges that pass through faces at tau = 0
 };

@@ -87,5 +87,33 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfTheMaps) {
     ratios.expect_sound(0.01);
 }
 
+/// A tiny turn about a point far away: the numbers of the motion are as large as that point, those of the body's path
+/// are not.
+TEST(ErrorScale, CountsTheCentreOfASweepAsAPointOfTheBody) {
+    Random random(732);
+    ErrorRatios ratios;
+    double without = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const auto [start, goal] = random_pose_pair(random, {1, 1e-8});
+        const Eigen::Vector3d centre = 1e9 * eigen(random.vector(1));
+        const PosedMotion motion =
+            sweep_of(SweepMotion::between(start, goal, centre), exact(start), exact(goal), centre);
+        const auto made = motion::control_maps(motion.made);
+        const auto truth = motion::control_maps(motion.exactly);
+        const auto in_doubles = motion::rounded(made);
+        for (int i = 0; i < 12; ++i) {
+            const Rational off = magnitude(Rational(exact(made.shift[i / 4][i % 4]) - truth.shift[i / 4][i % 4]));
+            const auto ratio = [&](double reach) {
+                const ErrorScale scale = error_scale(in_doubles, reach, 1);
+                return static_cast<double>(off) / (relative_error<DoubleDouble>(scale) * scale.length);
+            };
+            ratios.note("shift", ratio(std::max(1.0, motion.made.reach)));
+            without = std::max(without, ratio(1));
+        }
+    }
+    ratios.expect_sound(1e-6);
+    EXPECT_GT(without, 1) << "the centre need not count";
+}
+
 } // namespace
 } // namespace chasles::elementary

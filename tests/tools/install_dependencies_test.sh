@@ -31,11 +31,14 @@ expect() {
     fi
 }
 
-all=$(sh "$script" --list check bench tidy)
+all=$(sh "$script" --list check fuzz bench tidy)
 everything=$(printf 'echo installed %s\n' $all)
 
 run --list check
 expect "the list names the compiler and the test framework" 'case $output in *g++*libgtest-dev*) ;; *) false ;; esac'
+
+run --list fuzz
+expect "fuzzing needs the compiler and its runtime" 'case $output in *clang-*libclang-rt-*) ;; *) false ;; esac'
 
 run check
 expect "elsewhere than on Debian: one line, no failure" \
@@ -44,7 +47,7 @@ expect "elsewhere than on Debian: one line, no failure" \
 pretend apt-get ''
 pretend id 'echo 0'
 pretend dpkg-query "$everything"
-run check bench tidy
+run check fuzz bench tidy
 expect "nothing missing: silent, and the package lists are left alone" '[ $status -eq 0 ] && [ -z "$output$asked" ]'
 
 pretend dpkg-query "$(printf '%s\n' "$everything" | grep -v -e 'installed libfmt-dev$')

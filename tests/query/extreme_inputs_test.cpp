@@ -1,0 +1,320 @@
+// Whole queries on extreme bodies and motions against exact rationals: nothing is missed, what is called certain is
+// true, and no alarm is false beyond the bound.
+#include "chasles/invalid_input.h"
+#include "tests/query/bodies.h"
+#include "tests/query/exact_answer.h"
+#include "tests/support/posed_motions.h"
+#include "tests/support/segment_distance.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::test {
+namespace {
+
+constexpr double pi = std::numbers::pi;
+using Triangle = std::array<Eigen::Vector3d, 3>;
+
+/// A triangle about the origin.
+using Shape = Triangle (*)(Random&);
+
+Eigen::Vector3d random_direction(Random& random) {
+    return eigen(random.vector(1)).normalized();
+}
+
+Triangle ordinary(Random& random) {
+    return {eigen(random.vector(1)), eigen(random.vector(1)), eigen(random.vector(1))};
+}
+
+/// Almost without area: the third corner is 1e-15 to 1e-6 off the first side.
+Triangle sliver(Random& random) {
+    const Triangle t = ordinary(random);
+    return {t[0], t[1], t[0] + random.uniform(0, 1) * (t[1] - t[0]) + eigen(random.vector(random.scaled(-15, -6)))};
+}
+
+/// With one edge almost of no length, or all of them.
+Triangle with_tiny_edges(Random& random) {
+    Triangle t = ordinary(random);
+    t[1] = t[0] + eigen(random.vector(random.scaled(-14, -6)));
+    if (random.chance(0.5))
+        t[2] = t[0] + eigen(random.vector(random.scaled(-14, -6)));
+    return t;
+}
+
+/// A hundred million times as long as it is wide.
+Triangle needle(Random& random) {
+    const Eigen::Vector3d along = random_direction(random);
+    return {Eigen::Vector3d::Zero(), along, along + 1e-8 * random_direction(random)};
+}
+
+/// Coordinates from 1e-9 to 1e9 side by side.
+Triangle mixed(Random& random) {
+    Triangle t;
+    for (Eigen::Vector3d& corner : t)
+        corner = {random.scaled(-9, 9), random.scaled(-9, 9), random.scaled(-9, 9)};
+    return t;
+}
+
+Eigen::Vector3d random_point_of(Random& random, const Triangle& t) {
+    const double a = random.uniform(0, 1);
+    const double b = random.uniform(0, 1 - a);
+    return t[0] + a * (t[1] - t[0]) + b * (t[2] - t[0]);
+}
+
+struct Scene {
+    Pose start;
+    Pose goal;
+    Body moving;
+    Body fixed;
+    double max_turn = pi;
+    bool sweeps = false;
+
+    [[nodiscard]] Motion motion() const {
+        return sweeps ? Motion(SweepMotion::between(start, goal)) : Motion(ScrewMotion::between(start, goal));
+    }
+};
+
+/// How scenes of one test are made.
+struct Recipe {
+    Shape moving = ordinary;
+    Shape fixed = ordinary;
+    double angle = 0;
+    double max_turn = pi;
+    bool sweeps = false;
+    double away = 0; ///< of both bodies from the world's origin and of the moving body from its own
+};
+
+double size_of(const Triangle& t) {
+    return std::max({(t[1] - t[0]).norm(), (t[2] - t[0]).norm(), (t[2] - t[1]).norm()});
+}
+
+/// Half way, a point of one body is at a point of the other, but for the rounding of the coordinates.
+Scene random_scene(Random& random, const Recipe& recipe) {
+    Triangle fixed = recipe.fixed(random);
+    const Triangle shape = recipe.moving(random);
+    const double size = std::max(size_of(fixed), size_of(shape));
+    const Eigen::Vector3d away = recipe.away * random_direction(random);
+    for (Eigen::Vector3d& corner : fixed)
+        corner += away;
+    Scene scene;
+    scene.max_turn = recipe.max_turn;
+    scene.sweeps = recipe.sweeps;
+    scene.start = Pose(away + eigen(random.vector(size)), random_rotation(random));
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(recipe.angle, random_direction(random)));
+    const double way = random.chance(0.5) ? size : size * std::abs(random.scaled(-6, 0));
+    scene.goal =
+        Pose(scene.start.translation + eigen(random.vector(way)), turn * Eigen::Quaterniond(scene.start.rotation));
+    const double half_way = random.uniform(0.2, 0.9);
+    const Eigen::Isometry3d back =
+        std::visit([&](const auto& motion) { return motion.pose_at(half_way).isometry().inverse(); }, scene.motion());
+    // Point to point, or all but corner to corner after a short way: then about half of them pass each other.
+    const bool passing = random.chance(0.5);
+    const Eigen::Vector3d touching = passing ? shape[0] : random_point_of(random, shape);
+    Eigen::Vector3d place = passing ? fixed[0] : random_point_of(random, fixed);
+    if (passing)
+        place += size * random.scaled(-17, -3) * random_direction(random);
+    Triangle moving;
+    for (std::size_t i = 0; i < 3; ++i)
+        moving[i] = back * (place + (shape[i] - touching));
+    scene.moving = triangle(moving[0], moving[1], moving[2]);
+    scene.fixed = triangle(fixed[0], fixed[1], fixed[2]);
+    return scene;
+}
+
+/// The exact motion, piece by piece as a query cuts it.
+std::vector<RationalMotion<Rational>> exact_pieces(const Scene& scene) {
+    if (scene.sweeps)
+        return {sweep_of(SweepMotion::between(scene.start, scene.goal), exact(scene.start), exact(scene.goal),
+                         Eigen::Vector3d::Zero())
+                    .exactly};
+    std::vector<RationalMotion<Rational>> pieces;
+    for (const ScrewMotion& piece : ScrewMotion::between(scene.start, scene.goal).cut(scene.max_turn))
+        pieces.push_back(motion::screw_between(exact(piece.frame().start), exact(piece.frame().goal)));
+    return pieces;
+}
+
+struct Tally {
+    int scenes = 0;
+    int contacts = 0;
+    int at_start = 0;
+    int certain = 0;
+    int doubtful_alarms = 0; ///< uncertain contacts where there is none
+    double furthest_alarm = 0;
+    double bound = 0; ///< the largest of a scene, in its unit
+};
+
+/// At least two: how much larger than its area vector the edges of a face are.
+double slenderness(const Body& body) {
+    const auto& v = body.vertices;
+    const Eigen::Vector3d a = v[1] - v[0];
+    const Eigen::Vector3d b = v[2] - v[0];
+    return a.lpNorm<1>() * b.lpNorm<1>() / std::max(a.cross(b).norm(), 1e-300);
+}
+
+double reach(const Body& body) {
+    double largest = 0;
+    for (const Eigen::Vector3d& vertex : body.vertices)
+        largest = std::max(largest, vertex.cwiseAbs().maxCoeff());
+    return largest;
+}
+
+/// Bodies that pass at a greater distance are told apart: eight errors in double-double over the sine of the
+/// slenderest corner (note 03, but for places right beyond its tip), and the root of the error times the length of the
+/// edges (note 04).
+double bound_of(const Scene& scene, const RationalMotion<Rational>& motion) {
+    const auto maps = motion::rounded(motion::control_maps(rounded_to<DoubleDouble>(motion)));
+    const auto scale = elementary::error_scale(maps, reach(scene.moving), reach(scene.fixed));
+    const double error = elementary::relative_error<DoubleDouble>(scale) * scale.length;
+    return std::max(8 * error * std::max(slenderness(scene.moving), slenderness(scene.fixed)),
+                    std::sqrt(error * scale.length));
+}
+
+/// How far the two triangles are from each other, up to rounding.
+double distance_at(const Scene& scene, const FirstContact& found) {
+    Triangle a;
+    Triangle b;
+    for (std::size_t i = 0; i < 3; ++i) {
+        a[i] = found.pose.isometry() * scene.moving.vertices[i];
+        b[i] = scene.fixed.vertices[i];
+    }
+    double least = 1e300;
+    for (std::size_t i = 0; i < 3; ++i) {
+        least = std::min({least, distance_to_triangle(a[i], b), distance_to_triangle(b[i], a)});
+        for (std::size_t j = 0; j < 3; ++j)
+            least = std::min(least, distance_of_segments({a[i], a[(i + 1) % 3]}, {b[j], b[(j + 1) % 3]}));
+    }
+    return least;
+}
+
+/// Where an uncertain contact may be reported that is none. Bounds in the unit of the scene mean nothing where the
+/// products that are compared with them have underflowed.
+enum class Alarms { within_the_bound, anywhere };
+
+void compare(const Scene& scene, Tally& tally, Alarms alarms = Alarms::within_the_bound) {
+    const Polyhedron moving = scene.moving.polyhedron();
+    const Polyhedron fixed = scene.fixed.polyhedron();
+    const auto pieces = exact_pieces(scene);
+    ExactAnswer truth;
+    std::size_t index = 0;
+    for (; index < pieces.size() && !truth.first; ++index) {
+        const ExactAnswer answer = exact_answer(moving, fixed, pieces[index]);
+        truth.first = answer.first;
+        truth.overlaps = truth.overlaps || (index == 0 && answer.overlaps);
+    }
+    const auto whole = [&](double tau) { return (double(index) - 1 + tau) / double(pieces.size()); };
+    const FirstContact found =
+        first_contact({.moving = moving, .fixed = fixed, .motion = scene.motion(), .max_turn = scene.max_turn});
+    ++tally.scenes;
+    const double bound = bound_of(scene, pieces[0]);
+    tally.bound = std::max(tally.bound, bound);
+    tally.certain += found.certain && found.verdict != Verdict::clear ? 1 : 0;
+    if (truth.overlaps) {
+        ++tally.at_start;
+        EXPECT_EQ(found.verdict, Verdict::contact_at_start) << "overlap missed";
+    } else if (truth.first) {
+        ++tally.contacts;
+        ASSERT_NE(found.verdict, Verdict::clear) << "missed";
+        EXPECT_LE(found.tau.lower, whole(truth.first->upper)) << "late";
+        if (found.certain) {
+            EXPECT_GE(found.tau.upper, whole(truth.first->lower) * (1 - 1e-15)) << "certain of an earlier contact";
+        }
+    } else if (found.verdict != Verdict::clear) {
+        EXPECT_FALSE(found.certain) << "certain of a contact that is none";
+        ++tally.doubtful_alarms;
+        const double distance = distance_at(scene, found);
+        tally.furthest_alarm = std::max(tally.furthest_alarm, distance);
+        if (alarms == Alarms::within_the_bound) {
+            EXPECT_LE(distance, bound + 1e-15 * (reach(scene.moving) + reach(scene.fixed))) << "false alarm";
+        }
+    }
+}
+
+/// Runs `count` scenes, makes sure that enough of them meet, and prints what was found.
+void run(const char* what, std::uint64_t seed, int count, const Recipe& recipe) {
+    Random random(seed);
+    Tally tally;
+    for (int i = 0; i < count * times_if_long(30); ++i) {
+        SCOPED_TRACE(std::string(what) + ", case " + std::to_string(i));
+        try {
+            compare(random_scene(random, recipe), tally);
+        } catch (const InvalidInput&) { // a face whose corners rounding has put on one line
+        }
+    }
+    std::cout << what << ": " << tally.scenes << " scenes, " << tally.contacts << " contacts, " << tally.at_start
+              << " at the start, " << tally.scenes - tally.contacts - tally.at_start << " clear, " << tally.certain
+              << " certain, " << tally.doubtful_alarms << " doubtful alarms, the furthest at " << tally.furthest_alarm
+              << "; bounds up to " << tally.bound << std::endl;
+    EXPECT_GT(tally.scenes, count * times_if_long(30) / 2);
+    EXPECT_GT(tally.contacts, tally.scenes / 5);
+}
+
+constexpr int scenes = 30;
+
+TEST(ExtremeInputs, FacesAlmostWithoutArea) {
+    run("slivers", 761, scenes, {.moving = sliver, .fixed = sliver, .angle = 0.7});
+    run("slivers and triangles, translated", 762, scenes, {.moving = sliver});
+    run("triangles and slivers, cut", 763, scenes / 3, {.fixed = sliver, .angle = 0.5, .max_turn = pi / 18});
+}
+
+TEST(ExtremeInputs, EdgesAlmostOfZeroLength) {
+    run("tiny edges", 764, scenes, {.moving = with_tiny_edges, .angle = 0.3});
+    run("tiny edges on both", 765, scenes, {.moving = with_tiny_edges, .fixed = with_tiny_edges, .angle = 1e-9});
+}
+
+TEST(ExtremeInputs, NeedlesAHundredMillionTimesAsLongAsWide) {
+    run("needles", 766, scenes, {.moving = needle, .angle = 1.5});
+    run("needles on needles", 767, scenes, {.moving = needle, .fixed = needle, .angle = 0.2});
+}
+
+TEST(ExtremeInputs, CoordinatesFromABillionthToABillionInOneMesh) {
+    run("mixed coordinates", 768, scenes, {.moving = mixed, .fixed = mixed, .angle = 0.4});
+    run("mixed and ordinary", 769, scenes, {.fixed = mixed, .angle = 0.4});
+}
+
+TEST(ExtremeInputs, BodiesABillionUnitsAway) {
+    run("far from the origin", 770, scenes, {.angle = 0.4, .away = 1e9});
+    run("far slivers", 771, scenes, {.moving = sliver, .angle = 1e-6, .away = 1e9});
+}
+
+TEST(ExtremeInputs, TurnsFromNothingToPi) {
+    for (const double angle : {1e-16, 1e-15, 1e-12, 1e-8, 1e-4, 0.1, 1.0, 2.0, 3.0, pi - 2.1e-3})
+        run("screw in one piece", 772, scenes / 3, {.angle = angle});
+    for (const double angle : {1e-16, 1.0, 3.0, pi})
+        run("screw cut", 773, scenes / 3, {.angle = angle, .max_turn = pi / 6});
+    for (const double angle : {1e-16, 1e-8, 1.0, 3.0, pi})
+        run("sweep", 774, scenes / 3, {.angle = angle, .sweeps = true});
+}
+
+/// Triangles whose coordinates reach from 1e-170 to 1, about one point, through which one of them falls: products of
+/// four lengths lose their digits or vanish.
+TEST(ExtremeInputs, ProductsThatUnderflow) {
+    Random random(775);
+    const auto vanishing = [&] {
+        const double smallest = random.uniform(-170, -40);
+        Triangle t;
+        for (Eigen::Vector3d& corner : t)
+            corner = {random.scaled(smallest, smallest + 20), random.scaled(smallest, smallest + 20),
+                      random.scaled(smallest, smallest + 20)};
+        t[random.chance(0.5) ? 0 : 2] = eigen(random.vector(1));
+        return triangle(t[0], t[1], t[2]);
+    };
+    Tally tally;
+    for (int i = 0; i < 40 * times_if_long(30); ++i) {
+        SCOPED_TRACE("case " + std::to_string(i));
+        Scene scene;
+        const Eigen::Vector3d way = random_direction(random);
+        scene.start = Pose(way, Eigen::Quaterniond::Identity());
+        scene.goal = Pose(-way, Eigen::Quaterniond::Identity());
+        scene.moving = vanishing();
+        scene.fixed = vanishing();
+        try {
+            compare(scene, tally, Alarms::anywhere);
+        } catch (const InvalidInput&) { // a face without area
+        }
+    }
+    std::cout << tally.scenes << " scenes, " << tally.contacts << " contacts, " << tally.doubtful_alarms
+              << " doubtful alarms\n";
+    EXPECT_GT(tally.contacts, tally.scenes / 20);
+}
+
+} // namespace
+} // namespace chasles::test
