@@ -115,6 +115,36 @@ MeshCase sliding(AttackRandom& random) {
     return placed(lattice_motion(random, wish), moving, fixed);
 }
 
+/// Flat bodies in one plane, which the motion keeps: nothing sticks out to be met earlier.
+MeshCase flat(AttackRandom& random) {
+    const int axis = random.integer(0, 2);
+    const auto some_flat = [&] {
+        for (;;) {
+            Shape shape{{}, {{0, 1, 2}}};
+            for (int i = random.integer(3, 5); i > 0; --i) {
+                shape.vertices.push_back(6 * random.grid(2).cast<double>());
+                shape.vertices.back()[axis] = 0;
+            }
+            for (std::uint32_t i = 3; i < shape.vertices.size(); ++i)
+                shape.faces.push_back({i - 2, i - 1, i});
+            if (have_area(shape))
+                return shape;
+        }
+    };
+    MotionWish wish;
+    wish.turns = random.chance(0.5) ? 1 : 0;
+    wish.slides = 0;
+    wish.axis = Eigen::Vector3i::Unit(axis);
+    wish.travel = 6 * random.grid_direction(5);
+    wish.travel[axis] = 0;
+    const Shape fixed = some_flat();
+    Shape moving = some_flat();
+    Eigen::Vector3d aside = 6 * random.grid(5).cast<double>();
+    aside[axis] = 0;
+    shift(moving, aside);
+    return placed(lattice_motion(random, wish), moving, fixed);
+}
+
 /// The same mesh twice, coincident at some tau, or mirrored beside itself.
 MeshCase coincident(AttackRandom& random) {
     const Shape shape = random.chance(0.3) ? fan_shape(random) : random_shape(random);
@@ -213,7 +243,7 @@ MeshCase half_turn(AttackRandom& random) {
 }
 
 constexpr MeshFamily families[] = {
-    {"random", 0.15, random_pair},
+    {"random", 0.11, random_pair},
     {"grid", 0.1, grid_pair},
     {"touch", 0.15, touch},
     {"touch at 0", 0.05, touch_at_start},
@@ -227,6 +257,7 @@ constexpr MeshFamily families[] = {
     {"scaled", 0.04, scaled},
     {"tiny turn", 0.03, tiny_turn},
     {"half turn", 0.03, half_turn},
+    {"flat", 0.04, flat},
 };
 
 } // namespace
