@@ -1,7 +1,7 @@
 # Thin: every target is what you could type yourself with the CMake presets.
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
-SECONDS ?= 60
+FUZZ_SECONDS ?= 60
 
 .PHONY: help demo check facts attack install bench asan tsan fuzz tidy format clean
 
@@ -14,7 +14,7 @@ help:
 	@echo "make bench    build and run the benchmarks"
 	@echo "make asan     every test under the address and undefined-behaviour sanitizers"
 	@echo "make tsan     the tests that share bodies between threads, under the thread sanitizer"
-	@echo "make fuzz     run each fuzzer for SECONDS (default $(SECONDS))"
+	@echo "make fuzz     run each fuzzer for FUZZ_SECONDS (default $(FUZZ_SECONDS))"
 	@echo "make tidy     clang-tidy over the library, the scenes and the command line"
 	@echo "make format   lay out every source file"
 
@@ -29,7 +29,7 @@ check:
 	cmake --preset dev
 	cmake --build --preset dev -j $(JOBS)
 	ctest --preset dev -j $(JOBS)
-	tools/fuzz.sh $(SECONDS) $(JOBS)
+	tools/fuzz.sh $(FUZZ_SECONDS) $(JOBS)
 
 facts:
 	@tools/install_dependencies.sh check
@@ -69,7 +69,7 @@ tsan:
 
 fuzz:
 	@tools/install_dependencies.sh fuzz
-	tools/fuzz.sh $(SECONDS) $(JOBS)
+	tools/fuzz.sh $(FUZZ_SECONDS) $(JOBS)
 
 tidy:
 	@tools/install_dependencies.sh check tidy

@@ -5,7 +5,7 @@ namespace chasles::motion {
 namespace {
 
 using Exact = algebra::ExactNumber;
-using Vector = Vector3<Exact>;
+using ExactVector = Vector3<Exact>;
 
 /// A pose whose translation is a multiple of 1 / unit.
 struct ScaledPose {
@@ -19,16 +19,16 @@ struct Ends {
     GeneralPose<Exact> goal;
     Exact unit;
 
-    [[nodiscard]] Vector shift() const { return goal.translation - start.translation; }
+    [[nodiscard]] ExactVector shift() const { return goal.translation - start.translation; }
 };
 
-Vector exact(const Eigen::Vector3d& v) {
+ExactVector exact_vector(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
 GeneralPose<Exact> exact_pose(const Pose& pose) {
     const auto& q = pose.rotation;
-    return {exact(pose.translation), {q.w(), {q.x(), q.y(), q.z()}}};
+    return {exact_vector(pose.translation), {q.w(), {q.x(), q.y(), q.z()}}};
 }
 
 ScaledPose in_fixed_frame(const GivenPose& given) {
@@ -60,7 +60,7 @@ RationalMotion<Exact> started(const GeneralPose<Exact>& start) {
 RationalMotion<Exact> exact_screw(const Ends& ends) {
     const Quaternion<Exact> turn = turn_between(ends.start, ends.goal);
     const Exact square = dot(turn.v, turn.v);
-    const Vector shift = ends.shift();
+    const ExactVector shift = ends.shift();
     RationalMotion<Exact> motion = started(ends.start);
     motion.turn_unit = motion.end_cosine = turn.w;
     motion.axis = turn.v;
@@ -71,8 +71,8 @@ RationalMotion<Exact> exact_screw(const Ends& ends) {
         return motion;
     }
     const Exact twice = square + square;
-    const Vector along = scale(turn.v, dot(turn.v, shift));
-    const Vector across = scale(shift, square) - along;
+    const ExactVector along = scale(turn.v, dot(turn.v, shift));
+    const ExactVector across = scale(shift, square) - along;
     motion.length_unit = ends.unit * twice;
     motion.origin = scale(ends.start.translation, twice);
     motion.displacement = along + along;
@@ -82,7 +82,7 @@ RationalMotion<Exact> exact_screw(const Ends& ends) {
 
 /// `sweep_between`, times the squared norms of both end quaternions in lengths. `norm` is that of the turn.
 RationalMotion<Exact> exact_sweep(const Ends& ends, const Quaternion<Exact>& turn, const Exact& norm,
-                                  const Vector& centre) {
+                                  const ExactVector& centre) {
     const Exact start_square = ends.start.rotation.squared_norm();
     const Exact goal_square = ends.goal.rotation.squared_norm();
     RationalMotion<Exact> motion = started(ends.start);
@@ -91,8 +91,8 @@ RationalMotion<Exact> exact_sweep(const Ends& ends, const Quaternion<Exact>& tur
     motion.axis = turn.v;
     motion.length_unit = ends.unit * start_square * goal_square;
     motion.origin = scale(ends.start.translation, start_square * goal_square);
-    const Vector reference = scale(motion.orientation * centre, ends.unit * goal_square);
-    const Vector moved = scale(scaled_rotation_matrix(ends.goal.rotation) * centre, ends.unit * start_square);
+    const ExactVector reference = scale(motion.orientation * centre, ends.unit * goal_square);
+    const ExactVector moved = scale(scaled_rotation_matrix(ends.goal.rotation) * centre, ends.unit * start_square);
     motion.displacement = scale(ends.shift(), start_square * goal_square) + moved - reference;
     motion.moment = cross(reference, turn.v);
     return motion;
@@ -107,7 +107,7 @@ ExactMotion exact_motion(const MotionFrame& frame) {
     const Quaternion<Exact> turn = turn_between(ends.start, ends.goal);
     auto radicand = std::make_unique<const algebra::Dyadic>(turn.squared_norm().rational());
     const Exact norm = Exact::root_of(*radicand);
-    auto maps = control_maps(exact_sweep(ends, turn, norm, exact(*frame.swept_centre)));
+    auto maps = control_maps(exact_sweep(ends, turn, norm, exact_vector(*frame.swept_centre)));
     return {std::move(radicand), std::move(maps)};
 }
 

@@ -15,13 +15,11 @@ namespace {
 constexpr double orthogonality_tolerance = 1e-5;
 /// Below this a matrix is a rotation up to rounding, and projecting it would only add rounding.
 constexpr double rounding_tolerance = 1e-12;
-/// As for the coordinates of meshes: no product of the detections overflows (docs/derivations/10-error-bounds.md).
-constexpr double largest_length = 1e30;
 
 void require_usable(const Eigen::Vector3d& translation) {
     if (!translation.allFinite())
         throw InvalidInput("pose: translation: a number is NaN or infinite");
-    if (translation.cwiseAbs().maxCoeff() > largest_length)
+    if (translation.cwiseAbs().maxCoeff() > Pose::largest_length)
         throw InvalidInput("pose: translation: a number is larger than 1e30");
 }
 

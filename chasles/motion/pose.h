@@ -15,9 +15,12 @@ struct Pose {
     /// Not aligned for vectors: the layout is the same whatever instruction set a user compiles for.
     Eigen::Quaternion<double, Eigen::DontAlign> rotation = Eigen::Quaterniond::Identity();
 
+    /// Of a translation, in any component; as for the coordinates of meshes (docs/derivations/10-error-bounds.md).
+    static constexpr double largest_length = 1e30;
+
     Pose() = default;
 
-    /// Throws InvalidInput if a number is not finite or the quaternion is zero.
+    /// Throws InvalidInput if a number is not finite, a length exceeds largest_length, or the quaternion is zero.
     Pose(const Eigen::Vector3d& translation, const Eigen::Quaterniond& rotation);
 
     /// From an isometry (implicit, so that Eigen users write poses as they are used to). Throws as from_matrix().

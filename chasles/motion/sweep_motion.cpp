@@ -12,9 +12,6 @@ namespace {
 
 using Scalar = algebra::DoubleDouble;
 
-/// As for poses and meshes.
-constexpr double largest_length = 1e30;
-
 motion::Quaternion<Scalar> unit_turn(const MotionFrame& frame) {
     const motion::Quaternion<Scalar> turn = motion::turn_between(frame.start, frame.goal);
     const Scalar inverse = Scalar(1.0) / sqrt(turn.squared_norm());
@@ -26,7 +23,7 @@ motion::Quaternion<Scalar> unit_turn(const MotionFrame& frame) {
 SweepMotion SweepMotion::from(MotionFrame frame, const Eigen::Vector3d& centre) {
     if (!centre.allFinite())
         throw InvalidInput("motion: centre: a number is NaN or infinite");
-    if (centre.cwiseAbs().maxCoeff() > largest_length)
+    if (centre.cwiseAbs().maxCoeff() > Pose::largest_length)
         throw InvalidInput("motion: centre: a number is larger than 1e30");
     const algebra::Vector3<Scalar> reference{centre.x(), centre.y(), centre.z()};
     SweepMotion sweep;

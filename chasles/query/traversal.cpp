@@ -148,8 +148,9 @@ private:
         stop_ = search_.find == Find::any || (search_.find == Find::first && candidate.tau.lower <= 0);
     }
 
+    /// A lower end of 0 is not enough: whether bodies touch at 0 or right after it makes another verdict.
     [[nodiscard]] bool is_decided(const FeasibleInterval& tau) const {
-        return tau.certain && tau.upper - tau.lower <= search_.tolerance;
+        return tau.certain && tau.upper - tau.lower <= search_.tolerance && tau.lower > 0;
     }
 
     /// What is not certain or not tight in double precision is asked again in double-double, and what still is not,

@@ -140,6 +140,21 @@ TEST(ExactStage, TwoMovingBodiesAreSeenFromOneAnotherWithoutRounding) {
     EXPECT_EQ(answer(0x1p-40).verdict, Verdict::clear);
 }
 
+TEST(ExactStage, TouchingRightAfterTheStartIsNoContactAtTheStart) {
+    for (const double height : {1e-14, 1e-15, 1e-16, 1e-17, 1e-20, 1e-30, tiny}) {
+        const Polyhedron moving = spike();
+        const Polyhedron fixed = wall_at(0);
+        const FirstContact found =
+            first_contact({.moving = moving,
+                           .fixed = fixed,
+                           .motion = ScrewMotion::between(shifted(0, 0, height), shifted(0, 0, -1))});
+        EXPECT_EQ(found.verdict, Verdict::contact) << height;
+        EXPECT_TRUE(found.certain);
+        EXPECT_GT(found.time.lower, 0) << height;
+        EXPECT_LE(found.time.lower, height);
+    }
+}
+
 /// A face whose corners are not quite in one plane is known only up to how far they are off.
 TEST(ExactStage, AWarpedFaceLeavesDoubt) {
     const auto answer = [](double warp) { // down to the middle of the face, and no further

@@ -245,6 +245,8 @@ void run(const char* what, std::uint64_t seed, int count, const Recipe& recipe) 
               << "; bounds up to " << tally.bound << std::endl;
     EXPECT_GT(tally.scenes, count * times_if_long(30) / 2);
     EXPECT_GT(tally.contacts, tally.scenes / 5);
+    EXPECT_EQ(tally.doubtful_alarms, 0) << "what floating point cannot tell is decided exactly";
+    EXPECT_EQ(tally.certain, tally.contacts + tally.at_start);
 }
 
 constexpr int scenes = 30;
@@ -314,6 +316,7 @@ TEST(ExtremeInputs, ProductsThatUnderflow) {
     std::cout << tally.scenes << " scenes, " << tally.contacts << " contacts, " << tally.doubtful_alarms
               << " doubtful alarms\n";
     EXPECT_GT(tally.contacts, tally.scenes / 20);
+    EXPECT_EQ(tally.doubtful_alarms, 0);
 }
 
 } // namespace
