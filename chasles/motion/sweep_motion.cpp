@@ -12,6 +12,9 @@ namespace {
 
 using Scalar = algebra::DoubleDouble;
 
+/// As for the translation of a pose.
+constexpr double farthest_centre = 1e90;
+
 motion::Quaternion<Scalar> unit_turn(const MotionFrame& frame) {
     const motion::Quaternion<Scalar> turn = motion::turn_between(frame.start, frame.goal);
     const Scalar inverse = Scalar(1.0) / sqrt(turn.squared_norm());
@@ -23,6 +26,8 @@ motion::Quaternion<Scalar> unit_turn(const MotionFrame& frame) {
 SweepMotion SweepMotion::from(MotionFrame frame, const Eigen::Vector3d& centre) {
     if (!centre.allFinite())
         throw InvalidInput("motion: centre: a number is NaN or infinite");
+    if (centre.cwiseAbs().maxCoeff() > farthest_centre)
+        throw InvalidInput("motion: centre: a number is larger than 1e90");
     const algebra::Vector3<Scalar> reference{centre.x(), centre.y(), centre.z()};
     SweepMotion sweep;
     frame.motion = motion::sweep_between(frame.start, frame.goal, unit_turn(frame), reference);
