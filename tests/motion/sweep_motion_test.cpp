@@ -110,5 +110,11 @@ TEST(SweepMotion, CentreThatIsNotFiniteIsRefused) {
     EXPECT_THROW((void)SweepMotion::between(Pose(), Pose(), bad), InvalidInput);
 }
 
+/// Found by tests/fuzz/any_numbers_fuzz.cpp: contact points became NaN.
+TEST(SweepMotion, CentreBeyondAnySceneIsRefused) {
+    EXPECT_THROW((void)SweepMotion::between(Pose(), Pose(), Eigen::Vector3d(0, 0, -1e91)), InvalidInput);
+    EXPECT_NO_THROW((void)SweepMotion::between(Pose(), Pose(), Eigen::Vector3d(0, 0, -1e90)));
+}
+
 } // namespace
 } // namespace chasles
