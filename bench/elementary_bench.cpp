@@ -2,6 +2,7 @@
 // Each problem is timed by itself, so that the spread over the problems is seen; answers are checked first.
 #include "bench/elementary_detector.h"
 #include "bench/run_benchmarks.h"
+#include "chasles/query/traversal.h"
 
 #include <algorithm>
 #include <chrono>
@@ -73,8 +74,9 @@ void add(const char* name, const Detector<S>& detector, const std::vector<Proble
 
 int run(int argc, char** argv) {
     const ElementaryCases cases = elementary_cases();
-    const Detector<double> filter(cases.maps, cases.maps, 1e-12);
-    const Detector<DoubleDouble> refinement(cases.exact_maps, cases.maps, 0x1p-90);
+    const Detector<double> filter(cases.maps, cases.maps, {1e-12, 1e-12, query::filter_restrictions});
+    const Detector<DoubleDouble> refinement(cases.exact_maps, cases.maps,
+                                            {1e-12, 0x1p-90, query::refinement_restrictions});
     const std::pair<const char*, bool> checks[] = {
         {"vertex/face in double", finds_contacts(filter, cases.vertex_face_contacts)},
         {"vertex/face in double-double", finds_contacts(refinement, cases.vertex_face_contacts)},

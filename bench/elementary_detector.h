@@ -13,9 +13,9 @@ public:
     using Vector = algebra::Vector3<S>;
     using Answer = std::optional<algebra::FeasibleInterval>;
 
-    Detector(const motion::ControlMaps<S>& maps, const motion::ControlMaps<double>& rounded, double resolution)
-        : maps_(maps),
-          accuracy_{elementary::error_scale(rounded, elementary_reach, elementary_reach), {1e-12, resolution}} {}
+    Detector(const motion::ControlMaps<S>& maps, const motion::ControlMaps<double>& rounded,
+             const algebra::Tolerance& tolerance)
+        : maps_(maps), accuracy_{elementary::error_scale(rounded, elementary_reach, elementary_reach), tolerance} {}
 
     Answer operator()(const VertexFaceProblem& problem) {
         const Vector corners[] = {in_scalar(problem.face[0]), in_scalar(problem.face[1]), in_scalar(problem.face[2])};

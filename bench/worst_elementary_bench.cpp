@@ -6,6 +6,7 @@
 #include "chasles/algebra/exact_feasible.h"
 #include "chasles/motion/exact_motion.h"
 #include "chasles/motion/screw_motion.h"
+#include "chasles/query/traversal.h"
 
 #include <algorithm>
 #include <chrono>
@@ -24,7 +25,9 @@ using algebra::ExactNumber;
 struct Stages {
     explicit Stages(const MotionFrame& frame)
         : exact(motion::exact_motion(frame)), fine(motion::control_maps(frame.motion)), rounded(motion::rounded(fine)),
-          filter(rounded, rounded, 1e-12), refinement(fine, rounded, 0x1p-90), decision(exact.maps, rounded, 1e-12) {}
+          filter(rounded, rounded, {1e-12, 1e-12, query::filter_restrictions}),
+          refinement(fine, rounded, {1e-12, 0x1p-90, query::refinement_restrictions}),
+          decision(exact.maps, rounded, {1e-12, 1e-12}) {}
 
     motion::ExactMotion exact;
     motion::ControlMaps<DoubleDouble> fine;
@@ -197,7 +200,8 @@ void add(const std::string& name, std::deque<Stages>& motions, const std::vector
 int run(int argc, char** argv) {
     static std::deque<Stages> all = motions();
     const ElementaryCases cases = elementary_cases();
-    const Detector<double> filter(cases.maps, cases.maps, 1e-12); // the motion that the ordinary ones are made for
+    const Detector<double> filter(cases.maps, cases.maps,
+                                  {1e-12, 1e-12}); // the motion that the ordinary ones are made for
     add("vertex_face", all, cases.vertex_face_contacts, filter);
     add("edge_edge", all, cases.edge_edge_contacts, filter);
     return run_benchmarks(argc, argv);

@@ -49,15 +49,8 @@ struct FeasibleInterval {
 struct Tolerance {
     double width = 1e-12;      ///< of an interval that holds a root for certain
     double resolution = 1e-12; ///< below it, what is still not certain is reported as it stands
+    int restrictions = 10'000; ///< of polynomials to parts of [0, 1]; after so many, likewise
 };
-
-/// How many polynomials a search may restrict to parts of [0, 1] before it leaves the question to the next stage. It is
-/// a matter of time only: an ordinary search needs some 30, and one that takes more is hardly decided by the same
-/// digits.
-template <class Scalar>
-inline constexpr int restriction_limit = unit_roundoff<Scalar> > 0 ? 40 : 20'000;
-template <>
-inline constexpr int restriction_limit<double> = 96;
 
 namespace detail {
 
@@ -141,7 +134,7 @@ public:
             }
             const Interval smaller = part_of(part, clip);
             const bool halves = smaller.width() > Scalar(0.5) * part.width();
-            const bool out_of_steps = restrictions_ >= restriction_limit<Scalar> || waiting == later.size();
+            const bool out_of_steps = restrictions_ >= tolerance_.restrictions || waiting == later.size();
             if (const auto found = final_answer(smaller, is_finest(part), halves, out_of_steps))
                 return found;
             part = smaller;
@@ -268,7 +261,7 @@ private:
 
     const Problem& problem_;
     Tolerance tolerance_;
-    int restrictions_ = 0; ///< so far; what is left when there are too many is reported as an uncertain contact
+    int restrictions_ = 0; ///< so far
 };
 
 } // namespace detail

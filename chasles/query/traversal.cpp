@@ -45,7 +45,7 @@ public:
           times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
           filter_(search.moving, search.fixed, {scale_, {}}), refinement_(search.moving, search.fixed, {scale_, {}}),
           moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
-        refinement_.use(exact_maps_, {search.tolerance, finest_resolution});
+        refinement_.use(exact_maps_, {search.tolerance, finest_resolution, refinement_restrictions});
     }
 
     PieceResult run() {
@@ -65,7 +65,7 @@ private:
     void search_interval(int level, double lower, double upper) {
         const TimeInterval interval = times_.interval(lower, upper);
         const double tolerance = search_.tolerance / (upper - lower);
-        filter_.use(interval.maps, {tolerance, tolerance});
+        filter_.use(interval.maps, {tolerance, tolerance, filter_restrictions});
         std::vector<NodePair>& stack = levels_[level];
         std::vector<NodePair>& halved = levels_[level + 1];
         halved.clear();

@@ -7,6 +7,11 @@
 
 namespace chasles::query {
 
+/// How many polynomials a detection may restrict in each stage. A matter of time only: ordinary detections need half as
+/// many, and what takes more is better off with the next stage (`make bench`, worst_elementary_bench).
+inline constexpr int filter_restrictions = 96;
+inline constexpr int refinement_restrictions = 40;
+
 /// What one piece of a motion gave.
 struct PieceResult {
     std::vector<Candidate> candidates; ///< none: proven clear. Those after the first contact are left out

@@ -36,10 +36,11 @@ struct Counted {
 
 template <>
 inline constexpr double unit_roundoff<Counted> = 0x1p-53;
-template <>
-inline constexpr int restriction_limit<Counted> = restriction_limit<double>;
 
 namespace {
+
+/// Of restrictions.
+constexpr int ceiling = 100;
 
 using Cubic = Bernstein<3, Counted>;
 
@@ -63,7 +64,7 @@ std::int64_t cost(const Cubic& function, const std::vector<Constraint<3, Counted
     const Bounded<3, Counted> f = bounded(function);
     const Cubic weight = Cubic::constant(Counted(1));
     Counted::operations = 0;
-    (void)first_feasible<3, Counted>({weight, f, constraints}, {});
+    (void)first_feasible<3, Counted>({weight, f, constraints}, {1e-12, 1e-12, ceiling});
     return Counted::operations;
 }
 
@@ -115,9 +116,9 @@ TEST(FirstFeasibleCost, AdversarialProblemsStopAtTheCeiling) {
         largest = std::max(largest, cost(function, constraints));
     }
     std::cout << "largest cost " << double(largest) / double(one_step(3)) << " steps\n";
-    // A step with four polynomials besides the weight restricts five; the last one may look three times.
-    EXPECT_LT(largest, (restriction_limit<double> / 5 + 3) * one_step(3));
-    EXPECT_GT(largest, restriction_limit<double> / 5 * one_step(3) / 2) << "the ceiling is not reached";
+    // A step restricts the weight, F and three sides; the last one looks three times.
+    EXPECT_LT(largest, (ceiling / 5 + 3) * one_step(3));
+    EXPECT_GT(largest, ceiling / 5 * one_step(3) / 2) << "the ceiling is not reached";
 }
 
 } // namespace
