@@ -9,7 +9,7 @@ help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
 	@echo "make check    install what is missing, build with checks, and run every test"
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
-	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (half an hour)"
+	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
 	@echo "make bench    build and run the benchmarks"
 	@echo "make asan     every test under the address and undefined-behaviour sanitizers"

@@ -141,7 +141,7 @@ private:
         };
         candidates.erase(std::unique(candidates.begin(), candidates.end(), same), candidates.end());
         if (query_.find != Find::first_with_all_contacts && candidates.size() > 1) {
-            const auto key = [](const query::Candidate& c) { return std::pair(c.tau.lower, !c.tau.certain); };
+            const auto key = [](const query::Candidate& c) { return std::pair(!c.tau.certain, c.tau.lower); };
             const auto first =
                 std::min_element(candidates.begin(), candidates.end(),
                                  [&](const query::Candidate& a, const query::Candidate& b) { return key(a) < key(b); });

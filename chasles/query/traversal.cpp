@@ -143,8 +143,10 @@ private:
             return;
         result_.candidates.push_back(candidate);
         best_ = std::min(best_, candidate.tau.upper);
-        if (candidate.tau.certain)
-            first_certain_ = std::min(first_certain_, candidate.tau.lower);
+        if (candidate.tau.certain) {
+            certain_.lower = std::min(certain_.lower, candidate.tau.lower);
+            certain_.upper = std::min(certain_.upper, candidate.tau.upper);
+        }
         stop_ = search_.find == Find::any || (search_.find == Find::first && candidate.tau.lower <= 0);
     }
 
@@ -163,7 +165,7 @@ private:
         candidate.tau = *refined;
         if (is_decided(candidate.tau))
             return true;
-        if (candidate.tau.lower >= first_certain_) { // beside a proven contact; as it may be none, it ends nothing
+        if (is_beside_a_proven_contact(candidate.tau)) { // as it may be none, it ends nothing
             candidate.tau.upper = std::max(candidate.tau.upper, best_);
             return true;
         }
@@ -172,6 +174,11 @@ private:
         if (decided)
             candidate.tau = *decided;
         return decided && decided->lower <= best_;
+    }
+
+    /// Whatever it is, the bracket of the answer holds a proven contact and is no wider than asked for.
+    [[nodiscard]] bool is_beside_a_proven_contact(const FeasibleInterval& tau) const {
+        return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.lower <= 0);
     }
 
     ExactStage& exact_stage() {
@@ -213,7 +220,7 @@ private:
     /// Exactly, and last: where the bodies just touch at the start, their features have been found to.
     void decide_overlaps() {
         for (Overlap& overlap : doubtful_overlaps_) {
-            if (result_.overlap || first_certain_ <= 0)
+            if (result_.overlap || certain_.lower <= 0)
                 return;
             ++result_.work.exact;
             if (exact_stage().passes(overlap)) {
@@ -234,8 +241,8 @@ private:
     std::span<const BoxNode> moving_nodes_;
     std::span<const BoxNode> fixed_nodes_;
     std::array<std::vector<NodePair>, deepest_level + 2> levels_;
-    double best_ = 1;          ///< an upper end of the first contact found so far
-    double first_certain_ = 2; ///< the lower end of the first contact that is proven
+    double best_ = 1;       ///< an upper end of the first contact found so far
+    Bracket certain_{2, 2}; ///< the least ends of contacts that are proven
     bool stop_ = false;
     std::vector<Overlap> doubtful_overlaps_;
     PieceResult result_;
