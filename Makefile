@@ -12,7 +12,7 @@ help:
 	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
 	@echo "make bench    build and run the benchmarks"
-	@echo "make asan     every test under the address and undefined-behaviour sanitizers"
+	@echo "make asan     every test but the largest nuts under the address and undefined-behaviour sanitizers"
 	@echo "make tsan     the tests that share bodies between threads, under the thread sanitizer"
 	@echo "make fuzz     run each fuzzer for FUZZ_SECONDS (default $(FUZZ_SECONDS))"
 	@echo "make tidy     clang-tidy over the library, the scenes and the command line"
