@@ -39,6 +39,8 @@ public:
     [[nodiscard]] const Integer& mantissa() const { return mantissa_; }
     [[nodiscard]] int exponent() const { return exponent_; }
     [[nodiscard]] int sign() const { return mantissa_.sign(); }
+    /// Binary digits of the mantissa.
+    [[nodiscard]] unsigned digits() const { return sign() == 0 ? 0 : unsigned(msb(Integer(abs(mantissa_)))) + 1; }
     [[nodiscard]] Dyadic times_power_of_two(int power) const { return Dyadic(mantissa_, exponent_ + power); }
 
     friend Dyadic operator+(const Dyadic& a, const Dyadic& b) {

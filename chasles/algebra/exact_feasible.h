@@ -7,7 +7,12 @@
 
 namespace chasles::algebra::detail {
 
-/// Takes the place of the search by clipping. An error of F that is not zero asks for |F| <= error W: F is then known
+/// Longer coefficients come from coordinates that differ by more than a hundred orders of magnitude, and cost seconds.
+/// Those of ordinary scenes have 800 binary digits.
+inline constexpr unsigned most_digits = 4096;
+
+/// Takes the place of the search by clipping. Problems with longer coefficients are not looked at: the answer is then
+/// all of [0, 1], and not certain. An error of F that is not zero asks for |F| <= error W: F is then known
 /// no better than that, and what is found is not certain. Constraints must have no errors.
 template <int Degree>
 class FeasibilitySearch<Degree, ExactNumber> {
@@ -30,6 +35,8 @@ public:
     }
 
     std::optional<FeasibleInterval> run() const {
+        if (is_too_long())
+            return FeasibleInterval{0, 1, false};
         const bool vanishes = leading_sign(function_) == 0;
         for (const Root& root : vanishes ? places_of_change() : Root::roots_of(function_))
             if (holds_at(root))
@@ -42,6 +49,19 @@ private:
 
     /// Roots of different polynomials that are closer than 2^-100 may be out of order.
     static constexpr int order_level = 100;
+
+    [[nodiscard]] bool is_too_long() const {
+        const auto is_long = [](const Polynomial& p) {
+            for (int i = 0; i <= Degree; ++i)
+                if (p[i].digits() > most_digits)
+                    return true;
+            return false;
+        };
+        return is_long(function_) ||
+               std::any_of(constraints_.begin(), constraints_.end(), [&](const OneConstraint& constraint) {
+                   return is_long(constraint.first.polynomial) || is_long(constraint.second.polynomial);
+               });
+    }
 
     /// Where F vanishes all along, the first feasible tau is 0 or a root of a constraint.
     [[nodiscard]] std::vector<Root> places_of_change() const {

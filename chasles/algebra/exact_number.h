@@ -28,6 +28,9 @@ public:
         return root;
     }
 
+    /// How many binary digits its parts have.
+    [[nodiscard]] unsigned digits() const { return std::max(rational_.digits(), irrational_.digits()); }
+
     [[nodiscard]] int sign() const {
         const int a = rational_.sign();
         const int b = radicand_ != nullptr && radicand_->sign() > 0 ? irrational_.sign() : 0;

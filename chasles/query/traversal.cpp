@@ -171,9 +171,11 @@ private:
         }
         ++result_.work.exact;
         const auto decided = exact_stage().first_contact_of(candidate, search_.tolerance);
-        if (decided)
+        if (!decided)
+            return false;
+        if (decided->certain || decided->upper - decided->lower < 1) // else the numbers were too long for it
             candidate.tau = *decided;
-        return decided && decided->lower <= best_;
+        return candidate.tau.lower <= best_;
     }
 
     /// Whatever it is, the bracket of the answer holds a proven contact and is no wider than asked for.
