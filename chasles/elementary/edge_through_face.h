@@ -69,7 +69,7 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
                                             const ErrorScale& bounds, Ends ends = Ends::proven_opposite) {
     const S unit(relative_error<S>(bounds) * bounds.length);
     const S band = with_underflow<S>(unit * face.size + face.deviation);
-    const S limit = ends == Ends::proven_opposite ? band : S(0) - band;
+    const S limit = (ends == Ends::proven_opposite ? band : S(0) - band) * segment.weight;
     const Vector3<S> anchor = scale(face.corners[0], segment.weight);
     const S from = dot(face.normal, segment.from - anchor);
     const S to = dot(face.normal, segment.to - anchor);

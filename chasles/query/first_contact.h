@@ -79,7 +79,7 @@ struct [[nodiscard]] FirstContact {
     Verdict verdict = Verdict::clear;
     Bracket time;        ///< of the first contact (with Find::any, of some contact), in [0, 1]; {0, 0} if clear
     Bracket tau;         ///< the same in the paper's parameter; see docs/derivations/02
-    bool certain = true; ///< false where contact could not be told from a miss: at faces that are not exactly planar
+    bool certain = true; ///< false where contact could not be told from a miss (docs/promises.md says where)
     std::vector<Contact> contacts;
     std::optional<Overlap> overlap; ///< only with contact_at_start, when surfaces pass through each other
     Pose pose;                      ///< of the moving body in the world at time.lower; the goal if clear

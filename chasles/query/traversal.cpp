@@ -173,7 +173,7 @@ private:
         const auto decided = exact_stage().first_contact_of(candidate, search_.tolerance);
         if (!decided)
             return false;
-        if (decided->certain || decided->upper - decided->lower < 1) // else the numbers were too long for it
+        if (decided->certain || decided->lower > candidate.tau.lower)
             candidate.tau = *decided;
         return candidate.tau.lower <= best_;
     }

@@ -183,5 +183,21 @@ TEST(EdgeThroughFace, TheFilterKeepsShortEdgesThatHardlyPass) {
     EXPECT_GT(passing, 2000);
 }
 
+/// Exact segments come times a weight, and so do the heights that a warped face's deviation is compared with.
+TEST(EdgeThroughFace, TheWeightOfASegmentChangesNothing) {
+    const Face warped{{point(0, 0, 0), point(4, 0, 0), point(4, 4, ratio(1, 100)), point(0, 4, 0)}};
+    const auto shape = face_shape<Rational>(warped.corners, {});
+    ASSERT_GT(shape.deviation, 0);
+    const auto passes = [&](const Rational& half, const Rational& weight) {
+        const Line edge{point(1, 2, -half), point(1, 2, half)};
+        return edge_through_face<Rational>({scale(edge.from, weight), scale(edge.to, weight), weight}, shape, {})
+            .has_value();
+    };
+    for (const Rational& weight : {ratio(1, 1'000'000), Rational(1), Rational(1'000'000)}) {
+        EXPECT_TRUE(passes(ratio(1, 10), weight)) << weight;
+        EXPECT_FALSE(passes(ratio(1, 10'000), weight)) << "both ends are within the deviation";
+    }
+}
+
 } // namespace
 } // namespace chasles::elementary
