@@ -1,5 +1,7 @@
 #include "chasles/motion/exact_motion.h"
 
+#include "chasles/motion/screw_pose.h"
+
 namespace chasles::motion {
 
 namespace {
@@ -26,16 +28,11 @@ ExactVector exact_vector(const Eigen::Vector3d& v) {
     return {v.x(), v.y(), v.z()};
 }
 
-GeneralPose<Exact> exact_pose(const Pose& pose) {
-    const auto& q = pose.rotation;
-    return {exact_vector(pose.translation), {q.w(), {q.x(), q.y(), q.z()}}};
-}
-
 ScaledPose in_fixed_frame(const GivenPose& given) {
-    const GeneralPose<Exact> pose = exact_pose(given.pose);
+    const GeneralPose<Exact> pose = pose_in<Exact>(given.pose);
     if (!given.seen_from)
         return {pose, Exact(1)};
-    const GeneralPose<Exact> frame = exact_pose(*given.seen_from);
+    const GeneralPose<Exact> frame = pose_in<Exact>(*given.seen_from);
     const Quaternion<Exact> back = frame.rotation.conjugate();
     return {{scaled_rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation},
             back.squared_norm()};

@@ -9,10 +9,6 @@ namespace {
 using Scalar = algebra::DoubleDouble;
 using Vector = Vector3<Scalar>;
 
-Vector exact(const Eigen::Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-}
-
 Eigen::Vector3d rounded(const Vector& v) {
     return {v.x.high(), v.y.high(), v.z.high()};
 }
@@ -50,11 +46,6 @@ Parts parts_of(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal
 }
 
 } // namespace
-
-GeneralPose<Scalar> exact(const Pose& pose) {
-    const Eigen::Quaterniond& q = pose.rotation;
-    return {exact(pose.translation), {q.w(), {q.x(), q.y(), q.z()}}};
-}
 
 Pose rounded(const GeneralPose<Scalar>& pose) {
     const Quaternion<Scalar> q = normalized(pose.rotation);

@@ -6,8 +6,18 @@
 
 namespace chasles::motion {
 
-/// The pose as double-doubles, without rounding.
-GeneralPose<algebra::DoubleDouble> exact(const Pose& pose);
+/// The pose in another scalar, which must hold every double.
+template <class S>
+GeneralPose<S> pose_in(const Pose& pose) {
+    const Eigen::Vector3d& t = pose.translation;
+    const Eigen::Quaterniond& q = pose.rotation;
+    return {{S(t.x()), S(t.y()), S(t.z())}, {S(q.w()), {S(q.x()), S(q.y()), S(q.z())}}};
+}
+
+/// The pose as double-doubles.
+inline GeneralPose<algebra::DoubleDouble> exact(const Pose& pose) {
+    return pose_in<algebra::DoubleDouble>(pose);
+}
 
 /// The pose rounded to double precision, with a quaternion of length one.
 Pose rounded(const GeneralPose<algebra::DoubleDouble>& pose);

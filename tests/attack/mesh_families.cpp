@@ -220,25 +220,27 @@ MeshCase scaled(AttackRandom& random) {
     return result;
 }
 
-/// Turns of 1e-16 to 1e-3 radians, or next to none at all.
-MeshCase tiny_turn(AttackRandom& random) {
+/// Triangles, so that other poses leave their faces planar.
+MeshCase triangles_apart_or_touching(AttackRandom& random) {
     MeshCase result = random.chance(0.5) ? random_pair(random) : touch(random);
-    PosedMotion& posed = result.posed;
     for (Shape* shape : {&result.moving, &result.fixed})
         cut_into_triangles(*shape);
-    turn_hardly(posed, random);
+    return result;
+}
+
+/// Turns of 1e-16 to 1e-3 radians, or next to none at all.
+MeshCase tiny_turn(AttackRandom& random) {
+    MeshCase result = triangles_apart_or_touching(random);
+    turn_hardly(result.posed, random);
     return result;
 }
 
 /// Screws by nearly pi: those that one piece can hold, and those that the library cuts.
 MeshCase half_turn(AttackRandom& random) {
-    MeshCase result = random.chance(0.5) ? random_pair(random) : touch(random);
-    PosedMotion& posed = result.posed;
-    for (Shape* shape : {&result.moving, &result.fixed})
-        cut_into_triangles(*shape);
-    turn_around(posed, random);
+    MeshCase result = triangles_apart_or_touching(random);
+    turn_around(result.posed, random);
     if (random.chance(0.3))
-        posed.max_turn = 0.5;
+        result.posed.max_turn = 0.5;
     return result;
 }
 

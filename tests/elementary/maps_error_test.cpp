@@ -11,9 +11,7 @@ namespace {
 using namespace test;
 
 motion::GeneralPose<Tracked> tracked(const Pose& pose) {
-    const auto& q = pose.rotation;
-    const Eigen::Vector3d& t = pose.translation;
-    return {{t.x(), t.y(), t.z()}, {q.w(), {q.x(), q.y(), q.z()}}};
+    return motion::pose_in<Tracked>(pose);
 }
 
 /// A motion of the family with the errors that its numbers may have. Turns are not tiny: the direction of a tiny one is

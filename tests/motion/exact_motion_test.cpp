@@ -4,25 +4,13 @@
 #include "chasles/motion/screw_motion.h"
 #include "chasles/motion/sweep_motion.h"
 #include "tests/support/exact_numbers.h"
+#include "tests/support/posed_motions.h"
 #include "tests/support/random_poses.h"
-#include "tests/support/rational_motions.h"
 
 namespace chasles::test {
 namespace {
 
-using motion::GeneralPose;
 using motion::Quaternion;
-
-GeneralPose<Rational> rational(const Pose& pose) {
-    const auto& q = pose.rotation;
-    return {exact(algebra::Vector3<double>{pose.translation.x(), pose.translation.y(), pose.translation.z()}),
-            {Rational(q.w()), {Rational(q.x()), Rational(q.y()), Rational(q.z())}}};
-}
-
-GeneralPose<Rational> seen_from(const GeneralPose<Rational>& frame, const GeneralPose<Rational>& pose) {
-    const auto back = frame.rotation.conjugate();
-    return {motion::rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation};
-}
 
 /// Of maps whose root, if any, is rational: the numbers of `maps` with `root` in its place.
 Rational value(const ExactNumber& x, const Rational& root) {
@@ -56,7 +44,7 @@ TEST(ExactMotion, ScrewsBetweenAnyPoses) {
     for (int trial = 0; trial < 20; ++trial) {
         const Pose start = random_pose(random, 3);
         const Pose goal = trial % 4 == 0 ? Pose(random_point(random, 3), start.rotation) : random_pose(random, 3);
-        const auto truth = motion::control_maps(motion::screw_between(rational(start), rational(goal)));
+        const auto truth = motion::control_maps(motion::screw_between(exact(start), exact(goal)));
         expect_multiple(motion::exact_motion(ScrewMotion::between(start, goal).frame()), truth);
     }
 }
@@ -66,8 +54,8 @@ TEST(ExactMotion, ScrewsOfTwoMovingBodies) {
     for (int trial = 0; trial < 10; ++trial) {
         const Pose poses[] = {random_pose(random, 2), random_pose(random, 2), random_pose(random, 2),
                               random_pose(random, 2)};
-        const auto start = seen_from(rational(poses[2]), rational(poses[0]));
-        const auto goal = seen_from(rational(poses[3]), rational(poses[1]));
+        const auto start = seen_from(exact(poses[2]), exact(poses[0]));
+        const auto goal = seen_from(exact(poses[3]), exact(poses[1]));
         const auto truth = motion::control_maps(motion::screw_between(start, goal));
         const auto screw = ScrewMotion::relative(poses[0], poses[1], poses[2], poses[3]);
         expect_multiple(motion::exact_motion(screw.frame()), truth);
@@ -82,7 +70,7 @@ TEST(ExactMotion, PiecesOfAScrewRunBetweenTheirPoses) {
     ASSERT_EQ(pieces.size(), 3u);
     for (const ScrewMotion& piece : pieces) {
         const auto truth = motion::control_maps(
-            motion::screw_between(rational(piece.frame().given_start.pose), rational(piece.frame().given_goal.pose)));
+            motion::screw_between(exact(piece.frame().given_start.pose), exact(piece.frame().given_goal.pose)));
         expect_multiple(motion::exact_motion(piece.frame()), truth);
     }
     EXPECT_EQ(pieces[0].frame().given_goal.pose.translation, pieces[1].frame().given_start.pose.translation);
@@ -98,13 +86,12 @@ TEST(ExactMotion, SweepsWhoseQuaternionsHaveRationalLengths) {
         const Pose start(random_point(random, 2), start_turn);
         const Pose goal(random_point(random, 2), step * step * start_turn);
         const Eigen::Vector3d centre = random_point(random, 1);
-        const auto rational_turn = motion::turn_between(rational(start), rational(goal));
+        const auto rational_turn = motion::turn_between(exact(start), exact(goal));
         const Rational norm = Rational(start_turn.squaredNorm()) * Rational(step.squaredNorm());
         ASSERT_EQ(rational_turn.squared_norm(), norm * norm);
         const Quaternion<Rational> unit{rational_turn.w / norm, scale(rational_turn.v, Rational(1 / norm))};
-        const auto truth = motion::control_maps(
-            motion::sweep_between(rational(start), rational(goal), unit,
-                                  exact(algebra::Vector3<double>{centre.x(), centre.y(), centre.z()})));
+        const auto truth = motion::control_maps(motion::sweep_between(
+            exact(start), exact(goal), unit, exact(algebra::Vector3<double>{centre.x(), centre.y(), centre.z()})));
         const auto found = motion::exact_motion(SweepMotion::between(start, goal, centre).frame());
         EXPECT_EQ(exact(*found.radicand), norm * norm);
         expect_multiple(found, truth, norm);
@@ -118,7 +105,7 @@ TEST(ExactMotion, SweepsEndAtTheirGoalsWhateverTheRoot) {
         const Pose start = random_pose(random, 2);
         const Pose goal = random_pose(random, 2);
         const auto found = motion::exact_motion(SweepMotion::between(start, goal, random_point(random, 1)).frame());
-        const auto truth = motion::rotation_matrix(rational(goal).rotation);
+        const auto truth = motion::rotation_matrix(exact(goal).rotation);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) { // turn * denominator = weight * numerator, in the ring
                 const Rational entry = truth.row[i][j];

@@ -4,6 +4,7 @@
 
 #include "chasles/motion/control_maps.h"
 #include "chasles/motion/screw_motion.h"
+#include "chasles/motion/screw_pose.h"
 #include "chasles/motion/sweep_motion.h"
 #include "tests/support/rational_motions.h"
 
@@ -18,9 +19,7 @@ inline ExactPose exact(const motion::GeneralPose<DoubleDouble>& pose) {
     return {exact(pose.translation), {exact(pose.rotation.w), exact(pose.rotation.v)}};
 }
 inline ExactPose exact(const Pose& pose) {
-    const auto& q = pose.rotation;
-    const Eigen::Vector3d& t = pose.translation;
-    return {{exact(t.x()), exact(t.y()), exact(t.z())}, {exact(q.w()), {exact(q.x()), exact(q.y()), exact(q.z())}}};
+    return motion::pose_in<Rational>(pose);
 }
 
 /// `pose` in the frame that `frame` places.

@@ -1,13 +1,11 @@
 #!/usr/bin/env python3
 """The layer check can fail: each rule is broken once in a small tree made for it."""
 
-import pathlib
-import sys
-import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tools"))
-import check_layers  # noqa: E402
+from small_tree import SmallTree
+
+import check_layers  # in the folder that small_tree adds
 
 SOUND = {
     "chasles/chasles.h": '#include "chasles/query/first_contact.h"\n',
@@ -25,20 +23,9 @@ SOUND = {
 }
 
 
-class CheckLayers(unittest.TestCase):
-    def violations_with(self, **changes: str) -> list[str]:
-        """What the check says of the sound tree after the files in `changes` got another text."""
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            for name, text in (SOUND | changes).items():
-                (root / name).parent.mkdir(parents=True, exist_ok=True)
-                (root / name).write_text(text, encoding="utf-8")
-            return check_layers.violations(root)
-
-    def assert_violation(self, file: str, text: str, reason: str) -> None:
-        found = self.violations_with(**{file: text})
-        self.assertEqual(len(found), 1, found)
-        self.assertRegex(found[0], f"^{file}:[0-9]+: .*{reason}")
+class CheckLayers(SmallTree):
+    sound = SOUND
+    check = check_layers
 
     def test_sound_tree_passes(self):
         self.assertEqual(self.violations_with(), [])

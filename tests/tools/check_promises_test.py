@@ -1,13 +1,11 @@
 #!/usr/bin/env python3
 """The check of the promises can fail: each rule is broken once in a small tree made for it."""
 
-import pathlib
-import sys
-import tempfile
 import unittest
 
-sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "tools"))
-import check_promises  # noqa: E402
+from small_tree import SmallTree
+
+import check_promises  # in the folder that small_tree adds
 
 SOUND = {
     "docs/promises.md": "# Promises\n\n1. **Kept** (`Box.IsClosed`,\n   [01](notes/01.md)).\n2. **Also** ([01](notes/01.md)).\n",
@@ -16,19 +14,9 @@ SOUND = {
 }
 
 
-class CheckPromises(unittest.TestCase):
-    def violations_with(self, **changes: str) -> list[str]:
-        with tempfile.TemporaryDirectory() as folder:
-            root = pathlib.Path(folder)
-            for name, text in (SOUND | changes).items():
-                (root / name).parent.mkdir(parents=True, exist_ok=True)
-                (root / name).write_text(text, encoding="utf-8")
-            return check_promises.violations(root)
-
-    def assert_violation(self, file: str, text: str, reason: str) -> None:
-        found = self.violations_with(**{file: text})
-        self.assertEqual(len(found), 1, found)
-        self.assertRegex(found[0], f"^{file}:[0-9]+: .*{reason}")
+class CheckPromises(SmallTree):
+    sound = SOUND
+    check = check_promises
 
     def test_sound_tree_passes(self):
         self.assertEqual(self.violations_with(), [])
