@@ -5,7 +5,6 @@
 #include "chasles/query/traversal.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 
 namespace chasles::bench {
@@ -15,10 +14,38 @@ using algebra::DoubleDouble;
 using algebra::FeasibleInterval;
 using Answer = std::optional<FeasibleInterval>;
 
+/// A problem with what the filter says of it, as the refinement is asked.
+template <class Problem>
+struct Found : Problem {
+    FeasibleInterval found;
+};
+
+template <class Problem>
+std::vector<Found<Problem>> found_by(Detector<double> filter, const std::vector<Problem>& problems) {
+    std::vector<Found<Problem>> all;
+    for (const Problem& problem : problems)
+        all.push_back({problem, filter(problem).value_or(FeasibleInterval{})});
+    return all;
+}
+
+class Refinement {
+public:
+    explicit Refinement(const ElementaryCases& cases) : detect_(cases.exact_maps, cases.maps, {}) {}
+
+    template <class Problem>
+    Answer operator()(const Found<Problem>& problem) {
+        detect_.use(query::refinement_tolerance(1e-12, problem.found));
+        return detect_(problem);
+    }
+
+private:
+    Detector<DoubleDouble> detect_;
+};
+
 /// Built from a contact: nothing later than it may be the first, up to the rounding of the problem itself. Brackets
 /// are far narrower than demanded here but for edges that hardly cross.
-template <class S, class Problem>
-bool finds_contacts(Detector<S> detect, const std::vector<Problem>& problems) {
+template <class Detect, class Problem>
+bool finds_contacts(Detect detect, const std::vector<Problem>& problems) {
     return std::all_of(problems.begin(), problems.end(), [&](const Problem& problem) {
         const Answer found = detect(problem);
         return found && found->lower <= problem.tau + 1e-9 && found->upper - found->lower <= 1e-6;
@@ -33,36 +60,21 @@ bool rejects(Detector<double> detect, const std::vector<Problem>& problems) {
     return all && detect.root_brackets() == 0;
 }
 
-/// The least of a few timings of one problem: the machine is shared.
-template <class S, class Problem>
-double nanoseconds_of(Detector<S>& detect, const Problem& problem) {
-    using Clock = std::chrono::steady_clock;
-    const int repeats = 50;
-    double least = 1e9;
-    for (int timing = 0; timing < 7; ++timing) {
-        const auto start = Clock::now();
-        for (int i = 0; i < repeats; ++i)
-            benchmark::DoNotOptimize(detect(problem));
-        least = std::min(least, std::chrono::duration<double, std::nano>(Clock::now() - start).count() / repeats);
-    }
-    return least;
-}
-
-template <class S, class Problem>
-void report_spread(benchmark::State& state, Detector<S>& detect, const std::vector<Problem>& problems) {
+template <class Detect, class Problem>
+void report_spread(benchmark::State& state, Detect& detect, const std::vector<Problem>& problems) {
     std::vector<double> times;
     for (const Problem& problem : problems)
-        times.push_back(nanoseconds_of(detect, problem));
+        times.push_back(nanoseconds_of(7, 50, [&] { return detect(problem); }));
     std::sort(times.begin(), times.end());
     state.counters["median_ns"] = times[times.size() / 2];
     state.counters["p99_ns"] = times[times.size() * 99 / 100];
     state.counters["worst_ns"] = times.back();
 }
 
-template <class S, class Problem>
-void add(const char* name, const Detector<S>& detector, const std::vector<Problem>& problems) {
+template <class Detect, class Problem>
+void add(const char* name, const Detect& detector, const std::vector<Problem>& problems) {
     benchmark::RegisterBenchmark(name, [detector, &problems](benchmark::State& state) {
-        Detector<S> detect = detector;
+        Detect detect = detector;
         report_spread(state, detect, problems);
         std::size_t next = 0;
         for (auto _ : state) {
@@ -74,15 +86,16 @@ void add(const char* name, const Detector<S>& detector, const std::vector<Proble
 
 int run(int argc, char** argv) {
     const ElementaryCases cases = elementary_cases();
-    const Detector<double> filter(cases.maps, cases.maps, {1e-12, 1e-12, query::filter_restrictions});
-    const Detector<DoubleDouble> refinement(cases.exact_maps, cases.maps,
-                                            {1e-12, 0x1p-90, query::refinement_restrictions});
+    const Detector<double> filter(cases.maps, cases.maps, query::filter_tolerance(1e-12));
+    const Refinement refinement(cases);
+    const auto vertex_face_found = found_by(filter, cases.vertex_face_contacts);
+    const auto edge_edge_found = found_by(filter, cases.edge_edge_contacts);
     const std::pair<const char*, bool> checks[] = {
         {"vertex/face in double", finds_contacts(filter, cases.vertex_face_contacts)},
-        {"vertex/face in double-double", finds_contacts(refinement, cases.vertex_face_contacts)},
+        {"vertex/face in double-double", finds_contacts(refinement, vertex_face_found)},
         {"vertex/face rejections", rejects(filter, cases.vertex_face_rejections)},
         {"edge/edge in double", finds_contacts(filter, cases.edge_edge_contacts)},
-        {"edge/edge in double-double", finds_contacts(refinement, cases.edge_edge_contacts)},
+        {"edge/edge in double-double", finds_contacts(refinement, edge_edge_found)},
         {"edge/edge rejections", rejects(filter, cases.edge_edge_rejections)}};
     std::printf("%zu problems of each kind, seed %u\n", elementary_problems, elementary_seed);
     bool right = true;
@@ -94,10 +107,10 @@ int run(int argc, char** argv) {
         return 1;
     add("vertex_face/rejection", filter, cases.vertex_face_rejections);
     add("vertex_face/solve", filter, cases.vertex_face_contacts);
-    add("vertex_face/refinement", refinement, cases.vertex_face_contacts);
+    add("vertex_face/refinement", refinement, vertex_face_found);
     add("edge_edge/rejection", filter, cases.edge_edge_rejections);
     add("edge_edge/solve", filter, cases.edge_edge_contacts);
-    add("edge_edge/refinement", refinement, cases.edge_edge_contacts);
+    add("edge_edge/refinement", refinement, edge_edge_found);
     return run_benchmarks(argc, argv);
 }
 

@@ -3,6 +3,9 @@
 
 #include "bench/elementary_cases.h"
 
+#include <algorithm>
+#include <benchmark/benchmark.h>
+#include <chrono>
 #include <optional>
 
 namespace chasles::bench {
@@ -31,6 +34,9 @@ public:
         return elementary::edge_edge<S>(maps_, path, fixed, accuracy_, workspace_);
     }
 
+    /// Asks with another tolerance from now on.
+    void use(const algebra::Tolerance& tolerance) { accuracy_.tolerance = tolerance; }
+
     [[nodiscard]] std::uint64_t root_brackets() const { return workspace_.root_brackets; }
 
 private:
@@ -40,5 +46,19 @@ private:
     elementary::Accuracy accuracy_;
     elementary::Workspace<S> workspace_;
 };
+
+/// The least of a few timings: the machine is shared.
+template <class Work>
+double nanoseconds_of(int timings, int repeats, Work work) {
+    using Clock = std::chrono::steady_clock;
+    double least = 1e18;
+    for (int timing = 0; timing < timings; ++timing) {
+        const auto start = Clock::now();
+        for (int i = 0; i < repeats; ++i)
+            benchmark::DoNotOptimize(work());
+        least = std::min(least, std::chrono::duration<double, std::nano>(Clock::now() - start).count() / repeats);
+    }
+    return least;
+}
 
 } // namespace chasles::bench

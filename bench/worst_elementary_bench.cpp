@@ -9,7 +9,6 @@
 #include "chasles/query/traversal.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <deque>
@@ -25,8 +24,7 @@ using algebra::ExactNumber;
 struct Stages {
     explicit Stages(const MotionFrame& frame)
         : exact(motion::exact_motion(frame)), fine(motion::control_maps(frame.motion)), rounded(motion::rounded(fine)),
-          filter(rounded, rounded, {1e-12, 1e-12, query::filter_restrictions}),
-          refinement(fine, rounded, {1e-12, 0x1p-90, query::refinement_restrictions}),
+          filter(rounded, rounded, query::filter_tolerance(1e-12)), refinement(fine, rounded, {}),
           decision(exact.maps, rounded, {1e-12, 1e-12}) {}
 
     motion::ExactMotion exact;
@@ -43,21 +41,11 @@ bool is_decided(const std::optional<algebra::FeasibleInterval>& found) {
 
 template <class Problem>
 bool detect(Stages& stages, const Problem& problem) {
-    return is_decided(stages.filter(problem)) || is_decided(stages.refinement(problem));
-}
-
-/// The least of a few timings: the machine is shared.
-template <class Work>
-double nanoseconds_of(int timings, int repeats, Work work) {
-    using Clock = std::chrono::steady_clock;
-    double least = 1e18;
-    for (int timing = 0; timing < timings; ++timing) {
-        const auto start = Clock::now();
-        for (int i = 0; i < repeats; ++i)
-            benchmark::DoNotOptimize(work());
-        least = std::min(least, std::chrono::duration<double, std::nano>(Clock::now() - start).count() / repeats);
-    }
-    return least;
+    const auto found = stages.filter(problem);
+    if (is_decided(found))
+        return true;
+    stages.refinement.use(query::refinement_tolerance(1e-12, *found));
+    return is_decided(stages.refinement(problem));
 }
 
 /// All numbers of a problem, to be changed one by one.
@@ -200,8 +188,7 @@ void add(const std::string& name, std::deque<Stages>& motions, const std::vector
 int run(int argc, char** argv) {
     static std::deque<Stages> all = motions();
     const ElementaryCases cases = elementary_cases();
-    const Detector<double> filter(cases.maps, cases.maps,
-                                  {1e-12, 1e-12}); // the motion that the ordinary ones are made for
+    const Detector<double> filter(cases.maps, cases.maps, query::filter_tolerance(1e-12));
     add("vertex_face", all, cases.vertex_face_contacts, filter);
     add("edge_edge", all, cases.edge_edge_contacts, filter);
     return run_benchmarks(argc, argv);

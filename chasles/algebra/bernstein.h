@@ -53,25 +53,50 @@ Scalar value_at(const Bernstein<Degree, Scalar>& p, const Scalar& tau) {
     return c[0];
 }
 
-/// The same polynomial on [from, to], again over [0, 1]: its coefficients are the blossom at Degree - k times `from`
-/// and k times `to`. All weights are convex: errors are 3 Degree unit roundoffs of the magnitudes, restricted alike.
+/// Unit roundoffs that `Restriction` adds at most, of the magnitudes restricted alike (note 06, "Restriction").
+template <int Degree>
+inline constexpr int restriction_units = Degree <= 3 ? 3 * Degree : 4 * Degree - 1;
+
+/// Rewrites polynomials to [from, to], again over [0, 1]. The new coefficient k is the blossom at Degree - k times
+/// `from` and k times `to`, a convex combination of the old ones; its weights are found once for any number of
+/// polynomials.
+template <int Degree, class Scalar>
+class Restriction {
+public:
+    Restriction(const Scalar& from, const Scalar& to) {
+        weights_[0] = Column::all(Scalar(1));
+        for (int step = 0; step < Degree; ++step) {
+            Column argument;
+            for (int k = 0; k <= Degree; ++k)
+                argument.set(static_cast<std::size_t>(k), takes_to(k, step) ? to : from);
+            const Column rest = Column::all(Scalar(1)) - argument;
+            weights_[step + 1] = weights_[step] * argument;
+            for (int i = step; i > 0; --i)
+                weights_[i] = weights_[i] * rest + weights_[i - 1] * argument;
+            weights_[0] = weights_[0] * rest;
+        }
+    }
+
+    Bernstein<Degree, Scalar> operator()(const Bernstein<Degree, Scalar>& p) const {
+        Column sum = weights_[0] * Column::all(p[0]);
+        for (int i = 1; i <= Degree; ++i)
+            sum = sum + weights_[i] * Column::all(p[i]);
+        return Bernstein<Degree, Scalar>(sum);
+    }
+
+private:
+    using Column = Lanes<Degree + 1, Scalar>;
+
+    /// The order of a blossom's arguments: those that are more in number first, which rounds least.
+    static constexpr bool takes_to(int k, int step) { return 2 * k > Degree ? step < k : step >= Degree - k; }
+
+    std::array<Column, Degree + 1> weights_; ///< of the old coefficient i in every new one
+};
+
+/// One polynomial on [from, to].
 template <int Degree, class Scalar>
 Bernstein<Degree, Scalar> restricted(const Bernstein<Degree, Scalar>& p, const Scalar& from, const Scalar& to) {
-    std::array<std::array<Scalar, Degree + 1>, Degree + 1> blossom; // [k][i]: k arguments are `to`, i-th window
-    for (int i = 0; i <= Degree; ++i)
-        blossom[0][i] = p[i];
-    for (int step = 1; step <= Degree; ++step) {
-        const int windows = Degree - step + 1;
-        for (int i = 0; i < windows; ++i)
-            blossom[step][i] = mix(blossom[step - 1][i], blossom[step - 1][i + 1], to);
-        for (int k = 0; k < step; ++k)
-            for (int i = 0; i < windows; ++i)
-                blossom[k][i] = mix(blossom[k][i], blossom[k][i + 1], from);
-    }
-    Bernstein<Degree, Scalar> result;
-    for (int k = 0; k <= Degree; ++k)
-        result.set(k, blossom[k][0]);
-    return result;
+    return Restriction<Degree, Scalar>(from, to)(p);
 }
 
 /// Binomial coefficient, exact in 64 bits for the degrees in use.

@@ -3,6 +3,7 @@
 // double-word arithmetic", ACM TOMS 44(2), 2017 (algorithm numbers below are theirs).
 #pragma once
 
+#include "chasles/algebra/lanes.h"
 #include "chasles/algebra/unit_roundoff.h"
 
 #include <cfloat>
@@ -16,81 +17,170 @@ namespace chasles::algebra {
 
 static_assert(FLT_EVAL_METHOD == 0, "chasles needs doubles that are rounded after every operation");
 
+namespace detail {
+
+/// high + low; a word is a double, or several doubles side by side.
+template <class Word>
+struct WordPair {
+    Word high{};
+    Word low{};
+};
+
+/// a + b without error, whatever their order.
+template <class Word>
+WordPair<Word> exact_sum(const Word& a, const Word& b) {
+    const Word sum = a + b;
+    const Word b_part = sum - a;
+    return {sum, (a - (sum - b_part)) + (b - b_part)};
+}
+
+/// a + b without error if |a| >= |b|.
+template <class Word>
+WordPair<Word> ordered_sum(const Word& a, const Word& b) {
+    const Word sum = a + b;
+    return {sum, b - (sum - a)};
+}
+
+/// a as the sum of two numbers with 26 bits or fewer.
+template <class Word>
+WordPair<Word> halves(const Word& a) {
+    const Word scaled = a * (0x1p27 + 1);
+    const Word high = scaled - (scaled - a);
+    return {high, a - high};
+}
+
+/// a * b without error (Dekker). A fused operation would give the same, but is a call of the mathematical library where
+/// the processor that is compiled for need not have it.
+template <class Word>
+WordPair<Word> exact_product(const Word& a, const Word& b) {
+    const Word product = a * b;
+    const WordPair<Word> x = halves(a);
+    const WordPair<Word> y = halves(b);
+    return {product, ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low};
+}
+
+template <class Word>
+WordPair<Word> operator-(const WordPair<Word>& a) {
+    return {-a.high, -a.low};
+}
+template <class Word>
+WordPair<Word> operator+(const WordPair<Word>& a, const WordPair<Word>& b) { // algorithm 6
+    const WordPair<Word> high = exact_sum(a.high, b.high);
+    const WordPair<Word> low = exact_sum(a.low, b.low);
+    const WordPair<Word> partial = ordered_sum(high.high, Word(high.low + low.high));
+    return ordered_sum(partial.high, Word(low.low + partial.low));
+}
+template <class Word>
+WordPair<Word> operator*(const WordPair<Word>& a, const WordPair<Word>& b) { // algorithm 10
+    const WordPair<Word> high = exact_product(a.high, b.high);
+    return ordered_sum(high.high, Word(high.low + (a.high * b.low + a.low * b.high)));
+}
+} // namespace detail
+
 /// high + low with |low| <= half an ulp of high. Each operation has a relative error of at most 2^-101
 /// (unit_roundoff<DoubleDouble>), away from overflow and underflow.
 class DoubleDouble {
 public:
     constexpr DoubleDouble() = default;
-    constexpr DoubleDouble(double value) : high_(value) {} // NOLINT(google-explicit-constructor): widening is exact
+    constexpr DoubleDouble(double value) : words_{value, 0} {} // NOLINT(google-explicit-constructor): widening is exact
 
-    [[nodiscard]] constexpr double high() const { return high_; }
-    [[nodiscard]] constexpr double low() const { return low_; }
-    constexpr explicit operator double() const { return high_; }
+    [[nodiscard]] constexpr double high() const { return words_.high; }
+    [[nodiscard]] constexpr double low() const { return words_.low; }
+    constexpr explicit operator double() const { return high(); }
 
     /// a + b without error, whatever their order.
-    static DoubleDouble exact_sum(double a, double b) {
-        const double sum = a + b;
-        const double b_part = sum - a;
-        return {sum, (a - (sum - b_part)) + (b - b_part)};
-    }
+    static DoubleDouble exact_sum(double a, double b) { return DoubleDouble(detail::exact_sum(a, b)); }
     /// a * b without error.
-    static DoubleDouble exact_product(double a, double b) {
-        const double product = a * b;
-        return {product, std::fma(a, b, -product)};
-    }
+    static DoubleDouble exact_product(double a, double b) { return DoubleDouble(detail::exact_product(a, b)); }
 
-    friend DoubleDouble operator-(const DoubleDouble& a) { return {-a.high_, -a.low_}; }
-    friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) { // algorithm 6
-        const DoubleDouble high = exact_sum(a.high_, b.high_);
-        const DoubleDouble low = exact_sum(a.low_, b.low_);
-        const DoubleDouble partial = ordered_sum(high.high_, high.low_ + low.high_);
-        return ordered_sum(partial.high_, low.low_ + partial.low_);
+    friend DoubleDouble operator-(const DoubleDouble& a) { return DoubleDouble(-a.words_); }
+    friend DoubleDouble operator+(const DoubleDouble& a, const DoubleDouble& b) {
+        return DoubleDouble(a.words_ + b.words_);
     }
     friend DoubleDouble operator-(const DoubleDouble& a, const DoubleDouble& b) { return a + (-b); }
-    friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) { // algorithm 12
-        const DoubleDouble high = exact_product(a.high_, b.high_);
-        const double cross = std::fma(a.low_, b.high_, std::fma(a.high_, b.low_, a.low_ * b.low_));
-        return ordered_sum(high.high_, high.low_ + cross);
+    friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
+        return DoubleDouble(a.words_ * b.words_);
     }
     friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) { // algorithm 18 with one more step
-        const double first = a.high_ / b.high_;
+        const double first = a.high() / b.high();
         const DoubleDouble rest = a - b * DoubleDouble(first);
-        const double second = rest.high_ / b.high_;
-        const double third = (rest - b * DoubleDouble(second)).high_ / b.high_;
+        const double second = rest.high() / b.high();
+        const double third = (rest - b * DoubleDouble(second)).high() / b.high();
         return exact_sum(first, second) + DoubleDouble(third);
     }
     friend DoubleDouble sqrt(const DoubleDouble& a) {
-        if (!(a.high_ > 0))
-            return {0.0, 0.0};
-        const double root = std::sqrt(a.high_);
+        if (!(a.high() > 0))
+            return {};
+        const double root = std::sqrt(a.high());
         const DoubleDouble rest = a - exact_product(root, root);
-        const DoubleDouble corrected = exact_sum(root, rest.high_ / (2 * root));
+        const DoubleDouble corrected = exact_sum(root, rest.high() / (2 * root));
         const DoubleDouble remainder = a - corrected * corrected;
-        return corrected + DoubleDouble(remainder.high_ / (2 * root));
+        return corrected + DoubleDouble(remainder.high() / (2 * root));
     }
 
     friend bool operator<(const DoubleDouble& a, const DoubleDouble& b) {
-        return a.high_ < b.high_ || (a.high_ == b.high_ && a.low_ < b.low_);
+        return a.high() < b.high() || (a.high() == b.high() && a.low() < b.low());
     }
     friend bool operator>(const DoubleDouble& a, const DoubleDouble& b) { return b < a; }
     friend bool operator<=(const DoubleDouble& a, const DoubleDouble& b) { return !(b < a); }
     friend bool operator>=(const DoubleDouble& a, const DoubleDouble& b) { return !(a < b); }
     friend bool operator==(const DoubleDouble& a, const DoubleDouble& b) {
-        return a.high_ == b.high_ && a.low_ == b.low_;
+        return a.high() == b.high() && a.low() == b.low();
     }
 
 private:
-    constexpr DoubleDouble(double high, double low) : high_(high), low_(low) {}
-    /// a + b without error if |a| >= |b|.
-    static DoubleDouble ordered_sum(double a, double b) {
-        const double sum = a + b;
-        return {sum, b - (sum - a)};
-    }
-    double high_ = 0;
-    double low_ = 0;
+    using Words = detail::WordPair<double>;
+    friend struct Lanes<4, DoubleDouble>;
+
+    constexpr explicit DoubleDouble(const Words& words) : words_(words) {}
+
+    Words words_;
 };
 
 template <>
 inline constexpr double unit_roundoff<DoubleDouble> = 0x1p-101;
+
+#if defined(__GNUC__)
+/// Four of them in the registers that hold four doubles, with the same results.
+template <>
+struct Lanes<4, DoubleDouble> {
+    using Native = Lanes<4, double>::Native;
+    detail::WordPair<Native> words{};
+
+    static Lanes all(const DoubleDouble& value) {
+        return {{Lanes<4, double>::all(value.high()).values, Lanes<4, double>::all(value.low()).values}};
+    }
+    DoubleDouble operator[](std::size_t i) const {
+        return DoubleDouble(detail::WordPair<double>{words.high[i], words.low[i]});
+    }
+    void set(std::size_t i, const DoubleDouble& value) {
+        words.high[i] = value.high();
+        words.low[i] = value.low();
+    }
+
+    friend Lanes operator+(const Lanes& a, const Lanes& b) { return {a.words + b.words}; }
+    friend Lanes operator-(const Lanes& a, const Lanes& b) { return {a.words + (-b.words)}; }
+    friend Lanes operator*(const Lanes& a, const Lanes& b) { return {a.words * b.words}; }
+    friend Lanes maximum(const Lanes& a, const Lanes& b) { return chosen(b < a, a, b); }
+    friend Lanes magnitude(const Lanes& a) { return chosen(a < Lanes{}, {-a.words}, a); }
+    /// Whether a > b in every lane.
+    friend bool all_above(const Lanes& a, const Lanes& b) {
+        const Mask above = b < a;
+        return above.bits[0] && above.bits[1] && above.bits[2] && above.bits[3];
+    }
+
+private:
+    /// All bits of a lane where something is true.
+    struct Mask {
+        decltype(Native{} < Native{}) bits;
+    };
+    friend Mask operator<(const Lanes& a, const Lanes& b) {
+        return {(a.words.high < b.words.high) | ((a.words.high == b.words.high) & (a.words.low < b.words.low))};
+    }
+    static Lanes chosen(const Mask& where, const Lanes& a, const Lanes& b) {
+        return {{where.bits ? a.words.high : b.words.high, where.bits ? a.words.low : b.words.low}};
+    }
+};
+#endif
 
 } // namespace chasles::algebra

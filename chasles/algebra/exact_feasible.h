@@ -22,7 +22,8 @@ public:
     using Root = ExactRoot<Degree>;
 
     FeasibilitySearch(const Problem& problem, const Tolerance& tolerance)
-        : function_(problem.function.polynomial), constraints_(problem.constraints.begin(), problem.constraints.end()),
+        : weight_(problem.weight), function_(problem.function.polynomial),
+          constraints_(problem.constraints.begin(), problem.constraints.end()),
           level_(1 - std::ilogb(tolerance.width)) {
         const ExactNumber& error = problem.function.error;
         if (error.sign() == 0)
@@ -71,11 +72,14 @@ private:
                 for (Root& root : Root::roots_of(p))
                     places.push_back(std::move(root));
         };
-        for (const OneConstraint& constraint : constraints_) {
-            add(constraint.first.polynomial);
-            if (constraint.has_alternative)
-                add(constraint.second.polynomial);
-        }
+        for (const OneConstraint& constraint : constraints_)
+            all_demands(constraint, weight_, constraint.first.polynomial, constraint.second.polynomial,
+                        [&](const Polynomial& first, const Polynomial* second) {
+                            add(first);
+                            if (second)
+                                add(*second);
+                            return true;
+                        });
         for (Root& root : places)
             root.narrow_to(order_level);
         std::stable_sort(places.begin(), places.end(),
@@ -85,9 +89,17 @@ private:
 
     /// Of a copy, since places out of order may lie before a root that is narrowed further.
     [[nodiscard]] bool holds_at(Root root) const {
-        return std::all_of(constraints_.begin(), constraints_.end(), [&](const OneConstraint& constraint) {
-            return root.sign_of(constraint.first.polynomial) >= 0 ||
-                   (constraint.has_alternative && root.sign_of(constraint.second.polynomial) >= 0);
+        return std::all_of(constraints_.begin(), constraints_.end(),
+                           [&](const OneConstraint& constraint) { return holds_at(root, constraint); });
+    }
+
+    [[nodiscard]] bool holds_at(Root& root, const OneConstraint& constraint) const {
+        const Polynomial& first = constraint.first.polynomial;
+        const Polynomial& second = constraint.second.polynomial;
+        if (constraint.has_alternative && constraint.span && constraint.span->sign() == 0) // two signs tell it all
+            return root.sign_of(first) * root.sign_of(second) <= 0;
+        return all_demands(constraint, weight_, first, second, [&](const Polynomial& p, const Polynomial* q) {
+            return root.sign_of(p) >= 0 || (q && root.sign_of(*q) >= 0);
         });
     }
 
@@ -97,6 +109,7 @@ private:
         return {root.lower().rounded_down(), root.upper().rounded_up(), is_exact_};
     }
 
+    Polynomial weight_;
     Polynomial function_;
     std::vector<OneConstraint> constraints_;
     int level_;

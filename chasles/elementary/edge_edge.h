@@ -75,12 +75,18 @@ public:
         const Vector3<S>& u = moving_.along;
         const Vector from = moved(moving_.from);
         const Vector to = moved(moving_.to);
-        add_overlap(height<S>({from, maps_.weight}, v, fixed_.from), height<S>({to, maps_.weight}, v, fixed_.from),
-                    S(dot(v, v)), with_underflow<S>(unit_ * v_), constraints);
+        const S v_error = with_underflow<S>(unit_ * v_);
+        constraints.push_back({{height<S>({from, maps_.weight}, v, fixed_.from), v_error},
+                               {height<S>({to, maps_.weight}, v, fixed_.from), v_error},
+                               true,
+                               S(dot(v, v))});
         const Vector c = in_body(fixed_.from);
         const Vector d = in_body(fixed_.from + v);
-        add_overlap(height<S>({c, maps_.weight}, u, moving_.from), height<S>({d, maps_.weight}, u, moving_.from),
-                    S(dot(u, u)), with_underflow<S>(unit_ * u_), constraints);
+        const S u_error = with_underflow<S>(unit_ * u_);
+        constraints.push_back({{height<S>({c, maps_.weight}, u, moving_.from), u_error},
+                               {height<S>({d, maps_.weight}, u, moving_.from), u_error},
+                               true,
+                               S(dot(u, u))});
     }
 
 private:
@@ -111,24 +117,15 @@ private:
 
     static Bounded<3, S> negated(const Bounded<3, S>& p) { return {Polynomial() - p.polynomial, p.error}; }
 
-    /// sign > 0: first >= 0 >= second. sign < 0: the reverse. 0: either.
+    /// sign > 0: first >= 0 >= second. sign < 0: the reverse. 0: either, so that 0 is between them.
     static void add_opposed(const Bounded<3, S>& first, const Bounded<3, S>& second, int sign,
                             std::vector<Constraint<3, S>>& constraints) {
         if (sign == 0) {
-            constraints.push_back({first, second, true});
-            constraints.push_back({negated(first), negated(second), true});
+            constraints.push_back({first, second, true, S(0)});
             return;
         }
         constraints.push_back({sign > 0 ? first : negated(first), {}, false});
         constraints.push_back({sign > 0 ? negated(second) : second, {}, false});
-    }
-
-    /// Not both ends below 0, and not both above `length` times W.
-    void add_overlap(const Polynomial& from, const Polynomial& to, const S& length, const S& error,
-                     std::vector<Constraint<3, S>>& constraints) const {
-        const Polynomial end = maps_.weight * length;
-        constraints.push_back({{from, error}, {to, error}, true});
-        constraints.push_back({{end - from, error}, {end - to, error}, true});
     }
 
     const motion::ControlMaps<S>& maps_;
@@ -174,8 +171,13 @@ CrossingAxis crossing_axis(const Vector3<Bernstein<3, S>>& crossing, const Berns
 /// A constraint that fails all along settles the question without looking for roots.
 template <class S>
 bool fails(const Constraint<3, S>& constraint, const Bernstein<3, S>& weight) {
-    return is_negative(constraint.first.polynomial, weight * constraint.first.error) &&
-           (!constraint.has_alternative || is_negative(constraint.second.polynomial, weight * constraint.second.error));
+    using Polynomial = Bernstein<3, S>;
+    const auto may_hold = [&](const Polynomial& first, const Polynomial* second) {
+        return !is_negative(first, weight * constraint.first.error) ||
+               (second && !is_negative(*second, weight * constraint.second.error));
+    };
+    return !algebra::all_demands(constraint, weight, constraint.first.polynomial, constraint.second.polynomial,
+                                 may_hold);
 }
 
 } // namespace detail

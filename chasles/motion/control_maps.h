@@ -166,7 +166,7 @@ ControlMaps<To> transformed(const ControlMaps<From>& maps, Function function) {
 /// The same motion on [from, to], a part of [0, 1].
 template <class S>
 ControlMaps<S> restricted(const ControlMaps<S>& maps, const S& from, const S& to) {
-    return transformed<S>(maps, [&](const Bernstein<3, S>& p) { return algebra::restricted(p, from, to); });
+    return transformed<S>(maps, algebra::Restriction<3, S>(from, to));
 }
 
 /// The maps rounded to double precision.

@@ -22,8 +22,6 @@ struct NodePair {
 constexpr double travel_of_size = 0.4;
 /// After so many halvings of [0, 1] an interval is as short as the tolerance of the answer.
 constexpr int deepest_level = 40;
-/// Where double-double precision looks no closer: far below any clearance that doubles can describe.
-constexpr double finest_resolution = 0x1p-90;
 
 double reach(const BoxHierarchy& hierarchy) {
     const BoxNode& root = hierarchy.nodes()[0];
@@ -45,7 +43,7 @@ public:
           times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
           filter_(search.moving, search.fixed, {scale_, {}}), refinement_(search.moving, search.fixed, {scale_, {}}),
           moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
-        refinement_.use(exact_maps_, {search.tolerance, finest_resolution, refinement_restrictions});
+        refinement_.use(exact_maps_, {});
     }
 
     PieceResult run() {
@@ -64,8 +62,7 @@ private:
     /// half first, so that a contact there saves the later one.
     void search_interval(int level, double lower, double upper) {
         const TimeInterval interval = times_.interval(lower, upper);
-        const double tolerance = search_.tolerance / (upper - lower);
-        filter_.use(interval.maps, {tolerance, tolerance, filter_restrictions});
+        filter_.use(interval.maps, filter_tolerance(search_.tolerance / (upper - lower)));
         std::vector<NodePair>& stack = levels_[level];
         std::vector<NodePair>& halved = levels_[level + 1];
         halved.clear();
@@ -159,6 +156,7 @@ private:
     /// exactly; false if there is no contact before best_.
     bool decide(Candidate& candidate) {
         ++result_.work.refined;
+        refinement_.use(exact_maps_, refinement_tolerance(search_.tolerance, candidate.tau));
         const auto refined = first_contact_of(refinement_, candidate);
         if (!refined || refined->lower > best_)
             return false;

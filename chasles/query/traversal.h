@@ -5,12 +5,23 @@
 #include "chasles/query/candidate.h"
 #include "chasles/query/swept_boxes.h"
 
+#include <algorithm>
+
 namespace chasles::query {
 
-/// How many polynomials a detection may restrict in each stage. A matter of time only: ordinary detections need half as
-/// many, and what takes more is better off with the next stage (`make bench`, worst_elementary_bench).
-inline constexpr int filter_restrictions = 96;
-inline constexpr int refinement_restrictions = 40;
+/// How the filter in double searches, for brackets of this width in tau. Its steps are limited to twice what ordinary
+/// detections need, as those of the refinement are: what takes more is better off with the next stage. A matter of time
+/// only (`make bench`, worst_elementary_bench).
+inline algebra::Tolerance filter_tolerance(double width) {
+    return {width, width, 64};
+}
+
+/// How the refinement in double-double searches: far below any clearance that doubles can describe, and first where the
+/// filter found something.
+inline algebra::Tolerance refinement_tolerance(double width, const FeasibleInterval& found) {
+    constexpr double rim = 0x1p-45; // far above the rounding of `found` to the whole piece
+    return {width, 0x1p-90, 20, {std::max(0.0, found.lower - rim), std::min(1.0, found.upper + rim)}};
+}
 
 /// What one piece of a motion gave.
 struct PieceResult {

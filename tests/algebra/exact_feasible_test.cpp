@@ -13,10 +13,15 @@ template <int Degree>
 OwnedProblem<Degree, ExactNumber> whole_multiples(const OwnedProblem<Degree, Rational>& problem) {
     OwnedProblem<Degree, ExactNumber> result;
     result.function = {whole_multiple(problem.function.polynomial), ExactNumber(0)};
-    for (const auto& constraint : problem.constraints)
-        result.constraints.push_back({{whole_multiple(constraint.first.polynomial), ExactNumber(0)},
-                                      {whole_multiple(constraint.second.polynomial), ExactNumber(0)},
-                                      constraint.has_alternative});
+    for (const auto& constraint : problem.constraints) {
+        const Rational span = constraint.span.value_or(Rational(0));
+        const Rational multiple = common_denominator(constraint.first.polynomial) *
+                                  common_denominator(constraint.second.polynomial) * Rational(denominator(span));
+        result.constraints.push_back({{whole_multiple(constraint.first.polynomial, multiple), ExactNumber(0)},
+                                      {whole_multiple(constraint.second.polynomial, multiple), ExactNumber(0)},
+                                      constraint.has_alternative,
+                                      constraint.span ? std::optional(exact_number(span * multiple)) : std::nullopt});
+    }
     return result;
 }
 

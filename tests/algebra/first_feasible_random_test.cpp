@@ -34,11 +34,17 @@ void expect_blurred(const OwnedProblem<Degree, S>& problem, const FeasibleInterv
         << "wide for no reason: " << found.lower << " to " << found.upper;
 }
 
+/// Any focus that says nothing false.
+Focus random_focus(const std::optional<AlgebraicRoot>& truth, Random& random) {
+    const double last = truth ? std::max(0.0, detail::rounded_down(truth->lower)) : 1;
+    const double lower = random.chance(0.3) ? last : random.uniform(0, last);
+    return {lower, random.chance(0.3) ? lower : random.uniform(lower, 1)};
+}
+
 /// Never late, certain only if true, tight if certain.
 template <int Degree, class S>
-void expect_promises(const OwnedProblem<Degree, S>& problem, Tally& tally) {
-    const auto truth = first_feasible_exactly(problem);
-    const auto found = problem.solve();
+void expect_promises(const OwnedProblem<Degree, S>& problem, const std::optional<AlgebraicRoot>& truth,
+                     const std::optional<FeasibleInterval>& found, Tally& tally) {
     ++tally.problems;
     if (!truth) {
         EXPECT_FALSE(found && found->certain) << "certain of a contact that is none";
@@ -62,8 +68,14 @@ void expect_promises_for_random_problems(std::uint64_t seed, int trials) {
     Random random(seed);
     Tally tally;
     for_degrees<1, 6>([&](auto degree) {
-        for (int trial = 0; trial < trials; ++trial)
-            expect_promises(in_scalar<S>(random_problem<degree()>(random)), tally);
+        for (int trial = 0; trial < trials; ++trial) {
+            const auto problem = in_scalar<S>(random_problem<degree()>(random));
+            const auto truth = first_feasible_exactly(problem);
+            expect_promises(problem, truth, problem.solve(), tally);
+            Tolerance focused;
+            focused.focus = random_focus(truth, random);
+            expect_promises(problem, truth, problem.solve(focused), tally);
+        }
     });
     tally.expect_hit_rates();
 }
@@ -121,7 +133,8 @@ TEST(FirstFeasibleRandom, PromisesHoldForEveryPolynomialWithinTheBands) {
         for (const auto& constraint : banded.constraints)
             truth.constraints.push_back({{perturbed(constraint.first, random), 0},
                                          {test::exact(constraint.second.polynomial), 0},
-                                         constraint.has_alternative});
+                                         constraint.has_alternative,
+                                         constraint.span ? std::optional(Rational(*constraint.span)) : std::nullopt});
         const auto root = first_feasible_exactly(truth);
         const auto found = banded.solve({500 * std::abs(band), 1e-12});
         if (found && found->certain) {

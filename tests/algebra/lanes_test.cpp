@@ -1,6 +1,7 @@
 // The vector register and the plain array are the same four numbers.
 #include "chasles/algebra/lanes.h"
 
+#include "chasles/algebra/double_double.h"
 #include "tests/support/random.h"
 #include "tests/support/rational.h"
 
@@ -49,6 +50,43 @@ TEST(Lanes, RegisterDoesWhatThePlainArrayDoes) {
         expect_same(maximum(a, b), maximum(plain(a), plain(b)));
         expect_same(magnitude(a), magnitude(plain(a)));
         EXPECT_EQ(all_above(a, b), all_above(plain(a), plain(b)));
+        above += all_above(a, b) ? 1 : 0;
+    }
+    EXPECT_GT(above, 100);
+}
+
+DoubleDouble random_double_double(Random& random) {
+    const double high = random_lane(random);
+    return random.chance(0.5) ? DoubleDouble(high) : DoubleDouble::exact_sum(high, random.uniform(-0x1p-54, 0x1p-54));
+}
+
+/// Bit by bit, the low words too.
+void expect_same(const Lanes<4, DoubleDouble>& lanes, const std::array<DoubleDouble, 4>& expected) {
+    for (std::size_t i = 0; i < 4; ++i)
+        EXPECT_EQ(lanes[i], expected[i]) << "lane " << i;
+}
+
+TEST(Lanes, RegistersOfDoubleDoublesDoWhatOneDoes) {
+    Random random(302);
+    using Four = Lanes<4, DoubleDouble>;
+    const auto each = [](const Four& a, const Four& b, auto operation) {
+        return std::array{operation(a[0], b[0]), operation(a[1], b[1]), operation(a[2], b[2]), operation(a[3], b[3])};
+    };
+    int above = 0;
+    for (int trial = 0; trial < 5000; ++trial) {
+        Four a, b;
+        for (std::size_t i = 0; i < 4; ++i) {
+            a.set(i, random_double_double(random));
+            b.set(i, random.chance(0.2) ? a[i] : random_double_double(random));
+        }
+        expect_same(a + b, each(a, b, [](auto x, auto y) { return x + y; }));
+        expect_same(a - b, each(a, b, [](auto x, auto y) { return x - y; }));
+        expect_same(a * b, each(a, b, [](auto x, auto y) { return x * y; }));
+        expect_same(maximum(a, b), each(a, b, [](auto x, auto y) { return x < y ? y : x; }));
+        expect_same(magnitude(a), each(a, b, [](auto x, auto) { return x < DoubleDouble(0) ? -x : x; }));
+        expect_same(Four::all(a[0]), {a[0], a[0], a[0], a[0]});
+        const auto is_above = each(a, b, [](auto x, auto y) { return x > y; });
+        EXPECT_EQ(all_above(a, b), is_above[0] && is_above[1] && is_above[2] && is_above[3]);
         above += all_above(a, b) ? 1 : 0;
     }
     EXPECT_GT(above, 100);

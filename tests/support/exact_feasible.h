@@ -20,31 +20,50 @@ struct OwnedProblem {
     }
 };
 
-/// The error that first_feasible asks for: the rounding of `restricted`.
+/// The error that first_feasible asks for: the rounding of restriction, and of the difference to the end of a span.
 template <int Degree, class S>
-algebra::Bounded<Degree, S> with_rounding(const Bernstein<Degree, S>& p) {
-    const double largest = static_cast<double>(largest_coefficient(exact(p)));
-    return {p, S(3 * Degree * algebra::unit_roundoff<S> * largest)};
+algebra::Bounded<Degree, S> with_rounding(const Bernstein<Degree, S>& p, double span = 0) {
+    const double size = static_cast<double>(largest_coefficient(exact(p))) + span;
+    return {p, S((algebra::restriction_units<Degree> + (span > 0 ? 2 : 0)) * algebra::unit_roundoff<S> * size)};
 }
 
 /// The same problem in another scalar, over the weight 1, with the errors of that scalar's rounding.
 template <class S, int Degree>
 OwnedProblem<Degree, S> in_scalar(const OwnedProblem<Degree, Rational>& problem) {
     OwnedProblem<Degree, S> result;
-    const auto rounded = [](const algebra::Bounded<Degree, Rational>& p) {
-        return with_rounding(rounded_to<S>(p.polynomial));
-    };
-    result.function = rounded(problem.function);
-    for (const auto& constraint : problem.constraints)
-        result.constraints.push_back(
-            {rounded(constraint.first), rounded(constraint.second), constraint.has_alternative});
+    result.function = with_rounding(rounded_to<S>(problem.function.polynomial));
+    for (const auto& constraint : problem.constraints) {
+        const double span = constraint.span ? static_cast<double>(*constraint.span) : 0;
+        result.constraints.push_back({with_rounding(rounded_to<S>(constraint.first.polynomial), span),
+                                      with_rounding(rounded_to<S>(constraint.second.polynomial), span),
+                                      constraint.has_alternative,
+                                      constraint.span ? std::optional(S(span)) : std::nullopt});
+    }
     return result;
+}
+
+/// The polynomials of a constraint's demands, each a list of which one must not be negative (the weight being 1).
+template <int Degree, class S>
+std::vector<std::vector<PowerPolynomial>> demands_of(const algebra::Constraint<Degree, S>& constraint) {
+    std::vector<PowerPolynomial> sides{power_form(exact(constraint.first.polynomial))};
+    if (constraint.has_alternative)
+        sides.push_back(power_form(exact(constraint.second.polynomial)));
+    std::vector<std::vector<PowerPolynomial>> demands{sides};
+    if (!constraint.span)
+        return demands;
+    for (PowerPolynomial& side : sides)
+        side = sum({exact(*constraint.span)}, scaled(side, Rational(-1)));
+    demands.push_back(sides);
+    return demands;
 }
 
 template <int Degree, class S>
 bool holds_exactly_at(const algebra::Constraint<Degree, S>& constraint, const AlgebraicRoot& root) {
-    return sign_at(power_form(exact(constraint.first.polynomial)), root) >= 0 ||
-           (constraint.has_alternative && sign_at(power_form(exact(constraint.second.polynomial)), root) >= 0);
+    const auto demands = demands_of(constraint);
+    return std::all_of(demands.begin(), demands.end(), [&](const std::vector<PowerPolynomial>& sides) {
+        return std::any_of(sides.begin(), sides.end(),
+                           [&](const PowerPolynomial& side) { return sign_at(side, root) >= 0; });
+    });
 }
 
 /// Where the first feasible tau can be: the roots of F, or the ends of feasible stretches if F vanishes identically.
@@ -54,16 +73,11 @@ std::vector<AlgebraicRoot> candidate_taus(const OwnedProblem<Degree, S>& problem
     if (!function.empty())
         return roots_in_unit_interval(function);
     std::vector<AlgebraicRoot> candidates{{{Rational(0), Rational(1)}, 0, 0}};
-    const auto add = [&](const Bernstein<Degree, S>& p) {
-        const PowerPolynomial power = power_form(exact(p));
-        for (const AlgebraicRoot& root : roots_in_unit_interval(power))
-            candidates.push_back(root);
-    };
-    for (const auto& constraint : problem.constraints) {
-        add(constraint.first.polynomial);
-        if (constraint.has_alternative)
-            add(constraint.second.polynomial);
-    }
+    for (const auto& constraint : problem.constraints)
+        for (const auto& sides : demands_of(constraint))
+            for (const PowerPolynomial& side : sides)
+                for (const AlgebraicRoot& root : roots_in_unit_interval(side))
+                    candidates.push_back(root);
     return candidates;
 }
 

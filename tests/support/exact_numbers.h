@@ -28,16 +28,25 @@ inline ExactNumber exact_number(const Rational& whole) {
     return Dyadic(Dyadic::Integer(numerator(whole).str()), 0);
 }
 
-/// A positive multiple with whole coefficients.
 template <int Degree>
-Bernstein<Degree, ExactNumber> whole_multiple(const Bernstein<Degree, Rational>& p) {
+Rational common_denominator(const Bernstein<Degree, Rational>& p) {
     Rational multiple(1);
     for (int i = 0; i <= Degree; ++i)
         multiple *= Rational(denominator(p[i]));
+    return multiple;
+}
+
+/// A positive multiple with whole coefficients.
+template <int Degree>
+Bernstein<Degree, ExactNumber> whole_multiple(const Bernstein<Degree, Rational>& p, const Rational& multiple) {
     Bernstein<Degree, ExactNumber> result;
     for (int i = 0; i <= Degree; ++i)
         result.set(i, exact_number(p[i] * multiple));
     return result;
+}
+template <int Degree>
+Bernstein<Degree, ExactNumber> whole_multiple(const Bernstein<Degree, Rational>& p) {
+    return whole_multiple(p, common_denominator(p));
 }
 
 } // namespace chasles::test

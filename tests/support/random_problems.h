@@ -35,7 +35,9 @@ OwnedProblem<Degree, Rational> random_problem(Random& random) {
     problem.function.polynomial = bernstein_form<Degree>(random_function(random, Degree));
     const int count = random.integer(0, 3);
     for (int i = 0; i < count; ++i)
-        problem.constraints.push_back({random_side<Degree>(random), random_side<Degree>(random), random.chance(0.4)});
+        problem.constraints.push_back(
+            {random_side<Degree>(random), random_side<Degree>(random), random.chance(0.4),
+             random.chance(0.3) ? std::optional(ratio(random.integer(0, 3), 4)) : std::nullopt});
     return problem;
 }
 
