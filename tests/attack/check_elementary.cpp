@@ -1,6 +1,8 @@
 #include "tests/attack/check_elementary.h"
 
-#include "chasles/elementary/edge_edge.h"
+#include "chasles/algebra/exact_feasible.h"
+#include "chasles/motion/exact_motion.h"
+#include "chasles/query/traversal.h"
 #include "tests/support/exact_reference.h"
 
 #include <chrono>
@@ -15,14 +17,19 @@ using algebra::FeasibleInterval;
 using reference::Earliest;
 using reference::Root;
 
-double now() {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+/// Adds the seconds that it takes.
+template <class Work>
+auto timed(double& seconds, Work work) {
+    using Clock = std::chrono::steady_clock;
+    const auto start = Clock::now();
+    auto result = work();
+    seconds += std::chrono::duration<double>(Clock::now() - start).count();
+    return result;
 }
 
-template <class S>
-constexpr algebra::Tolerance tolerance_of = {1e-12, 1e-12};
-template <>
-inline constexpr algebra::Tolerance tolerance_of<DoubleDouble> = {1e-12, 0x1p-90};
+constexpr double tolerance = 1e-12;
+/// The exact stage is asked every so often where it need not be.
+constexpr std::size_t exact_share = 16;
 
 double reach(const std::vector<Question>& questions, std::vector<Eigen::Vector3d> Question::*points) {
     double result = 0;
@@ -42,9 +49,10 @@ template <class S>
 class Stage {
 public:
     Stage(const motion::ControlMaps<S>& maps, const elementary::ErrorScale& scale)
-        : maps_(maps), accuracy_{scale, tolerance_of<S>} {}
+        : maps_(maps), accuracy_{scale, {}} {}
 
-    std::optional<FeasibleInterval> ask(const Question& question) {
+    std::optional<FeasibleInterval> ask(const Question& question, const algebra::Tolerance& how) {
+        accuracy_.tolerance = how;
         std::vector<algebra::Vector3<S>> a;
         std::vector<algebra::Vector3<S>> b;
         for (const Eigen::Vector3d& p : question.moving)
@@ -75,13 +83,18 @@ private:
     elementary::Workspace<S> workspace_;
 };
 
-std::string judged(std::optional<Root>& truth, const std::optional<FeasibleInterval>& found, Tally& tally) {
+bool is_decided(const std::optional<FeasibleInterval>& found) {
+    return !found || (found->certain && found->upper - found->lower <= tolerance);
+}
+
+/// Counts an answer; what is wrong with it, if anything is.
+const char* fault_of(std::optional<Root>& truth, const std::optional<FeasibleInterval>& found, Tally& tally) {
     ++tally.queries;
     tally.touches += truth ? 1 : 0;
     tally.uncertain += found && !found->certain ? 1 : 0;
     if (!truth) {
         tally.false_alarms += found && found->certain ? 1 : 0;
-        return found && found->certain ? "certain of a contact that is none" : "";
+        return found && found->certain ? "certain of a contact that is none" : nullptr;
     }
     if (!found) {
         ++tally.missed;
@@ -98,11 +111,17 @@ std::string judged(std::optional<Root>& truth, const std::optional<FeasibleInter
     const bool behind = order(found->upper) > 0;
     if (!found->certain) {
         tally.loose += behind ? 1 : 0;
-        return "";
+        return nullptr;
     }
     tally.outside += behind ? 1 : 0;
     tally.widest = std::max(tally.widest, found->upper - found->lower);
-    return behind ? "certain of a bracket that the touch is not in" : "";
+    return behind ? "certain of a bracket that the touch is not in" : nullptr;
+}
+
+std::string judged(const char* stage, std::optional<Root>& truth, const std::optional<FeasibleInterval>& found,
+                   Tally& tally) {
+    const char* fault = fault_of(truth, found, tally);
+    return fault ? std::string(stage) + ": " + fault + "; " : "";
 }
 
 /// The exact answers to all questions of a group.
@@ -158,36 +177,43 @@ std::string described(const PosedMotion& posed, const Question& question) {
 
 } // namespace
 
+StageTallies& StageTallies::operator+=(const StageTallies& other) {
+    filter += other.filter;
+    refinement += other.refinement;
+    exact += other.exact;
+    return *this;
+}
+
 std::string check(const QuestionGroup& group, StageTallies& tallies) {
     const Motion motion = group.posed.motion();
-    const auto& rational = std::visit(
-        [](const auto& m) -> const motion::RationalMotion<DoubleDouble>& { return m.frame().motion; }, motion);
-    const auto exact_maps = motion::control_maps(rational);
-    const auto maps = motion::rounded(exact_maps);
+    const MotionFrame& frame = std::visit([](const auto& m) -> const MotionFrame& { return m.frame(); }, motion);
+    const auto fine_maps = motion::control_maps(frame.motion);
+    const auto maps = motion::rounded(fine_maps);
+    const auto exact = motion::exact_motion(frame);
     const auto scale = elementary::error_scale(maps, reach(group.questions, &Question::moving),
                                                reach(group.questions, &Question::fixed));
     Stage<double> filter(maps, scale);
-    Stage<DoubleDouble> refinement(exact_maps, scale);
-    std::vector<std::optional<FeasibleInterval>> filtered;
-    std::vector<std::optional<FeasibleInterval>> refined;
-    const double start = now();
-    for (const Question& question : group.questions)
-        filtered.push_back(filter.ask(question));
-    const double middle = now();
-    for (const Question& question : group.questions)
-        refined.push_back(refinement.ask(question));
-    const double end = now();
-    auto truths = truths_of(group);
-    tallies.filter.seconds += middle - start;
-    tallies.refinement.seconds += end - middle;
-    tallies.filter.reference_seconds += now() - end;
+    Stage<DoubleDouble> refinement(fine_maps, scale);
+    Stage<algebra::ExactNumber> decision(exact.maps, scale);
+    auto truths = timed(tallies.filter.reference_seconds, [&] { return truths_of(group); });
     std::string wrong;
     for (std::size_t i = 0; i < truths.size(); ++i) {
-        const std::string first = judged(truths[i], filtered[i], tallies.filter);
-        const std::string second = judged(truths[i], refined[i], tallies.refinement);
-        if (wrong.empty() && !(first + second).empty())
-            wrong =
-                "double: " + first + ", double-double: " + second + "\n" + described(group.posed, group.questions[i]);
+        const Question& question = group.questions[i];
+        const auto filtered =
+            timed(tallies.filter.seconds, [&] { return filter.ask(question, query::filter_tolerance(tolerance)); });
+        const algebra::Tolerance how =
+            filtered ? query::refinement_tolerance(tolerance, *filtered) : algebra::Tolerance{tolerance, 0x1p-90};
+        const auto refined = timed(tallies.refinement.seconds, [&] { return refinement.ask(question, how); });
+        std::string what = judged("double", truths[i], filtered, tallies.filter) +
+                           judged("double-double", truths[i], refined, tallies.refinement);
+        if (i % exact_share == 0 || !is_decided(refined)) {
+            const auto decided = timed(tallies.exact.seconds, [&] {
+                return decision.ask(question, {tolerance, tolerance});
+            });
+            what += judged("exact", truths[i], decided, tallies.exact);
+        }
+        if (wrong.empty() && !what.empty())
+            wrong = what + "\n" + described(group.posed, question);
     }
     return wrong;
 }

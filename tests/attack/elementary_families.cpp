@@ -222,8 +222,10 @@ void nudge(Question& question, AttackRandom& random) {
     for (Points* points : {&question.moving, &question.fixed})
         for (Eigen::Vector3d& p : *points)
             for (double& x : p)
-                if (random.chance(0.1))
-                    x = std::nextafter(x, random.chance(0.5) ? 1e300 : -1e300);
+                if (random.chance(0.1)) {
+                    const double side = random.chance(0.5) ? 1 : -1;
+                    x = x == 0 ? std::ldexp(side, -100) : std::nextafter(x, side * 1e300);
+                }
 }
 
 QuestionGroup any_degenerate(AttackRandom& random) {

@@ -97,8 +97,8 @@ Tally attack_meshes(const MeshFamily& family, std::uint64_t number, const Option
     return run(count, options.threads, attack);
 }
 
-/// The filter's line and the refinement's.
-std::array<NamedTally, 2> attack_elementary(const ElementaryFamily& family, std::uint64_t number,
+/// A line for each stage.
+std::array<NamedTally, 3> attack_elementary(const ElementaryFamily& family, std::uint64_t number,
                                             const Options& options) {
     Failures failures(options, family.name);
     std::mutex mutex;
@@ -110,8 +110,7 @@ std::array<NamedTally, 2> attack_elementary(const ElementaryFamily& family, std:
         if (!wrong.empty())
             failures.report(index, wrong, "");
         const std::lock_guard lock(mutex);
-        sum.filter += mine.filter;
-        sum.refinement += mine.refinement;
+        sum += mine;
     };
     const double groups = family.share * double(options.elementary) / double(questions_of_group);
     if (options.index >= 0) {
@@ -121,7 +120,8 @@ std::array<NamedTally, 2> attack_elementary(const ElementaryFamily& family, std:
         run(static_cast<std::uint64_t>(std::ceil(groups)), options.threads, attack);
     }
     const std::string name = family.name;
-    return {NamedTally{name + ", double", sum.filter}, NamedTally{name + ", dd", sum.refinement}};
+    return {NamedTally{name + ", double", sum.filter}, NamedTally{name + ", dd", sum.refinement},
+            NamedTally{name + ", exact", sum.exact}};
 }
 
 /// A table that grows line by line.
@@ -151,13 +151,18 @@ int attack_all(const Options& options) {
     std::cout << "seed " << options.seed << std::endl;
     const auto is_chosen = [&](const std::string& name) { return options.family.empty() || options.family == name; };
     bool is_broken = false;
+    bool is_in_doubt = false; // where the last stage has answered
     std::uint64_t number = 0;
     if (options.elementary > 0) {
         Table table("elementary");
-        for (const ElementaryFamily& family : elementary_families())
-            if (++number; is_chosen(family.name))
-                for (const NamedTally& line : attack_elementary(family, number, options))
-                    table.add(line);
+        for (const ElementaryFamily& family : elementary_families()) {
+            if (++number; !is_chosen(family.name))
+                continue;
+            const auto lines = attack_elementary(family, number, options);
+            for (const NamedTally& line : lines)
+                table.add(line);
+            is_in_doubt = is_in_doubt || lines.back().tally.is_in_doubt();
+        }
         table.sum();
         is_broken = table.is_broken();
     }
@@ -168,9 +173,10 @@ int attack_all(const Options& options) {
             if (++number; is_chosen(std::string("mesh ") + family.name))
                 table.add({family.name, attack_meshes(family, number, options)});
         const Tally& sum = table.sum();
-        is_broken = is_broken || table.is_broken() || (options.certain && sum.is_in_doubt());
+        is_broken = is_broken || table.is_broken();
+        is_in_doubt = is_in_doubt || sum.is_in_doubt();
     }
-    return is_broken ? 1 : 0;
+    return is_broken || (options.certain && is_in_doubt) ? 1 : 0;
 }
 
 } // namespace
@@ -186,7 +192,8 @@ int main(int argc, char** argv) {
     app.add_option("--family", options.family, "only this one");
     app.add_option("--index", options.index, "only this case of the family");
     app.add_option("--show", options.shown, "wrong answers to print, for each family")->capture_default_str();
-    app.add_flag("--certain", options.certain, "fail where an answer about a mesh pair is not certain");
+    app.add_flag("--certain", options.certain,
+                 "fail where an answer of the exact stage or about a mesh pair is not certain");
     CLI11_PARSE(app, argc, argv);
     return chasles::attack::attack_all(options);
 }

@@ -168,6 +168,17 @@ TEST(DegenerateProperties, AScrewCutShortFindsTheSameContact) {
     EXPECT_GT(behind, 10);
 }
 
+/// Whether a right angle before it rounds nothing: its components are then sums and differences of two.
+bool turns_exactly(const Eigen::Quaterniond& rotation) {
+    using algebra::DoubleDouble;
+    const Eigen::Vector4d q = rotation.coeffs();
+    for (int i = 0; i < 4; ++i)
+        for (int j = 0; j < i; ++j)
+            if (DoubleDouble::exact_sum(q[i], q[j]).low() != 0 || DoubleDouble::exact_sum(q[i], -q[j]).low() != 0)
+                return false;
+    return true;
+}
+
 /// Turns of the world by right angles, and whole shifts, round nothing on the lattice.
 TEST(DegenerateProperties, TurningTheWorldKeepsTheAnswer) {
     on_degenerate_cases([](const MeshCase& one, const FirstContact& found, AttackRandom& random) {
@@ -185,7 +196,7 @@ TEST(DegenerateProperties, TurningTheWorldKeepsTheAnswer) {
              {&moved.posed.moving_start, &moved.posed.moving_goal, &moved.posed.fixed_start, &moved.posed.fixed_goal}) {
             if (!one.posed.is_relative && (pose == &moved.posed.fixed_start || pose == &moved.posed.fixed_goal))
                 *pose = Pose();
-            if (!is_whole(*pose) || pose->translation.norm() > 0x1p40)
+            if (!is_whole(*pose) || pose->translation.norm() > 0x1p40 || !turns_exactly(pose->rotation))
                 return false;
             *pose = Pose(turn * pose->translation + by, right_angle * Eigen::Quaterniond(pose->rotation));
         }
