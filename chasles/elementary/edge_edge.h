@@ -43,7 +43,8 @@ public:
 
     EdgePair(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
              const Accuracy& accuracy)
-        : maps_(maps), moving_(moving), fixed_(fixed), unit_(relative_error<S>(accuracy.scale) * accuracy.scale.length),
+        : maps_(maps), moving_(moving), fixed_(fixed), from_(maps, moving.from), to_(maps, moving.to),
+          unit_(relative_error<S>(accuracy.scale) * accuracy.scale.length),
           stretch_unit_(relative_error<S>(accuracy.scale) * accuracy.scale.stretch), u_(norm1(moving.along)),
           v_(norm1(fixed.direction)) {}
 
@@ -61,23 +62,21 @@ public:
     /// The meeting point is between a and b iff 0 lies between the i-th components of (W c - A) x v and
     /// (W c - B) x v, and between c and d iff it does for c x U - M and d x U - M; when U x v has component i > 0
     /// all along, the first of each is >= 0 and the second <= 0.
-    void add_inside(int i, int sign, std::vector<Constraint<3, S>>& constraints) const {
+    void add_inside(int i, int sign, std::vector<Constraint<3, S>>& constraints) {
         const Vector3<S> d = fixed_.from + fixed_.direction;
         const S end_error = with_underflow<S>(unit_ * v_);
         const S line_error = with_underflow<S>(unit_ * u_);
-        add_opposed({end_arm(moving_.from, i), end_error}, {end_arm(moving_.to, i), end_error}, sign, constraints);
+        add_opposed({end_arm(from_, i), end_error}, {end_arm(to_, i), end_error}, sign, constraints);
         add_opposed({line_arm(fixed_.from, i), line_error}, {line_arm(d, i), line_error}, sign, constraints);
     }
 
     /// The two edges overlap when both are projected on v, and when both are projected on u.
-    void add_overlaps(std::vector<Constraint<3, S>>& constraints) const {
+    void add_overlaps(std::vector<Constraint<3, S>>& constraints) {
         const Vector3<S>& v = fixed_.direction;
         const Vector3<S>& u = moving_.along;
-        const Vector from = moved(moving_.from);
-        const Vector to = moved(moving_.to);
         const S v_error = with_underflow<S>(unit_ * v_);
-        constraints.push_back({{height<S>({from, maps_.weight}, v, fixed_.from), v_error},
-                               {height<S>({to, maps_.weight}, v, fixed_.from), v_error},
+        constraints.push_back({{height<S>({from_.all(), maps_.weight}, v, fixed_.from), v_error},
+                               {height<S>({to_.all(), maps_.weight}, v, fixed_.from), v_error},
                                true,
                                S(dot(v, v))});
         const Vector c = in_body(fixed_.from);
@@ -90,18 +89,36 @@ public:
     }
 
 private:
-    /// W times the position of a body point.
-    [[nodiscard]] Polynomial moved(const Vector3<S>& point, int i) const {
-        return dot(maps_.turn.row[i], point) + maps_.shift[i];
-    }
-    [[nodiscard]] Vector moved(const Vector3<S>& point) const { return maps_.turn * point + maps_.shift; }
+    /// W times the position of a body point. Most pairs ask for two components, nearly parallel ones for each twice.
+    class MovedPoint {
+    public:
+        MovedPoint(const motion::ControlMaps<S>& maps, const Vector3<S>& point) : maps_(maps), point_(point) {}
+
+        const Polynomial& operator[](int i) {
+            if (!is_made_[i])
+                position_[i] = dot(maps_.turn.row[i], point_) + maps_.shift[i];
+            is_made_[i] = true;
+            return position_[i];
+        }
+        const Vector& all() {
+            for (int i = 0; i < 3; ++i)
+                (void)(*this)[i];
+            return position_;
+        }
+
+    private:
+        const motion::ControlMaps<S>& maps_;
+        const Vector3<S>& point_;
+        Vector position_;
+        std::array<bool, 3> is_made_{};
+    };
 
     /// Component i of (W c - position) x v for an end of the moving edge.
-    [[nodiscard]] Polynomial end_arm(const Vector3<S>& end, int i) const {
+    [[nodiscard]] Polynomial end_arm(MovedPoint& end, int i) const {
         const int j = (i + 1) % 3;
         const int k = (i + 2) % 3;
-        return (maps_.weight * fixed_.from[j] - moved(end, j)) * fixed_.direction[k] -
-               (maps_.weight * fixed_.from[k] - moved(end, k)) * fixed_.direction[j];
+        return (maps_.weight * fixed_.from[j] - end[j]) * fixed_.direction[k] -
+               (maps_.weight * fixed_.from[k] - end[k]) * fixed_.direction[j];
     }
 
     /// Component i of point x U - M.
@@ -131,6 +148,8 @@ private:
     const motion::ControlMaps<S>& maps_;
     const EdgePath<S>& moving_;
     const FixedEdge<S>& fixed_;
+    MovedPoint from_;
+    MovedPoint to_;
     S unit_;
     S stretch_unit_;
     S u_;
@@ -190,7 +209,7 @@ std::optional<FeasibleInterval> edge_edge(const motion::ControlMaps<S>& maps, co
                                           const FixedEdge<S>& fixed, const Accuracy& accuracy,
                                           Workspace<S>& workspace) {
     ++workspace.elementary_tests;
-    const detail::EdgePair<S> pair(maps, moving, fixed, accuracy);
+    detail::EdgePair<S> pair(maps, moving, fixed, accuracy);
     const Bounded<3, S> volume = pair.volume();
     const Bernstein<3, S> band = maps.weight * volume.error;
     if (is_positive(volume.polynomial, band) || is_negative(volume.polynomial, band))

@@ -9,18 +9,18 @@
 
 namespace chasles::query {
 
-/// How the filter in double searches, for brackets of this width in tau. Its steps are limited to twice what ordinary
+/// How the filter in double searches, for brackets of this width in tau. Its steps are limited to what ordinary
 /// detections need, as those of the refinement are: what takes more is better off with the next stage. A matter of time
-/// only (`make bench`, worst_elementary_bench).
+/// only (`make bench`, elementary_bench and worst_elementary_bench).
 inline algebra::Tolerance filter_tolerance(double width) {
-    return {width, width, 64};
+    return {width, width, 40};
 }
 
 /// How the refinement in double-double searches: far below any clearance that doubles can describe, and first where the
 /// filter found something.
 inline algebra::Tolerance refinement_tolerance(double width, const FeasibleInterval& found) {
     constexpr double rim = 0x1p-45; // far above the rounding of `found` to the whole piece
-    return {width, 0x1p-90, 20, {std::max(0.0, found.lower - rim), std::min(1.0, found.upper + rim)}};
+    return {width, 0x1p-90, 12, {std::max(0.0, found.lower - rim), std::min(1.0, found.upper + rim)}};
 }
 
 /// What one piece of a motion gave.

@@ -93,7 +93,7 @@ std::vector<Named<S>> edge_polynomials(const motion::ControlMaps<S>& maps, const
     const auto p = points_in<S>(ends);
     const EdgePath<S> moving = edge_path(maps, p[0], p[1]);
     const FixedEdge<S> fixed{p[2], p[3] - p[2]};
-    const elementary::detail::EdgePair<S> pair(maps, moving, fixed, accuracy);
+    elementary::detail::EdgePair<S> pair(maps, moving, fixed, accuracy);
     std::vector<Named<S>> result{{"volume", pair.volume()}};
     std::vector<Constraint<3, S>> constraints;
     const auto add_all = [&](const char* name) {
@@ -107,7 +107,6 @@ std::vector<Named<S>> edge_polynomials(const motion::ControlMaps<S>& maps, const
         result.push_back({"crossing", {pair.crossing()[i], pair.crossing_error()}});
         pair.add_inside(i, 0, constraints);
     }
-    constraints.resize(4); // of one component; the second half of the others' are negated
     add_all("ends");
     pair.add_overlaps(constraints);
     add_all("overlap");
