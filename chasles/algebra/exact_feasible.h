@@ -39,17 +39,30 @@ public:
         if (is_too_long())
             return FeasibleInterval{0, 1, false};
         const bool vanishes = leading_sign(function_) == 0;
-        for (const Root& root : vanishes ? places_of_change() : Root::roots_of(function_))
-            if (holds_at(root))
-                return answer(root);
-        return std::nullopt;
+        std::optional<FeasibleInterval> first;
+        std::optional<Dyadic> end; // of the interval that holds the first root found
+        for (const Root& root : vanishes ? places_of_change() : Root::roots_of(function_)) {
+            if (end && *end < root.lower())
+                break;
+            if (!holds_at(root))
+                continue;
+            const FeasibleInterval found = answer(root);
+            first = first ? earlier_of(*first, found) : found;
+            end = end ? std::min(*end, root.upper()) : root.upper();
+        }
+        return first;
     }
 
 private:
     using OneConstraint = Constraint<Degree, ExactNumber>;
 
-    /// Roots of different polynomials that are closer than 2^-100 may be out of order.
+    /// Roots of different polynomials that are closer than 2^-100 may be out of order. All of them are looked at.
     static constexpr int order_level = 100;
+
+    /// Of two roots whose intervals may overlap.
+    static FeasibleInterval earlier_of(const FeasibleInterval& a, const FeasibleInterval& b) {
+        return {std::min(a.lower, b.lower), std::min(a.upper, b.upper), a.certain};
+    }
 
     [[nodiscard]] bool is_too_long() const {
         const auto is_long = [](const Polynomial& p) {

@@ -60,6 +60,27 @@ TEST(ExactFeasible, ATouchWithoutCrossingIsCertain) {
     EXPECT_GE(Rational(found->upper), ratio(1, 3));
 }
 
+/// F vanishes, and the two sides of a constraint open at next to the same tau, named in either order.
+TEST(ExactFeasible, TheFirstOfTwoPlacesNextToEachOtherIsFound) {
+    using Integer = boost::multiprecision::mpz_int;
+    const Rational tiny(Integer(1), Integer(1) << 130);
+    for (const Rational& place : {tiny, ratio(1, 3)}) {
+        for (const bool swapped : {false, true}) {
+            const auto opens = test::bernstein_form<1>({Rational(-place), Rational(1)});
+            const auto opens_later = test::bernstein_form<1>({Rational(-place - 1000 * tiny), Rational(1)});
+            OwnedProblem<1, Rational> problem;
+            problem.constraints.push_back(
+                {{swapped ? opens_later : opens, 0}, {swapped ? opens : opens_later, 0}, true});
+            const auto found = whole_multiples(problem).solve();
+            ASSERT_TRUE(found);
+            EXPECT_TRUE(found->certain);
+            EXPECT_GT(found->lower, 0);
+            EXPECT_LE(Rational(found->lower), place);
+            EXPECT_GE(Rational(found->upper), place);
+        }
+    }
+}
+
 TEST(ExactFeasible, AMissByNextToNothingIsAMiss) {
     for (const int exponent : {-100, -300, -1000}) {
         OwnedProblem<2, Rational> problem;
