@@ -14,6 +14,12 @@ struct Candidate {
     FeasibleInterval tau;
 };
 
+/// The exact stage tells a touch at tau = 0, whose bracket is that number, from one before the least double above it.
+/// What it leaves in doubt may be at the start.
+inline bool may_be_at_start(const FeasibleInterval& tau) {
+    return tau.lower <= 0 && (tau.upper <= 0 || !tau.certain);
+}
+
 /// The first contact of the candidate's features as this stage sees it.
 template <class S>
 std::optional<FeasibleInterval> first_contact_of(FeaturePairs<S>& pairs, const Candidate& candidate) {

@@ -23,6 +23,8 @@ struct PieceClock {
 /// Roundings of tau, of two arc tangents good to two units each, and of the sum with the piece's index: 15 of 16 units
 /// at most (docs/derivations/10-error-bounds.md, "Time").
 constexpr double clock_slack = 0x1p-49;
+/// What is lost to underflow at most, in a tau or time that is not 0.
+constexpr double underflow_slack = 0x1p-1022;
 
 void require(bool holds, const char* option, const std::string& why) {
     if (!holds)
@@ -74,12 +76,15 @@ private:
     void report(FirstContact& found, const AnyMotion& piece, const PieceClock& clock,
                 const query::PieceResult& result) const {
         const Bracket tau = result.overlap ? Bracket{0, 0} : enclosing(result.candidates);
+        const double tiny = tau.upper > 0 ? underflow_slack : 0;
         found.tau = {std::max(0.0, clock.whole(tau.lower) * (1 - clock_slack)),
-                     std::min(1.0, clock.whole(tau.upper) * (1 + clock_slack))};
+                     std::min(1.0, clock.whole(tau.upper) * (1 + clock_slack) + tiny)};
         found.time = {std::max(0.0, clock.whole(piece.time_at(tau.lower)) * (1 - clock_slack)),
-                      std::min(1.0, clock.whole(piece.time_at(tau.upper)) * (1 + clock_slack))};
-        found.verdict = found.tau.lower > 0 ? Verdict::contact : Verdict::contact_at_start;
+                      std::min(1.0, clock.whole(piece.time_at(tau.upper)) * (1 + clock_slack) + tiny)};
         found.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
+        found.verdict = clock.index == 0 && query::may_be_at_start({tau.lower, tau.upper, found.certain})
+                            ? Verdict::contact_at_start
+                            : Verdict::contact;
         found.pose = piece.pose_at(piece.time_at(tau.lower));
         const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
         found.overlap = result.overlap;

@@ -155,6 +155,26 @@ TEST(ExactStage, TouchingRightAfterTheStartIsNoContactAtTheStart) {
     }
 }
 
+/// The time of the touch is no double, and 0 is the next one before it.
+TEST(ExactStage, ATouchBeforeTheLeastDoubleIsNoContactAtTheStart) {
+    const auto answer = [](double height) {
+        const Polyhedron moving = spike();
+        const Polyhedron fixed = wall_at(0);
+        return first_contact({.moving = moving,
+                              .fixed = fixed,
+                              .motion = ScrewMotion::between(shifted(0, 0, height), shifted(0, 0, height - 1e20))});
+    };
+    const FirstContact later = answer(0x1p-1070);
+    EXPECT_EQ(later.verdict, Verdict::contact);
+    EXPECT_TRUE(later.certain);
+    EXPECT_EQ(later.time.lower, 0);
+    EXPECT_GT(later.time.upper, 0);
+    const FirstContact now = answer(0);
+    EXPECT_EQ(now.verdict, Verdict::contact_at_start);
+    EXPECT_TRUE(now.certain);
+    EXPECT_EQ(now.time.upper, 0);
+}
+
 /// A face whose corners are not quite in one plane is known only up to how far they are off.
 TEST(ExactStage, AWarpedFaceLeavesDoubt) {
     const auto answer = [](double warp) { // down to the middle of the face, and no further
