@@ -105,27 +105,41 @@ private:
         return std::max({node.upper[0] - node.lower[0], node.upper[1] - node.lower[1], node.upper[2] - node.lower[2]});
     }
 
+    /// Features are asked about unless a face's plane keeps them apart; answers would be the same (note 13).
     void test_faces(std::uint32_t moving_face, std::uint32_t fixed_face, const TimeInterval& interval) {
         ++result_.work.face_pairs;
         const Polyhedron& moving = search_.moving;
         const Polyhedron& fixed = search_.fixed;
+        const CornerSides moving_sides = filter_.sides_of_moving(moving_face, fixed_face);
+        if (moving_sides.all_on_one_side())
+            return;
+        const CornerSides fixed_sides = filter_.sides_of_fixed(moving_face, fixed_face);
+        if (fixed_sides.all_on_one_side())
+            return;
         if (search_.check_start && interval.lower <= 0)
             look_for_overlap(moving_face, fixed_face);
         for (const std::uint32_t vertex : moving.owned_vertices(moving_face))
-            if (const auto found = filter_.vertex_face(vertex, fixed_face))
-                add({ContactKind::vertex_face, {vertex, vertex}, {fixed_face, fixed_face}, *found}, interval);
+            if (moving_sides.may_meet(vertex))
+                if (const auto found = filter_.vertex_face(vertex, fixed_face))
+                    add({ContactKind::vertex_face, {vertex, vertex}, {fixed_face, fixed_face}, *found}, interval);
         for (const std::uint32_t vertex : fixed.owned_vertices(fixed_face))
-            if (const auto found = filter_.face_vertex(moving_face, vertex))
-                add({ContactKind::face_vertex, {moving_face, moving_face}, {vertex, vertex}, *found}, interval);
+            if (fixed_sides.may_meet(vertex))
+                if (const auto found = filter_.face_vertex(moving_face, vertex))
+                    add({ContactKind::face_vertex, {moving_face, moving_face}, {vertex, vertex}, *found}, interval);
         for (const Edge& moving_edge : moving.owned_edges(moving_face)) {
+            if (!moving_sides.may_meet(moving_edge))
+                continue;
             const auto path = filter_.path_of(moving_edge);
-            for (const Edge& fixed_edge : fixed.owned_edges(fixed_face))
+            for (const Edge& fixed_edge : fixed.owned_edges(fixed_face)) {
+                if (!fixed_sides.may_meet(fixed_edge))
+                    continue;
                 if (const auto found = filter_.edge_edge(path, fixed_edge))
                     add({ContactKind::edge_edge,
                          {moving_edge.from, moving_edge.to},
                          {fixed_edge.from, fixed_edge.to},
                          *found},
                         interval);
+            }
         }
     }
 
@@ -144,7 +158,7 @@ private:
             certain_.lower = std::min(certain_.lower, candidate.tau.lower);
             certain_.upper = std::min(certain_.upper, candidate.tau.upper);
         }
-        stop_ = search_.find == Find::any || (search_.find == Find::first && candidate.tau.lower <= 0);
+        stop_ = search_.find == Find::any || (search_.find == Find::first && may_be_at_start(candidate.tau));
     }
 
     /// A lower end of 0 is not enough: whether bodies touch at 0 or right after it makes another verdict.
@@ -178,7 +192,7 @@ private:
 
     /// Whatever it is, the bracket of the answer holds a proven contact and is no wider than asked for.
     [[nodiscard]] bool is_beside_a_proven_contact(const FeasibleInterval& tau) const {
-        return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.lower <= 0);
+        return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.upper <= 0);
     }
 
     ExactStage& exact_stage() {
@@ -220,7 +234,7 @@ private:
     /// Exactly, and last: where the bodies just touch at the start, their features have been found to.
     void decide_overlaps() {
         for (Overlap& overlap : doubtful_overlaps_) {
-            if (result_.overlap || certain_.lower <= 0)
+            if (result_.overlap || certain_.upper <= 0)
                 return;
             ++result_.work.exact;
             if (exact_stage().passes(overlap)) {

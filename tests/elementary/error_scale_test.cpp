@@ -4,6 +4,7 @@
 #include "chasles/elementary/error_scale.h"
 
 #include "chasles/elementary/edge_edge.h"
+#include "chasles/elementary/face_sides.h"
 #include "tests/support/error_ratios.h"
 #include "tests/support/posed_motions.h"
 
@@ -86,6 +87,15 @@ std::vector<Named<S>> face_polynomials(const Vector3<Bernstein<3, S>>& position,
     return result;
 }
 
+/// The height of a point over the plane of a face of the other body.
+template <class S>
+Named<S> side_polynomial(const SeenPlane<S>& plane, const Vector3<S>& point, const std::vector<DoublePoint>& at,
+                         const ErrorScale& scale) {
+    const auto corners = points_in<S>(at);
+    const S unit(relative_error<S>(scale) * scale.length);
+    return {"side", {dot(plane.normal, point) + plane.offset, unit * face_shape<S>(corners, {}).size}};
+}
+
 /// All that is asked of two edges.
 template <class S>
 std::vector<Named<S>> edge_polynomials(const motion::ControlMaps<S>& maps, const std::vector<DoublePoint>& ends,
@@ -150,8 +160,12 @@ TEST(ErrorScale, BoundsEveryCoefficientOfVertexAndFace) {
             const DoublePoint vertex = random.vector(sizes.moving);
             const auto corners = random_corners(random, sizes.fixed);
             compare_in_both(ratios, random, maps, [&]<class S>(const motion::ControlMaps<S>& m) {
-                return face_polynomials<S>(m.turn * in_scalar<S>(vertex) + m.shift, m.weight, corners,
-                                           maps.accuracy.scale);
+                auto all = face_polynomials<S>(m.turn * in_scalar<S>(vertex) + m.shift, m.weight, corners,
+                                               maps.accuracy.scale);
+                const auto at = points_in<S>(corners);
+                const auto plane = plane_of_fixed_face<S>(m, face_shape<S>(at, {}), maps.accuracy.scale);
+                all.push_back(side_polynomial<S>(plane, in_scalar<S>(vertex), corners, maps.accuracy.scale));
+                return all;
             });
         }
     }
@@ -168,8 +182,12 @@ TEST(ErrorScale, BoundsEveryCoefficientOfFaceAndVertex) {
             const DoublePoint vertex = random.vector(sizes.fixed);
             const auto corners = random_corners(random, sizes.moving);
             compare_in_both(ratios, random, maps, [&]<class S>(const motion::ControlMaps<S>& m) {
-                return face_polynomials<S>(m.turn.transposed() * in_scalar<S>(vertex) - m.inverse_shift, m.weight,
-                                           corners, maps.accuracy.scale);
+                auto all = face_polynomials<S>(m.turn.transposed() * in_scalar<S>(vertex) - m.inverse_shift, m.weight,
+                                               corners, maps.accuracy.scale);
+                const auto at = points_in<S>(corners);
+                const auto plane = plane_of_moving_face<S>(m, face_shape<S>(at, {}), maps.accuracy.scale);
+                all.push_back(side_polynomial<S>(plane, in_scalar<S>(vertex), corners, maps.accuracy.scale));
+                return all;
             });
         }
     }

@@ -1,0 +1,53 @@
+// On which side of a face's plane are the points of the other body, all along the motion? Faces that lie on one side of
+// another face's plane do not meet it, and neither do edges that do.
+// Source: docs/derivations/13-face-sides.md.
+#pragma once
+
+#include "chasles/elementary/vertex_face.h"
+#include "chasles/motion/control_maps.h"
+
+namespace chasles::elementary {
+
+/// W times the height over a face's plane as an affine function of a point of the other body, in that body's frame.
+template <class S>
+struct SeenPlane {
+    using Polynomial = Bernstein<3, S>;
+    Vector3<Polynomial> normal;
+    Polynomial offset;
+    Polynomial band; ///< heights are known to within it, and the face's own corners are
+
+    /// 1 or -1 if the point is proven to be on that side all along, otherwise 0.
+    [[nodiscard]] int side_of(const Vector3<S>& point) const {
+        const Polynomial height = dot(normal, point) + offset;
+        return is_positive(height, band) ? 1 : is_negative(height, band) ? -1 : 0;
+    }
+};
+
+namespace detail {
+
+template <class S>
+SeenPlane<S> seen_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<3, S>& shift,
+                        const Bernstein<3, S>& weight, const FaceShape<S>& face, const ErrorScale& scale) {
+    const S error = S(relative_error<S>(scale) * scale.length) * face.size + face.deviation;
+    return {normal, shift - weight * dot(face.normal, face.corners[0]), weight * with_underflow<S>(error)};
+}
+
+} // namespace detail
+
+/// The plane of a fixed face, seen by points of the moving body.
+template <class S>
+SeenPlane<S> plane_of_fixed_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face,
+                                 const ErrorScale& scale) {
+    return detail::seen_plane<S>(maps.turn.transposed() * face.normal, dot(maps.shift, face.normal), maps.weight, face,
+                                 scale);
+}
+
+/// The plane of a moving face, seen by points of the fixed body.
+template <class S>
+SeenPlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face,
+                                  const ErrorScale& scale) {
+    return detail::seen_plane<S>(maps.turn * face.normal, Bernstein<3, S>() - dot(maps.inverse_shift, face.normal),
+                                 maps.weight, face, scale);
+}
+
+} // namespace chasles::elementary
