@@ -1,6 +1,7 @@
 #include "bench/motion_cases.h"
 
 #include "bench/discrete_overlap.h"
+#include "bench/piecewise_poses.h"
 
 #include <Eigen/Geometry>
 #include <numbers>
@@ -32,23 +33,6 @@ ScrewMotion straight(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
 Pose turned_about(const Eigen::Vector3d& centre, const Eigen::Vector3d& offset, const Eigen::Quaterniond& turn) {
     return {Eigen::Vector3d(centre + offset - turn * centre), turn};
 }
-
-/// Where a query with the default `max_turn` has the moving body: that of the piece of motion that `time` is in.
-class PiecewisePoses {
-public:
-    explicit PiecewisePoses(const MotionCase& test)
-        : pieces_(test.motion.cut(
-              FirstContactQuery{.moving = test.moving, .fixed = test.fixed, .motion = test.motion}.max_turn)) {}
-
-    [[nodiscard]] Eigen::Isometry3d at(double time) const {
-        const double scaled = time * double(pieces_.size());
-        const std::size_t index = std::min(std::size_t(scaled), pieces_.size() - 1);
-        return pieces_[index].pose_at(scaled - double(index)).isometry();
-    }
-
-private:
-    std::vector<ScrewMotion> pieces_;
-};
 
 } // namespace
 
@@ -94,7 +78,7 @@ std::string contradiction(const MotionCase& test) {
     const bool meets = first.verdict == Verdict::contact;
     if (meets && any.time.upper < first.time.lower)
         return "a contact is before the first one";
-    const PiecewisePoses poses(test);
+    const PiecewisePoses poses({.moving = test.moving, .fixed = test.fixed, .motion = test.motion});
     const auto overlap_at = [&](double time) { return is_overlapping(test.moving, test.fixed, poses.at(time)); };
     const int samples = 8;
     const double last = meets ? first.time.lower : 1;

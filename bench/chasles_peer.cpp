@@ -1,0 +1,42 @@
+#include "bench/chasles_peer.h"
+
+#include "bench/piecewise_poses.h"
+
+namespace chasles::bench {
+
+namespace {
+
+Peer chasles_peer(const std::string& name, Find find) {
+    const auto prepare = [find](const Polyhedron& moving, const Polyhedron& fixed) {
+        const auto query = [&moving, &fixed, find](const Displacement& motion) {
+            return FirstContactQuery{.moving = moving,
+                                     .fixed = fixed,
+                                     .motion = ScrewMotion::between(motion.start, motion.goal),
+                                     .find = find};
+        };
+        const auto ask = [query, find](const Displacement& motion) {
+            const FirstContact found = first_contact(query(motion));
+            PeerAnswer answer{.touches = found.verdict != Verdict::clear, .time = {}};
+            if (answer.touches && find == Find::first)
+                answer.time = found.time.lower;
+            return answer;
+        };
+        const auto pose_at = [query](const Displacement& motion, double time) {
+            return PiecewisePoses(query(motion)).at(time);
+        };
+        return PeerPair{ask, pose_at};
+    };
+    return {.name = name, .prepare = prepare};
+}
+
+} // namespace
+
+Peer chasles_first() {
+    return chasles_peer("Chasles, first contact", Find::first);
+}
+
+Peer chasles_any() {
+    return chasles_peer("Chasles, yes or no", Find::any);
+}
+
+} // namespace chasles::bench

@@ -1,0 +1,284 @@
+#include "bench/peer_cases.h"
+
+#include "bench/bodies.h"
+#include "bench/generated_bodies.h"
+#include "chasles/query/first_contact.h"
+#include "scenes/nut_motions.h"
+#include "scenes/threaded_fastener.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <numbers>
+#include <random>
+
+namespace chasles::bench {
+
+namespace {
+
+using Eigen::AngleAxisd;
+using Eigen::Quaterniond;
+using Eigen::Vector3d;
+using std::numbers::pi;
+
+constexpr double degree = pi / 180;
+
+class Draw {
+public:
+    explicit Draw(std::uint64_t seed) : generator_(seed) {}
+
+    double between(double lower, double upper) {
+        return lower + (upper - lower) * double(generator_() >> 11) * 0x1p-53; // the same on every platform
+    }
+    Vector3d direction() {
+        for (;;) {
+            const Vector3d point(between(-1, 1), between(-1, 1), between(-1, 1));
+            if (point.norm() > 0.1 && point.norm() < 1)
+                return point.normalized();
+        }
+    }
+    Quaterniond turn(double least, double most) { return Quaterniond(AngleAxisd(between(least, most), direction())); }
+
+private:
+    std::mt19937_64 generator_;
+};
+
+/// A ball around a body.
+struct Ball {
+    Vector3d centre;
+    double radius = 0;
+    double length = 0; ///< the longest side of the bounding box
+};
+
+Ball ball_around(const Polyhedron& body) {
+    Eigen::AlignedBox3d box;
+    for (const Vector3d& vertex : body.vertices())
+        box.extend(vertex);
+    Ball ball{box.center(), 0, box.sizes().maxCoeff()};
+    for (const Vector3d& vertex : body.vertices())
+        ball.radius = std::max(ball.radius, (vertex - ball.centre).norm());
+    return ball;
+}
+
+/// Two copies of a body, the fixed one as it is.
+class CopiesOf {
+public:
+    CopiesOf(const Polyhedron& body, std::uint64_t seed) : body_(body), ball_(ball_around(body)), draw_(seed) {}
+
+    /// From a gap of up to 2 % of the body over 2 % of it, more or less towards the other one, with a turn of up to 2
+    /// % of a radian. About half of them get there.
+    Displacement short_and_near() {
+        const double step = 0.02 * ball_.length;
+        const Approach approach = draw_approach();
+        const Vector3d start = approach.touching + draw_.between(0.1, 1) * step * approach.from;
+        const Vector3d way = (draw_.direction() - 1.5 * approach.from).normalized() * step;
+        return displacement(approach.orientation, start, way, draw_.turn(0, 0.02));
+    }
+
+    /// Half a body length and up to 60 degrees; straight on, the bodies would touch after three fifths of the way.
+    Displacement into_contact() {
+        const Approach approach = draw_approach();
+        const Vector3d way = -0.5 * ball_.length * approach.from;
+        return displacement(approach.orientation, approach.touching - 0.6 * way, way, draw_.turn(0, 60 * degree));
+    }
+
+    /// Half a body length and up to 60 degrees, so far off that the balls around the bodies stay apart.
+    Displacement far_off() {
+        const double distance = 2 * ball_.radius + draw_.between(0.7, 2) * ball_.length;
+        const Vector3d way = 0.5 * ball_.length * draw_.direction();
+        return displacement(draw_.turn(0, pi), distance * draw_.direction(), way, draw_.turn(0, 60 * degree));
+    }
+
+private:
+    struct Approach {
+        Quaterniond orientation;
+        Vector3d from;     ///< unit
+        Vector3d touching; ///< where the centre of the moving body is when the bodies touch
+    };
+
+    Approach draw_approach() {
+        for (;;) {
+            const Quaterniond orientation = draw_.turn(0, pi);
+            const Vector3d from = draw_.direction();
+            const Displacement straight =
+                displacement(orientation, 3 * ball_.radius * from, -3 * ball_.radius * from, Quaterniond::Identity());
+            const FirstContact found = first_contact(
+                {.moving = body_, .fixed = body_, .motion = ScrewMotion::between(straight.start, straight.goal)});
+            if (found.verdict == Verdict::contact)
+                return {orientation, from, (1 - found.time.lower) * 3 * ball_.radius * from};
+        }
+    }
+
+    /// `offset` is from centre to centre; the body turns about its centre.
+    [[nodiscard]] Displacement displacement(const Quaterniond& orientation, const Vector3d& offset, const Vector3d& way,
+                                            const Quaterniond& turn) const {
+        const auto pose = [&](const Quaterniond& rotation, const Vector3d& centre) {
+            return Pose(Vector3d(ball_.centre + centre - rotation * ball_.centre), rotation);
+        };
+        return {pose(orientation, offset), pose(turn * orientation, offset + way)};
+    }
+
+    const Polyhedron& body_;
+    Ball ball_;
+    Draw draw_;
+};
+
+using Drawing = Displacement (CopiesOf::*)();
+
+PeerCase copies(const std::string& name, const Polyhedron& body, int count, Drawing next) {
+    CopiesOf pair(body, 20000 + std::uint64_t(count));
+    PeerCase made{name, body, body, {}};
+    for (int i = 0; i < count; ++i)
+        made.questions.push_back({(pair.*next)(), std::nullopt});
+    return made;
+}
+
+std::string in_thousands(const Polyhedron& body) {
+    const double thousands = double(body.report().triangles) / 1000;
+    char text[32];
+    std::snprintf(text, sizeof text, thousands < 10 ? "%.1fk" : "%.0fk", thousands);
+    return text;
+}
+
+void add_meshes(std::vector<PeerCase>& cases) {
+    for (const std::size_t sides : {43, 86, 172, 344}) {
+        const Polyhedron torus = bumpy_torus(sides, sides);
+        cases.push_back(
+            copies("near: torus " + in_thousands(torus), torus, sides > 300 ? 32 : 64, &CopiesOf::short_and_near));
+    }
+    Polyhedron body = bumpy_torus(54, 54);
+    std::string name = "torus";
+    if (const auto file = data_file("meshes/spot.obj")) {
+        body = Polyhedron::load(*file, {.triangulate = true});
+        name = "spot";
+        const Polyhedron fine = subdivided(body, 2);
+        cases.push_back(copies("near: spot " + in_thousands(fine), fine, 64, &CopiesOf::short_and_near));
+    } else {
+        std::printf("skipped: meshes/spot.obj is not there; a bumpy torus of as many triangles is used instead\n");
+    }
+    cases.push_back(copies("large: " + name + " " + in_thousands(body), body, 100, &CopiesOf::into_contact));
+    const NamedBody large = large_body();
+    cases.push_back(
+        copies("large: " + large.name + " " + in_thousands(large.body), large.body, 64, &CopiesOf::into_contact));
+    PeerCase far = copies("far: " + large.name + " " + in_thousands(large.body), large.body, 100, &CopiesOf::far_off);
+    for (PeerQuestion& question : far.questions)
+        question.known = PeerAnswer{.touches = false, .time = {}};
+    cases.push_back(std::move(far));
+}
+
+/// The screw about an axis through the body's origin that has the body in `middle` at `time`.
+Displacement screw_through(const Pose& middle, double time, const Vector3d& slide, double angle) {
+    const Vector3d axis = slide.normalized();
+    const auto pose_at = [&](double at) {
+        return Pose(Vector3d(middle.translation + (at - time) * slide),
+                    Quaterniond(AngleAxisd((at - time) * angle, axis)) * Quaterniond(middle.rotation));
+    };
+    return {pose_at(0), pose_at(1)};
+}
+
+/// Of the corners of a turned body.
+Vector3d lowest_along(const Vector3d& up, const Polyhedron& body, const Quaterniond& orientation) {
+    const auto is_lower = [&](const Vector3d& a, const Vector3d& b) {
+        return up.dot(orientation * a) < up.dot(orientation * b);
+    };
+    return orientation * *std::min_element(body.vertices().begin(), body.vertices().end(), is_lower);
+}
+
+/// A corner of the moving body comes down on the middle of a face of the fixed one, along the face's normal and turning
+/// about it: the plane of the face keeps the bodies apart until then. Or they stay apart, by 1e-5 to 0.1.
+///
+/// Turns are between 30 and 40 degrees, so that Chasles cuts them in four, and contacts are at quarters, where its
+/// motion meets the uniform screw of all others.
+PeerCase convex_case() {
+    const Polyhedron moving = ellipsoid({0.5, 0.8, 0.6}, 2);
+    const Polyhedron fixed = ellipsoid({1, 0.7, 0.9}, 2);
+    PeerCase made{"convex: ellipsoids 0.3k", moving, fixed, {}, true};
+    Draw draw(3);
+    for (int i = 0; i < 100; ++i) {
+        const auto face = fixed.face(std::size_t(draw.between(0, double(fixed.face_count()))));
+        const Vector3d a = fixed.vertices()[face[0]];
+        const Vector3d b = fixed.vertices()[face[1]];
+        const Vector3d c = fixed.vertices()[face[2]];
+        const Vector3d normal = (b - a).cross(c - a).normalized();
+        const Quaterniond orientation = draw.turn(0, pi);
+        const Vector3d lowest = lowest_along(normal, moving, orientation);
+        const bool touches = i % 3 != 0;
+        const double gap = touches ? 0 : std::pow(10, draw.between(-5, -1));
+        const double time = touches ? 0.25 * (1 + i % 3) : 1;
+        const Pose nearest(Vector3d((a + b + c) / 3 + gap * normal - lowest), orientation);
+        made.questions.push_back(
+            {screw_through(nearest, time, -draw.between(0.2, 1) * normal, draw.between(30, 40) * degree),
+             touches ? PeerAnswer{true, time} : PeerAnswer{}});
+    }
+    return made;
+}
+
+/// A round peg comes down into a hole that is 1 % wider, turning: clear, as its corners run within the hole's flats.
+/// Every other one is off the axis by more than the play and stands on the rim when its flat end comes to the plate.
+PeerCase peg_case() {
+    const std::size_t sides = 48;
+    const Prism size{sides, 1, 2};
+    const double hole = 1.01;
+    PeerCase made{"conforming: peg in hole", peg(size), plate_with_hole({sides, 2, 1}, hole), {}};
+    Draw draw(4);
+    for (int i = 0; i < 100; ++i) {
+        const bool touches = i % 2 != 0;
+        const double off = touches ? draw.between(0.03, 0.3) : 0;
+        const double towards = draw.between(0, 2 * pi);
+        const Vector3d at_the_rim(off * std::cos(towards), off * std::sin(towards), touches ? 1 : 0.1);
+        const double time = touches ? 0.25 * (1 + i / 2 % 3) : 1;
+        const Pose pose(at_the_rim, Quaterniond::Identity());
+        made.questions.push_back(
+            {screw_through(pose, time, {0, 0, -draw.between(0.5, 1.5)}, draw.between(30, 40) * degree),
+             touches ? PeerAnswer{true, time} : PeerAnswer{}});
+    }
+    return made;
+}
+
+/// Five degrees up the thread of the M16 pair, which is free for two turns from 0.97 pitch above its assembled pose.
+void add_m16_steps(std::vector<PeerCase>& cases) {
+    const auto pair = m16_nut_and_bolt();
+    if (!pair)
+        return;
+    PeerCase made{"conforming: M16 nut", pair->nut, pair->bolt, {}};
+    Draw draw(5);
+    const scenes::NutTurn thread{.height = 0.97 * 0.002, .slide_per_turn = 0.002};
+    for (int i = 0; i < 12; ++i) {
+        const double turns = i == 0 ? 0 : draw.between(0, 1.9); // the first is what first_contact_bench asks
+        made.questions.push_back(
+            {{nut_pose(thread, turns), nut_pose(thread, turns + 5.0 / 360)}, PeerAnswer{.touches = false, .time = {}}});
+    }
+    cases.push_back(std::move(made));
+}
+
+/// Our own nut, whose thread has its play by construction (docs/derivations/09-threaded-fastener.md): five degrees up
+/// are clear; with a pull of more than the play besides, the flanks meet.
+PeerCase own_nut_case() {
+    const scenes::ThreadedFastener fastener;
+    PeerCase made{"conforming: own nut", nut(fastener), bolt(fastener), {}};
+    Draw draw(6);
+    const scenes::NutTurn thread{.height = 12, .slide_per_turn = fastener.pitch};
+    for (int i = 0; i < 32; ++i) {
+        const double turns = draw.between(0, 2);
+        Displacement motion{nut_pose(thread, turns), nut_pose(thread, turns + 5.0 / 360)};
+        const bool is_pulled = i % 2 != 0;
+        if (is_pulled)
+            motion.goal.translation.z() += draw.between(1.5, 3) * axial_clearance(fastener);
+        made.questions.push_back({motion, PeerAnswer{.touches = is_pulled, .time = {}}});
+    }
+    return made;
+}
+
+} // namespace
+
+std::vector<PeerCase> peer_cases() {
+    std::vector<PeerCase> cases;
+    add_meshes(cases);
+    cases.push_back(convex_case());
+    cases.push_back(peg_case());
+    cases.push_back(own_nut_case());
+    add_m16_steps(cases);
+    return cases;
+}
+
+} // namespace chasles::bench

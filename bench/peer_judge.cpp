@@ -1,0 +1,78 @@
+#include "bench/peer_judge.h"
+
+#include "bench/discrete_overlap.h"
+#include "bench/piecewise_poses.h"
+
+#include <chrono>
+#include <cmath>
+
+namespace chasles::bench {
+
+namespace {
+
+/// One answer of one peer.
+struct Case {
+    const PeerCase& pair;
+    const PeerPair& peer;
+    const Displacement& motion;
+    const Truth& truth;
+    PeerAnswer answer;
+};
+
+bool is_overlapping_on_own_motion(const Case& test, double time) {
+    return is_overlapping(test.pair.moving, test.pair.fixed, test.peer.pose_at(test.motion, time));
+}
+
+bool is_miss(const Case& test) {
+    for (const double later : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
+        if (const double time = test.truth.time.upper + later; time <= 1 && is_overlapping_on_own_motion(test, time))
+            return true;
+    return false;
+}
+
+bool is_false_alarm(const Case& test) {
+    return !test.answer.time || !is_overlapping_on_own_motion(test, *test.answer.time);
+}
+
+/// A contact that the peer reports before the first one is either wrong, or the truth is.
+bool refutes_truth(const Case& test) {
+    const auto& [pair, peer, motion, truth, answer] = test;
+    if (!answer.touches || !answer.time || (truth.touches && *answer.time >= truth.time.lower - 1e-9))
+        return false;
+    const PiecewisePoses poses(
+        {.moving = pair.moving, .fixed = pair.fixed, .motion = ScrewMotion::between(motion.start, motion.goal)});
+    return is_overlapping(pair.moving, pair.fixed, poses.at(*answer.time));
+}
+
+void add(Judgement& judgement, const Case& test) {
+    const auto& [pair, peer, motion, truth, answer] = test;
+    judgement.contacts += truth.touches ? 1 : 0;
+    if (refutes_truth(test))
+        judgement.contradiction = "query " + std::to_string(judgement.queries) + ": the bodies overlap at time " +
+                                  std::to_string(*answer.time) + ", before the contact";
+    if (truth.touches && !answer.touches && is_miss(test))
+        ++judgement.missed;
+    if (!truth.touches && answer.touches && is_false_alarm(test))
+        ++judgement.false_alarms;
+    if (truth.touches && answer.touches && answer.time)
+        judgement.worst_time_error =
+            std::max(judgement.worst_time_error.value_or(0), std::abs(*answer.time - truth.time.lower));
+    ++judgement.queries;
+}
+
+} // namespace
+
+Judgement judge(const PeerCase& pair, const PeerPair& peer, const std::vector<Truth>& truths, double seconds) {
+    using Clock = std::chrono::steady_clock;
+    Judgement judgement;
+    for (std::size_t i = 0; i < truths.size() && judgement.seconds < seconds; ++i) {
+        const Displacement& motion = pair.questions[i].motion;
+        const Clock::time_point start = Clock::now();
+        const PeerAnswer answer = peer.ask(motion);
+        judgement.seconds += std::chrono::duration<double>(Clock::now() - start).count();
+        add(judgement, {pair, peer, motion, truths[i], answer});
+    }
+    return judgement;
+}
+
+} // namespace chasles::bench

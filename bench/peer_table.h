@@ -1,0 +1,38 @@
+// The comparison as a table: to read, as Markdown, and as CSV.
+#pragma once
+
+#include "bench/peer_judge.h"
+
+#include <ostream>
+
+namespace chasles::bench {
+
+/// Seconds over the queries of a case, one number a query.
+struct Spread {
+    double mean = 0;
+    double median = 0;
+    double ninety_nine_percent = 0;
+    double worst = 0;
+};
+
+/// All zeros if there is nothing.
+Spread spread_of(std::vector<double> seconds);
+
+struct PeerRow {
+    std::string case_name;
+    std::string peer;
+    Judgement judged;
+    Spread time;
+    double ratio = 0; ///< of the median to that of Chasles' first contact
+};
+
+struct PeerTable {
+    std::vector<PeerRow> rows;
+    std::vector<AbsentPeer> absent;
+};
+
+void print(std::ostream& out, const PeerTable& table);
+void print_markdown(std::ostream& out, const PeerTable& table);
+void print_csv(std::ostream& out, const PeerTable& table);
+
+} // namespace chasles::bench
