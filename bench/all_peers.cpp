@@ -20,9 +20,9 @@ AllPeers all_peers() {
 #else
     all.absent.push_back({"Bullet", "libbullet-dev with double precision was not found"});
 #endif
-    // Of these Debian 12 has no package; see docs/decisions/0035-peers.md.
+    // See docs/decisions/0040-peers.md.
     for (const char* name : {"Coal", "IPC Toolkit", "Parry", "python-fcl"})
-        all.absent.push_back({name, "not in Debian"});
+        all.absent.push_back({name, "not in Debian 12"});
     return all;
 }
 

@@ -1,6 +1,7 @@
 #include "bench/peer_cases.h"
 
 #include "bench/bodies.h"
+#include "bench/discrete_overlap.h"
 #include "bench/generated_bodies.h"
 #include "chasles/query/first_contact.h"
 #include "scenes/nut_motions.h"
@@ -65,12 +66,12 @@ class CopiesOf {
 public:
     CopiesOf(const Polyhedron& body, std::uint64_t seed) : body_(body), ball_(ball_around(body)), draw_(seed) {}
 
-    /// From a gap of up to 2 % of the body over 2 % of it, more or less towards the other one, with a turn of up to 2
-    /// % of a radian. About half of them get there.
+    /// Over 2 % of the body and with a turn of up to 0.02, more or less towards the other one, from a gap of up to 3 %.
+    /// About half of them get there.
     Displacement short_and_near() {
         const double step = 0.02 * ball_.length;
         const Approach approach = draw_approach();
-        const Vector3d start = approach.touching + draw_.between(0.1, 1) * step * approach.from;
+        const Vector3d start = approach.touching + draw_.between(0.1, 1.5) * step * approach.from;
         const Vector3d way = (draw_.direction() - 1.5 * approach.from).normalized() * step;
         return displacement(approach.orientation, start, way, draw_.turn(0, 0.02));
     }
@@ -80,6 +81,21 @@ public:
         const Approach approach = draw_approach();
         const Vector3d way = -0.5 * ball_.length * approach.from;
         return displacement(approach.orientation, approach.touching - 0.6 * way, way, draw_.turn(0, 60 * degree));
+    }
+
+    /// Past the other body, up to 60 degrees on the way: in the middle it dips into it or misses it by up to 2 % of the
+    /// body, and at the ends it is free.
+    Displacement passing_by() {
+        for (;;) {
+            const Approach approach = draw_approach();
+            const Vector3d nearest = approach.touching + draw_.between(-0.02, 0.02) * ball_.length * approach.from;
+            const Vector3d way = 0.5 * ball_.length * draw_.direction().cross(approach.from).normalized();
+            const Quaterniond turn = draw_.turn(0, 60 * degree);
+            const Quaterniond half_back = Quaterniond::Identity().slerp(0.5, turn.conjugate());
+            const Displacement motion = displacement(half_back * approach.orientation, nearest - 0.5 * way, way, turn);
+            if (!overlaps_at(motion.start) && !overlaps_at(motion.goal))
+                return motion;
+        }
     }
 
     /// Half a body length and up to 60 degrees, so far off that the balls around the bodies stay apart.
@@ -117,6 +133,8 @@ private:
         };
         return {pose(orientation, offset), pose(turn * orientation, offset + way)};
     }
+
+    [[nodiscard]] bool overlaps_at(const Pose& pose) const { return is_overlapping(body_, body_, pose.isometry()); }
 
     const Polyhedron& body_;
     Ball ball_;
@@ -157,6 +175,7 @@ void add_meshes(std::vector<PeerCase>& cases) {
         std::printf("skipped: meshes/spot.obj is not there; a bumpy torus of as many triangles is used instead\n");
     }
     cases.push_back(copies("large: " + name + " " + in_thousands(body), body, 100, &CopiesOf::into_contact));
+    cases.push_back(copies("passing: " + name + " " + in_thousands(body), body, 100, &CopiesOf::passing_by));
     const NamedBody large = large_body();
     cases.push_back(
         copies("large: " + large.name + " " + in_thousands(large.body), large.body, 64, &CopiesOf::into_contact));
@@ -213,24 +232,26 @@ PeerCase convex_case() {
     return made;
 }
 
-/// A round peg comes down into a hole that is 1 % wider, turning: clear, as its corners run within the hole's flats.
-/// Every other one is off the axis by more than the play and stands on the rim when its flat end comes to the plate.
-PeerCase peg_case() {
+/// A round peg comes down, turning, into a hole that is 1 % wider: clear, as its corners run within the hole's flats.
+/// Or it is off the axis by more than the play and stands on the rim when its flat end comes to the plate.
+PeerCase peg_case(bool is_off) {
     const std::size_t sides = 48;
     const Prism size{sides, 1, 2};
     const double hole = 1.01;
-    PeerCase made{"conforming: peg in hole", peg(size), plate_with_hole({sides, 2, 1}, hole), {}};
+    PeerCase made{is_off ? "conforming: peg on rim" : "conforming: peg in hole",
+                  peg(size),
+                  plate_with_hole({sides, 2, 1}, hole),
+                  {}};
     Draw draw(4);
     for (int i = 0; i < 100; ++i) {
-        const bool touches = i % 2 != 0;
-        const double off = touches ? draw.between(0.03, 0.3) : 0;
+        const double off = is_off ? draw.between(0.03, 0.3) : 0;
         const double towards = draw.between(0, 2 * pi);
-        const Vector3d at_the_rim(off * std::cos(towards), off * std::sin(towards), touches ? 1 : 0.1);
-        const double time = touches ? 0.25 * (1 + i / 2 % 3) : 1;
+        const Vector3d at_the_rim(off * std::cos(towards), off * std::sin(towards), is_off ? 1 : 0.1);
+        const double time = is_off ? 0.25 * (1 + i % 3) : 1;
         const Pose pose(at_the_rim, Quaterniond::Identity());
         made.questions.push_back(
             {screw_through(pose, time, {0, 0, -draw.between(0.5, 1.5)}, draw.between(30, 40) * degree),
-             touches ? PeerAnswer{true, time} : PeerAnswer{}});
+             is_off ? PeerAnswer{true, time} : PeerAnswer{}});
     }
     return made;
 }
@@ -253,15 +274,14 @@ void add_m16_steps(std::vector<PeerCase>& cases) {
 
 /// Our own nut, whose thread has its play by construction (docs/derivations/09-threaded-fastener.md): five degrees up
 /// are clear; with a pull of more than the play besides, the flanks meet.
-PeerCase own_nut_case() {
+PeerCase own_nut_case(bool is_pulled) {
     const scenes::ThreadedFastener fastener;
-    PeerCase made{"conforming: own nut", nut(fastener), bolt(fastener), {}};
+    PeerCase made{is_pulled ? "conforming: own nut pulled" : "conforming: own nut", nut(fastener), bolt(fastener), {}};
     Draw draw(6);
     const scenes::NutTurn thread{.height = 12, .slide_per_turn = fastener.pitch};
-    for (int i = 0; i < 32; ++i) {
+    for (int i = 0; i < 24; ++i) {
         const double turns = draw.between(0, 2);
         Displacement motion{nut_pose(thread, turns), nut_pose(thread, turns + 5.0 / 360)};
-        const bool is_pulled = i % 2 != 0;
         if (is_pulled)
             motion.goal.translation.z() += draw.between(1.5, 3) * axial_clearance(fastener);
         made.questions.push_back({motion, PeerAnswer{.touches = is_pulled, .time = {}}});
@@ -275,8 +295,10 @@ std::vector<PeerCase> peer_cases() {
     std::vector<PeerCase> cases;
     add_meshes(cases);
     cases.push_back(convex_case());
-    cases.push_back(peg_case());
-    cases.push_back(own_nut_case());
+    for (const bool is_off : {false, true})
+        cases.push_back(peg_case(is_off));
+    for (const bool is_pulled : {false, true})
+        cases.push_back(own_nut_case(is_pulled));
     add_m16_steps(cases);
     return cases;
 }

@@ -11,7 +11,7 @@ namespace chasles::bench {
 namespace {
 
 /// One answer of one peer.
-struct Case {
+struct Trial {
     const PeerCase& pair;
     const PeerPair& peer;
     const Displacement& motion;
@@ -19,23 +19,23 @@ struct Case {
     PeerAnswer answer;
 };
 
-bool is_overlapping_on_own_motion(const Case& test, double time) {
+bool is_overlapping_on_own_motion(const Trial& test, double time) {
     return is_overlapping(test.pair.moving, test.pair.fixed, test.peer.pose_at(test.motion, time));
 }
 
-bool is_miss(const Case& test) {
+bool is_miss(const Trial& test) {
     for (const double later : {1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1})
         if (const double time = test.truth.time.upper + later; time <= 1 && is_overlapping_on_own_motion(test, time))
             return true;
     return false;
 }
 
-bool is_false_alarm(const Case& test) {
+bool is_false_alarm(const Trial& test) {
     return !test.answer.time || !is_overlapping_on_own_motion(test, *test.answer.time);
 }
 
 /// A contact that the peer reports before the first one is either wrong, or the truth is.
-bool refutes_truth(const Case& test) {
+bool refutes_truth(const Trial& test) {
     const auto& [pair, peer, motion, truth, answer] = test;
     if (!answer.touches || !answer.time || (truth.touches && *answer.time >= truth.time.lower - 1e-9))
         return false;
@@ -44,7 +44,13 @@ bool refutes_truth(const Case& test) {
     return is_overlapping(pair.moving, pair.fixed, poses.at(*answer.time));
 }
 
-void add(Judgement& judgement, const Case& test) {
+/// The first contact may be anywhere in the bracket.
+double time_error(const Trial& test) {
+    const double time = *test.answer.time;
+    return std::max(std::abs(time - test.truth.time.lower), std::abs(time - test.truth.time.upper));
+}
+
+void add(Judgement& judgement, const Trial& test) {
     const auto& [pair, peer, motion, truth, answer] = test;
     judgement.contacts += truth.touches ? 1 : 0;
     if (refutes_truth(test))
@@ -55,8 +61,7 @@ void add(Judgement& judgement, const Case& test) {
     if (!truth.touches && answer.touches && is_false_alarm(test))
         ++judgement.false_alarms;
     if (truth.touches && answer.touches && answer.time)
-        judgement.worst_time_error =
-            std::max(judgement.worst_time_error.value_or(0), std::abs(*answer.time - truth.time.lower));
+        judgement.worst_time_error = std::max(judgement.worst_time_error.value_or(0), time_error(test));
     ++judgement.queries;
 }
 

@@ -10,7 +10,7 @@ struct Judgement {
     std::size_t contacts = 0;
     std::size_t missed = 0;
     std::size_t false_alarms = 0;
-    std::optional<double> worst_time_error; ///< of the motion, where peer and truth both have a contact
+    std::optional<double> worst_time_error; ///< of the motion, to the far end of the bracket, where both have a contact
     double seconds = 0;                     ///< for all queries
     std::string contradiction;              ///< empty, or where a peer has found the truth to be none
 };

@@ -10,6 +10,12 @@ namespace chasles::bench {
 
 namespace {
 
+const char* const legend =
+    "Queries: fewer where a peer is slow. Contacts: how many of them touch. Missed, false alarms: on the peer's own "
+    "motion.\nTime error: the worst, of the motion. Times: over the queries, of the median of each. Ratio: of medians, "
+    "to "
+    "Chasles'\nfirst contact on the same queries.\n";
+
 constexpr std::size_t columns = 12;
 using Cells = std::array<std::string, columns>;
 
@@ -95,6 +101,7 @@ void print(std::ostream& out, const PeerTable& table) {
         }
         out << joined(cells, "  ") << '\n';
     }
+    out << '\n' << legend;
 }
 
 void print_markdown(std::ostream& out, const PeerTable& table) {
@@ -104,6 +111,7 @@ void print_markdown(std::ostream& out, const PeerTable& table) {
     out << '\n';
     for (const Cells& cells : lines_of(table))
         out << "| " << joined(cells, " | ") << " |\n";
+    out << '\n' << legend;
 }
 
 void print_csv(std::ostream& out, const PeerTable& table) {

@@ -23,7 +23,7 @@ struct PeerRow {
     std::string peer;
     Judgement judged;
     Spread time;
-    double ratio = 0; ///< of the median to that of Chasles' first contact
+    double ratio = 0; ///< of the median to that of Chasles' first contact on the same queries
 };
 
 struct PeerTable {
@@ -31,6 +31,7 @@ struct PeerTable {
     std::vector<AbsentPeer> absent;
 };
 
+/// The tables to read say below what their columns are.
 void print(std::ostream& out, const PeerTable& table);
 void print_markdown(std::ostream& out, const PeerTable& table);
 void print_csv(std::ostream& out, const PeerTable& table);

@@ -49,6 +49,8 @@ Truth truth_of(const PeerCase& pair, const PeerQuestion& question) {
         truth.contradiction = against_construction(truth, *question.known);
     if (truth.contradiction.empty())
         truth.contradiction = against_samples(truth, pair, PiecewisePoses(query));
+    if (question.known && question.known->time)
+        truth.time = {*question.known->time, *question.known->time};
     return truth;
 }
 

@@ -8,7 +8,7 @@ namespace chasles::bench {
 
 struct Truth {
     bool touches = false;
-    Bracket time;
+    Bracket time;              ///< holds the first contact; an exact time where that is known by construction
     std::string contradiction; ///< empty, or why it cannot be the truth
 };
 

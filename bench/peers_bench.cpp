@@ -6,19 +6,20 @@
 #include "bench/peer_table.h"
 #include "bench/run_benchmarks.h"
 
+#include <algorithm>
 #include <benchmark/benchmark.h>
 #include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <memory>
+#include <iterator>
 
 namespace chasles::bench {
 namespace {
 
 /// What a row may cost while the answers are judged, and again while they are timed: slow peers get fewer queries.
-constexpr double judging_seconds = 1.5;
+constexpr double judging_seconds = 1.2;
 constexpr double timing_seconds = 0.5;
 
 /// One peer on one case.
@@ -57,63 +58,77 @@ void add_benchmark(Contest& contest) {
         ->Repetitions(int(repetitions));
 }
 
-class Comparison {
+/// Every query of a case by every peer that takes it.
+std::vector<Contest> judged(const PeerCase& pair, const std::vector<Peer>& peers, const std::vector<Truth>& truths) {
+    std::vector<Contest> contests;
+    for (const Peer& peer : peers) {
+        if (peer.is_for_convex_bodies_only && !pair.is_convex)
+            continue;
+        const PeerPair asked = peer.prepare(pair.moving, pair.fixed);
+        const Judgement judgement = judge(pair, asked, truths, judging_seconds);
+        contests.push_back({pair, peer.name, asked, judgement, {}});
+        contests.back().seconds.resize(judgement.queries);
+    }
+    return contests;
+}
+
+/// Empty, or what cannot be: between Chasles, a construction and the discrete test, or a peer and all of them.
+std::string contradiction(const std::vector<Truth>& truths, const std::vector<Contest>& contests) {
+    for (std::size_t query = 0; query < truths.size(); ++query)
+        if (!truths[query].contradiction.empty())
+            return "query " + std::to_string(query) + ": " + truths[query].contradiction;
+    for (const Contest& contest : contests)
+        if (!contest.judged.contradiction.empty())
+            return contest.peer + ", " + contest.judged.contradiction;
+    return {};
+}
+
+/// The contests of all cases; empty, with a line on standard output, if what is held to be true is not.
+std::vector<Contest> judged(const std::vector<PeerCase>& cases, const std::vector<Peer>& peers) {
+    std::vector<Contest> all;
+    bool is_right = true;
+    for (const PeerCase& pair : cases) {
+        std::vector<Truth> truths;
+        for (const PeerQuestion& question : pair.questions)
+            truths.push_back(truth_of(pair, question));
+        std::vector<Contest> contests = judged(pair, peers, truths);
+        const std::string reason = contradiction(truths, contests);
+        std::printf("%-27s %s\n", pair.name.c_str(), reason.empty() ? "checked" : reason.c_str());
+        std::fflush(stdout);
+        is_right = is_right && reason.empty();
+        std::move(contests.begin(), contests.end(), std::back_inserter(all));
+    }
+    return is_right ? std::move(all) : std::vector<Contest>();
+}
+
+/// Of the medians of the first `count` queries; of none if they were not timed.
+Spread time_of(const Contest& contest, std::size_t count) {
+    std::vector<double> medians;
+    for (std::size_t query = 0; query < std::min(count, contest.seconds.size()); ++query)
+        if (!contest.seconds[query].empty())
+            medians.push_back(spread_of(contest.seconds[query]).median);
+    return spread_of(medians);
+}
+
+PeerTable table_of(const std::vector<Contest>& contests, const AllPeers& peers) {
+    PeerTable table{{}, peers.absent};
+    const Contest* reference = nullptr;
+    for (const Contest& contest : contests) {
+        if (contest.peer == peers.present.front().name)
+            reference = &contest;
+        const Spread time = time_of(contest, contest.judged.queries);
+        const std::size_t common = std::min(contest.judged.queries, reference->judged.queries);
+        const double unit = time_of(*reference, common).median;
+        table.rows.push_back({contest.pair.name, contest.peer, contest.judged, time,
+                              unit > 0 ? time_of(contest, common).median / unit : 0});
+    }
+    return table;
+}
+
+/// The table says it all.
+class SilentReporter : public benchmark::ConsoleReporter {
 public:
-    explicit Comparison(const AllPeers& peers) : peers_(peers), cases_(peer_cases()) {}
-
-    /// False, with lines on standard output, if what is held to be true is not.
-    bool judge_all() {
-        bool is_right = true;
-        for (const PeerCase& pair : cases_) {
-            std::vector<Truth> truths;
-            std::string contradiction;
-            for (const PeerQuestion& question : pair.questions) {
-                truths.push_back(truth_of(pair, question));
-                if (!truths.back().contradiction.empty())
-                    contradiction = "query " + std::to_string(truths.size() - 1) + ": " + truths.back().contradiction;
-            }
-            for (const Peer& peer : peers_.present) {
-                if (peer.is_for_convex_bodies_only && !pair.is_convex)
-                    continue;
-                const PeerPair asked = peer.prepare(pair.moving, pair.fixed);
-                const Judgement judged = judge(pair, asked, truths, judging_seconds);
-                if (!judged.contradiction.empty())
-                    contradiction = peer.name + ", " + judged.contradiction;
-                contests_.push_back({pair, peer.name, asked, judged, std::vector<std::vector<double>>(judged.queries)});
-            }
-            std::printf("%-26s %s\n", pair.name.c_str(), contradiction.empty() ? "checked" : contradiction.c_str());
-            std::fflush(stdout);
-            is_right = is_right && contradiction.empty();
-        }
-        return is_right;
-    }
-
-    void add_benchmarks() {
-        for (Contest& contest : contests_)
-            add_benchmark(contest);
-    }
-
-    [[nodiscard]] PeerTable table() const {
-        PeerTable table{{}, peers_.absent};
-        double reference = 0;
-        for (const Contest& contest : contests_) {
-            std::vector<double> medians;
-            for (const std::vector<double>& repeated : contest.seconds)
-                if (!repeated.empty())
-                    medians.push_back(spread_of(repeated).median);
-            const Spread time = spread_of(medians);
-            if (contest.peer == peers_.present.front().name)
-                reference = time.median;
-            table.rows.push_back(
-                {contest.pair.name, contest.peer, contest.judged, time, reference > 0 ? time.median / reference : 0});
-        }
-        return table;
-    }
-
-private:
-    const AllPeers& peers_;
-    std::vector<PeerCase> cases_;
-    std::vector<Contest> contests_;
+    void ReportRuns(const std::vector<Run>& /*runs*/) override {}
 };
 
 void write(const PeerTable& table) {
@@ -127,14 +142,16 @@ void write(const PeerTable& table) {
 
 int run(int argc, char** argv) {
     const AllPeers peers = all_peers();
-    Comparison comparison(peers);
-    if (!comparison.judge_all())
+    const std::vector<PeerCase> cases = peer_cases();
+    std::vector<Contest> contests = judged(cases, peers.present);
+    if (contests.empty())
         return 1;
-    comparison.add_benchmarks();
-    benchmark::ConsoleReporter silent(benchmark::ConsoleReporter::OO_None); // the table says it all
+    for (Contest& contest : contests)
+        add_benchmark(contest);
+    SilentReporter silent;
     const int status = run_benchmarks(argc, argv, &silent);
     if (status == 0)
-        write(comparison.table());
+        write(table_of(contests, peers));
     return status;
 }
 
