@@ -19,8 +19,8 @@ for group in "$@"; do
         check) packages="$packages libgtest-dev libgmp-dev zlib1g-dev python3 clang-format-$clang_version" ;;
         # libFuzzer and the sanitizers are in the runtime library.
         fuzz) packages="$packages clang-$clang_version libclang-rt-$clang_version-dev libgmp-dev" ;;
-        # Highway is what the lanes are compared with.
-        bench) packages="$packages libbenchmark-dev libhwy-dev" ;;
+        # Highway is what the lanes are compared with, FCL and Bullet what whole queries are.
+        bench) packages="$packages libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev" ;;
         tidy) packages="$packages clang-tidy-$clang_version" ;;
         *)
             echo "install_dependencies.sh: unknown group \"$group\" (known: check, fuzz, bench, tidy)" >&2
