@@ -13,12 +13,12 @@ AllPeers all_peers() {
     for (Peer& peer : fcl_peers())
         all.present.push_back(std::move(peer));
 #else
-    all.absent.push_back({"FCL", "libfcl-dev was not found"});
+    all.absent.push_back({"FCL", "no libfcl-dev"});
 #endif
 #ifdef CHASLES_BENCH_BULLET
     all.present.push_back(bullet_peer());
 #else
-    all.absent.push_back({"Bullet", "libbullet-dev with double precision was not found"});
+    all.absent.push_back({"Bullet", "no libbullet-dev in double"});
 #endif
     // See docs/decisions/0040-peers.md.
     for (const char* name : {"Coal", "IPC Toolkit", "Parry", "python-fcl"})

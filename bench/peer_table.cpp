@@ -51,8 +51,8 @@ Cells cells_of(const PeerRow& row) {
 Cells cells_of(const AbsentPeer& peer) {
     Cells cells;
     cells.fill("-");
-    cells[0] = "absent: " + peer.reason;
-    cells[1] = peer.name;
+    cells[0] = "absent";
+    cells[1] = peer.name + " (" + peer.reason + ")";
     return cells;
 }
 
