@@ -45,7 +45,7 @@ Cells cells_of(const PeerRow& row) {
             milliseconds(time.median),
             milliseconds(time.ninety_nine_percent),
             milliseconds(time.worst),
-            ratio > 0 ? number("%.2f", ratio) : "-"};
+            ratio > 0 ? number(ratio < 100 ? "%.2g" : "%.0f", ratio) : "-"};
 }
 
 Cells cells_of(const AbsentPeer& peer) {
