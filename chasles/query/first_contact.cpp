@@ -3,6 +3,7 @@
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/invalid_input.h"
 #include "chasles/query/contact_details.h"
+#include "chasles/query/far_apart.h"
 
 #include <Eigen/Geometry>
 #include <string>
@@ -172,6 +173,14 @@ Work& Work::operator+=(const Work& other) {
 
 FirstContact first_contact(const FirstContactQuery& query) {
     validate(query);
+    const bool far_apart =
+        std::visit([&](const auto& motion) { return query::are_far_apart(query.moving, query.fixed, motion.frame()); },
+                   query.motion);
+    if (far_apart) {
+        FirstContact clear;
+        clear.pose = std::visit([](const auto& motion) { return motion.pose_at(1); }, query.motion);
+        return clear;
+    }
     const Query run(query);
     if (const auto* screw = std::get_if<ScrewMotion>(&query.motion)) {
         const std::size_t count = screw->piece_count(query.max_turn);

@@ -22,6 +22,7 @@ struct NodePair {
 constexpr double travel_of_size = 0.4;
 /// After so many halvings of [0, 1] an interval is as short as the tolerance of the answer.
 constexpr int deepest_level = 40;
+constexpr double shortest_interval = 0x1p-40;
 
 double reach(const BoxHierarchy& hierarchy) {
     const BoxNode& root = hierarchy.nodes()[0];
@@ -61,15 +62,20 @@ private:
     /// All pairs of levels_[level] over one interval; those that travel too far go on to the two halves, the earlier
     /// half first, so that a contact there saves the later one.
     void search_interval(int level, double lower, double upper) {
-        const TimeInterval interval = times_.interval(lower, upper);
-        filter_.use(interval.maps, filter_tolerance(search_.tolerance / (upper - lower)));
+        TimeInterval interval = times_.interval(lower, upper);
+        use(interval);
         std::vector<NodePair>& stack = levels_[level];
         std::vector<NodePair>& halved = levels_[level + 1];
         halved.clear();
         while (!stack.empty() && !stop_ && lower <= best_) {
+            if (best_ <= 0.5 * (lower + upper) && may_halve(interval)) { // the later half is behind a contact
+                upper = 0.5 * (lower + upper);
+                interval = times_.interval(lower, upper);
+                use(interval);
+            }
             const NodePair pair = stack.back();
             stack.pop_back();
-            visit(pair, interval, level < deepest_level, stack, halved);
+            visit(pair, interval, stack, halved);
         }
         stack.clear();
         if (halved.empty() || stop_)
@@ -83,7 +89,14 @@ private:
         search_interval(level + 1, middle, upper);
     }
 
-    void visit(const NodePair& pair, const TimeInterval& interval, bool may_halve, std::vector<NodePair>& stack,
+    static bool may_halve(const TimeInterval& interval) { return interval.upper - interval.lower > shortest_interval; }
+
+    /// The filter refers to the interval from now on.
+    void use(const TimeInterval& interval) {
+        filter_.use(interval.maps, filter_tolerance(search_.tolerance / (interval.upper - interval.lower)));
+    }
+
+    void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& stack,
                std::vector<NodePair>& halved) {
         const BoxNode& moving = moving_nodes_[pair.moving];
         const BoxNode& fixed = fixed_nodes_[pair.fixed];
@@ -91,7 +104,7 @@ private:
         const SweptBoxes::Relation relation = interval.boxes.relation(moving, fixed);
         if (relation.apart)
             return;
-        if (may_halve && relation.travel > travel_of_size * relation.size)
+        if (may_halve(interval) && relation.travel > travel_of_size * relation.size)
             halved.push_back(pair);
         else if (moving.is_leaf() && fixed.is_leaf())
             test_faces(moving.first, fixed.first, interval);
@@ -150,8 +163,12 @@ private:
         candidate.tau.upper = std::min(interval.upper, interval.lower + candidate.tau.upper * width);
         if (stop_ || candidate.tau.lower > best_)
             return;
-        if (!is_decided(candidate.tau) && !decide(candidate))
-            return;
+        if (!is_decided(candidate.tau)) {
+            if (search_.find != Find::first_with_all_contacts && is_beside_a_proven_contact(candidate.tau))
+                leave_open(candidate.tau);
+            else if (!decide(candidate))
+                return;
+        }
         result_.candidates.push_back(candidate);
         best_ = std::min(best_, candidate.tau.upper);
         if (candidate.tau.certain) {
@@ -177,8 +194,8 @@ private:
         candidate.tau = *refined;
         if (is_decided(candidate.tau))
             return true;
-        if (is_beside_a_proven_contact(candidate.tau)) { // as it may be none, it ends nothing
-            candidate.tau.upper = std::max(candidate.tau.upper, best_);
+        if (is_beside_a_proven_contact(candidate.tau)) {
+            leave_open(candidate.tau);
             return true;
         }
         ++result_.work.exact;
@@ -194,6 +211,9 @@ private:
     [[nodiscard]] bool is_beside_a_proven_contact(const FeasibleInterval& tau) const {
         return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.upper <= 0);
     }
+
+    /// It may be no contact, and ends nothing; if it is one, the answer's lower end is before it.
+    void leave_open(FeasibleInterval& tau) const { tau = {tau.lower, std::max(tau.upper, best_), false}; }
 
     ExactStage& exact_stage() {
         if (!exact_stage_)

@@ -1,0 +1,13 @@
+// Bodies that a whole motion does not bring near each other, told by a ball around each, before anything else is made.
+// Source: docs/derivations/07-swept-boxes.md, "Far apart".
+#pragma once
+
+#include "chasles/mesh/polyhedron.h"
+#include "chasles/motion/motion_frame.h"
+
+namespace chasles::query {
+
+/// Proven never to touch on the whole screw or sweep, however far it turns. False says nothing.
+bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionFrame& frame);
+
+} // namespace chasles::query

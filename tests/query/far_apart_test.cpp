@@ -1,0 +1,65 @@
+// The balls tell only what is true, and they tell it where bodies are plainly apart.
+#include "chasles/query/far_apart.h"
+
+#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/sweep_motion.h"
+#include "tests/query/bodies.h"
+#include "tests/support/random_poses.h"
+
+#include <Eigen/Geometry>
+#include <gtest/gtest.h>
+
+namespace chasles::query {
+namespace {
+
+using namespace test;
+
+/// The cubes are about the origins of their frames.
+TEST(FarApart, NeverWhereBallsMeetOnTheWay) {
+    Random random(771);
+    const Polyhedron body = box({1, 1, 1}).polyhedron();
+    int told = 0, open = 0;
+    for (int trial = 0; trial < 3000; ++trial) {
+        const Pose start = random_pose(random, 12);
+        const Pose goal = random_pose(random, 12);
+        const ScrewMotion screw = ScrewMotion::between(start, goal);
+        const SweepMotion sweep = SweepMotion::between(start, goal, random_point(random, 3));
+        for (const bool sweeps : {false, true}) {
+            const MotionFrame& frame = sweeps ? sweep.frame() : screw.frame();
+            const bool far_apart = are_far_apart(body, body, frame);
+            (far_apart ? told : open) += 1;
+            if (!far_apart)
+                continue;
+            for (int i = 0; i <= 64; ++i) {
+                const double time = i / 64.0;
+                EXPECT_GT((sweeps ? sweep.pose_at(time) : screw.pose_at(time)).translation.norm(), 2 * std::sqrt(3.0));
+            }
+        }
+    }
+    std::cout << told << " told, " << open << " left open\n";
+    EXPECT_GT(told, 300);
+    EXPECT_GT(open, 300);
+}
+
+TEST(FarApart, ToldWithoutLookingAtBoxes) {
+    const Polyhedron body = box({1, 1, 1}).polyhedron();
+    const Pose start(Eigen::Vector3d(100, 0, 0), Eigen::Quaterniond::Identity());
+    const Pose goal(Eigen::Vector3d(100, 20, 5), Eigen::Quaterniond(0, 1, 0, 0));
+    const ScrewMotion motion = ScrewMotion::between(start, goal);
+    const FirstContact found = first_contact({.moving = body, .fixed = body, .motion = motion});
+    EXPECT_EQ(found.verdict, Verdict::clear);
+    EXPECT_TRUE(found.certain);
+    EXPECT_EQ(found.work.node_pairs, 0U);
+    EXPECT_TRUE(found.pose.translation.isApprox(goal.translation));
+}
+
+TEST(FarApart, NotToldOfBodiesThatTouchAtTheFarEndOfTheWay) {
+    const Polyhedron body = box({1, 1, 1}).polyhedron();
+    const ScrewMotion motion = ScrewMotion::between(Pose(Eigen::Vector3d(100, 0, 0), Eigen::Quaterniond::Identity()),
+                                                    Pose(Eigen::Vector3d(2, 0, 0), Eigen::Quaterniond::Identity()));
+    EXPECT_FALSE(are_far_apart(body, body, motion.frame()));
+    EXPECT_FALSE(are_far_apart(body, body, ScrewMotion::between(motion.pose_at(1), motion.pose_at(0)).frame()));
+}
+
+} // namespace
+} // namespace chasles::query
