@@ -163,12 +163,8 @@ private:
         candidate.tau.upper = std::min(interval.upper, interval.lower + candidate.tau.upper * width);
         if (stop_ || candidate.tau.lower > best_)
             return;
-        if (!is_decided(candidate.tau)) {
-            if (search_.find != Find::first_with_all_contacts && is_beside_a_proven_contact(candidate.tau))
-                leave_open(candidate.tau);
-            else if (!decide(candidate))
-                return;
-        }
+        if (!is_decided(candidate.tau) && (is_behind_a_proven_contact(candidate.tau) || !decide(candidate)))
+            return;
         result_.candidates.push_back(candidate);
         best_ = std::min(best_, candidate.tau.upper);
         if (candidate.tau.certain) {
@@ -205,6 +201,12 @@ private:
         if (decided->certain || decided->lower > candidate.tau.lower)
             candidate.tau = *decided;
         return candidate.tau.lower <= best_;
+    }
+
+    /// Whatever it is, it changes nothing but the list of all contacts.
+    [[nodiscard]] bool is_behind_a_proven_contact(const FeasibleInterval& tau) const {
+        return search_.find != Find::first_with_all_contacts && certain_.lower <= tau.lower &&
+               (tau.lower > 0 || certain_.upper <= 0);
     }
 
     /// Whatever it is, the bracket of the answer holds a proven contact and is no wider than asked for.
