@@ -1,5 +1,7 @@
 #include "chasles/query/far_apart.h"
 
+#include "chasles/motion/screw_pose.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -23,33 +25,21 @@ Ball ball_of(const BoxHierarchy& hierarchy) {
     return {hierarchy.centre() + 0.5 * (lower + upper), 0.5 * (upper - lower).norm()};
 }
 
-using GeneralPose = motion::GeneralPose<MotionFrame::Scalar>;
-
-Eigen::Vector3d translation(const GeneralPose& pose) {
-    const auto& t = pose.translation;
-    return {t.x.high(), t.y.high(), t.z.high()};
-}
-
-Eigen::Quaterniond rotation(const GeneralPose& pose) {
-    const auto& q = pose.rotation;
-    return Eigen::Quaterniond(q.w.high(), q.v.x.high(), q.v.y.high(), q.v.z.high()).normalized();
-}
-
 } // namespace
 
 bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionFrame& frame) {
     const Ball mover = ball_of(moving.hierarchy());
     const Ball target = ball_of(fixed.hierarchy());
-    const Eigen::Quaterniond start_turn = rotation(frame.start);
-    const Eigen::Quaterniond goal_turn = rotation(frame.goal);
-    const Eigen::Vector3d start = start_turn * mover.centre + translation(frame.start);
-    const Eigen::Vector3d goal = goal_turn * mover.centre + translation(frame.goal);
+    const Eigen::Isometry3d start_pose = motion::rounded(frame.start).isometry();
+    const Eigen::Isometry3d goal_pose = motion::rounded(frame.goal).isometry();
+    const Eigen::Vector3d start = start_pose * mover.centre;
+    const Eigen::Vector3d goal = goal_pose * mover.centre;
     double reach = (goal - start).norm(); // of the ball's centre from where it starts, and from where it ends
     double size = mover.centre.norm() + target.centre.norm() + mover.radius + target.radius +
-                  translation(frame.start).norm() + translation(frame.goal).norm();
+                  start_pose.translation().norm() + goal_pose.translation().norm();
     if (frame.swept_centre) {
         const Eigen::Vector3d arm = mover.centre - *frame.swept_centre;
-        const Eigen::Vector3d turned = goal_turn * arm - start_turn * arm;
+        const Eigen::Vector3d turned = goal_pose.linear() * arm - start_pose.linear() * arm;
         reach = (goal - start - turned).norm() + turned.norm();
         size += 2 * frame.swept_centre->norm();
     }

@@ -3,26 +3,18 @@
 
 #include "chasles/elementary/edge_edge.h"
 #include "chasles/elementary/edge_through_face.h"
-#include "chasles/elementary/face_sides.h"
 #include "chasles/mesh/polyhedron.h"
-
-#include <algorithm>
 
 namespace chasles::query {
 
 using algebra::FeasibleInterval;
 using algebra::Vector3;
 
-inline constexpr std::uint32_t no_face = 0xffffffff;
-
-/// A face of one body with its corners held.
+/// A face with its corners held.
 template <class S>
 class HeldFace {
 public:
     const elementary::FaceShape<S>& hold(const Polyhedron& body, std::uint32_t face) {
-        if (face == face_)
-            return shape_;
-        face_ = face;
         corners_.clear();
         for (const std::uint32_t vertex : body.face(face))
             corners_.push_back(point(body, vertex));
@@ -36,40 +28,8 @@ public:
     }
 
 private:
-    std::uint32_t face_ = no_face;
     std::vector<Vector3<S>> corners_;
     elementary::FaceShape<S> shape_;
-};
-
-/// On which side of the other face's plane the corners of a face are, as far as it is proven for all of an interval.
-class CornerSides {
-public:
-    /// side_of(vertex): 1, -1 or 0.
-    template <class SideOf>
-    CornerSides(std::span<const std::uint32_t> corners, std::vector<int>& room, SideOf side_of)
-        : corners_(corners), sides_(room) {
-        sides_.clear();
-        for (const std::uint32_t corner : corners)
-            sides_.push_back(side_of(corner));
-    }
-
-    [[nodiscard]] bool all_on_one_side() const {
-        return sides_[0] != 0 && std::all_of(sides_.begin(), sides_.end(), [&](int side) { return side == sides_[0]; });
-    }
-    /// Whether the corner may come to the plane.
-    [[nodiscard]] bool may_meet(std::uint32_t vertex) const { return side(vertex) == 0; }
-    [[nodiscard]] bool may_meet(const Edge& edge) const {
-        const int from = side(edge.from);
-        return from == 0 || from != side(edge.to);
-    }
-
-private:
-    [[nodiscard]] int side(std::uint32_t vertex) const {
-        return sides_[static_cast<std::size_t>(std::find(corners_.begin(), corners_.end(), vertex) - corners_.begin())];
-    }
-
-    std::span<const std::uint32_t> corners_;
-    std::vector<int>& sides_;
 };
 
 /// Two bodies under one set of control maps.
@@ -83,37 +43,18 @@ public:
     void use(const motion::ControlMaps<S>& maps, const algebra::Tolerance& tolerance) {
         maps_ = &maps;
         accuracy_.tolerance = tolerance;
-        seen_fixed_face_ = seen_moving_face_ = no_face;
-    }
-
-    /// The corners of a moving face and the plane of a fixed one, and the other way round.
-    CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face) {
-        if (fixed_face != seen_fixed_face_)
-            fixed_plane_ =
-                elementary::plane_of_fixed_face(*maps_, fixed_held_.hold(fixed_, fixed_face), accuracy_.scale);
-        seen_fixed_face_ = fixed_face;
-        return {moving_.face(moving_face), moving_sides_,
-                [&](std::uint32_t v) { return fixed_plane_.side_of(HeldFace<S>::point(moving_, v)); }};
-    }
-    CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face) {
-        if (moving_face != seen_moving_face_)
-            moving_plane_ =
-                elementary::plane_of_moving_face(*maps_, moving_held_.hold(moving_, moving_face), accuracy_.scale);
-        seen_moving_face_ = moving_face;
-        return {fixed_.face(fixed_face), fixed_sides_,
-                [&](std::uint32_t v) { return moving_plane_.side_of(HeldFace<S>::point(fixed_, v)); }};
     }
 
     std::optional<FeasibleInterval> vertex_face(std::uint32_t moving_vertex, std::uint32_t fixed_face) {
         const auto position = maps_->turn * HeldFace<S>::point(moving_, moving_vertex) + maps_->shift;
-        return elementary::vertex_face<S>({position, maps_->weight}, fixed_held_.hold(fixed_, fixed_face), accuracy_,
+        return elementary::vertex_face<S>({position, maps_->weight}, face_.hold(fixed_, fixed_face), accuracy_,
                                           workspace_);
     }
 
     std::optional<FeasibleInterval> face_vertex(std::uint32_t moving_face, std::uint32_t fixed_vertex) {
         const auto position =
             maps_->turn.transposed() * HeldFace<S>::point(fixed_, fixed_vertex) - maps_->inverse_shift;
-        return elementary::vertex_face<S>({position, maps_->weight}, moving_held_.hold(moving_, moving_face), accuracy_,
+        return elementary::vertex_face<S>({position, maps_->weight}, face_.hold(moving_, moving_face), accuracy_,
                                           workspace_);
     }
 
@@ -134,7 +75,7 @@ public:
         const elementary::Segment<S> segment{start(maps_->turn, HeldFace<S>::point(moving_, edge.from), maps_->shift),
                                              start(maps_->turn, HeldFace<S>::point(moving_, edge.to), maps_->shift),
                                              maps_->weight[0]};
-        return elementary::edge_through_face(segment, fixed_held_.hold(fixed_, fixed_face), accuracy_.scale, ends);
+        return elementary::edge_through_face(segment, face_.hold(fixed_, fixed_face), accuracy_.scale, ends);
     }
 
     /// At the start of the interval: a fixed edge through a moving face, in the moving body's frame.
@@ -144,7 +85,7 @@ public:
         const auto shift = Vector3<Polynomial>() - maps_->inverse_shift;
         const elementary::Segment<S> segment{start(back, HeldFace<S>::point(fixed_, edge.from), shift),
                                              start(back, HeldFace<S>::point(fixed_, edge.to), shift), maps_->weight[0]};
-        return elementary::edge_through_face(segment, moving_held_.hold(moving_, moving_face), accuracy_.scale, ends);
+        return elementary::edge_through_face(segment, face_.hold(moving_, moving_face), accuracy_.scale, ends);
     }
 
     [[nodiscard]] const elementary::Workspace<S>& workspace() const { return workspace_; }
@@ -166,14 +107,7 @@ private:
     const Polyhedron& fixed_;
     elementary::Accuracy accuracy_;
     const motion::ControlMaps<S>* maps_ = nullptr;
-    HeldFace<S> moving_held_;
-    HeldFace<S> fixed_held_;
-    elementary::SeenPlane<S> moving_plane_;
-    elementary::SeenPlane<S> fixed_plane_;
-    std::uint32_t seen_moving_face_ = no_face;
-    std::uint32_t seen_fixed_face_ = no_face;
-    std::vector<int> moving_sides_;
-    std::vector<int> fixed_sides_;
+    HeldFace<S> face_;
     elementary::Workspace<S> workspace_;
 };
 

@@ -1,6 +1,7 @@
 #include "chasles/query/traversal.h"
 
 #include "chasles/query/exact_stage.h"
+#include "chasles/query/face_planes.h"
 #include "chasles/query/time_tree.h"
 
 #include <array>
@@ -20,9 +21,9 @@ struct NodePair {
 /// Intervals are halved where boxes travel further than this part of their size. Measured on six motions of the bunny
 /// pair: about the same from 0.1 to 0.4, up to ten times the time at 1.
 constexpr double travel_of_size = 0.4;
-/// After so many halvings of [0, 1] an interval is as short as the tolerance of the answer.
-constexpr int deepest_level = 40;
+/// As short as the tolerance of the answer: not halved. So many halvings of [0, 1] lead there.
 constexpr double shortest_interval = 0x1p-40;
+constexpr int deepest_level = 40;
 
 double reach(const BoxHierarchy& hierarchy) {
     const BoxNode& root = hierarchy.nodes()[0];
@@ -42,8 +43,9 @@ public:
           scale_(elementary::error_scale(maps_, std::max(reach(search.moving.hierarchy()), search.frame.motion.reach),
                                          reach(search.fixed.hierarchy()))),
           times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
-          filter_(search.moving, search.fixed, {scale_, {}}), refinement_(search.moving, search.fixed, {scale_, {}}),
-          moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
+          planes_(search.moving, search.fixed, scale_), filter_(search.moving, search.fixed, {scale_, {}}),
+          refinement_(search.moving, search.fixed, {scale_, {}}), moving_nodes_(search.moving.hierarchy().nodes()),
+          fixed_nodes_(search.fixed.hierarchy().nodes()) {
         refinement_.use(exact_maps_, {});
     }
 
@@ -91,8 +93,9 @@ private:
 
     static bool may_halve(const TimeInterval& interval) { return interval.upper - interval.lower > shortest_interval; }
 
-    /// The filter refers to the interval from now on.
+    /// Planes and filter refer to the interval from now on.
     void use(const TimeInterval& interval) {
+        planes_.use(interval.maps);
         filter_.use(interval.maps, filter_tolerance(search_.tolerance / (interval.upper - interval.lower)));
     }
 
@@ -123,10 +126,10 @@ private:
         ++result_.work.face_pairs;
         const Polyhedron& moving = search_.moving;
         const Polyhedron& fixed = search_.fixed;
-        const CornerSides moving_sides = filter_.sides_of_moving(moving_face, fixed_face);
+        const CornerSides moving_sides = planes_.sides_of_moving(moving_face, fixed_face);
         if (moving_sides.all_on_one_side())
             return;
-        const CornerSides fixed_sides = filter_.sides_of_fixed(moving_face, fixed_face);
+        const CornerSides fixed_sides = planes_.sides_of_fixed(moving_face, fixed_face);
         if (fixed_sides.all_on_one_side())
             return;
         if (search_.check_start && interval.lower <= 0)
@@ -190,8 +193,8 @@ private:
         candidate.tau = *refined;
         if (is_decided(candidate.tau))
             return true;
-        if (is_beside_a_proven_contact(candidate.tau)) {
-            leave_open(candidate.tau);
+        if (is_beside_a_proven_contact(candidate.tau)) { // as it may be none, it ends nothing
+            candidate.tau.upper = std::max(candidate.tau.upper, best_);
             return true;
         }
         ++result_.work.exact;
@@ -213,9 +216,6 @@ private:
     [[nodiscard]] bool is_beside_a_proven_contact(const FeasibleInterval& tau) const {
         return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.upper <= 0);
     }
-
-    /// It may be no contact, and ends nothing; if it is one, the answer's lower end is before it.
-    void leave_open(FeasibleInterval& tau) const { tau = {tau.lower, std::max(tau.upper, best_), false}; }
 
     ExactStage& exact_stage() {
         if (!exact_stage_)
@@ -271,6 +271,7 @@ private:
     const motion::ControlMaps<double> maps_;
     const elementary::ErrorScale scale_;
     const TimeTree times_;
+    FacePlanes planes_;
     FeaturePairs<double> filter_;
     FeaturePairs<Scalar> refinement_;
     std::optional<ExactStage> exact_stage_; ///< made when it is first asked

@@ -1,0 +1,96 @@
+// Which corners of two faces may come to each other's planes in an interval of time: what is asked before any of their
+// features.
+// Source: docs/derivations/13-face-sides.md.
+#pragma once
+
+#include "chasles/elementary/face_sides.h"
+#include "chasles/query/feature_pairs.h"
+
+#include <algorithm>
+
+namespace chasles::query {
+
+/// On which side of the other face's plane the corners of a face are proven to stay.
+class CornerSides {
+public:
+    /// `room` holds the sides, so that nothing is allocated.
+    CornerSides(const Polyhedron& body, std::uint32_t face, const elementary::SeenPlane<double>& plane,
+                std::vector<int>& room)
+        : corners_(body.face(face)), sides_(room) {
+        sides_.clear();
+        for (const std::uint32_t corner : corners_)
+            sides_.push_back(plane.side_of(HeldFace<double>::point(body, corner)));
+    }
+
+    [[nodiscard]] bool all_on_one_side() const {
+        return sides_[0] != 0 && std::all_of(sides_.begin(), sides_.end(), [&](int side) { return side == sides_[0]; });
+    }
+    /// Whether the corner may come to the plane.
+    [[nodiscard]] bool may_meet(std::uint32_t vertex) const { return side(vertex) == 0; }
+    [[nodiscard]] bool may_meet(const Edge& edge) const {
+        const int from = side(edge.from);
+        return from == 0 || from != side(edge.to);
+    }
+
+private:
+    [[nodiscard]] int side(std::uint32_t vertex) const {
+        return sides_[static_cast<std::size_t>(std::find(corners_.begin(), corners_.end(), vertex) - corners_.begin())];
+    }
+
+    std::span<const std::uint32_t> corners_;
+    std::vector<int>& sides_;
+};
+
+/// The planes of the faces that were asked about last; a pair of faces often shares one with the pair before.
+class FacePlanes {
+public:
+    FacePlanes(const Polyhedron& moving, const Polyhedron& fixed, const elementary::ErrorScale& scale)
+        : moving_(moving), fixed_(fixed), scale_(scale) {}
+
+    /// Sets the maps of an interval, which are kept by reference.
+    void use(const motion::ControlMaps<double>& maps) {
+        maps_ = &maps;
+        of_moving_.face = of_fixed_.face = no_face;
+    }
+
+    /// The corners of a moving face and the plane of a fixed one. Until the next call.
+    CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face) {
+        of_fixed_.see(fixed_face, [&] {
+            return elementary::plane_of_fixed_face(*maps_, of_fixed_.held.hold(fixed_, fixed_face), scale_);
+        });
+        return {moving_, moving_face, of_fixed_.plane, of_fixed_.sides};
+    }
+    /// The other way round.
+    CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face) {
+        of_moving_.see(moving_face, [&] {
+            return elementary::plane_of_moving_face(*maps_, of_moving_.held.hold(moving_, moving_face), scale_);
+        });
+        return {fixed_, fixed_face, of_moving_.plane, of_moving_.sides};
+    }
+
+private:
+    static constexpr std::uint32_t no_face = 0xffffffff;
+
+    struct LastPlane {
+        std::uint32_t face = no_face;
+        HeldFace<double> held;
+        elementary::SeenPlane<double> plane;
+        std::vector<int> sides; ///< of the other face's corners
+
+        template <class Make>
+        void see(std::uint32_t asked, Make make) {
+            if (asked != face)
+                plane = make();
+            face = asked;
+        }
+    };
+
+    const Polyhedron& moving_;
+    const Polyhedron& fixed_;
+    elementary::ErrorScale scale_;
+    const motion::ControlMaps<double>* maps_ = nullptr;
+    LastPlane of_moving_;
+    LastPlane of_fixed_;
+};
+
+} // namespace chasles::query
