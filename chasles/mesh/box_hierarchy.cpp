@@ -3,6 +3,8 @@
 
 #include "chasles/mesh/split_boxes.h"
 
+#include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -59,15 +61,78 @@ struct Subtree {
     std::size_t depth;
 };
 
+/// Faces side by side in the order of the leaves.
+struct FaceRange {
+    std::uint32_t begin;
+    std::uint32_t count;
+};
+
+/// The corners of all faces in the order of the leaves, relative to the middle of the body and in single precision.
+class FaceCorners {
+public:
+    FaceCorners(std::span<const std::uint32_t> faces, const FlatLists<std::uint32_t>& outlines,
+                std::span<const Eigen::Vector3d> vertices, const Eigen::Vector3d& centre, float size)
+        : unit_(1 / size) {
+        begin_.reserve(faces.size() + 1);
+        points_.reserve(outlines.items.size());
+        for (const std::uint32_t face : faces) {
+            begin_.push_back(points_.size());
+            for (const std::uint32_t vertex : outlines[face])
+                points_.push_back((vertices[vertex] - centre).cast<float>());
+        }
+        begin_.push_back(points_.size());
+    }
+
+    [[nodiscard]] std::span<const Eigen::Vector3f> of(const FaceRange& faces) const {
+        return std::span(points_).subspan(begin_[faces.begin], begin_[faces.begin + faces.count] - begin_[faces.begin]);
+    }
+
+    /// Of the face at a place, as long as twice its area in terms of the body's size.
+    [[nodiscard]] Eigen::Vector3f normal(std::uint32_t place) const {
+        const std::span<const Eigen::Vector3f> corners = of({place, 1});
+        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+        for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+            sum += (unit_ * (corners[i] - corners[0])).cross(unit_ * (corners[i + 1] - corners[0]));
+        return sum;
+    }
+
+private:
+    std::vector<std::size_t> begin_;
+    std::vector<Eigen::Vector3f> points_;
+    float unit_;
+};
+
+/// The two sides of a thin plate do not cancel.
+Eigen::Vector3f aligned_sum(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
+    return a.dot(b) < 0 ? Eigen::Vector3f(a - b) : Eigen::Vector3f(a + b);
+}
+
+void add_slab(BoxNode& node, std::span<const Eigen::Vector3f> corners, const Eigen::Vector3f& along) {
+    node.slab = PackedSlab(along);
+    const Eigen::Vector3f normal = node.slab.normal();
+    float lower = std::numeric_limits<float>::infinity();
+    float upper = -lower;
+    for (const Eigen::Vector3f& corner : corners) {
+        const float height = normal.dot(corner);
+        lower = std::min(lower, height);
+        upper = std::max(upper, height);
+    }
+    const BoxMiddle box = middle_of(node);
+    const float middle = normal.dot(box.centre);
+    node.slab.set_heights(lower - middle, upper - middle, box.half);
+}
+
 class TreeBuilder {
 public:
     TreeBuilder(std::vector<PackedBox> boxes) : boxes_(std::move(boxes)), faces_(boxes_.size()) {
         for (std::uint32_t face = 0; face < faces_.size(); ++face)
             faces_[face] = face;
         nodes_.resize(2 * boxes_.size() - 1);
+        ranges_.resize(nodes_.size());
     }
 
-    std::vector<BoxNode> run() && {
+    /// Once, and first.
+    void divide_all() {
         std::vector<Subtree> waiting{{0, boxes_.size(), 0, 1, 0}};
         while (!waiting.empty()) {
             const Subtree subtree = waiting.back();
@@ -77,7 +142,22 @@ public:
             if (subtree.count > 1)
                 divide(subtree, bounds, waiting);
         }
-        return std::move(nodes_);
+    }
+
+    std::vector<BoxNode> nodes() && { return std::move(nodes_); }
+
+    /// A slab for every node, around all corners of its faces and along what its faces' normals add up to.
+    void add_slabs(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices,
+                   const Eigen::Vector3d& centre) {
+        const float size = std::max(middle_of(nodes_[0]).half.maxCoeff(), std::numeric_limits<float>::min());
+        const FaceCorners corners(faces_, outlines, vertices, centre, size);
+        std::vector<Eigen::Vector3f> normals(nodes_.size());
+        for (std::size_t node = nodes_.size(); node-- > 0;) { // children come behind their parents
+            const BoxNode& made = nodes_[node];
+            normals[node] = made.is_leaf() ? corners.normal(ranges_[node].begin)
+                                           : aligned_sum(normals[made.first], normals[made.first + 1]);
+            add_slab(nodes_[node], corners.of(ranges_[node]), normals[node]);
+        }
     }
 
 private:
@@ -91,8 +171,9 @@ private:
             node.lower[axis] = box.lower[static_cast<Eigen::Index>(axis)];
             node.upper[axis] = box.upper[static_cast<Eigen::Index>(axis)];
         }
-        node.faces = static_cast<std::uint32_t>(subtree.count);
-        node.first = subtree.count == 1 ? faces_[subtree.begin] : static_cast<std::uint32_t>(subtree.below);
+        node.leaf = subtree.count == 1 ? 1 : 0;
+        node.first = (node.is_leaf() ? faces_[subtree.begin] : static_cast<std::uint32_t>(subtree.below)) & 0x7fffffffU;
+        ranges_[subtree.node] = {static_cast<std::uint32_t>(subtree.begin), static_cast<std::uint32_t>(subtree.count)};
     }
 
     void divide(const Subtree& subtree, const GroupBounds& bounds, std::vector<Subtree>& waiting) {
@@ -109,12 +190,38 @@ private:
     std::vector<PackedBox> boxes_;
     std::vector<std::uint32_t> faces_;
     std::vector<BoxNode> nodes_;
+    std::vector<FaceRange> ranges_;
 };
+
+std::vector<Box> boxes_of(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices) {
+    std::vector<Box> boxes(outlines.size());
+    for (std::size_t face = 0; face < boxes.size(); ++face) {
+        const std::span<const std::uint32_t> outline = outlines[face];
+        Box box{vertices[outline.front()], vertices[outline.front()]};
+        for (const std::uint32_t vertex : outline.subspan(1)) {
+            box.lower = box.lower.cwiseMin(vertices[vertex]);
+            box.upper = box.upper.cwiseMax(vertices[vertex]);
+        }
+        boxes[face] = box;
+    }
+    return boxes;
+}
 
 } // namespace
 
 BoxHierarchy::BoxHierarchy(std::span<const Box> faces) : centre_(middle_of(faces)) {
-    nodes_ = TreeBuilder(pack(faces, centre_)).run();
+    TreeBuilder builder(pack(faces, centre_));
+    builder.divide_all();
+    nodes_ = std::move(builder).nodes();
+}
+
+BoxHierarchy::BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices) {
+    const std::vector<Box> boxes = boxes_of(outlines, vertices);
+    centre_ = middle_of(boxes);
+    TreeBuilder builder(pack(boxes, centre_));
+    builder.divide_all();
+    builder.add_slabs(outlines, vertices, centre_);
+    nodes_ = std::move(builder).nodes();
 }
 
 } // namespace chasles

@@ -1,6 +1,9 @@
 // A binary tree of axis-aligned boxes over the faces of a body, in the body's own frame.
 #pragma once
 
+#include "chasles/mesh/flat_lists.h"
+#include "chasles/mesh/slab.h"
+
 #include <Eigen/Core>
 #include <array>
 #include <cstddef>
@@ -20,11 +23,28 @@ struct Box {
 struct BoxNode {
     std::array<float, 3> lower;
     std::array<float, 3> upper;
-    std::uint32_t first; ///< leaf: the face; otherwise the left child, with the right one behind it
-    std::uint32_t faces; ///< number of faces below; 1 for a leaf
+    std::uint32_t first : 31; ///< leaf: the face; otherwise the left child, with the right one behind it
+    std::uint32_t leaf : 1;
+    PackedSlab slab; ///< around the vertices of its faces
 
-    [[nodiscard]] bool is_leaf() const { return faces == 1; }
+    [[nodiscard]] bool is_leaf() const { return leaf != 0; }
 };
+
+/// The middle of a node's box and half its sides, in single precision.
+struct BoxMiddle {
+    Eigen::Vector3f centre;
+    Eigen::Vector3f half;
+};
+
+inline BoxMiddle middle_of(const BoxNode& node) {
+    BoxMiddle box;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const auto axis = static_cast<Eigen::Index>(i);
+        box.centre[axis] = 0.5F * node.lower[i] + 0.5F * node.upper[i];
+        box.half[axis] = 0.5F * node.upper[i] - 0.5F * node.lower[i];
+    }
+    return box;
+}
 
 /// Built once by a binned surface-area heuristic. Node 0 is the root; there are 2 n - 1 nodes for n faces, one face
 /// a leaf. Every box encloses the boxes of its children and all vertices of its faces.
@@ -35,8 +55,11 @@ public:
 
     BoxHierarchy() = default;
 
-    /// From the boxes of the faces (n of them, at least one).
+    /// From the boxes of the faces (n of them, at least one); slabs are the boxes.
     explicit BoxHierarchy(std::span<const Box> faces);
+
+    /// From the outlines of the faces (lists of vertices; at least one).
+    BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices);
 
     [[nodiscard]] std::span<const BoxNode> nodes() const { return nodes_; }
 

@@ -42,20 +42,6 @@ FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const Mesh
     return owned;
 }
 
-BoxHierarchy build_hierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices) {
-    std::vector<Box> boxes(outlines.size());
-    for (std::size_t face = 0; face < boxes.size(); ++face) {
-        const std::span<const std::uint32_t> outline = outlines[face];
-        Box box{vertices[outline.front()], vertices[outline.front()]};
-        for (const std::uint32_t vertex : outline.subspan(1)) {
-            box.lower = box.lower.cwiseMin(vertices[vertex]);
-            box.upper = box.upper.cwiseMax(vertices[vertex]);
-        }
-        boxes[face] = box;
-    }
-    return BoxHierarchy(boxes);
-}
-
 std::size_t count_triangles(const PolygonFaces& polygons) {
     std::size_t triangles = polygons.triangles.items.size() / 3;
     for (std::size_t face = 0; face < polygons.faces.source.size(); ++face)
@@ -103,7 +89,7 @@ Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
     data->vertices.assign(vertices.begin(), vertices.end());
     data->owned_vertices = share_features(outlines.offsets, outlines.items, vertices.size());
     data->owned_edges = share_edges(outlines, edges);
-    data->hierarchy = build_hierarchy(outlines, vertices);
+    data->hierarchy = BoxHierarchy(outlines, vertices);
     if (!is_identity(polygons.faces.source, faces.size()))
         data->source = std::move(polygons.faces.source);
     data->triangles = std::move(polygons.triangles);
