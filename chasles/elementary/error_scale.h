@@ -17,12 +17,12 @@ struct ErrorScale {
     double turn = 1;    ///< over the cosine of half a screw's turn: what its numbers in double-double lose by it
 };
 
-/// Relative error of a coefficient, counted in the notes. In exact scalars there is none; in double-double the maps
-/// themselves are rounded too, which the larger factor covers (docs/derivations/10-error-bounds.md).
+/// Relative error of a coefficient, counted in the notes: most of it is that of the maps themselves
+/// (docs/derivations/10-error-bounds.md). In exact scalars there is none.
 template <class S>
 inline constexpr double error_unit = 0;
 template <>
-inline constexpr double error_unit<double> = 128 * algebra::unit_roundoff<double>;
+inline constexpr double error_unit<double> = 512 * algebra::unit_roundoff<double>;
 template <>
 inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit_roundoff<algebra::DoubleDouble>;
 

@@ -52,14 +52,15 @@ Power<T> sum(const Power<T>& a, const Power<T>& b) {
 /// where a third is not to be had.
 template <class S>
 Bernstein<3, S> polynomial(const S& p0, const S& p1, const S& p2, const S& p3) {
-    const S three(3);
     Bernstein<3, S> result;
     if constexpr (algebra::Divisible<S>) {
+        static const S third = S(1) / S(3);
         result.set(0, p0);
-        result.set(1, S(p0 + p1 / three));
-        result.set(2, S(p0 + (p1 + p1 + p2) / three));
+        result.set(1, S(p0 + p1 * third));
+        result.set(2, S(p0 + (p1 + p1 + p2) * third));
         result.set(3, S(p0 + p1 + p2 + p3));
     } else {
+        const S three(3);
         result.set(0, S(three * p0));
         result.set(1, S(three * p0 + p1));
         result.set(2, S(three * p0 + (p1 + p1 + p2)));
@@ -173,6 +174,17 @@ ControlMaps<S> restricted(const ControlMaps<S>& maps, const S& from, const S& to
 template <class S>
 ControlMaps<double> rounded(const ControlMaps<S>& maps) {
     return transformed<double>(maps, [](const Bernstein<3, S>& p) { return algebra::converted<double>(p); });
+}
+
+/// By 14 degrees at most: |a| <= 1/8.
+inline bool turns_little(const RationalMotion<algebra::DoubleDouble>& motion) {
+    return double(dot(motion.axis, motion.axis)) <= 0x1p-6;
+}
+
+/// The maps in double precision: of a motion that is rounded first where it turns by little, which takes a tenth of the
+/// time, and otherwise rounded last (docs/derivations/10-error-bounds.md, "Maps in double precision").
+inline ControlMaps<double> double_maps(const RationalMotion<algebra::DoubleDouble>& motion) {
+    return turns_little(motion) ? control_maps(rounded(motion)) : rounded(control_maps(motion));
 }
 
 } // namespace chasles::motion

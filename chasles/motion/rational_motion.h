@@ -98,4 +98,19 @@ RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S
             start.translation, orientation, static_cast<double>(norm1(centre))};
 }
 
+/// A motion with every number rounded to double precision.
+inline RationalMotion<double> rounded(const RationalMotion<algebra::DoubleDouble>& motion) {
+    const auto vector = [](const Vector3<algebra::DoubleDouble>& v) {
+        return Vector3<double>{double(v.x), double(v.y), double(v.z)};
+    };
+    const Matrix3<algebra::DoubleDouble>& turn = motion.orientation;
+    return {double(motion.end_cosine),
+            vector(motion.axis),
+            vector(motion.moment),
+            vector(motion.displacement),
+            vector(motion.origin),
+            {vector(turn.row[0]), vector(turn.row[1]), vector(turn.row[2])},
+            motion.reach};
+}
+
 } // namespace chasles::motion

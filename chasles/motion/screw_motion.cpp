@@ -21,9 +21,9 @@ constexpr double uniform_turn = 1e-9;
 
 ScrewMotion ScrewMotion::from(MotionFrame frame) {
     ScrewMotion screw;
-    if (motion::turn_angle(frame.start, frame.goal) <= largest_turn * (1 + 2 * turn_slack))
+    screw.turn_ = motion::turn_angle(frame.start, frame.goal);
+    if (screw.turn_.angle <= largest_turn * (1 + 2 * turn_slack))
         frame.motion = motion::screw_between(frame.start, frame.goal);
-    screw.numbers_ = motion::screw_numbers(frame.start, frame.goal);
     screw.frame_ = std::move(frame);
     return screw;
 }
@@ -40,16 +40,16 @@ ScrewMotion ScrewMotion::relative(const Pose& moving_start, const Pose& moving_g
 double ScrewMotion::tau_at(double time) const {
     if (time <= 0 || time >= 1) // the ends to the last bit
         return time <= 0 ? 0 : 1;
-    return angle() < uniform_turn ? time : std::tan(angle() / 2 * time) / numbers_.half_tangent;
+    return angle() < uniform_turn ? time : std::tan(angle() / 2 * time) / turn_.half_tangent;
 }
 
 double ScrewMotion::time_at(double tau) const {
-    const double tangent = numbers_.half_tangent; // itself to the last bit: the arc tangents then lose none
+    const double tangent = turn_.half_tangent; // itself to the last bit: the arc tangents then lose none
     return angle() < uniform_turn ? tau : std::atan(tau * tangent) / std::atan(tangent);
 }
 
 double ScrewMotion::tau_rate(double tau) const {
-    const double tangent = numbers_.half_tangent;
+    const double tangent = turn_.half_tangent;
     return angle() < uniform_turn ? 1 : std::atan(tangent) / tangent * (1 + tau * tau * tangent * tangent);
 }
 
@@ -65,32 +65,45 @@ std::size_t ScrewMotion::piece_count(double max_turn) const {
 }
 
 ScrewMotion ScrewMotion::piece(std::size_t index, std::size_t count) const {
-    if (count == 1)
-        return *this;
-    const auto time_of = [&](std::size_t i) { return double(i) / double(count); };
-    const auto pose_of = [&](std::size_t i) { // the same bits as the end of one piece and the start of the next
-        return motion::screw_pose(frame_.start, frame_.goal, {time_of(i), time_of(i)});
-    };
-    MotionFrame piece = frame_;
-    if (index > 0) {
-        piece.given_start = {pose_of(index), {}};
-        piece.start = motion::exact(piece.given_start.pose);
-        piece.fixed_start = frame_.fixed_pose_at(time_of(index));
-    }
-    if (index + 1 < count) {
-        piece.given_goal = {pose_of(index + 1), {}};
-        piece.goal = motion::exact(piece.given_goal.pose);
-        piece.fixed_goal = frame_.fixed_pose_at(time_of(index + 1));
-    }
-    return from(piece);
+    return ScrewPieces(*this, count)[index];
 }
 
 std::vector<ScrewMotion> ScrewMotion::cut(double max_turn) const {
     const std::size_t count = piece_count(max_turn);
+    const ScrewPieces whole(*this, count);
     std::vector<ScrewMotion> pieces;
     for (std::size_t i = 0; i < count; ++i)
-        pieces.push_back(piece(i, count));
+        pieces.push_back(whole[i]);
     return pieces;
+}
+
+motion::ScrewNumbers ScrewMotion::numbers() const {
+    return motion::ScrewPath(frame_.start, frame_.goal).numbers();
+}
+
+ScrewPieces::ScrewPieces(const ScrewMotion& screw, std::size_t count) : screw_(screw), count_(count) {
+    if (count > 1)
+        path_.emplace(screw.frame().start, screw.frame().goal);
+}
+
+ScrewMotion ScrewPieces::operator[](std::size_t index) const {
+    if (count_ == 1)
+        return screw_;
+    const MotionFrame& whole = screw_.frame();
+    const auto time_of = [&](std::size_t i) { return double(i) / double(count_); };
+    const auto pose_of = [&](std::size_t i) { return path_->at({time_of(i), time_of(i)}); }; // the same bits each time
+    MotionFrame piece = whole;
+    if (index > 0) {
+        piece.given_start = {pose_of(index), {}};
+        piece.start = motion::exact(piece.given_start.pose);
+        piece.fixed_start = whole.fixed_pose_at(time_of(index));
+    }
+    if (index + 1 < count_) {
+        piece.given_goal = {pose_of(index + 1), {}};
+        piece.goal = motion::exact(piece.given_goal.pose);
+        piece.fixed_goal = whole.fixed_pose_at(time_of(index + 1));
+    }
+    return ScrewMotion::from(std::move(piece));
 }
 
 } // namespace chasles

@@ -4,6 +4,7 @@
 #include "chasles/motion/motion_frame.h"
 #include "chasles/motion/screw_pose.h"
 
+#include <optional>
 #include <vector>
 
 namespace chasles {
@@ -22,14 +23,14 @@ public:
                                 const Pose& fixed_goal);
 
     /// Turn in [0, pi], radians.
-    [[nodiscard]] double angle() const { return numbers_.angle; }
+    [[nodiscard]] double angle() const { return turn_.angle; }
     /// Signed travel along axis_direction(), mesh unit.
-    [[nodiscard]] double slide() const { return numbers_.slide; }
+    [[nodiscard]] double slide() const { return numbers().slide; }
     /// Unit vector in the fixed body's frame. Of the travel if nothing turns; 0 0 1 if nothing moves.
-    [[nodiscard]] const Eigen::Vector3d& axis_direction() const { return numbers_.axis_direction; }
+    [[nodiscard]] Eigen::Vector3d axis_direction() const { return numbers().axis_direction; }
     /// The axis point nearest to the start position of the body's origin; that position itself if nothing turns.
     /// In the fixed body's frame.
-    [[nodiscard]] const Eigen::Vector3d& axis_point() const { return numbers_.axis_point; }
+    [[nodiscard]] Eigen::Vector3d axis_point() const { return numbers().axis_point; }
 
     [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
     [[nodiscard]] double time_at(double tau) const;  ///< its inverse
@@ -52,10 +53,26 @@ public:
     static constexpr double least_max_turn = 1e-4;
 
 private:
+    friend class ScrewPieces;
     static ScrewMotion from(MotionFrame frame);
+    [[nodiscard]] motion::ScrewNumbers numbers() const;
 
     MotionFrame frame_;
-    motion::ScrewNumbers numbers_;
+    motion::TurnAngle turn_;
+};
+
+/// The pieces of a screw, one after another, for less than one by one.
+class ScrewPieces {
+public:
+    /// In `count` equal turns; the screw is kept by reference.
+    ScrewPieces(const ScrewMotion& screw, std::size_t count);
+
+    [[nodiscard]] ScrewMotion operator[](std::size_t index) const;
+
+private:
+    const ScrewMotion& screw_;
+    std::size_t count_;
+    std::optional<motion::ScrewPath> path_; ///< none where the screw is the only piece
 };
 
 } // namespace chasles

@@ -19,6 +19,11 @@ inline GeneralPose<algebra::DoubleDouble> exact(const Pose& pose) {
     return pose_in<algebra::DoubleDouble>(pose);
 }
 
+/// Rounded to double precision.
+inline Eigen::Vector3d rounded(const Vector3<algebra::DoubleDouble>& v) {
+    return {v.x.high(), v.y.high(), v.z.high()};
+}
+
 /// The pose rounded to double precision, with a quaternion of length one.
 Pose rounded(const GeneralPose<algebra::DoubleDouble>& pose);
 
@@ -30,18 +35,18 @@ GeneralPose<algebra::DoubleDouble> composed(const GeneralPose<algebra::DoubleDou
 GeneralPose<algebra::DoubleDouble> seen_from(const GeneralPose<algebra::DoubleDouble>& frame,
                                              const GeneralPose<algebra::DoubleDouble>& pose);
 
-/// The angle of the turn from `start` to `goal`, in [0, pi].
-double turn_angle(const GeneralPose<algebra::DoubleDouble>& start, const GeneralPose<algebra::DoubleDouble>& goal);
+/// The turn from one pose to another.
+struct TurnAngle {
+    double angle;        ///< in [0, pi]
+    double half_tangent; ///< huge or infinite at a half turn
+};
+TurnAngle turn_angle(const GeneralPose<algebra::DoubleDouble>& start, const GeneralPose<algebra::DoubleDouble>& goal);
 
 /// How far along a screw: as a part of its whole turn, and as a part of its whole slide, both in [0, 1].
 struct ScrewProgress {
     double turned;
     double slid;
 };
-
-/// The pose on the screw from `start` to `goal`; the end poses themselves at progress {0, 0} and {1, 1}.
-Pose screw_pose(const GeneralPose<algebra::DoubleDouble>& start, const GeneralPose<algebra::DoubleDouble>& goal,
-                const ScrewProgress& progress);
 
 /// A screw by its numbers, in double precision.
 struct ScrewNumbers {
@@ -51,7 +56,29 @@ struct ScrewNumbers {
     Eigen::Vector3d axis_direction;
     Eigen::Vector3d axis_point;
 };
-ScrewNumbers screw_numbers(const GeneralPose<algebra::DoubleDouble>& start,
-                           const GeneralPose<algebra::DoubleDouble>& goal);
+
+/// The screw from one pose to another, taken apart once for many poses on it.
+class ScrewPath {
+public:
+    using Scalar = algebra::DoubleDouble;
+    ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal);
+
+    /// The end poses themselves at progress {0, 0} and {1, 1}.
+    [[nodiscard]] Pose at(const ScrewProgress& progress) const;
+    [[nodiscard]] ScrewNumbers numbers() const;
+
+private:
+    GeneralPose<Scalar> start_;
+    GeneralPose<Scalar> goal_;
+    Quaternion<Scalar> turn_; ///< with length one
+    Scalar half_sine_;
+    Vector3<Scalar> direction_; ///< unit; of the shift if nothing turns; zero if nothing moves
+    Vector3<Scalar> along_;     ///< the displacement of the body's origin along the axis, and across
+    Vector3<Scalar> across_;
+};
+
+/// One pose of it.
+Pose screw_pose(const GeneralPose<algebra::DoubleDouble>& start, const GeneralPose<algebra::DoubleDouble>& goal,
+                const ScrewProgress& progress);
 
 } // namespace chasles::motion

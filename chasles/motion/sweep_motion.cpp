@@ -47,7 +47,7 @@ SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const {
 }
 
 double SweepMotion::angle() const {
-    return motion::turn_angle(frame_.start, frame_.goal);
+    return motion::turn_angle(frame_.start, frame_.goal).angle;
 }
 
 Eigen::Vector3d SweepMotion::displacement() const {

@@ -36,7 +36,7 @@ struct Maps {
 
     Maps(Random& random, const PosedMotion& motion, const Sizes& sizes)
         : refined(motion::control_maps(motion.made)), exactly_whole(motion::control_maps(motion.exactly)) {
-        in_doubles = motion::rounded(refined);
+        in_doubles = motion::double_maps(motion.made);
         accuracy.scale = error_scale(in_doubles, std::max(sizes.moving, motion.made.reach), sizes.fixed);
         exactly = exactly_whole;
         if (random.chance(0.5)) {
@@ -198,7 +198,7 @@ TEST(ErrorScale, StretchIsOneForATranslation) {
     straight.end_cosine = 1.0;
     straight.displacement = {1.0, 2.0, 3.0};
     straight.orientation = algebra::identity_matrix<DoubleDouble>();
-    const auto scale = error_scale(motion::rounded(motion::control_maps(straight)), 4, 5);
+    const auto scale = error_scale(motion::double_maps(straight), 4, 5);
     EXPECT_EQ(scale.stretch, 1);
     EXPECT_GE(scale.length, 4 + 3 + 5);
     EXPECT_LT(scale.length, 2 * (4 + 3 + 5));
@@ -206,7 +206,7 @@ TEST(ErrorScale, StretchIsOneForATranslation) {
 
 TEST(ErrorScale, GrowsWithTheBodiesAndTheMotion) {
     Random random(724);
-    const auto maps = motion::rounded(motion::control_maps(random_posed_motion(random, 1).made));
+    const auto maps = motion::double_maps(random_posed_motion(random, 1).made);
     const double one = error_scale(maps, 1, 1).length;
     EXPECT_GT(error_scale(maps, 2, 1).length, one);
     EXPECT_GT(error_scale(maps, 1, 2).length, one);

@@ -80,7 +80,7 @@ TEST(FaceSides, ASideThatIsToldIsTheExactOne) {
         const double reach = std::abs(random.scaled(-3, 3));
         const PosedMotion posed = random_posed_motion(random, reach);
         const auto exact_maps = motion::control_maps(posed.exactly);
-        const auto maps = motion::rounded(motion::control_maps(posed.made));
+        const auto maps = motion::double_maps(posed.made);
         std::vector<DoublePoint> corners;
         for (int i = 0; i < 3; ++i)
             corners.push_back(random.vector(reach));
@@ -90,8 +90,12 @@ TEST(FaceSides, ASideThatIsToldIsTheExactOne) {
         const double far = std::max(4 * reach, norm1(vertex));
         const ErrorScale scale = error_scale(maps, std::max(far, posed.made.reach), far);
         const FaceShape<double> face = face_shape<double>(corners, {});
-        const int side = (face_moves ? plane_of_moving_face(maps, face, scale) : plane_of_fixed_face(maps, face, scale))
-                             .side_of(vertex);
+        const double width = std::ldexp(1.0, -random.integer(0, 12));
+        const double from = random.chance(0.5) ? 0 : 0.25 * width * random.integer(0, int(4 / width) - 4);
+        const algebra::Restriction<3, double> part(from, from + width);
+        const auto plane =
+            face_moves ? plane_of_moving_face(maps, face, scale) : plane_of_fixed_face(maps, face, scale);
+        const int side = plane.side_of(vertex, part, part(plane.band));
         Points exactly;
         for (const DoublePoint& corner : corners)
             exactly.push_back(exact(corner));
@@ -99,7 +103,8 @@ TEST(FaceSides, ASideThatIsToldIsTheExactOne) {
                                          : exact_maps.turn * exact(vertex) + exact_maps.shift;
         (side == 0 ? open : told) += 1;
         if (side != 0) {
-            EXPECT_TRUE(has_sign(exact_height(position, exact_maps.weight, exactly), side));
+            const auto height = exact_height(position, exact_maps.weight, exactly);
+            EXPECT_TRUE(has_sign(restricted(height, Rational(from), Rational(from + width)), side));
         }
     }
     std::cout << told << " told, " << open << " left open\n";

@@ -45,7 +45,8 @@ struct LaneErrors {
     double moment = 0;
     double weight = 0;
 
-    LaneErrors(const motion::ControlMaps<Tracked>& maps, int lane) : weight(maps.weight[lane].error()) {
+    template <class AnyTracked>
+    LaneErrors(const motion::ControlMaps<AnyTracked>& maps, int lane) : weight(maps.weight[lane].error()) {
         for (int i = 0; i < 3; ++i) {
             double row = 0, column = 0;
             for (int j = 0; j < 3; ++j) {
@@ -82,6 +83,47 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfTheMaps) {
             ratios.note("moments", (e.turn * (moving + fixed) + e.moment) / length);
         }
     }
+    ratios.expect_sound(0.01);
+}
+
+/// As above, for maps that a query makes in double precision from a motion that is rounded first.
+TEST(ErrorScale, LeavesRoomForEveryRoundingOfMapsInDouble) {
+    Random random(733);
+    ErrorRatios ratios;
+    const auto tracked_vector = [](const Vector3<DoubleDouble>& v) {
+        return Vector3<TrackedDouble>{TrackedDouble::rounded(v.x), TrackedDouble::rounded(v.y),
+                                      TrackedDouble::rounded(v.z)};
+    };
+    int made = 0;
+    for (int trial = 0; trial < 4000 * times_if_long(100); ++trial) {
+        const double size = std::abs(random.scaled(-6, 6));
+        const RationalMotion<DoubleDouble> motion = random_posed_motion(random, size).made;
+        if (!motion::turns_little(motion))
+            continue;
+        ++made;
+        RationalMotion<TrackedDouble> rounded{
+            TrackedDouble::rounded(motion.end_cosine), tracked_vector(motion.axis),   tracked_vector(motion.moment),
+            tracked_vector(motion.displacement),       tracked_vector(motion.origin), {}};
+        for (int i = 0; i < 3; ++i)
+            rounded.orientation.row[i] = tracked_vector(motion.orientation.row[i]);
+        const auto maps = motion::control_maps(rounded);
+        const auto in_doubles = motion::double_maps(motion);
+        const double moving = std::max(motion.reach, size * std::abs(random.scaled(-6, 2)));
+        const double fixed = size * std::abs(random.scaled(-6, 2));
+        const ErrorScale scale = error_scale(in_doubles, moving, fixed);
+        const double bound = 400 * 0x1p-53; // of the 512 units
+        for (int lane = 0; lane <= 3; ++lane) {
+            const LaneErrors e(maps, lane);
+            const double weight = in_doubles.weight[lane];
+            ratios.note("turn", e.turn / (bound * scale.stretch * weight));
+            ratios.note("arms from the fixed body",
+                        (e.turn * moving + e.shift + e.weight * fixed) / (bound * scale.length * weight));
+            ratios.note("arms from the moving body",
+                        (e.turn * fixed + e.inverse + e.weight * moving) / (bound * scale.length * weight));
+            ratios.note("moments", (e.turn * (moving + fixed) + e.moment) / (bound * scale.length * weight));
+        }
+    }
+    EXPECT_GT(made, 1000);
     ratios.expect_sound(0.01);
 }
 

@@ -56,9 +56,9 @@ TEST(TurnAngle, IsThatOfTheShortWay) {
     for (const double angle : {0.0, 1e-12, 0.4, 2.9, std::numbers::pi}) {
         const Pose start = random_pose(random, 1);
         Pose goal = random_goal(random, start, angle, 1);
-        EXPECT_NEAR(turn_angle(exact(start), exact(goal)), angle, 1e-15);
+        EXPECT_NEAR(turn_angle(exact(start), exact(goal)).angle, angle, 1e-15);
         goal.rotation.coeffs() *= -1;
-        EXPECT_NEAR(turn_angle(exact(start), exact(goal)), angle, 1e-15);
+        EXPECT_NEAR(turn_angle(exact(start), exact(goal)).angle, angle, 1e-15);
     }
 }
 

@@ -1,4 +1,4 @@
-// A double-double that carries a bound on its own error: whatever way the operations before it were rounded, the exact
+// A number that carries a bound on its own error: whatever way the operations before it were rounded, the exact
 // value is no further away. Running error analysis; source: N. Higham, "Accuracy and Stability of Numerical
 // Algorithms", section 3.3. The library's templates run in it as they stand.
 #pragma once
@@ -11,13 +11,16 @@ namespace chasles::test {
 
 using algebra::DoubleDouble;
 
-class Tracked {
+/// Sums and products are off by `unit` of their value, quotients and roots by twice as much.
+template <const double& unit>
+class TrackedIn {
 public:
-    /// Of sums and products; quotients and roots may be off by twice as much (docs/derivations/10-error-bounds.md).
-    static constexpr double unit = 5 * 0x1p-106;
+    using Tracked = TrackedIn;
 
-    Tracked() = default;
-    Tracked(double exact) : value_(exact) {} // NOLINT(google-explicit-constructor): as for double-double
+    TrackedIn() = default;
+    /// Rounded to one unit.
+    static Tracked rounded(const DoubleDouble& value) { return {value, 0, 1}; }
+    TrackedIn(double exact) : value_(exact) {} // NOLINT(google-explicit-constructor): as for double-double
 
     [[nodiscard]] const DoubleDouble& value() const { return value_; }
     [[nodiscard]] double error() const { return error_; }
@@ -45,12 +48,18 @@ public:
     explicit operator double() const { return value_.high(); }
 
 private:
-    Tracked(const DoubleDouble& value, double carried, int units)
+    TrackedIn(const DoubleDouble& value, double carried, int units)
         : value_(value), error_((carried + units * unit * std::abs(value.high())) * (1 + 0x1p-40)) {}
     [[nodiscard]] double size() const { return std::abs(value_.high()) * (1 + 0x1p-50); }
 
     DoubleDouble value_;
     double error_ = 0;
 };
+
+/// In double-double (docs/derivations/10-error-bounds.md) and in double.
+inline constexpr double tracked_unit = 5 * 0x1p-106;
+inline constexpr double tracked_double_unit = 0x1p-53;
+using Tracked = TrackedIn<tracked_unit>;
+using TrackedDouble = TrackedIn<tracked_double_unit>;
 
 } // namespace chasles::test
