@@ -17,9 +17,18 @@ struct SeenPlane {
     Polynomial band; ///< heights are known to within it, and the face's own corners are
 
     /// 1 or -1 if the point is proven to be on that side all along, otherwise 0.
-    [[nodiscard]] int side_of(const Vector3<S>& point) const {
-        const Polynomial height = dot(normal, point) + offset;
-        return is_positive(height, band) ? 1 : is_negative(height, band) ? -1 : 0;
+    [[nodiscard]] int side_of(const Vector3<S>& point) const { return side(height_of(point), band); }
+
+    /// The same in a part of the interval; `band_there` is the band restricted to it.
+    [[nodiscard]] int side_of(const Vector3<S>& point, const algebra::Restriction<3, S>& part,
+                              const Polynomial& band_there) const {
+        return side(part(height_of(point)), band_there);
+    }
+
+private:
+    [[nodiscard]] Polynomial height_of(const Vector3<S>& point) const { return dot(normal, point) + offset; }
+    static int side(const Polynomial& height, const Polynomial& error) {
+        return is_positive(height, error) ? 1 : is_negative(height, error) ? -1 : 0;
     }
 };
 

@@ -15,11 +15,12 @@ class CornerSides {
 public:
     /// `room` holds the sides, so that nothing is allocated.
     CornerSides(const Polyhedron& body, std::uint32_t face, const elementary::SeenPlane<double>& plane,
-                std::vector<int>& room)
+                const algebra::Restriction<3, double>& part, std::vector<int>& room)
         : corners_(body.face(face)), sides_(room) {
         sides_.clear();
+        const auto band = part(plane.band);
         for (const std::uint32_t corner : corners_)
-            sides_.push_back(plane.side_of(HeldFace<double>::point(body, corner)));
+            sides_.push_back(plane.side_of(HeldFace<double>::point(body, corner), part, band));
     }
 
     [[nodiscard]] bool all_on_one_side() const {
@@ -52,20 +53,21 @@ public:
         maps_ = &maps;
         of_moving_.face = of_fixed_.face = no_face;
     }
+    using Part = algebra::Restriction<3, double>; ///< of the interval
 
     /// The corners of a moving face and the plane of a fixed one. Until the next call.
-    CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face) {
+    CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part) {
         of_fixed_.see(fixed_face, [&] {
             return elementary::plane_of_fixed_face(*maps_, of_fixed_.held.hold(fixed_, fixed_face), scale_);
         });
-        return {moving_, moving_face, of_fixed_.plane, of_fixed_.sides};
+        return {moving_, moving_face, of_fixed_.plane, part, of_fixed_.sides};
     }
     /// The other way round.
-    CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face) {
+    CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part) {
         of_moving_.see(moving_face, [&] {
             return elementary::plane_of_moving_face(*maps_, of_moving_.held.hold(moving_, moving_face), scale_);
         });
-        return {fixed_, fixed_face, of_moving_.plane, of_moving_.sides};
+        return {fixed_, fixed_face, of_moving_.plane, part, of_moving_.sides};
     }
 
 private:

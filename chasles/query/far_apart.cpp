@@ -1,6 +1,7 @@
 #include "chasles/query/far_apart.h"
 
 #include "chasles/motion/screw_pose.h"
+#include "chasles/query/body_ball.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,24 +13,11 @@ namespace {
 /// Of the sizes of all that enters: a hundred roundings would take a hundredth of it.
 constexpr double slack = 1e-12;
 
-struct Ball {
-    Eigen::Vector3d centre;
-    double radius;
-};
-
-/// Around a body, in its own frame.
-Ball ball_of(const BoxHierarchy& hierarchy) {
-    const BoxNode& root = hierarchy.nodes()[0];
-    const Eigen::Vector3d lower(root.lower[0], root.lower[1], root.lower[2]);
-    const Eigen::Vector3d upper(root.upper[0], root.upper[1], root.upper[2]);
-    return {hierarchy.centre() + 0.5 * (lower + upper), 0.5 * (upper - lower).norm()};
-}
-
 } // namespace
 
 bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionFrame& frame) {
-    const Ball mover = ball_of(moving.hierarchy());
-    const Ball target = ball_of(fixed.hierarchy());
+    const motion::Ball mover = ball_around(moving.hierarchy());
+    const motion::Ball target = ball_around(fixed.hierarchy());
     const Eigen::Isometry3d start_pose = motion::rounded(frame.start).isometry();
     const Eigen::Isometry3d goal_pose = motion::rounded(frame.goal).isometry();
     const Eigen::Vector3d start = start_pose * mover.centre;

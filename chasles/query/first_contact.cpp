@@ -94,9 +94,8 @@ private:
             name_face(found.overlap->face, found.overlap->edge_is_moving ? query_.fixed : query_.moving);
         }
         const double rate = piece.tau_rate(tau.lower) * double(clock.count);
-        const query::ContactDetails details(query_.moving, query_.fixed,
-                                            motion::rounded(motion::control_maps(piece.frame().motion)), tau.lower,
-                                            found.verdict == Verdict::contact_at_start);
+        const query::ContactDetails details(query_.moving, query_.fixed, motion::double_maps(piece.frame().motion),
+                                            tau.lower, found.verdict == Verdict::contact_at_start);
         for (const query::Candidate& candidate : reported(result.candidates)) {
             Contact contact = details.describe(candidate);
             contact.point = query::product(to_world.linear(), contact.point) + to_world.translation();
@@ -184,7 +183,8 @@ FirstContact first_contact(const FirstContactQuery& query) {
     const Query run(query);
     if (const auto* screw = std::get_if<ScrewMotion>(&query.motion)) {
         const std::size_t count = screw->piece_count(query.max_turn);
-        return run.answer(count, [&](std::size_t i) { return screw->piece(i, count); });
+        const ScrewPieces pieces(*screw, count);
+        return run.answer(count, [&](std::size_t i) { return pieces[i]; });
     }
     return run.answer(1, [&](std::size_t) { return std::get<SweepMotion>(query.motion); });
 }

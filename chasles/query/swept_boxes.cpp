@@ -1,116 +1,86 @@
 #include "chasles/query/swept_boxes.h"
 
-// The hottest function of the library is compiled twice, and the processor at hand chooses: four lanes are one
-// register with AVX2 and two without. No fused operations: the answers are the same to the last bit. All that it calls
-// has to be inlined (flatten), because the two forms pass vectors in different ways; without optimisation it is not.
-// Clang gives the chosen form a name that callers do not know (before version 18), and sanitizers are not up when the
-// choice is made. tests/bits compares the answers of both forms.
-#if defined(__x86_64__) && defined(__gnu_linux__) && defined(__OPTIMIZE__) && !defined(__AVX2__) &&                    \
-    !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
-#define CHASLES_ALSO_FOR_AVX2 __attribute__((target_clones("avx2", "default"), flatten))
-#else
-#define CHASLES_ALSO_FOR_AVX2
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
 #endif
 
 namespace chasles::query {
 
 namespace {
 
-using Lanes = algebra::Lanes<4, double>;
-using LaneVector = algebra::Vector3<Lanes>;
+/// What a computed window is widened by: a few roundings of a quotient in [0, 1].
+constexpr float window_slack = 0x1p-20F;
+constexpr Window never{1, 0};
 
-Lanes times(const Lanes& lanes, double factor) {
-    return lanes * Lanes::all(factor);
+// The kernel is compiled for what the library is compiled for and, on x86-64, for AVX2 besides; the processor at hand
+// chooses. No fused operations: both give the same bits (tests/bits).
+namespace plain {
+#include "chasles/query/swept_boxes_kernel.inl"
 }
 
-double spread(const Lanes& lanes) {
-    return std::max(std::max(lanes[0], lanes[1]), std::max(lanes[2], lanes[3])) -
-           std::min(std::min(lanes[0], lanes[1]), std::min(lanes[2], lanes[3]));
+#if defined(__x86_64__) && defined(__GNUC__)
+#define CHASLES_KERNEL_AVX2
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+namespace avx2 {
+#include "chasles/query/swept_boxes_kernel.inl"
+}
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+const auto meetings = __builtin_cpu_supports("avx2") ? avx2::meetings : plain::meetings;
+#else
+constexpr auto meetings = plain::meetings;
+#endif
+
+SweptBoxes::TwoRows twice(const Eigen::Vector3d& v) {
+    SweptBoxes::TwoRows rows;
+    for (std::size_t i = 0; i < 3; ++i)
+        rows.lanes[i] = rows.lanes[4 + i] = float(v[Eigen::Index(i)]);
+    return rows;
 }
 
-/// Boxes lose at most so much where subnormal floats are flushed to zero: 4 x 2^-126, stretched by less than 1000.
-constexpr double flushed = 0x1p-110;
-
-struct BoxMiddle {
-    double centre[3];
-    double half[3];
-};
-
-/// Sums and halves of floats are exact in double precision unless their exponents differ by more than 29.
-BoxMiddle middle_of(const BoxNode& node) {
-    BoxMiddle box;
+void place(SweptBoxes::View& view, int end, const Placement& placed) {
     for (int i = 0; i < 3; ++i) {
-        const double lower = node.lower[i];
-        const double upper = node.upper[i];
-        box.centre[i] = 0.5 * (lower + upper);
-        box.half[i] = 0.5 * (upper - lower);
+        view.turn[end][i] = twice(placed.turn.col(i));
+        view.turn_size[end][i] = twice(placed.turn.col(i).cwiseAbs());
     }
-    return box;
+    view.offset[end] = twice(placed.offset);
 }
 
-Lanes combined(const LaneVector& row, const double* by) {
-    return times(row.x, by[0]) + times(row.y, by[1]) + times(row.z, by[2]);
-}
-
-bool is_apart(const Lanes& distance, const Lanes& reach) {
-    return all_above(distance, reach) || all_above(Lanes() - distance, reach);
+Placement inverse(const Placement& placed) {
+    return {placed.turn.transpose(), -(placed.turn.transpose() * placed.offset)};
 }
 
 } // namespace
 
-SweptBoxes::SweptBoxes(const motion::ControlMaps<double>& maps, const Eigen::Vector3d& moving_centre,
-                       const Eigen::Vector3d& fixed_centre, const elementary::ErrorScale& scale) {
-    const double moving[3] = {moving_centre.x(), moving_centre.y(), moving_centre.z()};
-    const double fixed[3] = {fixed_centre.x(), fixed_centre.y(), fixed_centre.z()};
-    weight_ = maps.weight.coefficients;
-    for (int i = 0; i < 4; ++i)
-        inverse_weight_.set(i, 1 / weight_[i]);
-    slack_ = times(weight_, elementary::error_unit<double> * scale.length + flushed);
-    for (int i = 0; i < 3; ++i) {
-        double row_spin = 0;
-        for (int j = 0; j < 3; ++j) {
-            turn_.row[i][j] = maps.turn.row[i][j].coefficients;
-            turn_size_.row[i][j] = magnitude(turn_.row[i][j]);
-            row_spin += spread(turn_.row[i][j] * inverse_weight_);
-        }
-        spin_ = std::max(spin_, row_spin);
-    }
-    const algebra::Matrix3<Lanes> back = turn_.transposed();
-    for (int i = 0; i < 3; ++i) {
-        offset_[i] = combined(turn_.row[i], moving) + maps.shift[i].coefficients - times(weight_, fixed[i]);
-        inverse_offset_[i] =
-            combined(back.row[i], fixed) - maps.inverse_shift[i].coefficients - times(weight_, moving[i]);
-    }
+SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSlack& slack) {
+    place(moving_, 0, start);
+    place(moving_, 1, end);
+    place(fixed_, 0, inverse(start));
+    place(fixed_, 1, inverse(end));
+    moving_.slack = float(slack.moving);
+    fixed_.slack = float(slack.fixed);
 }
 
-CHASLES_ALSO_FOR_AVX2
-SweptBoxes::Relation SweptBoxes::relation(const BoxNode& moving, const BoxNode& fixed) const {
-    const BoxMiddle a = middle_of(moving);
-    const BoxMiddle b = middle_of(fixed);
-    LaneVector path;
-    for (int i = 0; i < 3; ++i) { // along the fixed body's axes
-        const Lanes centre = combined(turn_.row[i], a.centre) + offset_[i];
-        const Lanes reach = combined(turn_size_.row[i], a.half) + times(weight_, b.half[i]) + slack_;
-        if (is_apart(centre - times(weight_, b.centre[i]), reach))
-            return {true, 0, 0};
-        path[i] = centre;
-    }
-    for (int i = 0; i < 3; ++i) { // along the moving body's axes
-        const LaneVector column{turn_.row[0][i], turn_.row[1][i], turn_.row[2][i]};
-        const LaneVector column_size{turn_size_.row[0][i], turn_size_.row[1][i], turn_size_.row[2][i]};
-        const Lanes centre = combined(column, b.centre) + inverse_offset_[i];
-        const Lanes reach = combined(column_size, b.half) + times(weight_, a.half[i]) + slack_;
-        if (is_apart(centre - times(weight_, a.centre[i]), reach))
-            return {true, 0, 0};
-    }
-    Relation relation;
-    for (int i = 0; i < 3; ++i)
-        relation.travel = std::max(relation.travel, spread(path[i] * inverse_weight_));
-    const double a_half = std::max({a.half[0], a.half[1], a.half[2]});
-    const double b_half = std::max({b.half[0], b.half[1], b.half[2]});
-    relation.travel += spin_ * a_half;
-    relation.size = 2 * std::max(a_half, b_half);
-    return relation;
+SweptBoxes::Windows SweptBoxes::meetings_of_moving(std::span<const BoxNode, 2> moving, const BoxNode& fixed,
+                                                   const Window& when) const {
+    return meetings(fixed, moving.data(), fixed_, moving_, when);
+}
+
+SweptBoxes::Windows SweptBoxes::meetings_of_fixed(const BoxNode& moving, std::span<const BoxNode, 2> fixed,
+                                                  const Window& when) const {
+    return meetings(moving, fixed.data(), moving_, fixed_, when);
 }
 
 } // namespace chasles::query

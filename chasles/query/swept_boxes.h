@@ -1,42 +1,65 @@
-// Boxes of the two hierarchies under the control maps of an interval of time: are they apart all along?
-// Source: docs/derivations/07-swept-boxes.md.
+// Boxes and slabs of the two hierarchies over an interval of time that is seen as straight: when may they meet?
+// Source: docs/derivations/14-node-pairs.md.
 #pragma once
 
-#include "chasles/elementary/error_scale.h"
 #include "chasles/mesh/box_hierarchy.h"
+
+#include <Eigen/Core>
+#include <array>
+#include <span>
 
 namespace chasles::query {
 
-/// The control maps of one interval, prepared for boxes that are relative to the centres of their hierarchies.
+/// A part of an interval of time; all of it is [0, 1].
+struct Window {
+    float lower = 0;
+    float upper = 1;
+
+    [[nodiscard]] bool is_empty() const { return !(lower <= upper); }
+};
+
+/// Where the moving body's hierarchy is at one time: points y relative to its centre are at turn * y + offset, relative
+/// to the centre of the fixed one.
+struct Placement {
+    Eigen::Matrix3d turn;
+    Eigen::Vector3d offset;
+};
+
+/// By how much the boxes are to be widened.
+struct BoxSlack {
+    double moving = 0; ///< points of the moving body, in the frame of the fixed one
+    double fixed = 0;  ///< the other way round
+};
+
+/// Both ends of an interval, prepared for pairs of nodes.
 class SweptBoxes {
 public:
-    using Polynomial = algebra::Bernstein<3, double>;
+    SweptBoxes(const Placement& start, const Placement& end, const BoxSlack& slack);
 
-    SweptBoxes(const motion::ControlMaps<double>& maps, const Eigen::Vector3d& moving_centre,
-               const Eigen::Vector3d& fixed_centre, const elementary::ErrorScale& scale);
+    /// When a node of one body may meet two nodes of the other that lie side by side, within `when`; empty where they
+    /// are proven not to.
+    using Windows = std::array<Window, 2>;
+    [[nodiscard]] Windows meetings_of_moving(std::span<const BoxNode, 2> moving, const BoxNode& fixed,
+                                             const Window& when) const;
+    [[nodiscard]] Windows meetings_of_fixed(const BoxNode& moving, std::span<const BoxNode, 2> fixed,
+                                            const Window& when) const;
 
-    /// What is known of two boxes over the interval.
-    struct Relation {
-        bool apart = false; ///< proven never to touch
-        double travel = 0;  ///< how far the moving box goes, in the maximum norm
-        double size = 0;    ///< the longest side of the two boxes
+    /// Two times x, y, z and nothing: for two nodes.
+    struct alignas(32) TwoRows {
+        std::array<float, 8> lanes{};
     };
 
-    [[nodiscard]] Relation relation(const BoxNode& moving, const BoxNode& fixed) const;
+    /// Points of one body in the frame of the other, at the start and at the end.
+    struct View {
+        TwoRows turn[2][3]; ///< columns
+        TwoRows turn_size[2][3];
+        TwoRows offset[2];
+        float slack = 0;
+    };
 
 private:
-    using Lanes = algebra::Lanes<4, double>;
-    using LaneVector = algebra::Vector3<Lanes>;
-    using LaneMatrix = algebra::Matrix3<Lanes>;
-
-    LaneMatrix turn_;
-    LaneMatrix turn_size_; ///< magnitudes
-    LaneVector offset_;    ///< of the moving centre from the fixed one
-    LaneVector inverse_offset_;
-    Lanes weight_;
-    Lanes inverse_weight_;
-    Lanes slack_;
-    double spin_ = 0; ///< how far a point at distance one from the box's middle goes around it, at most
+    View moving_; ///< seen from the fixed body
+    View fixed_;
 };
 
 } // namespace chasles::query

@@ -1,38 +1,74 @@
-// The dyadic intervals of tau that a traversal visits, each with its control maps, made when first asked for.
+// The intervals of tau that a traversal visits: for hierarchies, the bodies at both ends; for features, control maps.
+// Source: docs/derivations/14-node-pairs.md.
 #pragma once
 
+#include "chasles/elementary/error_scale.h"
+#include "chasles/motion/path_bend.h"
 #include "chasles/query/swept_boxes.h"
-
-#include <deque>
 
 namespace chasles::query {
 
-/// One interval. Its maps are restricted from those of the whole motion, so that rounding does not build up.
+/// A part of [0, 1].
+struct TauRange {
+    double lower = 0;
+    double upper = 1;
+
+    [[nodiscard]] double width() const { return upper - lower; }
+    [[nodiscard]] double at(double share) const { return lower + share * width(); }
+    friend bool operator==(const TauRange&, const TauRange&) = default;
+};
+
+/// A dyadic interval.
 struct TimeInterval {
-    double lower;
-    double upper;
-    motion::ControlMaps<double> maps;
+    TauRange range;
     SweptBoxes boxes;
+    double bend = 0; ///< how far paths leave their chords, at most
 };
 
 /// Makes intervals of one motion.
 class TimeTree {
 public:
-    TimeTree(const motion::ControlMaps<double>& whole, const Eigen::Vector3d& moving_centre,
-             const Eigen::Vector3d& fixed_centre, const elementary::ErrorScale& scale)
-        : whole_(whole), moving_centre_(moving_centre), fixed_centre_(fixed_centre), scale_(scale) {}
+    /// Maps are kept by reference.
+    TimeTree(const motion::ControlMaps<double>& whole, const motion::PathBend& bend, const motion::Ball& moving,
+             const motion::Ball& fixed, const elementary::ErrorScale& scale);
 
-    [[nodiscard]] TimeInterval interval(double lower, double upper) const {
-        const motion::ControlMaps<double> maps =
-            lower <= 0 && upper >= 1 ? whole_ : motion::restricted(whole_, lower, upper);
-        return {lower, upper, maps, SweptBoxes(maps, moving_centre_, fixed_centre_, scale_)};
-    }
+    [[nodiscard]] TimeInterval interval(const TauRange& range) const;
 
 private:
-    motion::ControlMaps<double> whole_;
-    Eigen::Vector3d moving_centre_;
-    Eigen::Vector3d fixed_centre_;
-    elementary::ErrorScale scale_;
+    [[nodiscard]] Placement placement(double tau) const;
+
+    const motion::ControlMaps<double>& whole_;
+    motion::PathBend bend_;
+    motion::Ball moving_;
+    motion::Ball fixed_;
+    double rounding_; ///< of positions in double precision
 };
+
+/// Control maps over one range at a time.
+class RangeMaps {
+public:
+    /// Those of the whole motion are kept by reference.
+    explicit RangeMaps(const motion::ControlMaps<double>& whole) : whole_(whole), maps_(whole) {}
+
+    /// False if the range is the one at hand. Maps are restricted from the whole, so that rounding does not build up.
+    bool set(const TauRange& range) {
+        if (range == range_)
+            return false;
+        range_ = range;
+        maps_ = range == TauRange() ? whole_ : motion::restricted(whole_, range.lower, range.upper);
+        return true;
+    }
+    [[nodiscard]] const TauRange& range() const { return range_; }
+    [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
+
+private:
+    const motion::ControlMaps<double>& whole_;
+    TauRange range_;
+    motion::ControlMaps<double> maps_;
+};
+
+/// The least part of the interval that is as wide as a power of two, begins at a multiple of a quarter of its width,
+/// and holds `needed`; not narrower than `least`.
+TauRange part_around(const TauRange& interval, const TauRange& needed, double least);
 
 } // namespace chasles::query

@@ -1,10 +1,12 @@
 #include "chasles/query/traversal.h"
 
+#include "chasles/query/body_ball.h"
 #include "chasles/query/exact_stage.h"
 #include "chasles/query/face_planes.h"
 #include "chasles/query/time_tree.h"
 
 #include <array>
+#include <utility>
 
 namespace chasles::query {
 
@@ -12,18 +14,21 @@ namespace {
 
 using Scalar = algebra::DoubleDouble;
 
-/// A pair of nodes, one of each hierarchy.
+/// A pair of nodes, one of each hierarchy, that may meet in a part of the interval at hand.
 struct NodePair {
     std::uint32_t moving;
     std::uint32_t fixed;
+    Window when;
 };
 
-/// Intervals are halved where boxes travel further than this part of their size. Measured on six motions of the bunny
-/// pair: about the same from 0.1 to 0.4, up to ten times the time at 1.
-constexpr double travel_of_size = 0.4;
+/// Intervals are halved for boxes of which the paths bend by more than this part of their size. Measured on the cases
+/// of peers_bench: 0.05 takes twice the time for long turns of large meshes and saves a tenth on short motions.
+constexpr double bend_of_size = 0.01;
 /// As short as the tolerance of the answer: not halved. So many halvings of [0, 1] lead there.
 constexpr double shortest_interval = 0x1p-40;
 constexpr int deepest_level = 40;
+/// A candidate in doubt that begins no earlier than a proven contact by more waits until that one's bracket is narrow.
+constexpr double near = 0x1p-30;
 
 double reach(const BoxHierarchy& hierarchy) {
     const BoxNode& root = hierarchy.nodes()[0];
@@ -35,23 +40,41 @@ double reach(const BoxHierarchy& hierarchy) {
     return result;
 }
 
+TimeTree time_tree(const PieceSearch& search, const motion::ControlMaps<double>& maps,
+                   const elementary::ErrorScale& scale) {
+    const motion::Ball moving = ball_around(search.moving.hierarchy());
+    const motion::Ball fixed = ball_around(search.fixed.hierarchy());
+    return {maps, motion::PathBend(search.frame.motion, moving, fixed), moving, fixed, scale};
+}
+
+/// What asks a second time.
+struct Refinement {
+    motion::ControlMaps<Scalar> maps;
+    FeaturePairs<Scalar> pairs;
+
+    Refinement(const PieceSearch& search, const elementary::ErrorScale& scale)
+        : maps(motion::control_maps(search.frame.motion)), pairs(search.moving, search.fixed, {scale, {}}) {}
+};
+
 /// One search; `run` is called once.
 class Traversal {
 public:
     explicit Traversal(const PieceSearch& search)
-        : search_(search), exact_maps_(motion::control_maps(search.frame.motion)), maps_(motion::rounded(exact_maps_)),
+        : search_(search), maps_(motion::double_maps(search.frame.motion)),
           scale_(elementary::error_scale(maps_, std::max(reach(search.moving.hierarchy()), search.frame.motion.reach),
                                          reach(search.fixed.hierarchy()))),
-          times_(maps_, search.moving.hierarchy().centre(), search.fixed.hierarchy().centre(), scale_),
-          planes_(search.moving, search.fixed, scale_), filter_(search.moving, search.fixed, {scale_, {}}),
-          refinement_(search.moving, search.fixed, {scale_, {}}), moving_nodes_(search.moving.hierarchy().nodes()),
-          fixed_nodes_(search.fixed.hierarchy().nodes()) {
-        refinement_.use(exact_maps_, {});
+          times_(time_tree(search, maps_, scale_)), planes_(search.moving, search.fixed, scale_), plane_maps_(maps_),
+          filter_(search.moving, search.fixed, {scale_, {}}), filter_maps_(maps_),
+          moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
+        planes_.use(plane_maps_.maps());
+        filter_.use(filter_maps_.maps(), filter_tolerance(search.tolerance));
     }
 
     PieceResult run() {
-        levels_[0] = {{0, 0}};
-        search_interval(0, 0, 1);
+        levels_[0].reserve(128);
+        levels_[0].push_back({0, 0, {}}); // the roots, which may well meet
+        search_interval(0, {});
+        narrow_brackets();
         decide_overlaps();
         const double last = result_.overlap ? 0 : best_;
         std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > last; });
@@ -61,87 +84,107 @@ public:
     }
 
 private:
-    /// All pairs of levels_[level] over one interval; those that travel too far go on to the two halves, the earlier
-    /// half first, so that a contact there saves the later one.
-    void search_interval(int level, double lower, double upper) {
-        TimeInterval interval = times_.interval(lower, upper);
-        use(interval);
+    /// All pairs of levels_[level] over one interval. Those whose paths bend too much go on to the two halves, the
+    /// earlier half first, so that a contact there saves the later one.
+    void search_interval(int level, const TauRange& range) {
+        const TimeInterval interval = times_.interval(range);
         std::vector<NodePair>& stack = levels_[level];
-        std::vector<NodePair>& halved = levels_[level + 1];
-        halved.clear();
-        while (!stack.empty() && !stop_ && lower <= best_) {
-            if (best_ <= 0.5 * (lower + upper) && may_halve(interval)) { // the later half is behind a contact
-                upper = 0.5 * (lower + upper);
-                interval = times_.interval(lower, upper);
-                use(interval);
-            }
+        std::vector<NodePair> bent;
+        while (!stack.empty() && !stop_) {
             const NodePair pair = stack.back();
             stack.pop_back();
-            visit(pair, interval, stack, halved);
+            if (range.at(pair.when.lower) <= best_)
+                visit(pair, interval, stack, bent);
         }
         stack.clear();
-        if (halved.empty() || stop_)
-            return;
-        const double middle = 0.5 * (lower + upper);
-        const std::vector<NodePair> again = halved;
-        search_interval(level + 1, lower, middle);
-        if (stop_ || best_ < middle)
-            return;
-        levels_[level + 1] = again;
-        search_interval(level + 1, middle, upper);
+        const double middle = range.at(0.5);
+        for (const bool later : {false, true}) {
+            if (bent.empty() || stop_ || (later && best_ < middle))
+                return;
+            for (const NodePair& pair : bent) {
+                const Window when = in_half(pair.when, later);
+                if (!when.is_empty())
+                    levels_[level + 1].push_back({pair.moving, pair.fixed, when});
+            }
+            search_interval(level + 1, later ? TauRange{middle, range.upper} : TauRange{range.lower, middle});
+        }
     }
 
-    static bool may_halve(const TimeInterval& interval) { return interval.upper - interval.lower > shortest_interval; }
-
-    /// Planes and filter refer to the interval from now on.
-    void use(const TimeInterval& interval) {
-        planes_.use(interval.maps);
-        filter_.use(interval.maps, filter_tolerance(search_.tolerance / (interval.upper - interval.lower)));
+    /// A window of an interval in terms of its earlier or later half. Exact, up to the ends of the half.
+    static Window in_half(const Window& when, bool later) {
+        const float offset = later ? 1 : 0;
+        return {std::max(0.0F, 2 * when.lower - offset), std::min(1.0F, 2 * when.upper - offset)};
     }
 
+    /// A pair that may meet: its features, or its children, or later, in halves of the interval.
     void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& stack,
-               std::vector<NodePair>& halved) {
+               std::vector<NodePair>& bent) {
         const BoxNode& moving = moving_nodes_[pair.moving];
         const BoxNode& fixed = fixed_nodes_[pair.fixed];
-        ++result_.work.node_pairs;
-        const SweptBoxes::Relation relation = interval.boxes.relation(moving, fixed);
-        if (relation.apart)
-            return;
-        if (may_halve(interval) && relation.travel > travel_of_size * relation.size)
-            halved.push_back(pair);
-        else if (moving.is_leaf() && fixed.is_leaf())
-            test_faces(moving.first, fixed.first, interval);
-        else if (fixed.is_leaf() || (!moving.is_leaf() && side(moving) > side(fixed)))
-            stack.insert(stack.end(), {{moving.first, pair.fixed}, {moving.first + 1, pair.fixed}});
-        else
-            stack.insert(stack.end(), {{pair.moving, fixed.first}, {pair.moving, fixed.first + 1}});
+        const float moving_side = side(moving);
+        const float fixed_side = side(fixed);
+        if (interval.bend > bend_of_size * std::max(moving_side, fixed_side) &&
+            interval.range.width() > shortest_interval) {
+            bent.push_back(pair);
+        } else if (moving.is_leaf() && fixed.is_leaf()) {
+            test_faces(moving.first, fixed.first, interval.range, pair.when);
+        } else if (fixed.is_leaf() || (!moving.is_leaf() && moving_side > fixed_side)) {
+            const std::uint32_t child = moving.first;
+            const auto when =
+                interval.boxes.meetings_of_moving(moving_nodes_.subspan(child).first<2>(), fixed, pair.when);
+            push({child, pair.fixed, when[0]}, {child + 1, pair.fixed, when[1]}, stack);
+        } else {
+            const std::uint32_t child = fixed.first;
+            const auto when =
+                interval.boxes.meetings_of_fixed(moving, fixed_nodes_.subspan(child).first<2>(), pair.when);
+            push({pair.moving, child, when[0]}, {pair.moving, child + 1, when[1]}, stack);
+        }
+    }
+
+    /// What may meet earlier is visited earlier.
+    void push(const NodePair& a, const NodePair& b, std::vector<NodePair>& stack) {
+        result_.work.node_pairs += 2;
+        const bool a_is_earlier = a.when.lower < b.when.lower;
+        for (const NodePair& pair : {a_is_earlier ? b : a, a_is_earlier ? a : b})
+            if (!pair.when.is_empty())
+                stack.push_back(pair);
     }
 
     static float side(const BoxNode& node) {
         return std::max({node.upper[0] - node.lower[0], node.upper[1] - node.lower[1], node.upper[2] - node.lower[2]});
     }
 
-    /// Features are asked about unless a face's plane keeps them apart; answers would be the same (note 13).
-    void test_faces(std::uint32_t moving_face, std::uint32_t fixed_face, const TimeInterval& interval) {
+    /// Features are asked about unless a face's plane keeps them apart; answers would be the same (note 13). Planes are
+    /// made once for the interval, features are asked about the part that matters.
+    void test_faces(std::uint32_t moving_face, std::uint32_t fixed_face, const TauRange& interval, const Window& when) {
         ++result_.work.face_pairs;
         const Polyhedron& moving = search_.moving;
         const Polyhedron& fixed = search_.fixed;
-        const CornerSides moving_sides = planes_.sides_of_moving(moving_face, fixed_face);
+        const double first = interval.at(when.lower);
+        const TauRange part = part_around(interval, {first, std::max(first, std::min(best_, interval.at(when.upper)))},
+                                          shortest_interval);
+        if (plane_maps_.set(interval))
+            planes_.use(plane_maps_.maps());
+        const FacePlanes::Part in_interval((part.lower - interval.lower) / interval.width(),
+                                           (part.upper - interval.lower) / interval.width());
+        const CornerSides moving_sides = planes_.sides_of_moving(moving_face, fixed_face, in_interval);
         if (moving_sides.all_on_one_side())
             return;
-        const CornerSides fixed_sides = planes_.sides_of_fixed(moving_face, fixed_face);
+        const CornerSides fixed_sides = planes_.sides_of_fixed(moving_face, fixed_face, in_interval);
         if (fixed_sides.all_on_one_side())
             return;
-        if (search_.check_start && interval.lower <= 0)
+        if (filter_maps_.set(part))
+            filter_.use(filter_maps_.maps(), filter_tolerance(search_.tolerance / part.width()));
+        if (search_.check_start && part.lower <= 0)
             look_for_overlap(moving_face, fixed_face);
         for (const std::uint32_t vertex : moving.owned_vertices(moving_face))
             if (moving_sides.may_meet(vertex))
                 if (const auto found = filter_.vertex_face(vertex, fixed_face))
-                    add({ContactKind::vertex_face, {vertex, vertex}, {fixed_face, fixed_face}, *found}, interval);
+                    add({ContactKind::vertex_face, {vertex, vertex}, {fixed_face, fixed_face}, *found}, part);
         for (const std::uint32_t vertex : fixed.owned_vertices(fixed_face))
             if (fixed_sides.may_meet(vertex))
                 if (const auto found = filter_.face_vertex(moving_face, vertex))
-                    add({ContactKind::face_vertex, {moving_face, moving_face}, {vertex, vertex}, *found}, interval);
+                    add({ContactKind::face_vertex, {moving_face, moving_face}, {vertex, vertex}, *found}, part);
         for (const Edge& moving_edge : moving.owned_edges(moving_face)) {
             if (!moving_sides.may_meet(moving_edge))
                 continue;
@@ -154,27 +197,61 @@ private:
                          {moving_edge.from, moving_edge.to},
                          {fixed_edge.from, fixed_edge.to},
                          *found},
-                        interval);
+                        part);
             }
         }
     }
 
-    /// Keeps a candidate of the filter, in terms of the whole piece, unless a later stage proves that it is none.
-    void add(Candidate candidate, const TimeInterval& interval) {
-        const double width = interval.upper - interval.lower;
-        candidate.tau.lower = interval.lower + candidate.tau.lower * width;
-        candidate.tau.upper = std::min(interval.upper, interval.lower + candidate.tau.upper * width);
+    /// Takes in a candidate of the filter, in terms of the whole piece, unless a later stage proves that it is none.
+    void add(Candidate candidate, const TauRange& part) {
+        candidate.tau.lower = part.at(candidate.tau.lower);
+        candidate.tau.upper = std::min(part.upper, part.at(candidate.tau.upper));
         if (stop_ || candidate.tau.lower > best_)
             return;
-        if (!is_decided(candidate.tau) && (is_behind_a_proven_contact(candidate.tau) || !decide(candidate)))
-            return;
+        if (is_contact(candidate.tau))
+            keep(candidate);
+        else if (is_near_a_proven_contact(candidate.tau))
+            waiting_.push_back(candidate);
+        else if (!is_behind_a_proven_contact(candidate.tau) && decide(candidate))
+            keep(candidate);
+    }
+
+    void keep(const Candidate& candidate) {
         result_.candidates.push_back(candidate);
         best_ = std::min(best_, candidate.tau.upper);
-        if (candidate.tau.certain) {
-            certain_.lower = std::min(certain_.lower, candidate.tau.lower);
+        if (candidate.tau.certain)
             certain_.upper = std::min(certain_.upper, candidate.tau.upper);
-        }
+        if (is_decided(candidate.tau))
+            certain_.lower = std::min(certain_.lower, candidate.tau.lower);
         stop_ = search_.find == Find::any || (search_.find == Find::first && may_be_at_start(candidate.tau));
+    }
+
+    /// Last: what was found is asked again, the surest first, so that most of it falls behind the first contact. A
+    /// bracket in doubt that ends where the answer's bracket may end is left as it is.
+    void narrow_brackets() {
+        std::vector<Candidate> found = std::exchange(result_.candidates, {});
+        std::stable_sort(found.begin(), found.end(),
+                         [](const Candidate& a, const Candidate& b) { return a.tau.upper < b.tau.upper; });
+        for (Candidate& candidate : found)
+            if (candidate.tau.lower <= best_ &&
+                (is_decided(candidate.tau) || !is_contact(candidate.tau) || decide(candidate)))
+                keep(candidate);
+        for (Candidate& candidate : waiting_) {
+            if (candidate.tau.lower > best_ || is_behind_a_proven_contact(candidate.tau))
+                continue;
+            if (is_beside_a_proven_contact(candidate.tau))
+                leave_in_doubt(candidate);
+            else if (!decide(candidate))
+                continue;
+            keep(candidate);
+        }
+    }
+
+    /// A proven contact, and not at the start. Its bracket may be wide as yet.
+    [[nodiscard]] static bool is_contact(const FeasibleInterval& tau) { return tau.certain && tau.lower > 0; }
+
+    [[nodiscard]] bool is_near_a_proven_contact(const FeasibleInterval& tau) const {
+        return search_.find != Find::first_with_all_contacts && tau.lower > 0 && certain_.upper - tau.lower <= near;
     }
 
     /// A lower end of 0 is not enough: whether bodies touch at 0 or right after it makes another verdict.
@@ -186,15 +263,15 @@ private:
     /// exactly; false if there is no contact before best_.
     bool decide(Candidate& candidate) {
         ++result_.work.refined;
-        refinement_.use(exact_maps_, refinement_tolerance(search_.tolerance, candidate.tau));
-        const auto refined = first_contact_of(refinement_, candidate);
+        const auto refined =
+            first_contact_of(refinement(refinement_tolerance(search_.tolerance, candidate.tau)), candidate);
         if (!refined || refined->lower > best_)
             return false;
         candidate.tau = *refined;
         if (is_decided(candidate.tau))
             return true;
-        if (is_beside_a_proven_contact(candidate.tau)) { // as it may be none, it ends nothing
-            candidate.tau.upper = std::max(candidate.tau.upper, best_);
+        if (is_beside_a_proven_contact(candidate.tau)) {
+            leave_in_doubt(candidate);
             return true;
         }
         ++result_.work.exact;
@@ -206,6 +283,9 @@ private:
         return candidate.tau.lower <= best_;
     }
 
+    /// As it may be no contact, it ends nothing.
+    void leave_in_doubt(Candidate& candidate) const { candidate.tau.upper = std::max(candidate.tau.upper, best_); }
+
     /// Whatever it is, it changes nothing but the list of all contacts.
     [[nodiscard]] bool is_behind_a_proven_contact(const FeasibleInterval& tau) const {
         return search_.find != Find::first_with_all_contacts && certain_.lower <= tau.lower &&
@@ -215,6 +295,13 @@ private:
     /// Whatever it is, the bracket of the answer holds a proven contact and is no wider than asked for.
     [[nodiscard]] bool is_beside_a_proven_contact(const FeasibleInterval& tau) const {
         return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.upper <= 0);
+    }
+
+    FeaturePairs<Scalar>& refinement(const algebra::Tolerance& tolerance) {
+        if (!refinement_)
+            refinement_.emplace(search_, scale_);
+        refinement_->pairs.use(refinement_->maps, tolerance);
+        return refinement_->pairs;
     }
 
     ExactStage& exact_stage() {
@@ -236,14 +323,14 @@ private:
     /// An overlap ends the search: nothing is earlier. Double-double leaves doubt where an end of the edge is hardly
     /// off the face's plane, or the edge hardly within its rim.
     void report_overlap(Overlap overlap) {
-        const auto passage = passage_of(refinement_, overlap, elementary::Ends::not_proven_on_one_side);
+        const auto passage = passage_of(refinement({}), overlap, elementary::Ends::not_proven_on_one_side);
         if (!passage || stop_)
             return;
         Vector3<Scalar> point = passage->point;
         if (!overlap.edge_is_moving)
             point = search_.frame.motion.orientation * point + search_.frame.motion.origin;
         overlap.point = {double(point.x), double(point.y), double(point.z)};
-        const auto proven = passage_of(refinement_, overlap, elementary::Ends::proven_opposite);
+        const auto proven = passage_of(refinement({}), overlap, elementary::Ends::proven_opposite);
         overlap.certain = proven && proven->certain;
         if (!overlap.certain) {
             doubtful_overlaps_.push_back(overlap);
@@ -267,20 +354,22 @@ private:
     }
 
     const PieceSearch& search_;
-    const motion::ControlMaps<Scalar> exact_maps_;
     const motion::ControlMaps<double> maps_;
     const elementary::ErrorScale scale_;
     const TimeTree times_;
     FacePlanes planes_;
+    RangeMaps plane_maps_;
     FeaturePairs<double> filter_;
-    FeaturePairs<Scalar> refinement_;
-    std::optional<ExactStage> exact_stage_; ///< made when it is first asked
+    RangeMaps filter_maps_;
+    std::optional<Refinement> refinement_;  ///< made when it is first asked
+    std::optional<ExactStage> exact_stage_; ///< likewise
     std::span<const BoxNode> moving_nodes_;
     std::span<const BoxNode> fixed_nodes_;
     std::array<std::vector<NodePair>, deepest_level + 2> levels_;
     double best_ = 1;       ///< an upper end of the first contact found so far
-    Bracket certain_{2, 2}; ///< the least ends of contacts that are proven
+    Bracket certain_{2, 2}; ///< the least ends of contacts that are proven; lower ends once they are final
     bool stop_ = false;
+    std::vector<Candidate> waiting_; ///< in doubt
     std::vector<Overlap> doubtful_overlaps_;
     PieceResult result_;
 };

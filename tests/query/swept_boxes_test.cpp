@@ -1,118 +1,234 @@
-// Boxes that are told apart never meet, at any time: sampled poses may only refute.
-#include "chasles/query/swept_boxes.h"
-
-#include "chasles/motion/screw_motion.h"
+// Nodes over patches that touch at a known time are never told apart at that time, whatever motion brings them there;
+// and the windows in which they may meet are not much wider than they have to be.
+#include "chasles/query/body_ball.h"
 #include "chasles/query/time_tree.h"
 #include "tests/query/bodies.h"
+#include "tests/support/posed_motions.h"
 
 #include <gtest/gtest.h>
 
 namespace chasles::test {
 namespace {
 
-BoxNode random_node(std::mt19937& random, double size) {
-    BoxNode node{};
-    for (int i = 0; i < 3; ++i) {
-        const double middle = uniform(random, -size, size);
-        const double half = uniform(random, 0, size);
-        node.lower[i] = float(middle - half);
-        node.upper[i] = float(middle + half);
+using query::TauRange;
+using query::TimeInterval;
+using query::Window;
+
+/// A few triangles that lie more or less in a plane through the origin.
+Body random_patch(Random& random, double size) {
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(random.uniform(0, 3), eigen(random.vector(1)).normalized()));
+    const double thickness = random.chance(0.3) ? 0 : std::abs(random.scaled(-4, 0));
+    Body body;
+    const int triangles = random.integer(2, 4); // a root and its children at least
+    for (int i = 0; i < 3 * triangles; ++i) {
+        const auto v = random.vector(size);
+        body.vertices.emplace_back(turn * Eigen::Vector3d(v.x, v.y, thickness * v.z));
     }
-    return node;
+    for (std::uint32_t i = 0; i < std::uint32_t(triangles); ++i)
+        body.faces.push_back({3 * i, 3 * i + 1, 3 * i + 2});
+    return body;
 }
 
-Eigen::Vector3d corner(const BoxNode& node, const Eigen::Vector3d& centre, int i) {
-    return centre + Eigen::Vector3d(i & 1 ? node.upper[0] : node.lower[0], i & 2 ? node.upper[1] : node.lower[1],
-                                    i & 4 ? node.upper[2] : node.lower[2]);
+/// Where a body point is at tau, in the frame of the fixed body.
+Eigen::Vector3d position(const motion::ControlMaps<DoubleDouble>& maps, const Eigen::Vector3d& point, double tau) {
+    const Vector3<DoubleDouble> p{DoubleDouble(point.x()), DoubleDouble(point.y()), DoubleDouble(point.z())};
+    const auto path = maps.turn * p + maps.shift;
+    const DoubleDouble weight = value_at(maps.weight, DoubleDouble(tau));
+    Eigen::Vector3d result;
+    for (int i = 0; i < 3; ++i)
+        result[i] = double(value_at(path[i], DoubleDouble(tau)) / weight);
+    return result;
 }
 
-/// Whether some plane normal to one of the six axes separates the boxes at one pose: exact for a pose up to rounding.
-bool are_apart_at(const BoxNode& a, const BoxNode& b, const Eigen::Isometry3d& pose, const Eigen::Vector3d& a_centre,
-                  const Eigen::Vector3d& b_centre) {
-    for (int axis = 0; axis < 6; ++axis) {
-        const Eigen::Vector3d direction = axis < 3 ? Eigen::Vector3d::Unit(axis) : pose.linear().col(axis - 3).eval();
-        double low[2] = {1e300, 1e300};
-        double high[2] = {-1e300, -1e300};
-        for (int i = 0; i < 8; ++i) {
-            const double heights[2] = {direction.dot(pose * corner(a, a_centre, i)),
-                                       direction.dot(corner(b, b_centre, i))};
-            for (int body = 0; body < 2; ++body) {
-                low[body] = std::min(low[body], heights[body]);
-                high[body] = std::max(high[body], heights[body]);
+/// Two patches that a motion brings to touch at `tau`, each on its side of a plane there.
+struct Scene {
+    motion::RationalMotion<DoubleDouble> motion;
+    motion::ControlMaps<double> maps;
+    Polyhedron moving;
+    Polyhedron fixed;
+    double tau;
+
+    static Scene random_scene(Random& random) {
+        const double size = std::abs(random.scaled(-3, 3));
+        const auto motion = random_posed_motion(random, size).made;
+        const auto exactly = motion::control_maps(motion);
+        const Body patch = random_patch(random, size * std::abs(random.scaled(-3, 0)));
+        Body other = random_patch(random, size * std::abs(random.scaled(-3, 0)));
+        const double tau = random.uniform(0, 1);
+        const Eigen::Vector3d normal = eigen(random.vector(1)).normalized();
+        const auto along = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+            return normal.dot(a) < normal.dot(b);
+        };
+        std::vector<Eigen::Vector3d> there;
+        for (const Eigen::Vector3d& vertex : patch.vertices)
+            there.push_back(position(exactly, vertex, tau));
+        const Eigen::Vector3d touching = *std::max_element(there.begin(), there.end(), along);
+        const Eigen::Vector3d lowest = *std::min_element(other.vertices.begin(), other.vertices.end(), along);
+        for (Eigen::Vector3d& vertex : other.vertices)
+            vertex += touching - lowest;
+        return {motion, motion::double_maps(motion), patch.polyhedron(), other.polyhedron(), tau};
+    }
+
+    [[nodiscard]] TimeInterval interval(const TauRange& range) const {
+        const auto reach = [](const Polyhedron& body) {
+            const motion::Ball ball = query::ball_around(body.hierarchy());
+            return ball.centre.cwiseAbs().maxCoeff() + ball.radius;
+        };
+        const motion::Ball a = query::ball_around(moving.hierarchy());
+        const motion::Ball b = query::ball_around(fixed.hierarchy());
+        const auto scale = elementary::error_scale(maps, std::max(reach(moving), motion.reach), reach(fixed));
+        return query::TimeTree(maps, motion::PathBend(motion, a, b), a, b, scale).interval(range);
+    }
+
+    /// The same two patches under a motion that is reversed in time would do as well: all pairs of a node and children.
+    template <class See>
+    void for_all_pairs(const TimeInterval& interval, See see) const {
+        const auto a = moving.hierarchy().nodes();
+        const auto b = fixed.hierarchy().nodes();
+        for (std::size_t i = 0; i < a.size(); ++i)
+            for (std::size_t j = 0; j < b.size(); ++j) {
+                if (!a[i].is_leaf())
+                    see(a[i].first, j, interval.boxes.meetings_of_moving(a.subspan(a[i].first).first<2>(), b[j], {}),
+                        true);
+                if (!b[j].is_leaf())
+                    see(i, b[j].first, interval.boxes.meetings_of_fixed(a[i], b.subspan(b[j].first).first<2>(), {}),
+                        false);
             }
-        }
-        if (low[0] > high[1] || low[1] > high[0])
-            return true;
     }
+};
+
+/// Dyadic, around tau.
+TauRange random_range(Random& random, double tau) {
+    const double width = std::ldexp(1.0, -random.integer(0, 10));
+    const double lower = std::min(std::floor(tau / width) * width, 1 - width);
+    return {lower, lower + width};
+}
+
+/// Whether one of the vertices below a node is the one that touches.
+bool holds(const Polyhedron& body, std::size_t node, const Eigen::Vector3d& vertex) {
+    const BoxNode& top = body.hierarchy().nodes()[node];
+    if (!top.is_leaf())
+        return holds(body, top.first, vertex) || holds(body, top.first + 1U, vertex);
+    for (const std::uint32_t corner : body.face(top.first))
+        if (body.vertices()[corner] == vertex)
+            return true;
     return false;
 }
 
-TEST(SweptBoxes, BoxesToldApartAreApartAtEverySampledPose) {
-    std::mt19937 random(31);
-    int apart = 0;
-    int still_apart = 0;
-    for (int i = 0; i < 2000; ++i) {
-        const Eigen::Vector3d a_centre = random_vector(random, 1);
-        const Eigen::Vector3d b_centre = random_vector(random, 1);
-        const ScrewMotion screw = ScrewMotion::between(random_pose(random, 2, 0.3), random_pose(random, 2, 0.3));
-        const auto maps = motion::rounded(motion::control_maps(screw.frame().motion));
-        const query::TimeTree times(maps, a_centre, b_centre, elementary::error_scale(maps, 5, 5));
-        const double lower = uniform(random, 0, 0.9);
-        const double upper = uniform(random, lower, 1);
-        const query::TimeInterval interval = times.interval(lower, upper);
-        const BoxNode a = random_node(random, 1);
-        const BoxNode b = random_node(random, 1);
-        if (!interval.boxes.relation(a, b).apart)
-            continue;
-        ++apart;
-        for (int k = 0; k <= 20; ++k) {
-            const double time = screw.time_at(lower + (upper - lower) * k / 20);
-            if (!are_apart_at(a, b, screw.pose_at(time).isometry(), a_centre, b_centre))
-                ADD_FAILURE() << "seed 31, case " << i << ": the boxes meet at time " << time;
-            else
-                ++still_apart;
+TEST(SweptBoxes, NodesThatTouchMayMeetThen) {
+    Random random(751);
+    int pairs = 0, narrow = 0;
+    for (int trial = 0; trial < 3000 * times_if_long(30); ++trial) {
+        const Scene scene = Scene::random_scene(random);
+        const auto exactly = motion::control_maps(scene.motion);
+        const TimeInterval interval = scene.interval(random_range(random, scene.tau));
+        const double place = (scene.tau - interval.range.lower) / interval.range.width();
+        // The vertices that touch: nearest to each other at tau.
+        double nearest = std::numeric_limits<double>::infinity();
+        Eigen::Vector3d moving_vertex, fixed_vertex;
+        for (const Eigen::Vector3d& a : scene.moving.vertices())
+            for (const Eigen::Vector3d& b : scene.fixed.vertices())
+                if (const double gap = (position(exactly, a, scene.tau) - b).norm(); gap < nearest) {
+                    nearest = gap;
+                    moving_vertex = a;
+                    fixed_vertex = b;
+                }
+        scene.for_all_pairs(interval, [&](std::size_t i, std::size_t j, const auto& windows, bool moving_children) {
+            for (std::size_t child : {0U, 1U}) {
+                const std::size_t a = moving_children ? i + child : i;
+                const std::size_t b = moving_children ? j : j + child;
+                if (!holds(scene.moving, a, moving_vertex) || !holds(scene.fixed, b, fixed_vertex))
+                    continue;
+                const Window& window = windows[child];
+                ++pairs;
+                narrow += window.upper - window.lower < 0.1F ? 1 : 0;
+                ASSERT_LE(double(window.lower), place) << "seed 751, trial " << trial;
+                ASSERT_GE(double(window.upper), place) << "seed 751, trial " << trial;
+            }
+        });
+    }
+    EXPECT_GT(pairs, 3000);
+    EXPECT_GT(narrow, pairs / 20);
+}
+
+/// Standing patches of one flat triangle each, turned at random: what a plane along a slab keeps apart is told apart.
+TEST(SweptBoxes, ParallelPatchesAreToldApartByTheirSlabs) {
+    Random random(752);
+    int apart = 0, boxes_apart = 0;
+    for (int trial = 0; trial < 500; ++trial) {
+        const Eigen::Quaterniond turn = random_rotation(random).normalized();
+        const auto sheet = [&](double height) {
+            Body body;
+            for (int i = 0; i < 6; ++i)
+                body.vertices.emplace_back(turn *
+                                           Eigen::Vector3d(random.uniform(-1, 1), random.uniform(-1, 1), height));
+            body.faces = {{0, 1, 2}, {3, 4, 5}};
+            return body.polyhedron();
+        };
+        const auto motion = ScrewMotion::between(Pose(), Pose()).frame().motion;
+        const Scene scene{motion, motion::double_maps(motion), sheet(0), sheet(0.05), 0};
+        const auto a = scene.moving.hierarchy().nodes();
+        const auto b = scene.fixed.hierarchy().nodes();
+        for (const Window& window : scene.interval({}).boxes.meetings_of_moving(a.subspan(1).first<2>(), b[0], {}))
+            apart += window.is_empty() ? 1 : 0;
+        for (std::size_t child : {1U, 2U}) {
+            bool free = false;
+            for (std::size_t axis = 0; axis < 3; ++axis) // both bodies have the same centre up to the height
+                free = free || a[child].lower[axis] > b[0].upper[axis] || b[0].lower[axis] > a[child].upper[axis];
+            boxes_apart += free ? 1 : 0;
         }
     }
-    EXPECT_GT(apart, 300);
-    EXPECT_LT(apart, 1900);
-    EXPECT_EQ(still_apart, 21 * apart);
+    EXPECT_GT(apart, 950);
+    EXPECT_LT(boxes_apart, 300);
 }
 
-TEST(SweptBoxes, StandingBoxesAreToldApartExactlyWhenTheyAre) {
-    std::mt19937 random(32);
-    const auto maps = motion::rounded(motion::control_maps(ScrewMotion::between(Pose(), Pose()).frame().motion));
-    const query::TimeTree times(maps, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
-                                elementary::error_scale(maps, 5, 5));
-    const query::TimeInterval interval = times.interval(0, 1);
-    int apart = 0;
-    for (int i = 0; i < 2000; ++i) {
-        const BoxNode a = random_node(random, 1);
-        const BoxNode b = random_node(random, 1);
-        bool expected = false;
-        for (int k = 0; k < 3; ++k)
-            expected = expected || a.lower[k] > b.upper[k] || b.lower[k] > a.upper[k];
-        EXPECT_EQ(interval.boxes.relation(a, b).apart, expected) << "seed 32, case " << i;
-        EXPECT_EQ(interval.boxes.relation(a, b).travel, 0);
-        apart += expected ? 1 : 0;
+/// A box that goes straight past a standing one meets it from when it gets there until it is past.
+TEST(SweptBoxes, WindowsOfAStraightMotionAreExact) {
+    const Polyhedron body = box({1, 1, 1}).polyhedron();
+    const auto motion = ScrewMotion::between(Pose({-8, 0, 0}, Eigen::Quaterniond::Identity()),
+                                             Pose({8, 0, 0}, Eigen::Quaterniond::Identity()))
+                            .frame()
+                            .motion;
+    const Scene scene{motion, motion::double_maps(motion), body, body, 0};
+    const auto nodes = body.hierarchy().nodes();
+    float first = 1, last = 0;
+    for (const Window& window :
+         scene.interval({}).boxes.meetings_of_moving(nodes.subspan(1).first<2>(), nodes[0], {})) {
+        first = std::min(first, window.lower);
+        last = std::max(last, window.upper);
     }
-    EXPECT_GT(apart, 300);
-    EXPECT_LT(apart, 1900);
+    EXPECT_NEAR(double(first), 6.0 / 16, 1e-5);
+    EXPECT_NEAR(double(last), 10.0 / 16, 1e-5);
 }
 
-TEST(SweptBoxes, TravelIsThatOfTheBoxAndOfItsSpin) {
-    const auto relation_under = [](const ScrewMotion& screw) {
-        const auto maps = motion::rounded(motion::control_maps(screw.frame().motion));
-        const query::TimeTree times(maps, Eigen::Vector3d::Zero(), Eigen::Vector3d::Zero(),
-                                    elementary::error_scale(maps, 5, 5));
-        const BoxNode node{{-1, -1, -1}, {1, 1, 1}, 0, 1};
-        return times.interval(0, 1).boxes.relation(node, node);
-    };
-    const auto straight = relation_under(ScrewMotion::between(Pose(), shifted(0.5, 0, 0)));
-    EXPECT_NEAR(straight.travel, 0.5, 1e-15);
-    EXPECT_NEAR(straight.size, 2, 1e-15);
-    const auto spin = relation_under(ScrewMotion::between(Pose(), turned({0, 0, 0}, {0, 0, 1}, 0.3)));
-    EXPECT_GT(spin.travel, 0.29);
-    EXPECT_LT(spin.travel, 0.4);
+TEST(SweptBoxes, WindowsStayWithinTheGivenOne) {
+    const Polyhedron body = box({1, 1, 1}).polyhedron();
+    const auto motion = ScrewMotion::between(Pose(), Pose({0, 0.1, 0}, Eigen::Quaterniond::Identity())).frame().motion;
+    const Scene scene{motion, motion::double_maps(motion), body, body, 0};
+    const auto nodes = body.hierarchy().nodes();
+    for (const Window& window :
+         scene.interval({}).boxes.meetings_of_fixed(nodes[0], nodes.subspan(1).first<2>(), {0.25F, 0.5F})) {
+        EXPECT_EQ(window.lower, 0.25F);
+        EXPECT_EQ(window.upper, 0.5F);
+    }
+}
+
+TEST(PartAround, IsTheLeastOneThatHoldsWhatIsNeeded) {
+    Random random(753);
+    for (int trial = 0; trial < 10000; ++trial) {
+        const double width = std::ldexp(1.0, -random.integer(0, 10));
+        const double lower = width * random.integer(0, int(1 / width) - 1);
+        const TauRange interval{lower, lower + width};
+        const double first = interval.at(random.uniform(0, 1));
+        const double last = std::min(interval.upper, first + width * std::abs(random.scaled(-9, 0)));
+        const TauRange part = query::part_around(interval, {first, last}, 0x1p-40);
+        EXPECT_GE(part.lower, interval.lower);
+        EXPECT_LE(part.upper, interval.upper);
+        EXPECT_LE(part.lower, first);
+        EXPECT_GE(part.upper, last);
+        EXPECT_LE(part.width(), std::max(0x1p-40, 2.7 * (last - first)));
+        EXPECT_EQ(std::exp2(std::round(std::log2(part.width()))), part.width());
+    }
 }
 
 } // namespace

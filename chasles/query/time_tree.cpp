@@ -1,0 +1,62 @@
+#include "chasles/query/time_tree.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chasles::query {
+
+namespace {
+
+/// Boxes lose at most so much where subnormal floats are flushed to zero.
+constexpr double flushed = 0x1p-110;
+/// Roundings of single precision in a gap, of all lengths that enter: 86 are counted.
+constexpr double float_rounding = 128 * 0x1p-24;
+
+} // namespace
+
+TimeTree::TimeTree(const motion::ControlMaps<double>& whole, const motion::PathBend& bend, const motion::Ball& moving,
+                   const motion::Ball& fixed, const elementary::ErrorScale& scale)
+    : whole_(whole), bend_(bend), moving_(moving), fixed_(fixed),
+      rounding_(elementary::error_unit<double> * scale.length + flushed) {}
+
+TimeInterval TimeTree::interval(const TauRange& range) const {
+    const Placement start = placement(range.lower);
+    const Placement end = placement(range.upper);
+    const double away = std::max(start.offset.lpNorm<1>(), end.offset.lpNorm<1>());
+    const double rounding = rounding_ + float_rounding * (moving_.radius + fixed_.radius + away);
+    const double moving_bend = bend_.of_moving(range.lower, range.upper);
+    const double fixed_bend = bend_.of_fixed(range.lower, range.upper);
+    return {range, SweptBoxes(start, end, {moving_bend + rounding, fixed_bend + rounding}),
+            std::max(moving_bend, fixed_bend)};
+}
+
+Placement TimeTree::placement(double tau) const {
+    const double rest = 1 - tau;
+    const double basis[4] = {rest * rest * rest, 3 * tau * rest * rest, 3 * tau * tau * rest, tau * tau * tau};
+    const auto value = [&](const algebra::Bernstein<3, double>& p) {
+        return basis[0] * p[0] + basis[1] * p[1] + basis[2] * p[2] + basis[3] * p[3];
+    };
+    const double inverse_weight = 1 / value(whole_.weight);
+    Placement placed;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            placed.turn(i, j) = value(whole_.turn.row[i][j]) * inverse_weight;
+        placed.offset[i] = value(whole_.shift[i]) * inverse_weight;
+    }
+    placed.offset += placed.turn * moving_.centre - fixed_.centre;
+    return placed;
+}
+
+TauRange part_around(const TauRange& interval, const TauRange& needed, double least) {
+    TauRange part = interval;
+    for (double width = 0.5 * interval.width(); width >= least; width *= 0.5) {
+        const double grid = 0.25 * width;
+        const double lower = std::clamp(std::floor(needed.lower / grid) * grid, interval.lower, interval.upper - width);
+        if (lower + width < needed.upper)
+            break;
+        part = {lower, lower + width};
+    }
+    return part;
+}
+
+} // namespace chasles::query
