@@ -1,5 +1,6 @@
-// The two inner loops of a query, for any type of four lanes: the same lines in every form that is compared.
-// Source: chasles/elementary/vertex_face.h (rejection by signs) and chasles/query/swept_boxes.cpp.
+// Two inner loops, for any type of four lanes: the same lines in every form that is compared.
+// Source: chasles/elementary/vertex_face.h (rejection by signs), and what told boxes apart before note 14: four lanes
+// an axis.
 #pragma once
 
 #include "chasles/algebra/vector.h"

@@ -27,7 +27,7 @@ MAY_INCLUDE_SURFACE = ["scenes", "cli", "tests", "bench"]
 FREE = ["tests", "bench"]  # may include any layer, but by the same names
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
-OWN_NAME = re.compile(r"(chasles/[a-z_]+|[a-z_]+)/[a-z0-9_/]+\.h")
+OWN_NAME = re.compile(r"(chasles/[a-z_]+|[a-z_]+)/[a-z0-9_/]+\.(h|inl)")
 SUFFIXES = [".h", ".hpp", ".cpp", ".cc", ".inl"]
 
 
@@ -51,7 +51,7 @@ def why_wrong(root: pathlib.Path, file: str, quote: str, name: str) -> str:
     if name == SURFACE:
         return "" if layer in MAY_INCLUDE_SURFACE else f'{layer} must not include the whole surface "{name}"'
     if not OWN_NAME.fullmatch(name):
-        return f'"{name}" is not of the form "chasles/<layer>/<file>.h"'
+        return f'"{name}" is not of the form "chasles/<layer>/<file>.h" or ".inl"'
     if layer in FREE or layer == included:
         return ""
     if layer not in MAY_INCLUDE:
