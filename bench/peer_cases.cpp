@@ -289,11 +289,34 @@ PeerCase own_nut_case(bool is_pulled) {
     return made;
 }
 
+/// FCL's own pair: a robot of open sheets somewhere in a room of loose triangles, a quarter of the room's length on its
+/// way and up to 60 degrees. Where it starts it is free.
+void add_soup(std::vector<PeerCase>& cases) {
+    const auto robot = data_file("fcl-pianomover/rob.obj");
+    const auto room = data_file("fcl-pianomover/env.obj");
+    if (!robot || !room) {
+        std::printf("skipped: fcl-pianomover is not there\n");
+        return;
+    }
+    PeerCase made{"soup: pianomover 2.2k", Polyhedron::load(*robot), Polyhedron::load(*room), {}};
+    Draw draw(7);
+    while (made.questions.size() < 100) {
+        const Vector3d from(draw.between(-2500, 2500), draw.between(-2500, 2500), draw.between(400, 2600));
+        const Quaterniond orientation = draw.turn(0, pi);
+        const Displacement motion{Pose(from, orientation), Pose(Vector3d(from + 1500 * draw.direction()),
+                                                                draw.turn(0, 60 * degree) * orientation)};
+        if (!is_overlapping(made.moving, made.fixed, motion.start.isometry()))
+            made.questions.push_back({motion, std::nullopt});
+    }
+    cases.push_back(std::move(made));
+}
+
 } // namespace
 
 std::vector<PeerCase> peer_cases() {
     std::vector<PeerCase> cases;
     add_meshes(cases);
+    add_soup(cases);
     cases.push_back(convex_case());
     for (const bool is_off : {false, true})
         cases.push_back(peg_case(is_off));

@@ -61,6 +61,10 @@ struct Subtree {
     std::size_t depth;
 };
 
+/// Nodes of more faces have their box for a slab: hardly a surface is flat over so many. That changes the pairs of
+/// nodes in the cases of peers_bench by a few per cent, and halves the work for bodies of a million faces.
+constexpr std::uint32_t largest_patch = 1024;
+
 /// Faces side by side in the order of the leaves.
 struct FaceRange {
     std::uint32_t begin;
@@ -146,7 +150,7 @@ public:
 
     std::vector<BoxNode> nodes() && { return std::move(nodes_); }
 
-    /// A slab for every node, around all corners of its faces and along what its faces' normals add up to.
+    /// Slabs around all corners of a node's faces, along what their normals add up to.
     void add_slabs(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices,
                    const Eigen::Vector3d& centre) {
         const float size = std::max(middle_of(nodes_[0]).half.maxCoeff(), std::numeric_limits<float>::min());
@@ -156,7 +160,8 @@ public:
             const BoxNode& made = nodes_[node];
             normals[node] = made.is_leaf() ? corners.normal(ranges_[node].begin)
                                            : aligned_sum(normals[made.first], normals[made.first + 1]);
-            add_slab(nodes_[node], corners.of(ranges_[node]), normals[node]);
+            if (ranges_[node].count <= largest_patch)
+                add_slab(nodes_[node], corners.of(ranges_[node]), normals[node]);
         }
     }
 

@@ -35,8 +35,11 @@ PathBend::PathBend(const RationalMotion<Scalar>& motion, const Ball& moving, con
         return (axis.cross(centre) + moment).norm() + axis.norm() * (radius + rounding * size) +
                rounding * moment.norm();
     };
-    moving_swing_ = swing(start, moving.radius, start.norm());
-    fixed_swing_ = swing(fixed.centre - origin, fixed.radius, fixed.centre.norm() + origin.norm()) + cross_travel_;
+    const double of_moving = swing(start, moving.radius, start.norm());
+    const double of_fixed =
+        swing(fixed.centre - origin, fixed.radius, fixed.centre.norm() + origin.norm()) + cross_travel_;
+    moving_swing_ = std::min(of_moving, of_fixed);
+    fixed_swing_ = std::min(of_fixed, of_moving + cross_travel_);
 }
 
 double PathBend::of_moving(double from, double to) const {

@@ -12,9 +12,10 @@ struct Ball {
     double radius = 0;
 };
 
-/// Over the part [from, to] of tau, no point of the moving ball is further than of_moving(from, to) from the point that
-/// runs straight and evenly from where it is at `from` to where it is at `to`, in the frame of the fixed body; and
-/// likewise for points of the fixed ball seen from the moving body.
+/// Let a point of the moving ball and one of the fixed ball meet in the part [from, to] of tau. In the frame of the
+/// fixed body the former is then, all along the part, no further than of_moving(from, to) from the point that runs
+/// straight and evenly from where it is at `from` to where it is at `to`; and so is the latter, seen from the moving
+/// body, within of_fixed(from, to). Points that do not meet may be further off, which matters to nobody.
 class PathBend {
 public:
     PathBend(const RationalMotion<algebra::DoubleDouble>& motion, const Ball& moving, const Ball& fixed);

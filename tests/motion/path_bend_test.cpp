@@ -26,7 +26,8 @@ Eigen::Vector3d random_point(Random& random, const Ball& ball) {
     return ball.centre + ball.radius * eigen(random.vector(1)).normalized();
 }
 
-TEST(PathBend, BoundsHowFarPathsLeaveTheirChords) {
+/// A moving point and a fixed one that meet, each somewhere in its ball.
+TEST(PathBend, BoundsHowFarPathsThatMeetLeaveTheirChords) {
     Random random(741);
     ErrorRatios ratios;
     for (int trial = 0; trial < 2000; ++trial) {
@@ -34,13 +35,16 @@ TEST(PathBend, BoundsHowFarPathsLeaveTheirChords) {
         const PosedMotion posed = random_posed_motion(random, size);
         const ControlMaps<DoubleDouble> maps = control_maps(posed.made);
         const Ball moving{eigen(random.vector(size)), size * random.uniform(0, 1)};
-        const Ball fixed{position(maps, moving.centre, 0.5, true), size * random.uniform(0, 1)};
-        const PathBend bend(posed.made, moving, fixed);
         const double width = std::ldexp(1.0, -random.integer(0, 8));
         const double from = width * random.integer(0, int(1 / width) - 1);
+        const Eigen::Vector3d moving_point = random_point(random, moving);
+        const Eigen::Vector3d fixed_point = position(maps, moving_point, from + width * random.uniform(0, 1), true);
+        const double away = random.chance(0.3) ? 100 * size : size * random.uniform(0, 1);
+        const Eigen::Vector3d centre = fixed_point + away * eigen(random.vector(1)).normalized();
+        const PathBend bend(posed.made, moving, {centre, (centre - fixed_point).norm() * (1 + 1e-12)});
         for (const bool body_moves : {true, false}) {
             const double bound = body_moves ? bend.of_moving(from, from + width) : bend.of_fixed(from, from + width);
-            const Eigen::Vector3d point = random_point(random, body_moves ? moving : fixed);
+            const Eigen::Vector3d& point = body_moves ? moving_point : fixed_point;
             const Position start = position(maps, point, from, body_moves);
             const Position end = position(maps, point, from + width, body_moves);
             const double rounding = 1e-15 * (start.norm() + end.norm() + point.norm() + size);
@@ -54,6 +58,16 @@ TEST(PathBend, BoundsHowFarPathsLeaveTheirChords) {
         }
     }
     ratios.expect_sound(0.7);
+}
+
+/// A large room bends no more than what moves in it.
+TEST(PathBend, IsThatOfTheSmallerBall) {
+    const Pose turned({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ())));
+    const auto motion = ScrewMotion::between(Pose(), turned).frame().motion;
+    const Ball small{{1, 0, 0}, 0.5};
+    const Ball large{{0, 0, 0}, 1000};
+    EXPECT_EQ(PathBend(motion, small, large).of_fixed(0, 1), PathBend(motion, small, small).of_moving(0, 1));
+    EXPECT_EQ(PathBend(motion, large, small).of_moving(0, 1), PathBend(motion, small, small).of_fixed(0, 1));
 }
 
 TEST(PathBend, IsNothingForTranslations) {
