@@ -29,8 +29,8 @@ private:
     double cosine_rate_;      ///< e1 - 1
     double square_;           ///< |z|^2 = (e1 - 1)^2 + |a|^2
     double turn_;             ///< |z|
-    double moving_swing_ = 0; ///< |a x y + m| at most, over the moving ball
-    double fixed_swing_ = 0;  ///< the same over the fixed ball, at any time
+    double moving_swing_ = 0; ///< |a x y + m| at most, of moving points that meet fixed ones
+    double fixed_swing_ = 0;  ///< the same of fixed points, at any time
     double cross_travel_ = 0; ///< |a x d|
 };
 

@@ -17,12 +17,12 @@ constexpr float window_slack = 0x1p-20F;
 constexpr Window never{1, 0};
 
 // The kernel is compiled for what the library is compiled for and, on x86-64, for AVX2 besides; the processor at hand
-// chooses. No fused operations: both give the same bits (tests/bits).
+// chooses. No fused operations: both give the same bits, which tests/bits holds them to (CHASLES_PLAIN_KERNEL).
 namespace plain {
 #include "chasles/query/swept_boxes_kernel.inl"
 }
 
-#if defined(__x86_64__) && defined(__GNUC__)
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(CHASLES_PLAIN_KERNEL)
 #define CHASLES_KERNEL_AVX2
 #if defined(__clang__)
 #pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
@@ -38,10 +38,16 @@ namespace avx2 {
 #else
 #pragma GCC pop_options
 #endif
-const auto meetings = __builtin_cpu_supports("avx2") ? avx2::meetings : plain::meetings;
-#else
-constexpr auto meetings = plain::meetings;
 #endif
+
+SweptBoxes::Windows meetings(const BoxNode& node, const BoxNode* others, const SweptBoxes::View& there,
+                             const SweptBoxes::View& here, const Window& when) {
+#if defined(CHASLES_KERNEL_AVX2)
+    if (__builtin_cpu_supports("avx2"))
+        return avx2::meetings(node, others, there, here, when);
+#endif
+    return plain::meetings(node, others, there, here, when);
+}
 
 SweptBoxes::TwoRows twice(const Eigen::Vector3d& v) {
     SweptBoxes::TwoRows rows;
