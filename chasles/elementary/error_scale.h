@@ -22,7 +22,7 @@ struct ErrorScale {
 template <class S>
 inline constexpr double error_unit = 0;
 template <>
-inline constexpr double error_unit<double> = 512 * algebra::unit_roundoff<double>;
+inline constexpr double error_unit<double> = 160 * algebra::unit_roundoff<double>;
 template <>
 inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit_roundoff<algebra::DoubleDouble>;
 

@@ -37,7 +37,7 @@ FaceShape<S> face_shape(std::span<const Vector3<S>> corners, std::span<const std
     for (const Vector3<S>& corner : corners) {
         const Vector3<S> arm = corner - corners[0];
         const S height = dot(face.normal, arm);
-        const S off = (height < S(0) ? S(S(0) - height) : height) + S(error_unit<S> / 32) * face.size * norm1(arm);
+        const S off = (height < S(0) ? S(S(0) - height) : height) + S(error_unit<S> / 10) * face.size * norm1(arm);
         face.deviation = face.deviation < off ? off : face.deviation;
     }
     return face;

@@ -30,6 +30,7 @@ constexpr int deepest_level = 40;
 /// A candidate in doubt that begins no earlier than a proven contact by more waits until that one's bracket is narrow.
 constexpr double near = 0x1p-30;
 
+/// The largest coordinate of a body.
 double reach(const BoxHierarchy& hierarchy) {
     const BoxNode& root = hierarchy.nodes()[0];
     double result = 0;
@@ -38,6 +39,12 @@ double reach(const BoxHierarchy& hierarchy) {
         result = std::max(result, std::abs(hierarchy.centre()[i]) + extent);
     }
     return result;
+}
+
+/// With all that the maps are made of.
+double reach_of_moving(const PieceSearch& search) {
+    return std::max(reach(search.moving.hierarchy()), search.frame.motion.reach) +
+           motion::double_maps_reach(search.frame.motion);
 }
 
 TimeTree time_tree(const PieceSearch& search, const motion::ControlMaps<double>& maps,
@@ -61,8 +68,7 @@ class Traversal {
 public:
     explicit Traversal(const PieceSearch& search)
         : search_(search), maps_(motion::double_maps(search.frame.motion)),
-          scale_(elementary::error_scale(maps_, std::max(reach(search.moving.hierarchy()), search.frame.motion.reach),
-                                         reach(search.fixed.hierarchy()))),
+          scale_(elementary::error_scale(maps_, reach_of_moving(search), reach(search.fixed.hierarchy()))),
           times_(time_tree(search, maps_, scale_)), planes_(search.moving, search.fixed, scale_), plane_maps_(maps_),
           filter_(search.moving, search.fixed, {scale_, {}}), filter_maps_(maps_),
           moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {

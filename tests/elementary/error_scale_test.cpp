@@ -37,7 +37,9 @@ struct Maps {
     Maps(Random& random, const PosedMotion& motion, const Sizes& sizes)
         : refined(motion::control_maps(motion.made)), exactly_whole(motion::control_maps(motion.exactly)) {
         in_doubles = motion::double_maps(motion.made);
-        accuracy.scale = error_scale(in_doubles, std::max(sizes.moving, motion.made.reach), sizes.fixed);
+        accuracy.scale =
+            error_scale(in_doubles, std::max(sizes.moving, motion.made.reach) + motion::double_maps_reach(motion.made),
+                        sizes.fixed);
         exactly = exactly_whole;
         if (random.chance(0.5)) {
             const double width = std::ldexp(1.0, -random.integer(1, 12));

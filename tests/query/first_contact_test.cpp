@@ -65,8 +65,10 @@ TEST(FirstContact, BoxLandsFlatWithItsFourCorners) {
     EXPECT_TRUE(found.certain);
     expect_encloses(found.time, 0.5);
     EXPECT_EQ(found.contacts.size(), 4u);
-    for (const Contact& contact : found.contacts)
-        EXPECT_EQ(contact.kind, ContactKind::vertex_face);
+    for (std::size_t i = 0; i < found.contacts.size(); ++i) {
+        EXPECT_EQ(found.contacts[i].kind, ContactKind::vertex_face);
+        EXPECT_TRUE(i == 0 || found.contacts[i - 1].moving.first < found.contacts[i].moving.first);
+    }
 }
 
 TEST(FirstContact, FacesAreNamedAsInTheInput) {

@@ -76,7 +76,8 @@ struct Scene {
         };
         const motion::Ball a = query::ball_around(moving.hierarchy());
         const motion::Ball b = query::ball_around(fixed.hierarchy());
-        const auto scale = elementary::error_scale(maps, std::max(reach(moving), motion.reach), reach(fixed));
+        const auto scale = elementary::error_scale(
+            maps, std::max(reach(moving), motion.reach) + motion::double_maps_reach(motion), reach(fixed));
         return query::TimeTree(maps, motion::PathBend(motion, a, b), a, b, scale).interval(range);
     }
 
