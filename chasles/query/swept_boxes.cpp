@@ -8,6 +8,10 @@
 #include <immintrin.h>
 #endif
 
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi" // how vectors are passed: all of it is inlined in this file
+#endif
+
 namespace chasles::query {
 
 namespace {

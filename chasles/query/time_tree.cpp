@@ -27,7 +27,7 @@ TimeInterval TimeTree::interval(const TauRange& range) const {
     const double moving_bend = bend_.of_moving(range.lower, range.upper);
     const double fixed_bend = bend_.of_fixed(range.lower, range.upper);
     return {range, SweptBoxes(start, end, {moving_bend + rounding, fixed_bend + rounding}),
-            std::max(moving_bend, fixed_bend)};
+            std::max(moving_bend, fixed_bend), rounding};
 }
 
 Placement TimeTree::placement(double tau) const {

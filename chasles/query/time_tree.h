@@ -22,7 +22,8 @@ struct TauRange {
 struct TimeInterval {
     TauRange range;
     SweptBoxes boxes;
-    double bend = 0; ///< how far paths leave their chords, at most
+    double bend = 0;     ///< how far paths leave their chords, at most
+    double rounding = 0; ///< what boxes are widened by besides
 };
 
 /// Makes intervals of one motion.

@@ -6,6 +6,8 @@
 #include "chasles/query/time_tree.h"
 
 #include <array>
+#include <set>
+#include <tuple>
 #include <utility>
 
 namespace chasles::query {
@@ -129,8 +131,7 @@ private:
         const BoxNode& fixed = fixed_nodes_[pair.fixed];
         const float moving_side = side(moving);
         const float fixed_side = side(fixed);
-        if (interval.bend > bend_of_size * std::max(moving_side, fixed_side) &&
-            interval.range.width() > shortest_interval) {
+        if (is_worth_halving(interval, std::max(moving_side, fixed_side))) {
             bent.push_back(pair);
         } else if (moving.is_leaf() && fixed.is_leaf()) {
             test_faces(moving.first, fixed.first, interval.range, pair.when);
@@ -145,6 +146,12 @@ private:
                 interval.boxes.meetings_of_fixed(moving, fixed_nodes_.subspan(child).first<2>(), pair.when);
             push({pair.moving, child, when[0]}, {pair.moving, child + 1, when[1]}, stack);
         }
+    }
+
+    /// Not where boxes are as wide for their roundings, which halving does not change.
+    static bool is_worth_halving(const TimeInterval& interval, double side) {
+        return interval.bend > std::max(bend_of_size * side, interval.rounding) &&
+               interval.range.width() > shortest_interval;
     }
 
     /// What may meet earlier is visited earlier.
@@ -218,8 +225,18 @@ private:
             keep(candidate);
         else if (is_near_a_proven_contact(candidate.tau))
             waiting_.push_back(candidate);
-        else if (!is_behind_a_proven_contact(candidate.tau) && decide(candidate))
+        else if (!is_behind_a_proven_contact(candidate.tau) && !was_asked_exactly(candidate) && decide(candidate))
             keep(candidate);
+    }
+
+    /// The answer was for all that is left of the piece; intervals are visited in order.
+    [[nodiscard]] bool was_asked_exactly(const Candidate& candidate) const {
+        return asked_exactly_.count(features_of(candidate)) > 0;
+    }
+
+    using Features = std::tuple<ContactKind, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
+    static Features features_of(const Candidate& c) {
+        return {c.kind, c.moving.first, c.moving.second, c.fixed.first, c.fixed.second};
     }
 
     void keep(const Candidate& candidate) {
@@ -238,10 +255,16 @@ private:
         std::vector<Candidate> found = std::exchange(result_.candidates, {});
         std::stable_sort(found.begin(), found.end(),
                          [](const Candidate& a, const Candidate& b) { return a.tau.upper < b.tau.upper; });
-        for (Candidate& candidate : found)
-            if (candidate.tau.lower <= best_ &&
-                (is_decided(candidate.tau) || !is_contact(candidate.tau) || decide(candidate)))
+        certain_ = {2, 2}; // none of them stands beside itself
+        const auto is_wide = [&](const Candidate& c) { return is_contact(c.tau) && !is_decided(c.tau); };
+        for (const Candidate& candidate : found)
+            if (candidate.tau.lower <= best_ && !is_wide(candidate))
                 keep(candidate);
+        for (const Candidate& candidate : found) {
+            Candidate narrowed = candidate;
+            if (candidate.tau.lower <= best_ && is_wide(candidate) && decide(narrowed))
+                keep(narrowed.tau.certain ? narrowed : candidate);
+        }
         for (Candidate& candidate : waiting_) {
             if (candidate.tau.lower > best_ || is_behind_a_proven_contact(candidate.tau))
                 continue;
@@ -281,6 +304,7 @@ private:
             return true;
         }
         ++result_.work.exact;
+        asked_exactly_.insert(features_of(candidate));
         const auto decided = exact_stage().first_contact_of(candidate, search_.tolerance);
         if (!decided)
             return false;
@@ -290,7 +314,7 @@ private:
     }
 
     /// As it may be no contact, it ends nothing.
-    void leave_in_doubt(Candidate& candidate) const { candidate.tau.upper = std::max(candidate.tau.upper, best_); }
+    static void leave_in_doubt(Candidate& candidate) { candidate.tau.upper = 1; }
 
     /// Whatever it is, it changes nothing but the list of all contacts.
     [[nodiscard]] bool is_behind_a_proven_contact(const FeasibleInterval& tau) const {
@@ -376,6 +400,7 @@ private:
     Bracket certain_{2, 2}; ///< the least ends of contacts that are proven; lower ends once they are final
     bool stop_ = false;
     std::vector<Candidate> waiting_; ///< in doubt
+    std::set<Features> asked_exactly_;
     std::vector<Overlap> doubtful_overlaps_;
     PieceResult result_;
 };
