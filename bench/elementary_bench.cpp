@@ -2,7 +2,7 @@
 // Each problem is timed by itself, so that the spread over the problems is seen; answers are checked first.
 #include "bench/elementary_detector.h"
 #include "bench/run_benchmarks.h"
-#include "chasles/query/traversal.h"
+#include "chasles/query/found_contacts.h"
 
 #include <algorithm>
 #include <cstdio>

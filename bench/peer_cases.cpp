@@ -2,6 +2,7 @@
 
 #include "bench/bodies.h"
 #include "bench/discrete_overlap.h"
+#include "bench/draw.h"
 #include "bench/generated_bodies.h"
 #include "chasles/query/first_contact.h"
 #include "scenes/nut_motions.h"
@@ -11,7 +12,6 @@
 #include <cmath>
 #include <cstdio>
 #include <numbers>
-#include <random>
 
 namespace chasles::bench {
 
@@ -23,26 +23,6 @@ using Eigen::Vector3d;
 using std::numbers::pi;
 
 constexpr double degree = pi / 180;
-
-class Draw {
-public:
-    explicit Draw(std::uint64_t seed) : generator_(seed) {}
-
-    double between(double lower, double upper) {
-        return lower + (upper - lower) * double(generator_() >> 11) * 0x1p-53; // the same on every platform
-    }
-    Vector3d direction() {
-        for (;;) {
-            const Vector3d point(between(-1, 1), between(-1, 1), between(-1, 1));
-            if (point.norm() > 0.1 && point.norm() < 1)
-                return point.normalized();
-        }
-    }
-    Quaterniond turn(double least, double most) { return Quaterniond(AngleAxisd(between(least, most), direction())); }
-
-private:
-    std::mt19937_64 generator_;
-};
 
 /// A ball around a body.
 struct Ball {

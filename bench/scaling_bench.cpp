@@ -1,6 +1,7 @@
 // How time and memory grow: with the triangles of both bodies at the same relative motion, and with threads over many
 // motions. Answers are checked before they are timed.
 #include "bench/bodies.h"
+#include "bench/draw.h"
 #include "bench/run_benchmarks.h"
 #include "chasles/mesh/flat_lists.h"
 #include "chasles/query/path.h"
@@ -11,7 +12,6 @@
 #include <cstdio>
 #include <map>
 #include <numbers>
-#include <random>
 
 namespace chasles::bench {
 namespace {
@@ -123,19 +123,16 @@ struct ManyMotions {
         } else {
             std::printf("skipped: fcl-pianomover is not there; two bumpy tori are used instead\n");
         }
-        std::mt19937_64 random(8);
-        const auto between = [&](double lower, double upper) {
-            return lower + (upper - lower) * double(random() >> 11) * 0x1p-53;
+        Draw draw(8);
+        const auto place = [&] {
+            return Vector3d(draw.between(-room, room), draw.between(-room, room), draw.between(0, room));
         };
-        const auto place = [&] { return Vector3d(between(-room, room), between(-room, room), between(0, room)); };
         for (int i = 0; i < 10'000; ++i) {
             const Vector3d from = place();
-            const Quaterniond turn =
-                Quaterniond(between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1)).normalized();
-            const Quaterniond further = turn.slerp(
-                0.3, Quaterniond(between(-1, 1), between(-1, 1), between(-1, 1), between(-1, 1)).normalized());
+            const Quaterniond turn = draw.turn(0, std::numbers::pi);
+            const Vector3d to = from + 0.3 * (place() - from);
             motions.emplace_back(
-                ScrewMotion::between(Pose(from, turn), Pose(Vector3d(from + 0.3 * (place() - from)), further)));
+                ScrewMotion::between(Pose(from, turn), Pose(to, draw.turn(0, 0.3 * std::numbers::pi) * turn)));
         }
     }
 

@@ -6,7 +6,7 @@
 #include "chasles/algebra/exact_feasible.h"
 #include "chasles/motion/exact_motion.h"
 #include "chasles/motion/screw_motion.h"
-#include "chasles/query/traversal.h"
+#include "chasles/query/found_contacts.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,5 @@
 #include "chasles/motion/path_bend.h"
 
-#include "chasles/motion/screw_pose.h"
-
-#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 
@@ -10,34 +7,32 @@ namespace chasles::motion {
 
 namespace {
 
-using Scalar = algebra::DoubleDouble;
-
 /// Some twenty roundings, and as many again.
 constexpr double rounding = 1e-14;
 
+double length(const Vector3<double>& v) {
+    return std::sqrt(dot(v, v));
+}
+Vector3<double> vector(const Eigen::Vector3d& v) {
+    return {v.x(), v.y(), v.z()};
+}
+
 } // namespace
 
-PathBend::PathBend(const RationalMotion<Scalar>& motion, const Ball& moving, const Ball& fixed)
-    : cosine_rate_(double(motion.end_cosine) - 1) {
-    const Eigen::Vector3d axis = rounded(motion.axis);
-    const Eigen::Vector3d moment = rounded(motion.moment);
-    const Eigen::Vector3d origin = rounded(motion.origin);
-    square_ = cosine_rate_ * cosine_rate_ + axis.squaredNorm();
+PathBend::PathBend(const RationalMotion<algebra::DoubleDouble>& motion, const Ball& moving, const Ball& fixed) {
+    const RationalMotion<double> m = rounded(motion);
+    cosine_rate_ = m.end_cosine - 1;
+    square_ = cosine_rate_ * cosine_rate_ + dot(m.axis, m.axis);
     turn_ = std::sqrt(square_);
-    Eigen::Vector3d start;
-    for (int i = 0; i < 3; ++i) {
-        const Vector3<Scalar>& row = motion.orientation.row[i];
-        start[i] =
-            double(row.x) * moving.centre.x() + double(row.y) * moving.centre.y() + double(row.z) * moving.centre.z();
-    }
-    cross_travel_ = axis.cross(rounded(motion.displacement)).norm();
-    const auto swing = [&](const Eigen::Vector3d& centre, double radius, double size) {
-        return (axis.cross(centre) + moment).norm() + axis.norm() * (radius + rounding * size) +
-               rounding * moment.norm();
+    cross_travel_ = length(cross(m.axis, m.displacement));
+    const auto swing = [&](const Vector3<double>& centre, double radius, double size) {
+        return length(cross(m.axis, centre) + m.moment) + length(m.axis) * (radius + rounding * size) +
+               rounding * length(m.moment);
     };
-    const double of_moving = swing(start, moving.radius, start.norm());
+    const Vector3<double> start = m.orientation * vector(moving.centre);
+    const double of_moving = swing(start, moving.radius, length(start));
     const double of_fixed =
-        swing(fixed.centre - origin, fixed.radius, fixed.centre.norm() + origin.norm()) + cross_travel_;
+        swing(vector(fixed.centre) - m.origin, fixed.radius, fixed.centre.norm() + length(m.origin)) + cross_travel_;
     moving_swing_ = std::min(of_moving, of_fixed);
     fixed_swing_ = std::min(of_fixed, of_moving + cross_travel_);
 }

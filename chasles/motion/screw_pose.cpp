@@ -41,7 +41,7 @@ TurnAngle turn_angle(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>
 }
 
 ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal)
-    : start_(start), goal_(goal), turn_(normalized(turn_between(start, goal))), half_sine_(length(turn_.v)) {
+    : start_(start), turn_(normalized(turn_between(start, goal))), half_sine_(length(turn_.v)) {
     const Vector shift = goal.translation - start.translation;
     const bool turns = half_sine_.high() > 0;
     const Vector raw = turns ? turn_.v : shift;
@@ -54,10 +54,6 @@ ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>
 }
 
 Pose ScrewPath::at(const ScrewProgress& progress) const {
-    if (progress.turned <= 0 && progress.slid <= 0)
-        return rounded(start_);
-    if (progress.turned >= 1 && progress.slid >= 1)
-        return rounded(goal_);
     const double half = progress.turned * std::atan2(half_sine_.high(), turn_.w.high());
     const Scalar sine(std::sin(half));
     const Scalar cosine(std::cos(half));

@@ -63,13 +63,12 @@ public:
     using Scalar = algebra::DoubleDouble;
     ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal);
 
-    /// The end poses themselves at progress {0, 0} and {1, 1}.
+    /// Between the ends, up to rounding.
     [[nodiscard]] Pose at(const ScrewProgress& progress) const;
     [[nodiscard]] ScrewNumbers numbers() const;
 
 private:
     GeneralPose<Scalar> start_;
-    GeneralPose<Scalar> goal_;
     Quaternion<Scalar> turn_; ///< with length one
     Scalar half_sine_;
     Vector3<Scalar> direction_; ///< unit; of the shift if nothing turns; zero if nothing moves
@@ -77,7 +76,7 @@ private:
     Vector3<Scalar> across_;
 };
 
-/// One pose of it.
+/// One pose of it; the end poses themselves at progress {0, 0} and {1, 1}.
 Pose screw_pose(const GeneralPose<algebra::DoubleDouble>& start, const GeneralPose<algebra::DoubleDouble>& goal,
                 const ScrewProgress& progress);
 

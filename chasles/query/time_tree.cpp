@@ -31,17 +31,13 @@ TimeInterval TimeTree::interval(const TauRange& range) const {
 }
 
 Placement TimeTree::placement(double tau) const {
-    const double rest = 1 - tau;
-    const double basis[4] = {rest * rest * rest, 3 * tau * rest * rest, 3 * tau * tau * rest, tau * tau * tau};
-    const auto value = [&](const algebra::Bernstein<3, double>& p) {
-        return basis[0] * p[0] + basis[1] * p[1] + basis[2] * p[2] + basis[3] * p[3];
-    };
-    const double inverse_weight = 1 / value(whole_.weight);
+    const double weight = value_at(whole_.weight, tau);
+    const auto value = [&](const algebra::Bernstein<3, double>& p) { return value_at(p, tau) / weight; };
     Placement placed;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
-            placed.turn(i, j) = value(whole_.turn.row[i][j]) * inverse_weight;
-        placed.offset[i] = value(whole_.shift[i]) * inverse_weight;
+            placed.turn(i, j) = value(whole_.turn.row[i][j]);
+        placed.offset[i] = value(whole_.shift[i]);
     }
     placed.offset += placed.turn * moving_.centre - fixed_.centre;
     return placed;

@@ -49,7 +49,7 @@ private:
 class RangeMaps {
 public:
     /// Those of the whole motion are kept by reference.
-    explicit RangeMaps(const motion::ControlMaps<double>& whole) : whole_(whole), maps_(whole) {}
+    explicit RangeMaps(const motion::ControlMaps<double>& whole) : whole_(whole) {}
 
     /// False if the range is the one at hand. Maps are restricted from the whole, so that rounding does not build up.
     bool set(const TauRange& range) {
@@ -59,12 +59,11 @@ public:
         maps_ = range == TauRange() ? whole_ : motion::restricted(whole_, range.lower, range.upper);
         return true;
     }
-    [[nodiscard]] const TauRange& range() const { return range_; }
     [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
 
 private:
     const motion::ControlMaps<double>& whole_;
-    TauRange range_;
+    TauRange range_{0, 0}; ///< none at first
     motion::ControlMaps<double> maps_;
 };
 

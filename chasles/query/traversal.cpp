@@ -1,20 +1,15 @@
 #include "chasles/query/traversal.h"
 
 #include "chasles/query/body_ball.h"
-#include "chasles/query/exact_stage.h"
 #include "chasles/query/face_planes.h"
+#include "chasles/query/found_contacts.h"
 #include "chasles/query/time_tree.h"
 
 #include <array>
-#include <set>
-#include <tuple>
-#include <utility>
 
 namespace chasles::query {
 
 namespace {
-
-using Scalar = algebra::DoubleDouble;
 
 /// A pair of nodes, one of each hierarchy, that may meet in a part of the interval at hand.
 struct NodePair {
@@ -29,8 +24,6 @@ constexpr double bend_of_size = 0.01;
 /// As short as the tolerance of the answer: not halved. So many halvings of [0, 1] lead there.
 constexpr double shortest_interval = 0x1p-40;
 constexpr int deepest_level = 40;
-/// A candidate in doubt that begins no earlier than a proven contact by more waits until that one's bracket is narrow.
-constexpr double near = 0x1p-30;
 
 /// The largest coordinate of a body.
 double reach(const BoxHierarchy& hierarchy) {
@@ -56,15 +49,6 @@ TimeTree time_tree(const PieceSearch& search, const motion::ControlMaps<double>&
     return {maps, motion::PathBend(search.frame.motion, moving, fixed), moving, fixed, scale};
 }
 
-/// What asks a second time.
-struct Refinement {
-    motion::ControlMaps<Scalar> maps;
-    FeaturePairs<Scalar> pairs;
-
-    Refinement(const PieceSearch& search, const elementary::ErrorScale& scale)
-        : maps(motion::control_maps(search.frame.motion)), pairs(search.moving, search.fixed, {scale, {}}) {}
-};
-
 /// One search; `run` is called once.
 class Traversal {
 public:
@@ -72,23 +56,18 @@ public:
         : search_(search), maps_(motion::double_maps(search.frame.motion)),
           scale_(elementary::error_scale(maps_, reach_of_moving(search), reach(search.fixed.hierarchy()))),
           times_(time_tree(search, maps_, scale_)), planes_(search.moving, search.fixed, scale_), plane_maps_(maps_),
-          filter_(search.moving, search.fixed, {scale_, {}}), filter_maps_(maps_),
-          moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {
-        planes_.use(plane_maps_.maps());
-        filter_.use(filter_maps_.maps(), filter_tolerance(search.tolerance));
-    }
+          filter_(search.moving, search.fixed, {scale_, {}}), filter_maps_(maps_), contacts_(search, scale_),
+          moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {}
 
     PieceResult run() {
         levels_[0].reserve(128);
         levels_[0].push_back({0, 0, {}}); // the roots, which may well meet
         search_interval(0, {});
-        narrow_brackets();
-        decide_overlaps();
-        const double last = result_.overlap ? 0 : best_;
-        std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > last; });
-        result_.work.elementary_tests = filter_.workspace().elementary_tests;
-        result_.work.root_brackets = filter_.workspace().root_brackets;
-        return std::move(result_);
+        PieceResult result = contacts_.take();
+        work_.elementary_tests = filter_.workspace().elementary_tests;
+        work_.root_brackets = filter_.workspace().root_brackets;
+        result.work += work_;
+        return result;
     }
 
 private:
@@ -98,16 +77,16 @@ private:
         const TimeInterval interval = times_.interval(range);
         std::vector<NodePair>& stack = levels_[level];
         std::vector<NodePair> bent;
-        while (!stack.empty() && !stop_) {
+        while (!stack.empty() && !contacts_.is_over()) {
             const NodePair pair = stack.back();
             stack.pop_back();
-            if (range.at(pair.when.lower) <= best_)
+            if (range.at(pair.when.lower) <= contacts_.best())
                 visit(pair, interval, stack, bent);
         }
         stack.clear();
         const double middle = range.at(0.5);
         for (const bool later : {false, true}) {
-            if (bent.empty() || stop_ || (later && best_ < middle))
+            if (bent.empty() || contacts_.is_over() || (later && contacts_.best() < middle))
                 return;
             for (const NodePair& pair : bent) {
                 const Window when = in_half(pair.when, later);
@@ -156,7 +135,7 @@ private:
 
     /// What may meet earlier is visited earlier.
     void push(const NodePair& a, const NodePair& b, std::vector<NodePair>& stack) {
-        result_.work.node_pairs += 2;
+        work_.node_pairs += 2;
         const bool a_is_earlier = a.when.lower < b.when.lower;
         for (const NodePair& pair : {a_is_earlier ? b : a, a_is_earlier ? a : b})
             if (!pair.when.is_empty())
@@ -170,12 +149,12 @@ private:
     /// Features are asked about unless a face's plane keeps them apart; answers would be the same (note 13). Planes are
     /// made once for the interval, features are asked about the part that matters.
     void test_faces(std::uint32_t moving_face, std::uint32_t fixed_face, const TauRange& interval, const Window& when) {
-        ++result_.work.face_pairs;
+        ++work_.face_pairs;
         const Polyhedron& moving = search_.moving;
         const Polyhedron& fixed = search_.fixed;
         const double first = interval.at(when.lower);
-        const TauRange part = part_around(interval, {first, std::max(first, std::min(best_, interval.at(when.upper)))},
-                                          shortest_interval);
+        const TauRange part = part_around(
+            interval, {first, std::max(first, std::min(contacts_.best(), interval.at(when.upper)))}, shortest_interval);
         if (plane_maps_.set(interval))
             planes_.use(plane_maps_.maps());
         const FacePlanes::Part in_interval((part.lower - interval.lower) / interval.width(),
@@ -215,172 +194,20 @@ private:
         }
     }
 
-    /// Takes in a candidate of the filter, in terms of the whole piece, unless a later stage proves that it is none.
     void add(Candidate candidate, const TauRange& part) {
         candidate.tau.lower = part.at(candidate.tau.lower);
         candidate.tau.upper = std::min(part.upper, part.at(candidate.tau.upper));
-        if (stop_ || candidate.tau.lower > best_)
-            return;
-        if (is_contact(candidate.tau))
-            keep(candidate);
-        else if (is_near_a_proven_contact(candidate.tau))
-            waiting_.push_back(candidate);
-        else if (!is_behind_a_proven_contact(candidate.tau) && !was_asked_exactly(candidate) && decide(candidate))
-            keep(candidate);
-    }
-
-    /// The answer was for all that is left of the piece; intervals are visited in order.
-    [[nodiscard]] bool was_asked_exactly(const Candidate& candidate) const {
-        return asked_exactly_.count(features_of(candidate)) > 0;
-    }
-
-    using Features = std::tuple<ContactKind, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
-    static Features features_of(const Candidate& c) {
-        return {c.kind, c.moving.first, c.moving.second, c.fixed.first, c.fixed.second};
-    }
-
-    void keep(const Candidate& candidate) {
-        result_.candidates.push_back(candidate);
-        best_ = std::min(best_, candidate.tau.upper);
-        if (candidate.tau.certain)
-            certain_.upper = std::min(certain_.upper, candidate.tau.upper);
-        if (is_decided(candidate.tau))
-            certain_.lower = std::min(certain_.lower, candidate.tau.lower);
-        stop_ = search_.find == Find::any || (search_.find == Find::first && may_be_at_start(candidate.tau));
-    }
-
-    /// Last: what was found is asked again, the surest first, so that most of it falls behind the first contact. A
-    /// bracket in doubt that ends where the answer's bracket may end is left as it is.
-    void narrow_brackets() {
-        std::vector<Candidate> found = std::exchange(result_.candidates, {});
-        std::stable_sort(found.begin(), found.end(),
-                         [](const Candidate& a, const Candidate& b) { return a.tau.upper < b.tau.upper; });
-        certain_ = {2, 2}; // none of them stands beside itself
-        const auto is_wide = [&](const Candidate& c) { return is_contact(c.tau) && !is_decided(c.tau); };
-        for (const Candidate& candidate : found)
-            if (candidate.tau.lower <= best_ && !is_wide(candidate))
-                keep(candidate);
-        for (const Candidate& candidate : found) {
-            Candidate narrowed = candidate;
-            if (candidate.tau.lower <= best_ && is_wide(candidate) && decide(narrowed))
-                keep(narrowed.tau.certain ? narrowed : candidate);
-        }
-        for (Candidate& candidate : waiting_) {
-            if (candidate.tau.lower > best_ || is_behind_a_proven_contact(candidate.tau))
-                continue;
-            if (is_beside_a_proven_contact(candidate.tau))
-                leave_in_doubt(candidate);
-            else if (!decide(candidate))
-                continue;
-            keep(candidate);
-        }
-    }
-
-    /// A proven contact, and not at the start. Its bracket may be wide as yet.
-    [[nodiscard]] static bool is_contact(const FeasibleInterval& tau) { return tau.certain && tau.lower > 0; }
-
-    [[nodiscard]] bool is_near_a_proven_contact(const FeasibleInterval& tau) const {
-        return search_.find != Find::first_with_all_contacts && tau.lower > 0 && certain_.upper - tau.lower <= near;
-    }
-
-    /// A lower end of 0 is not enough: whether bodies touch at 0 or right after it makes another verdict.
-    [[nodiscard]] bool is_decided(const FeasibleInterval& tau) const {
-        return tau.certain && tau.upper - tau.lower <= search_.tolerance && tau.lower > 0;
-    }
-
-    /// What is not certain or not tight in double precision is asked again in double-double, and what still is not,
-    /// exactly; false if there is no contact before best_.
-    bool decide(Candidate& candidate) {
-        ++result_.work.refined;
-        const auto refined =
-            first_contact_of(refinement(refinement_tolerance(search_.tolerance, candidate.tau)), candidate);
-        if (!refined || refined->lower > best_)
-            return false;
-        candidate.tau = *refined;
-        if (is_decided(candidate.tau))
-            return true;
-        if (is_beside_a_proven_contact(candidate.tau)) {
-            leave_in_doubt(candidate);
-            return true;
-        }
-        ++result_.work.exact;
-        asked_exactly_.insert(features_of(candidate));
-        const auto decided = exact_stage().first_contact_of(candidate, search_.tolerance);
-        if (!decided)
-            return false;
-        if (decided->certain || decided->lower > candidate.tau.lower)
-            candidate.tau = *decided;
-        return candidate.tau.lower <= best_;
-    }
-
-    /// As it may be no contact, it ends nothing.
-    static void leave_in_doubt(Candidate& candidate) { candidate.tau.upper = 1; }
-
-    /// Whatever it is, it changes nothing but the list of all contacts.
-    [[nodiscard]] bool is_behind_a_proven_contact(const FeasibleInterval& tau) const {
-        return search_.find != Find::first_with_all_contacts && certain_.lower <= tau.lower &&
-               (tau.lower > 0 || certain_.upper <= 0);
-    }
-
-    /// Whatever it is, the bracket of the answer holds a proven contact and is no wider than asked for.
-    [[nodiscard]] bool is_beside_a_proven_contact(const FeasibleInterval& tau) const {
-        return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.upper <= 0);
-    }
-
-    FeaturePairs<Scalar>& refinement(const algebra::Tolerance& tolerance) {
-        if (!refinement_)
-            refinement_.emplace(search_, scale_);
-        refinement_->pairs.use(refinement_->maps, tolerance);
-        return refinement_->pairs;
-    }
-
-    ExactStage& exact_stage() {
-        if (!exact_stage_)
-            exact_stage_.emplace(search_.moving, search_.fixed, search_.frame);
-        return *exact_stage_;
+        contacts_.add(candidate);
     }
 
     void look_for_overlap(std::uint32_t moving_face, std::uint32_t fixed_face) {
         using elementary::Ends;
         for (const Edge& edge : search_.moving.owned_edges(moving_face))
             if (filter_.moving_edge_passage(edge, fixed_face, Ends::not_proven_on_one_side))
-                report_overlap({true, {edge.from, edge.to}, {fixed_face, fixed_face}, {}, false});
+                contacts_.add(Overlap{true, {edge.from, edge.to}, {fixed_face, fixed_face}, {}, false});
         for (const Edge& edge : search_.fixed.owned_edges(fixed_face))
             if (filter_.fixed_edge_passage(edge, moving_face, Ends::not_proven_on_one_side))
-                report_overlap({false, {edge.from, edge.to}, {moving_face, moving_face}, {}, false});
-    }
-
-    /// An overlap ends the search: nothing is earlier. Double-double leaves doubt where an end of the edge is hardly
-    /// off the face's plane, or the edge hardly within its rim.
-    void report_overlap(Overlap overlap) {
-        const auto passage = passage_of(refinement({}), overlap, elementary::Ends::not_proven_on_one_side);
-        if (!passage || stop_)
-            return;
-        Vector3<Scalar> point = passage->point;
-        if (!overlap.edge_is_moving)
-            point = search_.frame.motion.orientation * point + search_.frame.motion.origin;
-        overlap.point = {double(point.x), double(point.y), double(point.z)};
-        const auto proven = passage_of(refinement({}), overlap, elementary::Ends::proven_opposite);
-        overlap.certain = proven && proven->certain;
-        if (!overlap.certain) {
-            doubtful_overlaps_.push_back(overlap);
-            return;
-        }
-        result_.overlap = overlap;
-        stop_ = true;
-    }
-
-    /// Exactly, and last: where the bodies just touch at the start, their features have been found to.
-    void decide_overlaps() {
-        for (Overlap& overlap : doubtful_overlaps_) {
-            if (result_.overlap || certain_.upper <= 0)
-                return;
-            ++result_.work.exact;
-            if (exact_stage().passes(overlap)) {
-                overlap.certain = true;
-                result_.overlap = overlap;
-            }
-        }
+                contacts_.add(Overlap{false, {edge.from, edge.to}, {moving_face, moving_face}, {}, false});
     }
 
     const PieceSearch& search_;
@@ -391,18 +218,11 @@ private:
     RangeMaps plane_maps_;
     FeaturePairs<double> filter_;
     RangeMaps filter_maps_;
-    std::optional<Refinement> refinement_;  ///< made when it is first asked
-    std::optional<ExactStage> exact_stage_; ///< likewise
+    FoundContacts contacts_;
     std::span<const BoxNode> moving_nodes_;
     std::span<const BoxNode> fixed_nodes_;
     std::array<std::vector<NodePair>, deepest_level + 2> levels_;
-    double best_ = 1;       ///< an upper end of the first contact found so far
-    Bracket certain_{2, 2}; ///< the least ends of contacts that are proven; lower ends once they are final
-    bool stop_ = false;
-    std::vector<Candidate> waiting_; ///< in doubt
-    std::set<Features> asked_exactly_;
-    std::vector<Overlap> doubtful_overlaps_;
-    PieceResult result_;
+    Work work_;
 };
 
 } // namespace

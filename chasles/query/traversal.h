@@ -16,13 +16,6 @@ inline algebra::Tolerance filter_tolerance(double width) {
     return {width, width, 40};
 }
 
-/// How the refinement in double-double searches: far below any clearance that doubles can describe, and first where the
-/// filter found something.
-inline algebra::Tolerance refinement_tolerance(double width, const FeasibleInterval& found) {
-    constexpr double rim = 0x1p-45; // far above the rounding of `found` to the whole piece
-    return {width, 0x1p-90, 12, {std::max(0.0, found.lower - rim), std::min(1.0, found.upper + rim)}};
-}
-
 /// What one piece of a motion gave.
 struct PieceResult {
     std::vector<Candidate> candidates; ///< none: proven clear. Those after the first contact are left out

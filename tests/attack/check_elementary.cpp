@@ -2,7 +2,7 @@
 
 #include "chasles/algebra/exact_feasible.h"
 #include "chasles/motion/exact_motion.h"
-#include "chasles/query/traversal.h"
+#include "chasles/query/found_contacts.h"
 #include "tests/support/exact_reference.h"
 
 #include <chrono>

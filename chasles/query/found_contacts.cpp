@@ -1,0 +1,181 @@
+#include "chasles/query/found_contacts.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace chasles::query {
+
+namespace {
+
+using Scalar = algebra::DoubleDouble;
+
+/// A candidate in doubt that begins no earlier than a proven contact by more waits until that one's bracket is narrow.
+constexpr double hardly_later = 0x1p-30;
+
+/// A proven contact, and not at the start. Its bracket may be wide as yet.
+bool is_contact(const FeasibleInterval& tau) {
+    return tau.certain && tau.lower > 0;
+}
+
+/// As it may be no contact, it ends nothing.
+void leave_in_doubt(Candidate& candidate) {
+    candidate.tau.upper = 1;
+}
+
+} // namespace
+
+void FoundContacts::add(const Candidate& candidate) {
+    if (stop_ || candidate.tau.lower > best_)
+        return;
+    Candidate decided = candidate;
+    if (is_contact(candidate.tau))
+        keep(candidate);
+    else if (is_near_a_proven_contact(candidate.tau))
+        waiting_.push_back(candidate);
+    else if (!is_behind_a_proven_contact(candidate.tau) && !asked_exactly_.contains(features_of(candidate)) &&
+             decide(decided))
+        keep(decided);
+}
+
+/// An overlap ends the search: nothing is earlier. Double-double leaves doubt where an end of the edge is hardly
+/// off the face's plane, or the edge hardly within its rim.
+void FoundContacts::add(const Overlap& found) {
+    Overlap overlap = found;
+    const auto passage = passage_of(refinement({}), overlap, elementary::Ends::not_proven_on_one_side);
+    if (!passage || stop_)
+        return;
+    Vector3<Scalar> point = passage->point;
+    if (!overlap.edge_is_moving)
+        point = search_.frame.motion.orientation * point + search_.frame.motion.origin;
+    overlap.point = {double(point.x), double(point.y), double(point.z)};
+    const auto proven = passage_of(refinement({}), overlap, elementary::Ends::proven_opposite);
+    overlap.certain = proven && proven->certain;
+    if (!overlap.certain) {
+        doubtful_overlaps_.push_back(overlap);
+        return;
+    }
+    result_.overlap = overlap;
+    stop_ = true;
+}
+
+PieceResult FoundContacts::take() {
+    narrow_brackets();
+    decide_overlaps();
+    const double last = result_.overlap ? 0 : best_;
+    std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > last; });
+    return std::move(result_);
+}
+
+FoundContacts::Features FoundContacts::features_of(const Candidate& c) {
+    return {c.kind, c.moving.first, c.moving.second, c.fixed.first, c.fixed.second};
+}
+
+void FoundContacts::keep(const Candidate& candidate) {
+    result_.candidates.push_back(candidate);
+    best_ = std::min(best_, candidate.tau.upper);
+    if (candidate.tau.certain)
+        certain_.upper = std::min(certain_.upper, candidate.tau.upper);
+    if (is_decided(candidate.tau))
+        certain_.lower = std::min(certain_.lower, candidate.tau.lower);
+    stop_ = search_.find == Find::any || (search_.find == Find::first && may_be_at_start(candidate.tau));
+}
+
+/// Last: what was found is asked again, the surest first, so that most of it falls behind the first contact. A
+/// bracket in doubt that ends where the answer's bracket may end is left as it is.
+void FoundContacts::narrow_brackets() {
+    std::vector<Candidate> found = std::exchange(result_.candidates, {});
+    std::stable_sort(found.begin(), found.end(),
+                     [](const Candidate& a, const Candidate& b) { return a.tau.upper < b.tau.upper; });
+    certain_ = {2, 2}; // none of them stands beside itself
+    const auto is_wide = [&](const Candidate& c) { return is_contact(c.tau) && !is_decided(c.tau); };
+    for (const Candidate& candidate : found)
+        if (candidate.tau.lower <= best_ && !is_wide(candidate))
+            keep(candidate);
+    for (const Candidate& candidate : found) {
+        Candidate narrowed = candidate;
+        if (candidate.tau.lower <= best_ && is_wide(candidate) && decide(narrowed))
+            keep(narrowed.tau.certain ? narrowed : candidate);
+    }
+    for (Candidate& candidate : waiting_) {
+        if (candidate.tau.lower > best_ || is_behind_a_proven_contact(candidate.tau))
+            continue;
+        if (is_beside_a_proven_contact(candidate.tau))
+            leave_in_doubt(candidate);
+        else if (!decide(candidate))
+            continue;
+        keep(candidate);
+    }
+}
+
+/// Exactly, and last: where the bodies just touch at the start, their features have been found to.
+void FoundContacts::decide_overlaps() {
+    for (Overlap& overlap : doubtful_overlaps_) {
+        if (result_.overlap || certain_.upper <= 0)
+            return;
+        ++result_.work.exact;
+        if (exact_stage().passes(overlap)) {
+            overlap.certain = true;
+            result_.overlap = overlap;
+        }
+    }
+}
+
+bool FoundContacts::is_near_a_proven_contact(const FeasibleInterval& tau) const {
+    return search_.find != Find::first_with_all_contacts && tau.lower > 0 && certain_.upper - tau.lower <= hardly_later;
+}
+
+/// A lower end of 0 is not enough: whether bodies touch at 0 or right after it makes another verdict.
+bool FoundContacts::is_decided(const FeasibleInterval& tau) const {
+    return tau.certain && tau.upper - tau.lower <= search_.tolerance && tau.lower > 0;
+}
+
+/// What is not certain or not tight in double precision is asked again in double-double, and what still is not,
+/// exactly; false if there is no contact before best_.
+bool FoundContacts::decide(Candidate& candidate) {
+    ++result_.work.refined;
+    const auto refined =
+        first_contact_of(refinement(refinement_tolerance(search_.tolerance, candidate.tau)), candidate);
+    if (!refined || refined->lower > best_)
+        return false;
+    candidate.tau = *refined;
+    if (is_decided(candidate.tau))
+        return true;
+    if (is_beside_a_proven_contact(candidate.tau)) {
+        leave_in_doubt(candidate);
+        return true;
+    }
+    ++result_.work.exact;
+    asked_exactly_.insert(features_of(candidate));
+    const auto decided = exact_stage().first_contact_of(candidate, search_.tolerance);
+    if (!decided)
+        return false;
+    if (decided->certain || decided->lower > candidate.tau.lower)
+        candidate.tau = *decided;
+    return candidate.tau.lower <= best_;
+}
+
+/// Whatever it is, it changes nothing but the list of all contacts.
+bool FoundContacts::is_behind_a_proven_contact(const FeasibleInterval& tau) const {
+    return search_.find != Find::first_with_all_contacts && certain_.lower <= tau.lower &&
+           (tau.lower > 0 || certain_.upper <= 0);
+}
+
+/// Whatever it is, the bracket of the answer holds a proven contact and is no wider than asked for.
+bool FoundContacts::is_beside_a_proven_contact(const FeasibleInterval& tau) const {
+    return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.upper <= 0);
+}
+
+FeaturePairs<Scalar>& FoundContacts::refinement(const algebra::Tolerance& tolerance) {
+    if (!refinement_)
+        refinement_.emplace(search_, scale_);
+    refinement_->pairs.use(refinement_->maps, tolerance);
+    return refinement_->pairs;
+}
+
+ExactStage& FoundContacts::exact_stage() {
+    if (!exact_stage_)
+        exact_stage_.emplace(search_.moving, search_.fixed, search_.frame);
+    return *exact_stage_;
+}
+
+} // namespace chasles::query
