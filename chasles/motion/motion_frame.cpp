@@ -10,45 +10,57 @@ namespace {
 
 /// The members of a pose are open to everyone: what its constructor refuses is refused here again.
 Pose checked(const Pose& pose) {
+    return {pose.translation, Eigen::Quaterniond(pose.rotation)};
+}
+
+void require_rounding_to_nearest() {
     if (!algebra::rounds_to_nearest())
         throw InvalidInput("motion: floating point: must round to nearest; it is set to round otherwise");
-    return {pose.translation, Eigen::Quaterniond(pose.rotation)};
+}
+
+motion::GeneralPose<algebra::DoubleDouble> in_fixed_frame(const GivenPose& given) {
+    const auto pose = motion::exact(given.pose);
+    return given.seen_from ? motion::seen_from(motion::exact(*given.seen_from), pose) : pose;
 }
 
 } // namespace
 
-MotionFrame MotionFrame::between(const Pose& start, const Pose& goal) {
-    MotionFrame frame;
-    frame.start = motion::exact(checked(start));
-    frame.goal = motion::exact(checked(goal));
-    frame.given_start = {start, {}};
-    frame.given_goal = {goal, {}};
-    return frame;
+MotionEnds MotionEnds::between(const Pose& start, const Pose& goal) {
+    require_rounding_to_nearest();
+    MotionEnds ends;
+    ends.given_start.pose = checked(start);
+    ends.given_goal.pose = checked(goal);
+    return ends;
 }
 
-MotionFrame MotionFrame::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
-                                  const Pose& fixed_goal) {
-    MotionFrame frame;
-    frame.fixed_start = checked(fixed_start);
-    frame.fixed_goal = checked(fixed_goal);
-    frame.start = motion::seen_from(motion::exact(frame.fixed_start), motion::exact(checked(moving_start)));
-    frame.goal = motion::seen_from(motion::exact(frame.fixed_goal), motion::exact(checked(moving_goal)));
-    frame.fixed_moves = true;
-    frame.given_start = {moving_start, fixed_start};
-    frame.given_goal = {moving_goal, fixed_goal};
-    return frame;
+MotionEnds MotionEnds::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
+                                const Pose& fixed_goal) {
+    MotionEnds ends = between(moving_start, moving_goal);
+    ends.fixed_start = checked(fixed_start);
+    ends.fixed_goal = checked(fixed_goal);
+    ends.given_start.seen_from = ends.fixed_start;
+    ends.given_goal.seen_from = ends.fixed_goal;
+    ends.fixed_moves = true;
+    return ends;
 }
 
-Pose MotionFrame::fixed_pose_at(double time) const {
+Pose MotionEnds::fixed_pose_at(double time) const {
     if (!fixed_moves)
         return {};
     return motion::screw_pose(motion::exact(fixed_start), motion::exact(fixed_goal), {time, time});
 }
 
-Pose MotionFrame::in_world(const Pose& pose, double time) const {
+Pose MotionEnds::pose_at_end(double time) const {
+    return in_world(motion::rounded(in_fixed_frame(time <= 0 ? given_start : given_goal)), time);
+}
+
+Pose MotionEnds::in_world(const Pose& pose, double time) const {
     if (!fixed_moves)
         return pose;
     return motion::rounded(motion::composed(motion::exact(fixed_pose_at(time)), motion::exact(pose)));
 }
+
+MotionFrame::MotionFrame(const MotionEnds& ends)
+    : MotionEnds(ends), start(in_fixed_frame(given_start)), goal(in_fixed_frame(given_goal)) {}
 
 } // namespace chasles

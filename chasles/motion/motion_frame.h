@@ -15,32 +15,41 @@ struct GivenPose {
     std::optional<Pose> seen_from;
 };
 
-/// End poses of the moving body in the frame of the fixed one, the fixed body's own poses in the world, and the
-/// motion of the family between them.
-struct MotionFrame {
-    using Scalar = algebra::DoubleDouble;
-    motion::GeneralPose<Scalar> start;
-    motion::GeneralPose<Scalar> goal;
+/// A motion as it was given: end poses of the moving body, and the fixed body's own in the world.
+struct MotionEnds {
+    GivenPose given_start;
+    GivenPose given_goal;
     Pose fixed_start;
     Pose fixed_goal;
-    bool fixed_moves = false; ///< if not, the fixed body's frame is the world
-    motion::RationalMotion<Scalar> motion;
-    GivenPose given_start; ///< what start and goal are rounded from
-    GivenPose given_goal;
+    bool fixed_moves = false;                    ///< if not, the fixed body's frame is the world
     std::optional<Eigen::Vector3d> swept_centre; ///< of a sweep, in the moving body's frame; a screw has none
 
     /// For a moving body seen from a fixed one that stands still at the origin of the world.
-    static MotionFrame between(const Pose& start, const Pose& goal);
+    static MotionEnds between(const Pose& start, const Pose& goal);
 
     /// For two moving bodies; all poses in the world.
-    static MotionFrame relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
-                                const Pose& fixed_goal);
+    static MotionEnds relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
+                               const Pose& fixed_goal);
 
     /// The fixed body in the world, along its own screw with uniform turn and slide.
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
+    /// The moving body in the world at time 0 or before, or at time 1 or after.
+    [[nodiscard]] Pose pose_at_end(double time) const;
+
     /// A pose in the fixed body's frame at a time, in the world.
     [[nodiscard]] Pose in_world(const Pose& pose, double time) const;
+};
+
+/// The same with the end poses in the frame of the fixed body, and the motion of the family between them.
+struct MotionFrame : MotionEnds {
+    using Scalar = algebra::DoubleDouble;
+    motion::GeneralPose<Scalar> start;
+    motion::GeneralPose<Scalar> goal;
+    motion::RationalMotion<Scalar> motion; ///< to be made from start and goal
+
+    MotionFrame() = default;
+    explicit MotionFrame(const MotionEnds& ends);
 };
 
 } // namespace chasles

@@ -2,9 +2,8 @@
 #pragma once
 
 #include "chasles/motion/motion_frame.h"
-#include "chasles/motion/screw_pose.h"
 
-#include <optional>
+#include <cstddef>
 #include <vector>
 
 namespace chasles {
@@ -23,22 +22,25 @@ public:
                                 const Pose& fixed_goal);
 
     /// Turn in [0, pi], radians.
-    [[nodiscard]] double angle() const { return turn_.angle; }
+    [[nodiscard]] double angle() const;
     /// Signed travel along axis_direction(), mesh unit.
-    [[nodiscard]] double slide() const { return numbers().slide; }
+    [[nodiscard]] double slide() const;
     /// Unit vector in the fixed body's frame. Of the travel if nothing turns; 0 0 1 if nothing moves.
-    [[nodiscard]] Eigen::Vector3d axis_direction() const { return numbers().axis_direction; }
+    [[nodiscard]] Eigen::Vector3d axis_direction() const;
     /// The axis point nearest to the start position of the body's origin; that position itself if nothing turns.
     /// In the fixed body's frame.
-    [[nodiscard]] Eigen::Vector3d axis_point() const { return numbers().axis_point; }
+    [[nodiscard]] Eigen::Vector3d axis_point() const;
 
     [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
     [[nodiscard]] double time_at(double tau) const;  ///< its inverse
     [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at a tau
     [[nodiscard]] Pose pose_at(double time) const;   ///< of the moving body in the world
 
+    /// The poses that the motion is made from.
+    [[nodiscard]] const MotionEnds& ends() const { return ends_; }
+
     /// What the elementary detections are built from. Its motion is defined for turns that cut(pi) leaves whole.
-    [[nodiscard]] const MotionFrame& frame() const { return frame_; }
+    [[nodiscard]] MotionFrame frame() const;
 
     /// The screw in equal turns of at most `max_turn` radians, in order; each piece is one of the paper's motions
     /// between poses rounded to double precision. A screw that turns by pi exactly, or too near for its half-angle
@@ -53,26 +55,9 @@ public:
     static constexpr double least_max_turn = 1e-4;
 
 private:
-    friend class ScrewPieces;
-    static ScrewMotion from(MotionFrame frame);
-    [[nodiscard]] motion::ScrewNumbers numbers() const;
+    explicit ScrewMotion(const MotionEnds& ends) : ends_(ends) {}
 
-    MotionFrame frame_;
-    motion::TurnAngle turn_;
-};
-
-/// The pieces of a screw, one after another, for less than one by one.
-class ScrewPieces {
-public:
-    /// In `count` equal turns; the screw is kept by reference.
-    ScrewPieces(const ScrewMotion& screw, std::size_t count);
-
-    [[nodiscard]] ScrewMotion operator[](std::size_t index) const;
-
-private:
-    const ScrewMotion& screw_;
-    std::size_t count_;
-    std::optional<motion::ScrewPath> path_; ///< none where the screw is the only piece
+    MotionEnds ends_; ///< the numbers are made when they are asked for: most motions of a plan are told clear without
 };
 
 } // namespace chasles

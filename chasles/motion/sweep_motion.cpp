@@ -34,12 +34,13 @@ SweepMotion SweepMotion::from(MotionFrame frame, const Eigen::Vector3d& centre) 
 }
 
 SweepMotion SweepMotion::between(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
-    return from(MotionFrame::between(start, goal), centre);
+    return from(MotionFrame(MotionEnds::between(start, goal)), centre);
 }
 
 SweepMotion SweepMotion::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                   const Pose& fixed_goal) {
-    return from(MotionFrame::relative(moving_start, moving_goal, fixed_start, fixed_goal), Eigen::Vector3d::Zero());
+    return from(MotionFrame(MotionEnds::relative(moving_start, moving_goal, fixed_start, fixed_goal)),
+                Eigen::Vector3d::Zero());
 }
 
 SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const {
@@ -57,7 +58,7 @@ Eigen::Vector3d SweepMotion::displacement() const {
 
 Pose SweepMotion::pose_at(double time) const {
     if (time <= 0 || time >= 1)
-        return frame_.in_world(motion::rounded(time <= 0 ? frame_.start : frame_.goal), time);
+        return frame_.pose_at_end(time);
     const auto& m = frame_.motion;
     const Scalar tau(time);
     const Scalar even = Scalar(1.0) + tau * (m.end_cosine - Scalar(1.0));

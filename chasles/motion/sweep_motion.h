@@ -28,8 +28,9 @@ public:
 
     [[nodiscard]] double tau_at(double time) const { return time; }
     [[nodiscard]] double time_at(double tau) const { return tau; }
-    [[nodiscard]] double tau_rate(double) const { return 1; } ///< dtau/dtime
-    [[nodiscard]] Pose pose_at(double time) const;            ///< of the moving body in the world
+    [[nodiscard]] double tau_rate(double) const { return 1; }       ///< dtau/dtime
+    [[nodiscard]] Pose pose_at(double time) const;                  ///< of the moving body in the world
+    [[nodiscard]] const MotionEnds& ends() const { return frame_; } ///< the poses that the motion is made from
     [[nodiscard]] const MotionFrame& frame() const { return frame_; }
 
 private:

@@ -8,6 +8,6 @@
 namespace chasles::query {
 
 /// Proven never to touch on the whole screw or sweep, however far it turns. False says nothing.
-bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionFrame& frame);
+bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionEnds& ends);
 
 } // namespace chasles::query

@@ -2,6 +2,7 @@
 
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/invalid_input.h"
+#include "chasles/motion/screw_piece.h"
 #include "chasles/query/contact_details.h"
 #include "chasles/query/far_apart.h"
 
@@ -27,7 +28,7 @@ constexpr double clock_slack = 0x1p-49;
 /// What is lost to underflow at most, in a tau or time that is not 0.
 constexpr double underflow_slack = 0x1p-1022;
 
-void require(bool holds, const char* option, const std::string& why) {
+void require(bool holds, const char* option, const char* why) {
     if (!holds)
         throw InvalidInput(std::string("query: ") + option + ": " + why);
 }
@@ -51,7 +52,7 @@ public:
     FirstContact answer(std::size_t count, PieceAt piece_at) const {
         FirstContact found;
         for (std::size_t i = 0; i < count; ++i) {
-            const auto piece = piece_at(i);
+            const auto& piece = piece_at(i);
             const double tolerance = query_.time_tolerance * double(count) / greatest_time_rate(piece);
             const query::PieceResult result = query::search_piece(
                 {query_.moving, query_.fixed, piece.frame(), std::min(tolerance, 1.0), query_.find, i == 0});
@@ -172,21 +173,21 @@ Work& Work::operator+=(const Work& other) {
 
 FirstContact first_contact(const FirstContactQuery& query) {
     validate(query);
-    const bool far_apart =
-        std::visit([&](const auto& motion) { return query::are_far_apart(query.moving, query.fixed, motion.frame()); },
-                   query.motion);
-    if (far_apart) {
+    if (std::visit([&](const auto& motion) { return query::are_far_apart(query.moving, query.fixed, motion.ends()); },
+                   query.motion)) {
         FirstContact clear;
         clear.pose = std::visit([](const auto& motion) { return motion.pose_at(1); }, query.motion);
         return clear;
     }
     const Query run(query);
-    if (const auto* screw = std::get_if<ScrewMotion>(&query.motion)) {
-        const std::size_t count = screw->piece_count(query.max_turn);
-        const ScrewPieces pieces(*screw, count);
-        return run.answer(count, [&](std::size_t i) { return pieces[i]; });
-    }
-    return run.answer(1, [&](std::size_t) { return std::get<SweepMotion>(query.motion); });
+    if (const auto* sweep = std::get_if<SweepMotion>(&query.motion))
+        return run.answer(1, [&](std::size_t) -> const SweepMotion& { return *sweep; });
+    const motion::ScrewPiece whole(std::get<ScrewMotion>(query.motion).ends());
+    const std::size_t count = whole.clock().piece_count(query.max_turn);
+    if (count == 1)
+        return run.answer(1, [&](std::size_t) -> const motion::ScrewPiece& { return whole; });
+    const motion::ScrewPieces pieces(whole.frame(), count);
+    return run.answer(count, [&](std::size_t i) { return motion::ScrewPiece(pieces[i]); });
 }
 
 } // namespace chasles

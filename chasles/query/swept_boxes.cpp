@@ -1,6 +1,6 @@
 #include "chasles/query/swept_boxes.h"
 
-#include <cstddef>
+#include <algorithm>
 #include <cstdint>
 #include <cstring>
 
@@ -44,28 +44,25 @@ namespace avx2 {
 #endif
 #endif
 
-SweptBoxes::Windows meetings(const BoxNode& node, const BoxNode* others, const SweptBoxes::View& there,
+SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& there,
                              const SweptBoxes::View& here, const Window& when) {
 #if defined(CHASLES_KERNEL_AVX2)
     if (__builtin_cpu_supports("avx2"))
-        return avx2::meetings(node, others, there, here, when);
+        return avx2::meetings(outer, inner, there, here, when);
 #endif
-    return plain::meetings(node, others, there, here, when);
+    return plain::meetings(outer, inner, there, here, when);
 }
 
-SweptBoxes::TwoRows twice(const Eigen::Vector3d& v) {
-    SweptBoxes::TwoRows rows;
-    for (std::size_t i = 0; i < 3; ++i)
-        rows.lanes[i] = rows.lanes[4 + i] = float(v[Eigen::Index(i)]);
-    return rows;
+void set(SweptBoxes::BothEnds& ends, int end, double value) {
+    std::fill_n(ends.lanes.begin() + 4 * end, 4, float(value));
 }
 
 void place(SweptBoxes::View& view, int end, const Placement& placed) {
     for (int i = 0; i < 3; ++i) {
-        view.turn[end][i] = twice(placed.turn.col(i));
-        view.turn_size[end][i] = twice(placed.turn.col(i).cwiseAbs());
+        for (int j = 0; j < 3; ++j)
+            set(view.turn[i][j], end, placed.turn(i, j));
+        set(view.offset[i], end, placed.offset[i]);
     }
-    view.offset[end] = twice(placed.offset);
 }
 
 Placement inverse(const Placement& placed) {
@@ -83,14 +80,8 @@ SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSl
     fixed_.slack = float(slack.fixed);
 }
 
-SweptBoxes::Windows SweptBoxes::meetings_of_moving(std::span<const BoxNode, 2> moving, const BoxNode& fixed,
-                                                   const Window& when) const {
-    return meetings(fixed, moving.data(), fixed_, moving_, when);
-}
-
-SweptBoxes::Windows SweptBoxes::meetings_of_fixed(const BoxNode& moving, std::span<const BoxNode, 2> fixed,
-                                                  const Window& when) const {
-    return meetings(moving, fixed.data(), moving_, fixed_, when);
+SweptBoxes::Windows SweptBoxes::meetings(const NodeTwo& moving, const NodeTwo& fixed, const Window& when) const {
+    return query::meetings(moving, fixed, moving_, fixed_, when);
 }
 
 } // namespace chasles::query

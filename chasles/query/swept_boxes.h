@@ -6,7 +6,6 @@
 
 #include <Eigen/Core>
 #include <array>
-#include <span>
 
 namespace chasles::query {
 
@@ -31,29 +30,28 @@ struct BoxSlack {
     double fixed = 0;  ///< the other way round
 };
 
+/// Two nodes of one body, which may be the same.
+using NodeTwo = std::array<const BoxNode*, 2>;
+
 /// Both ends of an interval, prepared for pairs of nodes.
 class SweptBoxes {
 public:
     SweptBoxes(const Placement& start, const Placement& end, const BoxSlack& slack);
 
-    /// When a node of one body may meet two nodes of the other that lie side by side, within `when`; empty where they
-    /// are proven not to.
-    using Windows = std::array<Window, 2>;
-    [[nodiscard]] Windows meetings_of_moving(std::span<const BoxNode, 2> moving, const BoxNode& fixed,
-                                             const Window& when) const;
-    [[nodiscard]] Windows meetings_of_fixed(const BoxNode& moving, std::span<const BoxNode, 2> fixed,
-                                            const Window& when) const;
+    /// When two nodes of the one body may meet two nodes of the other, within `when`: the first with both, then the
+    /// second with both. Empty where they are proven not to.
+    using Windows = std::array<Window, 4>;
+    [[nodiscard]] Windows meetings(const NodeTwo& moving, const NodeTwo& fixed, const Window& when) const;
 
-    /// Two times x, y, z and nothing: for two nodes.
-    struct alignas(32) TwoRows {
+    /// A number at the start and at the end, for four pairs of nodes.
+    struct alignas(32) BothEnds {
         std::array<float, 8> lanes{};
     };
 
-    /// Points of one body in the frame of the other, at the start and at the end.
+    /// Points of one body in the frame of the other.
     struct View {
-        TwoRows turn[2][3]; ///< columns
-        TwoRows turn_size[2][3];
-        TwoRows offset[2];
+        BothEnds turn[3][3]; ///< rows
+        BothEnds offset[3];
         float slack = 0;
     };
 

@@ -1,47 +1,40 @@
-// One node against two nodes of the other body: the innermost loop of every query, and nothing else. This file is
-// included once for each instruction set, in a namespace of its own, so that the compiler sees all of it at once.
+// Two nodes of one body against two nodes of the other: the innermost loop of every query, and nothing else. This file
+// is included once for each instruction set, in a namespace of its own, so that the compiler sees all of it at once.
 // Source: docs/derivations/14-node-pairs.md.
 
-/// Two halves of four lanes: x, y, z and nothing of two nodes.
+/// One number for each of four pairs of nodes, at the start and at the end: a0 b0, a0 b1, a1 b0, a1 b1, twice.
 typedef float Lanes __attribute__((vector_size(32)));
 typedef std::int32_t Bits __attribute__((vector_size(32)));
 
 inline Lanes all(float value) {
     return Lanes{value, value, value, value, value, value, value, value};
 }
-inline Lanes loaded(const SweptBoxes::TwoRows& rows) {
+inline Lanes loaded(const SweptBoxes::BothEnds& ends) {
     Lanes lanes;
-    std::memcpy(&lanes, rows.lanes.data(), sizeof lanes);
+    std::memcpy(&lanes, ends.lanes.data(), sizeof lanes);
     return lanes;
 }
 inline Lanes magnitude(Lanes a) {
     return Lanes(Bits(a) & 0x7fffffff);
 }
-
-/// Lanes of each half exchanged with the one beside them, or with the one after that.
-inline Lanes swapped(Lanes a) {
-    return __builtin_shufflevector(a, a, 1, 0, 3, 2, 5, 4, 7, 6);
+inline Lanes chosen(Bits mask, Lanes a, Lanes b) {
+    return Lanes((Bits(a) & mask) | (Bits(b) & ~mask));
 }
-inline Lanes crossed(Lanes a) {
-    return __builtin_shufflevector(a, a, 2, 3, 0, 1, 6, 7, 4, 5);
+inline Lanes greater(Lanes a, Lanes b) {
+    return chosen(a < b, b, a);
 }
-/// Of each half, in all its lanes.
-inline Lanes sum(Lanes a) {
-    const Lanes pairs = a + swapped(a);
-    return pairs + crossed(pairs);
+inline Lanes lesser(Lanes a, Lanes b) {
+    return chosen(a < b, a, b);
 }
-
-/// A matrix, by its columns, times the vector in each half.
-inline Lanes product(const SweptBoxes::TwoRows* columns, Lanes v) {
-    const Lanes x = __builtin_shufflevector(v, v, 0, 0, 0, 0, 4, 4, 4, 4);
-    const Lanes y = __builtin_shufflevector(v, v, 1, 1, 1, 1, 5, 5, 5, 5);
-    const Lanes z = __builtin_shufflevector(v, v, 2, 2, 2, 2, 6, 6, 6, 6);
-    return loaded(columns[0]) * x + loaded(columns[1]) * y + loaded(columns[2]) * z;
+/// The start of one and of another gap, and their ends.
+inline Lanes starts(Lanes a, Lanes b) {
+    return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
 }
-
-/// Two lanes of each, in each half.
-inline Lanes mixed(Lanes a, Lanes b) {
-    return __builtin_shufflevector(a, b, 0, 1, 10, 11, 4, 5, 14, 15);
+inline Lanes ends(Lanes a, Lanes b) {
+    return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
+}
+inline Lanes halves_swapped(Lanes a) {
+    return __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
 }
 
 /// Bits of the lanes that are set.
@@ -60,87 +53,121 @@ inline unsigned bits_of(Bits mask) {
 #endif
 }
 
-inline Lanes chosen(Bits mask, Lanes a, Lanes b) {
-    return Lanes((Bits(a) & mask) | (Bits(b) & ~mask));
-}
-inline Lanes greater(Lanes a, Lanes b) {
-    return chosen(a < b, b, a);
-}
-inline Lanes lesser(Lanes a, Lanes b) {
-    return chosen(a < b, a, b);
-}
-
-/// Two nodes, each in its half.
-struct Boxes {
-    Lanes centre;
-    Lanes half;
-
-    Boxes(const BoxNode& a, const BoxNode& b) {
-        const Lanes lower = all(0.5F) * load(a, b, 0);
-        const Lanes upper = all(0.5F) * load(a, b, offsetof(BoxNode, upper));
-        centre = lower + upper;
-        half = upper - lower;
-    }
-
-private:
-    /// Three numbers of each, and one that does not count.
-    static Lanes load(const BoxNode& a, const BoxNode& b, std::size_t offset) {
-        typedef float Half __attribute__((vector_size(16)));
-        Half low, high;
-        std::memcpy(&low, reinterpret_cast<const char*>(&a) + offset, sizeof low);
-        std::memcpy(&high, reinterpret_cast<const char*>(&b) + offset, sizeof high);
-        const Lanes both = __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
-        return Lanes(Bits(both) & Bits{-1, -1, -1, 0, -1, -1, -1, 0});
-    }
+struct Vectors {
+    Lanes x, y, z;
 };
 
-/// Their slabs.
+inline Vectors operator+(const Vectors& a, const Vectors& b) {
+    return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+inline Vectors operator-(const Vectors& a, const Vectors& b) {
+    return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+inline Vectors scale(const Vectors& a, Lanes factor) {
+    return {a.x * factor, a.y * factor, a.z * factor};
+}
+inline Vectors magnitude(const Vectors& a) {
+    return {magnitude(a.x), magnitude(a.y), magnitude(a.z)};
+}
+inline Lanes dot(const Vectors& a, const Vectors& b) {
+    return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+inline Vectors loaded(const SweptBoxes::BothEnds (&ends)[3]) {
+    return {loaded(ends[0]), loaded(ends[1]), loaded(ends[2])};
+}
+inline Vectors turned(const SweptBoxes::View& view, const Vectors& v) {
+    return {dot(loaded(view.turn[0]), v), dot(loaded(view.turn[1]), v), dot(loaded(view.turn[2]), v)};
+}
+/// By as much as any vector with components up to these.
+inline Vectors turned_size(const SweptBoxes::View& view, const Vectors& v) {
+    return {dot(magnitude(loaded(view.turn[0])), v), dot(magnitude(loaded(view.turn[1])), v),
+            dot(magnitude(loaded(view.turn[2])), v)};
+}
+
+/// How numbers of the two nodes of a body are spread over the pairs that they are in.
+struct Outer { ///< a0 a0 a1 a1
+    static constexpr int second = 0b1100;
+};
+struct Inner { ///< b0 b1 b0 b1
+    static constexpr int second = 0b1010;
+};
+
+template <class Order>
+Lanes spread(const float& a, const float& b) {
+#if defined(CHASLES_KERNEL_AVX2)
+    return _mm256_blend_ps(_mm256_broadcast_ss(&a), _mm256_broadcast_ss(&b), Order::second * 0x11);
+#else
+    const auto lane = [&](int i) { return (Order::second >> i & 1) != 0 ? b : a; };
+    return Lanes{lane(0), lane(1), lane(2), lane(3), lane(0), lane(1), lane(2), lane(3)};
+#endif
+}
+
+/// The same for one of the four signed bytes in two words.
+template <class Order, int place>
+Lanes spread_byte(std::uint32_t a, std::uint32_t b) {
+#if defined(CHASLES_KERNEL_AVX2)
+    const auto from = [](int i) { return char(place + ((Order::second >> i & 1) != 0 ? 4 : 0)); };
+    const __m128i order =
+        _mm_setr_epi8(from(0), from(1), from(2), from(3), from(0), from(1), from(2), from(3), 0, 0, 0, 0, 0, 0, 0, 0);
+    const __m128i words = _mm_cvtsi64_si128(std::int64_t(std::uint64_t(b) << 32 | a));
+    return _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_shuffle_epi8(words, order)));
+#else
+    const auto byte = [](std::uint32_t word) { return float(std::int8_t(word >> (8 * place))); };
+    return spread<Order>(byte(a), byte(b));
+#endif
+}
+
+struct Boxes {
+    Vectors centre;
+    Vectors half;
+};
+
+template <class Order>
+Boxes boxes_of(const NodeTwo& nodes) {
+    const auto& [a, b] = nodes;
+    const auto half_of = [](const float& of_a, const float& of_b) { return all(0.5F) * spread<Order>(of_a, of_b); };
+    const Vectors lower{half_of(a->lower[0], b->lower[0]), half_of(a->lower[1], b->lower[1]),
+                        half_of(a->lower[2], b->lower[2])};
+    const Vectors upper{half_of(a->upper[0], b->upper[0]), half_of(a->upper[1], b->upper[1]),
+                        half_of(a->upper[2], b->upper[2])};
+    return {lower + upper, upper - lower};
+}
+
 struct Slabs {
-    Lanes normal;
+    Vectors normal;
     Lanes inverse_square; ///< of the normal's length
     Lanes middle;
     Lanes half;
-
-    Slabs(const BoxNode& a, const BoxNode& b, Lanes box_half) {
-        const Lanes bytes = loaded(a.slab.bytes(), b.slab.bytes());
-        const Lanes u = __builtin_shufflevector(bytes, bytes, 0, 0, 0, 0, 4, 4, 4, 4);
-        const Lanes v = __builtin_shufflevector(bytes, bytes, 1, 1, 1, 1, 5, 5, 5, 5);
-        const Lanes lower = __builtin_shufflevector(bytes, bytes, 2, 2, 2, 2, 6, 6, 6, 6);
-        const Lanes upper = __builtin_shufflevector(bytes, bytes, 3, 3, 3, 3, 7, 7, 7, 7);
-        const Lanes x = u + v;
-        const Lanes y = u - v;
-        const Lanes z = all(254) - magnitude(x) - magnitude(y);
-        const Lanes xy = __builtin_shufflevector(x, y, 0, 8, 0, 8, 4, 12, 4, 12);
-        const Lanes z0 = Lanes(Bits(z) & Bits{-1, -1, -1, 0, -1, -1, -1, 0});
-        normal = all(PackedSlab::normal_unit) * __builtin_shufflevector(xy, z0, 0, 1, 10, 11, 4, 5, 14, 15);
-        inverse_square = all(1) / sum(normal * normal);
-        const Lanes reach = all(0.5F * PackedSlab::height_unit) * sum(magnitude(normal) * box_half);
-        middle = reach * (upper + lower);
-        half = reach * (upper - lower);
-    }
-
-private:
-    /// Four signed bytes for each half.
-    static Lanes loaded(std::uint32_t a, std::uint32_t b) {
-#if defined(CHASLES_KERNEL_AVX2)
-        const std::uint64_t both = std::uint64_t(b) << 32 | a;
-        return Lanes(_mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_cvtsi64_si128(std::int64_t(both)))));
-#else
-        typedef std::int8_t Bytes __attribute__((vector_size(8)));
-        const std::uint32_t both[2] = {a, b};
-        Bytes bytes;
-        std::memcpy(&bytes, both, sizeof bytes);
-        return __builtin_convertvector(bytes, Lanes);
-#endif
-    }
 };
 
-/// The parts of an interval in which no gap of a half is open. Gaps run evenly from start to end.
+template <class Order>
+Slabs slabs_of(const NodeTwo& nodes, const Vectors& box_half) {
+    const std::uint32_t a = nodes[0]->slab.bytes();
+    const std::uint32_t b = nodes[1]->slab.bytes();
+    const Lanes u = spread_byte<Order, 0>(a, b);
+    const Lanes v = spread_byte<Order, 1>(a, b);
+    const Lanes lower = spread_byte<Order, 2>(a, b);
+    const Lanes upper = spread_byte<Order, 3>(a, b);
+    const Lanes x = u + v;
+    const Lanes y = u - v;
+    const Lanes z = all(254) - magnitude(x) - magnitude(y);
+    Slabs slabs;
+    slabs.normal = scale(Vectors{x, y, z}, all(PackedSlab::normal_unit));
+    slabs.inverse_square = all(1) / dot(slabs.normal, slabs.normal);
+    const Lanes reach = all(0.5F * PackedSlab::height_unit) * dot(magnitude(slabs.normal), box_half);
+    slabs.middle = reach * (upper + lower);
+    slabs.half = reach * (upper - lower);
+    return slabs;
+}
+
+/// The parts of an interval in which no gap of a pair is open. Gaps run evenly from start to end.
 class Closed {
 public:
     explicit Closed(const Window& when) : lower_(all(when.lower)), upper_(all(when.upper)) {}
 
-    void see(Lanes start, Lanes end) {
+    void see(Lanes a, Lanes b) {
+        const Lanes start = starts(a, b);
+        const Lanes end = ends(a, b);
         const Bits start_open = start > 0.0F;
         const Bits end_open = end > 0.0F;
         open_ |= start_open & end_open;
@@ -151,65 +178,61 @@ public:
         upper_ = lesser(upper_, chosen(end_open, crossing + all(window_slack), all(1)));
     }
 
-    /// Each half has a gap that is open all along.
-    [[nodiscard]] bool are_apart() const {
-        const unsigned bits = bits_of(open_);
-        return (bits & 0x0f) != 0 && (bits & 0xf0) != 0;
-    }
+    /// Each pair has a gap that is open all along.
+    [[nodiscard]] bool are_apart() const { return open_pairs() == 0xf; }
 
     [[nodiscard]] SweptBoxes::Windows windows() const {
-        Lanes lower = greater(lower_, swapped(lower_));
-        lower = greater(lower, crossed(lower));
-        Lanes upper = lesser(upper_, swapped(upper_));
-        upper = lesser(upper, crossed(upper));
-        const unsigned bits = bits_of(open_);
-        return {(bits & 0x0f) != 0 ? never : Window{lower[0], upper[0]},
-                (bits & 0xf0) != 0 ? never : Window{lower[4], upper[4]}};
+        const Lanes lower = greater(lower_, halves_swapped(lower_));
+        const Lanes upper = lesser(upper_, halves_swapped(upper_));
+        const unsigned open = open_pairs();
+        SweptBoxes::Windows windows;
+        for (unsigned i = 0; i < 4; ++i)
+            windows[i] = (open >> i & 1U) != 0 ? never : Window{lower[i], upper[i]};
+        return windows;
     }
 
 private:
-    Lanes lower_;
+    [[nodiscard]] unsigned open_pairs() const {
+        const unsigned bits = bits_of(open_);
+        return (bits | bits >> 4) & 0xf;
+    }
+
+    Lanes lower_; ///< for two gaps of each pair
     Lanes upper_;
     Bits open_{};
 };
 
-/// `there` shows the one node to the others, `here` shows them to the one.
-inline SweptBoxes::Windows meetings(const BoxNode& node, const BoxNode* others, const SweptBoxes::View& there,
+/// `there` shows the first two nodes to the others, `here` shows the others to them.
+inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& there,
                                     const SweptBoxes::View& here, const Window& when) {
-    const Boxes one(node, node);
-    const Boxes two(others[0], others[1]);
+    const Boxes a = boxes_of<Outer>(outer);
+    const Boxes b = boxes_of<Inner>(inner);
     Closed closed(when);
-    Lanes one_seen[2], reach[2]; // at the start and at the end; from the middle of the other box
-    for (int end : {0, 1}) {
-        one_seen[end] = product(there.turn[end], one.centre) + loaded(there.offset[end]) - two.centre;
-        reach[end] = product(there.turn_size[end], one.half) + (two.half + all(there.slack));
-    }
-    closed.see(one_seen[0] - reach[0], one_seen[1] - reach[1]);
-    closed.see(-one_seen[0] - reach[0], -one_seen[1] - reach[1]);
+    const Vectors a_seen = turned(there, a.centre) + loaded(there.offset) - b.centre; // from the middle of b
+    const Vectors slack{all(there.slack), all(there.slack), all(there.slack)};
+    const Vectors reach = turned_size(there, a.half) + (b.half + slack);
+    closed.see(a_seen.x - reach.x, -a_seen.x - reach.x);
+    closed.see(a_seen.y - reach.y, -a_seen.y - reach.y);
+    closed.see(a_seen.z - reach.z, -a_seen.z - reach.z);
     if (closed.are_apart())
-        return {never, never};
+        return {never, never, never, never};
     // Along the normals of the slabs. What is left of a normal that the other body sees, without its part along the
     // other slab's normal, meets the other box.
-    const Slabs one_slab(node, node, one.half);
-    const Slabs two_slab(others[0], others[1], two.half);
-    const Lanes sign{1, -1, 1, -1, 1, -1, 1, -1};
-    Lanes gap[2];
-    for (int end : {0, 1}) {
-        const Lanes two_seen = product(here.turn[end], two.centre) + loaded(here.offset[end]) - one.centre;
-        const Lanes one_normal = product(there.turn[end], one_slab.normal);
-        const Lanes two_normal = product(here.turn[end], two_slab.normal);
-        const Lanes along = sum(one_normal * two_slab.normal);
-        const Lanes by_one = along * one_slab.inverse_square;
-        const Lanes by_two = along * two_slab.inverse_square;
-        const Lanes one_rest = magnitude(two_normal - by_one * one_slab.normal) * one.half;
-        const Lanes two_rest = magnitude(one_normal - by_two * two_slab.normal) * two.half;
-        const Lanes height = mixed(sum(one_slab.normal * two_seen) + (by_two * two_slab.middle - one_slab.middle),
-                                   sum(two_slab.normal * one_seen[end]) + (by_one * one_slab.middle - two_slab.middle));
-        const Lanes thick =
-            mixed(sum(two_rest) + (magnitude(by_two) * two_slab.half + one_slab.half) + all(here.slack),
-                  sum(one_rest) + (magnitude(by_one) * one_slab.half + two_slab.half) + all(there.slack));
-        gap[end] = sign * height - thick;
-    }
-    closed.see(gap[0], gap[1]);
+    const Slabs a_slab = slabs_of<Outer>(outer, a.half);
+    const Slabs b_slab = slabs_of<Inner>(inner, b.half);
+    const Vectors b_seen = turned(here, b.centre) + loaded(here.offset) - a.centre;
+    const Vectors a_normal = turned(there, a_slab.normal);
+    const Vectors b_normal = turned(here, b_slab.normal);
+    const Lanes along = dot(a_normal, b_slab.normal);
+    const Lanes by_a = along * a_slab.inverse_square;
+    const Lanes by_b = along * b_slab.inverse_square;
+    const Lanes a_rest = dot(magnitude(b_normal - scale(a_slab.normal, by_a)), a.half);
+    const Lanes b_rest = dot(magnitude(a_normal - scale(b_slab.normal, by_b)), b.half);
+    const Lanes b_height = dot(a_slab.normal, b_seen) + (by_b * b_slab.middle - a_slab.middle);
+    const Lanes a_height = dot(b_slab.normal, a_seen) + (by_a * a_slab.middle - b_slab.middle);
+    const Lanes b_thick = b_rest + (magnitude(by_b) * b_slab.half + a_slab.half) + all(here.slack);
+    const Lanes a_thick = a_rest + (magnitude(by_a) * a_slab.half + b_slab.half) + all(there.slack);
+    closed.see(b_height - b_thick, -b_height - b_thick);
+    closed.see(a_height - a_thick, -a_height - a_thick);
     return closed.windows();
 }

@@ -25,6 +25,9 @@ constexpr double bend_of_size = 0.01;
 constexpr double shortest_interval = 0x1p-40;
 constexpr int deepest_level = 40;
 
+/// A node is split together with the other one unless its side is a smaller part of that one's.
+constexpr float much_smaller = 0.5F;
+
 /// The largest coordinate of a body.
 double reach(const BoxHierarchy& hierarchy) {
     const BoxNode& root = hierarchy.nodes()[0];
@@ -108,22 +111,12 @@ private:
                std::vector<NodePair>& bent) {
         const BoxNode& moving = moving_nodes_[pair.moving];
         const BoxNode& fixed = fixed_nodes_[pair.fixed];
-        const float moving_side = side(moving);
-        const float fixed_side = side(fixed);
-        if (is_worth_halving(interval, std::max(moving_side, fixed_side))) {
+        if (is_worth_halving(interval, std::max(side(moving), side(fixed)))) {
             bent.push_back(pair);
         } else if (moving.is_leaf() && fixed.is_leaf()) {
             test_faces(moving.first, fixed.first, interval.range, pair.when);
-        } else if (fixed.is_leaf() || (!moving.is_leaf() && moving_side > fixed_side)) {
-            const std::uint32_t child = moving.first;
-            const auto when =
-                interval.boxes.meetings_of_moving(moving_nodes_.subspan(child).first<2>(), fixed, pair.when);
-            push({child, pair.fixed, when[0]}, {child + 1, pair.fixed, when[1]}, stack);
         } else {
-            const std::uint32_t child = fixed.first;
-            const auto when =
-                interval.boxes.meetings_of_fixed(moving, fixed_nodes_.subspan(child).first<2>(), pair.when);
-            push({pair.moving, child, when[0]}, {pair.moving, child + 1, when[1]}, stack);
+            split(pair, interval, stack);
         }
     }
 
@@ -133,13 +126,42 @@ private:
                interval.range.width() > shortest_interval;
     }
 
-    /// What may meet earlier is visited earlier.
-    void push(const NodePair& a, const NodePair& b, std::vector<NodePair>& stack) {
-        work_.node_pairs += 2;
-        const bool a_is_earlier = a.when.lower < b.when.lower;
-        for (const NodePair& pair : {a_is_earlier ? b : a, a_is_earlier ? a : b})
-            if (!pair.when.is_empty())
-                stack.push_back(pair);
+    /// Both nodes, or the one that is much larger. What may meet earlier is visited earlier.
+    void split(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& stack) {
+        const BoxNode& moving = moving_nodes_[pair.moving];
+        const BoxNode& fixed = fixed_nodes_[pair.fixed];
+        const float moving_side = side(moving);
+        const float fixed_side = side(fixed);
+        const bool moving_splits = !moving.is_leaf() && (fixed.is_leaf() || moving_side >= much_smaller * fixed_side);
+        const bool fixed_splits = !fixed.is_leaf() && (moving.is_leaf() || fixed_side >= much_smaller * moving_side);
+        const std::uint32_t first_moving = moving_splits ? moving.first : pair.moving;
+        const std::uint32_t first_fixed = fixed_splits ? fixed.first : pair.fixed;
+        const std::uint32_t moving_count = moving_splits ? 2 : 1;
+        const std::uint32_t fixed_count = fixed_splits ? 2 : 1;
+        const auto when = interval.boxes.meetings(
+            {&moving_nodes_[first_moving], &moving_nodes_[first_moving + moving_count - 1]},
+            {&fixed_nodes_[first_fixed], &fixed_nodes_[first_fixed + fixed_count - 1]}, pair.when);
+        work_.node_pairs += moving_count * fixed_count;
+        const std::size_t bottom = stack.size();
+        for (std::uint32_t i = 0; i < moving_count; ++i)
+            for (std::uint32_t j = 0; j < fixed_count; ++j)
+                if (const Window& window = when[2 * i + j]; !window.is_empty())
+                    insert({first_moving + i, first_fixed + j, window}, bottom, stack);
+    }
+
+    /// Among those from `bottom` on, the earlier ones on top.
+    void insert(const NodePair& pair, std::size_t bottom, std::vector<NodePair>& stack) const {
+        prefetch_children(moving_nodes_, pair.moving);
+        prefetch_children(fixed_nodes_, pair.fixed);
+        stack.push_back(pair);
+        for (std::size_t i = stack.size() - 1; i > bottom && stack[i - 1].when.lower < stack[i].when.lower; --i)
+            std::swap(stack[i - 1], stack[i]);
+    }
+
+    /// They are asked for soon, and most often not at hand.
+    static void prefetch_children(std::span<const BoxNode> nodes, std::uint32_t node) {
+        if (!nodes[node].is_leaf())
+            __builtin_prefetch(&nodes[nodes[node].first]);
     }
 
     static float side(const BoxNode& node) {

@@ -186,7 +186,7 @@ StageTallies& StageTallies::operator+=(const StageTallies& other) {
 
 std::string check(const QuestionGroup& group, StageTallies& tallies) {
     const Motion motion = group.posed.motion();
-    const MotionFrame& frame = std::visit([](const auto& m) -> const MotionFrame& { return m.frame(); }, motion);
+    const MotionFrame frame = std::visit([](const auto& m) -> MotionFrame { return m.frame(); }, motion);
     const auto fine_maps = motion::control_maps(frame.motion);
     const auto maps = motion::rounded(fine_maps);
     const auto exact = motion::exact_motion(frame);

@@ -25,8 +25,8 @@ TEST(FarApart, NeverWhereBallsMeetOnTheWay) {
         const ScrewMotion screw = ScrewMotion::between(start, goal);
         const SweepMotion sweep = SweepMotion::between(start, goal, random_point(random, 3));
         for (const bool sweeps : {false, true}) {
-            const MotionFrame& frame = sweeps ? sweep.frame() : screw.frame();
-            const bool far_apart = are_far_apart(body, body, frame);
+            const MotionEnds& ends = sweeps ? sweep.ends() : screw.ends();
+            const bool far_apart = are_far_apart(body, body, ends);
             (far_apart ? told : open) += 1;
             if (!far_apart)
                 continue;
@@ -57,8 +57,8 @@ TEST(FarApart, NotToldOfBodiesThatTouchAtTheFarEndOfTheWay) {
     const Polyhedron body = box({1, 1, 1}).polyhedron();
     const ScrewMotion motion = ScrewMotion::between(Pose(Eigen::Vector3d(100, 0, 0), Eigen::Quaterniond::Identity()),
                                                     Pose(Eigen::Vector3d(2, 0, 0), Eigen::Quaterniond::Identity()));
-    EXPECT_FALSE(are_far_apart(body, body, motion.frame()));
-    EXPECT_FALSE(are_far_apart(body, body, ScrewMotion::between(motion.pose_at(1), motion.pose_at(0)).frame()));
+    EXPECT_FALSE(are_far_apart(body, body, motion.ends()));
+    EXPECT_FALSE(are_far_apart(body, body, ScrewMotion::between(motion.pose_at(1), motion.pose_at(0)).ends()));
 }
 
 } // namespace

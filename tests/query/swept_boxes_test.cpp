@@ -81,19 +81,33 @@ struct Scene {
         return query::TimeTree(maps, motion::PathBend(motion, a, b), a, b, scale).interval(range);
     }
 
-    /// The same two patches under a motion that is reversed in time would do as well: all pairs of a node and children.
+    /// Two nodes of a hierarchy, and their places in it.
+    struct Two {
+        std::array<std::size_t, 2> at;
+        query::NodeTwo nodes;
+    };
+
+    /// Each node twice, and the children of each that has some.
+    static std::vector<Two> twos(const Polyhedron& body) {
+        const auto nodes = body.hierarchy().nodes();
+        std::vector<Two> result;
+        for (std::size_t i = 0; i < nodes.size(); ++i) {
+            result.push_back({{i, i}, {&nodes[i], &nodes[i]}});
+            if (const std::size_t child = nodes[i].first; !nodes[i].is_leaf())
+                result.push_back({{child, child + 1}, {&nodes[child], &nodes[child + 1]}});
+        }
+        return result;
+    }
+
+    /// Shows every pair of nodes and its window, in all combinations.
     template <class See>
     void for_all_pairs(const TimeInterval& interval, See see) const {
-        const auto a = moving.hierarchy().nodes();
-        const auto b = fixed.hierarchy().nodes();
-        for (std::size_t i = 0; i < a.size(); ++i)
-            for (std::size_t j = 0; j < b.size(); ++j) {
-                if (!a[i].is_leaf())
-                    see(a[i].first, j, interval.boxes.meetings_of_moving(a.subspan(a[i].first).first<2>(), b[j], {}),
-                        true);
-                if (!b[j].is_leaf())
-                    see(i, b[j].first, interval.boxes.meetings_of_fixed(a[i], b.subspan(b[j].first).first<2>(), {}),
-                        false);
+        for (const Two& a : twos(moving))
+            for (const Two& b : twos(fixed)) {
+                const auto windows = interval.boxes.meetings(a.nodes, b.nodes, {});
+                for (std::size_t i : {0U, 1U})
+                    for (std::size_t j : {0U, 1U})
+                        see(a.at[i], b.at[j], windows[2 * i + j]);
             }
     }
 };
@@ -134,18 +148,13 @@ TEST(SweptBoxes, NodesThatTouchMayMeetThen) {
                     moving_vertex = a;
                     fixed_vertex = b;
                 }
-        scene.for_all_pairs(interval, [&](std::size_t i, std::size_t j, const auto& windows, bool moving_children) {
-            for (std::size_t child : {0U, 1U}) {
-                const std::size_t a = moving_children ? i + child : i;
-                const std::size_t b = moving_children ? j : j + child;
-                if (!holds(scene.moving, a, moving_vertex) || !holds(scene.fixed, b, fixed_vertex))
-                    continue;
-                const Window& window = windows[child];
-                ++pairs;
-                narrow += window.upper - window.lower < 0.1F ? 1 : 0;
-                ASSERT_LE(double(window.lower), place) << "seed 751, trial " << trial;
-                ASSERT_GE(double(window.upper), place) << "seed 751, trial " << trial;
-            }
+        scene.for_all_pairs(interval, [&](std::size_t a, std::size_t b, const Window& window) {
+            if (!holds(scene.moving, a, moving_vertex) || !holds(scene.fixed, b, fixed_vertex))
+                return;
+            ++pairs;
+            narrow += window.upper - window.lower < 0.1F ? 1 : 0;
+            ASSERT_LE(double(window.lower), place) << "seed 751, trial " << trial;
+            ASSERT_GE(double(window.upper), place) << "seed 751, trial " << trial;
         });
     }
     EXPECT_GT(pairs, 3000);
@@ -170,8 +179,9 @@ TEST(SweptBoxes, ParallelPatchesAreToldApartByTheirSlabs) {
         const Scene scene{motion, motion::double_maps(motion), sheet(0), sheet(0.05), 0};
         const auto a = scene.moving.hierarchy().nodes();
         const auto b = scene.fixed.hierarchy().nodes();
-        for (const Window& window : scene.interval({}).boxes.meetings_of_moving(a.subspan(1).first<2>(), b[0], {}))
-            apart += window.is_empty() ? 1 : 0;
+        const auto windows = scene.interval({}).boxes.meetings({&a[1], &a[2]}, {&b[0], &b[0]}, {});
+        for (const std::size_t child : {0U, 2U})
+            apart += windows[child].is_empty() ? 1 : 0;
         for (std::size_t child : {1U, 2U}) {
             bool free = false;
             for (std::size_t axis = 0; axis < 3; ++axis) // both bodies have the same centre up to the height
@@ -193,8 +203,7 @@ TEST(SweptBoxes, WindowsOfAStraightMotionAreExact) {
     const Scene scene{motion, motion::double_maps(motion), body, body, 0};
     const auto nodes = body.hierarchy().nodes();
     float first = 1, last = 0;
-    for (const Window& window :
-         scene.interval({}).boxes.meetings_of_moving(nodes.subspan(1).first<2>(), nodes[0], {})) {
+    for (const Window& window : scene.interval({}).boxes.meetings({&nodes[1], &nodes[2]}, {&nodes[0], &nodes[0]}, {})) {
         first = std::min(first, window.lower);
         last = std::max(last, window.upper);
     }
@@ -208,7 +217,7 @@ TEST(SweptBoxes, WindowsStayWithinTheGivenOne) {
     const Scene scene{motion, motion::double_maps(motion), body, body, 0};
     const auto nodes = body.hierarchy().nodes();
     for (const Window& window :
-         scene.interval({}).boxes.meetings_of_fixed(nodes[0], nodes.subspan(1).first<2>(), {0.25F, 0.5F})) {
+         scene.interval({}).boxes.meetings({&nodes[0], &nodes[0]}, {&nodes[1], &nodes[2]}, {0.25F, 0.5F})) {
         EXPECT_EQ(window.lower, 0.25F);
         EXPECT_EQ(window.upper, 0.5F);
     }
