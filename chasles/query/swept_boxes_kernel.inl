@@ -202,25 +202,32 @@ private:
     Bits open_{};
 };
 
+/// Along the axes of the frame that both bodies are seen in: how far the middle of one box is from that of the other,
+/// and what they reach together.
+inline void see_axes(Closed& closed, const Vectors& apart, const Vectors& reach) {
+    closed.see(apart.x - reach.x, -apart.x - reach.x);
+    closed.see(apart.y - reach.y, -apart.y - reach.y);
+    closed.see(apart.z - reach.z, -apart.z - reach.z);
+}
+
 /// `there` shows the first two nodes to the others, `here` shows the others to them.
 inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& there,
                                     const SweptBoxes::View& here, const Window& when) {
     const Boxes a = boxes_of<Outer>(outer);
     const Boxes b = boxes_of<Inner>(inner);
+    const Lanes a_slack = all(there.slack);
+    const Lanes b_slack = all(here.slack);
+    const Vectors a_seen = turned(there, a.centre) + loaded(there.offset) - b.centre;
+    const Vectors b_seen = turned(here, b.centre) + loaded(here.offset) - a.centre;
     Closed closed(when);
-    const Vectors a_seen = turned(there, a.centre) + loaded(there.offset) - b.centre; // from the middle of b
-    const Vectors slack{all(there.slack), all(there.slack), all(there.slack)};
-    const Vectors reach = turned_size(there, a.half) + (b.half + slack);
-    closed.see(a_seen.x - reach.x, -a_seen.x - reach.x);
-    closed.see(a_seen.y - reach.y, -a_seen.y - reach.y);
-    closed.see(a_seen.z - reach.z, -a_seen.z - reach.z);
+    see_axes(closed, a_seen, turned_size(there, a.half) + (b.half + Vectors{a_slack, a_slack, a_slack}));
+    see_axes(closed, b_seen, turned_size(here, b.half) + (a.half + Vectors{b_slack, b_slack, b_slack}));
     if (closed.are_apart())
         return {never, never, never, never};
     // Along the normals of the slabs. What is left of a normal that the other body sees, without its part along the
     // other slab's normal, meets the other box.
     const Slabs a_slab = slabs_of<Outer>(outer, a.half);
     const Slabs b_slab = slabs_of<Inner>(inner, b.half);
-    const Vectors b_seen = turned(here, b.centre) + loaded(here.offset) - a.centre;
     const Vectors a_normal = turned(there, a_slab.normal);
     const Vectors b_normal = turned(here, b_slab.normal);
     const Lanes along = dot(a_normal, b_slab.normal);
@@ -228,11 +235,11 @@ inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, 
     const Lanes by_b = along * b_slab.inverse_square;
     const Lanes a_rest = dot(magnitude(b_normal - scale(a_slab.normal, by_a)), a.half);
     const Lanes b_rest = dot(magnitude(a_normal - scale(b_slab.normal, by_b)), b.half);
-    const Lanes b_height = dot(a_slab.normal, b_seen) + (by_b * b_slab.middle - a_slab.middle);
     const Lanes a_height = dot(b_slab.normal, a_seen) + (by_a * a_slab.middle - b_slab.middle);
-    const Lanes b_thick = b_rest + (magnitude(by_b) * b_slab.half + a_slab.half) + all(here.slack);
-    const Lanes a_thick = a_rest + (magnitude(by_a) * a_slab.half + b_slab.half) + all(there.slack);
-    closed.see(b_height - b_thick, -b_height - b_thick);
+    const Lanes b_height = dot(a_slab.normal, b_seen) + (by_b * b_slab.middle - a_slab.middle);
+    const Lanes a_thick = a_rest + (magnitude(by_a) * a_slab.half + b_slab.half) + a_slack;
+    const Lanes b_thick = b_rest + (magnitude(by_b) * b_slab.half + a_slab.half) + b_slack;
     closed.see(a_height - a_thick, -a_height - a_thick);
+    closed.see(b_height - b_thick, -b_height - b_thick);
     return closed.windows();
 }

@@ -44,15 +44,15 @@ Placement TimeTree::placement(double tau) const {
 }
 
 TauRange part_around(const TauRange& interval, const TauRange& needed, double least) {
-    TauRange part = interval;
-    for (double width = 0.5 * interval.width(); width >= least; width *= 0.5) {
+    int exponent = 0;
+    std::frexp(std::max(least, needed.width()), &exponent);
+    for (double width = std::ldexp(1.0, exponent); width < interval.width(); width *= 2) {
         const double grid = 0.25 * width;
         const double lower = std::clamp(std::floor(needed.lower / grid) * grid, interval.lower, interval.upper - width);
-        if (lower + width < needed.upper)
-            break;
-        part = {lower, lower + width};
+        if (lower + width >= needed.upper)
+            return {lower, lower + width};
     }
-    return part;
+    return interval;
 }
 
 } // namespace chasles::query

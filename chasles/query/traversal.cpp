@@ -3,6 +3,7 @@
 #include "chasles/query/body_ball.h"
 #include "chasles/query/face_planes.h"
 #include "chasles/query/found_contacts.h"
+#include "chasles/query/pair_queue.h"
 #include "chasles/query/time_tree.h"
 
 #include <array>
@@ -11,19 +12,11 @@ namespace chasles::query {
 
 namespace {
 
-/// A pair of nodes, one of each hierarchy, that may meet in a part of the interval at hand.
-struct NodePair {
-    std::uint32_t moving;
-    std::uint32_t fixed;
-    Window when;
-};
-
 /// Intervals are halved for boxes of which the paths bend by more than this part of their size. Measured on the cases
 /// of peers_bench: 0.05 takes twice the time for long turns of large meshes and saves a tenth on short motions.
 constexpr double bend_of_size = 0.01;
-/// As short as the tolerance of the answer: not halved. So many halvings of [0, 1] lead there.
+/// As short as the tolerance of the answer: not halved.
 constexpr double shortest_interval = 0x1p-40;
-constexpr int deepest_level = 40;
 
 /// A node is split together with the other one unless its side is a smaller part of that one's.
 constexpr float much_smaller = 0.5F;
@@ -60,12 +53,12 @@ public:
           scale_(elementary::error_scale(maps_, reach_of_moving(search), reach(search.fixed.hierarchy()))),
           times_(time_tree(search, maps_, scale_)), planes_(search.moving, search.fixed, scale_), plane_maps_(maps_),
           filter_(search.moving, search.fixed, {scale_, {}}), filter_maps_(maps_), contacts_(search, scale_),
-          moving_nodes_(search.moving.hierarchy().nodes()), fixed_nodes_(search.fixed.hierarchy().nodes()) {}
+          queue_(search.find != Find::any), moving_nodes_(search.moving.hierarchy().nodes()),
+          fixed_nodes_(search.fixed.hierarchy().nodes()) {}
 
     PieceResult run() {
-        levels_[0].reserve(128);
-        levels_[0].push_back({0, 0, {}}); // the roots, which may well meet
-        search_interval(0, {});
+        queue_.push({0, 0, {}}); // the roots, which may well meet
+        search_interval({});
         PieceResult result = contacts_.take();
         work_.elementary_tests = filter_.workspace().elementary_tests;
         work_.root_brackets = filter_.workspace().root_brackets;
@@ -74,29 +67,25 @@ public:
     }
 
 private:
-    /// All pairs of levels_[level] over one interval. Those whose paths bend too much go on to the two halves, the
-    /// earlier half first, so that a contact there saves the later one.
-    void search_interval(int level, const TauRange& range) {
+    /// All pairs of the queue over one interval. Those whose paths bend too much go on to the two halves, the earlier
+    /// half first, so that a contact there saves the later one.
+    void search_interval(const TauRange& range) {
         const TimeInterval interval = times_.interval(range);
-        std::vector<NodePair>& stack = levels_[level];
         std::vector<NodePair> bent;
-        while (!stack.empty() && !contacts_.is_over()) {
-            const NodePair pair = stack.back();
-            stack.pop_back();
+        while (!queue_.is_empty() && !contacts_.is_over()) {
+            const NodePair pair = queue_.pop();
             if (range.at(pair.when.lower) <= contacts_.best())
-                visit(pair, interval, stack, bent);
+                visit(pair, interval, bent);
         }
-        stack.clear();
+        queue_.clear();
         const double middle = range.at(0.5);
         for (const bool later : {false, true}) {
             if (bent.empty() || contacts_.is_over() || (later && contacts_.best() < middle))
                 return;
-            for (const NodePair& pair : bent) {
-                const Window when = in_half(pair.when, later);
-                if (!when.is_empty())
-                    levels_[level + 1].push_back({pair.moving, pair.fixed, when});
-            }
-            search_interval(level + 1, later ? TauRange{middle, range.upper} : TauRange{range.lower, middle});
+            for (const NodePair& pair : bent)
+                if (const Window when = in_half(pair.when, later); !when.is_empty())
+                    queue_.push({pair.moving, pair.fixed, when});
+            search_interval(later ? TauRange{middle, range.upper} : TauRange{range.lower, middle});
         }
     }
 
@@ -107,8 +96,7 @@ private:
     }
 
     /// A pair that may meet: its features, or its children, or later, in halves of the interval.
-    void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& stack,
-               std::vector<NodePair>& bent) {
+    void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& bent) {
         const BoxNode& moving = moving_nodes_[pair.moving];
         const BoxNode& fixed = fixed_nodes_[pair.fixed];
         if (is_worth_halving(interval, std::max(side(moving), side(fixed)))) {
@@ -116,7 +104,7 @@ private:
         } else if (moving.is_leaf() && fixed.is_leaf()) {
             test_faces(moving.first, fixed.first, interval.range, pair.when);
         } else {
-            split(pair, interval, stack);
+            split(pair, interval);
         }
     }
 
@@ -126,36 +114,49 @@ private:
                interval.range.width() > shortest_interval;
     }
 
+    /// A node, or its two children.
+    struct Part {
+        std::uint32_t first;
+        std::uint32_t count;
+
+        [[nodiscard]] NodeTwo of(std::span<const BoxNode> nodes) const {
+            return {&nodes[first], &nodes[first + count - 1]};
+        }
+    };
+
     /// Both nodes, or the one that is much larger. What may meet earlier is visited earlier.
-    void split(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& stack) {
+    void split(const NodePair& pair, const TimeInterval& interval) {
         const BoxNode& moving = moving_nodes_[pair.moving];
         const BoxNode& fixed = fixed_nodes_[pair.fixed];
         const float moving_side = side(moving);
         const float fixed_side = side(fixed);
         const bool moving_splits = !moving.is_leaf() && (fixed.is_leaf() || moving_side >= much_smaller * fixed_side);
         const bool fixed_splits = !fixed.is_leaf() && (moving.is_leaf() || fixed_side >= much_smaller * moving_side);
-        const std::uint32_t first_moving = moving_splits ? moving.first : pair.moving;
-        const std::uint32_t first_fixed = fixed_splits ? fixed.first : pair.fixed;
-        const std::uint32_t moving_count = moving_splits ? 2 : 1;
-        const std::uint32_t fixed_count = fixed_splits ? 2 : 1;
-        const auto when = interval.boxes.meetings(
-            {&moving_nodes_[first_moving], &moving_nodes_[first_moving + moving_count - 1]},
-            {&fixed_nodes_[first_fixed], &fixed_nodes_[first_fixed + fixed_count - 1]}, pair.when);
-        work_.node_pairs += moving_count * fixed_count;
-        const std::size_t bottom = stack.size();
-        for (std::uint32_t i = 0; i < moving_count; ++i)
-            for (std::uint32_t j = 0; j < fixed_count; ++j)
+        const Part a = moving_splits ? Part{moving.first, 2} : Part{pair.moving, 1};
+        const Part b = fixed_splits ? Part{fixed.first, 2} : Part{pair.fixed, 1};
+        const auto when = interval.boxes.meetings(a.of(moving_nodes_), b.of(fixed_nodes_), pair.when);
+        work_.node_pairs += a.count * b.count;
+        std::array<NodePair, 4> left;
+        std::size_t count = 0;
+        for (std::uint32_t i = 0; i < a.count; ++i)
+            for (std::uint32_t j = 0; j < b.count; ++j)
                 if (const Window& window = when[2 * i + j]; !window.is_empty())
-                    insert({first_moving + i, first_fixed + j, window}, bottom, stack);
+                    insert({a.first + i, b.first + j, window}, left, count++);
+        for (std::size_t i = 0; i < count; ++i)
+            push(left[i]);
     }
 
-    /// Among those from `bottom` on, the earlier ones on top.
-    void insert(const NodePair& pair, std::size_t bottom, std::vector<NodePair>& stack) const {
+    /// Among `count` pairs, the later ones first.
+    static void insert(const NodePair& pair, std::array<NodePair, 4>& pairs, std::size_t count) {
+        for (; count > 0 && pairs[count - 1].when.lower < pair.when.lower; --count)
+            pairs[count] = pairs[count - 1];
+        pairs[count] = pair;
+    }
+
+    void push(const NodePair& pair) {
         prefetch_children(moving_nodes_, pair.moving);
         prefetch_children(fixed_nodes_, pair.fixed);
-        stack.push_back(pair);
-        for (std::size_t i = stack.size() - 1; i > bottom && stack[i - 1].when.lower < stack[i].when.lower; --i)
-            std::swap(stack[i - 1], stack[i]);
+        queue_.push(pair);
     }
 
     /// They are asked for soon, and most often not at hand.
@@ -241,9 +242,9 @@ private:
     FeaturePairs<double> filter_;
     RangeMaps filter_maps_;
     FoundContacts contacts_;
+    PairQueue queue_; ///< of the interval at hand
     std::span<const BoxNode> moving_nodes_;
     std::span<const BoxNode> fixed_nodes_;
-    std::array<std::vector<NodePair>, deepest_level + 2> levels_;
     Work work_;
 };
 
