@@ -39,27 +39,6 @@ std::string line_of(const Polyhedron& body) {
     return line;
 }
 
-PeerAnswer answer_in(const std::string& line) {
-    std::istringstream words(line);
-    std::string kind;
-    std::string touches;
-    std::string time;
-    double seconds = -1;
-    words >> kind >> touches >> time >> seconds;
-    if (kind == "failed")
-        throw PeerFailed(line.substr(kind.size() + 1));
-    PeerAnswer answer{touches == "1", {}, seconds};
-    char* rest = nullptr;
-    if (time != "-")
-        answer.time = std::strtod(time.c_str(), &rest);
-    const bool is_sound = kind == "answer" && (touches == "0" || touches == "1") && words && words.eof() &&
-                          std::isfinite(seconds) && seconds >= 0 &&
-                          (!answer.time || (*rest == '\0' && *answer.time >= 0 && *answer.time <= 1));
-    if (!is_sound)
-        throw PeerFailed("it talks nonsense: " + line.substr(0, 60));
-    return answer;
-}
-
 /// The library in its process, which is started again after a failure.
 class Library {
 public:
@@ -123,6 +102,27 @@ private:
 };
 
 } // namespace
+
+PeerAnswer answer_in(const std::string& line) {
+    std::istringstream words(line);
+    std::string kind;
+    std::string touches;
+    std::string time;
+    double seconds = -1;
+    words >> kind >> touches >> time >> seconds;
+    if (kind == "failed")
+        throw PeerFailed(line.substr(kind.size() + 1));
+    PeerAnswer answer{touches == "1", {}, seconds};
+    char* rest = nullptr;
+    if (time != "-")
+        answer.time = std::strtod(time.c_str(), &rest);
+    const bool is_sound = kind == "answer" && (touches == "0" || touches == "1") && words && words.eof() &&
+                          std::isfinite(seconds) && seconds >= 0 &&
+                          (!answer.time || (*rest == '\0' && *answer.time >= 0 && *answer.time <= 1));
+    if (!is_sound)
+        throw PeerFailed("it talks nonsense: " + line.substr(0, 60));
+    return answer;
+}
 
 Peer process_peer(const ProcessPeer& peer) {
     const auto library = std::make_shared<Library>(peer);

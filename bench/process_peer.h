@@ -33,6 +33,9 @@ struct ProcessPeer {
     Limits limits{};
 };
 
+/// What an answer's line says. Throws PeerFailed if it says that there is none, or is none.
+PeerAnswer answer_in(const std::string& line);
+
 /// Throws PeerFailed if it does not start. So does every question that is not answered; the next one, and the next
 /// pair of bodies, get a new child. Bodies are told apart by where their vertices are, and have to stay there.
 Peer process_peer(const ProcessPeer& peer);
