@@ -68,4 +68,13 @@ std::optional<NutAndBolt> m16_nut_and_bolt() {
     return NutAndBolt{Polyhedron::load(*nut, options), Polyhedron::load(*bolt, options)};
 }
 
+std::optional<Polyhedron> small_gear() {
+    const auto file = data_file("assembly-factory/factory_gear_small_space_5e-4.obj");
+    if (!file) {
+        std::printf("skipped: the gear of assembly-factory is not there\n");
+        return std::nullopt;
+    }
+    return Polyhedron::load(*file, {.drop_degenerate = true});
+}
+
 } // namespace chasles::bench

@@ -36,4 +36,8 @@ struct NutAndBolt {
 };
 std::optional<NutAndBolt> m16_nut_and_bolt();
 
+/// The small gear of assembly-factory: 20 teeth of module 1 mm about the upright through (0.0505, 0, 0), a tooth along
+/// x. Empty, and said on standard output, if not there.
+std::optional<Polyhedron> small_gear();
+
 } // namespace chasles::bench
