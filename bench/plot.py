@@ -69,8 +69,13 @@ def read_unanswered(folder: pathlib.Path) -> list[tuple[str, str, float]]:
     return [(case, words[1], 1e3 * float(words[2])) for case, words in found if words]
 
 
-def is_wrong(row: dict) -> bool:
-    return int(row["missed"]) + int(row["false alarms"]) > 0
+def fills(rows: list[dict]) -> None:
+    """Colours the inside of each mark: a peer so slow that it was asked no contact has not been right yet."""
+    with_contacts = {row["case"] for row in rows if int(row["contacts"])}
+    for row in rows:
+        is_wrong = int(row["missed"]) + int(row["false alarms"]) > 0
+        is_untried = row["case"] in with_contacts and int(row["contacts"]) == 0
+        row["fill"] = "white" if is_wrong else "#cccccc" if is_untried else COLOURS.get(library(row["peer"]), "#999999")
 
 
 def milliseconds_axis(axis, which: str) -> None:
@@ -87,10 +92,14 @@ def legend_of(style: dict[str, tuple[str, str]], has_unanswered: bool) -> list[L
         Line2D([], [], color=colour, marker=shape, linestyle="", markersize=7, label=peer)
         for peer, (colour, shape) in style.items()
     ]
-    hollow = Line2D([], [], color="#555555", marker="o", linestyle="", markersize=7, markerfacecolor="white")
-    hollow.set_label("hollow: misses or false alarms")
-    cross = Line2D([], [], color="#555555", marker="x", linestyle="", markersize=7, label="cross: no answer by then")
-    return [*marks, hollow, cross] if has_unanswered else [*marks, hollow]
+    notes = {"hollow: misses or false alarms": ("o", "white"), "grey: too slow to be asked a contact": ("o", "#cccccc")}
+    if has_unanswered:
+        notes["cross: no answer by then"] = ("x", "white")
+    marks += [
+        Line2D([], [], color="#555555", marker=shape, linestyle="", markersize=7, markerfacecolor=fill, label=label)
+        for label, (shape, fill) in notes.items()
+    ]
+    return marks
 
 
 def plot_peers(rows: list[dict], unanswered: list[tuple[str, str, float]], target: pathlib.Path) -> None:
@@ -103,8 +112,7 @@ def plot_peers(rows: list[dict], unanswered: list[tuple[str, str, float]], targe
         height = cases.index(row["case"]) + 0.08 + 0.84 * lanes[row["peer"]]
         median, worst = float(row["median ms"]), float(row["worst ms"])
         axis.plot([median, worst], [height, height], color=colour, linewidth=0.8, alpha=0.6, zorder=2)
-        face = "white" if is_wrong(row) else colour
-        axis.plot(median, height, shape, color=colour, markerfacecolor=face, markersize=5.5, zorder=3)
+        axis.plot(median, height, shape, color=colour, markerfacecolor=row["fill"], markersize=5.5, zorder=3)
     for case, peer, limit in unanswered:
         if case in cases and peer in style:
             axis.plot(limit, cases.index(case) + 0.08 + 0.84 * lanes[peer], "x", color=style[peer][0], markersize=6)
@@ -186,8 +194,7 @@ def plot_beside(axis, rows: list[dict]) -> list[str]:
         times = [(size, float(row["median ms"])) for size, row in points]
         axis.plot(*zip(*times), color=colour, linewidth=1)
         for (size, time), (_, row) in zip(times, points):
-            face = "white" if is_wrong(row) else colour
-            axis.plot(size, time, shape, color=colour, markerfacecolor=face, markersize=6)
+            axis.plot(size, time, shape, color=colour, markerfacecolor=row["fill"], markersize=6)
     finish_growth(axis, "All peers: short motions beside a torus, medians")
     return list(series)
 
@@ -211,6 +218,7 @@ def plot_growth(growth: dict[str, list[tuple[int, float]]], rows: list[dict], ta
 def main() -> None:
     folder = pathlib.Path(sys.argv[1])
     rows = read_peers(folder)
+    fills(rows)
     growth = read_growth(folder)
     if rows:
         plot_peers(rows, read_unanswered(folder), folder / "peers.png")
