@@ -276,6 +276,7 @@ struct GearPair {
     double distance; ///< of the axes
     double tooth;    ///< angle of a tooth and its gap
     double play;     ///< angle, to both sides together
+    double offset;   ///< of the moving gear along its axis; 0: end faces are in the same planes
 };
 
 /// The moving gear in the frame of the fixed one, when each has turned by `turn`, against each other, and the moving
@@ -283,7 +284,7 @@ struct GearPair {
 Pose meshing(const GearPair& pair, double turn, double more) {
     const Quaterniond back(AngleAxisd(-turn, Vector3d::UnitZ()));
     const Quaterniond orientation(AngleAxisd(0.5 * pair.tooth - 2 * turn + more, Vector3d::UnitZ()));
-    const Vector3d centre = pair.centre + back * Vector3d(pair.distance, 0, 0);
+    const Vector3d centre = pair.centre + back * Vector3d(pair.distance, 0, pair.offset);
     return {Vector3d(centre - orientation * pair.centre), orientation};
 }
 
@@ -303,20 +304,24 @@ PeerCase gear_case(const std::string& name, const GearPair& pair, bool is_held) 
     return made;
 }
 
+void add_gears(std::vector<PeerCase>& cases, const std::string& name, GearPair pair) {
+    cases.push_back(gear_case("conforming: " + name + " flush", pair, false));
+    pair.offset = 1e-3 * pair.distance;
+    cases.push_back(gear_case("conforming: " + name, pair, false));
+    cases.push_back(gear_case("conforming: " + name + ", one held", pair, true));
+}
+
 void add_gears(std::vector<PeerCase>& cases) {
     const Gear size;
-    const GearPair own{gear(size), Vector3d::Zero(), 2 * size.pitch_radius(), 2 * pi / double(size.teeth),
-                       size.play / size.pitch_radius()};
-    cases.push_back(gear_case("conforming: own gears", own, false));
-    cases.push_back(gear_case("conforming: own gear held", own, true));
-    const auto small = small_gear();
-    if (!small)
-        return;
-    // Half a millimetre further apart than they have to be, as the shafts of their base are.
-    const double space = 5e-4;
-    const GearPair real{*small, {0.0505, 0, 0}, 0.02 + space, 18 * degree, 2 * space * std::tan(20 * degree) / 0.01};
-    cases.push_back(gear_case("conforming: small gears", real, false));
-    cases.push_back(gear_case("conforming: small gear held", real, true));
+    add_gears(cases, "own gears",
+              {gear(size), Vector3d::Zero(), 2 * size.pitch_radius(), 2 * pi / double(size.teeth),
+               size.play / size.pitch_radius(), 0});
+    if (const auto small = small_gear()) {
+        // Half a millimetre further apart than they have to be, as the shafts of their base are.
+        const double space = 5e-4;
+        const double play = 2 * space * std::tan(20 * degree) / 0.01;
+        add_gears(cases, "small gears", {*small, {0.0505, 0, 0}, 0.02 + space, 18 * degree, play, 0});
+    }
 }
 
 /// FCL's own pair: a robot of open sheets somewhere in a room of loose triangles, a quarter of the room's length on its

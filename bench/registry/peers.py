@@ -105,7 +105,6 @@ class CoalDistance(CoalStart):
         pose = coal.Transform3s(matrix(start[3:]), start[:3])
         still = coal.Transform3s.Identity()
         request = coal.DistanceRequest()
-        request.enable_nearest_points = False
         result = coal.DistanceResult()
         distance, seconds = protocol.timed(lambda: coal.distance(moving, pose, fixed, still, request, result))
         return protocol.answer(distance <= 0, 0 if distance <= 0 else None, seconds)

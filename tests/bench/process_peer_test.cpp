@@ -10,11 +10,7 @@ namespace {
 
 /// A peer that is a shell script.
 ProcessPeer shell(const std::string& script) {
-    const ChildProcess::Limit moment(0.5);
-    return {.name = "shell",
-            .command = {"/bin/sh", "-c", script},
-            .pose_at = {},
-            .limits = {ChildProcess::Limit(5), ChildProcess::Limit(5), moment}};
+    return {.name = "shell", .command = {"/bin/sh", "-c", script}, .pose_at = {}};
 }
 
 const std::string takes_bodies = "echo ready; read a; echo done; ";
@@ -72,8 +68,11 @@ TEST(ProcessPeer, ThatDiesSaysHow) {
 }
 
 TEST(ProcessPeer, ThatHangsIsNotWaitedFor) {
+    ProcessPeer hanging = shell(takes_bodies + "read a; exec sleep 60");
+    hanging.limits.question = ChildProcess::Limit(0.5);
+    const Peer peer = process_peer(hanging);
     const auto start = std::chrono::steady_clock::now();
-    EXPECT_EQ(reason_of_no_answer(takes_bodies + "read a; exec sleep 60"), "no answer within 0.5 s");
+    EXPECT_EQ(reason_of([&] { answer_of(peer); }), "no answer within 0.5 s");
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
