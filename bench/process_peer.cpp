@@ -39,6 +39,12 @@ std::string line_of(const Polyhedron& body) {
     return line;
 }
 
+/// After the word for it, a child says why there is no answer.
+[[noreturn]] void refuse(const std::string& line, const std::string& word_for_it) {
+    const bool says_why = line.starts_with(word_for_it);
+    throw PeerFailed(says_why ? line.substr(word_for_it.size()) : "it talks nonsense: " + line.substr(0, 60));
+}
+
 /// The library in its process, which is started again after a failure.
 class Library {
 public:
@@ -73,26 +79,20 @@ private:
 
     void start() {
         numbers_.clear();
-        std::string greeting;
         try {
             child_ = std::make_unique<ChildProcess>(peer_.command);
-            greeting = child_->read_line(peer_.limits.start);
-        } catch (const ChildFailed& failure) {
-            greeting = std::string("absent ") + failure.what();
+            expect_ready(*child_, peer_.limits.start);
+        } catch (const std::runtime_error& failure) {
+            child_.reset();
+            throw PeerFailed(failure.what());
         }
-        if (greeting == "ready")
-            return;
-        child_.reset();
-        const bool says_why = greeting.starts_with("absent ");
-        throw PeerFailed(says_why ? greeting.substr(7) : "it talks nonsense: " + greeting.substr(0, 60));
     }
 
     std::size_t number_of(const Polyhedron& body) {
         const auto [place, is_new] = numbers_.try_emplace(body.vertices().data(), numbers_.size());
         if (is_new)
             if (const std::string reply = child_->ask(line_of(body), peer_.limits.body); reply != "done")
-                throw PeerFailed(reply.starts_with("failed ") ? reply.substr(7)
-                                                              : "it talks nonsense: " + reply.substr(0, 60));
+                refuse(reply, "failed ");
         return place->second;
     }
 
@@ -103,6 +103,11 @@ private:
 
 } // namespace
 
+void expect_ready(ChildProcess& child, ChildProcess::Limit limit) {
+    if (const std::string greeting = child.read_line(limit); greeting != "ready")
+        refuse(greeting, "absent ");
+}
+
 PeerAnswer answer_in(const std::string& line) {
     std::istringstream words(line);
     std::string kind;
@@ -110,8 +115,6 @@ PeerAnswer answer_in(const std::string& line) {
     std::string time;
     double seconds = -1;
     words >> kind >> touches >> time >> seconds;
-    if (kind == "failed")
-        throw PeerFailed(line.substr(kind.size() + 1));
     PeerAnswer answer{touches == "1", {}, seconds};
     char* rest = nullptr;
     if (time != "-")
@@ -120,7 +123,7 @@ PeerAnswer answer_in(const std::string& line) {
                           std::isfinite(seconds) && seconds >= 0 &&
                           (!answer.time || (*rest == '\0' && *answer.time >= 0 && *answer.time <= 1));
     if (!is_sound)
-        throw PeerFailed("it talks nonsense: " + line.substr(0, 60));
+        refuse(line, "failed ");
     return answer;
 }
 

@@ -33,6 +33,9 @@ struct ProcessPeer {
     Limits limits{};
 };
 
+/// Throws PeerFailed if a child's first line is another one.
+void expect_ready(ChildProcess& child, ChildProcess::Limit limit);
+
 /// What an answer's line says. Throws PeerFailed if it says that there is none, or is none.
 PeerAnswer answer_in(const std::string& line);
 

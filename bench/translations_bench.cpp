@@ -74,8 +74,7 @@ class TightInclusion {
 public:
     TightInclusion(const PythonPeers& python, const std::string& rescaling)
         : child_({python.interpreter, python.scripts + "/translations.py", rescaling}) {
-        if (const std::string greeting = child_.read_line(ChildProcess::Limit(60)); greeting != "ready")
-            throw ChildFailed(greeting);
+        expect_ready(child_, limit);
     }
 
     PeerAnswer operator()(const auto& problem) {
@@ -155,8 +154,8 @@ std::string cell(const char* format, double value) {
 
 using Cells = std::vector<std::string>;
 
-const Cells heads{"case",      "asker",   "problems", "missed",           "false alarms", "time error",
-                  "median ns", "99 % ns", "worst ns", "of them the call", "ratio"};
+const Cells heads{"case",      "asker",   "problems", "missed",  "false alarms", "time error",
+                  "median ns", "99 % ns", "worst ns", "call ns", "ratio"};
 
 /// Times without the call; the ratio is of medians. A median that is not twice the call says nothing of what is in it.
 Cells cells_of(const Row& row, double unit) {
@@ -193,11 +192,12 @@ void print(std::ostream& out, const std::vector<Cells>& lines) {
         std::snprintf(text, sizeof text, "%-28s %-35s %8s %6s %12s %10s", cells[0].c_str(), cells[1].c_str(),
                       cells[2].c_str(), cells[3].c_str(), cells[4].c_str(), cells[5].c_str());
         out << text;
-        std::snprintf(text, sizeof text, " %9s %8s %9s %16s %7s\n", cells[6].c_str(), cells[7].c_str(),
+        std::snprintf(text, sizeof text, " %9s %9s %10s %7s %8s\n", cells[6].c_str(), cells[7].c_str(),
                       cells[8].c_str(), cells[9].c_str(), cells[10].c_str());
         out << text;
     }
-    out << "\nTimes are of one question. Ratio: of medians, without the price of a call from Python.\n";
+    out << "\nTimes are of one question. Call: how much of it is the price of a call from Python. Ratio: of medians, "
+           "without it.\n";
 }
 
 void print_csv(std::ostream& out, const std::vector<Cells>& lines) {
