@@ -11,7 +11,7 @@ help:
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
 	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
-	@echo "make bench    build and run the benchmarks"
+	@echo "make bench    install what is compared with, build and run the benchmarks, and plot them"
 	@echo "make asan     every test but the largest nuts under the address and undefined-behaviour sanitizers"
 	@echo "make tsan     the tests that share bodies between threads, under the thread sanitizer"
 	@echo "make fuzz     run each fuzzer for FUZZ_SECONDS (default $(FUZZ_SECONDS))"
@@ -51,6 +51,7 @@ install:
 
 bench:
 	@tools/install_dependencies.sh bench
+	@bench/registry/install.sh build/bench/registry
 	cmake --preset bench
 	cmake --build --preset bench -j $(JOBS)
 	build/bench/bin/chasles_bench

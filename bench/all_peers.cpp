@@ -3,8 +3,21 @@
 #include "bench/bullet_peer.h"
 #include "bench/chasles_peer.h"
 #include "bench/fcl_peer.h"
+#include "bench/registry_peers.h"
 
 namespace chasles::bench {
+
+namespace {
+
+void add(AllPeers& all, const ProcessPeer& peer) {
+    try {
+        all.present.push_back(process_peer(peer));
+    } catch (const PeerFailed& failure) {
+        all.absent.push_back({peer.name, failure.what()});
+    }
+}
+
+} // namespace
 
 AllPeers all_peers() {
     AllPeers all;
@@ -20,9 +33,12 @@ AllPeers all_peers() {
 #else
     all.absent.push_back({"Bullet", "no libbullet-dev in double"});
 #endif
-    // See docs/decisions/0040-peers.md.
-    for (const char* name : {"Coal", "IPC Toolkit", "Parry", "python-fcl"})
-        all.absent.push_back({name, "not in Debian 12"});
+    const RegistryPeers registry = registry_peers();
+    all.absent.insert(all.absent.end(), registry.absent.begin(), registry.absent.end());
+    for (const ProcessPeer& peer : registry.to_start)
+        add(all, peer);
+    // docs/decisions/0040-peers.md; for single feature pairs it is in translations_bench.
+    all.absent.push_back({"IPC Toolkit", "no whole rigid bodies from Python"});
     return all;
 }
 

@@ -31,6 +31,16 @@ Polyhedron bumpy_torus(std::size_t rings, std::size_t sides) {
     return Polyhedron::from_polygons(vertices, faces);
 }
 
+std::vector<std::array<std::uint32_t, 3>> triangles_of(const Polyhedron& body) {
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::size_t face = 0; face < body.face_count(); ++face) {
+        const auto outline = body.face(face);
+        for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+            triangles.push_back({outline[0], outline[i], outline[i + 1]});
+    }
+    return triangles;
+}
+
 std::optional<std::filesystem::path> data_file(const std::string& path) {
     const std::filesystem::path file = std::filesystem::path(CHASLES_DATA_DIR) / path;
     std::error_code unreadable;
@@ -56,6 +66,15 @@ std::optional<NutAndBolt> m16_nut_and_bolt() {
     }
     const PolyhedronOptions options{.drop_degenerate = true}; // the nut has 32 collapsed faces
     return NutAndBolt{Polyhedron::load(*nut, options), Polyhedron::load(*bolt, options)};
+}
+
+std::optional<Polyhedron> small_gear() {
+    const auto file = data_file("assembly-factory/factory_gear_small_space_5e-4.obj");
+    if (!file) {
+        std::printf("skipped: the gear of assembly-factory is not there\n");
+        return std::nullopt;
+    }
+    return Polyhedron::load(*file, {.drop_degenerate = true});
 }
 
 } // namespace chasles::bench

@@ -1,5 +1,7 @@
 #include "bench/fcl_peer.h"
 
+#include "bench/bodies.h"
+
 #include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/motion/screw_motion.h>
 #include <fcl/math/motion/translation_motion.h>
@@ -18,11 +20,8 @@ using Model = std::shared_ptr<const fcl::BVHModel<BoundingVolume>>;
 template <class BoundingVolume>
 Model<BoundingVolume> model_of(const Polyhedron& body) {
     std::vector<fcl::Triangle> triangles;
-    for (std::size_t face = 0; face < body.face_count(); ++face) {
-        const auto outline = body.face(face);
-        for (std::size_t i = 1; i + 1 < outline.size(); ++i)
-            triangles.emplace_back(outline[0], outline[i], outline[i + 1]);
-    }
+    for (const auto& [a, b, c] : triangles_of(body))
+        triangles.emplace_back(a, b, c);
     const std::vector<fcl::Vector3d> vertices(body.vertices().begin(), body.vertices().end());
     auto model = std::make_shared<fcl::BVHModel<BoundingVolume>>();
     model->beginModel(int(triangles.size()), int(vertices.size()));

@@ -22,4 +22,17 @@ Polyhedron peg(const Prism& size);
 /// What a peg goes into: a prism with a hole of another radius through it, with the same corner angles.
 Polyhedron plate_with_hole(const Prism& plate, double hole_radius);
 
+/// A spur gear about z, from z = 0 up, with a hole through it. A tooth points along x.
+struct Gear {
+    std::size_t teeth = 20;
+    double module = 1; ///< pitch diameter over teeth
+    double width = 4;
+    double play = 0.2; ///< of two such gears at the pitch, which is pi times the module
+
+    [[nodiscard]] double pitch_radius() const { return 0.5 * module * double(teeth); }
+};
+
+/// Flanks are involutes at a pressure angle of 20 degrees; chords make them thinner, never thicker.
+Polyhedron gear(const Gear& size);
+
 } // namespace chasles::bench

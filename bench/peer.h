@@ -7,6 +7,7 @@
 #include <Eigen/Geometry>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 
 namespace chasles::bench {
@@ -21,10 +22,16 @@ struct Displacement {
 /// Do the bodies touch on the way, and when?
 struct PeerAnswer {
     bool touches = false;
-    std::optional<double> time; ///< of the first contact, in [0, 1], from peers that tell it
+    std::optional<double> time;      ///< of the first contact, in [0, 1], from peers that tell it
+    std::optional<double> seconds{}; ///< what the question took, from peers that know better than whoever asks them
 };
 
-/// Two bodies as a peer holds them, with all that it prepares once.
+/// Why a peer gives no answer, in one line.
+struct PeerFailed : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+/// Two bodies as a peer holds them, with all that it prepares once. Asking may throw PeerFailed.
 struct PeerPair {
     std::function<PeerAnswer(const Displacement&)> ask;
     /// Where the peer's own motion has the moving body at a time.
@@ -34,7 +41,7 @@ struct PeerPair {
 /// A library, and a way to ask it.
 struct Peer {
     std::string name;
-    /// The bodies have to outlive the pair.
+    /// The bodies have to outlive the pair. May throw PeerFailed.
     std::function<PeerPair(const Polyhedron& moving, const Polyhedron& fixed)> prepare;
     bool is_for_convex_bodies_only = false;
 };

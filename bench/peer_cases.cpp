@@ -269,6 +269,61 @@ PeerCase own_nut_case(bool is_pulled) {
     return made;
 }
 
+/// Two copies of a gear in mesh, whose axes are upright.
+struct GearPair {
+    Polyhedron gear;
+    Vector3d centre;
+    double distance; ///< of the axes
+    double tooth;    ///< angle of a tooth and its gap
+    double play;     ///< angle, to both sides together
+    double offset;   ///< of the moving gear along its axis; 0: end faces are in the same planes
+};
+
+/// The moving gear in the frame of the fixed one, when each has turned by `turn`, against each other, and the moving
+/// one by `more` besides.
+Pose meshing(const GearPair& pair, double turn, double more) {
+    const Quaterniond back(AngleAxisd(-turn, Vector3d::UnitZ()));
+    const Quaterniond orientation(AngleAxisd(0.5 * pair.tooth - 2 * turn + more, Vector3d::UnitZ()));
+    const Vector3d centre = pair.centre + back * Vector3d(pair.distance, 0, pair.offset);
+    return {Vector3d(centre - orientation * pair.centre), orientation};
+}
+
+/// Both turn by five degrees, somewhere within their play: clear, as involutes roll on each other. The screw sways by a
+/// thousandth of the distance from rolling, which is little beside the play. Or the fixed one is held: five degrees are
+/// more than the play.
+PeerCase gear_case(const std::string& name, const GearPair& pair, bool is_held) {
+    PeerCase made{name, pair.gear, pair.gear, {}};
+    Draw draw(9);
+    for (int i = 0; i < 24; ++i) {
+        const double turn = draw.between(0, 2 * pi);
+        const double more = draw.between(-0.2, 0.2) * pair.play;
+        const Pose goal = is_held ? meshing(pair, turn, more + (i % 2 == 0 ? 5 : -5) * degree)
+                                  : meshing(pair, turn + 5 * degree, more);
+        made.questions.push_back({{meshing(pair, turn, more), goal}, PeerAnswer{.touches = is_held, .time = {}}});
+    }
+    return made;
+}
+
+void add_gears(std::vector<PeerCase>& cases, const std::string& name, GearPair pair) {
+    cases.push_back(gear_case("conforming: " + name + " flush", pair, false));
+    pair.offset = 1e-3 * pair.distance;
+    cases.push_back(gear_case("conforming: " + name, pair, false));
+    cases.push_back(gear_case("conforming: " + name + ", one held", pair, true));
+}
+
+void add_gears(std::vector<PeerCase>& cases) {
+    const Gear size;
+    add_gears(cases, "own gears",
+              {gear(size), Vector3d::Zero(), 2 * size.pitch_radius(), 2 * pi / double(size.teeth),
+               size.play / size.pitch_radius(), 0});
+    if (const auto small = small_gear()) {
+        // Half a millimetre further apart than they have to be, as the shafts of their base are.
+        const double space = 5e-4;
+        const double play = 2 * space * std::tan(20 * degree) / 0.01;
+        add_gears(cases, "small gears", {*small, {0.0505, 0, 0}, 0.02 + space, 18 * degree, play, 0});
+    }
+}
+
 /// FCL's own pair: a robot of open sheets somewhere in a room of loose triangles, a quarter of the room's length on its
 /// way and up to 60 degrees. Where it starts it is free.
 void add_soup(std::vector<PeerCase>& cases) {
@@ -302,6 +357,7 @@ std::vector<PeerCase> peer_cases() {
         cases.push_back(peg_case(is_off));
     for (const bool is_pulled : {false, true})
         cases.push_back(own_nut_case(is_pulled));
+    add_gears(cases);
     add_m16_steps(cases);
     return cases;
 }

@@ -67,15 +67,21 @@ void add(Judgement& judgement, const Trial& test) {
 
 } // namespace
 
-Judgement judge(const PeerCase& pair, const PeerPair& peer, const std::vector<Truth>& truths, double seconds) {
+TimedAnswer timed_answer(const PeerPair& peer, const Displacement& motion) {
     using Clock = std::chrono::steady_clock;
+    const Clock::time_point start = Clock::now();
+    const PeerAnswer answer = peer.ask(motion);
+    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    return {answer, answer.seconds.value_or(seconds)};
+}
+
+Judgement judge(const PeerCase& pair, const PeerPair& peer, const std::vector<Truth>& truths, double seconds) {
     Judgement judgement;
     for (std::size_t i = 0; i < truths.size() && judgement.seconds < seconds; ++i) {
         const Displacement& motion = pair.questions[i].motion;
-        const Clock::time_point start = Clock::now();
-        const PeerAnswer answer = peer.ask(motion);
-        judgement.seconds += std::chrono::duration<double>(Clock::now() - start).count();
-        add(judgement, {pair, peer, motion, truths[i], answer});
+        const TimedAnswer timed = timed_answer(peer, motion);
+        judgement.seconds += timed.seconds;
+        add(judgement, {pair, peer, motion, truths[i], timed.answer});
     }
     return judgement;
 }

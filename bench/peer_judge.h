@@ -15,6 +15,13 @@ struct Judgement {
     std::string contradiction;              ///< empty, or where a peer has found the truth to be none
 };
 
+/// An answer and what it took: by the peer's own clock where it has one, otherwise by ours.
+struct TimedAnswer {
+    PeerAnswer answer;
+    double seconds = 0;
+};
+TimedAnswer timed_answer(const PeerPair& peer, const Displacement& motion);
+
 /// Asks the questions in order for about `seconds`.
 ///
 /// A peer is blamed only on its own motion: a miss counts if the bodies overlap on it right after the contact, a false

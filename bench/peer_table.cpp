@@ -32,8 +32,18 @@ std::string milliseconds(double seconds) {
     return seconds > 0 ? number("%.3g", 1e3 * seconds) : "-"; // nothing was timed if the command line said so
 }
 
+Cells without_numbers(const std::string& case_name, const std::string& peer) {
+    Cells cells;
+    cells.fill("-");
+    cells[0] = case_name;
+    cells[1] = peer;
+    return cells;
+}
+
 Cells cells_of(const PeerRow& row) {
     const auto& [name, peer, judged, time, ratio] = row;
+    if (judged.queries == 0)
+        return without_numbers(name, peer);
     return {name,
             peer,
             std::to_string(judged.queries),
@@ -48,20 +58,12 @@ Cells cells_of(const PeerRow& row) {
             ratio > 0 ? number(ratio < 100 ? "%.2g" : "%.0f", ratio) : "-"};
 }
 
-Cells cells_of(const AbsentPeer& peer) {
-    Cells cells;
-    cells.fill("-");
-    cells[0] = "absent";
-    cells[1] = peer.name + " (" + peer.reason + ")";
-    return cells;
-}
-
 std::vector<Cells> lines_of(const PeerTable& table) {
     std::vector<Cells> lines;
     for (const PeerRow& row : table.rows)
         lines.push_back(cells_of(row));
     for (const AbsentPeer& peer : table.absent)
-        lines.push_back(cells_of(peer));
+        lines.push_back(without_numbers("absent", peer.name + " (" + peer.reason + ")"));
     return lines;
 }
 

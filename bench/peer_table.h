@@ -18,9 +18,10 @@ struct Spread {
 /// All zeros if there is nothing.
 Spread spread_of(std::vector<double> seconds);
 
+/// Without queries, a row is that of a peer without an answer.
 struct PeerRow {
     std::string case_name;
-    std::string peer;
+    std::string peer; ///< its name, and why there is no answer
     Judgement judged;
     Spread time;
     double ratio = 0; ///< of the median to that of Chasles' first contact on the same queries

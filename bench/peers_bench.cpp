@@ -8,7 +8,6 @@
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
-#include <chrono>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -29,19 +28,17 @@ struct Contest {
     PeerPair asked;
     Judgement judged;
     std::vector<std::vector<double>> seconds; ///< by query, one number a repetition
+    std::string failure;                      ///< empty, or why there is no answer
 };
 
 void time_queries(benchmark::State& state, Contest& contest) {
-    using Clock = std::chrono::steady_clock;
     std::size_t query = 0;
     for (auto _ : state) {
         const Displacement& motion = contest.pair.questions[query].motion;
-        const Clock::time_point start = Clock::now();
-        const PeerAnswer answer = contest.asked.ask(motion);
-        const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
-        benchmark::DoNotOptimize(answer);
-        state.SetIterationTime(seconds);
-        contest.seconds[query].push_back(seconds);
+        const TimedAnswer timed = timed_answer(contest.asked, motion);
+        benchmark::DoNotOptimize(timed);
+        state.SetIterationTime(timed.seconds);
+        contest.seconds[query].push_back(timed.seconds);
         query = (query + 1) % contest.seconds.size();
     }
     state.counters["missed"] = double(contest.judged.missed);
@@ -52,23 +49,37 @@ void time_queries(benchmark::State& state, Contest& contest) {
 void add_benchmark(Contest& contest) {
     const double repetitions = std::clamp(timing_seconds / contest.judged.seconds, 1.0, 15.0);
     benchmark::RegisterBenchmark((contest.pair.name + "/" + contest.peer).c_str(),
-                                 [&contest](benchmark::State& state) { time_queries(state, contest); })
+                                 [&contest](benchmark::State& state) {
+                                     try {
+                                         time_queries(state, contest);
+                                     } catch (const PeerFailed& failure) {
+                                         contest.failure = failure.what();
+                                         state.SkipWithError(failure.what());
+                                     }
+                                 })
         ->UseManualTime()
         ->Iterations(benchmark::IterationCount(contest.judged.queries))
         ->Repetitions(int(repetitions));
 }
 
+Contest judged(const PeerCase& pair, const Peer& peer, const std::vector<Truth>& truths) {
+    Contest contest{pair, peer.name, {}, {}, {}, {}};
+    try {
+        contest.asked = peer.prepare(pair.moving, pair.fixed);
+        contest.judged = judge(pair, contest.asked, truths, judging_seconds);
+        contest.seconds.resize(contest.judged.queries);
+    } catch (const PeerFailed& failure) {
+        contest.failure = failure.what();
+    }
+    return contest;
+}
+
 /// Every query of a case by every peer that takes it.
 std::vector<Contest> judged(const PeerCase& pair, const std::vector<Peer>& peers, const std::vector<Truth>& truths) {
     std::vector<Contest> contests;
-    for (const Peer& peer : peers) {
-        if (peer.is_for_convex_bodies_only && !pair.is_convex)
-            continue;
-        const PeerPair asked = peer.prepare(pair.moving, pair.fixed);
-        const Judgement judgement = judge(pair, asked, truths, judging_seconds);
-        contests.push_back({pair, peer.name, asked, judgement, {}});
-        contests.back().seconds.resize(judgement.queries);
-    }
+    for (const Peer& peer : peers)
+        if (pair.is_convex || !peer.is_for_convex_bodies_only)
+            contests.push_back(judged(pair, peer, truths));
     return contests;
 }
 
@@ -116,6 +127,10 @@ PeerTable table_of(const std::vector<Contest>& contests, const AllPeers& peers) 
     for (const Contest& contest : contests) {
         if (contest.peer == peers.present.front().name)
             reference = &contest;
+        if (!contest.failure.empty()) {
+            table.rows.push_back({contest.pair.name, contest.peer + " (" + contest.failure + ")", {}, {}, 0});
+            continue;
+        }
         const Spread time = time_of(contest, contest.judged.queries);
         const std::size_t common = std::min(contest.judged.queries, reference->judged.queries);
         const double unit = time_of(*reference, common).median;
@@ -147,7 +162,8 @@ int run(int argc, char** argv) {
     if (contests.empty())
         return 1;
     for (Contest& contest : contests)
-        add_benchmark(contest);
+        if (contest.failure.empty())
+            add_benchmark(contest);
     SilentReporter silent;
     const int status = run_benchmarks(argc, argv, &silent);
     if (status == 0)

@@ -11,6 +11,13 @@ clang_version=$(cat "$(dirname "$0")/clang-tools-version")
 # fmt and nlohmann_json for the command line.
 packages="make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libassimp-dev libfmt-dev libcli11-dev nlohmann-json3-dev"
 
+# Debian 12's `cargo` is too old for Parry; the one for web browsers is kept up to date.
+cargo_package() {
+    VERSION_ID=""
+    [ ! -r /etc/os-release ] || . /etc/os-release
+    if [ "$VERSION_ID" = 12 ]; then echo cargo-web; else echo cargo; fi
+}
+
 list_only=false
 for group in "$@"; do
     case $group in
@@ -19,8 +26,12 @@ for group in "$@"; do
         check) packages="$packages libgtest-dev libgmp-dev zlib1g-dev python3 clang-format-$clang_version" ;;
         # libFuzzer and the sanitizers are in the runtime library.
         fuzz) packages="$packages clang-$clang_version libclang-rt-$clang_version-dev libgmp-dev" ;;
-        # Highway is what the lanes are compared with, FCL and Bullet what whole queries are.
-        bench) packages="$packages libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev" ;;
+        # Highway is what the lanes are compared with, FCL and Bullet what whole queries are; other peers are brought by
+        # Python and Rust.
+        bench)
+            packages="$packages libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev python3-venv"
+            command -v cargo >/dev/null || packages="$packages $(cargo_package)"
+            ;;
         tidy) packages="$packages clang-tidy-$clang_version" ;;
         *)
             echo "install_dependencies.sh: unknown group \"$group\" (known: check, fuzz, bench, tidy)" >&2

@@ -31,14 +31,22 @@ expect() {
     fi
 }
 
-all=$(sh "$script" --list check fuzz bench tidy)
-everything=$(printf 'echo installed %s\n' $all)
+run --list check fuzz bench tidy
+everything=$(printf 'echo installed %s\n' $output)
 
 run --list check
 expect "the list names the compiler and the test framework" 'case $output in *g++*libgtest-dev*) ;; *) false ;; esac'
 
 run --list fuzz
 expect "fuzzing needs the compiler and its runtime" 'case $output in *clang-*libclang-rt-*) ;; *) false ;; esac'
+
+run --list bench
+expect "benchmarks need Python's environments and Rust" 'case $output in *python3-venv*cargo*) ;; *) false ;; esac'
+
+pretend cargo ''
+run --list bench
+expect "Rust from elsewhere will do" 'case $output in *cargo*) false ;; esac'
+rm "$folder/bin/cargo"
 
 run check
 expect "elsewhere than on Debian: one line, no failure" \

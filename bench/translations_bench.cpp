@@ -1,0 +1,252 @@
+// One feature pair under one translation, where vertices run along straight lines: Chasles' elementary detections
+// beside Tight-Inclusion as the IPC Toolkit offers it. What is true is known by construction without rounding. A call
+// from Python has a price of its own, which is measured and subtracted.
+#include "bench/child_process.h"
+#include "bench/elementary_detector.h"
+#include "bench/peer_table.h"
+#include "bench/process_peer.h"
+#include "bench/registry_peers.h"
+#include "bench/translation_cases.h"
+#include "chasles/motion/screw_motion.h"
+#include "chasles/query/found_contacts.h"
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <sstream>
+
+namespace chasles::bench {
+namespace {
+
+using algebra::DoubleDouble;
+using algebra::FeasibleInterval;
+
+/// As a query does it: in double precision, and again in double-double what that leaves in doubt.
+class Chasles {
+public:
+    std::optional<FeasibleInterval> operator()(const auto& problem) {
+        const auto found = filter_(problem);
+        if (!found || (found->certain && found->upper - found->lower <= width))
+            return found;
+        refinement_.use(query::refinement_tolerance(width, *found));
+        return refinement_(problem);
+    }
+
+private:
+    static constexpr double width = 1e-12;
+
+    motion::RationalMotion<DoubleDouble> motion_ =
+        ScrewMotion::between(Pose(), Pose(way, Eigen::Quaterniond::Identity())).frame().motion;
+    motion::ControlMaps<double> maps_ = motion::double_maps(motion_);
+    motion::ControlMaps<DoubleDouble> exact_maps_ = motion::control_maps(motion_);
+    Detector<double> filter_{maps_, maps_, query::filter_tolerance(width)};
+    Detector<DoubleDouble> refinement_{exact_maps_, maps_, {}};
+};
+
+PeerAnswer answer_of(Chasles& chasles, const auto& problem) {
+    const auto found = chasles(problem);
+    PeerAnswer answer{found.has_value(), {}, 1e-9 * nanoseconds_of(5, 20, [&] { return chasles(problem); })};
+    if (found)
+        answer.time = found->lower;
+    return answer;
+}
+
+std::string words_of(const Point& point) {
+    char text[96];
+    std::snprintf(text, sizeof text, " %.17g %.17g %.17g", point.x, point.y, point.z);
+    return text;
+}
+
+std::string line_of(const VertexFaceProblem& problem) {
+    const auto& [a, b, c] = problem.face;
+    return "vertex_face" + words_of(problem.vertex) + words_of(a) + words_of(b) + words_of(c);
+}
+
+std::string line_of(const EdgeEdgeProblem& problem) {
+    return "edge_edge" + words_of(problem.moving[0]) + words_of(problem.moving[1]) + words_of(problem.fixed[0]) +
+           words_of(problem.fixed[1]);
+}
+
+/// The IPC Toolkit in its process.
+class TightInclusion {
+public:
+    TightInclusion(const PythonPeers& python, const std::string& rescaling)
+        : child_({python.interpreter, python.scripts + "/translations.py", rescaling}) {
+        expect_ready(child_, limit);
+    }
+
+    PeerAnswer operator()(const auto& problem) {
+        const std::string way_words = words_of({way.x(), way.y(), way.z()});
+        return answer_in(child_.ask(line_of(problem) + way_words, limit));
+    }
+
+    /// Seconds of a call of this kind, a problem's first word, with next to nothing to do.
+    double seconds_of_a_call(const std::string& kind) { return *answer_in(child_.ask("call " + kind, limit)).seconds; }
+
+private:
+    static constexpr ChildProcess::Limit limit{60};
+    ChildProcess child_;
+};
+
+/// One asker on one case.
+struct Row {
+    std::string case_name;
+    std::string asker;
+    std::size_t missed = 0;
+    std::size_t false_alarms = 0;
+    double worst_time_error = 0;
+    std::vector<double> seconds;
+    double seconds_of_a_call = 0; ///< what each of them has besides
+
+    void add(const PeerAnswer& answer, bool touches, double time) {
+        missed += touches && !answer.touches ? 1 : 0;
+        false_alarms += !touches && answer.touches ? 1 : 0;
+        if (touches && answer.time)
+            worst_time_error = std::max(worst_time_error, std::abs(*answer.time - time));
+        seconds.push_back(*answer.seconds);
+    }
+};
+
+struct Askers {
+    Chasles chasles;
+    std::vector<std::pair<std::string, std::unique_ptr<TightInclusion>>> others;
+};
+
+Askers all_askers(std::string& absent_because) {
+    Askers askers;
+    const PythonPeers python = python_peers();
+    absent_because = python.absent_because;
+    if (!absent_because.empty())
+        return askers;
+    try {
+        askers.others.emplace_back("Tight-Inclusion", std::make_unique<TightInclusion>(python, "1"));
+        askers.others.emplace_back("Tight-Inclusion, default rescaling",
+                                   std::make_unique<TightInclusion>(python, "0.8"));
+    } catch (const std::runtime_error& failure) {
+        absent_because = failure.what();
+        askers.others.clear();
+    }
+    return askers;
+}
+
+/// All askers take turns, a problem at a time.
+template <class Problem>
+std::vector<Row> rows_of(const TranslationCase<Problem>& asked, Askers& askers) {
+    std::vector<Row> rows{{asked.name, "Chasles", 0, 0, 0, {}, 0}};
+    const std::string line = line_of(asked.problems.front());
+    for (auto& [name, ask] : askers.others)
+        rows.push_back({asked.name, name, 0, 0, 0, {}, ask->seconds_of_a_call(line.substr(0, line.find(' ')))});
+    for (const Problem& problem : asked.problems) {
+        rows[0].add(answer_of(askers.chasles, problem), asked.touches, problem.tau);
+        for (std::size_t i = 0; i < askers.others.size(); ++i)
+            rows[i + 1].add((*askers.others[i].second)(problem), asked.touches, problem.tau);
+    }
+    return rows;
+}
+
+std::string cell(const char* format, double value) {
+    char text[32];
+    std::snprintf(text, sizeof text, format, value);
+    return text;
+}
+
+using Cells = std::vector<std::string>;
+
+const Cells heads{"case",      "asker",   "problems", "missed",  "false alarms", "time error",
+                  "median ns", "99 % ns", "worst ns", "call ns", "ratio"};
+
+/// Times without the call; the ratio is of medians. A median that is not twice the call says nothing of what is in it.
+Cells cells_of(const Row& row, double unit) {
+    const Spread all = spread_of(row.seconds);
+    const auto own = [&](double seconds) { return std::max(0.0, seconds - row.seconds_of_a_call); };
+    const bool is_seen = all.median > 2 * row.seconds_of_a_call;
+    return {row.case_name,
+            row.asker,
+            std::to_string(row.seconds.size()),
+            std::to_string(row.missed),
+            std::to_string(row.false_alarms),
+            cell("%.1e", row.worst_time_error),
+            cell("%.0f", 1e9 * all.median),
+            cell("%.0f", 1e9 * all.ninety_nine_percent),
+            cell("%.0f", 1e9 * all.worst),
+            cell("%.0f", 1e9 * row.seconds_of_a_call),
+            is_seen ? cell("%.3g", own(all.median) / unit) : "-"};
+}
+
+std::vector<Cells> lines_of(const std::vector<Row>& rows) {
+    std::vector<Cells> lines{heads};
+    double unit = 1;
+    for (const Row& row : rows) {
+        if (row.asker == "Chasles")
+            unit = spread_of(row.seconds).median;
+        lines.push_back(cells_of(row, unit));
+    }
+    return lines;
+}
+
+void print(std::ostream& out, const std::vector<Cells>& lines) {
+    for (const Cells& cells : lines) {
+        char text[160];
+        std::snprintf(text, sizeof text, "%-28s %-35s %8s %6s %12s %10s", cells[0].c_str(), cells[1].c_str(),
+                      cells[2].c_str(), cells[3].c_str(), cells[4].c_str(), cells[5].c_str());
+        out << text;
+        std::snprintf(text, sizeof text, " %9s %9s %10s %7s %8s\n", cells[6].c_str(), cells[7].c_str(),
+                      cells[8].c_str(), cells[9].c_str(), cells[10].c_str());
+        out << text;
+    }
+    out << "\nTimes are of one question. Call: how much of it is the price of a call from Python. Ratio: of medians, "
+           "without it.\n";
+}
+
+void print_csv(std::ostream& out, const std::vector<Cells>& lines) {
+    for (const Cells& cells : lines)
+        for (std::size_t i = 0; i < cells.size(); ++i)
+            out << '"' << cells[i] << (i + 1 < cells.size() ? "\"," : "\"\n");
+}
+
+bool is_right(const std::vector<Row>& rows) {
+    return std::none_of(rows.begin(), rows.end(), [](const Row& row) {
+        return row.asker == "Chasles" && (row.missed + row.false_alarms > 0 || row.worst_time_error > 1e-11);
+    });
+}
+
+int run() {
+    std::string absent_because;
+    Askers askers = all_askers(absent_because);
+    std::vector<Row> rows;
+    const auto add = [&](const auto& cases) {
+        for (const auto& asked : cases)
+            for (Row& row : rows_of(asked, askers))
+                rows.push_back(std::move(row));
+    };
+    try {
+        add(vertex_face_translations());
+        add(edge_edge_translations());
+    } catch (const std::runtime_error& failure) { // without the peer then
+        absent_because = failure.what();
+        askers.others.clear();
+        rows.clear();
+        add(vertex_face_translations());
+        add(edge_edge_translations());
+    }
+    const std::vector<Cells> lines = lines_of(rows);
+    print(std::cout, lines);
+    if (!absent_because.empty())
+        std::cout << "absent: IPC Toolkit (" << absent_because << ")\n";
+    const std::filesystem::path results = CHASLES_BENCH_RESULTS;
+    std::filesystem::create_directories(results);
+    std::ofstream csv(results / "translations_bench.csv");
+    print_csv(csv, lines);
+    if (!is_right(rows))
+        std::cout << "an answer of Chasles is wrong\n";
+    return is_right(rows) ? 0 : 1;
+}
+
+} // namespace
+} // namespace chasles::bench
+
+int main() {
+    return chasles::bench::run();
+}
