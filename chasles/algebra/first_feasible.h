@@ -134,7 +134,7 @@ private:
     /// What is proven of a part.
     enum class Decision : std::uint8_t {
         feasible,   ///< F changes sign and all constraints hold all along
-        infeasible, ///< some constraint fails all along
+        infeasible, ///< F changes sign and some constraint fails all along
         open
     };
 
@@ -174,7 +174,8 @@ private:
     [[nodiscard]] Decision decide_first_crossing(const Interval& around) {
         View there(problem_, around, restrictions_);
         const Polynomial function = there(problem_.function.polynomial);
-        if (!keeps_its_sign({Scalar(tolerance_.focus.lower), around.lower}, function[0]))
+        if (!changes_sign(function, there.error_of(problem_.function)) ||
+            !keeps_its_sign({Scalar(tolerance_.focus.lower), around.lower}, function[0]))
             return Decision::open;
         const Decision decision = decide(there, function);
         if (decision != Decision::infeasible ||
@@ -327,8 +328,9 @@ private:
     }
 
     [[nodiscard]] Decision decide(View& there, const Polynomial& function) {
-        Decision decision =
-            changes_sign(function, there.error_of(problem_.function)) ? Decision::feasible : Decision::open;
+        if (!changes_sign(function, there.error_of(problem_.function)))
+            return Decision::open;
+        Decision decision = Decision::feasible;
         for (const auto& constraint : problem_.constraints) {
             const Polynomial first_error = there.error_of(constraint.first);
             const Polynomial second_error = there.error_of(constraint.second);
