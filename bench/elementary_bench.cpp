@@ -1,5 +1,6 @@
-// Nanoseconds of one elementary detection: rejected by signs, solved in double, refined in double-double precision.
-// Each problem is timed by itself, so that the spread over the problems is seen; answers are checked first.
+// Nanoseconds of one elementary detection: rejected by signs, solved in double, refined in double-double precision,
+// with paths and shapes made anew from the points of the features each time; "ready": with those made before. Each
+// problem is timed by itself, so that the spread over the problems is seen; answers are checked first.
 #include "bench/elementary_detector.h"
 #include "bench/run_benchmarks.h"
 #include "chasles/query/found_contacts.h"
@@ -40,6 +41,19 @@ public:
 
 private:
     Detector<DoubleDouble> detect_;
+};
+
+template <class Ready, class Problem>
+std::vector<Ready> made_ready(const Detector<double>& detector, const std::vector<Problem>& problems) {
+    std::vector<Ready> all(problems.size());
+    for (std::size_t i = 0; i < problems.size(); ++i)
+        detector.make_ready(problems[i], all[i]);
+    return all;
+}
+
+/// What a query asks of a vertex first (docs/derivations/13-face-sides.md).
+struct SideOfPlane {
+    int operator()(const ReadyVertexFace& ready) const { return ready.plane.side_of(ready.vertex); }
 };
 
 /// Built from a contact: nothing later than it may be the first, up to the rounding of the problem itself. Brackets
@@ -90,13 +104,16 @@ int run(int argc, char** argv) {
     const Refinement refinement(cases);
     const auto vertex_face_found = found_by(filter, cases.vertex_face_contacts);
     const auto edge_edge_found = found_by(filter, cases.edge_edge_contacts);
+    const auto vertex_face_ready = made_ready<ReadyVertexFace>(filter, cases.vertex_face_rejections);
+    const auto edge_edge_ready = made_ready<ReadyEdgeEdge>(filter, cases.edge_edge_rejections);
     const std::pair<const char*, bool> checks[] = {
         {"vertex/face in double", finds_contacts(filter, cases.vertex_face_contacts)},
         {"vertex/face in double-double", finds_contacts(refinement, vertex_face_found)},
         {"vertex/face rejections", rejects(filter, cases.vertex_face_rejections)},
         {"edge/edge in double", finds_contacts(filter, cases.edge_edge_contacts)},
         {"edge/edge in double-double", finds_contacts(refinement, edge_edge_found)},
-        {"edge/edge rejections", rejects(filter, cases.edge_edge_rejections)}};
+        {"edge/edge rejections", rejects(filter, cases.edge_edge_rejections)},
+        {"the same with features ready", rejects(filter, vertex_face_ready) && rejects(filter, edge_edge_ready)}};
     std::printf("%zu problems of each kind, seed %u\n", elementary_problems, elementary_seed);
     bool right = true;
     for (const auto& [what, holds] : checks) {
@@ -106,9 +123,12 @@ int run(int argc, char** argv) {
     if (!right)
         return 1;
     add("vertex_face/rejection", filter, cases.vertex_face_rejections);
+    add("vertex_face/rejection_ready", filter, vertex_face_ready);
+    add("vertex_face/side_of_plane", SideOfPlane(), vertex_face_ready);
     add("vertex_face/solve", filter, cases.vertex_face_contacts);
     add("vertex_face/refinement", refinement, vertex_face_found);
     add("edge_edge/rejection", filter, cases.edge_edge_rejections);
+    add("edge_edge/rejection_ready", filter, edge_edge_ready);
     add("edge_edge/solve", filter, cases.edge_edge_contacts);
     add("edge_edge/refinement", refinement, edge_edge_found);
     return run_benchmarks(argc, argv);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/elementary_cases.h"
+#include "chasles/elementary/face_sides.h"
 
 #include <algorithm>
 #include <benchmark/benchmark.h>
@@ -9,6 +10,20 @@
 #include <optional>
 
 namespace chasles::bench {
+
+/// Features with what a query makes of them once for all features that they may meet. Not to be moved: the shape of
+/// the face refers to the corners.
+struct ReadyVertexFace {
+    algebra::Vector3<algebra::Bernstein<3, double>> position;
+    std::array<Point, 3> corners;
+    elementary::FaceShape<double> face;
+    elementary::SeenPlane<double> plane; ///< of the face
+    Point vertex;
+};
+struct ReadyEdgeEdge {
+    elementary::EdgePath<double> moving;
+    elementary::FixedEdge<double> fixed;
+};
 
 template <class S>
 class Detector {
@@ -29,9 +44,27 @@ public:
 
     Answer operator()(const EdgeEdgeProblem& problem) {
         const auto path = elementary::edge_path(maps_, in_scalar(problem.moving[0]), in_scalar(problem.moving[1]));
-        const Vector from = in_scalar(problem.fixed[0]);
-        const elementary::FixedEdge<S> fixed{from, in_scalar(problem.fixed[1]) - from};
+        const auto fixed = elementary::fixed_edge(in_scalar(problem.fixed[0]), in_scalar(problem.fixed[1]));
         return elementary::edge_edge<S>(maps_, path, fixed, accuracy_, workspace_);
+    }
+
+    Answer operator()(const ReadyVertexFace& ready) {
+        return elementary::vertex_face<double>({ready.position, maps_.weight}, ready.face, accuracy_, workspace_);
+    }
+    Answer operator()(const ReadyEdgeEdge& ready) {
+        return elementary::edge_edge<double>(maps_, ready.moving, ready.fixed, accuracy_, workspace_);
+    }
+
+    void make_ready(const VertexFaceProblem& problem, ReadyVertexFace& ready) const {
+        ready.vertex = problem.vertex;
+        ready.position = maps_.turn * problem.vertex + maps_.shift;
+        ready.corners = problem.face;
+        ready.face = elementary::face_shape<double>(ready.corners, {});
+        ready.plane = elementary::plane_of_fixed_face(maps_, ready.face, accuracy_.scale);
+    }
+    void make_ready(const EdgeEdgeProblem& problem, ReadyEdgeEdge& ready) const {
+        ready.moving = elementary::edge_path(maps_, problem.moving[0], problem.moving[1]);
+        ready.fixed = elementary::fixed_edge(problem.fixed[0], problem.fixed[1]);
     }
 
     /// Asks with another tolerance from now on.

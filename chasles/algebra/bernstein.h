@@ -144,5 +144,9 @@ template <int Degree, class Scalar>
 bool is_negative(const Bernstein<Degree, Scalar>& p, const Bernstein<Degree, Scalar>& error) {
     return is_positive(Bernstein<Degree, Scalar>() - p, error);
 }
+template <int Degree, class Scalar>
+bool keeps_one_sign(const Bernstein<Degree, Scalar>& p, const Bernstein<Degree, Scalar>& error) {
+    return is_positive(p, error) || is_negative(p, error);
+}
 
 } // namespace chasles::algebra

@@ -144,41 +144,61 @@ inline constexpr double unit_roundoff<DoubleDouble> = 0x1p-101;
 /// Four of them in the registers that hold four doubles, with the same results.
 template <>
 struct Lanes<4, DoubleDouble> {
-    using Native = Lanes<4, double>::Native;
-    detail::WordPair<Native> words{};
+    using Word = detail::WordPair<detail::Register>;
+    std::array<Word, detail::registers> words{};
 
     static Lanes all(const DoubleDouble& value) {
-        return {{Lanes<4, double>::all(value.high()).values, Lanes<4, double>::all(value.low()).values}};
+        const Lanes<4, double> high = Lanes<4, double>::all(value.high());
+        const Lanes<4, double> low = Lanes<4, double>::all(value.low());
+        Lanes lanes;
+        for (std::size_t i = 0; i < detail::registers; ++i)
+            lanes.words[i] = {high.words[i], low.words[i]};
+        return lanes;
     }
     DoubleDouble operator[](std::size_t i) const {
-        return DoubleDouble(detail::WordPair<double>{words.high[i], words.low[i]});
+        const Word& word = words[i / detail::register_doubles];
+        return DoubleDouble(
+            detail::WordPair<double>{word.high[i % detail::register_doubles], word.low[i % detail::register_doubles]});
     }
     void set(std::size_t i, const DoubleDouble& value) {
-        words.high[i] = value.high();
-        words.low[i] = value.low();
+        Word& word = words[i / detail::register_doubles];
+        word.high[i % detail::register_doubles] = value.high();
+        word.low[i % detail::register_doubles] = value.low();
     }
 
-    friend Lanes operator+(const Lanes& a, const Lanes& b) { return {a.words + b.words}; }
-    friend Lanes operator-(const Lanes& a, const Lanes& b) { return {a.words + (-b.words)}; }
-    friend Lanes operator*(const Lanes& a, const Lanes& b) { return {a.words * b.words}; }
-    friend Lanes maximum(const Lanes& a, const Lanes& b) { return chosen(b < a, a, b); }
-    friend Lanes magnitude(const Lanes& a) { return chosen(a < Lanes{}, {-a.words}, a); }
+    friend Lanes operator+(const Lanes& a, const Lanes& b) {
+        return {detail::zip(a.words, b.words, [](const Word& x, const Word& y) { return x + y; })};
+    }
+    friend Lanes operator-(const Lanes& a, const Lanes& b) {
+        return {detail::zip(a.words, b.words, [](const Word& x, const Word& y) { return x + (-y); })};
+    }
+    friend Lanes operator*(const Lanes& a, const Lanes& b) {
+        return {detail::zip(a.words, b.words, [](const Word& x, const Word& y) { return x * y; })};
+    }
+    friend Lanes maximum(const Lanes& a, const Lanes& b) {
+        return {
+            detail::zip(a.words, b.words, [](const Word& x, const Word& y) { return chosen(is_below(y, x), x, y); })};
+    }
+    friend Lanes magnitude(const Lanes& a) {
+        return {detail::zip(a.words, a.words,
+                            [](const Word& x, const Word&) { return chosen(is_below(x, Word{}), -x, x); })};
+    }
     /// Whether a > b in every lane.
     friend bool all_above(const Lanes& a, const Lanes& b) {
-        const Mask above = b < a;
-        return above.bits[0] && above.bits[1] && above.bits[2] && above.bits[3];
+        bool above = true;
+        for (std::size_t i = 0; i < 4; ++i)
+            above = above && a[i] > b[i];
+        return above;
     }
 
 private:
     /// All bits of a lane where something is true.
-    struct Mask {
-        decltype(Native{} < Native{}) bits;
-    };
-    friend Mask operator<(const Lanes& a, const Lanes& b) {
-        return {(a.words.high < b.words.high) | ((a.words.high == b.words.high) & (a.words.low < b.words.low))};
+    using Mask = decltype(detail::Register{} < detail::Register{});
+    static Mask is_below(const Word& a, const Word& b) {
+        return (a.high < b.high) | ((a.high == b.high) & (a.low < b.low));
     }
-    static Lanes chosen(const Mask& where, const Lanes& a, const Lanes& b) {
-        return {{where.bits ? a.words.high : b.words.high, where.bits ? a.words.low : b.words.low}};
+    static Word chosen(const Mask& where, const Word& a, const Word& b) {
+        return {where ? a.high : b.high, where ? a.low : b.low};
     }
 };
 #endif

@@ -4,78 +4,15 @@
 // cost are in docs/derivations/06-first-feasible.md.
 #pragma once
 
-#include "chasles/algebra/bernstein.h"
+#include "chasles/algebra/crossing_guess.h"
+#include "chasles/algebra/feasibility_problem.h"
 #include "chasles/algebra/unit_roundoff.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <span>
+#include <cstdint>
 
 namespace chasles::algebra {
-
-/// A polynomial whose coefficient i differs from the exact one by at most error * weight_i.
-template <int Degree, class Scalar>
-struct Bounded {
-    Bernstein<Degree, Scalar> polynomial;
-    Scalar error{};
-};
-
-/// Demands first(tau) >= 0; with an alternative, first(tau) >= 0 or second(tau) >= 0. With a span it demands the same
-/// of span W - first and span W - second besides, so that the values over W from first to second meet [0, span].
-template <int Degree, class Scalar>
-struct Constraint {
-    Bounded<Degree, Scalar> first;
-    Bounded<Degree, Scalar> second{};
-    bool has_alternative = false;
-    std::optional<Scalar> span{};
-};
-
-/// Calls `demand(polynomial, second polynomial or nullptr)` for the one or two demands of a constraint, given its
-/// polynomials on some part (`second` is not looked at without an alternative), until one returns false.
-template <int Degree, class Scalar, class Demand>
-bool all_demands(const Constraint<Degree, Scalar>& constraint, const Bernstein<Degree, Scalar>& weight,
-                 const Bernstein<Degree, Scalar>& first, const Bernstein<Degree, Scalar>& second, Demand demand) {
-    const auto ask = [&](const Bernstein<Degree, Scalar>& p, const Bernstein<Degree, Scalar>& q) {
-        return demand(p, constraint.has_alternative ? &q : nullptr);
-    };
-    if (!ask(first, second))
-        return false;
-    if (!constraint.span)
-        return true;
-    const Bernstein<Degree, Scalar> end = weight * *constraint.span;
-    return ask(end - first, end - second);
-}
-
-/// F and the constraints over one positive weight polynomial.
-template <int Degree, class Scalar>
-struct FeasibilityProblem {
-    Bernstein<Degree, Scalar> weight;
-    Bounded<Degree, Scalar> function;
-    std::span<const Constraint<Degree, Scalar>> constraints;
-};
-
-/// What `first_feasible` found: nothing feasible lies before `lower`.
-struct FeasibleInterval {
-    double lower = 0;
-    double upper = 1;
-    /// A root of the exact F at which all exact constraints hold is proven to lie in [lower, upper].
-    bool certain = false;
-};
-
-/// Where to look first.
-struct Focus {
-    double lower = 0; ///< nothing feasible is before it: so an earlier search has proven
-    double upper = 1; ///< what is after it is looked at last
-};
-
-/// When to stop.
-struct Tolerance {
-    double width = 1e-12;      ///< of an interval that holds a root for certain
-    double resolution = 1e-12; ///< below it, what is still not certain is reported as it stands
-    int restrictions = 10'000; ///< of polynomials to parts of [0, 1]; after so many, likewise
-    Focus focus{};
-};
 
 namespace detail {
 
@@ -148,6 +85,21 @@ public:
     FeasibilitySearch(const Problem& problem, const Tolerance& tolerance) : problem_(problem), tolerance_(tolerance) {}
 
     std::optional<FeasibleInterval> run() {
+        if (const auto around = around_first_crossing()) {
+            switch (decide_first_crossing(*around)) {
+            case Decision::feasible:
+                return FeasibleInterval{rounded_down(around->lower), rounded_up(around->upper), true};
+            case Decision::infeasible:
+                return std::nullopt;
+            case Decision::open:
+                restrictions_ = 0;
+            }
+        }
+        return search();
+    }
+
+private:
+    std::optional<FeasibleInterval> search() {
         std::array<Interval, depth_limit> later; // right halves, the earliest on top
         std::size_t waiting = 0;
         Interval part{Scalar(tolerance_.focus.lower), Scalar(tolerance_.focus.upper)};
@@ -175,16 +127,95 @@ public:
         }
     }
 
-private:
     static constexpr std::size_t depth_limit = 120;
     /// A clip by F that leaves no more is followed by another one, without asking the constraints.
     static constexpr double good_clip = 0.25;
+
+    /// What is proven of a part.
+    enum class Decision : std::uint8_t {
+        feasible,   ///< F changes sign and all constraints hold all along
+        infeasible, ///< F changes sign and some constraint fails all along
+        open
+    };
 
     /// What one step learns of a part.
     struct Look {
         Clip clip;           ///< where F may vanish and every constraint may hold
         bool is_undecidable; ///< no smaller part can be told apart from this one
     };
+
+    /// Where F seems to cross its band for the first time; not where it is about as flat as the band is wide.
+    [[nodiscard]] std::optional<Interval> around_first_crossing() const {
+        constexpr double spare = 1.25;
+        constexpr double most_bend = 0.25;
+        const Focus& focus = tolerance_.focus;
+        const Polynomial& function = problem_.function.polynomial;
+        const auto rounded = converted<double>(function);
+        const auto guess =
+            is_all(focus) ? first_crossing(rounded) : crossing_near(rounded, 0.5 * (focus.lower + focus.upper));
+        if (!guess)
+            return std::nullopt;
+        const double weight = mix(double(problem_.weight[0]), double(problem_.weight[Degree]), guess->tau);
+        double rim = spare * double(problem_.function.error) * weight / std::abs(guess->slope) +
+                     4 * unit_roundoff<Scalar> * guess->tau;
+        Scalar tau(guess->tau);
+        if constexpr (unit_roundoff<Scalar> < unit_roundoff<double>) { // one more step
+            const double move = double(value_at(function, tau)) / guess->slope;
+            tau = tau - Scalar(move);
+            rim += 0x1p-8 * std::abs(move);
+        }
+        if (!(rim * std::abs(guess->bend) < most_bend))
+            return std::nullopt;
+        return Interval{std::max<Scalar>(Scalar(focus.lower), tau - Scalar(rim)),
+                        std::min<Scalar>(Scalar(1), tau + Scalar(rim))};
+    }
+
+    /// Feasible: the first root is in `around`. Infeasible: there is none anywhere.
+    [[nodiscard]] Decision decide_first_crossing(const Interval& around) {
+        View there(problem_, around, restrictions_);
+        const Polynomial function = there(problem_.function.polynomial);
+        if (!changes_sign(function, there.error_of(problem_.function)) ||
+            !keeps_its_sign({Scalar(tolerance_.focus.lower), around.lower}, function[0]))
+            return Decision::open;
+        const Decision decision = decide(there, function);
+        if (decision != Decision::infeasible ||
+            keeps_its_sign({around.upper, Scalar(1)}, Scalar(Scalar(0) - function[Degree])))
+            return decision;
+        tolerance_.focus = {rounded_down(around.upper), 1};
+        return Decision::open;
+    }
+
+    static bool is_all(const Focus& focus) { return focus.lower <= 0 && focus.upper >= 1; }
+
+    /// Proven for F on a part. `towards_crossing` is F at the end where it is about to cross zero, as seen along tau
+    /// or against it.
+    [[nodiscard]] bool keeps_its_sign(const Interval& part, const Scalar& towards_crossing) {
+        if (part.lower >= part.upper)
+            return true;
+        const Scalar rise = trend() * towards_crossing;
+        if (rise + largest_band() < Scalar(0))
+            return true;
+        View there(problem_, part, restrictions_);
+        return keeps_one_sign(there(problem_.function.polynomial), there.error_of(problem_.function));
+    }
+
+    /// 1 if F does not fall anywhere, -1 if it does not rise, otherwise 0.
+    [[nodiscard]] Scalar trend() const {
+        const Polynomial& p = problem_.function.polynomial;
+        bool rises = true, falls = true;
+        for (int i = 0; i < Degree; ++i) {
+            rises = rises && !(p[i + 1] < p[i]);
+            falls = falls && !(p[i] < p[i + 1]);
+        }
+        return Scalar(rises ? 1 : falls ? -1 : 0);
+    }
+
+    [[nodiscard]] Scalar largest_band() const {
+        Scalar weight = problem_.weight[0];
+        for (int i = 1; i <= Degree; ++i)
+            weight = std::max<Scalar>(weight, problem_.weight[i]);
+        return weight * problem_.function.error;
+    }
 
     static Interval part_of(const Interval& part, const Clip& clip) {
         const Scalar slack = Scalar(2 * unit_roundoff<Scalar>) * part.upper;
@@ -202,7 +233,9 @@ private:
         const Scalar rim = std::max<Scalar>(part.width(), Scalar(8 * unit_roundoff<Scalar>) * part.upper);
         const Interval wider{std::max<Scalar>(Scalar(0), part.lower - rim),
                              std::min<Scalar>(Scalar(1), part.upper + rim)};
-        if (is_certain(wider)) // what lies before `part` was excluded: the root is in it or in the rim above
+        View there(problem_, wider, restrictions_);
+        const Decision decision = decide(there, there(problem_.function.polynomial));
+        if (decision == Decision::feasible) // and none is before `part`: the root is in it or in the rim above
             return FeasibleInterval{rounded_down(part.lower), rounded_up(wider.upper), true};
         if (undecidable) // F is as good as zero from the lower end on
             return uncertain({part.lower, std::min<Scalar>(part.upper, part.lower + Scalar(tolerance_.width))});
@@ -294,23 +327,31 @@ private:
         return true;
     }
 
-    /// F changes sign and all constraints hold for certain.
-    [[nodiscard]] bool is_certain(const Interval& wider) {
-        View there(problem_, wider, restrictions_);
-        const Polynomial function = there(problem_.function.polynomial);
-        const Polynomial band = there.error_of(problem_.function);
-        const bool falls = function[0] > band[0] && Scalar(Scalar(0) - function[Degree]) > band[Degree];
-        const bool rises = Scalar(Scalar(0) - function[0]) > band[0] && function[Degree] > band[Degree];
-        if (!falls && !rises)
-            return false;
-        return std::all_of(problem_.constraints.begin(), problem_.constraints.end(), [&](const auto& constraint) {
-            const auto holds = [&](const Polynomial& first, const Polynomial* second) {
-                return is_positive(first, there.error_of(constraint.first)) ||
-                       (second && is_positive(*second, there.error_of(constraint.second)));
+    [[nodiscard]] Decision decide(View& there, const Polynomial& function) {
+        if (!changes_sign(function, there.error_of(problem_.function)))
+            return Decision::open;
+        Decision decision = Decision::feasible;
+        for (const auto& constraint : problem_.constraints) {
+            const Polynomial first_error = there.error_of(constraint.first);
+            const Polynomial second_error = there.error_of(constraint.second);
+            const auto may_hold = [&](const Polynomial& first, const Polynomial* second) {
+                if (is_positive(first, first_error) || (second && is_positive(*second, second_error)))
+                    return true;
+                decision = Decision::open;
+                return !is_negative(first, first_error) || (second && !is_negative(*second, second_error));
             };
-            return all_demands(constraint, there.weight(), there(constraint.first.polynomial),
-                               there.second_of(constraint), holds);
-        });
+            if (!all_demands(constraint, there.weight(), there(constraint.first.polynomial),
+                             there.second_of(constraint), may_hold))
+                return Decision::infeasible;
+        }
+        return decision;
+    }
+
+    static bool changes_sign(const Polynomial& function, const Polynomial& band) {
+        const Scalar zero(0);
+        const bool falls = function[0] > band[0] && Scalar(zero - function[Degree]) > band[Degree];
+        const bool rises = Scalar(zero - function[0]) > band[0] && function[Degree] > band[Degree];
+        return falls || rises;
     }
 
     const Problem& problem_;

@@ -56,32 +56,72 @@ struct Lanes {
 };
 
 #if defined(__GNUC__)
+namespace detail {
+
+/// As many doubles as a register of the target holds. Twice as many would be lowered to memory and back.
+#if defined(__AVX__)
+inline constexpr std::size_t register_doubles = 4;
+#else
+inline constexpr std::size_t register_doubles = 2;
+#endif
+typedef double Register __attribute__((vector_size(8 * register_doubles)));
+inline constexpr std::size_t registers = 4 / register_doubles;
+
+/// Applies an operation to each register of two arrays.
+template <class Word, class Operation>
+std::array<Word, registers> zip(const std::array<Word, registers>& a, const std::array<Word, registers>& b,
+                                Operation operation) {
+    if constexpr (registers == 1)
+        return {operation(a[0], b[0])};
+    else
+        return {operation(a[0], b[0]), operation(a[1], b[1])};
+}
+
+/// Whether a > b in every lane.
+inline bool all_above(const std::array<Register, registers>& a, const std::array<Register, registers>& b) {
+#if defined(__AVX__)
+    return _mm256_movemask_pd(_mm256_cmp_pd(__m256d(a[0]), __m256d(b[0]), _CMP_GT_OQ)) == 0xf;
+#elif defined(__SSE2__)
+    const __m128d low = _mm_cmpgt_pd(__m128d(a[0]), __m128d(b[0]));
+    const __m128d high = _mm_cmpgt_pd(__m128d(a[1]), __m128d(b[1]));
+    return _mm_movemask_pd(_mm_and_pd(low, high)) == 0x3;
+#else
+    return a[0][0] > b[0][0] && a[0][1] > b[0][1] && a[1][0] > b[1][0] && a[1][1] > b[1][1];
+#endif
+}
+
+} // namespace detail
+
 /// The fast case: compiler vectors, which GCC and Clang lower to whatever the target has.
 template <>
 struct Lanes<4, double> {
-    typedef double Native __attribute__((vector_size(32)));
-    Native values{};
+    using Words = std::array<detail::Register, detail::registers>;
+    Words words{};
 
-    static Lanes all(double value) { return {Native{value, value, value, value}}; }
-    double operator[](std::size_t i) const { return values[i]; }
-    void set(std::size_t i, double value) { values[i] = value; }
-
-    friend Lanes operator+(const Lanes& a, const Lanes& b) { return {a.values + b.values}; }
-    friend Lanes operator-(const Lanes& a, const Lanes& b) { return {a.values - b.values}; }
-    friend Lanes operator*(const Lanes& a, const Lanes& b) { return {a.values * b.values}; }
-    friend Lanes maximum(const Lanes& a, const Lanes& b) { return {a.values < b.values ? b.values : a.values}; }
-    friend Lanes magnitude(const Lanes& a) { return {a.values < 0.0 ? -a.values : a.values}; }
-    friend bool all_above(const Lanes& a, const Lanes& b) {
-#if defined(__AVX__)
-        return _mm256_movemask_pd(_mm256_cmp_pd(__m256d(a.values), __m256d(b.values), _CMP_GT_OQ)) == 0xf;
-#elif defined(__SSE2__)
-        const __m128d low = _mm_cmpgt_pd(__m128d{a.values[0], a.values[1]}, __m128d{b.values[0], b.values[1]});
-        const __m128d high = _mm_cmpgt_pd(__m128d{a.values[2], a.values[3]}, __m128d{b.values[2], b.values[3]});
-        return _mm_movemask_pd(_mm_and_pd(low, high)) == 0x3;
-#else
-        return a[0] > b[0] && a[1] > b[1] && a[2] > b[2] && a[3] > b[3];
-#endif
+    static Lanes all(double value) {
+        Lanes lanes;
+        lanes.words.fill(value - detail::Register{});
+        return lanes;
     }
+    double operator[](std::size_t i) const { return words[i / detail::register_doubles][i % detail::register_doubles]; }
+    void set(std::size_t i, double value) { words[i / detail::register_doubles][i % detail::register_doubles] = value; }
+
+    friend Lanes operator+(const Lanes& a, const Lanes& b) {
+        return {detail::zip(a.words, b.words, [](auto x, auto y) { return x + y; })};
+    }
+    friend Lanes operator-(const Lanes& a, const Lanes& b) {
+        return {detail::zip(a.words, b.words, [](auto x, auto y) { return x - y; })};
+    }
+    friend Lanes operator*(const Lanes& a, const Lanes& b) {
+        return {detail::zip(a.words, b.words, [](auto x, auto y) { return x * y; })};
+    }
+    friend Lanes maximum(const Lanes& a, const Lanes& b) {
+        return {detail::zip(a.words, b.words, [](auto x, auto y) { return x < y ? y : x; })};
+    }
+    friend Lanes magnitude(const Lanes& a) {
+        return {detail::zip(a.words, a.words, [](auto x, auto) { return x < 0.0 ? -x : x; })};
+    }
+    friend bool all_above(const Lanes& a, const Lanes& b) { return detail::all_above(a.words, b.words); }
 };
 #endif
 

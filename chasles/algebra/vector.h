@@ -1,6 +1,9 @@
 // Vectors and matrices of three over any ring: doubles, double-doubles, rationals, lanes, polynomials.
 #pragma once
 
+#include <cmath>
+#include <type_traits>
+
 namespace chasles::algebra {
 
 /// Three components in a Cartesian frame.
@@ -25,7 +28,7 @@ auto scale(const Vector3<T>& a, const S& s) {
 }
 
 template <class A, class B>
-auto dot(const Vector3<A>& a, const Vector3<B>& b) {
+[[gnu::always_inline]] inline auto dot(const Vector3<A>& a, const Vector3<B>& b) {
     using Product = decltype(a.x * b.x);
     return Product(a.x * b.x + a.y * b.y + a.z * b.z);
 }
@@ -39,7 +42,12 @@ auto cross(const Vector3<A>& a, const Vector3<B>& b) {
 /// Sum of the magnitudes of the components.
 template <class T>
 T norm1(const Vector3<T>& a) {
-    const auto magnitude_of = [](const T& value) { return value < T(0) ? T(-value) : value; };
+    const auto magnitude_of = [](const T& value) {
+        if constexpr (std::is_same_v<T, double>)
+            return std::abs(value);
+        else
+            return value < T(0) ? T(-value) : value;
+    };
     return magnitude_of(a.x) + magnitude_of(a.y) + magnitude_of(a.z);
 }
 

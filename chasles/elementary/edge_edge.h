@@ -14,6 +14,7 @@ struct EdgePath {
     Vector3<S> from;               ///< a in the body's frame
     Vector3<S> to;                 ///< b
     Vector3<S> along;              ///< u
+    S size;                        ///< |u|_1
     Vector3<Polynomial> direction; ///< U, of the turned u
     Vector3<Polynomial> moment;    ///< M, of the moved line
 };
@@ -22,15 +23,24 @@ struct EdgePath {
 template <class S>
 EdgePath<S> edge_path(const motion::ControlMaps<S>& maps, const Vector3<S>& from, const Vector3<S>& to) {
     const Vector3<S> u = to - from;
-    return {from, to, u, maps.turn * u, maps.turn * cross(from, u) + maps.moment * u};
+    return {from, to, u, norm1(u), maps.turn * u, maps.turn * cross(from, u) + maps.moment * u};
 }
 
-/// A fixed edge.
+/// A fixed edge and its line.
 template <class S>
 struct FixedEdge {
     Vector3<S> from;      ///< c
     Vector3<S> direction; ///< v
+    Vector3<S> moment;    ///< c x v
+    S size;               ///< |v|_1
 };
+
+/// The fixed edge between two points.
+template <class S>
+FixedEdge<S> fixed_edge(const Vector3<S>& from, const Vector3<S>& to) {
+    const Vector3<S> v = to - from;
+    return {from, v, cross(from, v), norm1(v)};
+}
 
 namespace detail {
 
@@ -42,118 +52,91 @@ public:
     using Vector = Vector3<Polynomial>;
 
     EdgePair(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
-             const Accuracy& accuracy)
-        : maps_(maps), moving_(moving), fixed_(fixed), from_(maps, moving.from), to_(maps, moving.to),
-          unit_(relative_error<S>(accuracy.scale) * accuracy.scale.length),
-          stretch_unit_(relative_error<S>(accuracy.scale) * accuracy.scale.stretch), u_(norm1(moving.along)),
-          v_(norm1(fixed.direction)) {}
+             const ErrorScale& scale)
+        : maps_(maps), moving_(moving), fixed_(fixed), unit_(relative_error<S>(scale) * scale.length),
+          stretch_unit_(relative_error<S>(scale) * scale.stretch) {}
 
     /// W times the reciprocal product of the two lines: v . M + (c x v) . U.
     [[nodiscard]] Bounded<3, S> volume() const {
-        return {dot(moving_.moment, fixed_.direction) + dot(moving_.direction, cross(fixed_.from, fixed_.direction)),
-                with_underflow<S>(unit_ * u_ * v_)};
+        return {dot(moving_.moment, fixed_.direction) + dot(moving_.direction, fixed_.moment),
+                with_underflow<S>(unit_ * size())};
     }
 
     /// U x v, whose direction tells how the edges cross, with one error for all components.
     [[nodiscard]] Vector crossing() const { return cross(moving_.direction, fixed_.direction); }
-    [[nodiscard]] S size() const { return u_ * v_; }
-    [[nodiscard]] S crossing_error() const { return with_underflow<S>(stretch_unit_ * u_ * v_); }
+    [[nodiscard]] S size() const { return moving_.size * fixed_.size; }
+    [[nodiscard]] S crossing_error() const { return with_underflow<S>(stretch_unit_ * size()); }
 
     /// The meeting point is between a and b iff 0 lies between the i-th components of (W c - A) x v and
-    /// (W c - B) x v, and between c and d iff it does for c x U - M and d x U - M; when U x v has component i > 0
-    /// all along, the first of each is >= 0 and the second <= 0.
-    void add_inside(int i, int sign, std::vector<Constraint<3, S>>& constraints) {
-        const Vector3<S> d = fixed_.from + fixed_.direction;
-        const S end_error = with_underflow<S>(unit_ * v_);
-        const S line_error = with_underflow<S>(unit_ * u_);
-        add_opposed({end_arm(from_, i), end_error}, {end_arm(to_, i), end_error}, sign, constraints);
-        add_opposed({line_arm(fixed_.from, i), line_error}, {line_arm(d, i), line_error}, sign, constraints);
+    /// (W c - B) x v, and between c and d iff it does for c x U - M and d x U - M. Both pairs differ by U x v: where
+    /// that is > 0 all along, the first of each is >= 0 and the second <= 0.
+    void add_inside(int i, const Polynomial& crossing, int sign, Constraints<S>& constraints) const {
+        add_opposed({end_arm(i), with_underflow<S>(unit_ * fixed_.size)}, crossing, sign, constraints);
+        add_opposed({line_arm(i), with_underflow<S>(unit_ * moving_.size)}, crossing, sign, constraints);
     }
 
     /// The two edges overlap when both are projected on v, and when both are projected on u.
-    void add_overlaps(std::vector<Constraint<3, S>>& constraints) {
-        const Vector3<S>& v = fixed_.direction;
-        const Vector3<S>& u = moving_.along;
-        const S v_error = with_underflow<S>(unit_ * v_);
-        constraints.push_back({{height<S>({from_.all(), maps_.weight}, v, fixed_.from), v_error},
-                               {height<S>({to_.all(), maps_.weight}, v, fixed_.from), v_error},
-                               true,
-                               S(dot(v, v))});
+    void add_overlaps(Constraints<S>& constraints) const {
+        const Vector a = maps_.turn * moving_.from + maps_.shift;
+        const Vector b = maps_.turn * moving_.to + maps_.shift;
+        add_overlap(a, b, fixed_.from, fixed_.direction, fixed_.size, constraints);
         const Vector c = in_body(fixed_.from);
-        const Vector d = in_body(fixed_.from + v);
-        const S u_error = with_underflow<S>(unit_ * u_);
-        constraints.push_back({{height<S>({c, maps_.weight}, u, moving_.from), u_error},
-                               {height<S>({d, maps_.weight}, u, moving_.from), u_error},
-                               true,
-                               S(dot(u, u))});
+        const Vector d = in_body(fixed_.from + fixed_.direction);
+        add_overlap(c, d, moving_.from, moving_.along, moving_.size, constraints);
     }
 
 private:
-    /// W times the position of a body point. Most pairs ask for two components, nearly parallel ones for each twice.
-    class MovedPoint {
-    public:
-        MovedPoint(const motion::ControlMaps<S>& maps, const Vector3<S>& point) : maps_(maps), point_(point) {}
-
-        const Polynomial& operator[](int i) {
-            if (!is_made_[i])
-                position_[i] = dot(maps_.turn.row[i], point_) + maps_.shift[i];
-            is_made_[i] = true;
-            return position_[i];
-        }
-        const Vector& all() {
-            for (int i = 0; i < 3; ++i)
-                (void)(*this)[i];
-            return position_;
-        }
-
-    private:
-        const motion::ControlMaps<S>& maps_;
-        const Vector3<S>& point_;
-        Vector position_;
-        std::array<bool, 3> is_made_{};
-    };
-
-    /// Component i of (W c - position) x v for an end of the moving edge.
-    [[nodiscard]] Polynomial end_arm(MovedPoint& end, int i) const {
+    /// Component i of (W c - A) x v.
+    [[nodiscard]] Polynomial end_arm(int i) const {
+        const auto a = [&](int component) {
+            return dot(maps_.turn.row[component], moving_.from) + maps_.shift[component];
+        };
         const int j = (i + 1) % 3;
         const int k = (i + 2) % 3;
-        return (maps_.weight * fixed_.from[j] - end[j]) * fixed_.direction[k] -
-               (maps_.weight * fixed_.from[k] - end[k]) * fixed_.direction[j];
+        return maps_.weight * fixed_.moment[i] - (a(j) * fixed_.direction[k] - a(k) * fixed_.direction[j]);
     }
 
-    /// Component i of point x U - M.
-    [[nodiscard]] Polynomial line_arm(const Vector3<S>& point, int i) const {
+    /// Component i of c x U - M.
+    [[nodiscard]] Polynomial line_arm(int i) const {
         const int j = (i + 1) % 3;
         const int k = (i + 2) % 3;
-        return moving_.direction[k] * point[j] - moving_.direction[j] * point[k] - moving_.moment[i];
+        return moving_.direction[k] * fixed_.from[j] - moving_.direction[j] * fixed_.from[k] - moving_.moment[i];
+    }
+
+    /// Of the edge from p to q with one that starts in `from`.
+    void add_overlap(const Vector& p, const Vector& q, const Vector3<S>& from, const Vector3<S>& along, const S& size,
+                     Constraints<S>& constraints) const {
+        const S offset = dot(along, from);
+        const S error = with_underflow<S>(unit_ * size);
+        constraints.add({height<S>({p, maps_.weight}, along, offset), error},
+                        {height<S>({q, maps_.weight}, along, offset), error}, dot(along, along));
     }
 
     [[nodiscard]] Vector in_body(const Vector3<S>& point) const {
         return maps_.turn.transposed() * point - maps_.inverse_shift;
     }
 
-    static Bounded<3, S> negated(const Bounded<3, S>& p) { return {Polynomial() - p.polynomial, p.error}; }
-
-    /// sign > 0: first >= 0 >= second. sign < 0: the reverse. 0: either, so that 0 is between them.
-    static void add_opposed(const Bounded<3, S>& first, const Bounded<3, S>& second, int sign,
-                            std::vector<Constraint<3, S>>& constraints) {
+    /// The second is the first without `crossing`. sign > 0: first >= 0 >= second. sign < 0: the reverse. 0: either,
+    /// so that 0 is between them.
+    static void add_opposed(const Bounded<3, S>& first, const Polynomial& crossing, int sign,
+                            Constraints<S>& constraints) {
+        const Polynomial& p = first.polynomial;
         if (sign == 0) {
-            constraints.push_back({first, second, true, S(0)});
-            return;
+            constraints.add(first, {p - crossing, first.error}, S(0));
+        } else if (sign > 0) {
+            constraints.add() = first;
+            constraints.add() = {crossing - p, first.error};
+        } else {
+            constraints.add() = {Polynomial() - p, first.error};
+            constraints.add() = {p - crossing, first.error};
         }
-        constraints.push_back({sign > 0 ? first : negated(first), {}, false});
-        constraints.push_back({sign > 0 ? negated(second) : second, {}, false});
     }
 
     const motion::ControlMaps<S>& maps_;
     const EdgePath<S>& moving_;
     const FixedEdge<S>& fixed_;
-    MovedPoint from_;
-    MovedPoint to_;
     S unit_;
     S stretch_unit_;
-    S u_;
-    S v_;
 };
 
 /// Edges at a smaller angle count as parallel. Both ways are right for any angle, but the distance of two lines is
@@ -168,20 +151,19 @@ struct CrossingAxis {
 };
 
 template <class S>
-CrossingAxis crossing_axis(const Vector3<Bernstein<3, S>>& crossing, const Bernstein<3, S>& weight, const S& error,
-                           const S& least) {
+CrossingAxis crossing_axis(const Vector3<Bernstein<3, S>>& crossing, const Bernstein<3, S>& band, const S& least) {
+    const auto distance_from_zero = [](const S& value) { return value < S(0) ? S(S(0) - value) : value; };
     CrossingAxis best;
     S widest = least;
     for (int i = 0; i < 3; ++i) {
-        for (const int sign : {1, -1}) {
-            const Bernstein<3, S> side = crossing[i] * S(sign);
-            if (!is_positive(side, weight * error))
-                continue;
-            const S distance = side[0] < side[3] ? side[0] : side[3];
-            if (widest < distance) {
-                widest = distance;
-                best = {i, sign};
-            }
+        const Bernstein<3, S>& side = crossing[i];
+        const S distance = std::min<S>(distance_from_zero(side[0]), distance_from_zero(side[3]));
+        if (!(widest < distance))
+            continue;
+        const int sign = side[0] > S(0) ? 1 : -1;
+        if (sign > 0 ? is_positive(side, band) : is_negative(side, band)) {
+            widest = distance;
+            best = {i, sign};
         }
     }
     return best;
@@ -199,6 +181,29 @@ bool fails(const Constraint<3, S>& constraint, const Bernstein<3, S>& weight) {
                                  may_hold);
 }
 
+/// For edges on lines that may meet.
+template <class S>
+std::optional<FeasibleInterval> first_meeting(const EdgePair<S>& pair, const Bounded<3, S>& volume,
+                                              const Bernstein<3, S>& weight, const algebra::Tolerance& tolerance,
+                                              Workspace<S>& workspace) {
+    const Vector3<Bernstein<3, S>> crossing = pair.crossing();
+    const CrossingAxis axis =
+        crossing_axis(crossing, weight * pair.crossing_error(), S(S(parallel_angle) * pair.size()));
+    auto& constraints = workspace.constraints;
+    constraints.clear();
+    pair.add_inside(axis.component, crossing[axis.component], axis.sign, constraints);
+    if (axis.sign == 0) {
+        pair.add_inside(1, crossing[1], 0, constraints);
+        pair.add_inside(2, crossing[2], 0, constraints);
+        pair.add_overlaps(constraints);
+    }
+    for (const auto& constraint : constraints.all())
+        if (fails(constraint, weight))
+            return std::nullopt;
+    ++workspace.root_brackets;
+    return algebra::first_feasible<3, S>({weight, volume, constraints.all()}, tolerance);
+}
+
 } // namespace detail
 
 /// The first tau in [0, 1] at which the closed edges may meet; empty if they are proven never to. Edges that are, or
@@ -209,26 +214,11 @@ std::optional<FeasibleInterval> edge_edge(const motion::ControlMaps<S>& maps, co
                                           const FixedEdge<S>& fixed, const Accuracy& accuracy,
                                           Workspace<S>& workspace) {
     ++workspace.elementary_tests;
-    detail::EdgePair<S> pair(maps, moving, fixed, accuracy);
+    const detail::EdgePair<S> pair(maps, moving, fixed, accuracy.scale);
     const Bounded<3, S> volume = pair.volume();
-    const Bernstein<3, S> band = maps.weight * volume.error;
-    if (is_positive(volume.polynomial, band) || is_negative(volume.polynomial, band))
+    if (keeps_one_sign(volume.polynomial, maps.weight * volume.error))
         return std::nullopt;
-    const detail::CrossingAxis axis = detail::crossing_axis(pair.crossing(), maps.weight, pair.crossing_error(),
-                                                            S(S(detail::parallel_angle) * pair.size()));
-    auto& constraints = workspace.constraints;
-    constraints.clear();
-    pair.add_inside(axis.component, axis.sign, constraints);
-    if (axis.sign == 0) {
-        pair.add_inside(1, 0, constraints);
-        pair.add_inside(2, 0, constraints);
-        pair.add_overlaps(constraints);
-    }
-    for (const auto& constraint : constraints)
-        if (detail::fails(constraint, maps.weight))
-            return std::nullopt;
-    ++workspace.root_brackets;
-    return algebra::first_feasible<3, S>({maps.weight, volume, constraints}, accuracy.tolerance);
+    return detail::first_meeting(pair, volume, maps.weight, accuracy.tolerance, workspace);
 }
 
 } // namespace chasles::elementary

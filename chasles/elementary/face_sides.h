@@ -38,7 +38,7 @@ template <class S>
 SeenPlane<S> seen_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<3, S>& shift,
                         const Bernstein<3, S>& weight, const FaceShape<S>& face, const ErrorScale& scale) {
     const S error = S(relative_error<S>(scale) * scale.length) * face.size + face.deviation;
-    return {normal, shift - weight * dot(face.normal, face.corners[0]), weight * with_underflow<S>(error)};
+    return {normal, shift - weight * face.offset, weight * with_underflow<S>(error)};
 }
 
 } // namespace detail

@@ -28,29 +28,55 @@ struct Accuracy {
     algebra::Tolerance tolerance; ///< of the interval that the paths run over
 };
 
+/// The constraints of one problem. Keeps its room: in the scalar of the filter, writing zeros first would take as long
+/// as the numbers.
+template <class S>
+class Constraints {
+public:
+    void clear() { count_ = 0; }
+    /// Demands that what is written to the result is >= 0.
+    Bounded<3, S>& add() {
+        Constraint<3, S>& constraint = next();
+        constraint.has_alternative = false;
+        constraint.span.reset();
+        return constraint.first;
+    }
+    /// Demands that the values over W from p to q meet [0, span].
+    void add(const Bounded<3, S>& p, const Bounded<3, S>& q, const S& span) { next() = {p, q, true, span}; }
+
+    [[nodiscard]] std::span<const Constraint<3, S>> all() const { return {constraints_.data(), count_}; }
+
+private:
+    Constraint<3, S>& next() {
+        if (count_ == constraints_.size())
+            constraints_.emplace_back();
+        return constraints_[count_++];
+    }
+
+    std::vector<Constraint<3, S>> constraints_;
+    std::size_t count_ = 0;
+};
+
 /// Room for constraints and counts of what was done; owned by the caller, so that detections do not allocate.
 template <class S>
 struct Workspace {
-    std::vector<Constraint<3, S>> constraints;
+    Constraints<S> constraints;
     std::uint64_t elementary_tests = 0;
     std::uint64_t root_brackets = 0;
 };
 
 namespace detail {
 
-/// direction . (position - W anchor), which is W times the height of the vertex over a plane.
+/// W times direction . position - offset, the height of the vertex over a plane.
 template <class S>
-Bernstein<3, S> height(const VertexPath<S>& path, const Vector3<S>& direction, const Vector3<S>& anchor) {
-    const Vector3<Bernstein<3, S>> arm{path.position.x - path.weight * anchor.x,
-                                       path.position.y - path.weight * anchor.y,
-                                       path.position.z - path.weight * anchor.z};
-    return dot(arm, direction);
+Bernstein<3, S> height(const VertexPath<S>& path, const Vector3<S>& direction, const S& offset) {
+    return dot(path.position, direction) - path.weight * offset;
 }
 
 /// W times the height of the vertex over the face's plane.
 template <class S>
 Bounded<3, S> plane(const VertexPath<S>& path, const FaceShape<S>& face, const S& unit) {
-    return {height(path, face.normal, face.corners[0]), with_underflow<S>(unit * face.size + face.deviation)};
+    return {height(path, face.normal, face.offset), with_underflow<S>(unit * face.size + face.deviation)};
 }
 
 /// Positive on the inner side of one edge of the face.
@@ -58,40 +84,35 @@ template <class S>
 Bounded<3, S> inside(const VertexPath<S>& path, const FaceShape<S>& face, const Vector3<S>& from, const Vector3<S>& to,
                      const S& unit) {
     const Vector3<S> edge = to - from;
-    return {height(path, cross(face.normal, edge), from), with_underflow<S>(unit * face.size * norm1(edge))};
+    const Vector3<S> inwards = cross(face.normal, edge);
+    return {height<S>(path, inwards, dot(inwards, from)), with_underflow<S>(unit * face.size * norm1(edge))};
 }
 
 /// The vertex is within the three or more edges of a convex part of the face; false if proven outside all along.
 template <class S, class CornerAt>
 bool add_inside_constraints(const VertexPath<S>& path, const FaceShape<S>& face, std::size_t count, CornerAt corner_at,
-                            const S& unit, std::vector<Constraint<3, S>>& constraints) {
+                            const S& unit, Constraints<S>& constraints) {
     constraints.clear();
     for (std::size_t i = 0; i < count; ++i) {
-        const Bounded<3, S> side = inside(path, face, corner_at(i), corner_at(i + 1 == count ? 0 : i + 1), unit);
+        Bounded<3, S>& side = constraints.add();
+        side = inside(path, face, corner_at(i), corner_at(i + 1 == count ? 0 : i + 1), unit);
         if (is_negative(side.polynomial, path.weight * side.error))
             return false;
-        constraints.push_back({side, {}, false});
     }
     return true;
 }
 
-} // namespace detail
-
-/// The first tau in [0, 1] at which the vertex may be on the closed face; empty if it is proven never to be.
+/// For a vertex that may come to the face's plane.
 template <class S>
-std::optional<FeasibleInterval> vertex_face(const VertexPath<S>& path, const FaceShape<S>& face,
-                                            const Accuracy& accuracy, Workspace<S>& workspace) {
-    ++workspace.elementary_tests;
+std::optional<FeasibleInterval> first_meeting(const VertexPath<S>& path, const FaceShape<S>& face,
+                                              const Bounded<3, S>& plane, const Accuracy& accuracy,
+                                              Workspace<S>& workspace) {
     const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
-    const Bounded<3, S> plane = detail::plane(path, face, unit);
-    const Bernstein<3, S> band = path.weight * plane.error;
-    if (is_positive(plane.polynomial, band) || is_negative(plane.polynomial, band))
-        return std::nullopt;
     const auto solve = [&](std::size_t count, auto corner_at) -> std::optional<FeasibleInterval> {
-        if (!detail::add_inside_constraints(path, face, count, corner_at, unit, workspace.constraints))
+        if (!add_inside_constraints(path, face, count, corner_at, unit, workspace.constraints))
             return std::nullopt;
         ++workspace.root_brackets;
-        return algebra::first_feasible<3, S>({path.weight, plane, workspace.constraints}, accuracy.tolerance);
+        return algebra::first_feasible<3, S>({path.weight, plane, workspace.constraints.all()}, accuracy.tolerance);
     };
     if (face.triangles.empty())
         return solve(face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; });
@@ -103,6 +124,20 @@ std::optional<FeasibleInterval> vertex_face(const VertexPath<S>& path, const Fac
             first = found;
     }
     return first;
+}
+
+} // namespace detail
+
+/// The first tau in [0, 1] at which the vertex may be on the closed face; empty if it is proven never to be.
+template <class S>
+std::optional<FeasibleInterval> vertex_face(const VertexPath<S>& path, const FaceShape<S>& face,
+                                            const Accuracy& accuracy, Workspace<S>& workspace) {
+    ++workspace.elementary_tests;
+    const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
+    const Bounded<3, S> plane = detail::plane(path, face, unit);
+    if (keeps_one_sign(plane.polynomial, path.weight * plane.error))
+        return std::nullopt;
+    return detail::first_meeting(path, face, plane, accuracy, workspace);
 }
 
 } // namespace chasles::elementary

@@ -10,11 +10,15 @@ namespace chasles::query {
 using algebra::FeasibleInterval;
 using algebra::Vector3;
 
-/// A face with its corners held.
+/// A face with its corners held, until another one is asked for.
 template <class S>
 class HeldFace {
 public:
     const elementary::FaceShape<S>& hold(const Polyhedron& body, std::uint32_t face) {
+        if (body_ == &body && face_ == face)
+            return shape_;
+        body_ = &body;
+        face_ = face;
         corners_.clear();
         for (const std::uint32_t vertex : body.face(face))
             corners_.push_back(point(body, vertex));
@@ -28,6 +32,8 @@ public:
     }
 
 private:
+    const Polyhedron* body_ = nullptr;
+    std::uint32_t face_ = 0;
     std::vector<Vector3<S>> corners_;
     elementary::FaceShape<S> shape_;
 };
@@ -64,8 +70,8 @@ public:
     }
 
     std::optional<FeasibleInterval> edge_edge(const elementary::EdgePath<S>& moving_edge, const Edge& fixed_edge) {
-        const Vector3<S> from = HeldFace<S>::point(fixed_, fixed_edge.from);
-        const elementary::FixedEdge<S> fixed{from, HeldFace<S>::point(fixed_, fixed_edge.to) - from};
+        const auto fixed = elementary::fixed_edge(HeldFace<S>::point(fixed_, fixed_edge.from),
+                                                  HeldFace<S>::point(fixed_, fixed_edge.to));
         return elementary::edge_edge<S>(*maps_, moving_edge, fixed, accuracy_, workspace_);
     }
 

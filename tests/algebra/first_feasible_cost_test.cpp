@@ -92,6 +92,13 @@ TEST(FirstFeasibleCost, SimpleRootsTakeAFewSteps) {
     EXPECT_LT(cost(cubic(-0.27, 0.06, 0.046667, 0.006667), {}), 30 * one_step(0));
 }
 
+TEST(FirstFeasibleCost, APlainCrossingIsDecidedByTheGuess) {
+    const Constraint<3, Counted> holds{bounded(cubic(1, 2, 1, 2)), {}, false};
+    const Constraint<3, Counted> fails{bounded(cubic(-1, 1, 2, 2)), {}, false};
+    EXPECT_LT(cost(cubic(-1, 0, 1, 2), {holds, holds, holds}), 2 * one_step(3));
+    EXPECT_LT(cost(cubic(-3, -1, 0, 1), {fails, holds, holds}), 2 * one_step(3));
+}
+
 TEST(FirstFeasibleCost, TypicalProblemsTakeAFewSteps) {
     Random random(511);
     std::vector<std::int64_t> costs;

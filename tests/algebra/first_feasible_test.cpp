@@ -3,6 +3,7 @@
 
 #include "chasles/algebra/double_double.h"
 #include "tests/support/exact_feasible.h"
+#include "tests/support/random.h"
 
 #include <gtest/gtest.h>
 
@@ -218,6 +219,56 @@ TEST(FirstFeasible, BandOfTheConstraintIsGivenTheBenefitOfTheDoubt) {
     EXPECT_FALSE(found->certain);
     near.constraints[0].first.error = 5e-10;
     EXPECT_FALSE(near.solve());
+}
+
+TEST(FirstFeasibleGuess, BracketIsAsNarrowAsTheBand) {
+    auto line = in_scalar<double>(problem<3>(before(ratio(1, 3))));
+    line.function.error = 1e-9;
+    const auto found = line.solve();
+    ASSERT_TRUE(found && found->certain);
+    EXPECT_LE(found->lower, 1.0 / 3 - 1e-9);
+    EXPECT_GE(found->upper, 1.0 / 3 + 1e-9);
+    EXPECT_LE(found->upper - found->lower, 2.6e-9);
+}
+
+TEST(FirstFeasibleGuess, AnEarlierRootIsNotJumpedOver) {
+    test::Random random(571);
+    int jumps = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        std::vector<double> roots{random.uniform(0.05, 0.95), random.uniform(0.05, 0.95), random.uniform(0.05, 0.95)};
+        std::sort(roots.begin(), roots.end());
+        if (roots[1] - roots[0] < 1e-3)
+            continue;
+        const auto three = in_scalar<double>(
+            problem<3>(from_roots({Rational(roots[0]), Rational(roots[1]), Rational(roots[2])}, random.scaled(-2, 2))));
+        const Focus focus{0, random.uniform(0.1, 0.99)}; // the guess begins in its middle
+        const auto guess = crossing_near(three.function.polynomial, 0.5 * focus.upper);
+        jumps += guess && guess->tau > roots[0] + 1e-3 ? 1 : 0;
+        const auto found = three.solve({1e-12, 1e-12, 10'000, focus});
+        ASSERT_TRUE(found);
+        EXPECT_NEAR(found->lower, roots[0], 1e-9);
+        EXPECT_LE(found->lower, roots[0] + 1e-12);
+    }
+    EXPECT_GT(jumps, 200);
+}
+
+TEST(FirstFeasibleGuess, AForbiddenRootIsPassedOver) {
+    const auto late = at_least_zero<3>(after(ratio(1, 2)));
+    expect_none(problem<3>({ratio(-1, 4), 1}, {late}));
+    expect_first(problem<3>(from_roots({ratio(1, 4), ratio(3, 4), 2}, 1), {late}), ratio(3, 4));
+    expect_none(
+        problem<3>(from_roots({ratio(1, 4), ratio(3, 4), 2}, 1), {late, at_least_zero<3>(before(ratio(2, 3)))}));
+}
+
+TEST(FirstFeasibleGuess, MonotoneFunctionsOfLargeWeightAreNotTakenForFree) {
+    // Within the band near 0, where the weight is large: the exact F may vanish before it crosses zero at 3/4.
+    auto rising = in_scalar<double>(problem<3>({ratio(-3, 4) * ratio(1, 100), ratio(1, 100)}));
+    for (int i = 0; i <= 3; ++i)
+        rising.weight.set(i, i == 0 ? 100.0 : 1.0);
+    rising.function.error = 1e-4;
+    const auto found = rising.solve();
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->lower, 0);
 }
 
 } // namespace

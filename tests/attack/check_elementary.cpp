@@ -71,8 +71,8 @@ public:
                                               workspace_);
         }
         case QuestionKind::edge_edge:
-            return elementary::edge_edge<S>(maps_, elementary::edge_path(maps_, a[0], a[1]), {b[0], b[1] - b[0]},
-                                            accuracy_, workspace_);
+            return elementary::edge_edge<S>(maps_, elementary::edge_path(maps_, a[0], a[1]),
+                                            elementary::fixed_edge(b[0], b[1]), accuracy_, workspace_);
         }
         return std::nullopt;
     }

@@ -93,20 +93,21 @@ std::vector<Named<S>> edge_polynomials(const motion::ControlMaps<S>& maps, const
                                        const Accuracy& accuracy) {
     const auto p = points_in<S>(ends);
     const EdgePath<S> moving = edge_path(maps, p[0], p[1]);
-    const FixedEdge<S> fixed{p[2], p[3] - p[2]};
-    elementary::detail::EdgePair<S> pair(maps, moving, fixed, accuracy);
+    const FixedEdge<S> fixed = elementary::fixed_edge(p[2], p[3]);
+    const elementary::detail::EdgePair<S> pair(maps, moving, fixed, accuracy.scale);
     std::vector<Named<S>> result{{"volume", pair.volume()}};
-    std::vector<Constraint<3, S>> constraints;
+    elementary::Constraints<S> constraints;
     const auto add_all = [&](const char* name) {
-        for (const auto& constraint : constraints) {
+        for (const auto& constraint : constraints.all()) {
             result.push_back({name, constraint.first});
             result.push_back({name, constraint.second});
         }
         constraints.clear();
     };
     for (int i = 0; i < 3; ++i) {
-        result.push_back({"crossing", {pair.crossing()[i], pair.crossing_error()}});
-        pair.add_inside(i, 0, constraints);
+        const Bernstein<3, S> crossing = pair.crossing()[i];
+        result.push_back({"crossing", {crossing, pair.crossing_error()}});
+        pair.add_inside(i, crossing, 0, constraints);
     }
     add_all("ends");
     pair.add_overlaps(constraints);

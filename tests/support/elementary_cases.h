@@ -113,9 +113,8 @@ struct EdgeEdgeCase {
         Stage<S> stage(screw.motion(), {moving.from, moving.to}, {fixed.from, fixed.to});
         stage.accuracy.tolerance = tolerance;
         const auto path = elementary::edge_path(stage.maps, rounded_to<S>(moving.from), rounded_to<S>(moving.to));
-        const Vector3<S> from = rounded_to<S>(fixed.from);
-        return elementary::edge_edge<S>(stage.maps, path, {from, rounded_to<S>(fixed.to) - from}, stage.accuracy,
-                                        stage.workspace);
+        const auto edge = elementary::fixed_edge(rounded_to<S>(fixed.from), rounded_to<S>(fixed.to));
+        return elementary::edge_edge<S>(stage.maps, path, edge, stage.accuracy, stage.workspace);
     }
 };
 

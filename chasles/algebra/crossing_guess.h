@@ -1,0 +1,88 @@
+// Where a polynomial seems to cross zero first: in double, without any bound. Nothing rests on it.
+// Source: A. Householder, "The Numerical Treatment of a Single Nonlinear Equation", 1970, on steps of higher order;
+// docs/derivations/06-first-feasible.md, section "Guess".
+#pragma once
+
+#include "chasles/algebra/bernstein.h"
+
+#include <cmath>
+#include <optional>
+
+namespace chasles::algebra {
+
+/// A place where p seems to vanish, with its Taylor polynomial there: slope (t - tau) + slope bend (t - tau)^2 + ...
+struct Crossing {
+    double tau;
+    double slope;
+    double bend;
+};
+
+namespace detail {
+
+/// The coefficients of tau^k, k from 0 to Degree.
+template <int Degree>
+std::array<double, Degree + 1> monomial_form(const Bernstein<Degree, double>& p) {
+    std::array<double, Degree + 1> powers;
+    for (int i = 0; i <= Degree; ++i)
+        powers[i] = p[i];
+    for (int order = 1; order <= Degree; ++order)
+        for (int i = Degree; i >= order; --i)
+            powers[i] -= powers[i - 1];
+    for (int i = 0; i <= Degree; ++i)
+        powers[i] *= double(binomial(Degree, i));
+    return powers;
+}
+
+/// The first four coefficients of the same polynomial in tau - at (Horner's scheme).
+template <std::size_t Size>
+std::array<double, 4> taylor_at(std::array<double, Size> powers, double at) {
+    std::array<double, 4> taylor{};
+    for (std::size_t order = 0; order < std::min<std::size_t>(4, Size); ++order) {
+        for (std::size_t i = Size - 1; i > order; --i)
+            powers[i - 1] += powers[i] * at;
+        taylor[order] = powers[order];
+    }
+    return taylor;
+}
+
+/// Where the control polygon crosses zero first.
+template <int Degree>
+std::optional<double> first_change_of_sign(const Bernstein<Degree, double>& p) {
+    for (int i = 0; i < Degree; ++i)
+        if ((p[i] < 0) != (p[i + 1] < 0))
+            return (i + p[i] / (p[i] - p[i + 1])) * (1.0 / Degree);
+    return std::nullopt;
+}
+
+} // namespace detail
+
+/// By steps of fourth order from `start`; none where they do not settle in ]0, 1[.
+template <int Degree>
+std::optional<Crossing> crossing_near(const Bernstein<Degree, double>& p, double start) {
+    constexpr int most_steps = 5;
+    constexpr double last_step = 0x1p-14; // the next one would be below rounding
+    const std::array<double, Degree + 1> powers = detail::monomial_form(p);
+    double tau = start;
+    for (int step = 0; step < most_steps; ++step) {
+        const auto [value, slope, second, third] = detail::taylor_at(powers, tau);
+        const double inverse = 1 / slope;
+        const double newton = value * inverse;
+        const double bend = second * inverse;
+        const double move = newton * (1 + newton * (bend + newton * (2 * bend * bend - third * inverse)));
+        tau -= move;
+        if (!(tau > 0 && tau < 1))
+            return std::nullopt;
+        if (std::abs(move) < last_step)
+            return Crossing{tau, slope, bend};
+    }
+    return std::nullopt;
+}
+
+/// The same from where the control polygon crosses zero first, if it does.
+template <int Degree>
+std::optional<Crossing> first_crossing(const Bernstein<Degree, double>& p) {
+    const auto start = detail::first_change_of_sign(p);
+    return start ? crossing_near(p, *start) : std::nullopt;
+}
+
+} // namespace chasles::algebra
