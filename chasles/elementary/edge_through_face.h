@@ -61,6 +61,36 @@ std::optional<bool> passes(const Way<S>& way, std::size_t count, CornerAt corner
     return certain;
 }
 
+/// Whether the segment and the hull of the face's corners are proven apart along a direction, however long.
+template <class S>
+bool are_apart_along(const Vector3<S>& direction, const Segment<S>& segment, const FaceShape<S>& face, const S& unit) {
+    const Vector3<S> anchor = scale(face.corners[0], segment.weight);
+    const S from = dot(direction, segment.from - anchor);
+    const S to = dot(direction, segment.to - anchor);
+    S lower(0), upper(0); // of the corners
+    for (const Vector3<S>& corner : face.corners) {
+        const S height = dot(direction, corner - face.corners[0]) * segment.weight;
+        lower = height < lower ? height : lower;
+        upper = upper < height ? height : upper;
+    }
+    const S error = with_underflow<S>(unit * norm1(direction) * segment.weight);
+    return (from > upper + error && to > upper + error) || (from < lower - error && to < lower - error);
+}
+
+/// The same for directions in the face's plane: across the segment and across each side of the face.
+template <class S>
+bool are_apart_in_plane(const Segment<S>& segment, const FaceShape<S>& face, const S& unit) {
+    if (are_apart_along<S>(cross(face.normal, segment.to - segment.from), segment, face, unit))
+        return true;
+    const std::size_t count = face.corners.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Vector3<S> side = face.corners[i + 1 == count ? 0 : i + 1] - face.corners[i];
+        if (are_apart_along<S>(cross(face.normal, side), segment, face, unit))
+            return true;
+    }
+    return false;
+}
+
 } // namespace detail
 
 /// Whether the segment may go through the face. `bounds` as for the detections.
@@ -75,6 +105,9 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
     const S to = dot(face.normal, segment.to - anchor);
     const bool upwards = from < S(0) - limit && to > limit;
     const bool downwards = to < S(0) - limit && from > limit;
+    // In the plane or next to it volumes tell nothing.
+    if (upwards && downwards && detail::are_apart_in_plane(segment, face, unit))
+        return std::nullopt;
     const auto passes = [&](std::size_t count, auto corner_at) {
         auto found = upwards ? detail::passes<S>({segment, true, ends}, count, corner_at, unit) : std::nullopt;
         return !found && downwards ? detail::passes<S>({segment, false, ends}, count, corner_at, unit) : found;

@@ -134,6 +134,41 @@ TEST(EdgeThroughFace, FilterKeepsWhatOnlyTouchesThePlane) {
     EXPECT_FALSE(filtered({point(3, 3, -1), point(3, 3, 1)}));
 }
 
+/// Faces that slide in one plane: what is beside a face there is told apart, what may lie in it is kept.
+TEST(EdgeThroughFace, FilterTellsEdgesBesideTheFaceInItsPlane) {
+    Random random(733);
+    int beside = 0, across = 0;
+    for (int trial = 0; trial < 1000; ++trial) {
+        const auto place = [&] { return point(random.integer(-8, 8), random.integer(-8, 8), 0); };
+        const Line edge{place(), place()};
+        const Face face{{place(), place(), place()}};
+        const auto area = [](const Point& a, const Point& b, const Point& c) {
+            return Rational((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign();
+        };
+        if (area(face.corners[0], face.corners[1], face.corners[2]) == 0 || edge.from == edge.to)
+            continue;
+        const auto are_on_one_side = [&](const Point& a, const Point& b, std::initializer_list<Point> points,
+                                         int side) {
+            return std::all_of(points.begin(), points.end(), [&](const Point& p) { return area(a, b, p) == side; });
+        };
+        bool apart = false; // strictly, by a side of the face or by the edge
+        for (int side : {-1, 1}) {
+            apart =
+                apart || are_on_one_side(edge.from, edge.to, {face.corners[0], face.corners[1], face.corners[2]}, side);
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Point& a = face.corners[i];
+                const Point& b = face.corners[(i + 1) % 3];
+                apart = apart || (are_on_one_side(a, b, {edge.from, edge.to}, side) &&
+                                  area(a, b, face.corners[(i + 2) % 3]) == -side);
+            }
+        }
+        (apart ? beside : across) += 1;
+        EXPECT_EQ(passage<double>(edge, face, Ends::not_proven_on_one_side).has_value(), !apart) << "trial " << trial;
+    }
+    EXPECT_GT(beside, 200);
+    EXPECT_GT(across, 200);
+}
+
 TEST(EdgeThroughFace, FilterLosesNothing) {
     Random random(732);
     int passing = 0;
