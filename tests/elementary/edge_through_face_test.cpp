@@ -145,7 +145,7 @@ TEST(EdgeThroughFace, FilterTellsEdgesBesideTheFaceInItsPlane) {
         const auto area = [](const Point& a, const Point& b, const Point& c) {
             return Rational((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x)).sign();
         };
-        if (area(face.corners[0], face.corners[1], face.corners[2]) == 0 || edge.from == edge.to)
+        if (area(face.corners[0], face.corners[1], face.corners[2]) == 0 || norm1(edge.to - edge.from) == 0)
             continue;
         const auto are_on_one_side = [&](const Point& a, const Point& b, std::initializer_list<Point> points,
                                          int side) {
