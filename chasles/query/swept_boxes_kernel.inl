@@ -20,11 +20,12 @@ inline Lanes magnitude(Lanes a) {
 inline Lanes chosen(Bits mask, Lanes a, Lanes b) {
     return Lanes((Bits(a) & mask) | (Bits(b) & ~mask));
 }
-inline Lanes greater(Lanes a, Lanes b) {
-    return chosen(a < b, b, a);
-}
+/// The second one where one is not a number; `greater` the first.
 inline Lanes lesser(Lanes a, Lanes b) {
     return chosen(a < b, a, b);
+}
+inline Lanes greater(Lanes a, Lanes b) {
+    return chosen(a < b, b, a);
 }
 /// The start of one and of another gap, and their ends.
 inline Lanes starts(Lanes a, Lanes b) {
@@ -175,7 +176,7 @@ public:
             return;
         const Lanes crossing = start / (start - end);
         lower_ = greater(lower_, Lanes(Bits(crossing - all(window_slack)) & start_open));
-        upper_ = lesser(upper_, chosen(end_open, crossing + all(window_slack), all(1)));
+        upper_ = lesser(chosen(end_open, crossing + all(window_slack), all(1)), upper_);
     }
 
     /// Each pair has a gap that is open all along.
