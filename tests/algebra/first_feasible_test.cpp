@@ -271,5 +271,18 @@ TEST(FirstFeasibleGuess, MonotoneFunctionsOfLargeWeightAreNotTakenForFree) {
     EXPECT_EQ(found->lower, 0);
 }
 
+TEST(FirstFeasibleGuess, TheLargestWeightCountsWhereverItIs) {
+    // Within the band around 1/3, where the weight is large.
+    for (const int heavy : {1, 2}) {
+        auto rising = in_scalar<double>(problem<3>({ratio(-3, 4) * ratio(1, 100), ratio(1, 100)}));
+        for (int i = 0; i <= 3; ++i)
+            rising.weight.set(i, i == heavy ? 1000.0 : 1.0);
+        rising.function.error = 1e-4;
+        const auto found = rising.solve();
+        ASSERT_TRUE(found);
+        EXPECT_LE(found->lower, 0.5);
+    }
+}
+
 } // namespace
 } // namespace chasles::algebra
