@@ -271,5 +271,16 @@ TEST(FirstFeasibleGuess, MonotoneFunctionsOfLargeWeightAreNotTakenForFree) {
     EXPECT_EQ(found->lower, 0);
 }
 
+TEST(FirstFeasibleGuess, TheLargestWeightCountsWhereverItIs) {
+    // Within the band around 1/3, where the weight is large: the exact F may vanish long before it crosses zero.
+    auto rising = in_scalar<double>(problem<3>({ratio(-999, 1000) * ratio(1, 100), ratio(1, 100)}));
+    for (int i = 0; i <= 3; ++i)
+        rising.weight.set(i, i == 1 ? 1e4 : 1.0);
+    rising.function.error = 5e-6;
+    const auto found = rising.solve();
+    ASSERT_TRUE(found);
+    EXPECT_LE(found->lower, 0.5);
+}
+
 } // namespace
 } // namespace chasles::algebra

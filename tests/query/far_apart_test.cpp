@@ -61,5 +61,28 @@ TEST(FarApart, NotToldOfBodiesThatTouchAtTheFarEndOfTheWay) {
     EXPECT_FALSE(are_far_apart(body, body, ScrewMotion::between(motion.pose_at(1), motion.pose_at(0)).ends()));
 }
 
+/// The body's centre ends where it started, and half way it is ten away from there.
+TEST(FarApart, NotToldOfASweepThatSwingsOut) {
+    const Polyhedron moving = box({1, 1, 1}).polyhedron();
+    Body away = box({1, 1, 1});
+    for (Eigen::Vector3d& vertex : away.vertices)
+        vertex += Eigen::Vector3d(10, 10, 0);
+    const Polyhedron fixed = away.polyhedron();
+    const Eigen::Vector3d centre(-10, 0, 0);
+    const Pose start = shifted(10, 0, 0);
+    const Eigen::Quaterniond turn(Eigen::AngleAxisd(3.1, Eigen::Vector3d::UnitZ()));
+    const Pose goal(Eigen::Vector3d(20, 0, 0) - turn * centre, turn);
+    const SweepMotion motion = SweepMotion::between(start, goal, centre);
+    EXPECT_FALSE(are_far_apart(moving, fixed, motion.ends()));
+    EXPECT_EQ(first_contact({.moving = moving, .fixed = fixed, .motion = motion}).verdict, Verdict::contact);
+}
+
+TEST(FarApart, NotToldOfBodiesThatMeetFarFromTheWorldsOrigin) {
+    const Polyhedron body = box({1, 1, 1}).polyhedron();
+    const ScrewMotion motion =
+        ScrewMotion::relative(shifted(50, 5, 0), shifted(50, -5, 0), shifted(50, 0, 0), shifted(50, 0, 0));
+    EXPECT_FALSE(are_far_apart(body, body, motion.ends()));
+}
+
 } // namespace
 } // namespace chasles::query
