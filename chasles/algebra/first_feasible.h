@@ -166,8 +166,9 @@ private:
         }
         if (!(rim * std::abs(guess->bend) < most_bend))
             return std::nullopt;
-        return Interval{std::max<Scalar>(Scalar(focus.lower), tau - Scalar(rim)),
-                        std::min<Scalar>(Scalar(1), tau + Scalar(rim))};
+        const Interval around{std::max<Scalar>(Scalar(focus.lower), tau - Scalar(rim)),
+                              std::min<Scalar>(Scalar(1), tau + Scalar(rim))};
+        return around.lower < around.upper ? std::optional(around) : std::nullopt; // not where the step led outside
     }
 
     /// Feasible: the first root is in `around`. Infeasible: there is none anywhere.

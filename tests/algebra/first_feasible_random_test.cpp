@@ -64,12 +64,13 @@ void expect_promises(const OwnedProblem<Degree, S>& problem, const std::optional
 
 /// Polynomials with rational coefficients are taken as they stand; rounded ones are judged as rounded.
 template <class S>
-void expect_promises_for_random_problems(std::uint64_t seed, int trials) {
+void expect_promises_for_random_problems(std::uint64_t seed, int trials, bool next_to_an_end = false) {
     Random random(seed);
     Tally tally;
     for_degrees<1, 6>([&](auto degree) {
         for (int trial = 0; trial < trials; ++trial) {
-            const auto problem = in_scalar<S>(random_problem<degree()>(random));
+            const RootPlaces places = next_to_an_end ? RootPlaces::next_to_an_end(random) : RootPlaces();
+            const auto problem = in_scalar<S>(random_problem<degree()>(random, places));
             const auto truth = first_feasible_exactly(problem);
             expect_promises(problem, truth, problem.solve(), tally);
             Tolerance focused;
@@ -85,6 +86,13 @@ TEST(FirstFeasibleRandom, DoublesKeepThePromises) {
 }
 TEST(FirstFeasibleRandom, DoubleDoublesKeepThePromises) {
     expect_promises_for_random_problems<DoubleDouble>(502, 120);
+}
+/// Where a guess is worth little: slopes change within a part of [0, 1] that is far smaller than its steps.
+TEST(FirstFeasibleRandom, DoublesKeepThePromisesNextToTheEnds) {
+    expect_promises_for_random_problems<double>(506, 250, true);
+}
+TEST(FirstFeasibleRandom, DoubleDoublesKeepThePromisesNextToTheEnds) {
+    expect_promises_for_random_problems<DoubleDouble>(507, 250, true);
 }
 TEST(FirstFeasibleRandom, RationalsKeepThePromises) {
     expect_promises_for_random_problems<Rational>(503, 60);

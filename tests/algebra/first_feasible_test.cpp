@@ -282,5 +282,27 @@ TEST(FirstFeasibleGuess, TheLargestWeightCountsWhereverItIs) {
     EXPECT_LE(found->lower, 0.5);
 }
 
+/// The step in double-double leads out of [0, 1] from a guess that has not settled.
+TEST(FirstFeasibleGuess, AStepOutsideIsNoGuess) {
+    const auto found = [](const std::array<double, 4>& coefficients, const Focus& focus) {
+        OwnedProblem<3, DoubleDouble> problem;
+        problem.weight = Bernstein<3, DoubleDouble>::constant(DoubleDouble(1));
+        for (int i = 0; i < 4; ++i)
+            problem.function.polynomial.set(i, DoubleDouble(coefficients[std::size_t(i)]));
+        return problem.solve({1e-12, 0x1p-90, 10'000, focus});
+    };
+    const auto at_the_end =
+        found({0x1.5d22a387f893p-21, 0x1.d183851e4944bp-23, 0x1.a3f757f79a763p-49, -0x1.24c70bf51061p-87}, {});
+    ASSERT_TRUE(at_the_end);
+    EXPECT_LE(at_the_end->lower, at_the_end->upper);
+    EXPECT_LE(at_the_end->upper, 1);
+    const auto at_the_start =
+        found({0x1.5701cc237ec14p-57, 0x1.1976a8c7c6c28p-32, -0x1.bc780ba53514bp-17, -0x1.4d5baeede4a57p-15},
+              {0, 0x1.dab5045a212d8p-16});
+    ASSERT_TRUE(at_the_start);
+    EXPECT_GT(at_the_start->lower, 0);
+    EXPECT_LE(at_the_start->lower, at_the_start->upper);
+}
+
 } // namespace
 } // namespace chasles::algebra

@@ -159,5 +159,25 @@ TEST(HardCases, LargeTurnsInOnePieceKeepTimeInsideItsBracket) {
     }
 }
 
+/// A plate rolls over the tip of a spike: 1e-13 above it at the start, and into it at 5e-6 of the way.
+TEST(HardCases, PlateRollsIntoATipJustAfterTheStart) {
+    const double off = 0x1.a57ae9583cbeap-21;
+    const Vertices corners{{-3, 3, 1}, {3, 3, 1}, {3, -3, 1}, {-3, -3, 1}, {0, 0, 0.7}};
+    const Polyhedron plate =
+        Polyhedron::from_polygons(corners, Faces{{0, 1, 2, 3}, {4, 1, 0}, {4, 2, 1}, {4, 3, 2}, {4, 0, 3}});
+    const Vertices tip{{0, -off, 1}, {0.05, 0.01, 1.5}, {-0.03, -0.03, 1.5}, {-0.03, 0.05, 1.5}};
+    const Polyhedron spike = Polyhedron::from_polygons(tip, Faces{{2, 1, 0}, {3, 2, 0}, {1, 3, 0}, {1, 2, 3}});
+    const auto turned_by = [](double angle) {
+        return Pose(Eigen::Vector3d::Zero(), Eigen::Quaterniond(std::cos(angle / 2), std::sin(angle / 2), 0, 0));
+    };
+    const FirstContact found = first_contact(
+        {.moving = plate,
+         .fixed = spike,
+         .motion = ScrewMotion::between(turned_by(0x1.62872d48754fbp-21), turned_by(-0x1.10bc89b1cf9f6p-3))});
+    EXPECT_EQ(found.verdict, Verdict::contact);
+    EXPECT_TRUE(found.certain);
+    EXPECT_NEAR(found.time.lower, 4.9586708e-06, 1e-9);
+}
+
 } // namespace
 } // namespace chasles::test

@@ -13,30 +13,46 @@ inline Rational random_root(Random& random) {
     return ratio(random.integer(-6, 22), 16);
 }
 
-inline PowerPolynomial random_function(Random& random, int degree) {
+/// Where roots are: some of them as near to an end as `scale` says.
+struct RootPlaces {
+    Rational scale = 1;
+    bool at_the_end = false;
+
+    static RootPlaces next_to_an_end(Random& random) {
+        return {Rational(std::ldexp(1.0, -random.integer(5, 50))), random.chance(0.5)};
+    }
+    [[nodiscard]] Rational root(Random& random) const {
+        const Rational root = random_root(random);
+        if (scale == 1 || random.chance(0.3))
+            return root;
+        return at_the_end ? Rational(1 - scale * root) : Rational(scale * root);
+    }
+};
+
+inline PowerPolynomial random_function(Random& random, int degree, const RootPlaces& places = {}) {
     if (random.chance(0.05))
         return {};
     std::vector<Rational> roots;
     for (int i = 0; i < degree; ++i)
-        roots.push_back(!roots.empty() && random.chance(0.15) ? roots.back() : random_root(random));
+        roots.push_back(!roots.empty() && random.chance(0.15) ? roots.back() : places.root(random));
     PowerPolynomial function = from_roots(roots, random.chance(0.5) ? 1 : -3);
     return random.chance(0.3) ? sum(function, {ratio(random.integer(-2, 2), 64)}) : function;
 }
 
 template <int Degree>
-algebra::Bounded<Degree, Rational> random_side(Random& random) {
+algebra::Bounded<Degree, Rational> random_side(Random& random, const RootPlaces& places) {
     const int degree = random.integer(0, Degree);
-    return {bernstein_form<Degree>(random_function(random, degree)), 0};
+    return {bernstein_form<Degree>(random_function(random, degree, places)), 0};
 }
 
 template <int Degree>
-OwnedProblem<Degree, Rational> random_problem(Random& random) {
+OwnedProblem<Degree, Rational> random_problem(Random& random, const RootPlaces& places = {}) {
     OwnedProblem<Degree, Rational> problem;
-    problem.function.polynomial = bernstein_form<Degree>(random_function(random, Degree));
+    problem.function.polynomial = bernstein_form<Degree>(random_function(random, Degree, places));
     const int count = random.integer(0, 3);
     for (int i = 0; i < count; ++i)
         problem.constraints.push_back(
-            {random_side<Degree>(random), random_side<Degree>(random), random.chance(0.4),
+            {random_side<Degree>(random, places), random_side<Degree>(random, places), random.chance(0.4),
              random.chance(0.3) ? std::optional(ratio(random.integer(0, 3), 4)) : std::nullopt});
     return problem;
 }
