@@ -45,10 +45,22 @@ algebra::Bounded<Degree, Rational> random_side(Random& random, const RootPlaces&
     return {bernstein_form<Degree>(random_function(random, degree, places)), 0};
 }
 
+/// Coefficients of all orders of magnitude: wherever there are roots, slopes near them say little of what is further
+/// on.
+template <int Degree>
+algebra::Bernstein<Degree, Rational> of_many_sizes(Random& random) {
+    algebra::Bernstein<Degree, Rational> polynomial;
+    for (int i = 0; i <= Degree; ++i)
+        polynomial.set(i, Rational(random.scaled(-18, 0)));
+    return polynomial;
+}
+
 template <int Degree>
 OwnedProblem<Degree, Rational> random_problem(Random& random, const RootPlaces& places = {}) {
     OwnedProblem<Degree, Rational> problem;
-    problem.function.polynomial = bernstein_form<Degree>(random_function(random, Degree, places));
+    problem.function.polynomial = places.scale != 1 && random.chance(0.5)
+                                      ? of_many_sizes<Degree>(random)
+                                      : bernstein_form<Degree>(random_function(random, Degree, places));
     const int count = random.integer(0, 3);
     for (int i = 0; i < count; ++i)
         problem.constraints.push_back(
