@@ -161,8 +161,11 @@ private:
         Scalar tau(guess->tau);
         if constexpr (unit_roundoff<Scalar> < unit_roundoff<double>) { // one more step
             const double move = double(value_at(function, tau)) / guess->slope;
+            const double left = 0x1p-8 * std::abs(move);
+            if (left > 0.25 * tolerance_.width) // the guess has not settled
+                return std::nullopt;
             tau = tau - Scalar(move);
-            rim += 0x1p-8 * std::abs(move);
+            rim += left;
         }
         if (!(rim * std::abs(guess->bend) < most_bend))
             return std::nullopt;
