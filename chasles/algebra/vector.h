@@ -39,6 +39,12 @@ auto cross(const Vector3<A>& a, const Vector3<B>& b) {
     return Vector3<Product>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+template <class T>
+T length(const Vector3<T>& a) {
+    using std::sqrt;
+    return sqrt(dot(a, a));
+}
+
 /// Sum of the magnitudes of the components.
 template <class T>
 T norm1(const Vector3<T>& a) {

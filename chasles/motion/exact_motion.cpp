@@ -24,10 +24,6 @@ struct Ends {
     [[nodiscard]] ExactVector shift() const { return goal.translation - start.translation; }
 };
 
-ExactVector exact_vector(const Eigen::Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-}
-
 ScaledPose in_fixed_frame(const GivenPose& given) {
     const GeneralPose<Exact> pose = pose_in<Exact>(given.pose);
     if (!given.seen_from)
@@ -104,7 +100,7 @@ ExactMotion exact_motion(const MotionFrame& frame) {
     const Quaternion<Exact> turn = turn_between(ends.start, ends.goal);
     auto radicand = std::make_unique<const algebra::Dyadic>(turn.squared_norm().rational());
     const Exact norm = Exact::root_of(*radicand);
-    auto maps = control_maps(exact_sweep(ends, turn, norm, exact_vector(*frame.swept_centre)));
+    auto maps = control_maps(exact_sweep(ends, turn, norm, vector_in<Exact>(*frame.swept_centre)));
     return {std::move(radicand), std::move(maps)};
 }
 

@@ -2,7 +2,6 @@
 
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/invalid_input.h"
-#include "chasles/motion/screw_pose.h"
 
 namespace chasles {
 
@@ -16,11 +15,6 @@ Pose checked(const Pose& pose) {
 void require_rounding_to_nearest() {
     if (!algebra::rounds_to_nearest())
         throw InvalidInput("motion: floating point: must round to nearest; it is set to round otherwise");
-}
-
-motion::GeneralPose<algebra::DoubleDouble> in_fixed_frame(const GivenPose& given) {
-    const auto pose = motion::exact(given.pose);
-    return given.seen_from ? motion::seen_from(motion::exact(*given.seen_from), pose) : pose;
 }
 
 } // namespace
@@ -51,7 +45,8 @@ Pose MotionEnds::fixed_pose_at(double time) const {
 }
 
 Pose MotionEnds::pose_at_end(double time) const {
-    return in_world(motion::rounded(in_fixed_frame(time <= 0 ? given_start : given_goal)), time);
+    return in_world(
+        motion::rounded(motion::in_fixed_frame<algebra::DoubleDouble>(time <= 0 ? given_start : given_goal)), time);
 }
 
 Pose MotionEnds::in_world(const Pose& pose, double time) const {
@@ -61,6 +56,7 @@ Pose MotionEnds::in_world(const Pose& pose, double time) const {
 }
 
 MotionFrame::MotionFrame(const MotionEnds& ends)
-    : MotionEnds(ends), start(in_fixed_frame(given_start)), goal(in_fixed_frame(given_goal)) {}
+    : MotionEnds(ends), start(motion::in_fixed_frame<Scalar>(given_start)),
+      goal(motion::in_fixed_frame<Scalar>(given_goal)) {}
 
 } // namespace chasles

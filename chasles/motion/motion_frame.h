@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chasles/motion/pose.h"
-#include "chasles/motion/rational_motion.h"
+#include "chasles/motion/screw_pose.h"
 
 #include <optional>
 
@@ -14,6 +14,17 @@ struct GivenPose {
     Pose pose;
     std::optional<Pose> seen_from;
 };
+
+namespace motion {
+
+/// In another scalar, which must hold every double.
+template <class S>
+GeneralPose<S> in_fixed_frame(const GivenPose& given) {
+    const GeneralPose<S> pose = pose_in<S>(given.pose);
+    return given.seen_from ? seen_from(pose_in<S>(*given.seen_from), pose) : pose;
+}
+
+} // namespace motion
 
 /// A motion as it was given: end poses of the moving body, and the fixed body's own in the world.
 struct MotionEnds {

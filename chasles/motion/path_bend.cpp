@@ -1,5 +1,7 @@
 #include "chasles/motion/path_bend.h"
 
+#include "chasles/motion/screw_pose.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,13 +11,6 @@ namespace {
 
 /// Some twenty roundings, and as many again.
 constexpr double rounding = 1e-14;
-
-double length(const Vector3<double>& v) {
-    return std::sqrt(dot(v, v));
-}
-Vector3<double> vector(const Eigen::Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-}
 
 } // namespace
 
@@ -29,10 +24,11 @@ PathBend::PathBend(const RationalMotion<algebra::DoubleDouble>& motion, const Ba
         return length(cross(m.axis, centre) + m.moment) + length(m.axis) * (radius + rounding * size) +
                rounding * length(m.moment);
     };
-    const Vector3<double> start = m.orientation * vector(moving.centre);
+    const Vector3<double> start = m.orientation * vector_in<double>(moving.centre);
     const double of_moving = swing(start, moving.radius, length(start));
     const double of_fixed =
-        swing(vector(fixed.centre) - m.origin, fixed.radius, fixed.centre.norm() + length(m.origin)) + cross_travel_;
+        swing(vector_in<double>(fixed.centre) - m.origin, fixed.radius, fixed.centre.norm() + length(m.origin)) +
+        cross_travel_;
     moving_swing_ = std::min(of_moving, of_fixed);
     fixed_swing_ = std::min(of_fixed, of_moving + cross_travel_);
 }

@@ -45,6 +45,13 @@ struct GeneralPose {
     Quaternion<S> rotation;
 };
 
+/// `pose` as seen from `frame`; both are given in one frame.
+template <class S>
+GeneralPose<S> seen_from(const GeneralPose<S>& frame, const GeneralPose<S>& pose) {
+    const Quaternion<S> back = frame.rotation.conjugate();
+    return {rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation};
+}
+
 /// One motion of the family, for units of 1. Body points b start at y = `orientation` * b, relative to `origin`; at tau
 /// they are at origin + (W y + 2 tau e (a x y + m) + 2 tau^2 a x (a x y + m)) / W + tau d. Other units save exact
 /// scalars every division: e1 and a are multiples of 1 / turn_unit, origin and d of 1 / length_unit, m of 1 /

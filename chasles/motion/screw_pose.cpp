@@ -9,10 +9,6 @@ namespace {
 using Scalar = algebra::DoubleDouble;
 using Vector = Vector3<Scalar>;
 
-Scalar length(const Vector& v) {
-    return sqrt(dot(v, v));
-}
-
 Quaternion<Scalar> normalized(const Quaternion<Scalar>& q) {
     const Scalar inverse = Scalar(1.0) / sqrt(q.squared_norm());
     return {q.w * inverse, scale(q.v, inverse)};
@@ -27,11 +23,6 @@ Pose rounded(const GeneralPose<Scalar>& pose) {
 
 GeneralPose<Scalar> composed(const GeneralPose<Scalar>& outer, const GeneralPose<Scalar>& inner) {
     return {rotation_matrix(outer.rotation) * inner.translation + outer.translation, outer.rotation * inner.rotation};
-}
-
-GeneralPose<Scalar> seen_from(const GeneralPose<Scalar>& frame, const GeneralPose<Scalar>& pose) {
-    const Quaternion<Scalar> back = frame.rotation.conjugate();
-    return {rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation};
 }
 
 TurnAngle turn_angle(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal) {

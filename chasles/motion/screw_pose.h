@@ -6,12 +6,15 @@
 
 namespace chasles::motion {
 
-/// The pose in another scalar, which must hold every double.
+/// In another scalar, which must hold every double.
+template <class S>
+Vector3<S> vector_in(const Eigen::Vector3d& v) {
+    return {S(v.x()), S(v.y()), S(v.z())};
+}
 template <class S>
 GeneralPose<S> pose_in(const Pose& pose) {
-    const Eigen::Vector3d& t = pose.translation;
     const Eigen::Quaterniond& q = pose.rotation;
-    return {{S(t.x()), S(t.y()), S(t.z())}, {S(q.w()), {S(q.x()), S(q.y()), S(q.z())}}};
+    return {vector_in<S>(pose.translation), {S(q.w()), {S(q.x()), S(q.y()), S(q.z())}}};
 }
 
 /// The pose as double-doubles.
@@ -30,10 +33,6 @@ Pose rounded(const GeneralPose<algebra::DoubleDouble>& pose);
 /// outer * inner: `inner` is given in the frame that `outer` places.
 GeneralPose<algebra::DoubleDouble> composed(const GeneralPose<algebra::DoubleDouble>& outer,
                                             const GeneralPose<algebra::DoubleDouble>& inner);
-
-/// `pose` as seen from `frame`; both are given in one frame.
-GeneralPose<algebra::DoubleDouble> seen_from(const GeneralPose<algebra::DoubleDouble>& frame,
-                                             const GeneralPose<algebra::DoubleDouble>& pose);
 
 /// The turn from one pose to another.
 struct TurnAngle {

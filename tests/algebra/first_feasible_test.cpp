@@ -260,24 +260,25 @@ TEST(FirstFeasibleGuess, AForbiddenRootIsPassedOver) {
         problem<3>(from_roots({ratio(1, 4), ratio(3, 4), 2}, 1), {late, at_least_zero<3>(before(ratio(2, 3)))}));
 }
 
+/// (tau - root) / 100, with a weight of 1 but for one coefficient.
+std::optional<FeasibleInterval> first_of_rising(const Rational& root, int heavy, double weight, double error) {
+    auto rising = in_scalar<double>(problem<3>({Rational(-root) * ratio(1, 100), ratio(1, 100)}));
+    for (int i = 0; i <= 3; ++i)
+        rising.weight.set(i, i == heavy ? weight : 1.0);
+    rising.function.error = error;
+    return rising.solve();
+}
+
 TEST(FirstFeasibleGuess, MonotoneFunctionsOfLargeWeightAreNotTakenForFree) {
     // Within the band near 0, where the weight is large: the exact F may vanish before it crosses zero at 3/4.
-    auto rising = in_scalar<double>(problem<3>({ratio(-3, 4) * ratio(1, 100), ratio(1, 100)}));
-    for (int i = 0; i <= 3; ++i)
-        rising.weight.set(i, i == 0 ? 100.0 : 1.0);
-    rising.function.error = 1e-4;
-    const auto found = rising.solve();
+    const auto found = first_of_rising(ratio(3, 4), 0, 100, 1e-4);
     ASSERT_TRUE(found);
     EXPECT_EQ(found->lower, 0);
 }
 
 TEST(FirstFeasibleGuess, TheLargestWeightCountsWhereverItIs) {
     // Within the band around 1/3, where the weight is large: the exact F may vanish long before it crosses zero.
-    auto rising = in_scalar<double>(problem<3>({ratio(-999, 1000) * ratio(1, 100), ratio(1, 100)}));
-    for (int i = 0; i <= 3; ++i)
-        rising.weight.set(i, i == 1 ? 1e4 : 1.0);
-    rising.function.error = 5e-6;
-    const auto found = rising.solve();
+    const auto found = first_of_rising(ratio(999, 1000), 1, 1e4, 5e-6);
     ASSERT_TRUE(found);
     EXPECT_LE(found->lower, 0.5);
 }

@@ -2,6 +2,7 @@
 #include "bench/process_peer.h"
 
 #include "bench/bodies.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 
@@ -22,19 +23,9 @@ PeerAnswer answer_of(const Peer& peer) {
     return pair.ask({});
 }
 
-template <class Work>
-std::string reason_of(Work work) {
-    try {
-        work();
-    } catch (const PeerFailed& failure) {
-        return failure.what();
-    }
-    return "none";
-}
-
 std::string reason_of_no_answer(const std::string& script) {
     const Peer peer = process_peer(shell(script));
-    return reason_of([&] { answer_of(peer); });
+    return test::refusal<PeerFailed>([&] { answer_of(peer); });
 }
 
 TEST(ProcessPeer, Answers) {
@@ -55,10 +46,11 @@ TEST(ProcessPeer, IsToldEachBodyOnceAndThePoses) {
 TEST(ProcessPeer, ThatDoesNotStartSaysWhy) {
     ProcessPeer nowhere = shell("");
     nowhere.command = {"/no/such/program"};
-    EXPECT_EQ(reason_of([&] { process_peer(nowhere); }), "it does not start: No such file or directory");
-    EXPECT_EQ(reason_of([&] { process_peer(shell("exit 3")); }), "it ended with exit status 3");
-    EXPECT_EQ(reason_of([&] { process_peer(shell("echo absent no library; exit 1")); }), "no library");
-    EXPECT_EQ(reason_of([&] { process_peer(shell("echo hello")); }), "it talks nonsense: hello");
+    EXPECT_EQ(test::refusal<PeerFailed>([&] { process_peer(nowhere); }),
+              "it does not start: No such file or directory");
+    EXPECT_EQ(test::refusal<PeerFailed>([&] { process_peer(shell("exit 3")); }), "it ended with exit status 3");
+    EXPECT_EQ(test::refusal<PeerFailed>([&] { process_peer(shell("echo absent no library; exit 1")); }), "no library");
+    EXPECT_EQ(test::refusal<PeerFailed>([&] { process_peer(shell("echo hello")); }), "it talks nonsense: hello");
 }
 
 TEST(ProcessPeer, ThatDiesSaysHow) {
@@ -72,7 +64,7 @@ TEST(ProcessPeer, ThatHangsIsNotWaitedFor) {
     hanging.limits.question = ChildProcess::Limit(0.5);
     const Peer peer = process_peer(hanging);
     const auto start = std::chrono::steady_clock::now();
-    EXPECT_EQ(reason_of([&] { answer_of(peer); }), "no answer within 0.5 s");
+    EXPECT_EQ(test::refusal<PeerFailed>([&] { answer_of(peer); }), "no answer within 0.5 s");
     EXPECT_LT(std::chrono::steady_clock::now() - start, std::chrono::seconds(20));
 }
 
@@ -81,7 +73,7 @@ TEST(ProcessPeer, ThatDoesNotReadIsNotWaitedFor) {
     deaf.limits.body = ChildProcess::Limit(0.5);
     const Polyhedron large = bumpy_torus(200, 200); // more than the socket takes
     const Peer peer = process_peer(deaf);
-    EXPECT_EQ(reason_of([&] { peer.prepare(large, large); }), "no answer within 0.5 s");
+    EXPECT_EQ(test::refusal<PeerFailed>([&] { peer.prepare(large, large); }), "no answer within 0.5 s");
 }
 
 TEST(ProcessPeer, ThatTalksNonsenseIsNotBelieved) {
@@ -97,7 +89,7 @@ TEST(ProcessPeer, StartsAgainAfterAFailure) {
     std::remove(mark.c_str());
     const Peer peer = process_peer(
         shell(takes_bodies + "read a; [ -e " + mark + " ] || { touch " + mark + "; exit 1; }; echo answer 0 - 1"));
-    EXPECT_EQ(reason_of([&] { answer_of(peer); }), "it ended with exit status 1");
+    EXPECT_EQ(test::refusal<PeerFailed>([&] { answer_of(peer); }), "it ended with exit status 1");
     EXPECT_FALSE(answer_of(peer).touches);
     std::remove(mark.c_str());
 }

@@ -1,8 +1,8 @@
 // Every way a mesh is refused, word for word: people read these lines.
-#include "chasles/invalid_input.h"
 #include "chasles/mesh/polyhedron.h"
 
 #include "tests/mesh/shapes.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 #include <limits>
@@ -13,12 +13,7 @@ namespace {
 using test::Soup;
 
 std::string refusal(const Soup& soup, const PolyhedronOptions& options = {}) {
-    try {
-        (void)Polyhedron::from_polygons(soup.vertices, soup.faces, options);
-    } catch (const InvalidInput& refused) {
-        return refused.what();
-    }
-    return "accepted";
+    return test::refusal([&] { (void)Polyhedron::from_polygons(soup.vertices, soup.faces, options); });
 }
 
 TEST(RefusedMeshes, WithoutFaces) {

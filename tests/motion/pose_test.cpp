@@ -1,7 +1,7 @@
 // A pose takes every rigid displacement and refuses everything else, saying why.
 #include "chasles/motion/pose.h"
 
-#include "chasles/invalid_input.h"
+#include "tests/support/refusal.h"
 
 #include <cmath>
 #include <functional>
@@ -11,17 +11,10 @@
 namespace chasles {
 namespace {
 
+using test::refusal;
+
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 constexpr double infinity = std::numeric_limits<double>::infinity();
-
-std::string refusal(const std::function<void()>& make) {
-    try {
-        make();
-    } catch (const InvalidInput& error) {
-        return error.what();
-    }
-    return "accepted";
-}
 
 void expect_refused(const std::function<void()>& make, const std::string& reason) {
     const std::string message = refusal(make);

@@ -1,8 +1,8 @@
 // What no motion can be made from is refused by name, however it comes in.
-#include "chasles/invalid_input.h"
 #include "chasles/motion/screw_motion.h"
 #include "chasles/motion/sweep_motion.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/refusal.h"
 
 #include <cfenv>
 #include <limits>
@@ -11,16 +11,6 @@ namespace chasles {
 namespace {
 
 using namespace test;
-
-template <class Make>
-std::string refusal(Make make) {
-    try {
-        make();
-    } catch (const InvalidInput& refused) {
-        return refused.what();
-    }
-    return "accepted";
-}
 
 /// A pose whose members were set without asking its constructor.
 Pose by_hand(const Eigen::Vector3d& translation, const Eigen::Vector4d& xyzw) {

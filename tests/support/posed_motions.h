@@ -22,13 +22,6 @@ inline ExactPose exact(const Pose& pose) {
     return motion::pose_in<Rational>(pose);
 }
 
-/// `pose` in the frame that `frame` places.
-template <class S>
-motion::GeneralPose<S> seen_from(const motion::GeneralPose<S>& frame, const motion::GeneralPose<S>& pose) {
-    const motion::Quaternion<S> back = frame.rotation.conjugate();
-    return {motion::rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation};
-}
-
 /// The root of a positive number, to 250 bits: the only number here that is not exact.
 inline Rational root(const Rational& square) {
     using Integer = boost::multiprecision::mpz_int;

@@ -2,33 +2,15 @@
 # install_dependencies.sh against a pretended system: commands in an own folder record what they are asked for.
 set -eu
 
-script=$(cd "$(dirname "$0")/../.." && pwd)/tools/install_dependencies.sh
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/bin"
-for tool in cat dirname env; do
-    ln -s "$(command -v "$tool")" "$folder/bin/$tool"
-done
+here=$(cd "$(dirname "$0")" && pwd)
+script=$here/../../tools/install_dependencies.sh
+set -- cat dirname env
+. "$here/pretended.sh"
 
-# pretend NAME BODY: a command that writes its call to the log and then does BODY.
-pretend() {
-    printf '#!/bin/sh\necho "%s $*" >>"%s/log"\n%s\n' "$1" "$folder" "$2" >"$folder/bin/$1"
-    chmod +x "$folder/bin/$1"
-}
-
-# run ARGUMENTS: the script with only the pretended commands; leaves its output, status and the log.
+# run ARGUMENTS: the script; leaves besides what it asked for.
 run() {
-    : >"$folder/log"
-    status=0
-    output=$(PATH="$folder/bin" /bin/sh "$script" "$@" 2>&1) || status=$?
+    run_pretended "$script" "$@"
     asked=$(grep -E '^(apt-get|sudo)' "$folder/log" || true)
-}
-
-expect() {
-    if ! eval "$2"; then
-        printf '%s\n' "FAILED: $1" "status: $status" "output: $output" "asked: $asked"
-        exit 1
-    fi
 }
 
 run --list check fuzz bench tidy

@@ -2,35 +2,16 @@
 # bench/registry/install.sh where Python and Rust are pretended: what cannot be brought is a line of reason, no failure.
 set -eu
 
-script=$(cd "$(dirname "$0")/../.." && pwd)/bench/registry/install.sh
-folder=$(mktemp -d)
-trap 'rm -rf "$folder"' EXIT
-mkdir "$folder/bin"
-for tool in cat cmp cp cut dirname grep mkdir rm tail; do
-    ln -s "$(command -v "$tool")" "$folder/bin/$tool"
-done
-
-# pretend NAME BODY: a command that writes its call to the log and then does BODY.
-pretend() {
-    printf '#!/bin/sh\necho "%s $*" >>"%s/log"\n%s\n' "$1" "$folder" "$2" >"$folder/bin/$1"
-    chmod +x "$folder/bin/$1"
-}
+here=$(cd "$(dirname "$0")" && pwd)
+set -- cat cmp cp cut dirname grep mkdir rm tail
+. "$here/pretended.sh"
 
 run() {
-    : >"$folder/log"
-    status=0
-    PATH="$folder/bin" /bin/sh "$script" "$folder/peers" >"$folder/output" 2>&1 || status=$?
+    run_pretended "$here/../../bench/registry/install.sh" "$folder/peers"
 }
 
 reason() {
     cat "$folder/peers/$1-is-absent.txt" 2>/dev/null || echo none
-}
-
-expect() {
-    if ! eval "$2"; then
-        printf '%s\n' "FAILED: $1" "status: $status" "output: $(cat "$folder/output")" "log: $(cat "$folder/log")"
-        exit 1
-    fi
 }
 
 pretend python3 'echo "no module named venv"; exit 1'
@@ -49,7 +30,7 @@ expect "what pip says last is the reason" \
 pretend pip ''
 run
 expect "everything brought: no reasons, no output" \
-    '[ $status -eq 0 ] && [ "$(reason python)$(reason parry)" = nonenone ] && [ ! -s "$folder/output" ]'
+    '[ $status -eq 0 ] && [ "$(reason python)$(reason parry)" = nonenone ] && [ -z "$output" ]'
 
 run
 expect "an environment of these versions is left alone" '! grep -q -e python3 -e pip "$folder/log"'

@@ -1,0 +1,21 @@
+// What a call complains about, if it does.
+#pragma once
+
+#include "chasles/invalid_input.h"
+
+#include <string>
+
+namespace chasles::test {
+
+/// The message of the exception that `call` throws, or "accepted".
+template <class Refused = InvalidInput, class Call>
+std::string refusal(const Call& call) {
+    try {
+        call();
+    } catch (const Refused& refused) {
+        return refused.what();
+    }
+    return "accepted";
+}
+
+} // namespace chasles::test

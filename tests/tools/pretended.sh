@@ -1,0 +1,31 @@
+# Sourced by tests of scripts: a folder of their own, whose bin/ is all that the script under test finds in PATH.
+#
+# The positional parameters are the tools that are real.
+
+folder=$(mktemp -d)
+trap 'rm -rf "$folder"' EXIT
+mkdir "$folder/bin"
+for tool in "$@"; do
+    ln -s "$(command -v "$tool")" "$folder/bin/$tool"
+done
+
+# pretend NAME BODY: a command that writes its call to the log and then does BODY.
+pretend() {
+    printf '#!/bin/sh\necho "%s $*" >>"%s/log"\n%s\n' "$1" "$folder" "$2" >"$folder/bin/$1"
+    chmod +x "$folder/bin/$1"
+}
+
+# run SCRIPT ARGUMENTS: leaves its output, its status and the log.
+run_pretended() {
+    : >"$folder/log"
+    status=0
+    output=$(PATH="$folder/bin" /bin/sh "$@" 2>&1) || status=$?
+}
+
+# expect WHAT CONDITION
+expect() {
+    if ! eval "$2"; then
+        printf '%s\n' "FAILED: $1" "status: $status" "output: $output" "log: $(cat "$folder/log")"
+        exit 1
+    fi
+}
