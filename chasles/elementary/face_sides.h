@@ -59,4 +59,13 @@ SeenPlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const Face
                                  maps.weight, face, scale);
 }
 
+/// The plane of a face, seen by points of its own body: at rest.
+template <class S>
+SeenPlane<S> plane_of_own_face(const FaceShape<S>& face, const ErrorScale& scale) {
+    using Polynomial = Bernstein<3, S>;
+    const Vector3<S>& n = face.normal;
+    return detail::seen_plane<S>({Polynomial::constant(n.x), Polynomial::constant(n.y), Polynomial::constant(n.z)},
+                                 Polynomial(), Polynomial::constant(S(1)), face, scale);
+}
+
 } // namespace chasles::elementary

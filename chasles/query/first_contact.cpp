@@ -77,7 +77,7 @@ private:
     template <class AnyMotion>
     void report(FirstContact& found, const AnyMotion& piece, const PieceClock& clock,
                 const query::PieceResult& result) const {
-        const Bracket tau = result.overlap ? Bracket{0, 0} : enclosing(result.candidates);
+        const Bracket tau = result.overlap ? Bracket{0, 0} : enclosing(result);
         const double tiny = tau.upper > 0 ? underflow_slack : 0;
         found.tau = {std::max(0.0, clock.whole(tau.lower) * (1 - clock_slack)),
                      std::min(1.0, clock.whole(tau.upper) * (1 + clock_slack) + tiny)};
@@ -119,9 +119,9 @@ private:
     }
 
     /// The first contact is not before any lower end nor after any upper end.
-    static Bracket enclosing(const std::vector<query::Candidate>& candidates) {
-        Bracket bracket{1, 1};
-        for (const query::Candidate& candidate : candidates) {
+    static Bracket enclosing(const query::PieceResult& result) {
+        Bracket bracket{result.open_after, 1};
+        for (const query::Candidate& candidate : result.candidates) {
             bracket.lower = std::min(bracket.lower, candidate.tau.lower);
             bracket.upper = std::min(bracket.upper, candidate.tau.upper);
         }

@@ -11,6 +11,8 @@ using Scalar = algebra::DoubleDouble;
 
 /// A candidate in doubt that begins no earlier than a proven contact by more waits until that one's bracket is narrow.
 constexpr double hardly_later = 0x1p-30;
+/// The part of the tolerance before a contact in which nothing is asked where many touch at once.
+constexpr double left_open = 0.75;
 
 /// A proven contact, and not at the start. Its bracket may be wide as yet.
 bool is_contact(const FeasibleInterval& tau) {
@@ -25,8 +27,9 @@ void leave_in_doubt(Candidate& candidate) {
 } // namespace
 
 void FoundContacts::add(const Candidate& candidate) {
-    if (stop_ || candidate.tau.lower > best_)
+    if (stop_ || candidate.tau.lower > best())
         return;
+    at_once_ += is_near_a_proven_contact(candidate.tau) ? 1 : 0;
     Candidate decided = candidate;
     if (is_contact(candidate.tau))
         keep(candidate);
@@ -41,14 +44,14 @@ void FoundContacts::add(const Candidate& candidate) {
 /// off the face's plane, or the edge hardly within its rim.
 void FoundContacts::add(const Overlap& found) {
     Overlap overlap = found;
-    const auto passage = passage_of(refinement({}), overlap, elementary::Ends::not_proven_on_one_side);
+    const auto passage = passage_of(refined_pairs({}), overlap, elementary::Ends::not_proven_on_one_side);
     if (!passage || stop_)
         return;
     Vector3<Scalar> point = passage->point;
     if (!overlap.edge_is_moving)
         point = search_.frame.motion.orientation * point + search_.frame.motion.origin;
     overlap.point = {double(point.x), double(point.y), double(point.z)};
-    const auto proven = passage_of(refinement({}), overlap, elementary::Ends::proven_opposite);
+    const auto proven = passage_of(refined_pairs({}), overlap, elementary::Ends::proven_opposite);
     overlap.certain = proven && proven->certain;
     if (!overlap.certain) {
         doubtful_overlaps_.push_back(overlap);
@@ -56,6 +59,35 @@ void FoundContacts::add(const Overlap& found) {
     }
     result_.overlap = overlap;
     stop_ = true;
+}
+
+/// Of the candidates that are kept, the first one that is proven.
+std::vector<Candidate>::iterator FoundContacts::first_proven() {
+    const auto end_of_proof = [](const Candidate& c) { return c.tau.certain ? c.tau.upper : 2; };
+    return std::min_element(result_.candidates.begin(), result_.candidates.end(),
+                            [&](const Candidate& a, const Candidate& b) { return end_of_proof(a) < end_of_proof(b); });
+}
+
+std::optional<double> FoundContacts::early_enough() {
+    const auto first = first_proven();
+    if (first == result_.candidates.end() || !is_contact(first->tau))
+        return std::nullopt;
+    if (Candidate narrowed = *first; !is_decided(first->tau) && decide(narrowed) && is_decided(narrowed.tau)) {
+        *first = narrowed;
+        best_ = std::min(best_, narrowed.tau.upper);
+        certain_.upper = std::min(certain_.upper, narrowed.tau.upper);
+    }
+    const double early = first->tau.upper - left_open * search_.tolerance;
+    return is_decided(first->tau) && early > 0 ? std::optional(early) : std::nullopt;
+}
+
+void FoundContacts::leave_open_after(double tau) {
+    result_.open_after = std::min(result_.open_after, tau);
+    std::iter_swap(result_.candidates.begin(), first_proven());
+    const auto is_left_open = [&](const Candidate& c) { return c.tau.lower > result_.open_after; };
+    result_.candidates.erase(std::remove_if(result_.candidates.begin() + 1, result_.candidates.end(), is_left_open),
+                             result_.candidates.end());
+    std::erase_if(waiting_, is_left_open);
 }
 
 PieceResult FoundContacts::take() {
@@ -134,7 +166,7 @@ bool FoundContacts::is_decided(const FeasibleInterval& tau) const {
 bool FoundContacts::decide(Candidate& candidate) {
     ++result_.work.refined;
     const auto refined =
-        first_contact_of(refinement(refinement_tolerance(search_.tolerance, candidate.tau)), candidate);
+        first_contact_of(refined_pairs(refinement_tolerance(search_.tolerance, candidate.tau)), candidate);
     if (!refined || refined->lower > best_)
         return false;
     candidate.tau = *refined;
@@ -165,11 +197,16 @@ bool FoundContacts::is_beside_a_proven_contact(const FeasibleInterval& tau) cons
     return certain_.upper - tau.lower <= search_.tolerance && (tau.lower > 0 || certain_.upper <= 0);
 }
 
-FeaturePairs<Scalar>& FoundContacts::refinement(const algebra::Tolerance& tolerance) {
+FeaturePairs<Scalar>& FoundContacts::refined_pairs(const algebra::Tolerance& tolerance) {
+    Refinement& stage = refinement();
+    stage.pairs.use(stage.maps, tolerance);
+    return stage.pairs;
+}
+
+Refinement& FoundContacts::refinement() {
     if (!refinement_)
         refinement_.emplace(search_, scale_);
-    refinement_->pairs.use(refinement_->maps, tolerance);
-    return refinement_->pairs;
+    return *refinement_;
 }
 
 ExactStage& FoundContacts::exact_stage() {

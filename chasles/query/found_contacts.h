@@ -39,9 +39,20 @@ public:
     void add(const Overlap& overlap);
 
     /// Nothing after this matters.
-    [[nodiscard]] double best() const { return best_; }
+    [[nodiscard]] double best() const { return std::min(best_, result_.open_after); }
     /// Nothing at all does any more.
     [[nodiscard]] bool is_over() const { return stop_; }
+
+    /// How many were found at the time of a proven contact, as far as the filter can tell; 0 if all are asked for.
+    [[nodiscard]] std::size_t at_once() const { return at_once_; }
+    /// Narrows the first proven contact to within the tolerance and gives a time before it that is as near: to know
+    /// that nothing is earlier than that is enough. None where that cannot be, or is at the start.
+    std::optional<double> early_enough();
+    /// Lets the answer begin at that time at the latest, and asks for nothing that is later.
+    void leave_open_after(double tau);
+
+    /// The maps of the whole piece.
+    const motion::ControlMaps<algebra::DoubleDouble>& maps() { return refinement().maps; }
 
     /// Once, and last.
     PieceResult take();
@@ -50,6 +61,7 @@ private:
     using Features = std::tuple<ContactKind, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
     static Features features_of(const Candidate& candidate);
 
+    std::vector<Candidate>::iterator first_proven();
     void keep(const Candidate& candidate);
     bool decide(Candidate& candidate);
     void narrow_brackets();
@@ -60,7 +72,8 @@ private:
     [[nodiscard]] bool is_behind_a_proven_contact(const FeasibleInterval& tau) const;
     [[nodiscard]] bool is_beside_a_proven_contact(const FeasibleInterval& tau) const;
 
-    FeaturePairs<algebra::DoubleDouble>& refinement(const algebra::Tolerance& tolerance);
+    FeaturePairs<algebra::DoubleDouble>& refined_pairs(const algebra::Tolerance& tolerance);
+    Refinement& refinement();
     ExactStage& exact_stage();
 
     const PieceSearch& search_;
@@ -68,6 +81,7 @@ private:
     std::optional<Refinement> refinement_;  ///< made when it is first asked
     std::optional<ExactStage> exact_stage_; ///< likewise
     double best_ = 1;                       ///< an upper end of the first contact found so far
+    std::size_t at_once_ = 0;
     Bracket certain_{2, 2}; ///< the least ends of contacts that are proven; lower ends once they are final
     bool stop_ = false;
     std::vector<Candidate> waiting_; ///< in doubt

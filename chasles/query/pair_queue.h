@@ -25,6 +25,9 @@ public:
 
     [[nodiscard]] bool is_empty() const { return occupied_ == 0; }
 
+    /// Where the windows of all that are left begin, up to rounding, at the earliest. By time only.
+    [[nodiscard]] float earliest() const { return is_empty() ? 1 : float(first_step()) / float(steps_ - 1); }
+
     void push(const NodePair& pair) {
         const auto step = static_cast<std::size_t>(pair.when.lower * float(steps_ - 1));
         std::uint32_t place = unused_;
@@ -42,7 +45,7 @@ public:
 
     /// There has to be one.
     NodePair pop() {
-        const auto step = static_cast<std::size_t>(std::countr_zero(occupied_));
+        const std::size_t step = first_step();
         const std::uint32_t place = tops_[step];
         Entry& entry = entries_[place];
         tops_[step] = entry.next;
@@ -61,6 +64,8 @@ public:
 
 private:
     static constexpr std::uint32_t none = 0xffffffff;
+
+    [[nodiscard]] std::size_t first_step() const { return static_cast<std::size_t>(std::countr_zero(occupied_)); }
 
     struct Entry {
         NodePair pair;

@@ -4,6 +4,7 @@
 #include "chasles/query/face_planes.h"
 #include "chasles/query/found_contacts.h"
 #include "chasles/query/pair_queue.h"
+#include "chasles/query/plane_between.h"
 #include "chasles/query/time_tree.h"
 
 #include <array>
@@ -74,7 +75,8 @@ private:
         std::vector<NodePair> bent;
         while (!queue_.is_empty() && !contacts_.is_over()) {
             const NodePair pair = queue_.pop();
-            if (range.at(pair.when.lower) <= contacts_.best())
+            if (const double first = range.at(pair.when.lower);
+                first <= contacts_.best() && !is_kept_apart(pair, first))
                 visit(pair, interval, bent);
         }
         queue_.clear();
@@ -103,6 +105,8 @@ private:
             bent.push_back(pair);
         } else if (moving.is_leaf() && fixed.is_leaf()) {
             test_faces(moving.first, fixed.first, interval.range, pair.when);
+            if (contacts_.at_once() >= many_at_once_)
+                look_for_plane(moving.first, fixed.first, interval.range);
         } else {
             split(pair, interval);
         }
@@ -223,6 +227,25 @@ private:
         contacts_.add(candidate);
     }
 
+    /// Faces that touch with many others, all at the same time: what keeps these two apart until shortly before may
+    /// keep all of them apart.
+    void look_for_plane(std::uint32_t moving_face, std::uint32_t fixed_face, const TauRange& interval) {
+        many_at_once_ *= 2;
+        const auto until = contacts_.early_enough();
+        const double first = interval.at(queue_.earliest());
+        if (!until || *until <= first)
+            return;
+        plane_ = PlaneBetween::faces({search_.moving, search_.fixed, contacts_.maps(), scale_, {first, *until}},
+                                     moving_face, fixed_face);
+        if (plane_)
+            contacts_.leave_open_after(*until);
+    }
+
+    /// By the plane that was found, if there is one, from `first` on.
+    bool is_kept_apart(const NodePair& pair, double first) {
+        return plane_ && plane_->range().lower <= first && plane_->keeps_apart(pair.moving, pair.fixed);
+    }
+
     void look_for_overlap(std::uint32_t moving_face, std::uint32_t fixed_face) {
         using elementary::Ends;
         for (const Edge& edge : search_.moving.owned_edges(moving_face))
@@ -242,7 +265,9 @@ private:
     FeaturePairs<double> filter_;
     RangeMaps filter_maps_;
     FoundContacts contacts_;
-    PairQueue queue_; ///< of the interval at hand
+    std::optional<PlaneBetween> plane_;
+    std::size_t many_at_once_ = 4; ///< a plane is looked for when so many were found
+    PairQueue queue_;              ///< of the interval at hand
     std::span<const BoxNode> moving_nodes_;
     std::span<const BoxNode> fixed_nodes_;
     Work work_;

@@ -19,6 +19,7 @@ inline algebra::Tolerance filter_tolerance(double width) {
 /// What one piece of a motion gave.
 struct PieceResult {
     std::vector<Candidate> candidates; ///< none: proven clear. Those after the first contact are left out
+    double open_after = 1;             ///< contacts from here on, up to those, were not asked for
     std::optional<Overlap> overlap;    ///< only when asked for; the point is in the frame of the fixed body
     Work work;
 };

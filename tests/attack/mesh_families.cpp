@@ -244,8 +244,45 @@ MeshCase half_turn(AttackRandom& random) {
     return result;
 }
 
+/// Two sheets of many triangles, in one plane at some tau, or off it by far more than the tolerance or far less.
+MeshCase landing(AttackRandom& random) {
+    const int axis = random.integer(0, 2);
+    const auto sheet = [&] {
+        Shape shape;
+        const std::uint32_t width = std::uint32_t(random.integer(1, 2));
+        const std::uint32_t length = std::uint32_t(random.integer(2, 3));
+        for (std::uint32_t i = 0; i <= length; ++i)
+            for (std::uint32_t j = 0; j <= width; ++j) {
+                shape.vertices.push_back(Eigen::Vector3d::Zero());
+                shape.vertices.back()[(axis + 1) % 3] = 12.0 * i;
+                shape.vertices.back()[(axis + 2) % 3] = 12.0 * j;
+            }
+        for (std::uint32_t i = 0; i < length; ++i)
+            for (std::uint32_t j = 0; j < width; ++j) {
+                const std::uint32_t at = i * (width + 1) + j;
+                shape.faces.push_back({at, at + width + 1, at + width + 2});
+                shape.faces.push_back({at, at + width + 2, at + 1});
+            }
+        return shape;
+    };
+    MotionWish wish;
+    wish.turns = random.chance(0.5) ? 1 : 0;
+    wish.axis = Eigen::Vector3i::Unit(axis);
+    const Shape fixed = sheet();
+    Shape moving = sheet();
+    Eigen::Vector3d aside = random.grid(11).cast<double>();
+    aside[axis] = 0;
+    shift(moving, aside);
+    MeshCase result = placed(lattice_motion(random, wish), moving, fixed);
+    if (random.chance(0.7))
+        for (Shape* shape : {&result.moving, &result.fixed})
+            for (Eigen::Vector3d& v : shape->vertices)
+                v += random.vector(std::ldexp(1.0, -random.integer(20, 55)));
+    return result;
+}
+
 constexpr MeshFamily families[] = {
-    {"random", 0.11, random_pair},
+    {"random", 0.08, random_pair},
     {"grid", 0.1, grid_pair},
     {"touch", 0.15, touch},
     {"touch at 0", 0.05, touch_at_start},
@@ -260,6 +297,7 @@ constexpr MeshFamily families[] = {
     {"tiny turn", 0.03, tiny_turn},
     {"half turn", 0.03, half_turn},
     {"flat", 0.04, flat},
+    {"landing", 0.03, landing},
 };
 
 } // namespace

@@ -19,11 +19,11 @@ struct ExactAnswer {
 };
 
 inline ExactAnswer exact_answer(const Polyhedron& a, const Polyhedron& b,
-                                const motion::RationalMotion<Rational>& motion) {
+                                const motion::RationalMotion<Rational>& motion, double width = 1e-9) {
     using elementary::Ends;
     const auto maps = motion::control_maps(motion);
     query::FeaturePairs<Rational> pairs(a, b, {});
-    pairs.use(maps, {1e-9, 1e-32});
+    pairs.use(maps, {width, 1e-32});
     ExactAnswer answer;
     for (std::uint32_t f = 0; f < a.face_count(); ++f) {
         for (std::uint32_t g = 0; g < b.face_count(); ++g) {
