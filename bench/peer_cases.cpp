@@ -236,6 +236,23 @@ PeerCase peg_case(bool is_off) {
     return made;
 }
 
+/// A box comes down flat on a table, straight but slanting: thousands of pairs of triangles touch at the same time.
+PeerCase table_case() {
+    const Prism size{4, 1, 1};
+    const Prism table{4, 3, 0.5};
+    const Polyhedron box = subdivided(peg(size), 4);
+    PeerCase made{"conforming: box on table " + in_thousands(box), box, subdivided(peg(table), 4), {}};
+    Draw draw(8);
+    for (int i = 0; i < 100; ++i) {
+        const Vector3d place(draw.between(-1, 1), draw.between(-1, 1), table.height);
+        const Quaterniond orientation(AngleAxisd(draw.between(0, 2 * pi), Vector3d::UnitZ()));
+        const Vector3d way(draw.between(-0.5, 0.5), draw.between(-0.5, 0.5), -draw.between(0.2, 1.5));
+        const double time = draw.between(0.2, 0.9);
+        made.questions.push_back({screw_through(Pose(place, orientation), time, way, 0), PeerAnswer{true, time}});
+    }
+    return made;
+}
+
 /// Five degrees up the thread of the M16 pair, which is free for two turns from 0.97 pitch above its assembled pose.
 void add_m16_steps(std::vector<PeerCase>& cases) {
     const auto pair = m16_nut_and_bolt();
@@ -355,6 +372,7 @@ std::vector<PeerCase> peer_cases() {
     cases.push_back(convex_case());
     for (const bool is_off : {false, true})
         cases.push_back(peg_case(is_off));
+    cases.push_back(table_case());
     for (const bool is_pulled : {false, true})
         cases.push_back(own_nut_case(is_pulled));
     add_gears(cases);
