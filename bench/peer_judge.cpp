@@ -3,7 +3,6 @@
 #include "bench/discrete_overlap.h"
 #include "bench/piecewise_poses.h"
 
-#include <chrono>
 #include <cmath>
 
 namespace chasles::bench {
@@ -68,10 +67,9 @@ void add(Judgement& judgement, const Trial& test) {
 } // namespace
 
 TimedAnswer timed_answer(const PeerPair& peer, const Displacement& motion) {
-    using Clock = std::chrono::steady_clock;
-    const Clock::time_point start = Clock::now();
+    const Stopwatch watch;
     const PeerAnswer answer = peer.ask(motion);
-    const double seconds = std::chrono::duration<double>(Clock::now() - start).count();
+    const double seconds = watch.seconds();
     return {answer, answer.seconds.value_or(seconds)};
 }
 
