@@ -34,16 +34,16 @@ public:
         if (!(size > 0) || !std::isfinite(size))
             return;
         const Eigen::Vector3f unit = along / (along.z() < 0 ? -size : size);
-        u_ = std::int8_t(std::lround(127 * (unit.x() + unit.y())));
-        v_ = std::int8_t(std::lround(127 * (unit.x() - unit.y())));
+        u_ = nearest(127 * (unit.x() + unit.y()));
+        v_ = nearest(127 * (unit.x() - unit.y()));
     }
 
     void set_heights(float lower, float upper, const Eigen::Vector3f& half) {
         const float unit = normal().cwiseAbs().dot(half) * height_unit;
         if (!(unit > 0))
             return;
-        lower_ = std::int8_t(std::clamp(std::floor(lower / unit), -127.0F, 127.0F));
-        upper_ = std::int8_t(std::clamp(std::ceil(upper / unit), -127.0F, 127.0F));
+        lower_ = at_most(std::clamp(lower / unit, -127.0F, 127.0F));
+        upper_ = std::int8_t(-at_most(std::clamp(-upper / unit, -127.0F, 127.0F)));
     }
 
     [[nodiscard]] Eigen::Vector3f normal() const {
@@ -63,6 +63,13 @@ public:
     }
 
 private:
+    // Without calls, which the functions of the standard library are on plain x86-64.
+    static std::int8_t nearest(float value) { return std::int8_t(value + std::copysign(0.5F, value)); }
+    static std::int8_t at_most(float value) {
+        const int towards_zero = int(value);
+        return std::int8_t(towards_zero - (value < float(towards_zero) ? 1 : 0));
+    }
+
     std::int8_t u_ = 0;
     std::int8_t v_ = 0;
     std::int8_t lower_ = -127;
