@@ -99,9 +99,9 @@ std::vector<PackedBox> round_outward(std::span<const Eigen::Vector3d> vertices, 
     return rounded;
 }
 
-/// The boxes [begin, begin + count) are to become the subtree at `node`, whose other nodes begin at `below`.
+/// `count` faces are to become the subtree at `node`, whose other nodes begin at `below`.
 struct Subtree {
-    std::size_t begin;
+    std::size_t begin; ///< of its boxes, among those of its group
     std::size_t count;
     std::size_t node;
     std::size_t below;
@@ -114,104 +114,141 @@ struct Subtree {
     }
 };
 
-PackedBox box_of(const BoxNode& node) {
-    PackedBox box{Eigen::Array4f::Zero(), Eigen::Array4f::Zero()};
+void set_box(BoxNode& node, const PackedBox& box) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
-        box.lower[static_cast<Eigen::Index>(axis)] = node.lower[axis];
-        box.upper[static_cast<Eigen::Index>(axis)] = node.upper[axis];
+        node.lower[axis] = box.lower[static_cast<Eigen::Index>(axis)];
+        node.upper[axis] = box.upper[static_cast<Eigen::Index>(axis)];
     }
-    return box;
 }
 
-class TreeBuilder {
-public:
-    explicit TreeBuilder(GroupedBoxes grouped)
-        : grouped_(std::move(grouped)), subtrees_(grouped_.planes.group_count()),
-          nodes_(2 * grouped_.boxes.size() - 1) {}
+void set_box(BoxNode& node, const BoxNode& left, const BoxNode& right) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.lower[axis] = std::min(left.lower[axis], right.lower[axis]);
+        node.upper[axis] = std::max(left.upper[axis], right.upper[axis]);
+    }
+}
 
-    /// Once.
-    std::vector<BoxNode> build(const PatchSlabs& without_memory, unsigned threads) && {
-        place({0, grouped_.boxes.size(), 0, 1, 0}, grouped_.planes.root());
-        on_threads(threads, subtrees_.size(), [&](std::size_t begin, std::size_t end) {
-            PatchSlabs slabs = without_memory;
-            for (std::size_t group = begin; group < end; ++group)
-                build(subtrees_[group], GroupBounds(boxes_of(subtrees_[group])), slabs);
-        });
-        enclose_groups();
-        return std::move(nodes_);
+void set_first(BoxNode& node, std::size_t face_or_child) {
+    node.first = static_cast<std::uint32_t>(face_or_child) & 0x7fffffffU;
+}
+
+/// Divides one group after another; keeps its memory for the next one.
+class GroupBuilder {
+public:
+    GroupBuilder(const RoundedFaces& faces, float size, std::span<BoxNode> nodes)
+        : faces_(faces), slabs_(faces, size), nodes_(nodes) {}
+
+    void build(const Subtree& subtree, std::span<const std::uint32_t> group) {
+        boxes_.clear();
+        boxes_.reserve(group.size());
+        GroupBounds bounds;
+        for (const std::uint32_t face : group) {
+            boxes_.push_back(faces_.box(face));
+            bounds.extend(boxes_.back());
+        }
+        build(subtree, bounds);
     }
 
 private:
-    /// Finds which nodes belong to each group.
-    void place(const Subtree& subtree, PlaneTree::Place place_in_planes) {
-        const PlaneTree& planes = grouped_.planes;
-        if (PlaneTree::is_group(place_in_planes)) {
-            subtrees_[planes.first_group(place_in_planes)] = subtree;
-            return;
-        }
-        above_groups_.push_back(subtree);
-        const auto [left, right] = planes.node(place_in_planes).parts;
-        const std::size_t first = grouped_.begin[planes.first_group(right)] - subtree.begin;
-        place(subtree.left(first), left);
-        place(subtree.right(first), right);
-    }
-
-    void enclose_groups() {
-        for (const Subtree& subtree : std::views::reverse(above_groups_)) { // children come behind their parents
-            PackedBox box = box_of(nodes_[subtree.below]);
-            box.extend(box_of(nodes_[subtree.below + 1]));
-            set_node(subtree, box);
-        }
-    }
-
-    std::span<PackedBox> boxes_of(const Subtree& subtree) {
-        return std::span(grouped_.boxes).subspan(subtree.begin, subtree.count);
-    }
-
-    void build(const Subtree& subtree, const GroupBounds& bounds, PatchSlabs& slabs) {
+    void build(const Subtree& subtree, const GroupBounds& bounds) {
         if (subtree.count <= PatchSlabs::largest_patch) {
             build_patch(subtree, bounds);
-            slabs.add(nodes_, subtree.node, boxes_of(subtree));
+            slabs_.add(nodes_, subtree.node, boxes_of(subtree));
             return;
         }
-        set_node(subtree, bounds.boxes);
         const Division division = divide(subtree, bounds);
-        build(subtree.left(division.first), division.bounds[0], slabs);
-        build(subtree.right(division.first), division.bounds[1], slabs);
+        build(subtree.left(division.first), division.bounds[0]);
+        build(subtree.right(division.first), division.bounds[1]);
     }
 
     void build_patch(const Subtree& subtree, const GroupBounds& bounds) {
-        set_node(subtree, bounds.boxes);
-        if (subtree.count == 1)
+        if (subtree.count == 1) {
+            BoxNode& leaf = nodes_[subtree.node];
+            set_box(leaf, bounds.boxes);
+            leaf.leaf = 1;
+            set_first(leaf, boxes_[subtree.begin].face());
             return;
+        }
         const Division division = divide(subtree, bounds);
         build_patch(subtree.left(division.first), division.bounds[0]);
         build_patch(subtree.right(division.first), division.bounds[1]);
     }
 
-    void set_node(const Subtree& subtree, const PackedBox& box) {
-        BoxNode& node = nodes_[subtree.node];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            node.lower[axis] = box.lower[static_cast<Eigen::Index>(axis)];
-            node.upper[axis] = box.upper[static_cast<Eigen::Index>(axis)];
-        }
-        const bool is_leaf = subtree.count == 1;
-        node.leaf = is_leaf ? 1 : 0;
-        node.first = (is_leaf ? grouped_.boxes[subtree.begin].face() : static_cast<std::uint32_t>(subtree.below)) & 0x7fffffffU;
-    }
-
     Division divide(const Subtree& subtree, const GroupBounds& bounds) {
-        const std::span<PackedBox> group = boxes_of(subtree);
+        BoxNode& node = nodes_[subtree.node];
+        set_box(node, bounds.boxes);
+        node.leaf = 0;
+        set_first(node, subtree.below);
         // Uneven divisions in a row could make the tree as deep as it has faces.
         const bool may_be_uneven = subtree.depth < BoxHierarchy::max_depth - 32;
-        return may_be_uneven ? chasles::divide(group, bounds) : halve(group);
+        const std::span<PackedBox> boxes = boxes_of(subtree);
+        return may_be_uneven ? chasles::divide(boxes, bounds) : halve(boxes);
     }
 
-    GroupedBoxes grouped_;
-    std::vector<Subtree> subtrees_;     ///< of the groups
-    std::vector<Subtree> above_groups_; ///< parents come first
-    std::vector<BoxNode> nodes_;
+    std::span<PackedBox> boxes_of(const Subtree& subtree) {
+        return std::span(boxes_).subspan(subtree.begin, subtree.count);
+    }
+
+    RoundedFaces faces_;
+    PatchSlabs slabs_;
+    std::span<BoxNode> nodes_;
+    std::vector<PackedBox> boxes_;
 };
+
+/// The nodes above the groups, and which nodes belong to each group.
+class GroupPlaces {
+public:
+    GroupPlaces(const FaceGroups& groups, std::span<BoxNode> nodes)
+        : groups_(groups), nodes_(nodes), subtrees_(groups.planes.group_count()) {
+        place(groups.planes.root(), {0, groups.faces.items.size(), 0, 1, 0});
+    }
+
+    [[nodiscard]] const Subtree& operator[](std::size_t group) const { return subtrees_[group]; }
+
+    /// Once the groups are built.
+    void enclose_groups() {
+        for (const Subtree& subtree : std::views::reverse(above_)) { // children come behind their parents
+            BoxNode& node = nodes_[subtree.node];
+            set_box(node, nodes_[subtree.below], nodes_[subtree.below + 1]);
+            node.leaf = 0;
+            set_first(node, subtree.below);
+        }
+    }
+
+private:
+    void place(PlaneTree::Place place_in_planes, const Subtree& subtree) {
+        const PlaneTree& planes = groups_.planes;
+        if (PlaneTree::is_group(place_in_planes)) {
+            Subtree& group = subtrees_[planes.first_group(place_in_planes)];
+            group = subtree;
+            group.begin = 0;
+            return;
+        }
+        above_.push_back(subtree);
+        const auto [left, right] = planes.node(place_in_planes).parts;
+        const std::size_t first = groups_.faces.offsets[planes.first_group(right)] - subtree.begin;
+        place(left, subtree.left(first));
+        place(right, subtree.right(first));
+    }
+
+    const FaceGroups& groups_;
+    std::span<BoxNode> nodes_;
+    std::vector<Subtree> subtrees_; ///< of the groups
+    std::vector<Subtree> above_;    ///< parents come first
+};
+
+std::vector<BoxNode> build_tree(const RoundedFaces& faces, float size, unsigned threads) {
+    const FaceGroups groups = group_faces(faces, threads);
+    std::vector<BoxNode> nodes(2 * faces.size() - 1);
+    GroupPlaces places(groups, nodes);
+    on_threads(threads, groups.faces.size(), [&](std::size_t begin, std::size_t end) {
+        GroupBuilder builder(faces, size, nodes);
+        for (std::size_t group = begin; group < end; ++group)
+            builder.build(places[group], groups.faces[group]);
+    });
+    places.enclose_groups();
+    return nodes;
+}
 
 } // namespace
 
@@ -222,9 +259,8 @@ BoxHierarchy::BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<c
     const Extent extent = extent_of(outlines.items, vertices, threads);
     centre_ = extent.middle();
     const std::vector<PackedBox> rounded = round_outward(vertices, centre_, threads);
-    const RoundedFaces faces{outlines, rounded};
     const auto size = std::max(static_cast<float>(extent.size()), std::numeric_limits<float>::min());
-    nodes_ = TreeBuilder(group_faces(faces, threads)).build(PatchSlabs(faces, size), threads);
+    nodes_ = build_tree({outlines, rounded}, size, threads);
 }
 
 } // namespace chasles

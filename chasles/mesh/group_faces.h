@@ -24,7 +24,7 @@ public:
 
     struct Node {
         Plane plane;
-        std::array<Place, 2> parts; ///< above the plane and below
+        std::array<Place, 2> parts; ///< what the plane puts first, and the rest
     };
 
     /// Divides a sample of the boxes, which may be empty, while it is large. Every group holds a part of it.
@@ -35,11 +35,11 @@ public:
     [[nodiscard]] const Node& node(Place place) const { return nodes_[place]; }
     [[nodiscard]] static bool is_group(Place place) { return (place & group_bit) != 0; }
 
-    [[nodiscard]] std::size_t group_of(const PackedBox& box) const {
+    [[nodiscard]] std::uint32_t group_of(const PackedBox& box) const {
         Place place = root_;
         while (!is_group(place)) {
             // A jump, as it can be foreseen: faces side by side go the same way.
-            if (nodes_[place].plane.is_above(box)) [[likely]]
+            if (nodes_[place].plane.puts_first(box)) [[likely]]
                 place = nodes_[place].parts[0];
             else
                 place = nodes_[place].parts[1];
@@ -48,7 +48,7 @@ public:
     }
 
     /// The leftmost at or below a place.
-    [[nodiscard]] std::size_t first_group(Place place) const {
+    [[nodiscard]] std::uint32_t first_group(Place place) const {
         while (!is_group(place))
             place = nodes_[place].parts[0];
         return place & ~group_bit;
@@ -62,14 +62,13 @@ private:
     Place root_;
 };
 
-/// The boxes of all faces, in groups.
-struct GroupedBoxes {
+/// All faces of a body, in groups.
+struct FaceGroups {
     PlaneTree planes;
-    std::vector<std::size_t> begin; ///< of each group, and behind the last one
-    std::vector<PackedBox> boxes;   ///< within a group in the order of the faces
+    FlatLists<std::uint32_t> faces; ///< of each group, in ascending order
 };
 
 /// On at most `threads` threads (0: all cores), which change nothing of the result. Few faces are one group.
-[[nodiscard]] GroupedBoxes group_faces(const RoundedFaces& faces, unsigned threads);
+[[nodiscard]] FaceGroups group_faces(const RoundedFaces& faces, unsigned threads);
 
 } // namespace chasles

@@ -18,6 +18,8 @@ Eigen::Vector3f aligned_sum(const Eigen::Vector3f& a, const Eigen::Vector3f& b) 
 void PatchSlabs::add(std::span<BoxNode> nodes, std::size_t root, std::span<const PackedBox> boxes) {
     corners_.clear();
     gathered_.clear();
+    corners_.reserve(boxes.size());
+    gathered_.reserve(boxes.size());
     for (const PackedBox& box : boxes)
         gather(box.face());
     used_ = 0;

@@ -164,7 +164,7 @@ Division divide_by(const Plane& plane, std::span<PackedBox> group) {
     std::size_t first = 0;
     for (PackedBox& box : group) { // swaps without asking, as nobody could guess the answers
         const PackedBox moved = box;
-        const std::size_t part = plane.is_above(moved) ? 0 : 1;
+        const std::size_t part = plane.puts_first(moved) ? 0 : 1;
         box = group[first];
         group[first] = moved;
         first += 1 - part;
@@ -184,7 +184,7 @@ Division divide(std::span<PackedBox> group, const GroupBounds& bounds) {
     const std::optional<Plane> plane = best_plane(group, bounds);
     if (!plane)
         return halve(group);
-    // What is about on the plane may end on its other side, which leaves nothing on one side at worst.
+    // A plane is rounded, and boxes next to it may end on its other side: all of a part, at worst.
     const Division division = divide_by(*plane, group);
     return division.first == 0 || division.first == group.size() ? halve(group) : division;
 }

@@ -59,7 +59,7 @@ struct Plane {
     int axis;
     float bound;
 
-    [[nodiscard]] bool is_above(const PackedBox& box) const { return box.lower[axis] + box.upper[axis] < bound; }
+    [[nodiscard]] bool puts_first(const PackedBox& box) const { return box.lower[axis] + box.upper[axis] < bound; }
 };
 
 /// The plane for which the surface area of each part's box times its number of boxes is least (I. Wald, "On fast
