@@ -245,10 +245,10 @@ TEST(BoxHierarchy, EnclosesTheVerticesOfRealFaces) {
 }
 
 TEST(BoxHierarchy, OfManyFacesIsAsGoodAsOneThatIsDividedWhole) {
-    // Measured 51.56; the same planes for all faces give 51.54.
+    // Measured 45.806; divided whole it is 45.809.
     const test::Soup soup = test::torus(500, 250);
     const Polyhedron torus = Polyhedron::from_polygons(soup.vertices, soup.faces);
-    EXPECT_LT(nodes_met(torus.hierarchy()), 52.0);
+    EXPECT_LT(nodes_met(torus.hierarchy()), 46.0);
 }
 
 } // namespace
