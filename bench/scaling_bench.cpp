@@ -88,7 +88,7 @@ void time_build(benchmark::State& state) {
     for (std::size_t face = 0; face < body.face_count(); ++face)
         outlines.append(body.face(face));
     for (auto _ : state)
-        benchmark::DoNotOptimize(BoxHierarchy(outlines, body.vertices()));
+        benchmark::DoNotOptimize(BoxHierarchy(outlines, body.vertices(), unsigned(state.range(1))));
     state.SetItemsProcessed(state.iterations() * std::int64_t(body.face_count()));
     state.counters["bytes_a_triangle"] = double(body.hierarchy().memory()) / double(body.face_count());
 }
@@ -103,7 +103,11 @@ void add_growth() {
     add("growth/first", Find::first, true);
     add("growth/any", Find::any, true);
     add("growth/clear", Find::first, false);
-    benchmark::RegisterBenchmark("hierarchy", time_build)->ArgsProduct({sizes})->Unit(benchmark::kMillisecond);
+    benchmark::RegisterBenchmark("hierarchy", time_build)
+        ->ArgNames({"", "threads"})
+        ->ArgsProduct({sizes, {1, 2}})
+        ->UseRealTime()
+        ->Unit(benchmark::kMillisecond);
 }
 
 /// FCL's robot in its room, or two tori of 5,800 triangles where the data is not there.

@@ -25,7 +25,6 @@ struct BatchOptions {
     QueryOptions query;
     std::string motions;
     std::string out;
-    unsigned threads = 0;
 };
 
 /// How many rows came out as what.
@@ -85,7 +84,8 @@ public:
     BatchRun(const BatchOptions& options, Rows rows)
         : rows_(rows), bodies_(load_bodies(options.bodies)), margin_(margin_of(options.query)),
           time_tolerance_(time_tolerance_of(options.query)), max_turn_(max_turn_of(options.query)),
-          find_(options.query.any ? Find::any : Find::first), threads_(options.threads), out_(options.out) {}
+          find_(options.query.any ? Find::any : Find::first), threads_(options.bodies.polyhedron.threads),
+          out_(options.out) {}
 
     Tally run() {
         Tally tally;
@@ -150,7 +150,8 @@ void add_batch(CLI::App& app, Task& task) {
         ->required()
         ->type_name("FILE");
     command.add_option("--out", options->out, "CSV file to write, one answer a row")->required()->type_name("FILE");
-    command.add_option("--threads", options->threads, "number of threads; 0 for all cores")->capture_default_str();
+    command.add_option("--threads", options->bodies.polyhedron.threads, "number of threads; 0 for all cores")
+        ->capture_default_str();
     add_query_options(command, options->query);
     command.callback([options, &task] { task = [options] { return run_batch(*options); }; });
 }

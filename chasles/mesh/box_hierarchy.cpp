@@ -1,12 +1,15 @@
-// Rounds the boxes of the faces outward to single precision and divides them from the root down, without recursion.
+// Rounds the vertices outward to single precision and divides the boxes of the faces from the root down.
 #include "chasles/mesh/box_hierarchy.h"
 
+#include "chasles/mesh/group_faces.h"
+#include "chasles/mesh/patch_slabs.h"
 #include "chasles/mesh/split_boxes.h"
+#include "chasles/on_threads.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
+#include <bit>
 #include <limits>
+#include <ranges>
 
 namespace chasles {
 namespace {
@@ -18,12 +21,18 @@ double lost(double a, double b, double difference) {
     return (a - a_used) + (b_used - b);
 }
 
+/// The float next below a finite one: floats of a sign are ordered as their bits.
+float next_below(float value) {
+    const auto bits = std::bit_cast<std::int32_t>(value == 0 ? -0.0F : value);
+    return std::bit_cast<float>(bits < 0 ? bits + 1 : bits - 1);
+}
+
 /// The greatest float that is at most a - b; exactly so, not up to rounding.
 float difference_below(double a, double b) {
     const double difference = a - b;
     const auto nearest = static_cast<float>(difference);
     const bool is_above = nearest > difference || (nearest == difference && lost(a, b, difference) < 0.0);
-    return is_above ? std::nextafter(nearest, -std::numeric_limits<float>::infinity()) : nearest;
+    return is_above ? next_below(nearest) : nearest;
 }
 
 /// The smallest float that is at least a - b.
@@ -31,202 +40,227 @@ float difference_above(double a, double b) {
     return -difference_below(b, a);
 }
 
-Eigen::Vector3d middle_of(std::span<const Box> boxes) {
-    Eigen::Vector3d lower = boxes.front().lower;
-    Eigen::Vector3d upper = boxes.front().upper;
-    for (const Box& box : boxes) {
-        lower = lower.cwiseMin(box.lower);
-        upper = upper.cwiseMax(box.upper);
+struct Extent {
+    Eigen::Vector3d lower = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
+    Eigen::Vector3d upper = -lower;
+
+    void extend(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+        lower = lower.cwiseMin(from);
+        upper = upper.cwiseMax(to);
     }
-    return 0.5 * lower + 0.5 * upper;
+    [[nodiscard]] Eigen::Vector3d middle() const { return 0.5 * lower + 0.5 * upper; }
+    [[nodiscard]] double size() const { return (upper - lower).maxCoeff(); }
+};
+
+/// Vertices or corners that are looked at by one thread at a time.
+constexpr std::size_t piece = 1U << 15U;
+
+/// Calls work(begin, end) for parts of [0, count) that do not depend on the number of threads.
+template <typename Work>
+void in_pieces(unsigned threads, std::size_t count, const Work& work) {
+    on_threads(threads, (count + piece - 1) / piece, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t index = begin; index < end; ++index)
+            work(index * piece, std::min((index + 1) * piece, count));
+    });
 }
 
-std::vector<PackedBox> pack(std::span<const Box> boxes, const Eigen::Vector3d& centre) {
-    std::vector<PackedBox> packed(boxes.size());
-    for (std::size_t i = 0; i < boxes.size(); ++i)
-        for (int axis = 0; axis < 4; ++axis) {
-            const bool is_used = axis < 3;
-            packed[i].lower[axis] = is_used ? difference_below(boxes[i].lower[axis], centre[axis]) : 0.0F;
-            packed[i].upper[axis] = is_used ? difference_above(boxes[i].upper[axis], centre[axis]) : 0.0F;
-        }
-    return packed;
+/// Of all vertices that are corners.
+Extent extent_of(std::span<const std::uint32_t> corners, std::span<const Eigen::Vector3d> vertices, unsigned threads) {
+    std::vector<Extent> parts(corners.size() / piece + 1);
+    in_pieces(threads, corners.size(), [&](std::size_t begin, std::size_t end) {
+        Extent part;
+        for (const std::uint32_t corner : corners.subspan(begin, end - begin))
+            part.extend(vertices[corner], vertices[corner]);
+        parts[begin / piece] = part;
+    });
+    Extent whole;
+    for (const Extent& part : parts)
+        whole.extend(part.lower, part.upper);
+    return whole;
 }
 
-/// The boxes [begin, begin + count) are to become the subtree at `node`, whose other nodes begin at `below`.
+PackedBox round_outward(const Eigen::Vector3d& vertex, const Eigen::Vector3d& centre) {
+    PackedBox box{Eigen::Array4f::Zero(), Eigen::Array4f::Zero()};
+    for (int axis = 0; axis < 3; ++axis) {
+        box.lower[axis] = difference_below(vertex[axis], centre[axis]);
+        box.upper[axis] = difference_above(vertex[axis], centre[axis]);
+    }
+    return box;
+}
+
+/// What encloses each vertex, relative to the middle of the body.
+std::vector<PackedBox> round_outward(std::span<const Eigen::Vector3d> vertices, const Eigen::Vector3d& centre,
+                                     unsigned threads) {
+    std::vector<PackedBox> rounded(vertices.size());
+    in_pieces(threads, vertices.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            rounded[i] = round_outward(vertices[i], centre);
+    });
+    return rounded;
+}
+
+/// `count` faces are to become the subtree at `node`, whose other nodes begin at `below`.
 struct Subtree {
-    std::size_t begin;
+    std::size_t begin; ///< of its boxes, among those of its group
     std::size_t count;
     std::size_t node;
     std::size_t below;
     std::size_t depth;
+
+    /// Two nodes for the children, then all 2 first - 2 nodes below the left one, then those below the right one.
+    [[nodiscard]] Subtree left(std::size_t first) const { return {begin, first, below, below + 2, depth + 1}; }
+    [[nodiscard]] Subtree right(std::size_t first) const {
+        return {begin + first, count - first, below + 1, below + 2 * first, depth + 1};
+    }
 };
 
-/// Nodes of more faces have their box for a slab: hardly a surface is flat over so many. That changes the pairs of
-/// nodes in the cases of peers_bench by a few per cent, and halves the work for bodies of a million faces.
-constexpr std::uint32_t largest_patch = 1024;
+void set_box(BoxNode& node, const PackedBox& box) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.lower[axis] = box.lower[static_cast<Eigen::Index>(axis)];
+        node.upper[axis] = box.upper[static_cast<Eigen::Index>(axis)];
+    }
+}
 
-/// Faces side by side in the order of the leaves.
-struct FaceRange {
-    std::uint32_t begin;
-    std::uint32_t count;
-};
+void set_box(BoxNode& node, const BoxNode& left, const BoxNode& right) {
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        node.lower[axis] = std::min(left.lower[axis], right.lower[axis]);
+        node.upper[axis] = std::max(left.upper[axis], right.upper[axis]);
+    }
+}
 
-/// The corners of all faces in the order of the leaves, relative to the middle of the body and in single precision.
-class FaceCorners {
+void set_first(BoxNode& node, std::size_t face_or_child) {
+    node.first = static_cast<std::uint32_t>(face_or_child) & 0x7fffffffU;
+}
+
+/// Divides one group after another; keeps its memory for the next one.
+class GroupBuilder {
 public:
-    FaceCorners(std::span<const std::uint32_t> faces, const FlatLists<std::uint32_t>& outlines,
-                std::span<const Eigen::Vector3d> vertices, const Eigen::Vector3d& centre, float size)
-        : unit_(1 / size) {
-        begin_.reserve(faces.size() + 1);
-        points_.reserve(outlines.items.size());
-        for (const std::uint32_t face : faces) {
-            begin_.push_back(points_.size());
-            for (const std::uint32_t vertex : outlines[face])
-                points_.push_back((vertices[vertex] - centre).cast<float>());
+    GroupBuilder(const RoundedFaces& faces, float size, std::span<BoxNode> nodes)
+        : faces_(faces), slabs_(faces, size), nodes_(nodes) {}
+
+    void build(const Subtree& subtree, std::span<const std::uint32_t> group) {
+        boxes_.clear();
+        boxes_.reserve(group.size());
+        GroupBounds bounds;
+        for (const std::uint32_t face : group) {
+            boxes_.push_back(faces_.box(face));
+            bounds.extend(boxes_.back());
         }
-        begin_.push_back(points_.size());
-    }
-
-    [[nodiscard]] std::span<const Eigen::Vector3f> of(const FaceRange& faces) const {
-        return std::span(points_).subspan(begin_[faces.begin], begin_[faces.begin + faces.count] - begin_[faces.begin]);
-    }
-
-    /// Of the face at a place, as long as twice its area in terms of the body's size.
-    [[nodiscard]] Eigen::Vector3f normal(std::uint32_t place) const {
-        const std::span<const Eigen::Vector3f> corners = of({place, 1});
-        Eigen::Vector3f sum = Eigen::Vector3f::Zero();
-        for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-            sum += (unit_ * (corners[i] - corners[0])).cross(unit_ * (corners[i + 1] - corners[0]));
-        return sum;
+        build(subtree, bounds);
     }
 
 private:
-    std::vector<std::size_t> begin_;
-    std::vector<Eigen::Vector3f> points_;
-    float unit_;
-};
-
-/// The two sides of a thin plate do not cancel.
-Eigen::Vector3f aligned_sum(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
-    return a.dot(b) < 0 ? Eigen::Vector3f(a - b) : Eigen::Vector3f(a + b);
-}
-
-void add_slab(BoxNode& node, std::span<const Eigen::Vector3f> corners, const Eigen::Vector3f& along) {
-    node.slab = PackedSlab(along);
-    const Eigen::Vector3f normal = node.slab.normal();
-    float lower = std::numeric_limits<float>::infinity();
-    float upper = -lower;
-    for (const Eigen::Vector3f& corner : corners) {
-        const float height = normal.dot(corner);
-        lower = std::min(lower, height);
-        upper = std::max(upper, height);
-    }
-    const BoxMiddle box = middle_of(node);
-    const float middle = normal.dot(box.centre);
-    node.slab.set_heights(lower - middle, upper - middle, box.half);
-}
-
-class TreeBuilder {
-public:
-    TreeBuilder(std::vector<PackedBox> boxes) : boxes_(std::move(boxes)), faces_(boxes_.size()) {
-        for (std::uint32_t face = 0; face < faces_.size(); ++face)
-            faces_[face] = face;
-        nodes_.resize(2 * boxes_.size() - 1);
-        ranges_.resize(nodes_.size());
-    }
-
-    /// Once, and first.
-    void divide_all() {
-        std::vector<Subtree> waiting{{0, boxes_.size(), 0, 1, 0}};
-        while (!waiting.empty()) {
-            const Subtree subtree = waiting.back();
-            waiting.pop_back();
-            const GroupBounds bounds(group_of(subtree).boxes);
-            set_node(subtree, bounds.boxes);
-            if (subtree.count > 1)
-                divide(subtree, bounds, waiting);
+    void build(const Subtree& subtree, const GroupBounds& bounds) {
+        if (subtree.count <= PatchSlabs::largest_patch) {
+            build_patch(subtree, bounds);
+            slabs_.add(nodes_, subtree.node, boxes_of(subtree));
+            return;
         }
+        const Division division = divide(subtree, bounds);
+        build(subtree.left(division.first), division.bounds[0]);
+        build(subtree.right(division.first), division.bounds[1]);
     }
 
-    std::vector<BoxNode> nodes() && { return std::move(nodes_); }
-
-    /// Slabs around all corners of a node's faces, along what their normals add up to.
-    void add_slabs(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices,
-                   const Eigen::Vector3d& centre) {
-        const float size = std::max(middle_of(nodes_[0]).half.maxCoeff(), std::numeric_limits<float>::min());
-        const FaceCorners corners(faces_, outlines, vertices, centre, size);
-        std::vector<Eigen::Vector3f> normals(nodes_.size());
-        for (std::size_t node = nodes_.size(); node-- > 0;) { // children come behind their parents
-            const BoxNode& made = nodes_[node];
-            normals[node] = made.is_leaf() ? corners.normal(ranges_[node].begin)
-                                           : aligned_sum(normals[made.first], normals[made.first + 1]);
-            if (ranges_[node].count <= largest_patch)
-                add_slab(nodes_[node], corners.of(ranges_[node]), normals[node]);
+    void build_patch(const Subtree& subtree, const GroupBounds& bounds) {
+        if (subtree.count == 1) {
+            BoxNode& leaf = nodes_[subtree.node];
+            set_box(leaf, bounds.boxes);
+            leaf.leaf = 1;
+            set_first(leaf, boxes_[subtree.begin].face());
+            return;
         }
+        const Division division = divide(subtree, bounds);
+        build_patch(subtree.left(division.first), division.bounds[0]);
+        build_patch(subtree.right(division.first), division.bounds[1]);
     }
 
-private:
-    [[nodiscard]] BoxGroup group_of(const Subtree& subtree) {
-        return BoxGroup{boxes_, faces_}.part(subtree.begin, subtree.count);
-    }
-
-    void set_node(const Subtree& subtree, const PackedBox& box) {
+    Division divide(const Subtree& subtree, const GroupBounds& bounds) {
         BoxNode& node = nodes_[subtree.node];
-        for (std::size_t axis = 0; axis < 3; ++axis) {
-            node.lower[axis] = box.lower[static_cast<Eigen::Index>(axis)];
-            node.upper[axis] = box.upper[static_cast<Eigen::Index>(axis)];
-        }
-        node.leaf = subtree.count == 1 ? 1 : 0;
-        node.first = (node.is_leaf() ? faces_[subtree.begin] : static_cast<std::uint32_t>(subtree.below)) & 0x7fffffffU;
-        ranges_[subtree.node] = {static_cast<std::uint32_t>(subtree.begin), static_cast<std::uint32_t>(subtree.count)};
-    }
-
-    void divide(const Subtree& subtree, const GroupBounds& bounds, std::vector<Subtree>& waiting) {
+        set_box(node, bounds.boxes);
+        node.leaf = 0;
+        set_first(node, subtree.below);
         // Uneven divisions in a row could make the tree as deep as it has faces.
         const bool may_be_uneven = subtree.depth < BoxHierarchy::max_depth - 32;
-        const std::size_t first = may_be_uneven ? split_boxes(group_of(subtree), bounds) : subtree.count / 2;
-        // Two nodes for the children, then all 2 first - 2 nodes below the left one, then those below the right one.
-        const std::size_t left = subtree.below;
-        waiting.push_back(
-            {subtree.begin + first, subtree.count - first, left + 1, left + 2 * first, subtree.depth + 1});
-        waiting.push_back({subtree.begin, first, left, left + 2, subtree.depth + 1});
+        const std::span<PackedBox> boxes = boxes_of(subtree);
+        return may_be_uneven ? chasles::divide(boxes, bounds) : halve(boxes);
     }
 
+    std::span<PackedBox> boxes_of(const Subtree& subtree) {
+        return std::span(boxes_).subspan(subtree.begin, subtree.count);
+    }
+
+    RoundedFaces faces_;
+    PatchSlabs slabs_;
+    std::span<BoxNode> nodes_;
     std::vector<PackedBox> boxes_;
-    std::vector<std::uint32_t> faces_;
-    std::vector<BoxNode> nodes_;
-    std::vector<FaceRange> ranges_;
 };
 
-std::vector<Box> boxes_of(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices) {
-    std::vector<Box> boxes(outlines.size());
-    for (std::size_t face = 0; face < boxes.size(); ++face) {
-        const std::span<const std::uint32_t> outline = outlines[face];
-        Box box{vertices[outline.front()], vertices[outline.front()]};
-        for (const std::uint32_t vertex : outline.subspan(1)) {
-            box.lower = box.lower.cwiseMin(vertices[vertex]);
-            box.upper = box.upper.cwiseMax(vertices[vertex]);
-        }
-        boxes[face] = box;
+/// The nodes above the groups, and which nodes belong to each group.
+class GroupPlaces {
+public:
+    GroupPlaces(const FaceGroups& groups, std::span<BoxNode> nodes)
+        : groups_(groups), nodes_(nodes), subtrees_(groups.planes.group_count()) {
+        place(groups.planes.root(), {0, groups.faces.items.size(), 0, 1, 0});
     }
-    return boxes;
+
+    [[nodiscard]] const Subtree& operator[](std::size_t group) const { return subtrees_[group]; }
+
+    /// Once the groups are built.
+    void enclose_groups() {
+        for (const Subtree& subtree : std::views::reverse(above_)) { // children come behind their parents
+            BoxNode& node = nodes_[subtree.node];
+            set_box(node, nodes_[subtree.below], nodes_[subtree.below + 1]);
+            node.leaf = 0;
+            set_first(node, subtree.below);
+        }
+    }
+
+private:
+    void place(PlaneTree::Place place_in_planes, const Subtree& subtree) {
+        const PlaneTree& planes = groups_.planes;
+        if (PlaneTree::is_group(place_in_planes)) {
+            Subtree& group = subtrees_[planes.first_group(place_in_planes)];
+            group = subtree;
+            group.begin = 0;
+            return;
+        }
+        above_.push_back(subtree);
+        const auto [left, right] = planes.node(place_in_planes).parts;
+        const std::size_t first = groups_.faces.offsets[planes.first_group(right)] - subtree.begin;
+        place(left, subtree.left(first));
+        place(right, subtree.right(first));
+    }
+
+    const FaceGroups& groups_;
+    std::span<BoxNode> nodes_;
+    std::vector<Subtree> subtrees_; ///< of the groups
+    std::vector<Subtree> above_;    ///< parents come first
+};
+
+std::vector<BoxNode> build_tree(const RoundedFaces& faces, float size, unsigned threads) {
+    const FaceGroups groups = group_faces(faces, threads);
+    std::vector<BoxNode> nodes(2 * faces.size() - 1);
+    GroupPlaces places(groups, nodes);
+    on_threads(threads, groups.faces.size(), [&](std::size_t begin, std::size_t end) {
+        GroupBuilder builder(faces, size, nodes);
+        for (std::size_t group = begin; group < end; ++group)
+            builder.build(places[group], groups.faces[group]);
+    });
+    places.enclose_groups();
+    return nodes;
 }
 
 } // namespace
 
-BoxHierarchy::BoxHierarchy(std::span<const Box> faces) : centre_(middle_of(faces)) {
-    TreeBuilder builder(pack(faces, centre_));
-    builder.divide_all();
-    nodes_ = std::move(builder).nodes();
-}
-
-BoxHierarchy::BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices) {
-    const std::vector<Box> boxes = boxes_of(outlines, vertices);
-    centre_ = middle_of(boxes);
-    TreeBuilder builder(pack(boxes, centre_));
-    builder.divide_all();
-    builder.add_slabs(outlines, vertices, centre_);
-    nodes_ = std::move(builder).nodes();
+BoxHierarchy::BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices,
+                           unsigned threads) {
+    if (outlines.size() < fewest_to_group)
+        threads = 1;
+    const Extent extent = extent_of(outlines.items, vertices, threads);
+    centre_ = extent.middle();
+    const std::vector<PackedBox> rounded = round_outward(vertices, centre_, threads);
+    const auto size = std::max(static_cast<float>(extent.size()), std::numeric_limits<float>::min());
+    nodes_ = build_tree({outlines, rounded}, size, threads);
 }
 
 } // namespace chasles

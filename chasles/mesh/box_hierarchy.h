@@ -13,12 +13,6 @@
 
 namespace chasles {
 
-/// A box in double precision, in the body's frame.
-struct Box {
-    Eigen::Vector3d lower;
-    Eigen::Vector3d upper;
-};
-
 /// One node of 32 bytes. The box is relative to BoxHierarchy::centre() and rounded outward to single precision.
 struct BoxNode {
     std::array<float, 3> lower;
@@ -55,11 +49,10 @@ public:
 
     BoxHierarchy() = default;
 
-    /// From the boxes of the faces (n of them, at least one); slabs are the boxes.
-    explicit BoxHierarchy(std::span<const Box> faces);
-
-    /// From the outlines of the faces (lists of vertices; at least one).
-    BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices);
+    /// From the outlines of the faces (lists of vertices; at least one), on at most `threads` threads (0: all cores),
+    /// which change nothing of the result.
+    BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices,
+                 unsigned threads = 1);
 
     [[nodiscard]] std::span<const BoxNode> nodes() const { return nodes_; }
 

@@ -89,7 +89,7 @@ Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
     data->vertices.assign(vertices.begin(), vertices.end());
     data->owned_vertices = share_features(outlines.offsets, outlines.items, vertices.size());
     data->owned_edges = share_edges(outlines, edges);
-    data->hierarchy = BoxHierarchy(outlines, vertices);
+    data->hierarchy = BoxHierarchy(outlines, vertices, options.threads);
     if (!is_identity(polygons.faces.source, faces.size()))
         data->source = std::move(polygons.faces.source);
     data->triangles = std::move(polygons.triangles);

@@ -13,12 +13,15 @@
 
 namespace chasles {
 
-/// What to do with faces that are not as they should be.
+/// What to do with faces that are not as they should be, and how a body is made.
 struct PolyhedronOptions {
     /// Cut polygons that are not planar into triangles instead of refusing them.
     bool triangulate = false;
     /// Drop faces without area whose edges belong to other faces too instead of refusing them.
     bool drop_degenerate = false;
+    /// Build the hierarchy on at most so many threads (0: all cores). The body is the same to the last bit. Others than
+    /// the calling thread are asked only for 32,768 faces or more.
+    unsigned threads = 0;
 };
 
 /// How a mesh hangs together; see Polyhedron::report().

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
+#include <limits>
 
 namespace chasles {
 
@@ -28,22 +29,24 @@ public:
     /// The whole box.
     PackedSlab() = default;
 
-    /// Along a vector of any length and either sign; z if it is zero or not finite. Until heights are set: the box.
+    /// Along a vector of any length and either sign; z if it is next to zero or not finite. Until heights are set: the
+    /// box.
     explicit PackedSlab(const Eigen::Vector3f& along) {
         const float size = along.lpNorm<1>();
-        if (!(size > 0) || !std::isfinite(size))
+        if (!(size >= std::numeric_limits<float>::min() && size <= std::numeric_limits<float>::max()))
             return;
-        const Eigen::Vector3f unit = along / (along.z() < 0 ? -size : size);
-        u_ = std::int8_t(std::lround(127 * (unit.x() + unit.y())));
-        v_ = std::int8_t(std::lround(127 * (unit.x() - unit.y())));
+        const Eigen::Vector3f unit = std::copysign(1 / size, along.z()) * along;
+        u_ = nearest(127 * (unit.x() + unit.y()));
+        v_ = nearest(127 * (unit.x() - unit.y()));
     }
 
     void set_heights(float lower, float upper, const Eigen::Vector3f& half) {
         const float unit = normal().cwiseAbs().dot(half) * height_unit;
-        if (!(unit > 0))
+        if (!(unit >= std::numeric_limits<float>::min()))
             return;
-        lower_ = std::int8_t(std::clamp(std::floor(lower / unit), -127.0F, 127.0F));
-        upper_ = std::int8_t(std::clamp(std::ceil(upper / unit), -127.0F, 127.0F));
+        const float units = 1 / unit;
+        lower_ = at_most(lower * units);
+        upper_ = std::int8_t(-at_most(-upper * units));
     }
 
     [[nodiscard]] Eigen::Vector3f normal() const {
@@ -63,6 +66,14 @@ public:
     }
 
 private:
+    // Without jumps and calls, which std::clamp and the functions of the standard library are on plain x86-64.
+    static std::int8_t nearest(float value) { return std::int8_t(value + std::copysign(0.5F, value)); }
+    static std::int8_t at_most(float value) {
+        const float held = std::max(-127.0F, std::min(value, 127.0F));
+        const auto towards_zero = int(held);
+        return std::int8_t(towards_zero - (held < float(towards_zero) ? 1 : 0));
+    }
+
     std::int8_t u_ = 0;
     std::int8_t v_ = 0;
     std::int8_t lower_ = -127;

@@ -1,13 +1,9 @@
 #include "chasles/query/path.h"
 
 #include "chasles/invalid_input.h"
+#include "chasles/on_threads.h"
 
-#include <algorithm>
 #include <mutex>
-#include <oneapi/tbb/blocked_range.h>
-#include <oneapi/tbb/info.h>
-#include <oneapi/tbb/parallel_for.h>
-#include <oneapi/tbb/task_arena.h>
 
 namespace chasles {
 
@@ -39,8 +35,8 @@ std::vector<FirstContact> first_contact_batch(const BatchQuery& query) {
     std::vector<FirstContact> results(query.motions.size());
     std::size_t done = 0;
     std::mutex reporting;
-    const auto answer = [&](const oneapi::tbb::blocked_range<std::size_t>& range) {
-        for (std::size_t i = range.begin(); i < range.end(); ++i)
+    on_threads(query.threads, results.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
             results[i] = first_contact({.moving = query.moving,
                                         .fixed = query.fixed,
                                         .motion = query.motions[i],
@@ -49,15 +45,10 @@ std::vector<FirstContact> first_contact_batch(const BatchQuery& query) {
                                         .max_turn = query.max_turn,
                                         .find = query.find});
         const std::lock_guard lock(reporting);
-        done += range.size();
+        done += end - begin;
         if (query.progress)
             query.progress(done);
-    };
-    // More threads than cores gain nothing, and oneTBB would warn on standard error.
-    const auto cores = static_cast<unsigned>(oneapi::tbb::info::default_concurrency());
-    oneapi::tbb::task_arena arena(int(query.threads == 0 ? cores : std::min(query.threads, cores)));
-    arena.execute(
-        [&] { oneapi::tbb::parallel_for(oneapi::tbb::blocked_range<std::size_t>(0, results.size(), 1), answer); });
+    });
     return results;
 }
 

@@ -1,0 +1,31 @@
+// Independent pieces of work on several threads. Not part of the stable surface.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace chasles {
+
+/// Calls work(begin, end) for ranges that make up [0, count), at the same time on at most `threads` threads (0: all
+/// cores). A single piece is done by the calling thread.
+template <typename Work>
+void on_threads(unsigned threads, std::size_t count, const Work& work) {
+    if (count < 2) {
+        if (count == 1)
+            work(std::size_t{0}, count);
+        return;
+    }
+    // More threads than cores gain nothing, and oneTBB would warn on standard error.
+    const auto cores = static_cast<unsigned>(oneapi::tbb::info::default_concurrency());
+    oneapi::tbb::task_arena arena(int(threads == 0 ? cores : std::min(threads, cores)));
+    arena.execute([&] {
+        using Range = oneapi::tbb::blocked_range<std::size_t>;
+        oneapi::tbb::parallel_for(Range(0, count, 1), [&](const Range& range) { work(range.begin(), range.end()); });
+    });
+}
+
+} // namespace chasles
