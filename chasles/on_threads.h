@@ -28,4 +28,14 @@ void on_threads(unsigned threads, std::size_t count, const Work& work) {
     });
 }
 
+/// Calls work(index, begin, end) for pieces of [0, count) of so many each, which do not depend on the number of
+/// threads.
+template <typename Work>
+void in_pieces(unsigned threads, std::size_t count, std::size_t piece, const Work& work) {
+    on_threads(threads, (count + piece - 1) / piece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t index = first; index < last; ++index)
+            work(index, index * piece, std::min((index + 1) * piece, count));
+    });
+}
+
 } // namespace chasles

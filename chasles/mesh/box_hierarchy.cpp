@@ -52,26 +52,17 @@ struct Extent {
     [[nodiscard]] double size() const { return (upper - lower).maxCoeff(); }
 };
 
-/// Vertices or corners that are looked at by one thread at a time.
-constexpr std::size_t piece = 1U << 15U;
-
-/// Calls work(begin, end) for parts of [0, count) that do not depend on the number of threads.
-template <typename Work>
-void in_pieces(unsigned threads, std::size_t count, const Work& work) {
-    on_threads(threads, (count + piece - 1) / piece, [&](std::size_t begin, std::size_t end) {
-        for (std::size_t index = begin; index < end; ++index)
-            work(index * piece, std::min((index + 1) * piece, count));
-    });
-}
+/// Vertices or corners that one thread looks at in a row.
+constexpr std::size_t many_vertices = 1U << 15U;
 
 /// Of all vertices that are corners.
 Extent extent_of(std::span<const std::uint32_t> corners, std::span<const Eigen::Vector3d> vertices, unsigned threads) {
-    std::vector<Extent> parts(corners.size() / piece + 1);
-    in_pieces(threads, corners.size(), [&](std::size_t begin, std::size_t end) {
+    std::vector<Extent> parts(corners.size() / many_vertices + 1);
+    in_pieces(threads, corners.size(), many_vertices, [&](std::size_t index, std::size_t begin, std::size_t end) {
         Extent part;
         for (const std::uint32_t corner : corners.subspan(begin, end - begin))
             part.extend(vertices[corner], vertices[corner]);
-        parts[begin / piece] = part;
+        parts[index] = part;
     });
     Extent whole;
     for (const Extent& part : parts)
@@ -92,7 +83,7 @@ PackedBox round_outward(const Eigen::Vector3d& vertex, const Eigen::Vector3d& ce
 std::vector<PackedBox> round_outward(std::span<const Eigen::Vector3d> vertices, const Eigen::Vector3d& centre,
                                      unsigned threads) {
     std::vector<PackedBox> rounded(vertices.size());
-    in_pieces(threads, vertices.size(), [&](std::size_t begin, std::size_t end) {
+    in_pieces(threads, vertices.size(), many_vertices, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             rounded[i] = round_outward(vertices[i], centre);
     });

@@ -15,8 +15,8 @@ constexpr unsigned sample_bits = 4;
 /// fit a cache.
 constexpr std::size_t largest_sample = 256;
 constexpr std::size_t max_depth = 32;
-/// Faces that are sorted by one thread at a time.
-constexpr std::size_t piece = 1U << 14U;
+/// Faces that one thread sorts in a row.
+constexpr std::size_t many_faces = 1U << 14U;
 
 /// One of every few faces in a row, which one as if by chance: rows of a grid may be as long.
 std::vector<PackedBox> sample_of(const RoundedFaces& faces) {
@@ -34,16 +34,16 @@ std::vector<PackedBox> sample_of(const RoundedFaces& faces) {
 class Sorting {
 public:
     Sorting(std::size_t faces, std::size_t groups)
-        : group_of_(faces), pieces_((faces + piece - 1) / piece), groups_(groups), next_(pieces_ * groups) {}
+        : group_of_(faces), groups_(groups), next_((faces + many_faces - 1) / many_faces * groups) {}
 
-    [[nodiscard]] std::size_t pieces() const { return pieces_; }
-
-    void count(std::size_t index, const RoundedFaces& faces, const PlaneTree& planes) {
-        const std::span<std::uint32_t> counts = next_of(index);
-        for (std::size_t face = index * piece; face < end_of(index); ++face) {
-            group_of_[face] = planes.group_of(faces.box(face));
-            ++counts[group_of_[face]];
-        }
+    void count(const RoundedFaces& faces, const PlaneTree& planes, unsigned threads) {
+        in_pieces(threads, group_of_.size(), many_faces, [&](std::size_t index, std::size_t begin, std::size_t end) {
+            const std::span<std::uint32_t> counts = next_of(index);
+            for (std::size_t face = begin; face < end; ++face) {
+                group_of_[face] = planes.group_of(faces.box(face));
+                ++counts[group_of_[face]];
+            }
+        });
     }
 
     /// From numbers of faces to places, group by group, and in each the pieces in order. Answers where groups begin.
@@ -59,20 +59,18 @@ public:
         return begin;
     }
 
-    void move(std::size_t index, std::span<std::uint32_t> sorted) {
-        const std::span<std::uint32_t> next = next_of(index);
-        for (std::size_t face = index * piece; face < end_of(index); ++face)
-            sorted[next[group_of_[face]]++] = static_cast<std::uint32_t>(face);
+    void move(std::span<std::uint32_t> sorted, unsigned threads) {
+        in_pieces(threads, group_of_.size(), many_faces, [&](std::size_t index, std::size_t begin, std::size_t end) {
+            const std::span<std::uint32_t> next = next_of(index);
+            for (std::size_t face = begin; face < end; ++face)
+                sorted[next[group_of_[face]]++] = static_cast<std::uint32_t>(face);
+        });
     }
 
 private:
-    [[nodiscard]] std::size_t end_of(std::size_t index) const {
-        return std::min((index + 1) * piece, group_of_.size());
-    }
     std::span<std::uint32_t> next_of(std::size_t index) { return std::span(next_).subspan(index * groups_, groups_); }
 
     std::vector<std::uint32_t> group_of_;
-    std::size_t pieces_;
     std::size_t groups_;
     std::vector<std::uint32_t> next_; ///< of each piece: a number for each group
 };
@@ -100,15 +98,9 @@ PlaneTree::Place PlaneTree::grow(std::span<PackedBox> sample, const GroupBounds&
 FaceGroups group_faces(const RoundedFaces& faces, unsigned threads) {
     FaceGroups groups{PlaneTree(sample_of(faces)), {{}, std::vector<std::uint32_t>(faces.size())}};
     Sorting sorting(faces.size(), groups.planes.group_count());
-    on_threads(threads, sorting.pieces(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t index = begin; index < end; ++index)
-            sorting.count(index, faces, groups.planes);
-    });
+    sorting.count(faces, groups.planes, threads);
     groups.faces.offsets = sorting.add_up();
-    on_threads(threads, sorting.pieces(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t index = begin; index < end; ++index)
-            sorting.move(index, groups.faces.items);
-    });
+    sorting.move(groups.faces.items, threads);
     return groups;
 }
 
