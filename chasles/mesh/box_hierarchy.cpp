@@ -228,9 +228,8 @@ private:
     std::vector<Subtree> above_;    ///< parents come first
 };
 
-std::vector<BoxNode> build_tree(const RoundedFaces& faces, float size, unsigned threads) {
+void build_tree(const RoundedFaces& faces, float size, unsigned threads, std::span<BoxNode> nodes) {
     const FaceGroups groups = group_faces(faces, threads);
-    std::vector<BoxNode> nodes(2 * faces.size() - 1);
     GroupPlaces places(groups, nodes);
     on_threads(threads, groups.faces.size(), [&](std::size_t begin, std::size_t end) {
         GroupBuilder builder(faces, size, nodes);
@@ -238,7 +237,6 @@ std::vector<BoxNode> build_tree(const RoundedFaces& faces, float size, unsigned 
             builder.build(places[group], groups.faces[group]);
     });
     places.enclose_groups();
-    return nodes;
 }
 
 } // namespace
@@ -251,7 +249,8 @@ BoxHierarchy::BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<c
     centre_ = extent.middle();
     const std::vector<PackedBox> rounded = round_outward(vertices, centre_, threads);
     const auto size = std::max(static_cast<float>(extent.size()), std::numeric_limits<float>::min());
-    nodes_ = build_tree({outlines, rounded}, size, threads);
+    nodes_.resize(2 * outlines.size());
+    build_tree({outlines, rounded}, size, threads, std::span(nodes_).subspan(1));
 }
 
 } // namespace chasles

@@ -1,6 +1,7 @@
 // A binary tree of axis-aligned boxes over the faces of a body, in the body's own frame.
 #pragma once
 
+#include "chasles/mesh/cache_line.h"
 #include "chasles/mesh/flat_lists.h"
 #include "chasles/mesh/slab.h"
 
@@ -54,7 +55,9 @@ public:
     BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices,
                  unsigned threads = 1);
 
-    [[nodiscard]] std::span<const BoxNode> nodes() const { return nodes_; }
+    [[nodiscard]] std::span<const BoxNode> nodes() const {
+        return nodes_.empty() ? std::span<const BoxNode>() : std::span(nodes_).subspan(1);
+    }
 
     /// The point of the body's frame that the boxes are relative to: the middle of the whole body, so that single
     /// precision is spent on the body and not on its distance from the origin.
@@ -63,7 +66,8 @@ public:
     [[nodiscard]] std::size_t memory() const { return nodes_.capacity() * sizeof(BoxNode); }
 
 private:
-    std::vector<BoxNode> nodes_;
+    /// The first one is not used, so that the two children of each node are in one cache line.
+    std::vector<BoxNode, CacheLineAllocator<BoxNode>> nodes_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
 };
 

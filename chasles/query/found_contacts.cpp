@@ -211,7 +211,7 @@ Refinement& FoundContacts::refinement() {
 
 ExactStage& FoundContacts::exact_stage() {
     if (!exact_stage_)
-        exact_stage_.emplace(search_.moving, search_.fixed, search_.frame);
+        exact_stage_ = std::make_unique<ExactStage>(search_.moving, search_.fixed, search_.frame);
     return *exact_stage_;
 }
 

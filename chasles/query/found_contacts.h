@@ -6,6 +6,7 @@
 #include "chasles/query/exact_stage.h"
 #include "chasles/query/traversal.h"
 
+#include <memory>
 #include <set>
 #include <tuple>
 
@@ -78,9 +79,9 @@ private:
 
     const PieceSearch& search_;
     elementary::ErrorScale scale_;
-    std::optional<Refinement> refinement_;  ///< made when it is first asked
-    std::optional<ExactStage> exact_stage_; ///< likewise
-    double best_ = 1;                       ///< an upper end of the first contact found so far
+    std::optional<Refinement> refinement_;    ///< made when it is first asked
+    std::unique_ptr<ExactStage> exact_stage_; ///< likewise, and large
+    double best_ = 1;                         ///< an upper end of the first contact found so far
     std::size_t at_once_ = 0;
     Bracket certain_{2, 2}; ///< the least ends of contacts that are proven; lower ends once they are final
     bool stop_ = false;

@@ -159,6 +159,19 @@ bool are_the_same(const BoxHierarchy& a, const BoxHierarchy& b) {
            std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size_bytes()) == 0;
 }
 
+TEST(BoxHierarchy, ChildrenOfANodeShareACacheLine) {
+    std::mt19937_64 random(20240515);
+    const BoxHierarchy tree = hierarchy_of(random_boxes(random, 300, 0.0));
+    const BoxHierarchy copy = tree;
+    const auto place = [](const BoxHierarchy& of, const BoxNode& node) {
+        return reinterpret_cast<std::uintptr_t>(&of.nodes()[node.is_leaf() ? 1U : node.first]) % cache_line;
+    };
+    for (const BoxNode& node : tree.nodes()) {
+        EXPECT_EQ(place(tree, node), 0U);
+        EXPECT_EQ(place(copy, node), 0U);
+    }
+}
+
 TEST(BoxHierarchy, IsTheSameEachTime) {
     const unsigned seed = 20240512;
     SCOPED_TRACE(seed);

@@ -1,0 +1,28 @@
+// Memory that begins with a cache line.
+#pragma once
+
+#include <cstddef>
+#include <new>
+
+namespace chasles {
+
+inline constexpr std::size_t cache_line = 64;
+
+/// For containers of the standard library.
+template <class T>
+struct CacheLineAllocator {
+    using value_type = T;
+
+    CacheLineAllocator() = default;
+    template <class Other>
+    CacheLineAllocator(const CacheLineAllocator<Other>&) {} // NOLINT(google-explicit-constructor): as containers ask
+
+    T* allocate(std::size_t count) {
+        return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t(cache_line)));
+    }
+    void deallocate(T* place, std::size_t) { ::operator delete(place, std::align_val_t(cache_line)); }
+
+    friend bool operator==(const CacheLineAllocator&, const CacheLineAllocator&) { return true; }
+};
+
+} // namespace chasles
