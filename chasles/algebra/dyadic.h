@@ -43,14 +43,32 @@ public:
     [[nodiscard]] unsigned digits() const { return sign() == 0 ? 0 : unsigned(msb(Integer(abs(mantissa_)))) + 1; }
     [[nodiscard]] Dyadic times_power_of_two(int power) const { return Dyadic(mantissa_, exponent_ + power); }
 
-    friend Dyadic operator+(const Dyadic& a, const Dyadic& b) {
-        if (a.sign() == 0 || b.sign() == 0)
-            return a.sign() == 0 ? b : a;
-        const int exponent = std::min(a.exponent_, b.exponent_);
-        return Dyadic(a.at(exponent) + b.at(exponent), exponent);
+    Dyadic& operator+=(const Dyadic& b) {
+        if (b.sign() == 0)
+            return *this;
+        if (sign() == 0)
+            return *this = b;
+        if (exponent_ > b.exponent_) {
+            mantissa_ <<= unsigned(exponent_ - b.exponent_);
+            exponent_ = b.exponent_;
+        }
+        if (exponent_ == b.exponent_)
+            mantissa_ += b.mantissa_;
+        else
+            mantissa_ += b.mantissa_ << unsigned(b.exponent_ - exponent_);
+        return *this;
     }
-    friend Dyadic operator-(const Dyadic& a) { return Dyadic(Integer(-a.mantissa_), a.exponent_); }
-    friend Dyadic operator-(const Dyadic& a, const Dyadic& b) { return a + -b; }
+    void negate() { mantissa_.backend().negate(); }
+
+    friend Dyadic operator+(Dyadic a, const Dyadic& b) { return std::move(a += b); }
+    friend Dyadic operator-(Dyadic a) {
+        a.negate();
+        return a;
+    }
+    friend Dyadic operator-(const Dyadic& a, Dyadic b) {
+        b.negate();
+        return std::move(b += a);
+    }
     friend Dyadic operator*(const Dyadic& a, const Dyadic& b) {
         if (a.sign() == 0 || b.sign() == 0)
             return {};
@@ -68,9 +86,6 @@ public:
     [[nodiscard]] double rounded_up() const { return -(-*this).rounded_down(); }
 
 private:
-    /// The mantissa of the same number over a power of two that is not larger.
-    [[nodiscard]] Integer at(int exponent) const { return mantissa_ << unsigned(exponent_ - exponent); }
-
     /// The next double towards zero, or, below the normal ones, the nearest.
     [[nodiscard]] double nearly() const {
         if (sign() == 0)

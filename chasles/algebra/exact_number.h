@@ -47,9 +47,11 @@ public:
         return {x.rational_ - y.rational_, x.irrational_ - y.irrational_, x, y};
     }
     friend ExactNumber operator*(const ExactNumber& x, const ExactNumber& y) {
+        if (x.radicand_ == nullptr && y.radicand_ == nullptr)
+            return x.rational_ * y.rational_;
         ExactNumber product(x.rational_ * y.rational_, x.rational_ * y.irrational_ + x.irrational_ * y.rational_, x, y);
         if (x.irrational_.sign() != 0 && y.irrational_.sign() != 0)
-            product.rational_ = product.rational_ + x.irrational_ * y.irrational_ * *product.radicand_;
+            product.rational_ += x.irrational_ * y.irrational_ * *product.radicand_;
         return product;
     }
     [[nodiscard]] ExactNumber times_power_of_two(int power) const {
