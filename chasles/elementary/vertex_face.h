@@ -33,6 +33,8 @@ struct Accuracy {
 template <class S>
 class Constraints {
 public:
+    Constraints() { constraints_.reserve(4); }
+
     void clear() { count_ = 0; }
     /// Demands that what is written to the result is >= 0.
     Bounded<3, S>& add() {

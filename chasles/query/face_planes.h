@@ -79,6 +79,8 @@ private:
         elementary::SeenPlane<double> plane;
         std::vector<int> sides; ///< of the other face's corners
 
+        LastPlane() { sides.reserve(8); }
+
         template <class Make>
         void see(std::uint32_t asked, Make make) {
             if (asked != face)

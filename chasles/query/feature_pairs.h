@@ -14,6 +14,8 @@ using algebra::Vector3;
 template <class S>
 class HeldFace {
 public:
+    HeldFace() { corners_.reserve(8); } // those of most faces, at once
+
     const elementary::FaceShape<S>& hold(const Polyhedron& body, std::uint32_t face) {
         if (body_ == &body && face_ == face)
             return shape_;

@@ -21,7 +21,7 @@ struct NodePair {
 /// before that, in steps of a part of the interval. In and out cost the same, however many there are.
 class PairQueue {
 public:
-    explicit PairQueue(bool by_time) : steps_(by_time ? 64 : 1) {}
+    explicit PairQueue(bool by_time) : steps_(by_time ? 64 : 1) { entries_.reserve(256); }
 
     [[nodiscard]] bool is_empty() const { return occupied_ == 0; }
 
