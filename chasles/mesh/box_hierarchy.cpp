@@ -239,6 +239,14 @@ void build_tree(const RoundedFaces& faces, float size, unsigned threads, std::sp
     places.enclose_groups();
 }
 
+/// Around the point that the root's box is relative to.
+double radius_of(const BoxNode& root) {
+    Eigen::Vector3d reach;
+    for (int i = 0; i < 3; ++i)
+        reach[i] = std::max(std::abs(double(root.lower[i])), std::abs(double(root.upper[i])));
+    return reach.norm() * (1 + 1e-14);
+}
+
 } // namespace
 
 BoxHierarchy::BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices,
@@ -251,6 +259,7 @@ BoxHierarchy::BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<c
     const auto size = std::max(static_cast<float>(extent.size()), std::numeric_limits<float>::min());
     nodes_.resize(2 * outlines.size());
     build_tree({outlines, rounded}, size, threads, std::span(nodes_).subspan(1));
+    radius_ = radius_of(nodes().front());
 }
 
 } // namespace chasles

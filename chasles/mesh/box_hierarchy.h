@@ -63,12 +63,16 @@ public:
     /// precision is spent on the body and not on its distance from the origin.
     [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }
 
+    /// Of a ball around centre() that holds the body.
+    [[nodiscard]] double radius() const { return radius_; }
+
     [[nodiscard]] std::size_t memory() const { return nodes_.capacity() * sizeof(BoxNode); }
 
 private:
     /// The first one is not used, so that the two children of each node are in one cache line.
     std::vector<BoxNode, CacheLineAllocator<BoxNode>> nodes_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
+    double radius_ = 0;
 };
 
 } // namespace chasles

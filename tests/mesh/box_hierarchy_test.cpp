@@ -63,6 +63,9 @@ std::vector<int> walk(const BoxHierarchy& tree, std::size_t face_count) {
 
 void expect_whole(const BoxHierarchy& tree, std::size_t face_count) {
     ASSERT_EQ(tree.nodes().size(), 2 * face_count - 1);
+    const std::array<float, 3>& corner = tree.nodes()[0].upper; // of a box with its middle at 0, up to rounding
+    const double reach = std::hypot(double(corner[0]), double(corner[1]), double(corner[2]));
+    EXPECT_NEAR(tree.radius(), reach, 1e-6 * reach);
     const std::vector<int> leaves = walk(tree, face_count);
     EXPECT_TRUE(std::ranges::all_of(leaves, [](int count) { return count == 1; }));
 }
