@@ -1,5 +1,7 @@
 #include "chasles/motion/screw_pose.h"
 
+#include "chasles/motion/unit_quaternion.h"
+
 #include <cmath>
 
 namespace chasles::motion {
@@ -19,6 +21,19 @@ Quaternion<Scalar> normalized(const Quaternion<Scalar>& q) {
 Pose rounded(const GeneralPose<Scalar>& pose) {
     const Quaternion<Scalar> q = normalized(pose.rotation);
     return Pose(rounded(pose.translation), Eigen::Quaterniond(q.w.high(), q.v.x.high(), q.v.y.high(), q.v.z.high()));
+}
+
+Pose normalized(const Pose& pose) {
+    FourNumbers numbers;
+    for (int i = 0; i < 4; ++i)
+        numbers.set(std::size_t(i), pose.rotation.coeffs()[i]);
+    const UnitNumbers unit = unit_of_near_unit(numbers);
+    if (!unit.is_sure)
+        return rounded(exact(pose));
+    Pose result = pose;
+    for (int i = 0; i < 4; ++i)
+        result.rotation.coeffs()[i] = unit.numbers[std::size_t(i)];
+    return result;
 }
 
 GeneralPose<Scalar> composed(const GeneralPose<Scalar>& outer, const GeneralPose<Scalar>& inner) {

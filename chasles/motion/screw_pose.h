@@ -30,6 +30,9 @@ inline Eigen::Vector3d rounded(const Vector3<algebra::DoubleDouble>& v) {
 /// The pose rounded to double precision, with a quaternion of length one.
 Pose rounded(const GeneralPose<algebra::DoubleDouble>& pose);
 
+/// The same bits as those of rounded(exact(pose)).
+Pose normalized(const Pose& pose);
+
 /// outer * inner: `inner` is given in the frame that `outer` places.
 GeneralPose<algebra::DoubleDouble> composed(const GeneralPose<algebra::DoubleDouble>& outer,
                                             const GeneralPose<algebra::DoubleDouble>& inner);
