@@ -9,7 +9,7 @@ namespace {
 
 /// The members of a pose are open to everyone: what its constructor refuses is refused here again.
 Pose checked(const Pose& pose) {
-    return {pose.translation, Eigen::Quaterniond(pose.rotation)};
+    return motion::is_ordinary(pose) ? pose : Pose(pose.translation, Eigen::Quaterniond(pose.rotation));
 }
 
 void require_rounding_to_nearest() {
@@ -21,7 +21,7 @@ void require_rounding_to_nearest() {
 
 MotionEnds MotionEnds::between(const Pose& start, const Pose& goal) {
     require_rounding_to_nearest();
-    MotionEnds ends;
+    MotionEnds ends; // as one list, all of it would be cleared first, with the room for what there is none of
     ends.given_start.pose = checked(start);
     ends.given_goal.pose = checked(goal);
     return ends;
@@ -30,27 +30,27 @@ MotionEnds MotionEnds::between(const Pose& start, const Pose& goal) {
 MotionEnds MotionEnds::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                 const Pose& fixed_goal) {
     MotionEnds ends = between(moving_start, moving_goal);
-    ends.fixed_start = checked(fixed_start);
-    ends.fixed_goal = checked(fixed_goal);
-    ends.given_start.seen_from = ends.fixed_start;
-    ends.given_goal.seen_from = ends.fixed_goal;
-    ends.fixed_moves = true;
+    ends.fixed = {checked(fixed_start), checked(fixed_goal)};
+    ends.given_start.seen_from = ends.fixed->start;
+    ends.given_goal.seen_from = ends.fixed->goal;
     return ends;
 }
 
 Pose MotionEnds::fixed_pose_at(double time) const {
-    if (!fixed_moves)
+    if (!fixed)
         return {};
-    return motion::screw_pose(motion::exact(fixed_start), motion::exact(fixed_goal), {time, time});
+    return motion::screw_pose(motion::exact(fixed->start), motion::exact(fixed->goal), {time, time});
 }
 
 Pose MotionEnds::pose_at_end(double time) const {
-    return in_world(
-        motion::rounded(motion::in_fixed_frame<algebra::DoubleDouble>(time <= 0 ? given_start : given_goal)), time);
+    const GivenPose& given = time <= 0 ? given_start : given_goal;
+    if (!fixed && !given.seen_from)
+        return motion::normalized(given.pose);
+    return in_world(motion::rounded(motion::in_fixed_frame<algebra::DoubleDouble>(given)), time);
 }
 
 Pose MotionEnds::in_world(const Pose& pose, double time) const {
-    if (!fixed_moves)
+    if (!fixed)
         return pose;
     return motion::rounded(motion::composed(motion::exact(fixed_pose_at(time)), motion::exact(pose)));
 }

@@ -26,13 +26,17 @@ GeneralPose<S> in_fixed_frame(const GivenPose& given) {
 
 } // namespace motion
 
+/// Where a fixed body that moves too starts and ends in the world.
+struct FixedEnds {
+    Pose start;
+    Pose goal;
+};
+
 /// A motion as it was given: end poses of the moving body, and the fixed body's own in the world.
 struct MotionEnds {
     GivenPose given_start;
     GivenPose given_goal;
-    Pose fixed_start;
-    Pose fixed_goal;
-    bool fixed_moves = false;                    ///< if not, the fixed body's frame is the world
+    std::optional<FixedEnds> fixed;              ///< if there are none, the fixed body's frame is the world
     std::optional<Eigen::Vector3d> swept_centre; ///< of a sweep, in the moving body's frame; a screw has none
 
     /// For a moving body seen from a fixed one that stands still at the origin of the world.

@@ -15,6 +15,9 @@ namespace {
 constexpr double orthogonality_tolerance = 1e-5;
 /// Below this a matrix is a rotation up to rounding, and projecting it would only add rounding.
 constexpr double rounding_tolerance = 1e-12;
+/// Of the largest number of a quaternion that is used as it is.
+constexpr double least_size = 1e-3;
+constexpr double largest_size = 1e3;
 
 void require_usable(const Eigen::Vector3d& translation) {
     if (!translation.allFinite())
@@ -30,7 +33,7 @@ Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
     const double largest = rotation.coeffs().cwiseAbs().maxCoeff();
     if (largest == 0)
         throw InvalidInput("pose: quaternion: all four numbers are zero, which is no rotation");
-    if (largest >= 1e-3 && largest <= 1e3)
+    if (largest >= least_size && largest <= largest_size)
         return rotation;
     const int exponent = -std::ilogb(largest);
     Eigen::Quaterniond scaled;
@@ -56,6 +59,14 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
 }
 
 } // namespace
+
+bool motion::is_ordinary(const Pose& pose) {
+    const auto size = [](double a, double b, double c) { return std::abs(a) + std::abs(b) + std::abs(c); };
+    const Eigen::Vector3d& t = pose.translation;
+    const auto& q = pose.rotation;
+    const double turn = std::abs(q.w()) + size(q.x(), q.y(), q.z()); // its largest number is a quarter of it or more
+    return size(t.x(), t.y(), t.z()) <= Pose::largest_length && turn >= 4 * least_size && turn <= largest_size;
+}
 
 Pose::Pose(const Eigen::Vector3d& translation_, const Eigen::Quaterniond& rotation_)
     : translation(translation_), rotation(in_safe_range(rotation_)) {

@@ -35,4 +35,11 @@ struct Pose {
     [[nodiscard]] Eigen::Isometry3d isometry() const;
 };
 
+namespace motion {
+
+/// Told at a glance to be of numbers that the constructor of Pose takes as they are. False says nothing.
+bool is_ordinary(const Pose& pose);
+
+} // namespace motion
+
 } // namespace chasles

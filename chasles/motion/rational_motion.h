@@ -38,6 +38,13 @@ Matrix3<S> rotation_matrix(const Quaternion<S>& q) {
     return scale(scaled_rotation_matrix(q), S(S(1) / q.squared_norm()));
 }
 
+/// A vector turned by a quaternion of any non-zero length.
+template <class S>
+[[gnu::always_inline]] inline Vector3<S> rotated(const Quaternion<S>& q, const Vector3<S>& vector) {
+    const Vector3<S> across = cross(q.v, vector);
+    return vector + scale(scale(across, q.w) + cross(q.v, across), S(S(2) / q.squared_norm()));
+}
+
 /// A pose with the quaternion as given.
 template <class S>
 struct GeneralPose {

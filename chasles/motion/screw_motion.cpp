@@ -19,7 +19,7 @@ motion::ScrewNumbers numbers_of(const MotionEnds& ends) {
 } // namespace
 
 ScrewMotion ScrewMotion::between(const Pose& start, const Pose& goal) {
-    return ScrewMotion(MotionEnds::between(start, goal));
+    return {start, goal};
 }
 
 ScrewMotion ScrewMotion::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,

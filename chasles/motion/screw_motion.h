@@ -56,6 +56,7 @@ public:
 
 private:
     explicit ScrewMotion(const MotionEnds& ends) : ends_(ends) {}
+    ScrewMotion(const Pose& start, const Pose& goal) : ends_(MotionEnds::between(start, goal)) {}
 
     MotionEnds ends_; ///< the numbers are made when they are asked for: most motions of a plan are told clear without
 };

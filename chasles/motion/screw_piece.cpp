@@ -22,11 +22,13 @@ MotionEnds ScrewPieces::operator[](std::size_t index) const {
     MotionEnds piece = screw_;
     if (index > 0) {
         piece.given_start = {pose_of(index), {}};
-        piece.fixed_start = screw_.fixed_pose_at(time_of(index));
+        if (piece.fixed)
+            piece.fixed->start = screw_.fixed_pose_at(time_of(index));
     }
     if (index + 1 < count_) {
         piece.given_goal = {pose_of(index + 1), {}};
-        piece.fixed_goal = screw_.fixed_pose_at(time_of(index + 1));
+        if (piece.fixed)
+            piece.fixed->goal = screw_.fixed_pose_at(time_of(index + 1));
     }
     return piece;
 }

@@ -49,6 +49,28 @@ TEST(Pose, QuaternionIsKeptExactlyUpToAPowerOfTwo) {
     EXPECT_EQ(kept.coeffs(), Eigen::Vector4d(q.coeffs() * factor));
 }
 
+/// A single number anywhere, from nothing to infinite, on both sides of every limit.
+TEST(Pose, WhatLooksOrdinaryIsTakenAsItIs) {
+    int ordinary = 0, other = 0;
+    for (const double number :
+         {0.0, 1e-300, 0.9e-3, 1e-3, 0.004, 1.0, 249.0, 999.0, 1001.0, 0.9e30, 1.1e30, 1e300, infinity, -infinity, nan})
+        for (int place = 0; place < 7; ++place)
+            for (const double rest : {0.0, 1e-4, 0.5}) {
+                Pose pose;
+                pose.rotation.coeffs().setConstant(rest);
+                (place < 3 ? pose.translation[place] : pose.rotation.coeffs()[place - 3]) = number;
+                const bool is_ordinary = motion::is_ordinary(pose);
+                (is_ordinary ? ordinary : other) += 1;
+                if (!is_ordinary)
+                    continue;
+                const Pose taken(pose.translation, Eigen::Quaterniond(pose.rotation));
+                EXPECT_EQ(taken.translation, pose.translation);
+                EXPECT_EQ(taken.rotation.coeffs(), pose.rotation.coeffs());
+            }
+    EXPECT_GT(ordinary, 70);
+    EXPECT_GT(other, 100);
+}
+
 TEST(Pose, NonFiniteNumbersAreRefused) {
     const Eigen::Quaterniond none(1, 0, 0, 0);
     for (const double bad : {nan, infinity, -infinity}) {

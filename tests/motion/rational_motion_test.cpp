@@ -42,6 +42,7 @@ TEST(RotationMatrix, TurnsAsRodriguesFormulaDoes) {
         const RationalPose pose = random_pose(random);
         const Vector v = random_vector(random);
         expect_equal(rotation_matrix(pose.rotation) * v, turned(v, pose.rotation.w, pose.rotation.v));
+        expect_equal(rotated(pose.rotation, v), turned(v, pose.rotation.w, pose.rotation.v));
     }
 }
 

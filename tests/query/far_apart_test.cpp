@@ -41,6 +41,32 @@ TEST(FarApart, NeverWhereBallsMeetOnTheWay) {
     EXPECT_GT(open, 300);
 }
 
+/// Both bodies go somewhere, in a world whose origin is far from them.
+TEST(FarApart, NeverWhereBallsMeetWhileBothMove) {
+    Random random(772);
+    const Polyhedron body = box({1, 1, 1}).polyhedron();
+    int told = 0, open = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Eigen::Vector3d world = random_point(random, 100);
+        const auto pose = [&](double size) {
+            const Pose near = random_pose(random, size);
+            return Pose(near.translation + world, Eigen::Quaterniond(near.rotation));
+        };
+        const ScrewMotion screw = ScrewMotion::relative(pose(12), pose(12), pose(3), pose(3));
+        const bool far_apart = are_far_apart(body, body, screw.ends());
+        (far_apart ? told : open) += 1;
+        for (int i = 0; far_apart && i <= 64; ++i) {
+            const double time = i / 64.0;
+            const Eigen::Vector3d between =
+                screw.pose_at(time).translation - screw.ends().fixed_pose_at(time).translation;
+            EXPECT_GT(between.norm(), 2 * std::sqrt(3.0));
+        }
+    }
+    std::cout << told << " told, " << open << " left open\n";
+    EXPECT_GT(told, 100);
+    EXPECT_GT(open, 300);
+}
+
 TEST(FarApart, ToldWithoutLookingAtBoxes) {
     const Polyhedron body = box({1, 1, 1}).polyhedron();
     const Pose start(Eigen::Vector3d(100, 0, 0), Eigen::Quaterniond::Identity());
