@@ -28,9 +28,13 @@ constexpr double clock_slack = 0x1p-49;
 /// What is lost to underflow at most, in a tau or time that is not 0.
 constexpr double underflow_slack = 0x1p-1022;
 
+[[noreturn]] void refuse(const char* option, const char* why) {
+    throw InvalidInput(std::string("query: ") + option + ": " + why);
+}
+
 void require(bool holds, const char* option, const char* why) {
     if (!holds)
-        throw InvalidInput(std::string("query: ") + option + ": " + why);
+        refuse(option, why);
 }
 
 void validate(const FirstContactQuery& query) {
@@ -159,6 +163,28 @@ private:
     const FirstContactQuery& query_;
 };
 
+const MotionEnds& ends_of(const Motion& motion) {
+    return std::visit([](const auto& any) -> const MotionEnds& { return any.ends(); }, motion);
+}
+
+FirstContact clear_to_the_goal(const MotionEnds& ends) {
+    FirstContact clear;
+    clear.pose = ends.pose_at_end(1);
+    return clear;
+}
+
+FirstContact search(const FirstContactQuery& query) {
+    const Query run(query);
+    if (const auto* sweep = std::get_if<SweepMotion>(&query.motion))
+        return run.answer(1, [&](std::size_t) -> const SweepMotion& { return *sweep; });
+    const motion::ScrewPiece whole(std::get<ScrewMotion>(query.motion).ends());
+    const std::size_t count = whole.clock().piece_count(query.max_turn);
+    if (count == 1)
+        return run.answer(1, [&](std::size_t) -> const motion::ScrewPiece& { return whole; });
+    const motion::ScrewPieces pieces(whole.frame(), count);
+    return run.answer(count, [&](std::size_t i) { return motion::ScrewPiece(pieces[i]); });
+}
+
 } // namespace
 
 Work& Work::operator+=(const Work& other) {
@@ -173,21 +199,8 @@ Work& Work::operator+=(const Work& other) {
 
 FirstContact first_contact(const FirstContactQuery& query) {
     validate(query);
-    if (std::visit([&](const auto& motion) { return query::are_far_apart(query.moving, query.fixed, motion.ends()); },
-                   query.motion)) {
-        FirstContact clear;
-        clear.pose = std::visit([](const auto& motion) { return motion.pose_at(1); }, query.motion);
-        return clear;
-    }
-    const Query run(query);
-    if (const auto* sweep = std::get_if<SweepMotion>(&query.motion))
-        return run.answer(1, [&](std::size_t) -> const SweepMotion& { return *sweep; });
-    const motion::ScrewPiece whole(std::get<ScrewMotion>(query.motion).ends());
-    const std::size_t count = whole.clock().piece_count(query.max_turn);
-    if (count == 1)
-        return run.answer(1, [&](std::size_t) -> const motion::ScrewPiece& { return whole; });
-    const motion::ScrewPieces pieces(whole.frame(), count);
-    return run.answer(count, [&](std::size_t i) { return motion::ScrewPiece(pieces[i]); });
+    const MotionEnds& ends = ends_of(query.motion);
+    return query::are_far_apart(query.moving, query.fixed, ends) ? clear_to_the_goal(ends) : search(query);
 }
 
 } // namespace chasles
