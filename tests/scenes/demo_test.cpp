@@ -5,6 +5,7 @@
 #include "scenes/nut_motions.h"
 #include "tests/scenes/axial_way.h"
 #include "tests/scenes/exact_crossing.h"
+#include "tests/support/own_file.h"
 
 #include <cmath>
 #include <filesystem>
@@ -112,7 +113,7 @@ void expect_same(const Polyhedron& read, const Polyhedron& made) {
 }
 
 TEST(Demo, TellsTheStoryReturnsZeroAndSavesBodiesThatReadBackTheSame) {
-    const auto folder = std::filesystem::temp_directory_path() / "chasles_demo_test";
+    const auto folder = test::own_file("demo");
     std::filesystem::create_directories(folder);
     std::ostringstream out;
     EXPECT_EQ(run_demo(out, small, folder), 0) << out.str();

@@ -2,6 +2,7 @@
 
 #include "chasles/invalid_input.h"
 #include "tests/scenes/mesh_measures.h"
+#include "tests/support/own_file.h"
 
 #include <filesystem>
 #include <fstream>
@@ -84,7 +85,7 @@ TEST(TriangleMesh, SavedNumbersReadBackToTheSameDoubles) {
         mesh.add({x, x * x, 1 / x});
     mesh.triangles.push_back({0, 1, 2});
     const Polyhedron body = mesh.polyhedron();
-    const auto file = std::filesystem::temp_directory_path() / "chasles_saved_numbers.obj";
+    const auto file = test::own_file("saved_numbers.obj");
     save_obj(body, file);
     std::ifstream in(file);
     std::string tag;
