@@ -2,6 +2,7 @@
 
 #include "bench/bodies.h"
 #include "chasles/query/first_contact.h"
+#include "scenes/stopwatch.h"
 
 #include <algorithm>
 #include <fcl/geometry/bvh/BVH_model.h>
@@ -165,7 +166,7 @@ Peer before_the_contact(const SharedModels<fcl::OBBd>& models) {
         const auto poses = std::make_shared<HardestPoses>(moving, fixed);
         const auto ask = [=, a = models->of(moving), b = models->of(fixed)](const Displacement& motion) {
             const Eigen::Isometry3d pose = poses->of(motion);
-            const Stopwatch watch;
+            const scenes::Stopwatch watch;
             PeerAnswer answer = answer_at(pose, a, b);
             answer.seconds = watch.seconds();
             return answer;

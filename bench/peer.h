@@ -5,7 +5,6 @@
 #include "chasles/motion/pose.h"
 
 #include <Eigen/Geometry>
-#include <chrono>
 #include <functional>
 #include <optional>
 #include <stdexcept>
@@ -25,16 +24,6 @@ struct PeerAnswer {
     bool touches = false;
     std::optional<double> time;      ///< of the first contact, in [0, 1], from peers that tell it
     std::optional<double> seconds{}; ///< what the question took, from peers that know better than whoever asks them
-};
-
-/// Since it was made.
-class Stopwatch {
-public:
-    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
 };
 
 /// Why a peer gives no answer, in one line.

@@ -2,6 +2,7 @@
 
 #include "bench/discrete_overlap.h"
 #include "bench/piecewise_poses.h"
+#include "scenes/stopwatch.h"
 
 #include <cmath>
 
@@ -67,7 +68,7 @@ void add(Judgement& judgement, const Trial& test) {
 } // namespace
 
 TimedAnswer timed_answer(const PeerPair& peer, const Displacement& motion) {
-    const Stopwatch watch;
+    const scenes::Stopwatch watch;
     const PeerAnswer answer = peer.ask(motion);
     const double seconds = watch.seconds();
     return {answer, answer.seconds.value_or(seconds)};

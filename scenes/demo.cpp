@@ -2,10 +2,10 @@
 
 #include "chasles/query/path.h"
 #include "scenes/nut_motions.h"
+#include "scenes/stopwatch.h"
 #include "scenes/triangle_mesh.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <fmt/core.h>
 #include <numbers>
@@ -25,15 +25,6 @@ struct Stage {
     Polyhedron bolt;
     Polyhedron nut;
     double nut_height;
-};
-
-class Stopwatch {
-public:
-    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point start_ = Clock::now();
 };
 
 bool is_clear(const FirstContact& answer) {

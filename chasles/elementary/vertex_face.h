@@ -33,8 +33,6 @@ struct Accuracy {
 template <class S>
 class Constraints {
 public:
-    Constraints() { constraints_.reserve(4); }
-
     void clear() { count_ = 0; }
     /// Demands that what is written to the result is >= 0.
     Bounded<3, S>& add() {
@@ -50,8 +48,10 @@ public:
 
 private:
     Constraint<3, S>& next() {
-        if (count_ == constraints_.size())
+        if (count_ == constraints_.size()) {
+            constraints_.reserve(4);
             constraints_.emplace_back();
+        }
         return constraints_[count_++];
     }
 

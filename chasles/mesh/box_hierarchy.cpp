@@ -6,6 +6,7 @@
 #include "chasles/mesh/split_boxes.h"
 #include "chasles/on_threads.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <bit>
 #include <limits>
@@ -40,33 +41,22 @@ float difference_above(double a, double b) {
     return -difference_below(b, a);
 }
 
-struct Extent {
-    Eigen::Vector3d lower = Eigen::Vector3d::Constant(std::numeric_limits<double>::infinity());
-    Eigen::Vector3d upper = -lower;
-
-    void extend(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
-        lower = lower.cwiseMin(from);
-        upper = upper.cwiseMax(to);
-    }
-    [[nodiscard]] Eigen::Vector3d middle() const { return 0.5 * lower + 0.5 * upper; }
-    [[nodiscard]] double size() const { return (upper - lower).maxCoeff(); }
-};
-
 /// Vertices or corners that one thread looks at in a row.
 constexpr std::size_t many_vertices = 1U << 15U;
 
 /// Of all vertices that are corners.
-Extent extent_of(std::span<const std::uint32_t> corners, std::span<const Eigen::Vector3d> vertices, unsigned threads) {
-    std::vector<Extent> parts(corners.size() / many_vertices + 1);
+Eigen::AlignedBox3d extent_of(std::span<const std::uint32_t> corners, std::span<const Eigen::Vector3d> vertices,
+                              unsigned threads) {
+    std::vector<Eigen::AlignedBox3d> parts(corners.size() / many_vertices + 1);
     in_pieces(threads, corners.size(), many_vertices, [&](std::size_t index, std::size_t begin, std::size_t end) {
-        Extent part;
+        Eigen::AlignedBox3d part;
         for (const std::uint32_t corner : corners.subspan(begin, end - begin))
-            part.extend(vertices[corner], vertices[corner]);
+            part.extend(vertices[corner]);
         parts[index] = part;
     });
-    Extent whole;
-    for (const Extent& part : parts)
-        whole.extend(part.lower, part.upper);
+    Eigen::AlignedBox3d whole;
+    for (const Eigen::AlignedBox3d& part : parts)
+        whole.extend(part);
     return whole;
 }
 
@@ -253,10 +243,10 @@ BoxHierarchy::BoxHierarchy(const FlatLists<std::uint32_t>& outlines, std::span<c
                            unsigned threads) {
     if (outlines.size() < fewest_to_group)
         threads = 1;
-    const Extent extent = extent_of(outlines.items, vertices, threads);
-    centre_ = extent.middle();
+    const Eigen::AlignedBox3d extent = extent_of(outlines.items, vertices, threads);
+    centre_ = 0.5 * extent.min() + 0.5 * extent.max();
     const std::vector<PackedBox> rounded = round_outward(vertices, centre_, threads);
-    const auto size = std::max(static_cast<float>(extent.size()), std::numeric_limits<float>::min());
+    const auto size = std::max(static_cast<float>(extent.sizes().maxCoeff()), std::numeric_limits<float>::min());
     nodes_.resize(2 * outlines.size());
     build_tree({outlines, rounded}, size, threads, std::span(nodes_).subspan(1));
     radius_ = radius_of(nodes().front());

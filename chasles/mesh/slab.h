@@ -66,7 +66,7 @@ public:
     }
 
 private:
-    // Without jumps and calls, which std::clamp and the functions of the standard library are on plain x86-64.
+    // Without calls, which the functions of the standard library are on plain x86-64.
     static std::int8_t nearest(float value) { return std::int8_t(value + std::copysign(0.5F, value)); }
     static std::int8_t at_most(float value) {
         const float held = std::max(-127.0F, std::min(value, 127.0F));

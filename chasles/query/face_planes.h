@@ -18,6 +18,7 @@ public:
                 const algebra::Restriction<3, double>& part, std::vector<int>& room)
         : corners_(body.face(face)), sides_(room) {
         sides_.clear();
+        sides_.reserve(8);
         const auto band = part(plane.band);
         for (const std::uint32_t corner : corners_)
             sides_.push_back(plane.side_of(HeldFace<double>::point(body, corner), part, band));
@@ -78,8 +79,6 @@ private:
         HeldFace<double> held;
         elementary::SeenPlane<double> plane;
         std::vector<int> sides; ///< of the other face's corners
-
-        LastPlane() { sides.reserve(8); }
 
         template <class Make>
         void see(std::uint32_t asked, Make make) {

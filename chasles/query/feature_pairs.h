@@ -4,6 +4,7 @@
 #include "chasles/elementary/edge_edge.h"
 #include "chasles/elementary/edge_through_face.h"
 #include "chasles/mesh/polyhedron.h"
+#include "chasles/motion/screw_pose.h"
 
 namespace chasles::query {
 
@@ -14,14 +15,13 @@ using algebra::Vector3;
 template <class S>
 class HeldFace {
 public:
-    HeldFace() { corners_.reserve(8); } // those of most faces, at once
-
     const elementary::FaceShape<S>& hold(const Polyhedron& body, std::uint32_t face) {
         if (body_ == &body && face_ == face)
             return shape_;
         body_ = &body;
         face_ = face;
         corners_.clear();
+        corners_.reserve(8); // those of most faces, at once
         for (const std::uint32_t vertex : body.face(face))
             corners_.push_back(point(body, vertex));
         shape_ = elementary::face_shape<S>(corners_, body.face_triangles(face));
@@ -29,8 +29,7 @@ public:
     }
 
     static Vector3<S> point(const Polyhedron& body, std::uint32_t vertex) {
-        const Eigen::Vector3d& p = body.vertices()[vertex];
-        return {S(p.x()), S(p.y()), S(p.z())};
+        return motion::vector_in<S>(body.vertices()[vertex]);
     }
 
 private:

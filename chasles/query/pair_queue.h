@@ -21,7 +21,7 @@ struct NodePair {
 /// before that, in steps of a part of the interval. In and out cost the same, however many there are.
 class PairQueue {
 public:
-    explicit PairQueue(bool by_time) : steps_(by_time ? 64 : 1) { entries_.reserve(256); }
+    explicit PairQueue(bool by_time) : steps_(by_time ? 64 : 1) {}
 
     [[nodiscard]] bool is_empty() const { return occupied_ == 0; }
 
@@ -33,6 +33,7 @@ public:
         std::uint32_t place = unused_;
         if (place == none) {
             place = static_cast<std::uint32_t>(entries_.size());
+            entries_.reserve(256);
             entries_.emplace_back();
         } else {
             unused_ = entries_[place].next;

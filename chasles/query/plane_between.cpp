@@ -26,13 +26,6 @@ WidePlane raised(WidePlane plane, const WidePolynomial& weight, const Wide& heig
     return plane;
 }
 
-Vector3<double> rounded(const Eigen::Vector3d& p) {
-    return {p.x(), p.y(), p.z()};
-}
-Vector3<Wide> widened(const Vector3<double>& p) {
-    return {Wide(p.x), Wide(p.y), Wide(p.z)};
-}
-
 /// A face's plane, and what its heights are measured by.
 struct FacePlane {
     WidePlane by_own;   ///< as the face's own body sees it
@@ -70,7 +63,7 @@ private:
     /// None if the corners of the other face are not on one side.
     std::optional<Sides> half_way(const FacePlane& plane, const Polyhedron& other, std::uint32_t face) const {
         const auto corners = other.face(face);
-        const auto point = [&](std::uint32_t corner) { return widened(rounded(other.vertices()[corner])); };
+        const auto point = [&](std::uint32_t corner) { return HeldFace<Wide>::point(other, corner); };
         const int side = plane.by_other.side_of(point(corners[0]));
         if (side == 0)
             return std::nullopt;
@@ -92,8 +85,8 @@ private:
     /// In double, coefficients are rounded once more and heights five times: a small part of `error_unit`.
     [[nodiscard]] PlaneSide side_of(const WidePlane& plane, const WidePolynomial& weight, const Wide& size) const {
         const auto rough = [](const WidePolynomial& p) { return algebra::converted<double>(p); };
-        const double error =
-            elementary::error_unit<double> * bodies_.scale.length * double(size) + elementary::underflow;
+        const double error = elementary::with_underflow(elementary::relative_error<double>(bodies_.scale) *
+                                                        bodies_.scale.length * double(size));
         const Vector3<WidePolynomial>& n = plane.normal;
         return {plane,
                 {{rough(n.x), rough(n.y), rough(n.z)}, rough(plane.offset), rough(plane.band) + rough(weight) * error}};
@@ -108,7 +101,7 @@ private:
 } // namespace
 
 bool PlaneSide::has(const Vector3<double>& point) const {
-    return has_roughly(point) || plane.side_of(widened(point)) > 0;
+    return has_roughly(point) || plane.side_of({Wide(point.x), Wide(point.y), Wide(point.z)}) > 0;
 }
 
 template <class Look>
@@ -119,7 +112,7 @@ bool PartBeyond::look_once(Known& known, Look look) {
 }
 
 bool PartBeyond::has_vertex(std::uint32_t vertex) {
-    return look_once(vertices_[vertex], [&] { return side_.has(rounded(body_->vertices()[vertex])); });
+    return look_once(vertices_[vertex], [&] { return side_.has(HeldFace<double>::point(*body_, vertex)); });
 }
 
 bool PartBeyond::has_face(std::uint32_t face) {
@@ -152,18 +145,21 @@ bool PartBeyond::has_box(const BoxNode& node) const {
 
 std::optional<PlaneBetween> PlaneBetween::faces(const BodiesInRange& bodies, std::uint32_t moving_face,
                                                 std::uint32_t fixed_face) {
+    const auto if_apart = [&](const PlaneSide& of_moving, const PlaneSide& of_fixed) {
+        std::optional<PlaneBetween> plane(PlaneBetween(bodies, of_moving, of_fixed));
+        if (!plane->moving_.has_face(moving_face) || !plane->fixed_.has_face(fixed_face))
+            plane.reset();
+        return plane;
+    };
     PlaneFinder finder(bodies);
-    if (const auto sides = finder.parallel_to_fixed(fixed_face, moving_face)) {
-        PlaneBetween plane(bodies, sides->of_other, sides->of_own);
-        if (plane.moving_.has_face(moving_face) && plane.fixed_.has_face(fixed_face))
-            return plane;
-    }
-    if (const auto sides = finder.parallel_to_moving(moving_face, fixed_face)) {
-        PlaneBetween plane(bodies, sides->of_own, sides->of_other);
-        if (plane.moving_.has_face(moving_face) && plane.fixed_.has_face(fixed_face))
-            return plane;
-    }
-    return std::nullopt;
+    std::optional<PlaneBetween> plane;
+    if (const auto sides = finder.parallel_to_fixed(fixed_face, moving_face))
+        plane = if_apart(sides->of_other, sides->of_own);
+    if (plane)
+        return plane;
+    if (const auto sides = finder.parallel_to_moving(moving_face, fixed_face))
+        plane = if_apart(sides->of_own, sides->of_other);
+    return plane;
 }
 
 } // namespace chasles::query

@@ -1,6 +1,7 @@
 #include "tests/attack/mesh_families.h"
 
 #include "tests/attack/any_motion.h"
+#include "tests/support/grid.h"
 
 #include <Eigen/Geometry>
 
@@ -257,12 +258,7 @@ MeshCase landing(AttackRandom& random) {
                 shape.vertices.back()[(axis + 1) % 3] = 12.0 * i;
                 shape.vertices.back()[(axis + 2) % 3] = 12.0 * j;
             }
-        for (std::uint32_t i = 0; i < length; ++i)
-            for (std::uint32_t j = 0; j < width; ++j) {
-                const std::uint32_t at = i * (width + 1) + j;
-                shape.faces.push_back({at, at + width + 1, at + width + 2});
-                shape.faces.push_back({at, at + width + 2, at + 1});
-            }
+        shape.faces = test::grid_triangles(length, width);
         return shape;
     };
     MotionWish wish;

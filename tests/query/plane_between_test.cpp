@@ -4,6 +4,7 @@
 #include "chasles/query/traversal.h"
 #include "tests/query/bodies.h"
 #include "tests/query/exact_answer.h"
+#include "tests/support/grid.h"
 #include "tests/support/posed_motions.h"
 
 #include <cmath>
@@ -20,12 +21,7 @@ Body square(std::uint32_t n) {
     for (std::uint32_t i = 0; i <= n; ++i)
         for (std::uint32_t j = 0; j <= n; ++j)
             body.vertices.emplace_back(2.0 * i / n - 1, 2.0 * j / n - 1, 0);
-    for (std::uint32_t i = 0; i < n; ++i)
-        for (std::uint32_t j = 0; j < n; ++j) {
-            const std::uint32_t at = i * (n + 1) + j;
-            body.faces.push_back({at, at + n + 1, at + n + 2});
-            body.faces.push_back({at, at + n + 2, at + 1});
-        }
+    body.faces = grid_triangles(n, n);
     return body;
 }
 

@@ -1,0 +1,18 @@
+// Wall-clock time.
+#pragma once
+
+#include <chrono>
+
+namespace chasles::scenes {
+
+/// Since it was made.
+class Stopwatch {
+public:
+    [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    Clock::time_point start_ = Clock::now();
+};
+
+} // namespace chasles::scenes
