@@ -19,7 +19,7 @@ struct CheckOptions {
     std::string fixed_goal;
     std::string motion = "screw";
     std::string centre = "0 0 0";
-    std::string hold = "0";
+    std::string hold; ///< empty: none
     bool json = false;
 };
 
@@ -73,7 +73,7 @@ int run_check(const CheckOptions& options) {
     // Poses and numbers first: they are read at once, large meshes are not.
     const NumberedMotion motion = read_motion(options);
     const double margin = margin_of(options.query);
-    const double hold = number_of("--hold", options.hold);
+    const auto hold = options.hold.empty() ? std::nullopt : std::optional(number_of("--hold", options.hold));
     const double time_tolerance = time_tolerance_of(options.query);
     const double max_turn = max_turn_of(options.query);
     const Bodies bodies = load_bodies(options.bodies);

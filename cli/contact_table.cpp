@@ -12,20 +12,21 @@ constexpr std::size_t most_contacts = 10;
 
 using Row = std::array<std::string, 4>;
 
-std::string vertex_name(const Feature& vertex) {
-    return fmt::format("vertex {}", vertex.first);
+std::string name_of(FeatureKind kind, const Feature& feature) {
+    switch (kind) {
+    case FeatureKind::vertex:
+        return fmt::format("vertex {}", feature.first);
+    case FeatureKind::edge:
+        return edge_name(feature);
+    case FeatureKind::face:
+        break;
+    }
+    return face_name(feature);
 }
 
 std::string pair_name(const Contact& contact) {
-    switch (contact.kind) {
-    case ContactKind::vertex_face:
-        return vertex_name(contact.moving) + " on " + face_name(contact.fixed);
-    case ContactKind::face_vertex:
-        return face_name(contact.moving) + " on " + vertex_name(contact.fixed);
-    case ContactKind::edge_edge:
-        break;
-    }
-    return edge_name(contact.moving) + " on " + edge_name(contact.fixed);
+    return name_of(moving_feature_kind(contact.kind), contact.moving) + " on " +
+           name_of(fixed_feature_kind(contact.kind), contact.fixed);
 }
 
 Row row_of(const Contact& contact) {

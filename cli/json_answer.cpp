@@ -15,16 +15,16 @@ Json edge(const Feature& feature) {
     return Json::array({feature.first, feature.second});
 }
 
-Json moving_feature(const Contact& contact) {
-    if (contact.kind == ContactKind::edge_edge)
-        return edge(contact.moving);
-    return contact.kind == ContactKind::vertex_face ? vertex(contact.moving) : face(contact.moving);
-}
-
-Json fixed_feature(const Contact& contact) {
-    if (contact.kind == ContactKind::edge_edge)
-        return edge(contact.fixed);
-    return contact.kind == ContactKind::vertex_face ? face(contact.fixed) : vertex(contact.fixed);
+Json json_of(FeatureKind kind, const Feature& feature) {
+    switch (kind) {
+    case FeatureKind::vertex:
+        return vertex(feature);
+    case FeatureKind::edge:
+        return edge(feature);
+    case FeatureKind::face:
+        break;
+    }
+    return face(feature);
 }
 
 Json json_of(const Pose& pose) {
@@ -34,9 +34,13 @@ Json json_of(const Pose& pose) {
 }
 
 Json json_of(const Contact& contact) {
-    return {{"kind", name_of(contact.kind)},           {"moving_feature", moving_feature(contact)},
-            {"fixed_feature", fixed_feature(contact)}, {"point", vector_json(contact.point)},
-            {"normal", vector_json(contact.normal)},   {"approach_speed", contact.approach_speed}};
+    return {{"kind", name_of(contact.kind)},
+            {"moving_feature", json_of(moving_feature_kind(contact.kind), contact.moving)},
+            {"fixed_feature", json_of(fixed_feature_kind(contact.kind), contact.fixed)},
+            {"point", vector_json(contact.point)},
+            {"normal", vector_json(contact.normal)},
+            {"gap", contact.gap},
+            {"approach_speed", contact.approach_speed}};
 }
 
 Json json_of(const Overlap& overlap) {
@@ -99,6 +103,12 @@ std::string name_of(ContactKind kind) {
         return "vertex_face";
     case ContactKind::face_vertex:
         return "face_vertex";
+    case ContactKind::vertex_edge:
+        return "vertex_edge";
+    case ContactKind::edge_vertex:
+        return "edge_vertex";
+    case ContactKind::vertex_vertex:
+        return "vertex_vertex";
     case ContactKind::edge_edge:
         break;
     }

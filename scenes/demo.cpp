@@ -93,18 +93,15 @@ std::string named(const FirstContact& found) {
     return named(found.verdict) + (found.certain ? "" : ", within the error bound of a miss");
 }
 
+std::string named(FeatureKind kind, const Feature& feature) {
+    if (kind == FeatureKind::edge)
+        return fmt::format("edge {}-{}", feature.first, feature.second);
+    return fmt::format("{} {}", kind == FeatureKind::vertex ? "vertex" : "face", feature.first);
+}
+
 std::string named(const Contact& contact) {
-    const auto [first, second] = contact.moving;
-    switch (contact.kind) {
-    case ContactKind::vertex_face:
-        return fmt::format("vertex {} of the nut on face {} of the bolt", first, contact.fixed.first);
-    case ContactKind::face_vertex:
-        return fmt::format("face {} of the nut on vertex {} of the bolt", first, contact.fixed.first);
-    case ContactKind::edge_edge:
-        break;
-    }
-    return fmt::format("edge {}-{} of the nut on edge {}-{} of the bolt", first, second, contact.fixed.first,
-                       contact.fixed.second);
+    return named(moving_feature_kind(contact.kind), contact.moving) + " of the nut on " +
+           named(fixed_feature_kind(contact.kind), contact.fixed) + " of the bolt";
 }
 
 std::string printed(const Eigen::Vector3d& vector) {

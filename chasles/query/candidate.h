@@ -32,8 +32,9 @@ std::optional<FeasibleInterval> first_contact_of(FeaturePairs<S>& pairs, const C
         return pairs.face_vertex(moving.from, fixed.from);
     case ContactKind::edge_edge:
         return pairs.edge_edge(pairs.path_of(moving), fixed);
+    default: // features that touch there do so as one of these
+        return std::nullopt;
     }
-    return std::nullopt;
 }
 
 /// Whether the overlap's edge may go through its face at the start.

@@ -40,7 +40,7 @@ void require(bool holds, const char* option, const char* why) {
 void validate(const FirstContactQuery& query) {
     require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");
     require(query.margin == 0, "margin", "must be 0; distances above 0 are not supported by this version");
-    require(query.hold == 0, "hold", "must be 0; it belongs to a margin, which this version does not support");
+    require(!query.hold, "hold", "must be 0; it belongs to a margin, which this version does not support");
     require(query.time_tolerance >= 1e-15 && query.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
     require(query.max_turn >= ScrewMotion::least_max_turn, "max_turn",
             "must be at least 1e-4 radians (0.00573 degrees)");
@@ -116,9 +116,9 @@ private:
         feature.first = feature.second = body.source_face(feature.first);
     }
     void name_faces(Contact& contact) const {
-        if (contact.kind == ContactKind::face_vertex)
+        if (moving_feature_kind(contact.kind) == FeatureKind::face)
             name_face(contact.moving, query_.moving);
-        if (contact.kind == ContactKind::vertex_face)
+        if (fixed_feature_kind(contact.kind) == FeatureKind::face)
             name_face(contact.fixed, query_.fixed);
     }
 
@@ -186,6 +186,36 @@ FirstContact search(const FirstContactQuery& query) {
 }
 
 } // namespace
+
+FeatureKind moving_feature_kind(ContactKind kind) {
+    switch (kind) {
+    case ContactKind::vertex_face:
+    case ContactKind::vertex_edge:
+    case ContactKind::vertex_vertex:
+        return FeatureKind::vertex;
+    case ContactKind::edge_edge:
+    case ContactKind::edge_vertex:
+        return FeatureKind::edge;
+    case ContactKind::face_vertex:
+        break;
+    }
+    return FeatureKind::face;
+}
+
+FeatureKind fixed_feature_kind(ContactKind kind) {
+    switch (kind) {
+    case ContactKind::face_vertex:
+    case ContactKind::edge_vertex:
+    case ContactKind::vertex_vertex:
+        return FeatureKind::vertex;
+    case ContactKind::edge_edge:
+    case ContactKind::vertex_edge:
+        return FeatureKind::edge;
+    case ContactKind::vertex_face:
+        break;
+    }
+    return FeatureKind::face;
+}
 
 Work& Work::operator+=(const Work& other) {
     node_pairs += other.node_pairs;

@@ -25,8 +25,14 @@ enum class Find : std::uint8_t {
     first_with_all_contacts, ///< the first contact and every feature pair in contact within the bracket
 };
 
-/// First named feature: of the moving body. Second: of the fixed body.
-enum class ContactKind : std::uint8_t { vertex_face, face_vertex, edge_edge };
+/// First named feature: of the moving body. Second: of the fixed body. The last three are met at the rims of faces and
+/// at the ends of edges: there the normal is one of many that the features allow.
+enum class ContactKind : std::uint8_t { vertex_face, face_vertex, edge_edge, vertex_edge, edge_vertex, vertex_vertex };
+enum class FeatureKind : std::uint8_t { vertex, edge, face };
+
+/// Of the first named feature, and of the second.
+FeatureKind moving_feature_kind(ContactKind kind);
+FeatureKind fixed_feature_kind(ContactKind kind);
 
 /// A closed interval that encloses a number.
 struct Bracket {
@@ -48,8 +54,9 @@ struct Contact {
     ContactKind kind = ContactKind::vertex_face;
     Feature moving;
     Feature fixed;
-    Eigen::Vector3d point;     ///< mesh unit
+    Eigen::Vector3d point;     ///< on the fixed feature, mesh unit; the moving one is at point + gap * normal
     Eigen::Vector3d normal;    ///< unit, from the fixed body to the moving one
+    double gap = 0;            ///< distance of the two features, mesh unit; 0 up to rounding where they touch
     double approach_speed = 0; ///< -d(gap)/dtime at contact, mesh unit per motion; positive when closing, and
                                ///< negative only at the start, for bodies that touch there and part
 };
@@ -81,6 +88,9 @@ struct [[nodiscard]] FirstContact {
     Bracket tau;         ///< the same in the paper's parameter; see docs/derivations/02
     bool certain = true; ///< false where contact could not be told from a miss (docs/promises.md says where)
     std::vector<Contact> contacts;
+    std::vector<Contact> held; ///< with `hold`: what is within the margin at time 0, in the world frame at time 0
+    double clear_until = 1; ///< how far one may safely go: before this time the bodies are proven to be farther apart
+                            ///< than the margin; with `hold`, than that. 1 if they are all along, 0 at the start
     std::optional<Overlap> overlap; ///< only with contact_at_start, when surfaces pass through each other
     Pose pose;                      ///< of the moving body in the world at time.lower; the goal if clear
     Work work;
@@ -91,8 +101,9 @@ struct FirstContactQuery {
     const Polyhedron& moving;
     const Polyhedron& fixed;
     Motion motion;
-    double margin = 0;                       ///< distance that counts as contact; must be 0 in this version
-    double hold = 0;                         ///< must be 0 in this version
+    double margin = 0;                       ///< distance of the surfaces that counts as contact, mesh unit
+    std::optional<double> hold = {};         ///< less than the margin: bodies that start within the margin go on, and
+                                             ///< their contacts are reported only when they come within `hold`
     double time_tolerance = 1e-12;           ///< aimed width of the bracket, of the motion; in [1e-15, 1]
     double max_turn = std::numbers::pi / 18; ///< a screw that turns more is cut into equal turns; radians
     Find find = Find::first;

@@ -41,6 +41,7 @@ std::vector<FirstContact> first_contact_batch(const BatchQuery& query) {
                                         .fixed = query.fixed,
                                         .motion = query.motions[i],
                                         .margin = query.margin,
+                                        .hold = query.hold,
                                         .time_tolerance = query.time_tolerance,
                                         .max_turn = query.max_turn,
                                         .find = query.find});

@@ -36,6 +36,7 @@ struct BatchQuery {
     const Polyhedron& fixed;
     std::span<const Motion> motions;
     double margin = 0;
+    std::optional<double> hold = {};
     double time_tolerance = 1e-12;
     double max_turn = std::numbers::pi / 18;
     Find find = Find::first;
