@@ -88,7 +88,7 @@ Contact described(const ContactScene& scene, const FeaturePair& features) {
         contact.normal = towards_moving(place, place.normal.dot(velocity), velocity.norm(), scene.at_start);
         contact.gap = contact.normal.dot(nearest.apart());
     }
-    contact.approach_speed = -contact.normal.dot(velocity);
+    contact.approach_speed = 0 - contact.normal.dot(velocity); // not -0
     return contact;
 }
 

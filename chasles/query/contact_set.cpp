@@ -99,6 +99,8 @@ public:
             add_at(features, scene_.instant.nearest(features));
     }
 
+    void keep(const FeaturePair& features) { named_.push_back(features); }
+
     std::vector<FeaturePair> take() {
         std::ranges::sort(named_);
         const auto repeated = std::ranges::unique(named_);
@@ -145,25 +147,18 @@ private:
     std::vector<FeaturePair> named_;
 };
 
-/// With a margin features are apart, and their nearest points tell what they are: of those that go on nearer elsewhere
+/// Features that are apart are named already, by where their nearest points are: of those that go on nearer elsewhere
 /// nothing is to be said.
-std::vector<FeaturePair> local_minima(const ContactScene& scene, const std::vector<Candidate>& candidates) {
-    std::vector<FeaturePair> minima;
+std::vector<FeaturePair> named(const ContactScene& scene, const std::vector<Candidate>& candidates) {
+    Namer namer(scene);
     for (const Candidate& candidate : candidates) {
         const NearestPoints nearest = scene.instant.nearest(candidate);
         const double distance = nearest.apart().norm();
-        if (distance <= scene.slack || scene.instant.is_local_minimum(candidate, nearest, 4 * scene.slack / distance))
-            minima.push_back(candidate);
+        if (scene.margin <= 0 || distance <= scene.slack)
+            namer.add(candidate);
+        else if (scene.instant.is_local_minimum(candidate, nearest, 4 * scene.slack / distance))
+            namer.keep(candidate);
     }
-    return minima;
-}
-
-std::vector<FeaturePair> named(const ContactScene& scene, const std::vector<Candidate>& candidates) {
-    if (scene.margin > 0)
-        return local_minima(scene, candidates);
-    Namer namer(scene);
-    for (const Candidate& candidate : candidates)
-        namer.add(candidate);
     return namer.take();
 }
 

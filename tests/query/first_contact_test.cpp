@@ -268,10 +268,13 @@ TEST(FirstContact, OptionsOutOfRangeAreRefusedWithAReason) {
     };
     const auto nan = std::numeric_limits<double>::quiet_NaN();
     const Polyhedron& body = unit_box();
-    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .margin = 0.1}),
-              "query: margin: must be 0; distances above 0 are not supported by this version");
+    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .margin = -0.1}),
+              "query: margin: must be in [0, 1e30]");
     EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .margin = nan}), "");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .hold = 0.1}), "");
+    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .margin = 2e30}), "");
+    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .hold = 0.1}),
+              "query: hold: must be at least 0 and less than the margin");
+    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .margin = 1, .hold = nan}), "");
     EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .time_tolerance = 0}), "");
     EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .time_tolerance = nan}), "");
     EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .max_turn = 0}), "");

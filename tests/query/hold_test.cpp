@@ -1,0 +1,164 @@
+// Bodies that start in touch: they slide, roll and lift off, come no nearer than `hold`, and meet what is new at the
+// margin.
+#include "chasles/invalid_input.h"
+#include "tests/query/bodies.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace chasles::test {
+namespace {
+
+constexpr double margin = 0.1;
+constexpr double hold = 0.02;
+
+const Polyhedron& cube() {
+    static const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
+    return body;
+}
+
+/// A table whose top, at z = 1/2, is cut in two triangles and has a wall at x = 2.5.
+const Polyhedron& table_with_wall() {
+    static const Polyhedron body = [] {
+        Body result = box({5, 5, 0.5});
+        result.faces.pop_back();
+        result.faces.push_back({4, 5, 7});
+        result.faces.push_back({4, 7, 6});
+        Body wall = box({0.5, 4, 2});
+        for (Eigen::Vector3d& vertex : wall.vertices)
+            result.vertices.push_back(vertex + Eigen::Vector3d(3, 0, 2.6));
+        for (std::vector<std::uint32_t> face : wall.faces) {
+            for (std::uint32_t& corner : face)
+                corner += 8;
+            result.faces.push_back(face);
+        }
+        return result.polyhedron();
+    }();
+    return body;
+}
+
+FirstContact ask(const Pose& start, const Pose& goal, const Polyhedron& moving = cube(), double level = hold) {
+    return first_contact({.moving = moving,
+                          .fixed = table_with_wall(),
+                          .motion = ScrewMotion::between(start, goal),
+                          .margin = margin,
+                          .hold = level});
+}
+
+TEST(Hold, WithoutItBodiesWithinTheMarginAreInContactAtTheStart) {
+    const auto found = first_contact({.moving = cube(),
+                                      .fixed = table_with_wall(),
+                                      .motion = ScrewMotion::between(shifted(0, 0, 1.05), shifted(1, 0, 1.05)),
+                                      .margin = margin});
+    EXPECT_EQ(found.verdict, Verdict::contact_at_start);
+    EXPECT_EQ(found.clear_until, 0);
+}
+
+TEST(Hold, ABoxSlidesOverTheDiagonalOfATable) {
+    const auto found = ask(shifted(-3, 1, 1.05), shifted(1.5, 1, 1.05));
+    EXPECT_EQ(found.verdict, Verdict::clear);
+    EXPECT_EQ(found.clear_until, 1);
+    ASSERT_EQ(found.held.size(), 4u);
+    for (const Contact& contact : found.held)
+        EXPECT_NEAR(contact.gap, 0.05, 1e-12);
+}
+
+TEST(Hold, ABoxSlidesOverTheRimOfATable) {
+    EXPECT_EQ(ask(shifted(-3, 1, 1.05), shifted(-8, 1, 1.05)).verdict, Verdict::clear);
+}
+
+TEST(Hold, ABoxIsLiftedOffAndTilted) {
+    EXPECT_EQ(ask(shifted(0, 0, 1.05), shifted(0, 0, 3)).verdict, Verdict::clear);
+    EXPECT_EQ(ask(shifted(0, 0, 1.05), turned({0, 0, 1.4}, {0, 1, 0}, 0.5)).verdict, Verdict::clear);
+}
+
+TEST(Hold, APushIsReportedAtTheDistanceThatIsHeld) {
+    const auto found = ask(shifted(0, 0, 1.05), shifted(0, 0, 0.95));
+    ASSERT_EQ(found.verdict, Verdict::contact);
+    EXPECT_NEAR(found.time.lower, 0.3, 1e-11);
+    EXPECT_EQ(found.clear_until, found.time.lower);
+    ASSERT_EQ(found.contacts.size(), 4u);
+    EXPECT_NEAR(found.contacts[0].gap, hold, 1e-11);
+}
+
+TEST(Hold, WhatIsNewIsReportedAtTheMargin) {
+    const auto found = ask(shifted(0, 0, 1.05), shifted(4, 0, 1.05));
+    ASSERT_EQ(found.verdict, Verdict::contact);
+    EXPECT_NEAR(found.time.lower, (2 - margin) / 4, 1e-11);
+    EXPECT_NEAR(found.clear_until, (2 - hold) / 4, 1e-11) << "one may go on until the wall is as near as `hold`";
+    for (const Contact& contact : found.contacts)
+        EXPECT_LT((contact.normal + Eigen::Vector3d::UnitX()).norm(), 1e-9);
+}
+
+TEST(Hold, ANewContactIsHeldFromItsTimeOn) {
+    const auto motion = ScrewMotion::between(shifted(0, 0, 1.05), shifted(4, 0, 1.05));
+    const auto found = ask(shifted(0, 0, 1.05), shifted(4, 0, 1.05));
+    const Pose there = motion.pose_at(found.time.upper);
+    const auto next = ask(there, shifted(there.translation.x() + 0.05, 1, 1.05));
+    EXPECT_EQ(next.verdict, Verdict::clear) << "along the wall, and nearer to it";
+    EXPECT_EQ(next.held.size(), 8u) << "four corners at the table, four at the wall";
+}
+
+TEST(Hold, BodiesThatAreTooNearMayLeaveButComeNoNearer) {
+    EXPECT_EQ(ask(shifted(0, 0, 1.01), shifted(1, 0, 1.01)).verdict, Verdict::clear);
+    EXPECT_EQ(ask(shifted(0, 0, 1.01), shifted(1, 0, 1.02)).verdict, Verdict::clear);
+    const auto found = ask(shifted(0, 0, 1.01), shifted(1, 0, 1.0));
+    ASSERT_EQ(found.verdict, Verdict::contact);
+    EXPECT_LT(found.time.upper, 1e-9);
+}
+
+TEST(Hold, BodiesThatTouchAreInContactAtTheStart) {
+    const auto found = ask(shifted(0, 0, 1), shifted(0, 0, 2));
+    EXPECT_EQ(found.verdict, Verdict::contact_at_start);
+    EXPECT_EQ(found.contacts.size(), 4u);
+    EXPECT_EQ(ask(shifted(0, 0, 0.7), shifted(0, 0, 2)).verdict, Verdict::contact_at_start);
+}
+
+TEST(Hold, ZeroLetsThemTouchExactly) {
+    const auto found = ask(shifted(0, 0, 1.05), shifted(0, 0, 0.95), cube(), 0);
+    ASSERT_EQ(found.verdict, Verdict::contact);
+    EXPECT_LE(found.time.lower, 0.5);
+    EXPECT_GE(found.time.upper, 0.5);
+}
+
+TEST(Hold, APrismRollsFromEdgeToEdge) {
+    // A decagon of radius 1/2 rolls by one side a step, half within the margin all the time.
+    constexpr int sides = 10;
+    const double angle = 2 * std::numbers::pi / sides;
+    Body prism;
+    prism.faces.resize(2);
+    for (std::uint32_t i = 0; i < sides; ++i) {
+        const double turn = -std::numbers::pi / 2 + (i + 0.5) * angle;
+        for (const double y : {-0.5, 0.5})
+            prism.vertices.emplace_back(0.5 * std::cos(turn), y, 0.5 * std::sin(turn));
+        const std::uint32_t next = (i + 1) % sides;
+        prism.faces[0].push_back(2 * i);
+        prism.faces[1].insert(prism.faces[1].begin(), 2 * i + 1);
+        prism.faces.push_back({2 * i, 2 * i + 1, 2 * next + 1, 2 * next});
+    }
+    const Polyhedron roller = prism.polyhedron();
+    const double height = 0.5 + 0.5 * std::cos(angle / 2) + 0.05;
+    const double side = std::sin(angle / 2); // of radius 1/2
+    for (int step = 0; step < 5; ++step) {
+        // About the lower edge in front, along y: one side goes down as the other one comes up.
+        const double place = -3 + side * step;
+        const auto found = ask(turned({place, 0, height}, {0, 1, 0}, angle * step),
+                               turned({place + side, 0, height}, {0, 1, 0}, angle * (step + 1)), roller);
+        EXPECT_EQ(found.verdict, Verdict::clear) << step;
+    }
+}
+
+TEST(Hold, IsRefusedOutOfRange) {
+    EXPECT_THROW(static_cast<void>(ask(Pose(), Pose(), cube(), margin)), InvalidInput);
+    EXPECT_THROW(static_cast<void>(ask(Pose(), Pose(), cube(), -0.01)), InvalidInput);
+}
+
+TEST(Hold, AScrewThatIsCutHoldsThroughItsPieces) {
+    // Three quarters of a turn about the upright, in pieces of ten degrees.
+    const auto found = ask(shifted(0, 0, 1.05), turned({0, 0, 1.05}, {0, 0, 1}, 2.5));
+    EXPECT_EQ(found.verdict, Verdict::clear);
+    EXPECT_EQ(found.held.size(), 4u);
+}
+
+} // namespace
+} // namespace chasles::test
