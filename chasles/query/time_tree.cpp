@@ -15,8 +15,8 @@ constexpr double float_rounding = 128 * 0x1p-24;
 } // namespace
 
 TimeTree::TimeTree(const motion::ControlMaps<double>& whole, const motion::PathBend& bend, const motion::Ball& moving,
-                   const motion::Ball& fixed, const elementary::ErrorScale& scale)
-    : whole_(whole), bend_(bend), moving_(moving), fixed_(fixed),
+                   const motion::Ball& fixed, const elementary::ErrorScale& scale, double margin)
+    : whole_(whole), bend_(bend), moving_(moving), fixed_(fixed), margin_(margin),
       rounding_(elementary::error_unit<double> * scale.length + flushed) {}
 
 TimeInterval TimeTree::interval(const TauRange& range) const {
@@ -26,7 +26,7 @@ TimeInterval TimeTree::interval(const TauRange& range) const {
     const double rounding = rounding_ + float_rounding * (moving_.radius + fixed_.radius + away);
     const double moving_bend = bend_.of_moving(range.lower, range.upper);
     const double fixed_bend = bend_.of_fixed(range.lower, range.upper);
-    return {range, SweptBoxes(start, end, {moving_bend + rounding, fixed_bend + rounding}),
+    return {range, SweptBoxes(start, end, {moving_bend + rounding + margin_, fixed_bend + rounding + margin_}),
             std::max(moving_bend, fixed_bend), rounding};
 }
 
