@@ -187,8 +187,9 @@ int attack_all(const Options& options) {
         is_in_doubt =
             attack_all_pairs("mesh pairs", options.mesh_pairs, mesh_families(), "mesh ").is_in_doubt() || is_in_doubt;
     number = 200;
-    if (options.margins > 0) // distances within the resolution may stay uncertain
-        attack_all_pairs("margins", options.margins, margin_families(), "margin ");
+    if (options.margins > 0) // what is within the resolution may stay uncertain
+        is_in_doubt =
+            attack_all_pairs("margins", options.margins, margin_families(), "margin ").loose > 0 || is_in_doubt;
     return is_broken || (options.certain && is_in_doubt) ? 1 : 0;
 }
 

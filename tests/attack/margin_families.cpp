@@ -92,7 +92,7 @@ MarginCase slides_above(AttackRandom& random) {
     wish.axis = Eigen::Vector3i::Unit(axis) * (random.chance(0.5) ? 1 : -1);
     for (int i = 0; i < 3; ++i)
         wish.travel[i] = i == axis ? 0 : 6 * random.integer(-6, 6);
-    Eigen::Vector3d aside = 6 * random.grid(6).cast<double>();
+    Eigen::Vector3d aside = 6 * random.grid(3).cast<double>();
     const double steps = random.pick(std::array{1.0, 3.0, 0x1p-10, 0x1p-30});
     aside[axis] = steps;
     shift(moving, aside);

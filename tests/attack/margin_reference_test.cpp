@@ -167,14 +167,14 @@ TEST(MarginReference, DenseSamplingDoesNotRefuteIt) {
         ++number;
         SampleTally tally;
         const std::string name = family.name;
-        for (std::uint64_t index = 0; index < (is_long ? 300u : 6u); ++index) {
+        for (std::uint64_t index = 0; index < (is_long ? 150u : 6u); ++index) {
             AttackRandom random(911, number, index);
             MarginCase posed = family.make(random);
             posed.mesh.posed.max_turn = std::numbers::pi;
             SCOPED_TRACE("seed 911, family " + name + ", index " + std::to_string(index));
             if (posed.mesh.posed.paths().size() > 1)
                 continue;
-            ASSERT_NO_FATAL_FAILURE(expect_not_refuted(posed, is_long ? 400 : 60, tally));
+            ASSERT_NO_FATAL_FAILURE(expect_not_refuted(posed, is_long ? 150 : 60, tally));
         }
         if (is_long)
             print(name, tally);

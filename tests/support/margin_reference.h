@@ -49,7 +49,7 @@ public:
     [[nodiscard]] const ReferenceWork& work() const { return work_; }
 
 private:
-    static constexpr unsigned deepest = 10;
+    static constexpr unsigned deepest = 12;
     static constexpr std::size_t few_pairs = 4;
 
     /// Vertices, edges and triangles, in this order.
@@ -85,7 +85,8 @@ private:
                 around[body].push_back(boxes_.around(cell, body, feature));
         std::vector<FeaturePair> result;
         for (const FeaturePair& pair : pairs)
-            if (!boxes_.are_farther_apart(around[0][pair.moving], around[1][pair.fixed]))
+            if (!boxes_.are_farther_apart(around[0][pair.moving], around[1][pair.fixed]) &&
+                !boxes_.are_separated(cell, features_[0][pair.moving], features_[1][pair.fixed]))
                 result.push_back(pair);
         return result;
     }
