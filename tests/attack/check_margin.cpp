@@ -18,7 +18,7 @@ using reference::MarginScene;
 using reference::Surface;
 
 /// By so much of the scene's size may a distance be off that is not told exactly.
-constexpr double resolution = 4e-14;
+constexpr double resolution = 1e-13;
 /// Of a certain bracket: the default tolerance, and what conversion to time adds.
 constexpr double widest_bracket = 1.1e-12;
 
