@@ -1,6 +1,6 @@
 // When do two features come within a margin of each other? Squared distances along the motion, in degree six.
-// Source: docs/derivations/16-margin.md. Legend: the moving edge runs from a to b with direction u, the fixed one from c
-// with direction v; W is the weight, d the margin.
+// Source: docs/derivations/16-margin.md. Legend: the moving edge runs from a to b with direction u, the fixed one from
+// c with direction v; W is the weight, d the margin.
 #pragma once
 
 #include "chasles/algebra/sum_of_products.h"
@@ -148,8 +148,8 @@ S unit_of(const Accuracy& accuracy) {
 } // namespace detail
 
 // Each calls `ask(problem)` for the condition "the features' nearest points are within the margin", F <= 0 with all
-// constraints, unless it is proven to fail all along. Problems have the degree of the squared distance; that of a vertex
-// and a face is cubic.
+// constraints, unless it is proven to fail all along. Problems have the degree of the squared distance; that of a
+// vertex and a face is cubic.
 
 /// Vertex and vertex: |P - W c|^2 <= d^2 W^2.
 template <class S, class Ask>
@@ -198,8 +198,8 @@ void vertex_near_edge(const VertexPath<S>& path, const RestingEdge<S>& edge, con
     ask(problem.problem());
 }
 
-/// Edge and edge: V^2 <= d^2 |U x v|^2, and 0 <= (W c - A) x v . (U x v) <= |U x v|^2 as well as 0 <= (c x U - M) . (U x
-/// v) <= |U x v|^2. Edges that are parallel are left to their ends.
+/// Edge and edge: V^2 <= d^2 |U x v|^2, and 0 <= (W c - A) x v . (U x v) <= |U x v|^2 as well as 0 <= (c x U - M) . (U
+/// x v) <= |U x v|^2. Edges that are parallel are left to their ends.
 template <class S, class Ask>
 void edge_near_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
                     const Margin<S>& margin, const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
@@ -211,7 +211,8 @@ void edge_near_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& movin
         return;
     const auto crossing = detail::sized_vector<S>(pair.crossing(), pair.crossing_error(), maps.weight);
     const S widest = std::max({crossing.x.size, crossing.y.size, crossing.z.size});
-    const S spread = margin.distance * (crossing.x.size + crossing.y.size + crossing.z.size + pair.crossing_error() * S(3));
+    const S spread =
+        margin.distance * (crossing.x.size + crossing.y.size + crossing.z.size + pair.crossing_error() * S(3));
     if (keeps_one_sign(volume.polynomial, maps.weight * S(volume.error + spread)) ||
         widest <= S(detail::nearly_parallel) * pair.size())
         return;

@@ -9,8 +9,8 @@ namespace chasles {
 
 namespace detail {
 
-/// Calls `see(a, b, c)` with the corner positions of convex parts of a face that have the given corner at a: triangles of
-/// a face that is cut into them, otherwise the corner between its two neighbours. True as soon as that is.
+/// Calls `see(a, b, c)` with the corner positions of convex parts of a face that have the given corner at a: triangles
+/// of a face that is cut into them, otherwise the corner between its two neighbours. True as soon as that is.
 template <class See>
 bool any_part_at(const Polyhedron& body, std::uint32_t face, std::uint32_t vertex, See see) {
     const auto corners = body.face(face);
@@ -29,8 +29,8 @@ bool any_part_at(const Polyhedron& body, std::uint32_t face, std::uint32_t verte
 
 } // namespace detail
 
-/// Whether `leads(way)` is true for some way along the rim of the faces around a vertex; every way into these faces is a
-/// sum of two of them. Ways are of any length.
+/// Whether `leads(way)` is true for some way along the rim of the faces around a vertex; every way into these faces is
+/// a sum of two of them. Ways are of any length.
 template <class Leads>
 bool any_way_from_vertex(const Polyhedron& body, std::uint32_t vertex, Leads leads) {
     const auto way_to = [&](std::uint32_t other) -> Eigen::Vector3d {

@@ -65,9 +65,9 @@ double touch_slack(const Instant& instant, const elementary::ErrorScale& scale, 
     const Eigen::Vector3d centre = instant.moved(hierarchy.centre());
     double speed = instant.velocity_at(centre).norm();
     for (int i = 0; i < 3; ++i)
-        speed += (instant.velocity_at(centre + hierarchy.radius() * Eigen::Vector3d::Unit(i)) -
-                  instant.velocity_at(centre))
-                     .norm();
+        speed +=
+            (instant.velocity_at(centre + hierarchy.radius() * Eigen::Vector3d::Unit(i)) - instant.velocity_at(centre))
+                .norm();
     return elementary::error_unit<double> * scale.length + speed * width;
 }
 

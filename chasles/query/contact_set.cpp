@@ -109,8 +109,8 @@ public:
 private:
     void add_at(const FeaturePair& features, const NearestPoints& at) {
         const Instant& instant = scene_.instant;
-        const Part moving = moving_.part_at({moving_feature_kind(features.kind), features.moving},
-                                            instant.moved_back(at.on_moving));
+        const Part moving =
+            moving_.part_at({moving_feature_kind(features.kind), features.moving}, instant.moved_back(at.on_moving));
         const Part fixed = fixed_.part_at({fixed_feature_kind(features.kind), features.fixed}, at.on_fixed);
         named_.push_back(pair_of(moving, fixed));
     }

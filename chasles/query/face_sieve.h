@@ -1,5 +1,5 @@
-// What a pair of faces has to pass before any of its features are asked: planes of both, in the part of the interval that
-// matters. Source: docs/derivations/13-face-sides.md.
+// What a pair of faces has to pass before any of its features are asked: planes of both, in the part of the interval
+// that matters. Source: docs/derivations/13-face-sides.md.
 #pragma once
 
 #include "chasles/query/face_planes.h"

@@ -85,8 +85,8 @@ std::vector<query::Candidate> without_repeated(std::vector<query::Candidate> can
 
 /// Proven before in doubt, then the earliest.
 const query::Candidate& first_of(const std::vector<query::Candidate>& candidates) {
-    return *std::ranges::min_element(
-        candidates, {}, [](const query::Candidate& c) { return std::pair(!c.tau.certain, c.tau.lower); });
+    return *std::ranges::min_element(candidates, {},
+                                     [](const query::Candidate& c) { return std::pair(!c.tau.certain, c.tau.lower); });
 }
 
 /// One query, piece by piece.
@@ -125,8 +125,8 @@ private:
         return found;
     }
 
-    /// Bodies that start within the margin go on; their contacts count where they come within a lesser distance. What is
-    /// new, by local minima of the distance, counts at the margin. Source: docs/derivations/17-hold.md.
+    /// Bodies that start within the margin go on; their contacts count where they come within a lesser distance. What
+    /// is new, by local minima of the distance, counts at the margin. Source: docs/derivations/17-hold.md.
     template <class PieceAt>
     FirstContact answer_holding(std::size_t count, PieceAt piece_at) const {
         FirstContact found;
@@ -191,8 +191,7 @@ private:
     /// All feature pairs within the margin, and a little more: what was stopped at the margin is within it.
     template <class AnyMotion>
     PieceResult contacts_at_start(const AnyMotion& piece, std::size_t count) const {
-        query::PieceSearch search =
-            search_of(piece, {0, count}, query_.margin + resting_slack(piece, count));
+        query::PieceSearch search = search_of(piece, {0, count}, query_.margin + resting_slack(piece, count));
         search.find = Find::first_with_all_contacts;
         search.only_start = true;
         return search_piece(search);
@@ -253,11 +252,12 @@ private:
         const double tau = std::ranges::min(candidates, {}, [](const auto& c) { return c.tau.lower; }).tau.lower;
         const query::PieceNumbers numbers(search_of(piece, clock, margin));
         const query::Instant instant(query_.moving, query_.fixed, numbers.maps, tau);
-        const query::ContactScene scene{instant, at_start, margin,
-                                        query::touch_slack(instant, numbers.scale, std::min(width, query_.time_tolerance))};
+        const query::ContactScene scene{
+            instant, at_start, margin,
+            query::touch_slack(instant, numbers.scale, std::min(width, query_.time_tolerance))};
         const bool lists_all = query_.find == Find::first_with_all_contacts || query_.hold;
-        std::vector<Contact> contacts = lists_all ? contact_set(scene, candidates)
-                                                  : std::vector{described(scene, first_of(candidates))};
+        std::vector<Contact> contacts =
+            lists_all ? contact_set(scene, candidates) : std::vector{described(scene, first_of(candidates))};
         const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau)).isometry();
         for (Contact& contact : contacts) {
             contact.point = query::product(to_world.linear(), contact.point) + to_world.translation();
@@ -319,7 +319,8 @@ Work& Work::operator+=(const Work& other) {
 FirstContact first_contact(const FirstContactQuery& query) {
     validate(query);
     const MotionEnds& ends = ends_of(query.motion);
-    return query::are_far_apart(query.moving, query.fixed, ends, query.margin) ? clear_to_the_goal(ends) : search(query);
+    return query::are_far_apart(query.moving, query.fixed, ends, query.margin) ? clear_to_the_goal(ends)
+                                                                               : search(query);
 }
 
 } // namespace chasles

@@ -31,7 +31,8 @@ void add_corners(const FlatPoint& a, const FlatPoint& c, const FlatPoints& point
     if (left_of(a, *farthest, c) <= slack)
         return;
     FlatPoints left;
-    std::ranges::copy_if(points, std::back_inserter(left), [&](const FlatPoint& b) { return left_of(a, b, c) > slack; });
+    std::ranges::copy_if(points, std::back_inserter(left),
+                         [&](const FlatPoint& b) { return left_of(a, b, c) > slack; });
     add_corners(a, *farthest, left, slack, hull);
     hull.push_back(*farthest);
     add_corners(*farthest, c, left, slack, hull);
@@ -49,26 +50,27 @@ void remove_straight_corners(FlatPoints& hull, double slack) {
     }
 }
 
-/// Each point once: the contact with the least number stands for those within the slack of it.
-void merge_equal(FlatPoints& points, double slack) {
-    FlatPoints kept;
-    for (const FlatPoint& point : points)
-        if (std::ranges::none_of(kept,
-                                 [&](const FlatPoint& other) { return (other.place - point.place).norm() <= slack; }))
-            kept.push_back(point);
-    points = std::move(kept);
+/// Each place once, told by the contact with the least number there.
+FlatPoints merged(const FlatPoints& hull, const FlatPoints& points, double slack) {
+    const auto is_near = [&](const FlatPoint& a, const FlatPoint& b) { return (a.place - b.place).norm() <= slack; };
+    FlatPoints result;
+    for (const FlatPoint& corner : hull) {
+        if (std::ranges::any_of(result, [&](const FlatPoint& other) { return is_near(other, corner); }))
+            continue;
+        // Points are in the order of their contacts.
+        result.push_back(*std::ranges::find_if(points, [&](const FlatPoint& point) { return is_near(point, corner); }));
+    }
+    return result;
 }
 
-FlatPoints corners(FlatPoints points, double slack) {
-    merge_equal(points, slack);
-    if (points.size() <= 2)
-        return points;
+FlatPoints corners(const FlatPoints& points, double slack) {
     const auto [first, last] =
         std::ranges::minmax_element(points, {}, [](const FlatPoint& point) { return point.place.x(); });
     FlatPoints hull{*first};
     add_corners(*first, *last, points, slack, hull);
     hull.push_back(*last);
     add_corners(*last, *first, points, slack, hull);
+    hull = merged(hull, points, slack);
     remove_straight_corners(hull, slack);
     return hull;
 }
@@ -89,7 +91,7 @@ void mark_corners(const std::vector<Contact>& contacts, const std::vector<std::s
         const Eigen::Vector3d& point = contacts[index].point;
         points.push_back({{axes.first.dot(point), axes.second.dot(point)}, index});
     }
-    for (const FlatPoint& corner : corners(std::move(points), slack))
+    for (const FlatPoint& corner : corners(points, slack))
         is_kept[corner.index] = 1;
 }
 

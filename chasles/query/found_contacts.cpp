@@ -37,8 +37,7 @@ void FoundContacts::add(const Candidate& candidate) {
         keep(candidate);
     else if (is_near_a_proven_contact(candidate.tau))
         waiting_.push_back(candidate);
-    else if (!is_behind_a_proven_contact(candidate.tau) && !asked_exactly_.contains(candidate) &&
-             decide(decided))
+    else if (!is_behind_a_proven_contact(candidate.tau) && !asked_exactly_.contains(candidate) && decide(decided))
         keep(decided);
 }
 

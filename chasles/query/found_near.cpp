@@ -146,8 +146,8 @@ std::optional<Crossing> FoundNear::refined(const FeaturePair& features, const Fe
     NearStage<algebra::DoubleDouble>& stage = refinement().near;
     stage.use({std::max(0.0, found.lower - rim), std::min(1.0, found.upper + rim)});
     const double width = stage.part().width();
-    return stage.first_crossing(features, {std::min(1.0, 0.5 * search_.tolerance / width),
-                                           std::min(1.0, finest / width), restrictions});
+    return stage.first_crossing(
+        features, {std::min(1.0, 0.5 * search_.tolerance / width), std::min(1.0, finest / width), restrictions});
 }
 
 FoundNear::Refinement& FoundNear::refinement() {

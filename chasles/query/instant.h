@@ -42,8 +42,8 @@ public:
 
     [[nodiscard]] NearestPoints nearest(const FeaturePair& features) const;
 
-    /// Whether the distance of the features is a local minimum of that of the bodies: nothing next to the nearest points
-    /// is nearer. Directions within `slack` of a right angle to the shortest way count as no nearer.
+    /// Whether the distance of the features is a local minimum of that of the bodies: nothing next to the nearest
+    /// points is nearer. Directions within `slack` of a right angle to the shortest way count as no nearer.
     [[nodiscard]] bool is_local_minimum(const FeaturePair& features, const NearestPoints& nearest, double slack) const;
 
 private:

@@ -70,7 +70,8 @@ public:
     template <class Ask>
     void vertex_face(std::uint32_t moving_vertex, std::uint32_t fixed_face, Ask ask) {
         const Path path = path_of_moving(moving_vertex);
-        elementary::vertex_near_face<S>(seen(path), face_.hold(fixed_, fixed_face), margin_, accuracy_, workspace_, ask);
+        elementary::vertex_near_face<S>(seen(path), face_.hold(fixed_, fixed_face), margin_, accuracy_, workspace_,
+                                        ask);
     }
     template <class Ask>
     void face_vertex(std::uint32_t moving_face, std::uint32_t fixed_vertex, Ask ask) {

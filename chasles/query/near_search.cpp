@@ -66,16 +66,20 @@ private:
         const Feature fixed_face{pair.fixed, pair.fixed};
         vertices(search_.moving, pair.moving, moving_sides, [&](const Feature& vertex) {
             ask({vertex_face, vertex, fixed_face});
-            edges(search_.fixed, pair.fixed, fixed_sides,
-                  [&](const Feature& edge) { ask({vertex_edge, vertex, edge}); });
-            vertices(search_.fixed, pair.fixed, fixed_sides,
-                     [&](const Feature& other) { ask({vertex_vertex, vertex, other}); });
+            edges(search_.fixed, pair.fixed, fixed_sides, [&](const Feature& edge) {
+                ask({vertex_edge, vertex, edge});
+            });
+            vertices(search_.fixed, pair.fixed, fixed_sides, [&](const Feature& other) {
+                ask({vertex_vertex, vertex, other});
+            });
         });
-        vertices(search_.fixed, pair.fixed, fixed_sides,
-                 [&](const Feature& vertex) { ask({face_vertex, moving_face, vertex}); });
+        vertices(search_.fixed, pair.fixed, fixed_sides, [&](const Feature& vertex) {
+            ask({face_vertex, moving_face, vertex});
+        });
         edges(search_.moving, pair.moving, moving_sides, [&](const Feature& edge) {
-            vertices(search_.fixed, pair.fixed, fixed_sides,
-                     [&](const Feature& vertex) { ask({edge_vertex, edge, vertex}); });
+            vertices(search_.fixed, pair.fixed, fixed_sides, [&](const Feature& vertex) {
+                ask({edge_vertex, edge, vertex});
+            });
             edges(search_.fixed, pair.fixed, fixed_sides, [&](const Feature& other) { ask({edge_edge, edge, other}); });
         });
     }

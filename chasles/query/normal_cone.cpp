@@ -58,8 +58,7 @@ Eigen::Vector3d outward_direction(const Instant& instant) {
 Eigen::Vector3d normal_between_cones(const Instant& instant, const FeaturePair& features, bool at_start) {
     const NearestPoints nearest = instant.nearest(features);
     Ways ways = ways_from(instant.fixed(), fixed_feature_kind(features.kind), features.fixed);
-    for (const Eigen::Vector3d& way :
-         ways_from(instant.moving(), moving_feature_kind(features.kind), features.moving))
+    for (const Eigen::Vector3d& way : ways_from(instant.moving(), moving_feature_kind(features.kind), features.moving))
         ways.push_back(-instant.turned(way)); // -n . way <= 0
     Eigen::Vector3d wanted = at_start ? outward_direction(instant) : -instant.velocity_at(nearest.on_fixed);
     wanted.stableNormalize();

@@ -6,7 +6,8 @@
 
 namespace chasles::query {
 
-/// Calls `found` for every owned edge of either face that the filter cannot tell from one that passes through the other.
+/// Calls `found` for every owned edge of either face that the filter cannot tell from one that passes through the
+/// other.
 template <class Found>
 void look_for_overlaps(FeaturePairs<double>& filter, const Polyhedron& moving, std::uint32_t moving_face,
                        const Polyhedron& fixed, std::uint32_t fixed_face, Found found) {

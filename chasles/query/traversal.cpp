@@ -15,13 +15,13 @@ namespace {
 class TouchSearch {
 public:
     explicit TouchSearch(const PieceSearch& search)
-        : search_(search), numbers_(search),
-          sieve_(search.moving, search.fixed, numbers_.maps, numbers_.scale, 0), filter_(search.moving, search.fixed, {numbers_.scale, {}}),
-          filter_maps_(numbers_.maps), contacts_(search, numbers_.scale) {}
+        : search_(search), numbers_(search), sieve_(search.moving, search.fixed, numbers_.maps, numbers_.scale, 0),
+          filter_(search.moving, search.fixed, {numbers_.scale, {}}), filter_maps_(numbers_.maps),
+          contacts_(search, numbers_.scale) {}
 
     PieceResult run() {
-        const std::uint64_t node_pairs = Walk(search_.moving.hierarchy(), search_.fixed.hierarchy(),
-                                              numbers_.times, 0, search_.find != Find::any, *this)
+        const std::uint64_t node_pairs = Walk(search_.moving.hierarchy(), search_.fixed.hierarchy(), numbers_.times, 0,
+                                              search_.find != Find::any, *this)
                                              .run();
         PieceResult result = contacts_.take();
         work_.node_pairs = node_pairs;
@@ -39,9 +39,10 @@ public:
     }
     void test(const FacePair& pair) {
         ++work_.face_pairs;
-        sieve_.sift(pair, contacts_.best(), [&](const TauRange& part, const CornerSides& moving, const CornerSides& fixed) {
-            test_features(pair, part, moving, fixed);
-        });
+        sieve_.sift(pair, contacts_.best(),
+                    [&](const TauRange& part, const CornerSides& moving, const CornerSides& fixed) {
+                        test_features(pair, part, moving, fixed);
+                    });
         if (contacts_.at_once() >= many_at_once_)
             look_for_plane(pair);
     }
@@ -73,9 +74,7 @@ private:
                 if (!fixed_sides.may_meet(fixed_edge))
                     continue;
                 if (const auto found = filter_.edge_edge(path, fixed_edge))
-                    add({{ContactKind::edge_edge,
-                          {moving_edge.from, moving_edge.to},
-                          {fixed_edge.from, fixed_edge.to}},
+                    add({{ContactKind::edge_edge, {moving_edge.from, moving_edge.to}, {fixed_edge.from, fixed_edge.to}},
                          *found},
                         part);
             }
@@ -95,9 +94,9 @@ private:
         const auto until = contacts_.early_enough();
         if (!until || *until <= pair.first_left)
             return;
-        plane_ =
-            PlaneBetween::faces({search_.moving, search_.fixed, contacts_.maps(), numbers_.scale, {pair.first_left, *until}},
-                                pair.moving, pair.fixed);
+        plane_ = PlaneBetween::faces(
+            {search_.moving, search_.fixed, contacts_.maps(), numbers_.scale, {pair.first_left, *until}}, pair.moving,
+            pair.fixed);
         if (plane_)
             contacts_.leave_open_after(*until);
     }

@@ -36,7 +36,7 @@ struct PieceSearch {
     bool check_start = true; ///< look for what is in contact at tau = 0 already: edges that pass through faces, and
                              ///< with a margin all that is within it
     double margin = 0;       ///< distance that counts as contact
-    bool only_start = false;            ///< with a margin: looks at tau = 0 only
+    bool only_start = false; ///< with a margin: looks at tau = 0 only
     const HeldContacts* held = nullptr; ///< with a margin: what is no new contact; none if every one is
 };
 
