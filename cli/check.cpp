@@ -85,7 +85,7 @@ int run_check(const CheckOptions& options) {
                                               .time_tolerance = time_tolerance,
                                               .max_turn = max_turn,
                                               .find = options.query.any ? Find::any : Find::first_with_all_contacts});
-    print(options.json ? answer_json(found, motion.numbers).dump() + "\n" : report(found, motion.numbers));
+    print(options.json ? answer_json(found, motion.numbers).dump() + "\n" : report(found, motion.numbers, margin));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 
@@ -117,7 +117,9 @@ void add_check(CLI::App& app, Task& task) {
     command.add_option("--centre", options->centre, "point of the moving body that a sweep carries along a line")
         ->type_name("\"X Y Z\"");
     add_query_options(command, options->query);
-    command.add_option("--hold", options->hold, "distance for bodies that start within the margin (this version: 0)")
+    command
+        .add_option("--hold", options->hold,
+                    "bodies that start within the margin go on, but never come within this distance")
         ->type_name("H");
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_check(*options); }; });

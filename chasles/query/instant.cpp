@@ -125,36 +125,41 @@ Eigen::Vector3d Instant::velocity_at(const Eigen::Vector3d& point) const {
 
 NearestPoints Instant::nearest(const FeaturePair& features) const {
     const auto moving_point = [&](std::uint32_t vertex) { return moved(moving_.vertices()[vertex]); };
-    const auto fixed_point = [&](std::uint32_t vertex) { return fixed_.vertices()[vertex]; };
-    const Eigen::Vector3d a = moving_point(features.moving.first);
-    const Eigen::Vector3d b = fixed_point(features.fixed.first);
-    const auto moving_edge = [&] { return Segment(a, moving_point(features.moving.second)); };
-    const auto fixed_edge = [&] { return Segment(b, fixed_point(features.fixed.second)); };
+    const auto fixed_point = [&](std::uint32_t vertex) -> Eigen::Vector3d { return fixed_.vertices()[vertex]; };
+    const auto moving_edge = [&] {
+        return Segment(moving_point(features.moving.first), moving_point(features.moving.second));
+    };
+    const auto fixed_edge = [&] {
+        return Segment(fixed_point(features.fixed.first), fixed_point(features.fixed.second));
+    };
+    const auto foot = [](const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Eigen::Vector3d& corner) {
+        return Eigen::Vector3d(point - normal.dot(point - corner) * normal);
+    };
     switch (features.kind) {
     case ContactKind::vertex_face: {
-        const Eigen::Vector3d normal = face_normal(fixed_, features.fixed.first);
-        const Eigen::Vector3d corner = fixed_point(fixed_.face(features.fixed.first)[0]);
-        return {a, a - normal.dot(a - corner) * normal};
+        const std::uint32_t face = features.fixed.first;
+        const Eigen::Vector3d vertex = moving_point(features.moving.first);
+        return {vertex, foot(vertex, face_normal(fixed_, face), fixed_point(fixed_.face(face)[0]))};
     }
     case ContactKind::face_vertex: {
-        const Eigen::Vector3d normal = turned(face_normal(moving_, features.moving.first));
-        const Eigen::Vector3d corner = moving_point(moving_.face(features.moving.first)[0]);
-        return {b - normal.dot(b - corner) * normal, b};
+        const std::uint32_t face = features.moving.first;
+        const Eigen::Vector3d vertex = fixed_point(features.fixed.first);
+        return {foot(vertex, turned(face_normal(moving_, face)), moving_point(moving_.face(face)[0])), vertex};
     }
     case ContactKind::edge_edge:
         return nearest_points(moving_edge(), fixed_edge());
     case ContactKind::vertex_edge: {
-        const Segment edge = fixed_edge();
-        return {a, edge.foot(a)};
+        const Eigen::Vector3d vertex = moving_point(features.moving.first);
+        return {vertex, fixed_edge().foot(vertex)};
     }
     case ContactKind::edge_vertex: {
-        const Segment edge = moving_edge();
-        return {edge.foot(b), b};
+        const Eigen::Vector3d vertex = fixed_point(features.fixed.first);
+        return {moving_edge().foot(vertex), vertex};
     }
     case ContactKind::vertex_vertex:
         break;
     }
-    return {a, b};
+    return {moving_point(features.moving.first), fixed_point(features.fixed.first)};
 }
 
 bool Instant::is_local_minimum(const FeaturePair& features, const NearestPoints& nearest, double slack) const {
