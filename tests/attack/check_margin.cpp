@@ -141,8 +141,8 @@ private:
         const bool behind = exact_.compared_to(found_.tau.upper) > 0 ||
                             truth_.time_of(exact_) > static_cast<long double>(found_.time.upper) + 1e-18L;
         if (found_.certain) {
-            tally_.widest = std::max({tally_.widest, found_.tau.upper - found_.tau.lower,
-                                      found_.time.upper - found_.time.lower});
+            tally_.widest =
+                std::max({tally_.widest, found_.tau.upper - found_.tau.lower, found_.time.upper - found_.time.lower});
             if (found_.time.upper - found_.time.lower > widest_bracket)
                 return counted(true, tally_.outside, "a bracket that is certain and wide");
             return behind ? counted(true, tally_.outside, "certain of a bracket that the contact is not in") : "";
@@ -203,10 +203,11 @@ std::string check(const MarginCase& posed, Tally& tally) {
     tally.reference_seconds += now() - before;
     if (!wrong.empty()) {
         char buffer[300];
-        std::snprintf(buffer, sizeof buffer,
-                      "%s certain, tau in [%.17g, %.17g], time in [%.17g, %.17g], clearance %.2g of the scene at its end",
-                      found.certain ? "," : ", not", found.tau.lower, found.tau.upper, found.time.lower,
-                      found.time.upper, judge.truth().clearance_at(found.tau.upper));
+        std::snprintf(
+            buffer, sizeof buffer,
+            "%s certain, tau in [%.17g, %.17g], time in [%.17g, %.17g], clearance %.2g of the scene at its end",
+            found.certain ? "," : ", not", found.tau.lower, found.tau.upper, found.time.lower, found.time.upper,
+            judge.truth().clearance_at(found.tau.upper));
         wrong += buffer;
     }
     return wrong;

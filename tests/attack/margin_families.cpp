@@ -50,7 +50,8 @@ MarginCase degenerate(AttackRandom& random) {
     return {posed, some_margin(posed.moving, random)};
 }
 
-// --- Distances that are the margin exactly, on a lattice --------------------------------------------------------------
+// --- Distances that are the margin exactly, on a lattice
+// --------------------------------------------------------------
 
 MarginCase placed(const LatticeMotion& motion, const Shape& moving, const Shape& fixed, double margin) {
     return {placed(motion, moving, fixed), margin * static_cast<double>(motion.denominator)};
@@ -58,8 +59,9 @@ MarginCase placed(const LatticeMotion& motion, const Shape& moving, const Shape&
 
 /// A direction of the lattice with a whole length, and that length.
 std::pair<Eigen::Vector3d, double> whole_direction(AttackRandom& random) {
-    static const std::pair<Eigen::Vector3d, double> directions[] = {
-        {{1, 0, 0}, 1}, {{0, 1, 0}, 1}, {{0, 0, 1}, 1}, {{3, 4, 0}, 5}, {{0, -4, 3}, 5}, {{2, 2, 1}, 3}, {{-2, 1, 2}, 3}};
+    static const std::pair<Eigen::Vector3d, double> directions[] = {{{1, 0, 0}, 1}, {{0, 1, 0}, 1},  {{0, 0, 1}, 1},
+                                                                    {{3, 4, 0}, 5}, {{0, -4, 3}, 5}, {{2, 2, 1}, 3},
+                                                                    {{-2, 1, 2}, 3}};
     auto chosen = random.pick(directions);
     chosen.first *= random.chance(0.5) ? 1 : -1;
     return chosen;
@@ -113,7 +115,8 @@ MarginCase rolling(AttackRandom& random) {
     posed.kind = random.chance(0.7) ? MotionKind::screw : MotionKind::sweep;
     const double height = random.chance(0.5) ? margin : about(margin, random);
     const double whole = random.integer(1, 4); // half-angle tangents with small digits
-    posed.moving_start = Pose({0, 0, height}, Eigen::Quaterniond(whole, 0, random.pick(std::array{0.0, -1.0, -2.0}), 0));
+    posed.moving_start =
+        Pose({0, 0, height}, Eigen::Quaterniond(whole, 0, random.pick(std::array{0.0, -1.0, -2.0}), 0));
     posed.moving_goal = Pose({0, 0, height}, Eigen::Quaterniond(whole, 0, random.integer(1, 3), 0));
     for (Pose* pose : {&posed.moving_start, &posed.moving_goal})
         if (posed.kind == MotionKind::sweep) { // squares have rational lengths
@@ -148,7 +151,8 @@ MarginCase near_parallel(AttackRandom& random) {
     return {{moving, fixed, posed}, margin};
 }
 
-// --- Margins about as large as a distance that is reached -------------------------------------------------------------
+// --- Margins about as large as a distance that is reached
+// -------------------------------------------------------------
 
 /// The margin is about what the bodies come to: they graze it.
 MarginCase grazing(AttackRandom& random) {
@@ -177,7 +181,8 @@ MarginCase near_at_start(AttackRandom& random) {
     return result;
 }
 
-// --- Bodies that are hard on rounding ---------------------------------------------------------------------------------
+// --- Bodies that are hard on rounding
+// ---------------------------------------------------------------------------------
 
 void squeeze(Shape& shape, AttackRandom& random) {
     const Eigen::Vector3d direction = random.chance(0.5) ? Eigen::Vector3d(Eigen::Vector3d::Unit(random.integer(0, 2)))

@@ -68,8 +68,8 @@ TEST(MarginReference, SlidingAtTheMarginIsMetWhereItBegins) {
     expect_time(triangle({1, -1, 1}, {1, -2, 2}, {2, -2, 2}), floor, translation(0, 2, 0), 1, 0.5);
     // It comes in over the corner (0, 0, 0), along the edge y = 0 at height 1.
     expect_time(triangle({-1, 0, 1}, {-2, 0, 2}, {-2, 1, 2}), floor, translation(4, 0, 0), 1, 0.25);
-    EXPECT_FALSE(first_time(triangle({1, -1, 1}, {1, -2, 2}, {2, -2, 2}), floor, translation(0, 2, 0), 1 - 0x1p-52)
-                     .has_value());
+    EXPECT_FALSE(
+        first_time(triangle({1, -1, 1}, {1, -2, 2}, {2, -2, 2}), floor, translation(0, 2, 0), 1 - 0x1p-52).has_value());
 }
 
 TEST(MarginReference, ATurnMeetsTheMarginAtItsAngle) {

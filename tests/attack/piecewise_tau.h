@@ -30,8 +30,8 @@ struct PiecewiseTau {
         return compare(copy, there);
     }
 
-    /// The time in extended precision, off by some 1e-18: f(t) = tan(w t / 2) / tan(w / 2) is tau in a piece of a screw,
-    /// whose weight is 1 + tan(w / 2)^2 tau^2 times a number; on a sweep time is tau.
+    /// The time in extended precision, off by some 1e-18: f(t) = tan(w t / 2) / tan(w / 2) is tau in a piece of a
+    /// screw, whose weight is 1 + tan(w / 2)^2 tau^2 times a number; on a sweep time is tau.
     [[nodiscard]] long double time(MotionKind kind, const MotionPath<Rational>& path) const {
         Root copy = *tau;
         const auto at = copy.narrowed().convert_to<long double>();

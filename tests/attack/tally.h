@@ -29,7 +29,9 @@ struct Tally {
     double seconds = 0;             ///< of the library
     double reference_seconds = 0;
 
-    [[nodiscard]] bool is_broken() const { return missed + false_alarms + late + outside + misnamed + misplaced + failed > 0; }
+    [[nodiscard]] bool is_broken() const {
+        return missed + false_alarms + late + outside + misnamed + misplaced + failed > 0;
+    }
     /// Whether an answer left something open that the exact reference tells.
     [[nodiscard]] bool is_in_doubt() const { return uncertain + loose > 0; }
     /// Whether a family does not do what it is there for.

@@ -50,7 +50,8 @@ std::vector<Motion> both_motions(const Pose& start, const Pose& goal) {
     return {ScrewMotion::between(start, goal), SweepMotion::between(start, goal)};
 }
 
-// --- Straight ways ----------------------------------------------------------------------------------------------------
+// --- Straight ways
+// ----------------------------------------------------------------------------------------------------
 
 /// The tip of a pyramid, down or up: its faces are so steep that whatever is ahead is nearest to the tip.
 Polyhedron spike(double up) {
@@ -154,7 +155,8 @@ TEST(ClosedFormMargin, CornerBesideEdge) {
         }
 }
 
-// --- Turns about an axis ----------------------------------------------------------------------------------------------
+// --- Turns about an axis
+// ----------------------------------------------------------------------------------------------
 
 /// Of a turn by `whole`: the time at which `angle` is done, and the angular speed there.
 struct Clock {
@@ -195,16 +197,16 @@ Body post(const Eigen::Vector3d& pivot, double distance, double angle) {
 }
 
 struct Bar {
-    double whole;     ///< turn
+    double whole; ///< turn
     double margin;
-    double angle;     ///< at contact
-    double distance;  ///< of the post's edge
+    double angle;    ///< at contact
+    double distance; ///< of the post's edge
     double post_angle;
     Eigen::Vector3d pivot;
 };
 
-/// The post's edge is R sin(post_angle - angle) ahead of the bar's middle plane, whose face is `half` before it: the gap
-/// is R sin(post_angle - angle) - half = margin. Its speed is -R cos(post_angle - angle) times the angular speed.
+/// The post's edge is R sin(post_angle - angle) ahead of the bar's middle plane, whose face is `half` before it: the
+/// gap is R sin(post_angle - angle) - half = margin. Its speed is -R cos(post_angle - angle) times the angular speed.
 Expected expected_at(const Bar& bar, const Clock& clock, const FirstContact& found) {
     const Eigen::Vector3d edge = bar.pivot + bar.distance * direction(bar.post_angle);
     const double z = found.contacts.empty() ? 0 : std::copysign(0.2, found.contacts[0].point.z());

@@ -13,7 +13,7 @@ using attack::Tally;
 
 constexpr std::uint64_t seed = 31;
 
-TEST(MarginReference, EveryFamilyAgreesWithExactArithmetic) {
+TEST(MarginQueries, EveryFamilyAgreesWithExactArithmetic) {
     std::cout << "seed " << seed << "\n";
     std::uint64_t number = 0;
     for (const MarginFamily& family : attack::margin_families()) {

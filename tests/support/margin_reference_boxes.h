@@ -115,9 +115,7 @@ public:
             at_a[i] = middle_of(around(cell, a.vertices[i]));
             at_b[i] = middle_of(fixed_[b.vertices[i]]);
         }
-        const auto separates = [&](const Eigen::Vector3d& direction) {
-            return is_slab_between(cell, a, b, direction);
-        };
+        const auto separates = [&](const Eigen::Vector3d& direction) { return is_slab_between(cell, a, b, direction); };
         if (a.size == 2 && b.size == 2 && separates((at_a[1] - at_a[0]).cross(at_b[1] - at_b[0])))
             return true;
         if (a.size == 3 && separates((at_a[1] - at_a[0]).cross(at_a[2] - at_a[0])))

@@ -1,7 +1,7 @@
 // When are two features exactly `margin` apart, and are their closest points inside them? As polynomials with whole
 // coefficients: squared distances of points, lines and planes, written from their definitions.
-// Legend: the moving point a is at A / W, the fixed point c at c = (W c) / W; u is a moving edge, U = W times it turned;
-// v is a fixed edge; D is the margin in the unit of the coordinates.
+// Legend: the moving point a is at A / W, the fixed point c at c = (W c) / W; u is a moving edge, U = W times it
+// turned; v is a fixed edge; D is the margin in the unit of the coordinates.
 #pragma once
 
 #include "tests/support/exact_reference_features.h"
@@ -87,9 +87,8 @@ struct VertexTriangleMargin {
         for (std::size_t i = 0; i < 3; ++i) {
             const WholePoint inward = crossed(normal(), minus(corners[(i + 1) % 3]->body, corners[i]->body));
             const Vector<Integer, 3> arm = difference(vertex.path, corners[i]->path);
-            result.not_negative.push_back(triangle_moves
-                                              ? coefficients(dot(motion.path.turned(constant(inward)), arm))
-                                              : coefficients(dot(constant(inward), arm)));
+            result.not_negative.push_back(triangle_moves ? coefficients(dot(motion.path.turned(constant(inward)), arm))
+                                                         : coefficients(dot(constant(inward), arm)));
         }
         return result;
     }
@@ -123,16 +122,14 @@ struct EdgesMargin {
         const auto square = dot(n, n);
         const auto s = dot(cross(arm, constant(v())), n);
         const auto t = dot(cross(arm, turned_edge()), n);
-        return {{coefficients(s), coefficients(square - s), coefficients(t),
-                 coefficients(motion.path.weight * square - t)},
-                coefficients(square)};
+        return {
+            {coefficients(s), coefficients(square - s), coefficients(t), coefficients(motion.path.weight * square - t)},
+            coefficients(square)};
     }
 
 private:
     [[nodiscard]] WholePoint v() const { return minus(d.body, c.body); }
-    [[nodiscard]] Vector<Integer, 2> turned_edge() const {
-        return motion.path.turned(constant(minus(b.body, a.body)));
-    }
+    [[nodiscard]] Vector<Integer, 2> turned_edge() const { return motion.path.turned(constant(minus(b.body, a.body))); }
     [[nodiscard]] Vector<Integer, 2> normal() const { return cross(turned_edge(), constant(v())); }
 };
 
