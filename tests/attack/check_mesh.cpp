@@ -2,6 +2,7 @@
 
 #include "chasles/invalid_input.h"
 #include "chasles/query/first_contact.h"
+#include "tests/attack/piecewise_tau.h"
 #include "tests/support/exact_reference.h"
 
 #include <chrono>
@@ -12,35 +13,13 @@ namespace chasles::attack {
 namespace {
 
 using reference::ExactScene;
-using reference::Root;
 using reference::Surface;
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The first touch, in which piece of how many.
-struct Truth {
-    std::optional<Root> tau;
-    std::size_t piece = 0;
-    std::size_t count = 1;
-
-    /// The order of the exact tau, (piece + tau) / count, and a double.
-    [[nodiscard]] int compared_to(double x) const {
-        Integer mantissa(static_cast<long long>(std::ldexp(x, 62)));
-        unsigned depth = 62;
-        while (std::ldexp(static_cast<double>(mantissa), -int(depth)) != x) { // tiny numbers
-            depth += 62;
-            mantissa = Integer(numerator(Rational(Rational(x) * Integer(Integer(1) << depth))));
-        }
-        const Integer within = mantissa * Integer(count) - (Integer(piece) << depth);
-        Root copy = *tau;
-        Root there = Root::point(within, depth);
-        return compare(copy, there);
-    }
-};
-
-Truth truth_of(const MeshCase& posed) {
+PiecewiseTau truth_of(const MeshCase& posed) {
     const Surface moving = Surface::from_convex_faces(posed.moving.vertices, posed.moving.faces);
     const Surface fixed = Surface::from_convex_faces(posed.fixed.vertices, posed.fixed.faces);
     const auto paths = posed.posed.paths();
@@ -59,7 +38,7 @@ std::uint64_t exact_count(const AnyWork& work) {
         return 0;
 }
 
-std::string judged(const Truth& truth, const FirstContact& found, Tally& tally) {
+std::string judged(const PiecewiseTau& truth, const FirstContact& found, Tally& tally) {
     const bool touches = found.verdict != Verdict::clear;
     tally.uncertain += found.certain ? 0 : 1;
     tally.touches += truth.tau ? 1 : 0;

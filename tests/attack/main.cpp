@@ -2,6 +2,7 @@
 // the exact reference. Exits with 1 on any miss, false alarm, late or wrong bracket; with --certain also where an
 // answer says that it is not certain.
 #include "tests/attack/check_elementary.h"
+#include "tests/attack/check_margin.h"
 #include "tests/attack/check_mesh.h"
 
 #include <CLI/CLI.hpp>
@@ -17,6 +18,7 @@ struct Options {
     std::uint64_t seed = 1;
     std::uint64_t mesh_pairs = 100'000;
     std::uint64_t elementary = 10'000'000;
+    std::uint64_t margins = 100'000;
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     std::string family;
     std::int64_t index = -1;
@@ -77,11 +79,14 @@ std::string guarded(Check check, Tally& tally) {
     }
 }
 
-Tally attack_meshes(const MeshFamily& family, std::uint64_t number, const Options& options) {
-    Failures failures(options, std::string("mesh ") + family.name);
+/// Of mesh pairs, with a margin or without.
+template <class Family>
+Tally attack_pairs(const Family& family, const std::string& name, std::uint64_t number, std::uint64_t total,
+                   const Options& options) {
+    Failures failures(options, name);
     const auto attack = [&](std::uint64_t index, Tally& tally) {
         AttackRandom random(options.seed, number, index);
-        const MeshCase posed = family.make(random);
+        const auto posed = family.make(random);
         const std::string wrong = guarded([&] { return check(posed, tally); }, tally);
         if (!wrong.empty())
             failures.report(index, wrong, described(posed));
@@ -93,7 +98,7 @@ Tally attack_meshes(const MeshFamily& family, std::uint64_t number, const Option
         attack(static_cast<std::uint64_t>(options.index), tally);
         return tally;
     }
-    const auto count = static_cast<std::uint64_t>(std::ceil(family.share * double(options.mesh_pairs)));
+    const auto count = static_cast<std::uint64_t>(std::ceil(family.share * double(total)));
     return run(count, options.threads, attack);
 }
 
@@ -166,16 +171,25 @@ int attack_all(const Options& options) {
         table.sum();
         is_broken = table.is_broken();
     }
-    if (options.mesh_pairs > 0) {
-        Table table("mesh pairs");
-        number = 100;
-        for (const MeshFamily& family : mesh_families())
-            if (++number; is_chosen(std::string("mesh ") + family.name))
-                table.add({family.name, attack_meshes(family, number, options)});
+    const auto attack_all_pairs = [&](const char* title, std::uint64_t total, const auto& families, const char* kind) {
+        Table table(title);
+        for (const auto& family : families) {
+            const std::string name = std::string(kind) + family.name;
+            if (++number; is_chosen(name))
+                table.add({family.name, attack_pairs(family, name, number, total, options)});
+        }
         const Tally& sum = table.sum();
         is_broken = is_broken || table.is_broken();
-        is_in_doubt = is_in_doubt || sum.is_in_doubt();
-    }
+        return sum;
+    };
+    number = 100;
+    if (options.mesh_pairs > 0)
+        is_in_doubt =
+            attack_all_pairs("mesh pairs", options.mesh_pairs, mesh_families(), "mesh ").is_in_doubt() || is_in_doubt;
+    number = 200;
+    if (options.margins > 0) // what is within the resolution may stay uncertain
+        is_in_doubt =
+            attack_all_pairs("margins", options.margins, margin_families(), "margin ").loose > 0 || is_in_doubt;
     return is_broken || (options.certain && is_in_doubt) ? 1 : 0;
 }
 
@@ -188,6 +202,7 @@ int main(int argc, char** argv) {
     app.add_option("--seed", options.seed, "brings back the same questions")->capture_default_str();
     app.add_option("--mesh-pairs", options.mesh_pairs, "how many")->capture_default_str();
     app.add_option("--elementary", options.elementary, "how many elementary queries")->capture_default_str();
+    app.add_option("--margins", options.margins, "how many mesh pairs with a margin")->capture_default_str();
     app.add_option("--threads", options.threads, "at most")->capture_default_str();
     app.add_option("--family", options.family, "only this one");
     app.add_option("--index", options.index, "only this case of the family");

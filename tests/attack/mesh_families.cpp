@@ -9,24 +9,6 @@ namespace chasles::attack {
 
 namespace {
 
-/// Fans of triangles instead of polygons, which rounding would bend.
-void cut_into_triangles(Shape& shape) {
-    Faces triangles;
-    for (const auto& face : shape.faces)
-        for (std::size_t i = 1; i + 1 < face.size(); ++i)
-            triangles.push_back({face[0], face[i], face[i + 1]});
-    shape.faces = triangles;
-}
-
-MeshCase placed(const LatticeMotion& motion, const Shape& moving, const Shape& fixed) {
-    MeshCase result{moving, fixed, motion.posed};
-    for (Eigen::Vector3d& v : result.moving.vertices)
-        v = motion.moving_point(v);
-    for (Eigen::Vector3d& v : result.fixed.vertices)
-        v = motion.fixed_point(v);
-    return result;
-}
-
 /// Two shapes that touch across a plane at some tau of any motion.
 MeshCase touching(AttackRandom& random, const MotionWish& wish) {
     const Shape fixed = random_shape(random);
@@ -37,13 +19,6 @@ MeshCase touching(AttackRandom& random, const MotionWish& wish) {
 
 // --- The families
 // -----------------------------------------------------------------------------------------------------
-
-Shape shaken(Shape shape, AttackRandom& random) {
-    cut_into_triangles(shape);
-    for (Eigen::Vector3d& v : shape.vertices)
-        v = v / 12 + random.vector(0.2);
-    return shape;
-}
 
 MeshCase random_pair(AttackRandom& random) {
     return {shaken(random_shape(random), random), shaken(random_shape(random), random), any_motion(random, 2)};
@@ -297,6 +272,15 @@ constexpr MeshFamily families[] = {
 };
 
 } // namespace
+
+MeshCase placed(const LatticeMotion& motion, const Shape& moving, const Shape& fixed) {
+    MeshCase result{moving, fixed, motion.posed};
+    for (Eigen::Vector3d& v : result.moving.vertices)
+        v = motion.moving_point(v);
+    for (Eigen::Vector3d& v : result.fixed.vertices)
+        v = motion.fixed_point(v);
+    return result;
+}
 
 std::span<const MeshFamily> mesh_families() {
     return families;

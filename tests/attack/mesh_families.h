@@ -16,6 +16,9 @@ struct MeshCase {
     PosedMotion posed;
 };
 
+/// Two shapes posed on the lattice where the bodies are at the motion's tau.
+MeshCase placed(const LatticeMotion& motion, const Shape& moving, const Shape& fixed);
+
 struct MeshFamily {
     const char* name;
     double share; ///< of all mesh pairs

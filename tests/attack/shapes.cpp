@@ -167,6 +167,21 @@ bool have_area(const Shape& shape) {
                        [&](const auto& face) { return has_area(v[face[0]], v[face[1]], v[face[2]]); });
 }
 
+void cut_into_triangles(Shape& shape) {
+    Faces triangles;
+    for (const auto& face : shape.faces)
+        for (std::size_t i = 1; i + 1 < face.size(); ++i)
+            triangles.push_back({face[0], face[i], face[i + 1]});
+    shape.faces = triangles;
+}
+
+Shape shaken(Shape shape, AttackRandom& random) {
+    cut_into_triangles(shape);
+    for (Eigen::Vector3d& v : shape.vertices)
+        v = v / 12 + random.vector(0.2);
+    return shape;
+}
+
 void shift(Shape& shape, const Eigen::Vector3d& by) {
     for (Eigen::Vector3d& v : shape.vertices)
         v += by;

@@ -27,6 +27,12 @@ Shape fan_shape(AttackRandom& random);
 /// No face is without area; the reference takes no other.
 bool have_area(const Shape& shape);
 
+/// Fans of triangles instead of polygons, which rounding would bend.
+void cut_into_triangles(Shape& shape);
+
+/// Off the lattice, about a twelfth as large, in triangles.
+Shape shaken(Shape shape, AttackRandom& random);
+
 void shift(Shape& shape, const Eigen::Vector3d& by);
 
 /// Shifts `moving` to the side `direction` of `fixed`, so that both touch one plane across it from both sides and have

@@ -16,6 +16,9 @@ struct Tally {
     std::uint64_t outside = 0;      ///< certain, and the exact tau is not in the bracket
     std::uint64_t misnamed = 0;     ///< certain of contact_at_start, and it comes later
     std::uint64_t loose = 0;        ///< not certain, and the exact tau is behind the bracket
+    std::uint64_t misplaced = 0;    ///< a contact's point, normal or gap does not fit its features
+    std::uint64_t near = 0;         ///< another answer than the exact one, by less than the documented resolution
+    std::uint64_t at_start = 0;     ///< of the touches
     std::uint64_t uncertain = 0;    ///< answers that say that they are not certain
     std::uint64_t refused = 0;      ///< meshes that are not taken
     std::uint64_t failed = 0;       ///< questions at which the reference or the library gave up
@@ -26,7 +29,9 @@ struct Tally {
     double seconds = 0;             ///< of the library
     double reference_seconds = 0;
 
-    [[nodiscard]] bool is_broken() const { return missed + false_alarms + late + outside + misnamed + failed > 0; }
+    [[nodiscard]] bool is_broken() const {
+        return missed + false_alarms + late + outside + misnamed + misplaced + failed > 0;
+    }
     /// Whether an answer left something open that the exact reference tells.
     [[nodiscard]] bool is_in_doubt() const { return uncertain + loose > 0; }
     /// Whether a family does not do what it is there for.

@@ -1,45 +1,12 @@
 // 2,036 mesh pairs under screws whose first contacts are known to 15 digits, from a program that shares no formula
 // with this one. Covers rotations from 1e-14 to 3.05 rad and motions down to 1e-7 of a body.
 
-#include "tests/data/shared_data.h"
+#include "tests/data/screw_known_answers.h"
 
-#include <map>
-#include <nlohmann/json.hpp>
 #include <numbers>
-#include <zlib.h>
 
 namespace chasles::test {
 namespace {
-
-using Json = nlohmann::json;
-
-/// Lines of a gzip file.
-template <class Function>
-void for_each_line(const std::filesystem::path& file, Function function) {
-    const gzFile stream = gzopen(file.c_str(), "rb");
-    std::string line;
-    for (int c = gzgetc(stream); c != -1; c = gzgetc(stream)) {
-        if (c != '\n') {
-            line.push_back(static_cast<char>(c));
-            continue;
-        }
-        function(line);
-        line.clear();
-    }
-    gzclose(stream);
-}
-
-Polyhedron polyhedron(const Json& mesh) {
-    std::vector<Eigen::Vector3d> vertices;
-    for (const auto& v : mesh["v"].get<std::vector<std::vector<double>>>())
-        vertices.emplace_back(v[0], v[1], v[2]);
-    return Polyhedron::from_polygons(vertices, mesh["f"].get<std::vector<std::vector<std::uint32_t>>>());
-}
-
-Pose pose(const Json& numbers) {
-    const auto n = numbers.get<std::vector<double>>();
-    return {Eigen::Vector3d(n[0], n[1], n[2]), Eigen::Quaterniond(n[3], n[4], n[5], n[6])};
-}
 
 const char* name_of(Verdict verdict) {
     switch (verdict) {
@@ -66,8 +33,11 @@ struct Tally {
     Work work;
 };
 
-void answer(const std::string& line, Tally& tally) {
-    const Json one = Json::parse(line);
+Polyhedron polyhedron(const Json& mesh) {
+    return Polyhedron::from_polygons(vertices_of(mesh), faces_of(mesh));
+}
+
+void answer(const Json& one, Tally& tally) {
     const FirstContact found = first_contact({.moving = polyhedron(one["moving"]),
                                               .fixed = polyhedron(one["fixed"]),
                                               .motion = ScrewMotion::between(pose(one["start"]), pose(one["goal"])),
@@ -95,7 +65,7 @@ TEST(KnownAnswers, EveryVerdictIsRightAndEveryTauIsInsideItsBracket) {
     CHASLES_REQUIRE_DATA("screw-known-answers");
     Tally tally;
     const Stopwatch watch;
-    for_each_line(shared_data("screw-known-answers/cases.jsonl.gz"), [&](const std::string& l) { answer(l, tally); });
+    for_each_known_answer([&](const Json& one) { answer(one, tally); });
     EXPECT_EQ(tally.cases, 2036);
     EXPECT_LE(tally.widest, 1e-12);
     print_figures("screw-known-answers: %d cases, %d wrong verdicts, %d outside the bracket, %d not certain, "
