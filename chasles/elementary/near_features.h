@@ -38,8 +38,9 @@ RestingEdge<S> resting_edge(const Vector3<S>& from, const Vector3<S>& to) {
 namespace detail {
 
 /// Edges at a smaller sine than 2^-44 may be taken for parallel: ends of theirs are as near, up to this part of the
-/// scene (note 16, "Nearly parallel edges").
+/// scene (note 16, "Nearly parallel edges"). The first two are of the product of their 1-norms.
 inline constexpr double nearly_parallel = 0x1p-48;
+inline constexpr double least_crossing = 0x1p-46;
 inline constexpr double parallel_slack = 0x1p-44;
 
 template <class S>
@@ -77,7 +78,7 @@ bool stays_beyond(const Vector3<Cubic<S>>& vector, const S& limit, const Cubic<S
     return keeps_one_sign(vector.x, band) || keeps_one_sign(vector.y, band) || keeps_one_sign(vector.z, band);
 }
 
-/// W^2, F = square - limit and up to four constraints of degree six, each of which is >= 0.
+/// W^2, F = square - limit and up to five constraints of degree six, each of which is >= 0.
 template <class S>
 class SquareProblem {
 public:
@@ -103,7 +104,7 @@ public:
 private:
     Bernstein<6, S> weight_;
     Bounded<6, S> function_;
-    std::array<Constraint<6, S>, 4> constraints_;
+    std::array<Constraint<6, S>, 5> constraints_;
     std::size_t count_ = 0;
 };
 
@@ -138,6 +139,31 @@ bool demand_between(const EdgePair<S>& pair, const SizedVector<S>& crossing, con
     };
     return demand_share({pair.end_arm(0), pair.end_arm(1), pair.end_arm(2)}, pair.end_arm_error()) &&
            demand_share({pair.line_arm(0), pair.line_arm(1), pair.line_arm(2)}, pair.line_arm_error());
+}
+
+/// Whether one direction proves two edges to stay farther apart than the margin: from the middle of the fixed one to
+/// that of the moving one half way, across the fixed one. It tells what edges that become parallel have in doubt
+/// otherwise.
+template <class S>
+bool stay_apart_across(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
+                       const Margin<S>& margin, const S& unit) {
+    const Vector3<Cubic<S>> from = maps.turn * moving.from + maps.shift;
+    const Vector3<Cubic<S>> to = from + moving.direction;
+    const S half(0.5);
+    const auto middle = [&](const Cubic<S>& a, const Cubic<S>& b) {
+        return value_at(a, half) + (value_at(b, half) - value_at(a, half)) * half;
+    };
+    const S weight = value_at(maps.weight, half);
+    const Vector3<S> arm = Vector3<S>{middle(from.x, to.x), middle(from.y, to.y), middle(from.z, to.z)} -
+                           scale(fixed.from + scale(fixed.direction, half), weight);
+    const Vector3<S> across =
+        arm - scale(fixed.direction, S(dot(arm, fixed.direction) / dot(fixed.direction, fixed.direction)));
+    const S offset = dot(across, fixed.from);
+    const S along = dot(across, fixed.direction);
+    const S farther = offset + (along > S(0) ? along : S(0));
+    const S limit = farther + margin.distance * length(across) + with_underflow<S>(unit * norm1(across) * S(2));
+    const Cubic<S> band = maps.weight * limit;
+    return is_positive(dot(from, across), band) && is_positive(dot(to, across), band);
 }
 
 template <class S>
@@ -214,11 +240,14 @@ void edge_near_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& movin
     const S spread =
         margin.distance * (crossing.x.size + crossing.y.size + crossing.z.size + pair.crossing_error() * S(3));
     if (keeps_one_sign(volume.polynomial, maps.weight * S(volume.error + spread)) ||
-        widest <= S(detail::nearly_parallel) * pair.size())
+        widest <= S(detail::nearly_parallel) * pair.size() ||
+        detail::stay_apart_across<S>(maps, moving, fixed, margin, detail::unit_of<S>(accuracy)))
         return;
     const SumOfProducts<S> square = detail::dot_product<S>(crossing, crossing);
+    const S least = S(detail::least_crossing) * pair.size();
     detail::SquareProblem<S> problem(maps.weight);
-    if (!detail::demand_between<S>(pair, crossing, square, maps.weight, problem))
+    if (!problem.demand(square.minus(detail::constant<S>(least * least, maps.weight)).bounded()) ||
+        !detail::demand_between<S>(pair, crossing, square, maps.weight, problem))
         return;
     SumOfProducts<S> distance;
     const Sized<S> height = algebra::sized(volume, maps.weight);

@@ -156,7 +156,7 @@ std::vector<FeaturePair> named(const ContactScene& scene, const std::vector<Cand
         const double distance = nearest.apart().norm();
         if (scene.margin <= 0 || distance <= scene.slack)
             namer.add(candidate);
-        else if (scene.instant.is_local_minimum(candidate, nearest, 4 * scene.slack / distance))
+        else if (scene.instant.descent(candidate, nearest) <= 4 * scene.slack / distance)
             namer.keep(candidate);
     }
     return namer.take();
@@ -168,6 +168,8 @@ std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<Ca
     std::vector<Contact> contacts;
     for (const FeaturePair& features : named(scene, candidates))
         contacts.push_back(described(scene, features));
+    if (contacts.empty()) // a distance in doubt, at no minimum that can be told
+        contacts.push_back(described(scene, candidates.front()));
     return at_corners_of_hulls(std::move(contacts), scene.slack);
 }
 

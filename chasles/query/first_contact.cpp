@@ -134,17 +134,43 @@ private:
         found.work += start.work;
         if (!start.overlap && start.candidates.empty())
             return answer_within(query_.margin, count, piece_at);
-        const double rounding = resting_slack(piece_at(0), count);
-        const double level = start.overlap ? 0 : std::min(*query_.hold, nearest(piece_at(0), start) - rounding);
-        if (start.overlap || level < 0) {
+        const HeldLevel level = held_level(piece_at(0), start, count);
+        if (level.touches) {
             report(found, piece_at(0), {0, count}, start, query_.margin);
             found.clear_until = 0;
             return found;
         }
         found.held = contacts_of(piece_at(0), 0, start.candidates, {0, count}, query_.margin, true);
-        search_holding(found, level, query::HeldContacts({start.candidates.begin(), start.candidates.end()}), count,
-                       piece_at);
+        search_holding(found, level.distance, query::HeldContacts({start.candidates.begin(), start.candidates.end()}),
+                       count, piece_at);
+        if (level.is_reached && found.clear_until < 1)
+            found.clear_until = 0;
         return found;
+    }
+
+    /// What bodies that start within the margin are to keep.
+    struct HeldLevel {
+        double distance = 0;
+        bool is_reached = false; ///< they are as near as may be
+        bool touches = false;
+    };
+
+    /// `hold` and a little more, less and less of it as they come nearer by rounding; what they have, if that is less
+    /// yet.
+    template <class AnyMotion>
+    HeldLevel held_level(const AnyMotion& piece, const PieceResult& start, std::size_t count) const {
+        if (start.overlap)
+            return {0, true, true};
+        const double rounding = resting_slack(piece, count);
+        const double distance = nearest(piece, start);
+        if (distance <= rounding)
+            return {0, true, true};
+        if (*query_.hold == 0)
+            return {0, false, false};
+        for (const int reserve : {2, 1, 0})
+            if (const double level = *query_.hold + reserve * rounding; level <= distance - rounding / 2)
+                return {level, reserve < 2, false};
+        return {distance - rounding, true, false};
     }
 
     /// The first event, and how long nothing comes within `level`, which may be later.

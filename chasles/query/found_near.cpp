@@ -3,6 +3,7 @@
 #include "chasles/query/overlaps.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace chasles::query {
@@ -13,8 +14,8 @@ namespace {
 constexpr double hardly_later = 0x1p-30;
 /// Far above the rounding of a bracket to the whole piece.
 constexpr double rim = 0x1p-45;
-/// Crossings of one pair that do not count: it has three at most on a convex part of a face, and six on other features.
-constexpr int most_crossings = 16;
+/// A pair has six crossings at most; the rest is for doubt that is looked at in ever longer parts.
+constexpr int most_looks = 40;
 
 } // namespace
 
@@ -35,7 +36,7 @@ void FoundNear::add_at_start(const FeaturePair& features, WithinAtStart::Answer 
         return;
     if (answer == may_be) {
         NearStage<algebra::DoubleDouble>& stage = refinement().near;
-        stage.use({});
+        stage.use({0, rim}); // bounds follow the numbers there
         WithinAtStart ask;
         stage.pairs().pair(features, [&](const auto& problem) { ask(problem); });
         ++result_.work.refined;
@@ -81,7 +82,8 @@ void FoundNear::narrow_brackets() {
         if (candidate.tau.lower > best_)
             continue;
         const bool is_wide = candidate.tau.certain && candidate.tau.upper > 0 && !is_decided(candidate.tau);
-        const auto narrow = is_wide ? refined(candidate, candidate.tau) : std::nullopt;
+        const TauRange where{std::max(0.0, candidate.tau.lower - rim), std::min(1.0, candidate.tau.upper + rim)};
+        const auto narrow = is_wide ? refined(candidate, where) : std::nullopt;
         keep(candidate, narrow && narrow->tau.certain ? narrow->tau : candidate.tau);
     }
     for (const Candidate& candidate : waiting_) {
@@ -101,51 +103,65 @@ bool FoundNear::is_decided(const FeasibleInterval& tau) const {
     return tau.certain && tau.upper - tau.lower <= search_.tolerance;
 }
 
-/// Without contacts that are held, every crossing is one of features that were farther apart. Otherwise one that is no
-/// local minimum is that of a contact which spreads or slides, and one that leaves the margin is none.
-bool FoundNear::counts(const FeaturePair& features, const Crossing& crossing) const {
+/// None if the crossing counts. Without contacts that are held, every one is of features that were farther apart.
+/// Otherwise one that leaves the margin is none, and one that is no local minimum is that of a contact which spreads or
+/// slides; it stays so for as long as directions take to change.
+std::optional<double> FoundNear::passed_until(const FeaturePair& features, const Crossing& crossing) const {
     if (!search_.held)
-        return true;
+        return std::nullopt;
+    const FeasibleInterval& tau = crossing.tau;
     if (crossing.leaves)
-        return false;
-    const Instant instant(search_.moving, search_.fixed, numbers_.maps, crossing.tau.lower);
+        return tau.upper;
+    const Instant instant(search_.moving, search_.fixed, numbers_.maps, tau.lower);
     const NearestPoints nearest = instant.nearest(features);
-    const double travel = instant.velocity_at(nearest.on_moving).norm() * (crossing.tau.upper - crossing.tau.lower);
-    const double error = elementary::error_unit<double> * numbers_.scale.length + travel;
-    return instant.is_local_minimum(features, nearest, 4 * error / search_.margin);
+    const double speed = instant.velocity_at(nearest.on_moving).norm();
+    const double error = elementary::error_unit<double> * numbers_.scale.length + speed * (tau.upper - tau.lower);
+    const double excess = instant.descent(features, nearest) - 4 * error / search_.margin;
+    if (excess <= 0)
+        return std::nullopt;
+    // Rates are at most twice as large as here for this long.
+    const double steady = 0x1p-4 / std::sqrt(std::max(1.0, numbers_.maps.weight[3]));
+    const double rate = 4 * (2 * speed / search_.margin + instant.turn_rate());
+    return std::max(tau.upper, tau.lower + std::min(steady, excess / rate));
 }
 
-/// From what the filter found on. Where double-double finds nothing there, the filter is asked what comes next.
+/// From what the filter found on. Where double-double finds nothing there, the filter is asked what comes next; where
+/// that is again in doubt, double-double looks further each time.
 std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& features, const Crossing& found) {
-    FeasibleInterval looked_at = found.tau;
-    for (int i = 0; i < most_crossings; ++i) {
-        const auto crossing = is_decided(looked_at) && i == 0 ? std::optional(found) : refined(features, looked_at);
+    Crossing next = found;
+    double width = std::max(rim, found.tau.upper - found.tau.lower);
+    for (int i = 0; i < most_looks; ++i) {
+        const TauRange where{std::max(0.0, next.tau.lower - rim), std::min(1.0, next.tau.lower + width + rim)};
+        const bool is_known = is_decided(next.tau);
+        const auto crossing = is_known ? std::optional(next) : refined(features, where);
         if (crossing && crossing->tau.lower > best_)
             return std::nullopt;
-        if (crossing && counts(features, *crossing))
+        const auto passed = crossing ? passed_until(features, *crossing) : std::optional(where.upper);
+        if (!passed)
             return crossing->tau;
-        const double after = std::max(crossing ? crossing->tau.upper : looked_at.upper, looked_at.lower + rim);
+        const double after = std::max(*passed, next.tau.lower + rim);
         if (after >= best_)
             return std::nullopt;
         filter_.use({after, 1});
-        const double width = search_.tolerance / filter_.part().width();
-        const auto next = filter_.first_crossing(features, filter_tolerance(std::min(1.0, width)));
-        if (!next || next->tau.lower > best_)
+        const auto left =
+            filter_.first_crossing(features, filter_tolerance(std::min(1.0, search_.tolerance / (1 - after))));
+        if (!left || left->tau.lower > best_)
             return std::nullopt;
-        looked_at = next->tau;
+        const double own_width = std::max(rim, left->tau.upper - left->tau.lower);
+        width = left->tau.lower - after < width ? std::max(own_width, 8 * width) : own_width;
+        next = *left;
     }
-    looked_at.certain = false;
-    return looked_at;
+    return FeasibleInterval{next.tau.lower, next.tau.upper, false};
 }
 
-/// The first crossing as double-double sees it, where the filter found one.
-std::optional<Crossing> FoundNear::refined(const FeaturePair& features, const FeasibleInterval& found) {
+/// The first crossing in a part as double-double sees it.
+std::optional<Crossing> FoundNear::refined(const FeaturePair& features, const TauRange& where) {
     constexpr double finest = 0x1p-90;
-    constexpr int restrictions = 60;
+    constexpr int restrictions = 600; // ordinary crossings take ten
     ++result_.work.refined;
     NearStage<algebra::DoubleDouble>& stage = refinement().near;
-    stage.use({std::max(0.0, found.lower - rim), std::min(1.0, found.upper + rim)});
-    const double width = stage.part().width();
+    stage.use(where);
+    const double width = where.width();
     return stage.first_crossing(
         features, {std::min(1.0, 0.5 * search_.tolerance / width), std::min(1.0, finest / width), restrictions});
 }

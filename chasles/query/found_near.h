@@ -74,9 +74,9 @@ public:
 private:
     [[nodiscard]] bool is_decided(const FeasibleInterval& tau) const;
     [[nodiscard]] bool is_near_a_proven_contact(const FeasibleInterval& tau) const;
-    [[nodiscard]] bool counts(const FeaturePair& features, const Crossing& crossing) const;
+    [[nodiscard]] std::optional<double> passed_until(const FeaturePair& features, const Crossing& crossing) const;
     std::optional<FeasibleInterval> first_that_counts(const FeaturePair& features, const Crossing& found);
-    std::optional<Crossing> refined(const FeaturePair& features, const FeasibleInterval& found);
+    std::optional<Crossing> refined(const FeaturePair& features, const TauRange& where);
     void keep(const FeaturePair& features, const FeasibleInterval& tau);
     void narrow_brackets();
 

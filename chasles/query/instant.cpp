@@ -68,19 +68,18 @@ Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& direction) {
     return direction.stableNormalized().unitOrthogonal();
 }
 
-/// The body as it is next to the feature leads nearer to what is in `direction` from there, which is of length one.
-bool leads_nearer(const Polyhedron& body, FeatureKind kind, const Feature& feature, const Eigen::Vector3d& direction,
-                  double slack) {
-    const auto leads = [&](const Eigen::Vector3d& way) { return direction.dot(way.stableNormalized()) > slack; };
-    switch (kind) {
-    case FeatureKind::vertex:
-        return any_way_from_vertex(body, feature.first, leads);
-    case FeatureKind::edge:
-        return any_way_from_edge(body, {feature.first, feature.second}, leads);
-    case FeatureKind::face:
-        break;
-    }
-    return false;
+/// The largest cosine between a direction of length one and the ways from a feature into its body.
+double steepest(const Polyhedron& body, FeatureKind kind, const Feature& feature, const Eigen::Vector3d& direction) {
+    double most = -1;
+    const auto see = [&](const Eigen::Vector3d& way) {
+        most = std::max(most, direction.dot(way.stableNormalized()));
+        return false;
+    };
+    if (kind == FeatureKind::vertex)
+        any_way_from_vertex(body, feature.first, see);
+    if (kind == FeatureKind::edge)
+        any_way_from_edge(body, {feature.first, feature.second}, see);
+    return most;
 }
 
 } // namespace
@@ -162,11 +161,11 @@ NearestPoints Instant::nearest(const FeaturePair& features) const {
     return {moving_point(features.moving.first), fixed_point(features.fixed.first)};
 }
 
-bool Instant::is_local_minimum(const FeaturePair& features, const NearestPoints& nearest, double slack) const {
+double Instant::descent(const FeaturePair& features, const NearestPoints& nearest) const {
     const Eigen::Vector3d towards_moving = nearest.apart().stableNormalized();
     const Eigen::Vector3d towards_fixed = turned_back(-towards_moving);
-    return !leads_nearer(fixed_, fixed_feature_kind(features.kind), features.fixed, towards_moving, slack) &&
-           !leads_nearer(moving_, moving_feature_kind(features.kind), features.moving, towards_fixed, slack);
+    return std::max(steepest(fixed_, fixed_feature_kind(features.kind), features.fixed, towards_moving),
+                    steepest(moving_, moving_feature_kind(features.kind), features.moving, towards_fixed));
 }
 
 } // namespace chasles::query

@@ -42,9 +42,13 @@ public:
 
     [[nodiscard]] NearestPoints nearest(const FeaturePair& features) const;
 
-    /// Whether the distance of the features is a local minimum of that of the bodies: nothing next to the nearest
-    /// points is nearer. Directions within `slack` of a right angle to the shortest way count as no nearer.
-    [[nodiscard]] bool is_local_minimum(const FeaturePair& features, const NearestPoints& nearest, double slack) const;
+    /// How much nearer the surfaces next to the nearest points of two features lead, at most: the cosine of the angle
+    /// between the shortest way and a way into one of the faces there. Not above 0 where the distance is a local
+    /// minimum.
+    [[nodiscard]] double descent(const FeaturePair& features, const NearestPoints& nearest) const;
+
+    /// Radians per unit of tau, or more.
+    [[nodiscard]] double turn_rate() const { return turn_rate_.norm(); }
 
 private:
     const Polyhedron& moving_;
