@@ -37,12 +37,15 @@ Rows about(const Eigen::Vector3d& point, Rows rows) {
     return rows;
 }
 
-/// The nearest twist that closes no contact, by Hildreth's method: rows push as far as they have to.
-Twist within(const Rows& rows, Twist twist) {
+/// The nearest twist that uses up no more of any gap than there is to half the margin, by Hildreth's method: rows push as
+/// far as they have to.
+Twist within(const Rows& rows, const std::vector<chasles::Contact>& contacts, Twist twist) {
     Eigen::VectorXd pushes = Eigen::VectorXd::Zero(rows.rows());
     for (int sweep = 0; sweep < 200; ++sweep)
         for (Eigen::Index i = 0; i < rows.rows(); ++i) {
-            const double push = std::max(-pushes[i], -rows.row(i).dot(twist) / rows.row(i).squaredNorm());
+            const double least_rate = (margin / 2 - contacts[static_cast<std::size_t>(i)].gap) / time_step;
+            const double missing = least_rate - rows.row(i).dot(twist);
+            const double push = std::max(-pushes[i], missing / rows.row(i).squaredNorm());
             pushes[i] += push;
             twist += push * rows.row(i).transpose();
         }
@@ -92,7 +95,7 @@ int main() {
         if (here.held.size() != held)
             tell(step, pose, here.held);
         held = here.held.size();
-        const Twist twist = within(about(pose.translation(), chasles::constraint_rows(here.held)), wish);
+        const Twist twist = within(about(pose.translation(), chasles::constraint_rows(here.held)), here.held, wish);
         const Eigen::Isometry3d goal = moved(pose, twist, time_step);
         const chasles::FirstContact found = ask(goal);
         // A new contact is at the margin: to go on to the upper end is safe, and holds it from there on.

@@ -15,7 +15,12 @@ constexpr double hardly_later = 0x1p-30;
 /// Far above the rounding of a bracket to the whole piece.
 constexpr double rim = 0x1p-45;
 /// A pair has six crossings at most; the rest is for doubt that is looked at in ever longer parts.
-constexpr int most_looks = 40;
+constexpr int most_looks = 60;
+
+/// With a rim on either side.
+TauRange part_from(double lower, double width) {
+    return {std::max(0.0, lower - rim), std::min(1.0, lower + width + rim)};
+}
 
 } // namespace
 
@@ -82,8 +87,9 @@ void FoundNear::narrow_brackets() {
         if (candidate.tau.lower > best_)
             continue;
         const bool is_wide = candidate.tau.certain && candidate.tau.upper > 0 && !is_decided(candidate.tau);
-        const TauRange where{std::max(0.0, candidate.tau.lower - rim), std::min(1.0, candidate.tau.upper + rim)};
-        const auto narrow = is_wide ? refined(candidate, where) : std::nullopt;
+        const auto narrow =
+            is_wide ? refined(candidate, part_from(candidate.tau.lower, candidate.tau.upper - candidate.tau.lower))
+                    : std::nullopt;
         keep(candidate, narrow && narrow->tau.certain ? narrow->tau : candidate.tau);
     }
     for (const Candidate& candidate : waiting_) {
@@ -125,15 +131,21 @@ std::optional<double> FoundNear::passed_until(const FeaturePair& features, const
     return std::max(tau.upper, tau.lower + std::min(steady, excess / rate));
 }
 
-/// From what the filter found on. Where double-double finds nothing there, the filter is asked what comes next; where
-/// that is again in doubt, double-double looks further each time.
+/// From what the filter found on. Where double-double finds nothing there, the filter is asked what comes next, and
+/// double-double looks further each time; what is in doubt in a long part is looked at again in shorter ones.
 std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& features, const Crossing& found) {
+    const auto width_of = [](const Crossing& crossing) { return crossing.tau.upper - crossing.tau.lower; };
     Crossing next = found;
-    double width = std::max(rim, found.tau.upper - found.tau.lower);
+    const double shortest = 4 * search_.tolerance;
+    double width = std::max(shortest, width_of(next));
     for (int i = 0; i < most_looks; ++i) {
-        const TauRange where{std::max(0.0, next.tau.lower - rim), std::min(1.0, next.tau.lower + width + rim)};
-        const bool is_known = is_decided(next.tau);
-        const auto crossing = is_known ? std::optional(next) : refined(features, where);
+        const TauRange where = part_from(next.tau.lower, width);
+        const auto crossing = is_decided(next.tau) ? std::optional(next) : refined(features, where);
+        if (crossing && !crossing->tau.certain && width > shortest) {
+            width = std::max(shortest, 0x1p-6 * std::min(width, width_of(*crossing)));
+            next = *crossing;
+            continue;
+        }
         if (crossing && crossing->tau.lower > best_)
             return std::nullopt;
         const auto passed = crossing ? passed_until(features, *crossing) : std::optional(where.upper);
@@ -147,9 +159,8 @@ std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& 
             filter_.first_crossing(features, filter_tolerance(std::min(1.0, search_.tolerance / (1 - after))));
         if (!left || left->tau.lower > best_)
             return std::nullopt;
-        const double own_width = std::max(rim, left->tau.upper - left->tau.lower);
-        width = left->tau.lower - after < width ? std::max(own_width, 8 * width) : own_width;
         next = *left;
+        width = std::max(width_of(next), 8 * width);
     }
     return FeasibleInterval{next.tau.lower, next.tau.upper, false};
 }

@@ -143,7 +143,8 @@ private:
         if (found_.certain) {
             tally_.widest =
                 std::max({tally_.widest, found_.tau.upper - found_.tau.lower, found_.time.upper - found_.time.lower});
-            if (found_.time.upper - found_.time.lower > widest_bracket)
+            // Where the distance grazes the margin, a proof takes as long a bracket as it does.
+            if (found_.time.upper - found_.time.lower > widest_bracket && !grazes())
                 return counted(true, tally_.outside, "a bracket that is certain and wide");
             return behind ? counted(true, tally_.outside, "certain of a bracket that the contact is not in") : "";
         }
@@ -151,6 +152,12 @@ private:
             return "";
         const PiecewiseTau earliest = truth_.earliest();
         return counted(earliest.compared_to(found_.tau.upper) > 0, tally_.loose, "a bracket that ends too early");
+    }
+
+    /// The distance has been as good as the margin since about the lower end.
+    [[nodiscard]] bool grazes() const {
+        const PiecewiseTau earliest = truth_.earliest();
+        return earliest.tau && truth_.time_of(earliest) <= found_.time.lower + widest_bracket;
     }
 
     /// How far one may safely go is before the first contact.
