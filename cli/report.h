@@ -1,18 +1,18 @@
 // Answers for people: the verdict first, then when, how far along the motion, where and what touches.
 #pragma once
 
-#include "cli/motion_numbers.h"
+#include "view/motion_numbers.h"
 
 #include <string>
 
 namespace chasles::cli {
 
 /// The answer of `check` as a short text of several lines.
-std::string report(const FirstContact& found, const MotionNumbers& motion);
+std::string report(const FirstContact& found, const view::MotionNumbers& motion);
 
 /// Its two parts: the verdict in one line, and all the rest.
 std::string headline(const FirstContact& found);
-std::string details(const FirstContact& found, const MotionNumbers& motion);
+std::string details(const FirstContact& found, const view::MotionNumbers& motion);
 
 /// One line "  label     text", aligned with the others.
 std::string labelled(const std::string& label, const std::string& text);

@@ -1,7 +1,7 @@
 // Answers as JSON; the keys are those of docs/command-line.md.
-#include "cli/json_answer.h"
+#include "view/answer_json.h"
 
-namespace chasles::cli {
+namespace chasles::view {
 namespace {
 
 // A vertex is a number, a face a list of one, an edge a list of its two vertices.
@@ -25,12 +25,6 @@ Json json_of(FeatureKind kind, const Feature& feature) {
         break;
     }
     return face(feature);
-}
-
-Json json_of(const Pose& pose) {
-    const Eigen::Quaterniond rotation = pose.rotation.normalized();
-    return {pose.translation.x(), pose.translation.y(), pose.translation.z(), rotation.w(),
-            rotation.x(),         rotation.y(),         rotation.z()};
 }
 
 Json json_of(const Contact& contact) {
@@ -71,7 +65,7 @@ void add_contact(Json& answer, const FirstContact& found) {
     answer["tau"] = found.tau.lower;
     answer["tau_upper"] = found.tau.upper;
     answer["certain"] = found.certain;
-    answer["pose"] = json_of(found.pose);
+    answer["pose"] = pose_json(found.pose);
     answer["contacts"] = Json::array();
     for (const Contact& contact : found.contacts)
         answer["contacts"].push_back(json_of(contact));
@@ -83,6 +77,12 @@ void add_contact(Json& answer, const FirstContact& found) {
 
 Json vector_json(const Eigen::Vector3d& vector) {
     return {vector.x(), vector.y(), vector.z()};
+}
+
+Json pose_json(const Pose& pose) {
+    const Eigen::Quaterniond rotation = pose.rotation.normalized();
+    return {pose.translation.x(), pose.translation.y(), pose.translation.z(), rotation.w(),
+            rotation.x(),         rotation.y(),         rotation.z()};
 }
 
 std::string name_of(Verdict verdict) {
@@ -125,4 +125,4 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     return answer;
 }
 
-} // namespace chasles::cli
+} // namespace chasles::view
