@@ -19,8 +19,8 @@ struct DrawnMesh {
 
 DrawnMesh drawn_mesh(const Polyhedron& body);
 
-/// Faces that turn by more than this at an edge make it a crease, radians. Finer than most facets of turned parts, so
-/// that these look round.
-inline constexpr double least_crease = 0.4;
+/// Faces that turn by more than this at an edge make it a crease, radians. Half of what the corner of a hexagon turns
+/// by: nuts have their edges, and what is round in twelve facets or more looks round.
+inline constexpr double least_crease = 0.6;
 
 } // namespace chasles::view

@@ -8,7 +8,7 @@ namespace chasles::view {
 namespace {
 
 constexpr std::size_t fewest_poses = 241;
-constexpr std::size_t most_poses = 3841;
+constexpr std::size_t most_poses = 3841; ///< for a screw that is all but a half turn in one piece, too few
 
 /// Of the way's extent: less than half a pixel where the way fills a screen.
 constexpr double largest_deviation = 1e-4;

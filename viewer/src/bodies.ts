@@ -2,6 +2,7 @@
 import {
   BufferAttribute,
   BufferGeometry,
+  DoubleSide,
   Group,
   Line,
   LineBasicMaterial,
@@ -20,6 +21,9 @@ interface DrawnMesh {
   creases: BufferGeometry;
   origin: Vector3;
 }
+
+/** Surfaces with two sides (meshes may be open), behind the lines that are drawn on them. */
+const pushedBack = { side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 } as const;
 
 function drawnMesh(packed: PackedMesh): DrawnMesh {
   const vertices = new BufferAttribute(new Float32Array(unpacked(packed.vertices)), 3);
@@ -50,10 +54,7 @@ export class Body {
   readonly track: Track;
   private readonly surface = new MeshLambertMaterial({
     flatShading: true,
-    side: 2,
-    polygonOffset: true,
-    polygonOffsetFactor: 1,
-    polygonOffsetUnits: 1,
+    ...pushedBack,
   });
   private readonly lines = new LineBasicMaterial();
   private readonly wayLine = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
@@ -81,6 +82,16 @@ export class Body {
     this.wayLine.color.set(colour);
   }
 
+  seeThrough(isOn: boolean): void {
+    this.surface.transparent = isOn;
+    this.surface.opacity = isOn ? 0.35 : 1;
+    this.surface.depthWrite = !isOn;
+    this.surface.needsUpdate = true;
+    this.lines.transparent = isOn;
+    this.lines.opacity = isOn ? 0.45 : 1;
+    this.lines.needsUpdate = true;
+  }
+
   private moveBy(matrix: Matrix4): void {
     this.group.matrix.copy(matrix);
     this.group.matrixWorldNeedsUpdate = true;
@@ -90,11 +101,11 @@ export class Body {
 /** The moving body at an end of its way, seen through: first its depth alone, so that one layer of it is seen. */
 export class Ghost {
   readonly group: Group;
-  private readonly veil = new MeshLambertMaterial({ flatShading: true, side: 2, transparent: true, depthWrite: false });
+  private readonly veil = new MeshLambertMaterial({ flatShading: true, ...pushedBack, transparent: true, depthWrite: false });
   private readonly lines = new LineBasicMaterial({ transparent: true, depthWrite: false });
 
   constructor(mesh: DrawnMesh, matrix: Matrix4, opacity: number) {
-    const depth = new Mesh(mesh.surface, new MeshLambertMaterial({ colorWrite: false, side: 2 }));
+    const depth = new Mesh(mesh.surface, new MeshLambertMaterial({ colorWrite: false, ...pushedBack }));
     const veil = new Mesh(mesh.surface, this.veil);
     const lines = new LineSegments(mesh.creases, this.lines);
     this.veil.opacity = opacity;
@@ -133,6 +144,12 @@ export class Bodies {
   moveTo(time: number): void {
     this.moving.moveTo(time);
     this.fixed.moveTo(time);
+  }
+
+  seeThrough(isOn: boolean): void {
+    this.moving.seeThrough(isOn);
+    this.fixed.seeThrough(isOn);
+    for (const ghost of this.ghosts) ghost.group.visible = !isOn; // one veil on another is a fog
   }
 
   paint(colours: Colours): void {

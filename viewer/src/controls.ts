@@ -31,20 +31,21 @@ function keyAction(player: Player, key: string): (() => void) | undefined {
   return undefined;
 }
 
-// A button takes the space for itself, and so does what opens or is ticked; up and down scroll the panel.
+// A button takes the space for itself, and so does what opens or is ticked; the panel scrolls by its own keys.
 function isTaken(event: KeyboardEvent): boolean {
   const target = event.target as Element;
   if (event.ctrlKey || event.metaKey || event.altKey) return true;
   if (event.key === " ") return target.matches("button, summary, #through");
-  if (["ArrowUp", "ArrowDown", "Home", "End"].includes(event.key)) return !target.matches("#time, canvas");
-  return false;
+  const scrolls = ["ArrowUp", "ArrowDown", "Home", "End"].includes(event.key);
+  return scrolls && target.closest("aside") !== null;
 }
 
 export function connectControls(player: Player, isClear: boolean): void {
   const slider = byId<HTMLInputElement>("time");
   const play = byId<HTMLButtonElement>("play");
   const through = byId<HTMLInputElement>("through");
-  byId("track").style.setProperty("--contact-time", String(player.stop));
+  const track = byId("track");
+  track.style.setProperty("--contact-time", String(player.stop));
   slider.addEventListener("input", () => player.drag(Number(slider.value)));
   play.addEventListener("click", () => player.toggle());
   through.addEventListener("change", () => player.goThrough(through.checked));
@@ -57,6 +58,7 @@ export function connectControls(player: Player, isClear: boolean): void {
   player.onChange(() => {
     const text = timeText(player, isClear);
     slider.value = String(player.time);
+    track.style.setProperty("--now", String(player.time));
     slider.setAttribute("aria-valuetext", text);
     byId("time-text").textContent = text;
     play.classList.toggle("is-playing", player.isPlaying);

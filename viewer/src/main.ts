@@ -1,5 +1,5 @@
 // Puts the page together: scene, bodies, player, numbers.
-import { type Box3, Sphere, Vector3 } from "three";
+import { Box3, type Sphere, Vector3 } from "three";
 import { Bodies, type Body } from "./bodies";
 import { currentColours, onColourChange } from "./colours";
 import { connectControls } from "./controls";
@@ -16,23 +16,25 @@ declare global {
   }
 }
 
-const mostBoxes = 61; // enough of a way to be sure that none of it leaves the picture
+const mostBoxes = 61; // of a way; enough for all of it to be in the picture
 
-function boxesOnWay({ mesh, track }: Body): Box3[] {
-  const box = mesh.surface.boundingBox!.clone().translate(mesh.origin);
-  const step = Math.max(1, Math.floor((track.count - 1) / (mostBoxes - 1)));
-  const samples = Array.from({ length: track.count }, (_, index) => index).filter((index) => index % step === 0);
-  return samples.map((index) => box.clone().applyMatrix4(track.sample(index)));
+function corners({ min, max }: Box3): Vector3[] {
+  const ends = [min, max];
+  return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(ends[k & 1].x, ends[(k >> 1) & 1].y, ends[k >> 2].z));
 }
 
-/** Where to look for a contact: as much around it as shows the smaller body's part in it. */
-function contactBall(scene: Scene, bodies: Bodies): Sphere | undefined {
-  const points = markedPoints(scene.answer).map((point) => new Vector3(...point));
-  if (points.length === 0) return undefined;
-  const ball = new Sphere().setFromPoints(points);
+function cornersOnWay({ mesh, track }: Body): Vector3[] {
+  const box = corners(mesh.surface.boundingBox!).map((corner) => corner.add(mesh.origin));
+  const step = Math.max(1, Math.floor((track.count - 1) / (mostBoxes - 1)));
+  const samples = Array.from({ length: track.count }, (_, index) => index).filter((index) => index % step === 0);
+  return samples.flatMap((index) => box.map((corner) => corner.clone().applyMatrix4(track.sample(index))));
+}
+
+/** What to look at for a contact: as much around it as shows the smaller body's part in it. */
+function aroundContact(scene: Scene, bodies: Bodies): Vector3[] {
+  const box = new Box3().setFromPoints(markedPoints(scene.answer).map((point) => new Vector3(...point)));
   const radii = [bodies.moving, bodies.fixed].map(({ mesh }) => mesh.surface.boundingSphere!.radius);
-  ball.radius = Math.max(1.5 * ball.radius, 0.5 * Math.min(...radii));
-  return ball;
+  return corners(box.expandByScalar(0.3 * Math.min(...radii)));
 }
 
 function firstNormal(scene: Scene): Vector3 | undefined {
@@ -40,8 +42,7 @@ function firstNormal(scene: Scene): Vector3 | undefined {
   return normal && new Vector3(...normal);
 }
 
-function makeStage(scene: Scene, bodies: Bodies, markers: Markers): Stage {
-  const whole = ballAround([...boxesOnWay(bodies.moving), ...boxesOnWay(bodies.fixed)]);
+function makeStage(scene: Scene, bodies: Bodies, markers: Markers, whole: Sphere): Stage {
   const canvas = document.getElementById("canvas") as HTMLCanvasElement;
   canvas.setAttribute("aria-label", `${scene.moving.name} on its way past ${scene.fixed.name}`);
   const stage = new Stage(canvas, whole, () => markers.resize(stage.camera, stage.unit));
@@ -51,14 +52,20 @@ function makeStage(scene: Scene, bodies: Bodies, markers: Markers): Stage {
   return stage;
 }
 
-function connectViews(scene: Scene, bodies: Bodies, stage: Stage, player: Player): void {
-  const contact = contactBall(scene, bodies);
+function connectViews(scene: Scene, bodies: Bodies, stage: Stage, player: Player, everything: Vector3[]): void {
   const along = firstNormal(scene);
-  const whole = () => stage.lookAt(stage.whole, along);
+  const whole = () => stage.lookAt(everything, along);
   document.getElementById("look-at-all")!.addEventListener("click", whole);
   document.getElementById("look-at-contact")!.addEventListener("click", () => {
     player.drag(player.stop);
-    stage.lookAt(contact ?? stage.whole, along);
+    stage.lookAt(aroundContact(scene, bodies), along);
+  });
+  const seeThrough = document.getElementById("see-through")!;
+  seeThrough.addEventListener("click", () => {
+    const isOn = seeThrough.getAttribute("aria-pressed") !== "true";
+    seeThrough.setAttribute("aria-pressed", String(isOn));
+    bodies.seeThrough(isOn);
+    stage.draw();
   });
   whole();
 }
@@ -66,7 +73,8 @@ function connectViews(scene: Scene, bodies: Bodies, stage: Stage, player: Player
 function show(scene: Scene, player: Player, choose: { contact(index: number | undefined): void }): void {
   const bodies = new Bodies(scene);
   const markers = new Markers(scene.answer, bodies.fixed.track.at(player.stop));
-  const stage = makeStage(scene, bodies, markers);
+  const everything = [...cornersOnWay(bodies.moving), ...cornersOnWay(bodies.fixed)];
+  const stage = makeStage(scene, bodies, markers, ballAround(everything));
   const follow = () => {
     bodies.moveTo(player.time);
     markers.show(bodies.fixed.track.at(player.time), player.time === player.stop);
@@ -86,7 +94,7 @@ function show(scene: Scene, player: Player, choose: { contact(index: number | un
   onColourChange(paint);
   follow();
   paint();
-  connectViews(scene, bodies, stage, player);
+  connectViews(scene, bodies, stage, player, everything);
   stage.drawNow();
 }
 

@@ -16,7 +16,7 @@ import {
 import { type Answer, markedPoints, type Vector } from "./scene";
 
 const mostMarkers = 500;
-const radiusOnScreen = 0.0085; // of the distance to the camera
+const radiusOnScreen = 0.0052; // of the distance to the camera
 const chosenIsLarger = 1.6;
 const up = new Vector3(0, 1, 0);
 
@@ -33,10 +33,10 @@ function normalMarker(point: Vector, normal: Vector | undefined, toFixed: Matrix
 
 /** Arrows along the second axis, in units of a marker's radius. */
 function shaft(): BufferGeometry {
-  return new CylinderGeometry(0.3, 0.3, 6, 12).translate(0, 4, 0);
+  return new CylinderGeometry(0.26, 0.26, 9, 12).translate(0, 5.5, 0);
 }
 function head(): BufferGeometry {
-  return new ConeGeometry(0.95, 2.8, 20).translate(0, 8, 0);
+  return new ConeGeometry(0.9, 3, 20).translate(0, 11, 0);
 }
 
 export class Markers {

@@ -106,8 +106,8 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
   document.title = `${scene.title} \u2013 Chasles`;
   document.documentElement.classList.toggle("is-clear", answer.verdict === "clear");
   byId("title").textContent = scene.title;
-  byId("moving-name").textContent = scene.moving.name;
-  byId("fixed-name").textContent = scene.fixed.name;
+  byId("moving-name").textContent = `moving: ${scene.moving.name}`;
+  byId("fixed-name").textContent = `fixed: ${scene.fixed.name}`;
   byId("verdict").textContent = verdicts[answer.verdict];
   byId("meaning").textContent = meaning(answer, scene.margin);
   const numbers = byId("numbers");

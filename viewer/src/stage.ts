@@ -15,6 +15,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const fieldOfView = 32;
+const margin = 0.86; // of the picture is filled
 const usualDirection = new Vector3(0.55, -1, 0.5).normalize();
 
 export class Stage {
@@ -50,14 +51,26 @@ export class Stage {
     return 1 / this.whole.radius;
   }
 
-  /** Looks at a ball of the world, across `along` rather than along it, if that is given. */
-  lookAt({ center, radius }: Sphere, along?: Vector3): void {
-    const direction = usualDirection.clone();
-    if (along) direction.addScaledVector(along, -0.85 * direction.dot(along)).normalize();
-    const narrower = Math.min(1, this.camera.aspect);
-    const distance = (radius * this.unit) / Math.sin((fieldOfView / 2 / 180) * Math.PI) / narrower;
-    this.controls.target.copy(center).sub(this.whole.center).multiplyScalar(this.unit);
-    this.camera.position.copy(this.controls.target).addScaledVector(direction, distance);
+  /** Looks at points of the world, close enough to fill the picture; across `along` rather than along it, if given. */
+  lookAt(points: Vector3[], along?: Vector3): void {
+    const back = usualDirection.clone();
+    if (along) back.addScaledVector(along, -0.85 * back.dot(along));
+    back.setZ(Math.max(back.z, 0.3)).normalize(); // from above
+    const right = this.camera.up.clone().cross(back).normalize();
+    const frame = new Matrix4().makeBasis(right, back.clone().cross(right), back);
+    const toFrame = frame.clone().invert();
+    const seen = points.map((point) =>
+      point.clone().sub(this.whole.center).multiplyScalar(this.unit).applyMatrix4(toFrame),
+    );
+    const middle = new Box3().setFromPoints(seen).getCenter(new Vector3());
+    const slope = Math.tan((fieldOfView / 2 / 180) * Math.PI) * margin;
+    const distanceFor = ({ x, y, z }: Vector3) => {
+      const off = Math.max(Math.abs(x - middle.x) / this.camera.aspect, Math.abs(y - middle.y));
+      return off / slope + z - middle.z;
+    };
+    const distance = Math.max(...seen.map(distanceFor));
+    this.controls.target.copy(middle).applyMatrix4(frame);
+    this.camera.position.copy(this.controls.target).addScaledVector(back, distance);
     this.controls.update();
     this.draw();
   }
@@ -94,10 +107,9 @@ export class Stage {
   }
 }
 
-/** Around all boxes, in the world. Never of radius 0. */
-export function ballAround(boxes: Box3[]): Sphere {
-  const box = boxes.reduce((all, one) => all.union(one), new Box3());
-  const ball = box.getBoundingSphere(new Sphere());
+/** Around all points. Never of radius 0. */
+export function ballAround(points: Vector3[]): Sphere {
+  const ball = new Box3().setFromPoints(points).getBoundingSphere(new Sphere());
   if (!(ball.radius > 0)) ball.radius = 1;
   return ball;
 }
