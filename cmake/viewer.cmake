@@ -21,7 +21,11 @@ function(chasles_install_viewer_packages result)
     return()
   endif()
   set(lock ${viewer_dir}/package-lock.json)
-  set(installed_lock ${viewer_work_dir}/installed-lock.json)
+  set(omitted "")
+  if(NOT CHASLES_TESTS)
+    set(omitted --omit=dev) # the compiler that checks types
+  endif()
+  set(installed_lock ${viewer_work_dir}/installed${omitted}.json)
   set_property(DIRECTORY ${PROJECT_SOURCE_DIR} APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${lock})
   if(EXISTS ${installed_lock})
     file(SHA256 ${lock} wanted)
@@ -33,7 +37,7 @@ function(chasles_install_viewer_packages result)
   message(STATUS "Installing what the viewer is made from")
   file(COPY ${viewer_dir}/package.json ${lock} ${viewer_dir}/.npmrc DESTINATION ${viewer_work_dir})
   execute_process(
-    COMMAND ${CHASLES_NPM} ci --ignore-scripts --no-audit --no-fund --loglevel=error
+    COMMAND ${CHASLES_NPM} ci ${omitted} --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error
     WORKING_DIRECTORY ${viewer_work_dir}
     TIMEOUT 300
     RESULT_VARIABLE status

@@ -134,7 +134,9 @@ class Browser:
             self.call("Input.dispatchMouseEvent", type="mouseMoved", x=x, **mouse)
         self.call("Input.dispatchMouseEvent", type="mouseReleased", x=to_x, **mouse)
 
-    def screenshot(self) -> bytes:
+    def screenshot(self, scale: float = 1) -> bytes:
         """As a PNG file, once what was asked for is drawn."""
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
-        return base64.b64decode(self.call("Page.captureScreenshot", format="png")["data"])
+        width, height = self.evaluate("[innerWidth, innerHeight]")
+        clip = {"x": 0, "y": 0, "width": width, "height": height, "scale": scale}
+        return base64.b64decode(self.call("Page.captureScreenshot", format="png", clip=clip)["data"])

@@ -107,7 +107,7 @@ class Page(unittest.TestCase):
         self.browser.drag(left + now * (right - left), left + place * (right - left), y)
 
     def picture(self, name: str) -> list:
-        png = self.browser.screenshot()
+        png = self.browser.screenshot(scale=0.5)  # Python reads a quarter of the pixels in a quarter of the time
         (folder / f"{name}.png").write_bytes(png)
         return pixels(png)
 
@@ -122,9 +122,9 @@ class Page(unittest.TestCase):
         self.assertIn(f"{self.answer['time']:.12f}", self.text("#time-text"))
         after = self.picture("at_contact")
         changed = sum(a != b for above, below in zip(before, after) for a, b in zip(above, below))
-        self.assertGreater(changed, 5000)
-        self.assertGreater(count(after, is_contact_colour), count(before, is_contact_colour) + 150, "marker and normal")
-        self.assertGreater(count(after, is_moving_colour), 3000)
+        self.assertGreater(changed, 2000)
+        self.assertGreater(count(after, is_contact_colour), count(before, is_contact_colour) + 50, "marker and normal")
+        self.assertGreater(count(after, is_moving_colour), 800)
 
     def test_it_goes_through_when_told_to(self) -> None:
         self.open("contact.html")
@@ -178,7 +178,7 @@ class Page(unittest.TestCase):
         self.assertEqual(self.text("#verdict"), "Contact at the start")
         self.slide(0.7)
         self.assertEqual(self.time(), 0)
-        self.assertGreater(count(self.picture("start"), is_contact_colour), 50, "the point of the overlap")
+        self.assertGreater(count(self.picture("start"), is_contact_colour), 15, "the point of the overlap")
 
     def test_narrow_windows_and_the_dark(self) -> None:
         dark = {"name": "prefers-color-scheme", "value": "dark"}
@@ -187,7 +187,7 @@ class Page(unittest.TestCase):
         try:
             self.open("contact.html")
             self.assertEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 400)
-            background = self.picture("narrow")[60][5]
+            background = self.picture("narrow")[30][3]
             self.assertLess(max(background), 60)
         finally:
             self.browser.call("Emulation.setEmulatedMedia", features=[])
