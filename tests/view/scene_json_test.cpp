@@ -94,12 +94,5 @@ TEST_F(SceneJson, StandsInThePageOnce) {
     EXPECT_NE(page.find("The MIT License"), std::string::npos) << "of three.js";
 }
 
-TEST_F(SceneJson, SaysWhyThereIsNoPage) {
-    EXPECT_EQ(view::page_template().empty(), !view::why_no_page_template().empty());
-    if (!view::page_template().empty())
-        GTEST_SKIP() << "there is one";
-    EXPECT_THROW(static_cast<void>(view::page(scene())), InvalidInput);
-}
-
 } // namespace
 } // namespace chasles
