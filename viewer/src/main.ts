@@ -34,7 +34,7 @@ function cornersOnWay({ mesh, track }: Body): Vector3[] {
 function aroundContact(scene: Scene, bodies: Bodies): Vector3[] {
   const box = new Box3().setFromPoints(markedPoints(scene.answer).map((point) => new Vector3(...point)));
   const radii = [bodies.moving, bodies.fixed].map(({ mesh }) => mesh.surface.boundingSphere!.radius);
-  return corners(box.expandByScalar(0.3 * Math.min(...radii)));
+  return corners(box.expandByScalar(0.55 * Math.min(...radii)));
 }
 
 function firstNormal(scene: Scene): Vector3 | undefined {

@@ -1,23 +1,26 @@
 // Contact points as spheres and normals as arrows, of the same size on the screen from near and far, and seen through
 // the bodies: a contact mostly hides between them. They ride on the fixed body.
 import {
+  BufferGeometry,
   type Camera,
   ConeGeometry,
   CylinderGeometry,
   Group,
   InstancedMesh,
-  type BufferGeometry,
+  LineBasicMaterial,
+  LineSegments,
   Matrix4,
   MeshBasicMaterial,
   Quaternion,
   SphereGeometry,
   Vector3,
 } from "three";
-import { type Answer, markedPoints, type Vector } from "./scene";
+import { type Answer, type Contact, markedPoints, type Vector } from "./scene";
 
 const mostMarkers = 500;
 const radiusOnScreen = 0.0052; // of the distance to the camera
 const chosenIsLarger = 1.6;
+const otherEndIsSmaller = 0.85;
 const up = new Vector3(0, 1, 0);
 
 interface Marker {
@@ -26,9 +29,15 @@ interface Marker {
   scale: number;
 }
 
-function normalMarker(point: Vector, normal: Vector | undefined, toFixed: Matrix4): Marker {
+function markerOf(point: Vector, normal: Vector | undefined, toFixed: Matrix4): Marker {
   const turn = normal && new Quaternion().setFromUnitVectors(up, new Vector3(...normal).transformDirection(toFixed));
   return { point: new Vector3(...point).applyMatrix4(toFixed), turn, scale: 1 };
+}
+
+/** With a margin the bodies keep a gap: the point on the moving one, small. */
+function otherEnd({ point, normal, gap }: Contact, toFixed: Matrix4): Marker {
+  const end = new Vector3(...point).addScaledVector(new Vector3(...normal), gap);
+  return { point: end.applyMatrix4(toFixed), scale: otherEndIsSmaller };
 }
 
 /** Arrows along the second axis, in units of a marker's radius. */
@@ -45,15 +54,20 @@ export class Markers {
   private readonly parts: InstancedMesh[];
   private readonly rims: InstancedMesh;
   private readonly colour = new MeshBasicMaterial({ depthTest: false, transparent: true });
+  private readonly gapColour = new LineBasicMaterial({ depthTest: false, transparent: true });
   private readonly rimColour = new MeshBasicMaterial({ depthTest: false, transparent: true });
 
   /** `fixedPose` at the time of the contact, which the answer's points belong to. */
   constructor(answer: Answer, fixedPose: Matrix4) {
     const toFixed = fixedPose.clone().invert();
-    const contacts = answer.contacts ?? [];
-    this.markers = markedPoints(answer)
-      .slice(0, mostMarkers)
-      .map((point, index) => normalMarker(point, contacts[index]?.normal, toFixed));
+    const contacts = (answer.contacts ?? []).slice(0, mostMarkers);
+    const marked = markedPoints(answer).slice(0, mostMarkers);
+    const gaps = contacts.filter(({ gap }) => gap > 0);
+    this.markers = [
+      ...marked.map((point, index) => markerOf(point, contacts[index]?.normal, toFixed)),
+      ...gaps.map((contact) => otherEnd(contact, toFixed)),
+    ];
+    this.group.add(this.gapLines(gaps, toFixed));
     const instanced = (geometry: BufferGeometry, material: MeshBasicMaterial, order: number) => {
       const mesh = new InstancedMesh(geometry, material, this.markers.length);
       mesh.renderOrder = order;
@@ -68,18 +82,33 @@ export class Markers {
   }
 
   choose(index: number | undefined): void {
-    this.markers.forEach((marker, at) => (marker.scale = at === index ? chosenIsLarger : 1));
+    for (const marker of this.markers) if (marker.turn) marker.scale = 1;
+    if (index !== undefined && index < mostMarkers) this.markers[index].scale = chosenIsLarger;
+  }
+
+  /** Made in single precision, so from a point that they are close to. */
+  private gapLines(contacts: Contact[], toFixed: Matrix4): LineSegments {
+    const base = this.markers[0]?.point ?? new Vector3();
+    const ends = contacts.flatMap((contact) => [
+      new Vector3(...contact.point).applyMatrix4(toFixed).sub(base),
+      otherEnd(contact, toFixed).point.sub(base),
+    ]);
+    const lines = new LineSegments(new BufferGeometry().setFromPoints(ends), this.gapColour);
+    lines.position.copy(base);
+    lines.renderOrder = 12;
+    return lines;
   }
 
   show(fixedPose: Matrix4, isAtContact: boolean): void {
     this.group.matrix.copy(fixedPose);
     this.group.matrixWorldNeedsUpdate = true;
-    this.colour.opacity = isAtContact ? 1 : 0.35;
+    this.colour.opacity = this.gapColour.opacity = isAtContact ? 1 : 0.35;
     this.rimColour.opacity = isAtContact ? 0.9 : 0.2;
   }
 
   paint(colour: string, rim: string): void {
     this.colour.color.set(colour);
+    this.gapColour.color.set(colour);
     this.rimColour.color.set(rim);
   }
 

@@ -28,13 +28,17 @@ function table(rows: [string, number | string | Vector][]): HTMLElement {
   return list;
 }
 
-export function featureName(feature: Feature): string {
+function featureName(feature: Feature): string {
   if (typeof feature === "number") return `vertex ${feature}`;
   return feature.length === 1 ? `face ${feature[0]}` : `edge ${feature[0]}\u2013${feature[1]}`;
 }
 
-function pairName({ moving_feature, fixed_feature }: Contact | Overlap): string {
+function pairName({ moving_feature, fixed_feature }: Contact): string {
   return `${featureName(moving_feature)} on ${featureName(fixed_feature)}`;
+}
+
+function overlapName({ moving_feature, fixed_feature }: Overlap): string {
+  return `${featureName(moving_feature)} of the moving body, ${featureName(fixed_feature)} of the fixed one`;
 }
 
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
@@ -58,6 +62,7 @@ function timeRows(answer: Answer): [string, string | number][] {
     ["tau from", answer.tau!],
     ["to", answer.tau_upper!],
     ["certain", answer.certain ? "yes" : "no: they may just miss each other"],
+    ...(answer.clear_until === undefined ? [] : [["clear until", answer.clear_until] as [string, number]]),
   ];
 }
 
@@ -81,10 +86,11 @@ function contactDetails(contact: Contact): HTMLElement {
 }
 
 function contactList(contacts: Contact[], choose: (index: number | undefined) => void): HTMLElement[] {
+  const isAlone = contacts.length === 1;
   const entries = contacts.slice(0, mostListed).map((contact, index) => {
     const entry = element("details", element("summary", pairName(contact)), contactDetails(contact)) as HTMLDetailsElement;
     entry.name = "contact"; // one open at a time
-    entry.open = index === 0 && contacts.length === 1;
+    entry.open = isAlone;
     entry.addEventListener("toggle", () => {
       const isNoneOpen = !document.querySelector("details[open]");
       if (entry.open || isNoneOpen) choose(entry.open ? index : undefined);
@@ -114,7 +120,8 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
   const section = (title: string, ...content: HTMLElement[]) => numbers.append(element("h2", title), ...content);
   if (answer.verdict !== "clear") section("When", table(timeRows(answer)));
   if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
-  if (answer.overlap) section("Overlap", element("div", pairName(answer.overlap)), table([["point", answer.overlap.point]]));
+  if (answer.held?.length) section("Held at the start", ...contactList(answer.held, () => undefined));
+  if (answer.overlap) section("Overlap", element("div", overlapName(answer.overlap)), table([["point", answer.overlap.point]]));
   section("Motion", table(motionRows(answer, scene.is_sweep)));
   section("Work", table(workRows(answer)));
 }

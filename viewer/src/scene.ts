@@ -32,6 +32,7 @@ export interface Answer {
   clear_until?: number;
   pose?: number[];
   contacts?: Contact[];
+  held?: Contact[]; // at time 0
   overlap?: Overlap;
   motion: { angle: number; slide: number; axis_point: Vector; axis_direction: Vector };
   work: Record<string, number>;
