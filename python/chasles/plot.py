@@ -187,6 +187,7 @@ def _draw_contacts(axes: Axes3D, found: FirstContact, extent: float) -> None:
 
 def _label(axes: Axes3D, found: FirstContact) -> None:
     from matplotlib.lines import Line2D
+    from matplotlib.ticker import MaxNLocator
 
     texts = {
         Verdict.clear: "clear: nothing touches on the whole way",
@@ -196,5 +197,7 @@ def _label(axes: Axes3D, found: FirstContact) -> None:
     axes.set_title(texts[Verdict(found.verdict)])
     labels = {"moving": MOVING, "fixed": FIXED} | ({"contact": CONTACT} if found.contacts else {})
     marks = [Line2D([], [], linestyle="", marker="o", color=colour, label=label) for label, colour in labels.items()]
-    axes.legend(handles=marks, loc="upper right", frameon=False)
+    axes.legend(handles=marks, loc="upper left", frameon=False)
     axes.set(xlabel="x", ylabel="y", zlabel="z")
+    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+        axis.set_major_locator(MaxNLocator(5))

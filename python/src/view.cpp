@@ -7,6 +7,9 @@
 #include <nanobind/stl/string.h>
 
 namespace chasles::python {
+
+namespace nb = nanobind;
+
 namespace {
 
 using namespace nb::literals;
