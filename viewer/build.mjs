@@ -1,13 +1,14 @@
 // Makes the page without a scene: page_template.html, and the same as C++ (view/page_template.h) in page_template.cpp.
 import { build, transform } from "esbuild";
 import { readFileSync, writeFileSync } from "node:fs";
+import { fileURLToPath } from "node:url";
 
 const here = (file) => new URL(file, import.meta.url);
 const text = (file) => readFileSync(here(file), "utf8");
 
 async function bundledScript() {
   const result = await build({
-    entryPoints: [here("src/main.ts").pathname],
+    entryPoints: [fileURLToPath(here("src/main.ts"))],
     bundle: true,
     minify: true,
     format: "iife",
