@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t most_contacts = 10;
 
-using Row = std::array<std::string, 4>;
+using Row = std::array<std::string, 5>;
 
 std::string name_of(FeatureKind kind, const Feature& feature) {
     switch (kind) {
@@ -31,7 +31,7 @@ std::string pair_name(const Contact& contact) {
 
 Row row_of(const Contact& contact) {
     return {pair_name(contact), vector_text(contact.point), vector_text(contact.normal),
-            fmt::format("{:.6g}", contact.approach_speed + 0.0)};
+            fmt::format("{:.6g}", contact.approach_speed + 0.0), fmt::format("{:.9g}", contact.gap)};
 }
 
 std::size_t width_of(const std::vector<Row>& rows, std::size_t column) {
@@ -41,14 +41,16 @@ std::size_t width_of(const std::vector<Row>& rows, std::size_t column) {
 
 } // namespace
 
-std::vector<std::string> contact_table(const std::vector<Contact>& contacts) {
-    std::vector<Row> rows = {{"moving on fixed", "point", "normal", "closing speed"}};
+std::vector<std::string> contact_table(const std::vector<Contact>& contacts, bool shows_gaps) {
+    std::vector<Row> rows = {{"moving on fixed", "point", "normal", "closing speed", "gap"}};
     for (std::size_t i = 0; i < std::min(contacts.size(), most_contacts); ++i)
         rows.push_back(row_of(contacts[i]));
     std::vector<std::string> lines;
-    for (const Row& row : rows)
-        lines.push_back(fmt::format("{:<{}}   {:<{}}   {:<{}}   {}", row[0], width_of(rows, 0), row[1],
-                                    width_of(rows, 1), row[2], width_of(rows, 2), row[3]));
+    for (const Row& row : rows) {
+        lines.push_back(fmt::format("{:<{}}   {:<{}}   {:<{}}   ", row[0], width_of(rows, 0), row[1], width_of(rows, 1),
+                                    row[2], width_of(rows, 2)));
+        lines.back() += shows_gaps ? fmt::format("{:<{}}   {}", row[3], width_of(rows, 3), row[4]) : row[3];
+    }
     if (contacts.size() > most_contacts)
         lines.push_back(fmt::format("and {} more (--json lists them all)", contacts.size() - most_contacts));
     return lines;

@@ -9,7 +9,7 @@
 namespace chasles::cli {
 
 /// A head and one line a contact, without line ends; after the first ten a line that says how many more there are.
-std::vector<std::string> contact_table(const std::vector<Contact>& contacts);
+std::vector<std::string> contact_table(const std::vector<Contact>& contacts, bool shows_gaps);
 
 /// "edge 3-9", "face 7".
 std::string edge_name(const Feature& edge);

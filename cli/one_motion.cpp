@@ -69,7 +69,9 @@ void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
     command.add_option("--centre", options.centre, "point of the moving body that a sweep carries along a line")
         ->type_name("\"X Y Z\"");
     add_query_options(command, options.query);
-    command.add_option("--hold", options.hold, "distance for bodies that start within the margin (this version: 0)")
+    command
+        .add_option("--hold", options.hold,
+                    "bodies that start within the margin go on, but never come within this distance")
         ->type_name("H");
 }
 

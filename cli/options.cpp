@@ -20,8 +20,9 @@ auto naming_option(const std::string& option, const Read& read) {
 } // namespace
 
 void add_query_options(CLI::App& command, QueryOptions& options) {
-    command.add_option("--margin", options.margin, "distance that counts as contact (this version: 0 only)")
-        ->type_name("D");
+    command.add_option("--margin", options.margin, "distance of the surfaces that counts as contact")
+        ->type_name("D")
+        ->capture_default_str();
     command
         .add_option("--max-turn-deg", options.max_turn_degrees,
                     "a screw that turns further is cut into equal turns; 180 for one screw in one piece")

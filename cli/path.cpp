@@ -27,13 +27,14 @@ view::Json path_json(const PathContact& found, const view::MotionNumbers& motion
     return answer;
 }
 
-std::string path_report(const PathContact& found, const view::MotionNumbers& motion, std::size_t poses) {
+std::string path_report(const PathContact& found, const view::MotionNumbers& motion, std::size_t poses, double margin) {
     if (found.contact.verdict == Verdict::clear)
-        return headline(found.contact) + labelled("path", counted(poses - 1, "segment")) + report(found.contact.work);
-    return headline(found.contact) +
+        return headline(found.contact, margin) + labelled("path", counted(poses - 1, "segment")) +
+               report(found.contact.work);
+    return headline(found.contact, margin) +
            labelled("segment", fmt::format("{} of {} (from 0); the time counts from pose {} to pose {}", found.segment,
                                            poses - 1, found.segment, found.segment + 1)) +
-           details(found.contact, motion);
+           details(found.contact, motion, margin);
 }
 
 PathContact answer_path(const PathOptions& options, const std::vector<Pose>& poses) {
@@ -57,7 +58,8 @@ int run_path(const PathOptions& options) {
     const PathContact found = answer_path(options, poses);
     const view::MotionNumbers motion =
         view::numbers_of(ScrewMotion::between(poses[found.segment], poses[found.segment + 1]));
-    print(options.json ? path_json(found, motion).dump() + "\n" : path_report(found, motion, poses.size()));
+    print(options.json ? path_json(found, motion).dump() + "\n"
+                       : path_report(found, motion, poses.size(), margin_of(options.query)));
     return found.contact.verdict == Verdict::clear ? is_clear : is_contact;
 }
 

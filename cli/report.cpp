@@ -19,10 +19,10 @@ std::string text_of(const Bracket& bracket) {
     return fmt::format("{:.16g} to {:.16g}", bracket.lower, bracket.upper);
 }
 
-std::string report(const std::vector<Contact>& contacts) {
+/// With a margin features are apart, and it is told how far.
+std::string report(const std::vector<Contact>& contacts, std::string label, bool shows_gaps) {
     std::string text;
-    std::string label = "touching";
-    for (const std::string& line : contact_table(contacts)) {
+    for (const std::string& line : contact_table(contacts, shows_gaps)) {
         text += labelled(label, line);
         label.clear();
     }
@@ -52,12 +52,12 @@ std::string progress_of(const view::MotionNumbers& motion, const FirstContact& f
                        motion.is_sweep ? "travelled" : "slid", length * found.tau.lower + 0.0);
 }
 
-std::string report_contact(const FirstContact& found, const view::MotionNumbers& motion) {
+std::string report_contact(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
     std::string text = labelled("so far", progress_of(motion, found)) + labelled("time", text_of(found.time)) +
                        labelled("tau", text_of(found.tau)) +
                        labelled("certain", found.certain ? "yes" : "no: they may miss each other by a rounding error");
     if (!found.contacts.empty())
-        text += report(found.contacts);
+        text += report(found.contacts, margin > 0 ? "within" : "touching", margin > 0);
     if (found.overlap)
         text += report(*found.overlap);
     return text;
@@ -65,16 +65,21 @@ std::string report_contact(const FirstContact& found, const view::MotionNumbers&
 
 } // namespace
 
-std::string headline(const FirstContact& found) {
+std::string headline(const FirstContact& found, double margin) {
+    const std::string within = margin > 0 ? fmt::format(" within {:.9g}", margin) : "";
     switch (found.verdict) {
     case Verdict::clear:
-        return "CLEAR: proven that nothing touches on the whole way\n";
+        if (!found.held.empty())
+            return "CLEAR: proven that what is held keeps its distance, and nothing else comes" + within + "\n";
+        return fmt::format("CLEAR: proven that nothing {} on the whole way\n",
+                           margin > 0 ? "comes" + within : "touches");
     case Verdict::contact:
-        return fmt::format("CONTACT at time {:.12g}\n", found.time.lower);
+        return fmt::format("CONTACT{} at time {:.12g}\n", within, found.time.lower);
     case Verdict::contact_at_start:
         break;
     }
-    return found.overlap ? "CONTACT AT THE START: the surfaces pass through each other\n" : "CONTACT AT THE START\n";
+    return fmt::format("CONTACT{} AT THE START{}\n", within,
+                       found.overlap ? ": the surfaces pass through each other" : "");
 }
 
 std::string labelled(const std::string& label, const std::string& text) {
@@ -92,13 +97,17 @@ std::string report(const Work& work) {
                                         work.refined, work.exact));
 }
 
-std::string details(const FirstContact& found, const view::MotionNumbers& motion) {
-    const bool is_contact = found.verdict != Verdict::clear;
-    return report(motion) + (is_contact ? report_contact(found, motion) : "") + report(found.work);
+std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
+    std::string text = report(motion);
+    if (found.verdict != Verdict::clear)
+        text += report_contact(found, motion, margin);
+    if (!found.held.empty())
+        text += report(found.held, "held", true) + labelled("clear to", fmt::format("time {:.12g}", found.clear_until));
+    return text + report(found.work);
 }
 
-std::string report(const FirstContact& found, const view::MotionNumbers& motion) {
-    return headline(found) + details(found, motion);
+std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
+    return headline(found, margin) + details(found, motion, margin);
 }
 
 } // namespace chasles::cli

@@ -7,12 +7,12 @@
 
 namespace chasles::cli {
 
-/// The answer of `check` as a short text of several lines.
-std::string report(const FirstContact& found, const view::MotionNumbers& motion);
+/// The answer of `check` as a short text of several lines. With the margin that was asked for, gaps are told.
+std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
 /// Its two parts: the verdict in one line, and all the rest.
-std::string headline(const FirstContact& found);
-std::string details(const FirstContact& found, const view::MotionNumbers& motion);
+std::string headline(const FirstContact& found, double margin);
+std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
 /// One line "  label     text", aligned with the others.
 std::string labelled(const std::string& label, const std::string& text);

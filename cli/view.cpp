@@ -38,7 +38,7 @@ int run_view(const ViewOptions& options) {
                            .moving_name = moving_name,
                            .fixed_name = fixed_name}));
     file.close();
-    print(headline(found) + labelled("page", options.out));
+    print(headline(found, question.margin) + labelled("page", options.out));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 

@@ -37,6 +37,13 @@ Json json_of(const Contact& contact) {
             {"approach_speed", contact.approach_speed}};
 }
 
+Json json_of(const std::vector<Contact>& contacts) {
+    Json list = Json::array();
+    for (const Contact& contact : contacts)
+        list.push_back(json_of(contact));
+    return list;
+}
+
 Json json_of(const Overlap& overlap) {
     return {{"moving_feature", overlap.edge_is_moving ? edge(overlap.edge) : face(overlap.face)},
             {"fixed_feature", overlap.edge_is_moving ? face(overlap.face) : edge(overlap.edge)},
@@ -66,9 +73,7 @@ void add_contact(Json& answer, const FirstContact& found) {
     answer["tau_upper"] = found.tau.upper;
     answer["certain"] = found.certain;
     answer["pose"] = pose_json(found.pose);
-    answer["contacts"] = Json::array();
-    for (const Contact& contact : found.contacts)
-        answer["contacts"].push_back(json_of(contact));
+    answer["contacts"] = json_of(found.contacts);
     if (found.overlap)
         answer["overlap"] = json_of(*found.overlap);
 }
@@ -120,6 +125,9 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     answer["verdict"] = name_of(found.verdict);
     if (found.verdict != Verdict::clear)
         add_contact(answer, found);
+    if (!found.held.empty())
+        answer["held"] = json_of(found.held);
+    answer["clear_until"] = found.clear_until;
     answer["motion"] = json_of(motion);
     answer["work"] = json_of(found.work);
     return answer;

@@ -71,8 +71,8 @@ public:
     /// (W c - B) x v, and between c and d iff it does for c x U - M and d x U - M. Both pairs differ by U x v: where
     /// that is > 0 all along, the first of each is >= 0 and the second <= 0.
     void add_inside(int i, const Polynomial& crossing, int sign, Constraints<S>& constraints) const {
-        add_opposed({end_arm(i), with_underflow<S>(unit_ * fixed_.size)}, crossing, sign, constraints);
-        add_opposed({line_arm(i), with_underflow<S>(unit_ * moving_.size)}, crossing, sign, constraints);
+        add_opposed({end_arm(i), end_arm_error()}, crossing, sign, constraints);
+        add_opposed({line_arm(i), line_arm_error()}, crossing, sign, constraints);
     }
 
     /// The two edges overlap when both are projected on v, and when both are projected on u.
@@ -85,8 +85,7 @@ public:
         add_overlap(c, d, moving_.from, moving_.along, moving_.size, constraints);
     }
 
-private:
-    /// Component i of (W c - A) x v.
+    /// Component i of (W c - A) x v: the share of the moving edge before the other line, times U x v.
     [[nodiscard]] Polynomial end_arm(int i) const {
         const auto a = [&](int component) {
             return dot(maps_.turn.row[component], moving_.from) + maps_.shift[component];
@@ -96,13 +95,17 @@ private:
         return maps_.weight * fixed_.moment[i] - (a(j) * fixed_.direction[k] - a(k) * fixed_.direction[j]);
     }
 
-    /// Component i of c x U - M.
+    /// Component i of c x U - M: the same for the fixed edge.
     [[nodiscard]] Polynomial line_arm(int i) const {
         const int j = (i + 1) % 3;
         const int k = (i + 2) % 3;
         return moving_.direction[k] * fixed_.from[j] - moving_.direction[j] * fixed_.from[k] - moving_.moment[i];
     }
 
+    [[nodiscard]] S end_arm_error() const { return with_underflow<S>(unit_ * fixed_.size); }
+    [[nodiscard]] S line_arm_error() const { return with_underflow<S>(unit_ * moving_.size); }
+
+private:
     /// Of the edge from p to q with one that starts in `from`.
     void add_overlap(const Vector& p, const Vector& q, const Vector3<S>& from, const Vector3<S>& along, const S& size,
                      Constraints<S>& constraints) const {

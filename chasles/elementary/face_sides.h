@@ -36,27 +36,29 @@ namespace detail {
 
 template <class S>
 SeenPlane<S> seen_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<3, S>& shift,
-                        const Bernstein<3, S>& weight, const FaceShape<S>& face, const ErrorScale& scale) {
-    const S error = S(relative_error<S>(scale) * scale.length) * face.size + face.deviation;
+                        const Bernstein<3, S>& weight, const FaceShape<S>& face, const ErrorScale& scale,
+                        const S& reach = S(0)) {
+    const S error = S(relative_error<S>(scale) * scale.length) * face.size + face.deviation + reach;
     return {normal, shift - weight * face.offset, weight * with_underflow<S>(error)};
 }
 
 } // namespace detail
 
-/// The plane of a fixed face, seen by points of the moving body.
+/// The plane of a fixed face, seen by points of the moving body. Points up to `reach` away from it, times the length of
+/// the face's normal, are on neither side.
 template <class S>
-SeenPlane<S> plane_of_fixed_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face,
-                                 const ErrorScale& scale) {
+SeenPlane<S> plane_of_fixed_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face, const ErrorScale& scale,
+                                 const S& reach = S(0)) {
     return detail::seen_plane<S>(maps.turn.transposed() * face.normal, dot(maps.shift, face.normal), maps.weight, face,
-                                 scale);
+                                 scale, reach);
 }
 
 /// The plane of a moving face, seen by points of the fixed body.
 template <class S>
-SeenPlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face,
-                                  const ErrorScale& scale) {
+SeenPlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face, const ErrorScale& scale,
+                                  const S& reach = S(0)) {
     return detail::seen_plane<S>(maps.turn * face.normal, Bernstein<3, S>() - dot(maps.inverse_shift, face.normal),
-                                 maps.weight, face, scale);
+                                 maps.weight, face, scale, reach);
 }
 
 /// The plane of a face, seen by points of its own body: at rest.

@@ -9,7 +9,9 @@
 #include "chasles/mesh/ownership.h"
 #include "chasles/mesh/polygon_faces.h"
 
+#include <mutex>
 #include <numeric>
+#include <utility>
 
 namespace chasles {
 
@@ -22,6 +24,8 @@ struct Polyhedron::Data {
     FlatLists<Edge> owned_edges;
     BoxHierarchy hierarchy;
     MeshReport report;
+    mutable std::once_flag surroundings_once;
+    mutable FlatLists<std::uint32_t> surroundings; // faces around each vertex, made when they are first asked for
 };
 
 namespace {
@@ -31,6 +35,25 @@ bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
         if (source[face] != face)
             return false;
     return source.size() == given;
+}
+
+/// For each corner that occurs, the lists that have it, each once.
+FlatLists<std::uint32_t> lists_with(const FlatLists<std::uint32_t>& outlines, std::size_t corner_count) {
+    const auto for_each = [&](auto visit) {
+        std::vector<std::uint32_t> last(corner_count, 0); // number of the last list that had it, plus one
+        for (std::uint32_t list = 0; list < outlines.size(); ++list)
+            for (const std::uint32_t corner : outlines[list])
+                if (std::exchange(last[corner], list + 1) != list + 1)
+                    visit(corner, list);
+    };
+    FlatLists<std::uint32_t> lists;
+    lists.offsets.assign(corner_count + 1, 0);
+    for_each([&](std::uint32_t corner, std::uint32_t) { ++lists.offsets[corner + 1]; });
+    std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
+    lists.items.resize(lists.offsets.back());
+    std::vector<std::uint32_t> next(lists.offsets.begin(), lists.offsets.end() - 1);
+    for_each([&](std::uint32_t corner, std::uint32_t list) { lists.items[next[corner]++] = list; });
+    return lists;
 }
 
 FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const MeshEdges& edges) {
@@ -131,6 +154,12 @@ std::span<const std::uint32_t> Polyhedron::owned_vertices(std::size_t face) cons
 
 std::span<const Edge> Polyhedron::owned_edges(std::size_t face) const {
     return data_->owned_edges[face];
+}
+
+std::span<const std::uint32_t> Polyhedron::faces_around(std::size_t vertex) const {
+    std::call_once(data_->surroundings_once,
+                   [&] { data_->surroundings = lists_with(data_->outlines, data_->vertices.size()); });
+    return data_->surroundings[vertex];
 }
 
 const BoxHierarchy& Polyhedron::hierarchy() const {

@@ -83,6 +83,10 @@ public:
     [[nodiscard]] std::span<const std::uint32_t> owned_vertices(std::size_t face) const;
     [[nodiscard]] std::span<const Edge> owned_edges(std::size_t face) const;
 
+    /// The faces that have a vertex as a corner, in ascending order. Found for all vertices when it is first asked for
+    /// any.
+    [[nodiscard]] std::span<const std::uint32_t> faces_around(std::size_t vertex) const;
+
     /// Boxes over the faces, in the body's frame.
     [[nodiscard]] const BoxHierarchy& hierarchy() const;
 

@@ -6,11 +6,17 @@
 
 namespace chasles::query {
 
-/// A feature pair that may be in contact, with the tau of its first contact in the piece of motion.
-struct Candidate {
+/// A feature of the moving body and one of the fixed body, with the bodies' own numbers of faces.
+struct FeaturePair {
     ContactKind kind = ContactKind::vertex_face;
     Feature moving;
     Feature fixed;
+
+    friend auto operator<=>(const FeaturePair&, const FeaturePair&) = default;
+};
+
+/// A feature pair that may be in contact, with the tau of its first contact in the piece of motion.
+struct Candidate : FeaturePair {
     FeasibleInterval tau;
 };
 

@@ -46,8 +46,9 @@ private:
 /// The planes of the faces that were asked about last; a pair of faces often shares one with the pair before.
 class FacePlanes {
 public:
-    FacePlanes(const Polyhedron& moving, const Polyhedron& fixed, const elementary::ErrorScale& scale)
-        : moving_(moving), fixed_(fixed), scale_(scale) {}
+    /// Points within `margin` of a plane count as coming to it.
+    FacePlanes(const Polyhedron& moving, const Polyhedron& fixed, const elementary::ErrorScale& scale, double margin)
+        : moving_(moving), fixed_(fixed), scale_(scale), margin_(margin) {}
 
     /// Sets the maps of an interval, which are kept by reference.
     void use(const motion::ControlMaps<double>& maps) {
@@ -59,20 +60,26 @@ public:
     /// The corners of a moving face and the plane of a fixed one. Until the next call.
     CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part) {
         of_fixed_.see(fixed_face, [&] {
-            return elementary::plane_of_fixed_face(*maps_, of_fixed_.held.hold(fixed_, fixed_face), scale_);
+            const auto& shape = of_fixed_.held.hold(fixed_, fixed_face);
+            return elementary::plane_of_fixed_face(*maps_, shape, scale_, reach_of(shape));
         });
         return {moving_, moving_face, of_fixed_.plane, part, of_fixed_.sides};
     }
     /// The other way round.
     CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part) {
         of_moving_.see(moving_face, [&] {
-            return elementary::plane_of_moving_face(*maps_, of_moving_.held.hold(moving_, moving_face), scale_);
+            const auto& shape = of_moving_.held.hold(moving_, moving_face);
+            return elementary::plane_of_moving_face(*maps_, shape, scale_, reach_of(shape));
         });
         return {fixed_, fixed_face, of_moving_.plane, part, of_moving_.sides};
     }
 
 private:
     static constexpr std::uint32_t no_face = 0xffffffff;
+
+    [[nodiscard]] double reach_of(const elementary::FaceShape<double>& face) const {
+        return margin_ > 0 ? margin_ * length(face.normal) : 0;
+    }
 
     struct LastPlane {
         std::uint32_t face = no_face;
@@ -91,6 +98,7 @@ private:
     const Polyhedron& moving_;
     const Polyhedron& fixed_;
     elementary::ErrorScale scale_;
+    double margin_;
     const motion::ControlMaps<double>* maps_ = nullptr;
     LastPlane of_moving_;
     LastPlane of_fixed_;

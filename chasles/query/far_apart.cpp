@@ -25,7 +25,7 @@ double size_of(const Eigen::Vector3d& v) {
 
 } // namespace
 
-bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionEnds& ends) {
+bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionEnds& ends, double margin) {
     const BoxHierarchy& mover = moving.hierarchy();
     const BoxHierarchy& target = fixed.hierarchy();
     const Vector centre = motion::vector_in<double>(mover.centre());
@@ -43,7 +43,7 @@ bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const Moti
         size += size_of(ends.fixed->start.translation) + size_of(ends.fixed->goal.translation);
     const double away = length(scale(from + to, 0.5) - motion::vector_in<double>(target.centre()));
     size += away + travel;
-    return away - (mover.radius() + target.radius()) - travel / 2 > slack * size;
+    return away - (mover.radius() + target.radius()) - travel / 2 - margin > slack * size;
 }
 
 } // namespace chasles::query

@@ -7,7 +7,7 @@
 
 namespace chasles::query {
 
-/// Proven never to touch on the whole screw or sweep, however far it turns. False says nothing.
-bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionEnds& ends);
+/// Proven never to come within the margin on the whole screw or sweep, however far it turns. False says nothing.
+bool are_far_apart(const Polyhedron& moving, const Polyhedron& fixed, const MotionEnds& ends, double margin = 0);
 
 } // namespace chasles::query

@@ -3,12 +3,14 @@
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/invalid_input.h"
 #include "chasles/motion/screw_piece.h"
-#include "chasles/query/contact_details.h"
+#include "chasles/query/contact_set.h"
 #include "chasles/query/far_apart.h"
+#include "chasles/query/near_search.h"
+#include "chasles/query/piece_numbers.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <string>
-#include <tuple>
 
 namespace chasles {
 
@@ -28,6 +30,9 @@ constexpr double clock_slack = 0x1p-49;
 /// What is lost to underflow at most, in a tau or time that is not 0.
 constexpr double underflow_slack = 0x1p-1022;
 
+/// As far as coordinates of scenes may go (docs/decisions/0012-range-of-coordinates.md).
+constexpr double greatest_margin = 1e30;
+
 [[noreturn]] void refuse(const char* option, const char* why) {
     throw InvalidInput(std::string("query: ") + option + ": " + why);
 }
@@ -39,11 +44,49 @@ void require(bool holds, const char* option, const char* why) {
 
 void validate(const FirstContactQuery& query) {
     require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");
-    require(query.margin == 0, "margin", "must be 0; distances above 0 are not supported by this version");
-    require(!query.hold, "hold", "must be 0; it belongs to a margin, which this version does not support");
+    require(query.margin >= 0 && query.margin <= greatest_margin, "margin", "must be in [0, 1e30]");
+    require(!query.hold || (*query.hold >= 0 && *query.hold < query.margin), "hold",
+            "must be at least 0 and less than the margin");
     require(query.time_tolerance >= 1e-15 && query.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
     require(query.max_turn >= ScrewMotion::least_max_turn, "max_turn",
             "must be at least 1e-4 radians (0.00573 degrees)");
+}
+
+/// The first contact is not before any lower end nor after any upper end.
+Bracket enclosing(const query::PieceResult& result) {
+    if (result.overlap)
+        return {0, 0};
+    Bracket bracket{result.open_after, 1};
+    for (const query::Candidate& candidate : result.candidates) {
+        bracket.lower = std::min(bracket.lower, candidate.tau.lower);
+        bracket.upper = std::min(bracket.upper, candidate.tau.upper);
+    }
+    return bracket;
+}
+
+bool is_certain(const std::vector<query::Candidate>& candidates, const Bracket& tau) {
+    return std::ranges::any_of(candidates, [&](const query::Candidate& candidate) {
+        return candidate.tau.certain && candidate.tau.upper <= tau.upper;
+    });
+}
+
+bool is_contact(const query::PieceResult& result) {
+    return result.overlap || !result.candidates.empty();
+}
+
+std::vector<query::Candidate> without_repeated(std::vector<query::Candidate> candidates) {
+    const auto features = [](const query::Candidate& c) -> const query::FeaturePair& { return c; };
+    std::ranges::sort(candidates, {}, features);
+    // An edge or a vertex is met again in each interval of time that its contact borders on.
+    const auto repeated = std::ranges::unique(candidates, {}, features);
+    candidates.erase(repeated.begin(), repeated.end());
+    return candidates;
+}
+
+/// Proven before in doubt, then the earliest.
+const query::Candidate& first_of(const std::vector<query::Candidate>& candidates) {
+    return *std::ranges::min_element(candidates, {},
+                                     [](const query::Candidate& c) { return std::pair(!c.tau.certain, c.tau.lower); });
 }
 
 /// One query, piece by piece.
@@ -54,15 +97,26 @@ public:
     /// `piece_at` gives the pieces of the motion in order.
     template <class PieceAt>
     FirstContact answer(std::size_t count, PieceAt piece_at) const {
+        if (query_.hold)
+            return answer_holding(count, piece_at);
+        return answer_within(query_.margin, count, piece_at);
+    }
+
+private:
+    using PieceResult = query::PieceResult;
+
+    template <class PieceAt>
+    FirstContact answer_within(double margin, std::size_t count, PieceAt piece_at) const {
         FirstContact found;
         for (std::size_t i = 0; i < count; ++i) {
             const auto& piece = piece_at(i);
-            const double tolerance = query_.time_tolerance * double(count) / greatest_time_rate(piece);
-            const query::PieceResult result = query::search_piece(
-                {query_.moving, query_.fixed, piece.frame(), std::min(tolerance, 1.0), query_.find, i == 0});
+            query::PieceSearch search = search_of(piece, {i, count}, margin);
+            search.check_start = i == 0;
+            const PieceResult result = search_piece(search);
             found.work += result.work;
-            if (result.overlap || !result.candidates.empty()) {
-                report(found, piece, {i, count}, result);
+            if (is_contact(result)) {
+                report(found, piece, {i, count}, result, margin);
+                found.clear_until = query_.find == Find::any ? PieceClock{i, count}.whole(0) : found.time.lower;
                 return found;
             }
             if (i + 1 == count)
@@ -71,44 +125,147 @@ public:
         return found;
     }
 
-private:
-    /// tau as a function of time is convex, so that dtime/dtau is greatest at tau = 0.
-    template <class AnyMotion>
-    static double greatest_time_rate(const AnyMotion& piece) {
-        return std::max(1.0, 1 / piece.tau_rate(0));
+    /// Bodies that start within the margin go on; their contacts count where they come within a lesser distance. What
+    /// is new, by local minima of the distance, counts at the margin. Source: docs/derivations/17-hold.md.
+    template <class PieceAt>
+    FirstContact answer_holding(std::size_t count, PieceAt piece_at) const {
+        FirstContact found;
+        const PieceResult start = contacts_at_start(piece_at(0), count);
+        found.work += start.work;
+        if (!start.overlap && start.candidates.empty())
+            return answer_within(query_.margin, count, piece_at);
+        const double rounding = resting_slack(piece_at(0), count);
+        const double level = start.overlap ? 0 : std::min(*query_.hold, nearest(piece_at(0), start) - rounding);
+        if (start.overlap || level < 0) {
+            report(found, piece_at(0), {0, count}, start, query_.margin);
+            found.clear_until = 0;
+            return found;
+        }
+        found.held = contacts_of(piece_at(0), 0, start.candidates, {0, count}, query_.margin, true);
+        search_holding(found, level, query::HeldContacts({start.candidates.begin(), start.candidates.end()}), count,
+                       piece_at);
+        return found;
+    }
+
+    /// The first event, and how long nothing comes within `level`, which may be later.
+    template <class PieceAt>
+    void search_holding(FirstContact& found, double level, const query::HeldContacts& held, std::size_t count,
+                        PieceAt piece_at) const {
+        for (std::size_t i = 0; i < count; ++i) {
+            const auto& piece = piece_at(i);
+            query::PieceSearch search = search_of(piece, {i, count}, level);
+            search.check_start = false;
+            const PieceResult near = search_piece(search);
+            found.work += near.work;
+            const bool is_known = found.verdict != Verdict::clear;
+            if (!is_known) {
+                search.margin = query_.margin;
+                search.held = &held;
+                const PieceResult fresh = search_piece(search);
+                found.work += fresh.work;
+                const bool is_fresh = is_contact(fresh) && enclosing(fresh).upper < enclosing(near).upper;
+                if (is_fresh || is_contact(near))
+                    report(found, piece, {i, count}, is_fresh ? fresh : near, is_fresh ? query_.margin : level);
+            }
+            if (is_contact(near)) {
+                const Bracket time = time_of(piece, {i, count}, enclosing(near));
+                found.clear_until = time.lower;
+                found.time.lower = std::min(found.time.lower, time.lower);
+                return;
+            }
+            if (!is_known && i + 1 == count && found.verdict == Verdict::clear)
+                found.pose = piece.pose_at(1);
+        }
     }
 
     template <class AnyMotion>
-    void report(FirstContact& found, const AnyMotion& piece, const PieceClock& clock,
-                const query::PieceResult& result) const {
-        const Bracket tau = result.overlap ? Bracket{0, 0} : enclosing(result);
+    [[nodiscard]] query::PieceSearch search_of(const AnyMotion& piece, const PieceClock& clock, double margin) const {
+        // tau as a function of time is convex, so that dtime/dtau is greatest at tau = 0.
+        const double greatest_rate = std::max(1.0, 1 / piece.tau_rate(0));
+        const double tolerance = query_.time_tolerance * double(clock.count) / greatest_rate;
+        query::PieceSearch search{query_.moving, query_.fixed, piece.frame(), std::min(tolerance, 1.0), query_.find};
+        search.margin = margin;
+        return search;
+    }
+
+    /// All feature pairs within the margin, and a little more: what was stopped at the margin is within it.
+    template <class AnyMotion>
+    PieceResult contacts_at_start(const AnyMotion& piece, std::size_t count) const {
+        query::PieceSearch search = search_of(piece, {0, count}, query_.margin + resting_slack(piece, count));
+        search.find = Find::first_with_all_contacts;
+        search.only_start = true;
+        return search_piece(search);
+    }
+
+    /// What rounding of poses to doubles moves bodies by at most, and some hundred times as much.
+    template <class AnyMotion>
+    [[nodiscard]] double resting_slack(const AnyMotion& piece, std::size_t count) const {
+        constexpr double rounding_of_poses = 0x1p-44;
+        return rounding_of_poses * query::PieceNumbers(search_of(piece, {0, count}, query_.margin)).scale.length;
+    }
+
+    /// The least distance at the start.
+    template <class AnyMotion>
+    double nearest(const AnyMotion& piece, const PieceResult& start) const {
+        const query::Instant instant(query_.moving, query_.fixed, motion::double_maps(piece.frame().motion), 0);
+        double least = query_.margin;
+        for (const query::Candidate& candidate : start.candidates)
+            least = std::min(least, instant.nearest(candidate).apart().norm());
+        return least;
+    }
+
+    template <class AnyMotion>
+    static Bracket time_of(const AnyMotion& piece, const PieceClock& clock, const Bracket& tau) {
+        const double tiny = tau.upper > 0 ? underflow_slack : 0;
+        return {std::max(0.0, clock.whole(piece.time_at(tau.lower)) * (1 - clock_slack)),
+                std::min(1.0, clock.whole(piece.time_at(tau.upper)) * (1 + clock_slack) + tiny)};
+    }
+
+    template <class AnyMotion>
+    void report(FirstContact& found, const AnyMotion& piece, const PieceClock& clock, const PieceResult& result,
+                double margin) const {
+        const Bracket tau = enclosing(result);
         const double tiny = tau.upper > 0 ? underflow_slack : 0;
         found.tau = {std::max(0.0, clock.whole(tau.lower) * (1 - clock_slack)),
                      std::min(1.0, clock.whole(tau.upper) * (1 + clock_slack) + tiny)};
-        found.time = {std::max(0.0, clock.whole(piece.time_at(tau.lower)) * (1 - clock_slack)),
-                      std::min(1.0, clock.whole(piece.time_at(tau.upper)) * (1 + clock_slack) + tiny)};
+        found.time = time_of(piece, clock, tau);
         found.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
-        found.verdict = clock.index == 0 && query::may_be_at_start({tau.lower, tau.upper, found.certain})
-                            ? Verdict::contact_at_start
-                            : Verdict::contact;
+        const bool at_start = clock.index == 0 && query::may_be_at_start({tau.lower, tau.upper, found.certain});
+        found.verdict = at_start ? Verdict::contact_at_start : Verdict::contact;
         found.pose = piece.pose_at(piece.time_at(tau.lower));
-        const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
         found.overlap = result.overlap;
         if (found.overlap) {
+            const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
             found.overlap->point = query::product(to_world.linear(), found.overlap->point) + to_world.translation();
             name_face(found.overlap->face, found.overlap->edge_is_moving ? query_.fixed : query_.moving);
         }
-        const double rate = piece.tau_rate(tau.lower) * double(clock.count);
-        const query::ContactDetails details(query_.moving, query_.fixed, motion::double_maps(piece.frame().motion),
-                                            tau.lower, found.verdict == Verdict::contact_at_start);
-        for (const query::Candidate& candidate : reported(result.candidates)) {
-            Contact contact = details.describe(candidate);
+        found.contacts = contacts_of(piece, tau.upper - tau.lower, result.candidates, clock, margin, at_start);
+    }
+
+    /// In the world at the lower end of the bracket of width `width`, which is that of the earliest candidate.
+    template <class AnyMotion>
+    std::vector<Contact> contacts_of(const AnyMotion& piece, double width, std::vector<query::Candidate> candidates,
+                                     const PieceClock& clock, double margin, bool at_start) const {
+        if (candidates.empty())
+            return {};
+        candidates = without_repeated(std::move(candidates));
+        const double tau = std::ranges::min(candidates, {}, [](const auto& c) { return c.tau.lower; }).tau.lower;
+        const query::PieceNumbers numbers(search_of(piece, clock, margin));
+        const query::Instant instant(query_.moving, query_.fixed, numbers.maps, tau);
+        const query::ContactScene scene{
+            instant, at_start, margin,
+            query::touch_slack(instant, numbers.scale, std::min(width, query_.time_tolerance))};
+        const bool lists_all = query_.find == Find::first_with_all_contacts || query_.hold;
+        std::vector<Contact> contacts =
+            lists_all ? contact_set(scene, candidates) : std::vector{described(scene, first_of(candidates))};
+        const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau)).isometry();
+        for (Contact& contact : contacts) {
             contact.point = query::product(to_world.linear(), contact.point) + to_world.translation();
             contact.normal = query::product(to_world.linear(), contact.normal);
-            contact.approach_speed *= rate;
+            contact.approach_speed *= piece.tau_rate(tau) * double(clock.count);
             name_faces(contact);
-            found.contacts.push_back(contact);
         }
+        return contacts;
     }
 
     /// From the body's own numbering of faces to that of its input.
@@ -120,44 +277,6 @@ private:
             name_face(contact.moving, query_.moving);
         if (fixed_feature_kind(contact.kind) == FeatureKind::face)
             name_face(contact.fixed, query_.fixed);
-    }
-
-    /// The first contact is not before any lower end nor after any upper end.
-    static Bracket enclosing(const query::PieceResult& result) {
-        Bracket bracket{result.open_after, 1};
-        for (const query::Candidate& candidate : result.candidates) {
-            bracket.lower = std::min(bracket.lower, candidate.tau.lower);
-            bracket.upper = std::min(bracket.upper, candidate.tau.upper);
-        }
-        return bracket;
-    }
-
-    static bool is_certain(const std::vector<query::Candidate>& candidates, const Bracket& tau) {
-        return std::any_of(candidates.begin(), candidates.end(), [&](const query::Candidate& candidate) {
-            return candidate.tau.certain && candidate.tau.upper <= tau.upper;
-        });
-    }
-
-    [[nodiscard]] std::vector<query::Candidate> reported(std::vector<query::Candidate> candidates) const {
-        std::sort(candidates.begin(), candidates.end(), [](const query::Candidate& a, const query::Candidate& b) {
-            const auto key = [](const query::Candidate& c) {
-                return std::tuple(c.kind, c.moving.first, c.moving.second, c.fixed.first, c.fixed.second);
-            };
-            return key(a) < key(b);
-        });
-        // An edge or a vertex is met again in each interval of time that its contact borders on.
-        const auto same = [](const query::Candidate& a, const query::Candidate& b) {
-            return a.kind == b.kind && a.moving == b.moving && a.fixed == b.fixed;
-        };
-        candidates.erase(std::unique(candidates.begin(), candidates.end(), same), candidates.end());
-        if (query_.find != Find::first_with_all_contacts && candidates.size() > 1) {
-            const auto key = [](const query::Candidate& c) { return std::pair(!c.tau.certain, c.tau.lower); };
-            const auto first =
-                std::min_element(candidates.begin(), candidates.end(),
-                                 [&](const query::Candidate& a, const query::Candidate& b) { return key(a) < key(b); });
-            candidates = {*first};
-        }
-        return candidates;
     }
 
     const FirstContactQuery& query_;
@@ -187,36 +306,6 @@ FirstContact search(const FirstContactQuery& query) {
 
 } // namespace
 
-FeatureKind moving_feature_kind(ContactKind kind) {
-    switch (kind) {
-    case ContactKind::vertex_face:
-    case ContactKind::vertex_edge:
-    case ContactKind::vertex_vertex:
-        return FeatureKind::vertex;
-    case ContactKind::edge_edge:
-    case ContactKind::edge_vertex:
-        return FeatureKind::edge;
-    case ContactKind::face_vertex:
-        break;
-    }
-    return FeatureKind::face;
-}
-
-FeatureKind fixed_feature_kind(ContactKind kind) {
-    switch (kind) {
-    case ContactKind::face_vertex:
-    case ContactKind::edge_vertex:
-    case ContactKind::vertex_vertex:
-        return FeatureKind::vertex;
-    case ContactKind::edge_edge:
-    case ContactKind::vertex_edge:
-        return FeatureKind::edge;
-    case ContactKind::vertex_face:
-        break;
-    }
-    return FeatureKind::face;
-}
-
 Work& Work::operator+=(const Work& other) {
     node_pairs += other.node_pairs;
     face_pairs += other.face_pairs;
@@ -230,7 +319,8 @@ Work& Work::operator+=(const Work& other) {
 FirstContact first_contact(const FirstContactQuery& query) {
     validate(query);
     const MotionEnds& ends = ends_of(query.motion);
-    return query::are_far_apart(query.moving, query.fixed, ends) ? clear_to_the_goal(ends) : search(query);
+    return query::are_far_apart(query.moving, query.fixed, ends, query.margin) ? clear_to_the_goal(ends)
+                                                                               : search(query);
 }
 
 } // namespace chasles

@@ -4,6 +4,7 @@
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
 
+#include <compare>
 #include <cstdint>
 #include <numbers>
 #include <optional>
@@ -46,7 +47,7 @@ struct Feature {
     std::uint32_t first = 0;
     std::uint32_t second = 0;
 
-    friend bool operator==(const Feature&, const Feature&) = default;
+    friend auto operator<=>(const Feature&, const Feature&) = default;
 };
 
 /// One feature pair in contact, in the world frame at FirstContact::time.lower.

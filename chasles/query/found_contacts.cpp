@@ -1,5 +1,7 @@
 #include "chasles/query/found_contacts.h"
 
+#include "chasles/query/overlaps.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -35,26 +37,19 @@ void FoundContacts::add(const Candidate& candidate) {
         keep(candidate);
     else if (is_near_a_proven_contact(candidate.tau))
         waiting_.push_back(candidate);
-    else if (!is_behind_a_proven_contact(candidate.tau) && !asked_exactly_.contains(features_of(candidate)) &&
-             decide(decided))
+    else if (!is_behind_a_proven_contact(candidate.tau) && !asked_exactly_.contains(candidate) && decide(decided))
         keep(decided);
 }
 
-/// An overlap ends the search: nothing is earlier. Double-double leaves doubt where an end of the edge is hardly
-/// off the face's plane, or the edge hardly within its rim.
+/// An overlap ends the search: nothing is earlier.
 void FoundContacts::add(const Overlap& found) {
-    Overlap overlap = found;
-    const auto passage = passage_of(refined_pairs({}), overlap, elementary::Ends::not_proven_on_one_side);
-    if (!passage || stop_)
+    if (stop_)
         return;
-    Vector3<Scalar> point = passage->point;
-    if (!overlap.edge_is_moving)
-        point = search_.frame.motion.orientation * point + search_.frame.motion.origin;
-    overlap.point = {double(point.x), double(point.y), double(point.z)};
-    const auto proven = passage_of(refined_pairs({}), overlap, elementary::Ends::proven_opposite);
-    overlap.certain = proven && proven->certain;
-    if (!overlap.certain) {
-        doubtful_overlaps_.push_back(overlap);
+    const auto overlap = refined(found, refined_pairs({}), search_.frame);
+    if (!overlap)
+        return;
+    if (!overlap->certain) {
+        doubtful_overlaps_.push_back(*overlap);
         return;
     }
     result_.overlap = overlap;
@@ -96,10 +91,6 @@ PieceResult FoundContacts::take() {
     const double last = result_.overlap ? 0 : best_;
     std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > last; });
     return std::move(result_);
-}
-
-FoundContacts::Features FoundContacts::features_of(const Candidate& c) {
-    return {c.kind, c.moving.first, c.moving.second, c.fixed.first, c.fixed.second};
 }
 
 void FoundContacts::keep(const Candidate& candidate) {
@@ -177,7 +168,7 @@ bool FoundContacts::decide(Candidate& candidate) {
         return true;
     }
     ++result_.work.exact;
-    asked_exactly_.insert(features_of(candidate));
+    asked_exactly_.insert(candidate);
     const auto decided = exact_stage().first_contact_of(candidate, search_.tolerance);
     if (!decided)
         return false;

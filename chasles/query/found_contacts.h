@@ -8,7 +8,6 @@
 
 #include <memory>
 #include <set>
-#include <tuple>
 
 namespace chasles::query {
 
@@ -59,9 +58,6 @@ public:
     PieceResult take();
 
 private:
-    using Features = std::tuple<ContactKind, std::uint32_t, std::uint32_t, std::uint32_t, std::uint32_t>;
-    static Features features_of(const Candidate& candidate);
-
     std::vector<Candidate>::iterator first_proven();
     void keep(const Candidate& candidate);
     bool decide(Candidate& candidate);
@@ -88,7 +84,7 @@ private:
     std::vector<Candidate> waiting_; ///< in doubt
     std::vector<Overlap> doubtful_overlaps_;
     /// The answers were for all of the piece, so that those of later intervals are known.
-    std::set<Features> asked_exactly_;
+    std::set<FeaturePair> asked_exactly_;
     PieceResult result_;
 };
 

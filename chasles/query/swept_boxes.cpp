@@ -45,12 +45,12 @@ namespace avx2 {
 #endif
 
 SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& there,
-                             const SweptBoxes::View& here, const Window& when) {
+                             const SweptBoxes::View& here, float margin, const Window& when) {
 #if defined(CHASLES_KERNEL_AVX2)
     if (__builtin_cpu_supports("avx2"))
-        return avx2::meetings(outer, inner, there, here, when);
+        return avx2::meetings(outer, inner, there, here, margin, when);
 #endif
-    return plain::meetings(outer, inner, there, here, when);
+    return plain::meetings(outer, inner, there, here, margin, when);
 }
 
 void set(SweptBoxes::BothEnds& ends, int end, double value) {
@@ -71,7 +71,8 @@ Placement inverse(const Placement& placed) {
 
 } // namespace
 
-SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSlack& slack) {
+SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSlack& slack)
+    : margin_(float(slack.margin)) {
     place(moving_, 0, start);
     place(moving_, 1, end);
     place(fixed_, 0, inverse(start));
@@ -81,7 +82,7 @@ SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSl
 }
 
 SweptBoxes::Windows SweptBoxes::meetings(const NodeTwo& moving, const NodeTwo& fixed, const Window& when) const {
-    return query::meetings(moving, fixed, moving_, fixed_, when);
+    return query::meetings(moving, fixed, moving_, fixed_, margin_, when);
 }
 
 } // namespace chasles::query

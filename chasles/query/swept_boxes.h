@@ -28,6 +28,7 @@ struct Placement {
 struct BoxSlack {
     double moving = 0; ///< points of the moving body, in the frame of the fixed one
     double fixed = 0;  ///< the other way round
+    double margin = 0; ///< points within this distance meet
 };
 
 /// Two nodes of one body, which may be the same.
@@ -58,6 +59,7 @@ public:
 private:
     View moving_; ///< seen from the fixed body
     View fixed_;
+    float margin_;
 };
 
 } // namespace chasles::query

@@ -211,13 +211,49 @@ inline void see_axes(Closed& closed, const Vectors& apart, const Vectors& reach)
     closed.see(apart.z - reach.z, -apart.z - reach.z);
 }
 
+/// The length of a slab's normal or a ten-thousandth more: Newton's steps for a root of [1/3, 1] stay above it.
+inline Lanes length_above(const Vectors& normal) {
+    const Lanes square = dot(normal, normal);
+    Lanes length = all(0.5F) * (square + all(1));
+    for (int step = 0; step < 2; ++step)
+        length = all(0.5F) * (length + square / length);
+    return length;
+}
+
+/// How far a patch reaches along a direction of its own frame, from the middle of its box: by its box, and by its slab.
+struct Reach {
+    Lanes by_box;
+    Lanes middle; ///< of the slab, along the direction
+    Lanes by_slab;
+};
+
+inline Reach reach_along(const Vectors& direction, const Boxes& boxes, const Slabs& slabs) {
+    const Lanes share = dot(direction, slabs.normal) * slabs.inverse_square;
+    const Lanes rest = dot(magnitude(direction - scale(slabs.normal, share)), boxes.half);
+    return {dot(magnitude(direction), boxes.half), share * slabs.middle, rest + magnitude(share) * slabs.half};
+}
+
+/// Along the way from the middle of one box to that of the other, where both are small beside the margin.
+inline void see_middles(Closed& closed, const Boxes& a, const Boxes& b, const Slabs& a_slab, const Slabs& b_slab,
+                        const Vectors& a_seen, const SweptBoxes::View& here, Lanes slack, float margin) {
+    const Vectors apart{a_seen.x + halves_swapped(a_seen.x), a_seen.y + halves_swapped(a_seen.y),
+                        a_seen.z + halves_swapped(a_seen.z)};
+    const Vectors size = magnitude(apart);
+    const Vectors way = scale(apart, all(1) / (size.x + size.y + size.z));
+    const Reach of_a = reach_along(turned(here, way), a, a_slab);
+    const Reach of_b = reach_along(way, b, b_slab);
+    const Lanes gap = dot(way, a_seen) - slack - all(margin) * length_above(way);
+    const Lanes between_slabs = of_a.middle - of_b.middle - of_a.by_slab - of_b.by_slab;
+    closed.see(gap - of_a.by_box - of_b.by_box, gap + between_slabs);
+}
+
 /// `there` shows the first two nodes to the others, `here` shows the others to them.
 inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& there,
-                                    const SweptBoxes::View& here, const Window& when) {
+                                    const SweptBoxes::View& here, float margin, const Window& when) {
     const Boxes a = boxes_of<Outer>(outer);
     const Boxes b = boxes_of<Inner>(inner);
-    const Lanes a_slack = all(there.slack);
-    const Lanes b_slack = all(here.slack);
+    Lanes a_slack = all(there.slack + margin);
+    Lanes b_slack = all(here.slack + margin);
     const Vectors a_seen = turned(there, a.centre) + loaded(there.offset) - b.centre;
     const Vectors b_seen = turned(here, b.centre) + loaded(here.offset) - a.centre;
     Closed closed(when);
@@ -229,6 +265,10 @@ inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, 
     // other slab's normal, meets the other box.
     const Slabs a_slab = slabs_of<Outer>(outer, a.half);
     const Slabs b_slab = slabs_of<Inner>(inner, b.half);
+    if (margin > 0) { // along a normal of the other one it counts by that one's length
+        a_slack = all(there.slack) + all(margin) * length_above(b_slab.normal);
+        b_slack = all(here.slack) + all(margin) * length_above(a_slab.normal);
+    }
     const Vectors a_normal = turned(there, a_slab.normal);
     const Vectors b_normal = turned(here, b_slab.normal);
     const Lanes along = dot(a_normal, b_slab.normal);
@@ -242,5 +282,7 @@ inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, 
     const Lanes b_thick = b_rest + (magnitude(by_b) * b_slab.half + a_slab.half) + b_slack;
     closed.see(a_height - a_thick, -a_height - a_thick);
     closed.see(b_height - b_thick, -b_height - b_thick);
+    if (margin > 0 && !closed.are_apart())
+        see_middles(closed, a, b, a_slab, b_slab, a_seen, here, all(there.slack), margin);
     return closed.windows();
 }

@@ -8,6 +8,9 @@
 
 namespace chasles::query {
 
+/// As short as the tolerance of the answer: not halved.
+inline constexpr double shortest_interval = 0x1p-40;
+
 /// A part of [0, 1].
 struct TauRange {
     double lower = 0;
@@ -29,9 +32,9 @@ struct TimeInterval {
 /// Makes intervals of one motion.
 class TimeTree {
 public:
-    /// Maps are kept by reference.
+    /// Maps are kept by reference. Points within `margin` of each other count as meeting.
     TimeTree(const motion::ControlMaps<double>& whole, const motion::PathBend& bend, const motion::Ball& moving,
-             const motion::Ball& fixed, const elementary::ErrorScale& scale);
+             const motion::Ball& fixed, const elementary::ErrorScale& scale, double margin = 0);
 
     [[nodiscard]] TimeInterval interval(const TauRange& range) const;
 
@@ -42,6 +45,7 @@ private:
     motion::PathBend bend_;
     motion::Ball moving_;
     motion::Ball fixed_;
+    double margin_;
     double rounding_; ///< of positions in double precision
 };
 
@@ -69,6 +73,6 @@ private:
 
 /// The least part of the interval that is as wide as a power of two, begins at a multiple of a quarter of its width,
 /// and holds `needed`; not narrower than `least`.
-TauRange part_around(const TauRange& interval, const TauRange& needed, double least);
+TauRange part_around(const TauRange& interval, const TauRange& needed, double least = shortest_interval);
 
 } // namespace chasles::query

@@ -24,6 +24,8 @@ struct PieceResult {
     Work work;
 };
 
+class HeldContacts;
+
 /// How to search one piece.
 struct PieceSearch {
     const Polyhedron& moving;
@@ -31,7 +33,11 @@ struct PieceSearch {
     const MotionFrame& frame;
     double tolerance = 1e-12; ///< of tau
     Find find = Find::first;
-    bool check_start = true; ///< look for edges that pass through faces at tau = 0
+    bool check_start = true; ///< look for what is in contact at tau = 0 already: edges that pass through faces, and
+                             ///< with a margin all that is within it
+    double margin = 0;       ///< distance that counts as contact
+    bool only_start = false; ///< with a margin: looks at tau = 0 only
+    const HeldContacts* held = nullptr; ///< with a margin: what is no new contact; none if every one is
 };
 
 PieceResult search_piece(const PieceSearch& search);

@@ -22,7 +22,8 @@ SIZE = (900, 560)
 TITLE = "Two cubes </script><script>document.title = 'broken out'</script>"
 
 chasles, chromium = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
-folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else tempfile.mkdtemp(prefix="chasles-view-"))
+passing = tempfile.TemporaryDirectory(prefix="chasles-view-")  # until this ends
+folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else passing.name)
 
 
 def run(*arguments: str) -> subprocess.CompletedProcess:

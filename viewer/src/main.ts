@@ -72,7 +72,7 @@ function connectViews(scene: Scene, bodies: Bodies, stage: Stage, player: Player
 
 function show(scene: Scene, player: Player, choose: { contact(index: number | undefined): void }): void {
   const bodies = new Bodies(scene);
-  const markers = new Markers(scene.answer, bodies.fixed.track.at(player.stop));
+  const markers = new Markers(scene.answer, scene.margin, bodies.fixed.track.at(player.stop));
   const everything = [...cornersOnWay(bodies.moving), ...cornersOnWay(bodies.fixed)];
   const stage = makeStage(scene, bodies, markers, ballAround(everything));
   const follow = () => {

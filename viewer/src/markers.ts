@@ -58,11 +58,11 @@ export class Markers {
   private readonly rimColour = new MeshBasicMaterial({ depthTest: false, transparent: true });
 
   /** `fixedPose` at the time of the contact, which the answer's points belong to. */
-  constructor(answer: Answer, fixedPose: Matrix4) {
+  constructor(answer: Answer, margin: number, fixedPose: Matrix4) {
     const toFixed = fixedPose.clone().invert();
     const contacts = (answer.contacts ?? []).slice(0, mostMarkers);
     const marked = markedPoints(answer).slice(0, mostMarkers);
-    const gaps = contacts.filter(({ gap }) => gap > 0);
+    const gaps = margin > 0 ? contacts : []; // else a gap is a rounding error
     this.markers = [
       ...marked.map((point, index) => markerOf(point, contacts[index]?.normal, toFixed)),
       ...gaps.map((contact) => otherEnd(contact, toFixed)),

@@ -44,6 +44,8 @@ function overlapName({ moving_feature, fixed_feature }: Overlap): string {
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
 
 function meaning(answer: Answer, margin: number): string {
+  const isHeld = answer.verdict === "clear" && answer.held?.length;
+  if (isHeld) return `Proven: what is held keeps its distance, and nothing else comes within ${margin}.`;
   const touch = margin > 0 ? `come within ${margin}` : "touch";
   switch (answer.verdict) {
     case "clear":
@@ -62,7 +64,6 @@ function timeRows(answer: Answer): [string, string | number][] {
     ["tau from", answer.tau!],
     ["to", answer.tau_upper!],
     ["certain", answer.certain ? "yes" : "no: they may just miss each other"],
-    ...(answer.clear_until === undefined ? [] : [["clear until", answer.clear_until] as [string, number]]),
   ];
 }
 
@@ -120,7 +121,10 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
   const section = (title: string, ...content: HTMLElement[]) => numbers.append(element("h2", title), ...content);
   if (answer.verdict !== "clear") section("When", table(timeRows(answer)));
   if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
-  if (answer.held?.length) section("Held at the start", ...contactList(answer.held, () => undefined));
+  if (answer.held?.length) {
+    section("Held at the start", ...contactList(answer.held, () => undefined));
+    section("Safe", table([["clear until", answer.clear_until!]]));
+  }
   if (answer.overlap) section("Overlap", element("div", overlapName(answer.overlap)), table([["point", answer.overlap.point]]));
   section("Motion", table(motionRows(answer, scene.is_sweep)));
   section("Work", table(workRows(answer)));

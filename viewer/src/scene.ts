@@ -29,7 +29,7 @@ export interface Answer {
   tau?: number;
   tau_upper?: number;
   certain?: boolean;
-  clear_until?: number;
+  clear_until: number; // how far it is safe to go
   pose?: number[];
   contacts?: Contact[];
   held?: Contact[]; // at time 0
