@@ -60,6 +60,7 @@ class Page(unittest.TestCase):
         (folder / "cube.obj").write_text(CUBE)
         cls.answer = json.loads(run("check", "cube.obj", "cube.obj", *TURNING_PAST, "--json").stdout)
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--title", TITLE, "--out", "contact.html")
+        run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--margin", "0.25", "--out", "margin.html")
         run("view", "cube.obj", "cube.obj", "--start", "3 0 0", "--goal", "3 5 0", "--out", "clear.html")
         run("view", "cube.obj", "cube.obj", "--start", ".5 .5 .5", "--goal", "3 5 0", "--out", "start.html")
         cls.browser = Browser(chromium, *SIZE)
@@ -166,6 +167,14 @@ class Page(unittest.TestCase):
         numbers += [*contact["point"], *contact["normal"], contact["gap"], contact["approach_speed"]]
         numbers += self.answer["work"].values()
         self.assertEqual([number for number in numbers if number not in shown], [])
+
+    def test_a_margin_keeps_a_gap(self) -> None:
+        self.open("margin.html")
+        self.slide(1)
+        self.assertLess(self.time(), self.answer["time"])
+        self.assertIn("within 0.25", self.text("#meaning"))
+        self.assertTrue([number for number in numbers_in(self.text("#numbers")) if abs(number - 0.25) < 1e-9], "the gap")
+        self.assertGreater(count(self.picture("margin"), is_contact_colour), 60)
 
     def test_a_clear_motion_runs_to_its_end(self) -> None:
         self.open("clear.html")
