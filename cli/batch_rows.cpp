@@ -2,7 +2,7 @@
 #include "cli/batch_rows.h"
 
 #include "chasles/io/csv_table.h"
-#include "cli/json_answer.h"
+#include "view/answer_json.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,7 @@ std::string text_of(const Eigen::Vector3d& vector) {
 }
 
 std::string contact_cells(const Contact& contact) {
-    return fmt::format("{},{},{},{},{}", name_of(contact.kind), text_of(contact.moving), text_of(contact.fixed),
+    return fmt::format("{},{},{},{},{}", view::name_of(contact.kind), text_of(contact.moving), text_of(contact.fixed),
                        text_of(contact.point), text_of(contact.normal));
 }
 
@@ -45,7 +45,7 @@ std::string batch_header() {
 }
 
 std::string batch_row(const std::string& id, const FirstContact& found) {
-    const std::string start = io::csv_cell(id) + "," + name_of(found.verdict) + ",";
+    const std::string start = io::csv_cell(id) + "," + view::name_of(found.verdict) + ",";
     if (found.verdict == Verdict::clear)
         return start + ",,,,," + std::string(contact_columns - 1, ',') + "\n";
     return start + fmt::format("{},{},{},{},{},{}\n", found.time.lower, found.time.upper, found.tau.lower,

@@ -18,6 +18,7 @@ using Task = std::function<int()>;
 
 // Each adds one subcommand to `app`; if it is chosen, `task` becomes its work.
 void add_check(CLI::App& app, Task& task);
+void add_view(CLI::App& app, Task& task);
 void add_path(CLI::App& app, Task& task);
 void add_batch(CLI::App& app, Task& task);
 void add_info(CLI::App& app, Task& task);

@@ -1,10 +1,10 @@
 // chasles info: what a mesh file holds, and how its surface hangs together.
 #include "cli/commands.h"
 #include "cli/contact_table.h"
-#include "cli/json_answer.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "view/answer_json.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -36,7 +36,7 @@ std::size_t depth_of(std::span<const BoxNode> nodes) {
     return nodes.empty() ? 0 : *std::max_element(depths.begin(), depths.end());
 }
 
-Json body_json(const Polyhedron& body) {
+view::Json body_json(const Polyhedron& body) {
     const MeshReport mesh = body.report();
     const Eigen::AlignedBox3d bounds = bounds_of(body);
     return {{"vertices", mesh.vertices},
@@ -49,7 +49,7 @@ Json body_json(const Polyhedron& body) {
             {"nonmanifold_edges", mesh.nonmanifold_edges},
             {"dropped_faces", mesh.dropped_faces},
             {"closed", mesh.closed},
-            {"bounding_box", {{"lower", vector_json(bounds.min())}, {"upper", vector_json(bounds.max())}}},
+            {"bounding_box", {{"lower", view::vector_json(bounds.min())}, {"upper", view::vector_json(bounds.max())}}},
             {"hierarchy",
              {{"nodes", body.hierarchy().nodes().size()},
               {"depth", depth_of(body.hierarchy().nodes())},

@@ -1,11 +1,11 @@
 // chasles path: a chain of screws through the poses of a file.
 #include "chasles/io/motion_files.h"
 #include "cli/commands.h"
-#include "cli/json_answer.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
+#include "view/answer_json.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -21,13 +21,13 @@ struct PathOptions {
 };
 
 // As `check` answers, with the segment that the time and the motion belong to; of a clear path, the last one.
-Json path_json(const PathContact& found, const MotionNumbers& motion) {
-    Json answer = answer_json(found.contact, motion);
+view::Json path_json(const PathContact& found, const view::MotionNumbers& motion) {
+    view::Json answer = view::answer_json(found.contact, motion);
     answer["segment"] = found.segment;
     return answer;
 }
 
-std::string path_report(const PathContact& found, const MotionNumbers& motion, std::size_t poses, double margin) {
+std::string path_report(const PathContact& found, const view::MotionNumbers& motion, std::size_t poses, double margin) {
     if (found.contact.verdict == Verdict::clear)
         return headline(found.contact, margin) + labelled("path", counted(poses - 1, "segment")) +
                report(found.contact.work);
@@ -56,7 +56,8 @@ PathContact answer_path(const PathOptions& options, const std::vector<Pose>& pos
 int run_path(const PathOptions& options) {
     const std::vector<Pose> poses = io::load_path(options.poses);
     const PathContact found = answer_path(options, poses);
-    const MotionNumbers motion = numbers_of(ScrewMotion::between(poses[found.segment], poses[found.segment + 1]));
+    const view::MotionNumbers motion =
+        view::numbers_of(ScrewMotion::between(poses[found.segment], poses[found.segment + 1]));
     print(options.json ? path_json(found, motion).dump() + "\n"
                        : path_report(found, motion, poses.size(), margin_of(options.query)));
     return found.contact.verdict == Verdict::clear ? is_clear : is_contact;

@@ -37,7 +37,7 @@ std::string report(const Overlap& overlap) {
                                 edge_owner, face_name(overlap.face), face_owner, vector_text(overlap.point)));
 }
 
-std::string report(const MotionNumbers& motion) {
+std::string report(const view::MotionNumbers& motion) {
     if (motion.is_sweep)
         return labelled("sweep", fmt::format("turns {:.9g} degrees about {}, travels {:.9g} straight on",
                                              degrees(motion.angle), vector_text(motion.axis_direction), motion.travel));
@@ -46,13 +46,13 @@ std::string report(const MotionNumbers& motion) {
                                          vector_text(motion.axis_point)));
 }
 
-std::string progress_of(const MotionNumbers& motion, const FirstContact& found) {
+std::string progress_of(const view::MotionNumbers& motion, const FirstContact& found) {
     const double length = motion.is_sweep ? motion.travel : motion.slide;
-    return fmt::format("turned {:.9g} degrees, {} {:.9g}", degrees(turned_so_far(motion, found)),
+    return fmt::format("turned {:.9g} degrees, {} {:.9g}", degrees(view::turned_so_far(motion, found)),
                        motion.is_sweep ? "travelled" : "slid", length * found.tau.lower + 0.0);
 }
 
-std::string report_contact(const FirstContact& found, const MotionNumbers& motion, double margin) {
+std::string report_contact(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
     std::string text = labelled("so far", progress_of(motion, found)) + labelled("time", text_of(found.time)) +
                        labelled("tau", text_of(found.tau)) +
                        labelled("certain", found.certain ? "yes" : "no: they may miss each other by a rounding error");
@@ -97,7 +97,7 @@ std::string report(const Work& work) {
                                         work.refined, work.exact));
 }
 
-std::string details(const FirstContact& found, const MotionNumbers& motion, double margin) {
+std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
     std::string text = report(motion);
     if (found.verdict != Verdict::clear)
         text += report_contact(found, motion, margin);
@@ -106,7 +106,7 @@ std::string details(const FirstContact& found, const MotionNumbers& motion, doub
     return text + report(found.work);
 }
 
-std::string report(const FirstContact& found, const MotionNumbers& motion, double margin) {
+std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
     return headline(found, margin) + details(found, motion, margin);
 }
 

@@ -18,12 +18,13 @@ MAY_INCLUDE = {
     "query": ["algebra", "motion", "elementary", "mesh"],
     "io": ["algebra", "motion", "mesh"],
     "scenes": ["algebra", "motion", "elementary", "mesh", "query", "io"],
-    "cli": ["algebra", "motion", "elementary", "mesh", "query", "io", "scenes"],
+    "view": ["algebra", "motion", "elementary", "mesh", "query"],
+    "cli": ["algebra", "motion", "elementary", "mesh", "query", "io", "scenes", "view"],
 }
-FACES = ["scenes", "cli"]  # beside chasles/, not in it
+FACES = ["scenes", "view", "cli"]  # beside chasles/, not in it
 FOR_ALL = ["chasles/invalid_input.h", "chasles/on_threads.h"]
 SURFACE = "chasles/chasles.h"
-MAY_INCLUDE_SURFACE = ["scenes", "cli", "tests", "bench"]
+MAY_INCLUDE_SURFACE = ["scenes", "view", "cli", "tests", "bench"]
 FREE = ["tests", "bench"]  # may include any layer, but by the same names
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

@@ -12,7 +12,7 @@ import sys
 
 TEST = re.compile(r"^TEST(?:_F|_P)?\(\s*(\w+),\s*(\w+)\s*\)", re.MULTILINE)
 NAMED_TEST = re.compile(r"`([A-Z]\w+)\.([A-Z]\w+|\*)`")
-NAMED_FILE = re.compile(r"`((?:chasles|tests|tools|scenes|cli|bench|docs|cmake)/[\w./-]+\.\w+)`")
+NAMED_FILE = re.compile(r"`((?:chasles|tests|tools|scenes|view|viewer|cli|bench|docs|cmake)/[\w./-]+\.\w+)`")
 LINK = re.compile(r"\]\(([^)#:]+)(?:#[^)]*)?\)")
 PROMISES = "docs/promises.md"
 PROMISE = re.compile(r"^\d+\. \*\*")

@@ -11,6 +11,10 @@ clang_version=$(cat "$(dirname "$0")/clang-tools-version")
 # fmt and nlohmann_json for the command line.
 packages="make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libassimp-dev libfmt-dev libcli11-dev nlohmann-json3-dev"
 
+# The page of `chasles view` is made by npm packages. A Node.js from elsewhere brings its npm along, and does not go with
+# Debian's.
+command -v npm >/dev/null || packages="$packages nodejs npm"
+
 # Debian 12's `cargo` is too old for Parry; the one for web browsers is kept up to date.
 cargo_package() {
     VERSION_ID=""
@@ -23,7 +27,11 @@ for group in "$@"; do
     case $group in
         --list) list_only=true ;;
         # GMP is the exact arithmetic that the tests compare with; zlib reads packed test data.
-        check) packages="$packages libgtest-dev libgmp-dev zlib1g-dev python3 clang-format-$clang_version" ;;
+        check)
+            packages="$packages libgtest-dev libgmp-dev zlib1g-dev python3 clang-format-$clang_version"
+            # The page of `chasles view` is tested in a browser.
+            command -v chromium >/dev/null || packages="$packages chromium"
+            ;;
         # libFuzzer and the sanitizers are in the runtime library.
         fuzz) packages="$packages clang-$clang_version libclang-rt-$clang_version-dev libgmp-dev" ;;
         # Highway is what the lanes are compared with, FCL and Bullet what whole queries are; other peers are brought by

@@ -7,5 +7,5 @@ cd "$(dirname "$0")/.."
 version=$(cat tools/clang-tools-version)
 build=${1:-build/dev}
 [ $# -eq 0 ] || shift
-[ $# -gt 0 ] || set -- "$PWD/(chasles|cli|scenes)/"
+[ $# -gt 0 ] || set -- "$PWD/(chasles|cli|scenes|view)/"
 "run-clang-tidy-$version" -clang-tidy-binary "clang-tidy-$version" -quiet -p "$build" "$@"

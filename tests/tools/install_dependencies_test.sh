@@ -19,6 +19,14 @@ everything=$(printf 'echo installed %s\n' $output)
 run --list check
 expect "the list names the compiler and the test framework" 'case $output in *g++*libgtest-dev*) ;; *) false ;; esac'
 
+expect "without npm and a browser, the list names them" 'case $output in *nodejs\ npm*chromium*) ;; *) false ;; esac'
+
+pretend npm ''
+pretend chromium ''
+run --list check
+expect "those from elsewhere will do" 'case $output in *npm*|*chromium*) false ;; esac'
+rm "$folder/bin/npm" "$folder/bin/chromium"
+
 run --list fuzz
 expect "fuzzing needs the compiler and its runtime" 'case $output in *clang-*libclang-rt-*) ;; *) false ;; esac'
 
@@ -61,9 +69,10 @@ expect "with sudo: the same, through sudo" 'case $asked in "sudo apt-get"*"sudo 
 
 pretend id 'echo 0'
 pretend dpkg-query 'exit 1'
+run --list check
+wanted=$output
 run check
-expect "nothing installed: everything is asked for" \
-    'case $asked in *"install $(sh "$script" --list check)") ;; *) false ;; esac'
+expect "nothing installed: everything is asked for" 'case $asked in *"install $wanted") ;; *) false ;; esac'
 
 pretend apt-get 'exit 100'
 run check

@@ -1,12 +1,12 @@
 // Answers as JSON. Every number reads back to the very same double.
 #pragma once
 
-#include "cli/motion_numbers.h"
+#include "view/motion_numbers.h"
 
 #include <nlohmann/json.hpp>
 #include <string>
 
-namespace chasles::cli {
+namespace chasles::view {
 
 using Json = nlohmann::ordered_json;
 
@@ -14,7 +14,9 @@ using Json = nlohmann::ordered_json;
 Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 
 Json vector_json(const Eigen::Vector3d& vector);
+/// x, y, z, qw, qx, qy, qz, with a quaternion of length one.
+Json pose_json(const Pose& pose);
 std::string name_of(Verdict verdict);
 std::string name_of(ContactKind kind);
 
-} // namespace chasles::cli
+} // namespace chasles::view

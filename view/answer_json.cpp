@@ -1,7 +1,7 @@
 // Answers as JSON; the keys are those of docs/command-line.md.
-#include "cli/json_answer.h"
+#include "view/answer_json.h"
 
-namespace chasles::cli {
+namespace chasles::view {
 namespace {
 
 // A vertex is a number, a face a list of one, an edge a list of its two vertices.
@@ -25,12 +25,6 @@ Json json_of(FeatureKind kind, const Feature& feature) {
         break;
     }
     return face(feature);
-}
-
-Json json_of(const Pose& pose) {
-    const Eigen::Quaterniond rotation = pose.rotation.normalized();
-    return {pose.translation.x(), pose.translation.y(), pose.translation.z(), rotation.w(),
-            rotation.x(),         rotation.y(),         rotation.z()};
 }
 
 Json json_of(const Contact& contact) {
@@ -78,7 +72,7 @@ void add_contact(Json& answer, const FirstContact& found) {
     answer["tau"] = found.tau.lower;
     answer["tau_upper"] = found.tau.upper;
     answer["certain"] = found.certain;
-    answer["pose"] = json_of(found.pose);
+    answer["pose"] = pose_json(found.pose);
     answer["contacts"] = json_of(found.contacts);
     if (found.overlap)
         answer["overlap"] = json_of(*found.overlap);
@@ -88,6 +82,12 @@ void add_contact(Json& answer, const FirstContact& found) {
 
 Json vector_json(const Eigen::Vector3d& vector) {
     return {vector.x(), vector.y(), vector.z()};
+}
+
+Json pose_json(const Pose& pose) {
+    const Eigen::Quaterniond rotation = pose.rotation.normalized();
+    return {pose.translation.x(), pose.translation.y(), pose.translation.z(), rotation.w(),
+            rotation.x(),         rotation.y(),         rotation.z()};
 }
 
 std::string name_of(Verdict verdict) {
@@ -133,4 +133,4 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     return answer;
 }
 
-} // namespace chasles::cli
+} // namespace chasles::view

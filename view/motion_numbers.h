@@ -1,9 +1,9 @@
-// The numbers of a motion that a report shows: the screw between its end poses, and how far along it a contact lies.
+// The numbers of a motion that an answer shows: the screw between its end poses, and how far along it a contact lies.
 #pragma once
 
 #include "chasles/chasles.h"
 
-namespace chasles::cli {
+namespace chasles::view {
 
 /// Of a sweep these are the numbers of the screw with the same end poses; the sweep itself runs another way between.
 struct MotionNumbers {
@@ -15,10 +15,9 @@ struct MotionNumbers {
     double travel = 0; ///< of the sweep's reference point, mesh unit
 };
 
-MotionNumbers numbers_of(const ScrewMotion& screw);
-MotionNumbers numbers_of(const SweepMotion& sweep, const ScrewMotion& screw_of_same_poses);
+MotionNumbers numbers_of(const Motion& motion);
 
 /// Radians turned when `found` says that contact begins.
 double turned_so_far(const MotionNumbers& motion, const FirstContact& found);
 
-} // namespace chasles::cli
+} // namespace chasles::view

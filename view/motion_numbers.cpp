@@ -1,10 +1,12 @@
 // The screw's turn is proportional to time; the sweep's follows the normalised interpolation of quaternions
 // (docs/derivations/02-rational-motion.md).
-#include "cli/motion_numbers.h"
+#include "view/motion_numbers.h"
 
 #include <cmath>
 
-namespace chasles::cli {
+namespace chasles::view {
+
+namespace {
 
 MotionNumbers numbers_of(const ScrewMotion& screw) {
     return {.angle = screw.angle(),
@@ -13,11 +15,24 @@ MotionNumbers numbers_of(const ScrewMotion& screw) {
             .axis_direction = screw.axis_direction()};
 }
 
-MotionNumbers numbers_of(const SweepMotion& sweep, const ScrewMotion& screw_of_same_poses) {
-    MotionNumbers numbers = numbers_of(screw_of_same_poses);
+ScrewMotion screw_of_same_poses(const MotionEnds& ends) {
+    const Pose& start = ends.given_start.pose;
+    const Pose& goal = ends.given_goal.pose;
+    return ends.fixed ? ScrewMotion::relative(start, goal, ends.fixed->start, ends.fixed->goal)
+                      : ScrewMotion::between(start, goal);
+}
+
+MotionNumbers numbers_of(const SweepMotion& sweep) {
+    MotionNumbers numbers = numbers_of(screw_of_same_poses(sweep.ends()));
     numbers.is_sweep = true;
     numbers.travel = sweep.displacement().norm();
     return numbers;
+}
+
+} // namespace
+
+MotionNumbers numbers_of(const Motion& motion) {
+    return std::visit([](const auto& any) { return numbers_of(any); }, motion);
 }
 
 double turned_so_far(const MotionNumbers& motion, const FirstContact& found) {
@@ -27,4 +42,4 @@ double turned_so_far(const MotionNumbers& motion, const FirstContact& found) {
     return 2 * std::atan2(tau * std::sin(motion.angle / 2), 1 + tau * (std::cos(motion.angle / 2) - 1));
 }
 
-} // namespace chasles::cli
+} // namespace chasles::view

@@ -1,0 +1,100 @@
+// One motion between two poses: how it is asked for, read and answered.
+#include "cli/one_motion.h"
+
+namespace chasles::cli {
+namespace {
+
+/// The end poses of both bodies; the fixed one stands at the world's origin unless told otherwise.
+struct EndPoses {
+    Pose start;
+    Pose goal;
+    Pose fixed_start;
+    Pose fixed_goal;
+    bool is_fixed_moving = false;
+};
+
+EndPoses read_poses(const OneMotionOptions& options) {
+    EndPoses poses;
+    poses.start = pose_of("--start", options.start);
+    poses.goal = pose_of("--goal", options.goal);
+    poses.is_fixed_moving = !options.fixed_start.empty();
+    if (poses.is_fixed_moving) {
+        poses.fixed_start = pose_of("--fixed-start", options.fixed_start);
+        poses.fixed_goal = pose_of("--fixed-goal", options.fixed_goal);
+    }
+    return poses;
+}
+
+ScrewMotion screw_between(const EndPoses& poses) {
+    return poses.is_fixed_moving ? ScrewMotion::relative(poses.start, poses.goal, poses.fixed_start, poses.fixed_goal)
+                                 : ScrewMotion::between(poses.start, poses.goal);
+}
+
+SweepMotion sweep_between(const EndPoses& poses, const Eigen::Vector3d& centre) {
+    return poses.is_fixed_moving
+               ? SweepMotion::relative(poses.start, poses.goal, poses.fixed_start, poses.fixed_goal).about(centre)
+               : SweepMotion::between(poses.start, poses.goal, centre);
+}
+
+Motion read_motion(const OneMotionOptions& options) {
+    const EndPoses poses = read_poses(options);
+    if (options.motion == "screw")
+        return screw_between(poses);
+    return sweep_between(poses, point_of("--centre", options.centre));
+}
+
+void add_pose_options(CLI::App& command, OneMotionOptions& options) {
+    const std::string pose = "; 3, 7 or 16 numbers: x y z, x y z qw qx qy qz, or a 4x4 matrix row by row";
+    command.add_option("--start", options.start, "pose of the moving body at time 0" + pose)
+        ->required()
+        ->type_name("POSE");
+    command.add_option("--goal", options.goal, "pose of the moving body at time 1")->required()->type_name("POSE");
+    auto* const fixed_start =
+        command.add_option("--fixed-start", options.fixed_start, "pose of the fixed body at time 0, if it moves too")
+            ->type_name("POSE");
+    auto* const fixed_goal =
+        command.add_option("--fixed-goal", options.fixed_goal, "pose of the fixed body at time 1")->type_name("POSE");
+    fixed_start->needs(fixed_goal);
+    fixed_goal->needs(fixed_start);
+}
+
+} // namespace
+
+void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
+    add_body_options(command, options.bodies);
+    add_pose_options(command, options);
+    command.add_option("--motion", options.motion, "what happens between the poses: screw or sweep")
+        ->check(CLI::IsMember({"screw", "sweep"}))
+        ->capture_default_str();
+    command.add_option("--centre", options.centre, "point of the moving body that a sweep carries along a line")
+        ->type_name("\"X Y Z\"");
+    add_query_options(command, options.query);
+    command
+        .add_option("--hold", options.hold,
+                    "bodies that start within the margin go on, but never come within this distance")
+        ->type_name("H");
+}
+
+// Braces evaluate in order: poses and numbers are read before large meshes are.
+OneMotion read_one_motion(const OneMotionOptions& options) {
+    return {.motion = read_motion(options),
+            .margin = margin_of(options.query),
+            .hold = options.hold.empty() ? std::nullopt : std::optional(number_of("--hold", options.hold)),
+            .time_tolerance = time_tolerance_of(options.query),
+            .max_turn = max_turn_of(options.query),
+            .find = options.query.any ? Find::any : Find::first_with_all_contacts,
+            .bodies = load_bodies(options.bodies)};
+}
+
+FirstContact first_contact(const OneMotion& question) {
+    return chasles::first_contact({.moving = question.bodies.moving,
+                                   .fixed = question.bodies.fixed,
+                                   .motion = question.motion,
+                                   .margin = question.margin,
+                                   .hold = question.hold,
+                                   .time_tolerance = question.time_tolerance,
+                                   .max_turn = question.max_turn,
+                                   .find = question.find});
+}
+
+} // namespace chasles::cli

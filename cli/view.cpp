@@ -1,0 +1,57 @@
+// chasles view: one motion between two poses, as a page to look at.
+#include "cli/commands.h"
+#include "cli/one_motion.h"
+#include "cli/output.h"
+#include "cli/report.h"
+#include "view/page.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace chasles::cli {
+namespace {
+
+struct ViewOptions {
+    OneMotionOptions question;
+    std::string out;
+    std::string title;
+};
+
+std::string file_name(const std::string& path) {
+    return std::filesystem::path(path).filename().string();
+}
+
+int run_view(const ViewOptions& options) {
+    view::require_page_template(); // what cannot be shown need not be answered
+    const OneMotion question = read_one_motion(options.question);
+    OutputFile file(options.out);
+    const FirstContact found = first_contact(question);
+    const std::string moving_name = file_name(options.question.bodies.moving);
+    const std::string fixed_name = file_name(options.question.bodies.fixed);
+    file.write(view::page({.moving = question.bodies.moving,
+                           .fixed = question.bodies.fixed,
+                           .motion = question.motion,
+                           .found = found,
+                           .max_turn = question.max_turn,
+                           .margin = question.margin,
+                           .title = options.title.empty() ? moving_name + " and " + fixed_name : options.title,
+                           .moving_name = moving_name,
+                           .fixed_name = fixed_name}));
+    file.close();
+    print(headline(found, question.margin) + labelled("page", options.out));
+    return found.verdict == Verdict::clear ? is_clear : is_contact;
+}
+
+} // namespace
+
+void add_view(CLI::App& app, Task& task) {
+    const auto options = std::make_shared<ViewOptions>();
+    CLI::App& command = *app.add_subcommand("view", "Answers as check does, and writes a page that shows it.");
+    add_one_motion_options(command, options->question);
+    command.add_option("--out", options->out, "page to write (HTML)")->required()->type_name("FILE");
+    command.add_option("--title", options->title, "head of the page; default: the names of both files")
+        ->type_name("TEXT");
+    command.callback([options, &task] { task = [options] { return run_view(*options); }; });
+}
+
+} // namespace chasles::cli

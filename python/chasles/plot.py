@@ -1,0 +1,203 @@
+"""A picture of an answer with matplotlib: both bodies, the way, and what touches where."""
+
+from __future__ import annotations
+
+import math
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+import numpy.typing as npt
+
+from ._core import FirstContact, Polyhedron, ScrewMotion, SweepMotion
+from .enums import Verdict
+
+if TYPE_CHECKING:
+    from mpl_toolkits.mplot3d import Axes3D
+
+Array = npt.NDArray[np.float64]
+
+# Colours of Okabe and Ito, as on the page that view() writes.
+MOVING, FIXED, CONTACT = "#e69f00", "#3f8fc8", "#d4147f"
+
+MOST_OUTLINED = 1500  # faces; more make a black body
+MOST_TRIANGLES = 8000  # matplotlib sorts them all for every picture
+SAMPLES = 121
+
+
+def plot(
+    found: FirstContact,
+    axes: Axes3D | None = None,
+    *,
+    ghosts: int = 3,
+    max_turn: float = math.pi / 18,
+) -> Axes3D:
+    """Draw the bodies at the contact (at the goal, if clear), the start as a ghost, and the way of the moving body.
+
+    Contact points are dots, and normals are arrows from the fixed body to the moving one. They are drawn in front of
+    everything, since a contact mostly hides between the bodies. Large meshes are drawn coarsely; `view` draws them as
+    they are.
+
+    Parameters
+    ----------
+    found : FirstContact
+    axes : Axes3D, optional
+        Where to draw; new ones in a new figure if none are given.
+    ghosts : int
+        So many faint bodies along the way, the start among them.
+    max_turn : float
+        As it was given to the query, radians; the way depends on it a little.
+
+    Returns
+    -------
+    Axes3D
+    """
+    axes = axes or _new_axes()
+    axes.computed_zorder = False  # bodies are sorted below; marks come on top
+    is_clear = found.verdict == Verdict.clear
+    end = 1.0 if is_clear else found.time
+    motion = _poses(found.motion, max_turn)
+    moving, fixed = _polygons(found.moving), _polygons(found.fixed)
+    moving_pose = motion(1.0) if is_clear else np.asarray(found.pose)
+    bodies = [(_moved(fixed, found.motion.fixed_pose_at(end)), FIXED), (_moved(moving, moving_pose), MOVING)]
+    _draw_ghosts(axes, [_moved(moving, motion(time)) for time in _ghost_times(end, ghosts)])
+    _draw_solid(axes, bodies)
+    _draw_way(axes, found.moving, motion)
+    _draw_contacts(axes, found, _extent([polygons for polygons, _ in bodies]))
+    _label(axes, found)
+    axes.autoscale_view()
+    axes.set_aspect("equal")
+    return axes
+
+
+def _new_axes() -> Axes3D:
+    import matplotlib.pyplot as plt
+
+    return plt.figure(figsize=(8, 6.5), layout="constrained").add_subplot(projection="3d")
+
+
+def _poses(motion: ScrewMotion | SweepMotion, max_turn: float) -> Any:
+    """The poses of the moving body by time. A screw runs through its cuts, as the query had it."""
+    if isinstance(motion, SweepMotion):
+        return motion.pose_at
+    pieces = motion.cut(max_turn)
+
+    def pose_at(time: float) -> Array:
+        place = time * len(pieces)
+        index = min(int(place), len(pieces) - 1)
+        return pieces[index].pose_at(min(place - index, 1.0))
+
+    return pose_at
+
+
+def _ghost_times(end: float, count: int) -> Array:
+    return np.linspace(0, end, count, endpoint=False) if end > 0 else np.empty(0)
+
+
+def _polygons(body: Polyhedron) -> list[Array]:
+    """The faces, or, if they are many, coarse triangles."""
+    vertices = np.asarray(body.vertices)
+    if len(body.faces) <= MOST_OUTLINED:
+        return [vertices[list(face)] for face in body.faces]
+    return list(vertices[_coarse(vertices, np.asarray(body.triangles))])
+
+
+def _coarse(vertices: Array, triangles: npt.NDArray[np.uint32]) -> npt.NDArray[np.uint32]:
+    """Triangles between fewer vertices: of those in one cell of a grid, one stands for all."""
+    low, size = vertices.min(axis=0), np.ptp(vertices, axis=0).max()
+    cells = 256
+    kept = triangles
+    while len(kept) > MOST_TRIANGLES:
+        keys = np.floor((vertices - low) / size * cells).astype(np.int64)
+        _, first, inverse = np.unique(keys, axis=0, return_index=True, return_inverse=True)
+        kept = first[inverse.reshape(-1)][triangles]
+        is_whole = (kept[:, 0] != kept[:, 1]) & (kept[:, 1] != kept[:, 2]) & (kept[:, 2] != kept[:, 0])
+        kept = np.unique(kept[is_whole], axis=0)
+        cells = cells * 3 // 4
+    return kept
+
+
+def _moved(polygons: list[Array], pose: npt.ArrayLike) -> list[Array]:
+    matrix = np.asarray(pose)
+    return [polygon @ matrix[:3, :3].T + matrix[:3, 3] for polygon in polygons]
+
+
+def _extent(bodies: list[list[Array]]) -> float:
+    """The diagonal of the smaller body's box."""
+    return min(float(np.linalg.norm(np.ptp(np.concatenate(polygons), axis=0))) for polygons in bodies)
+
+
+def _normals(polygons: list[Array]) -> Array:
+    sums = [np.cross(p[1:-1] - p[0], p[2:] - p[0]).sum(axis=0) for p in polygons]
+    lengths = np.linalg.norm(sums, axis=1, keepdims=True)
+    return np.asarray(sums) / np.where(lengths > 0, lengths, 1)
+
+
+def _shaded(polygons: list[Array], colour: str) -> Array:
+    from matplotlib.colors import to_rgb
+
+    light = np.array([0.35, -0.55, 0.76])
+    brightness = 0.72 + 0.28 * (_normals(polygons) @ light)
+    return np.clip(brightness[:, None] * np.asarray(to_rgb(colour)), 0, 1)
+
+
+def _draw_solid(axes: Axes3D, bodies: list[tuple[list[Array], str]]) -> None:
+    # One collection for both, so that their faces are sorted among each other.
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+    polygons = [polygon for body, _ in bodies for polygon in body]
+    colours = np.concatenate([_shaded(body, colour) for body, colour in bodies])
+    is_outlined = len(polygons) <= 2 * MOST_OUTLINED
+    edges = 0.45 * colours if is_outlined else colours
+    solid = Poly3DCollection(polygons, facecolors=colours, edgecolors=edges, linewidths=0.5, zorder=2)
+    axes.add_collection3d(solid)
+    _reach(axes, polygons)
+
+
+def _draw_ghosts(axes: Axes3D, bodies: list[list[Array]]) -> None:
+    from mpl_toolkits.mplot3d.art3d import Poly3DCollection
+
+    for polygons in bodies:
+        axes.add_collection3d(Poly3DCollection(polygons, facecolors=MOVING, linewidths=0, alpha=0.12, zorder=1))
+        _reach(axes, polygons)
+
+
+def _reach(axes: Axes3D, polygons: list[Array]) -> None:
+    """Collections do not widen the limits by themselves."""
+    points = np.concatenate(polygons)
+    axes.auto_scale_xyz(*np.stack([points.min(axis=0), points.max(axis=0)], axis=1))
+
+
+def _draw_way(axes: Axes3D, moving: Polyhedron, motion: Any) -> None:
+    vertices = np.asarray(moving.vertices)
+    middle = np.append((vertices.min(axis=0) + vertices.max(axis=0)) / 2, 1)
+    way = np.array([(motion(time) @ middle)[:3] for time in np.linspace(0, 1, SAMPLES)])
+    axes.plot(*way.T, color=MOVING, linewidth=0.9, alpha=0.6, zorder=1.5)
+
+
+def _draw_contacts(axes: Axes3D, found: FirstContact, extent: float) -> None:
+    points = [contact.point for contact in found.contacts]
+    if found.overlap is not None:
+        axes.scatter(*np.asarray(found.overlap.point), color=CONTACT, marker="D", depthshade=False, zorder=11)
+    if not points:
+        return
+    normals = np.array([contact.normal for contact in found.contacts])
+    axes.scatter(*np.array(points).T, color=CONTACT, edgecolors="white", s=36, depthshade=False, zorder=11)
+    axes.quiver(*np.array(points).T, *normals.T, length=0.3 * extent, color=CONTACT, linewidth=1.8, zorder=10)
+
+
+def _label(axes: Axes3D, found: FirstContact) -> None:
+    from matplotlib.lines import Line2D
+    from matplotlib.ticker import MaxNLocator
+
+    texts = {
+        Verdict.clear: "clear: nothing touches on the whole way",
+        Verdict.contact: f"contact at time {found.time:.12g}",
+        Verdict.contact_at_start: "contact at the start",
+    }
+    axes.set_title(texts[Verdict(found.verdict)])
+    labels = {"moving": MOVING, "fixed": FIXED} | ({"contact": CONTACT} if found.contacts else {})
+    marks = [Line2D([], [], linestyle="", marker="o", color=colour, label=label) for label, colour in labels.items()]
+    axes.legend(handles=marks, loc="upper left", frameon=False)
+    axes.set(xlabel="x", ylabel="y", zlabel="z")
+    for axis in (axes.xaxis, axes.yaxis, axes.zaxis):
+        axis.set_major_locator(MaxNLocator(5))

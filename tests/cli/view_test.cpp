@@ -1,0 +1,51 @@
+// chasles view: answers as check does, and leaves a page.
+#include "tests/cli/cli_test_files.h"
+
+#include <fstream>
+#include <iterator>
+
+namespace chasles {
+namespace {
+
+class View : public tests::CommandLine {
+protected:
+    void SetUp() override {
+        const std::string why = run("view cube.obj cube.obj" + poses + " --out page.html").err;
+        if (why.find("this build has no viewer") != std::string::npos)
+            GTEST_SKIP() << why;
+    }
+    [[nodiscard]] std::string content(const std::string& file) const {
+        std::ifstream stream(path(file), std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
+    }
+    const std::string poses = " --start '0.25 0.5 3' --goal '0.25 0.5 -1'";
+};
+
+TEST_F(View, AnswersAsCheckDoes) {
+    const auto checked = run("check cube.obj cube.obj" + poses);
+    const auto viewed = run("view cube.obj cube.obj" + poses + " --out page.html");
+    EXPECT_EQ(viewed.status, checked.status);
+    EXPECT_EQ(viewed.out, checked.out.substr(0, checked.out.find('\n') + 1) + "  page      page.html\n");
+    EXPECT_EQ(run("view cube.obj cube.obj --start '3 0 0' --goal '3 5 0' --out clear.html").status, 0);
+}
+
+TEST_F(View, TakesTheOptionsOfCheck) {
+    const std::string options = " --motion sweep --centre '1 0 0' --max-turn-deg 20 --time-tolerance 1e-9 --any "
+                                "--fixed-start '0 0 0' --fixed-goal '0 0 1' --triangulate --drop-degenerate";
+    EXPECT_EQ(run("view cube.obj cube.obj" + poses + options + " --out page.html").status, 1);
+}
+
+TEST_F(View, NamesThePage) {
+    EXPECT_NE(content("page.html").find(R"("title":"cube.obj and cube.obj")"), std::string::npos);
+    static_cast<void>(run("view cube.obj cube.obj" + poses + " --out page.html --title 'Peg & <hole>'"));
+    EXPECT_NE(content("page.html").find(R"("title":"Peg & \u003chole>")"), std::string::npos);
+}
+
+TEST_F(View, SaysWhatIsWrong) {
+    EXPECT_TRUE(
+        complaint("view cube.obj cube.obj" + poses + " --out no/page.html").starts_with("chasles: no/page.html"));
+    EXPECT_EQ(complaint("view cube.obj cube.obj" + poses), "chasles view: --out is required (see chasles view --help)");
+}
+
+} // namespace
+} // namespace chasles

@@ -1,0 +1,109 @@
+"""Pages and plots: that they are there, and hold what was answered. How a page looks is tests/view's."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+
+import chasles
+
+START, GOAL = [3, 0.2, 0.3, 1, 0, 0, 0], [-1, 0.2, 0.3, 0.9, 0.1, 0.2, 0.3]  # docs/command-line.md
+AWAY = [5, 0, 0, 1, 0, 0, 0]
+INSIDE = [0.5, 0.5, 0.5, 1, 0, 0, 0]
+
+
+def scene_of(page):
+    return json.loads(re.search(r'<script id="scene" type="application/json">(.*?)</script>', page.read_text())[1])
+
+
+@pytest.fixture
+def page(tmp_path):
+    return tmp_path / "page.html"
+
+
+@pytest.fixture(autouse=True)
+def _viewer(request, tmp_path, cube):
+    """Tests of pages are skipped where the package was built without the viewer."""
+    if "page" in request.fixturenames:
+        try:
+            chasles.view(cube, cube, START, GOAL, out=tmp_path / "try.html")
+        except chasles.InvalidInput as error:
+            if "has no viewer" not in str(error):
+                raise
+            pytest.skip(str(error))
+
+
+def test_view_answers_and_writes_a_page(cube, page):
+    found = chasles.view(cube, cube, START, GOAL, out=page, title="Cubes & co", names=("one", "other"))
+    assert found.verdict == "contact"
+    scene = scene_of(page)
+    assert scene["title"] == "Cubes & co" and scene["moving"]["name"] == "one"
+    assert scene["answer"]["time"] == found.time
+    assert scene["answer"]["contacts"][0]["point"] == list(found.contacts[0].point)
+
+
+def test_an_answer_writes_the_same_page(cube, page, tmp_path):
+    found = chasles.view(cube, cube, START, GOAL, out=page)
+    assert found.view(tmp_path / "again.html").read_text() == page.read_text()
+
+
+def test_options_reach_query_and_page(cube, page):
+    motion = chasles.SweepMotion.between(START, GOAL)
+    chasles.view(cube, cube, motion=motion, time_tolerance=1e-6, out=page)
+    assert scene_of(page)["is_sweep"]
+    with pytest.raises(TypeError):
+        chasles.view(cube, cube, START, GOAL, out=page, colour="red")
+
+
+@pytest.fixture
+def plt():
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    import matplotlib.pyplot as plt
+
+    yield plt
+    plt.close("all")
+
+
+def colours_of(figure):
+    figure.canvas.draw()
+    return {tuple(colour) for colour in np.asarray(figure.canvas.buffer_rgba())[..., :3].reshape(-1, 3)}
+
+
+CONTACT_COLOUR = (0xD4, 0x14, 0x7F)
+
+
+def test_plot_shows_the_contact(cube, plt):
+    axes = chasles.first_contact(cube, cube, START, GOAL).plot()
+    assert axes.get_title() == "contact at time 0.465661545123"
+    assert CONTACT_COLOUR in colours_of(axes.figure)
+    sizes = [np.ptp(limits) for limits in (axes.get_xlim(), axes.get_ylim(), axes.get_zlim())]
+    np.testing.assert_allclose(axes._box_aspect / np.linalg.norm(axes._box_aspect), sizes / np.linalg.norm(sizes))
+
+
+def test_plot_of_a_clear_motion_and_of_an_overlap(cube, plt):
+    clear = chasles.first_contact(cube, cube, START, AWAY).plot()
+    assert clear.get_title().startswith("clear") and CONTACT_COLOUR not in colours_of(clear.figure)
+    overlap = chasles.first_contact(cube, cube, INSIDE, GOAL).plot()
+    assert overlap.get_title() == "contact at the start" and CONTACT_COLOUR in colours_of(overlap.figure)
+
+
+def test_plot_draws_into_axes_that_are_given(cube, plt):
+    axes = plt.figure().add_subplot(1, 2, 1, projection="3d")
+    assert chasles.first_contact(cube, cube, START, GOAL).plot(axes) is axes
+
+
+def test_plot_draws_large_meshes_coarsely(plt):
+    from chasles.plot import MOST_TRIANGLES, _polygons
+
+    around, along = 240, 60
+    u, v = np.meshgrid(np.linspace(0, 2 * np.pi, around, endpoint=False), np.linspace(-1, 1, along), indexing="ij")
+    vertices = np.stack([np.cos(u), np.sin(u), v], axis=-1).reshape(-1, 3)
+    i, j = (index.reshape(-1) for index in np.meshgrid(range(around), range(along - 1), indexing="ij"))
+    corner = [i * along + j, (i + 1) % around * along + j, (i + 1) % around * along + j + 1, i * along + j + 1]
+    faces = np.concatenate([np.stack(corner[:3], axis=1), np.stack([corner[0], *corner[2:]], axis=1)])
+    tube = chasles.Polyhedron(vertices, faces)
+    drawn = np.concatenate(_polygons(tube))
+    assert 1000 < len(drawn) / 3 <= MOST_TRIANGLES < len(faces)
+    np.testing.assert_allclose(np.ptp(drawn, axis=0), [2, 2, 2], atol=0.1)

@@ -1,0 +1,75 @@
+// Triangles cover the faces, lines are the edges that one sees, and single precision is spent on the body alone.
+#include "view/drawn_mesh.h"
+
+#include "tests/mesh/shapes.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles {
+namespace {
+
+view::DrawnMesh drawn(const test::Soup& soup) {
+    return view::drawn_mesh(Polyhedron::from_polygons(soup.vertices, soup.faces));
+}
+
+Eigen::Vector3d corner(const view::DrawnMesh& mesh, std::uint32_t vertex) {
+    const auto& [x, y, z] = mesh.vertices[vertex];
+    return Eigen::Vector3d(x, y, z) + mesh.origin;
+}
+
+Eigen::Vector3d area(const view::DrawnMesh& mesh) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (const auto& [a, b, c] : mesh.triangles)
+        sum += (corner(mesh, b) - corner(mesh, a)).cross(corner(mesh, c) - corner(mesh, a)) / 2;
+    return sum;
+}
+
+// Two triangles that share the edge 0-1; the second is turned about it from the first one's plane.
+test::Soup hinge(double turn, bool is_second_backwards) {
+    test::Soup soup;
+    soup.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -std::cos(turn), std::sin(turn)}};
+    soup.faces = {{0, 1, 2}, {1, 0, 3}};
+    if (is_second_backwards)
+        soup.faces[1] = {0, 1, 3};
+    return soup;
+}
+
+TEST(DrawnMesh, OfACubeHasItsEdgesButNoDiagonals) {
+    const view::DrawnMesh mesh = drawn(test::cube());
+    EXPECT_EQ(mesh.triangles.size(), 12U);
+    EXPECT_EQ(mesh.creases.size(), 12U);
+    for (const auto& [from, to] : mesh.creases)
+        EXPECT_EQ((corner(mesh, from) - corner(mesh, to)).norm(), 1) << from << "-" << to;
+}
+
+TEST(DrawnMesh, CoversFacesThatAreNotConvex) {
+    const test::Outline outline = test::square_with_bridged_hole();
+    const view::DrawnMesh mesh = drawn(test::sheet(outline));
+    EXPECT_NEAR(area(mesh).z(), test::signed_area(outline), 1e-6);
+    EXPECT_EQ(mesh.creases.size(), 8U) << "a bridge to a hole is not seen";
+}
+
+TEST(DrawnMesh, HidesEdgesWhereTheSurfaceIsSmooth) {
+    EXPECT_EQ(drawn(test::torus(60, 40)).creases.size(), 0U);
+    EXPECT_EQ(drawn(test::torus(60, 8)).creases.size(), 8U * 60) << "eight facets around are corners";
+}
+
+TEST(DrawnMesh, ShowsBendsWhicheverWayFacesAreWound) {
+    for (const bool is_backwards : {false, true}) {
+        EXPECT_EQ(drawn(hinge(0.5 * view::least_crease, is_backwards)).creases.size(), 4U) << "the rim alone";
+        EXPECT_EQ(drawn(hinge(1.5 * view::least_crease, is_backwards)).creases.size(), 5U);
+        EXPECT_EQ(drawn(hinge(3.1, is_backwards)).creases.size(), 5U) << "the edge of a blade";
+    }
+}
+
+TEST(DrawnMesh, KeepsTheShapeOfABodyFarFromItsOrigin) {
+    test::Soup soup = test::cube();
+    for (Eigen::Vector3d& vertex : soup.vertices)
+        vertex = vertex * 1e-3 + Eigen::Vector3d(1e6, -1e6, 1e6);
+    const view::DrawnMesh mesh = drawn(soup);
+    for (std::size_t i = 0; i < soup.vertices.size(); ++i)
+        EXPECT_LE((corner(mesh, static_cast<std::uint32_t>(i)) - soup.vertices[i]).norm(), 1e-9);
+}
+
+} // namespace
+} // namespace chasles

@@ -1,0 +1,220 @@
+#!/usr/bin/env python3
+"""The page in a headless Chromium: it draws, moves, stops at the contact, and asks the network for nothing.
+
+Usage: page_in_browser_test.py CHASLES CHROMIUM [FOLDER]. Screenshots are kept in FOLDER, if one is given. Exit status 77:
+skipped, because there is no browser or the build has no viewer.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+from devtools import Browser
+from png import pixels
+
+CUBE = """v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
+f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"""
+TURNING_PAST = ["--start", "3 0.2 0.3", "--goal", "-1 0.2 0.3 0.9 0.1 0.2 0.3"]
+SIZE = (900, 560)
+TITLE = "Two cubes </script><script>document.title = 'broken out'</script>"
+
+chasles, chromium = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
+passing = tempfile.TemporaryDirectory(prefix="chasles-view-")  # until this ends
+folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else passing.name)
+
+
+def run(*arguments: str) -> subprocess.CompletedProcess:
+    return subprocess.run([chasles, *arguments], cwd=folder, capture_output=True, text=True, check=False)
+
+
+def count(rows: list, is_wanted) -> int:
+    return sum(is_wanted(pixel) for row in rows for pixel in row)
+
+
+def is_contact_colour(pixel: tuple) -> bool:
+    red, green, blue = pixel
+    return abs(red - 0xD4) < 12 and abs(green - 0x14) < 24 and abs(blue - 0x7F) < 12
+
+
+def is_moving_colour(pixel: tuple) -> bool:
+    red, green, blue = pixel
+    return red > 150 and 0.55 < green / red < 0.8 and blue < 0.2 * red
+
+
+def numbers_in(text: str) -> set:
+    found = set()
+    for word in text.split():
+        try:
+            found.add(float(word))
+        except ValueError:
+            pass
+    return found
+
+
+class Page(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls) -> None:
+        (folder / "cube.obj").write_text(CUBE)
+        cls.answer = json.loads(run("check", "cube.obj", "cube.obj", *TURNING_PAST, "--json").stdout)
+        run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--title", TITLE, "--out", "contact.html")
+        run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--margin", "0.25", "--out", "margin.html")
+        run("view", "cube.obj", "cube.obj", "--start", "3 0 0", "--goal", "3 5 0", "--out", "clear.html")
+        run("view", "cube.obj", "cube.obj", "--start", ".5 .5 .5", "--goal", "3 5 0", "--out", "start.html")
+        cls.browser = Browser(chromium, *SIZE)
+
+    @classmethod
+    def tearDownClass(cls) -> None:
+        cls.browser.__exit__()
+
+    def setUp(self) -> None:
+        self.browser.events.clear()
+
+    def tearDown(self) -> None:
+        """Whatever a test does: no error, and nothing asked for but the page itself."""
+        requests = [e["params"]["request"]["url"] for e in self.browser.events if e["method"].endswith("WillBeSent")]
+        self.assertEqual([url for url in requests if not url.startswith(("file:///", "data:"))], [])
+        self.assertEqual(len([url for url in requests if url.startswith("file:")]), 1)
+        self.assertEqual([e["params"] for e in self.browser.events if self.is_complaint(e)], [])
+
+    @staticmethod
+    def is_complaint(event: dict) -> bool:
+        if event["method"] == "Log.entryAdded":
+            return event["params"]["entry"]["level"] == "error"
+        if event["method"] == "Runtime.consoleAPICalled":
+            return event["params"]["type"] in ("error", "warning")
+        return event["method"] == "Runtime.exceptionThrown"
+
+    def open(self, page: str) -> None:
+        self.browser.open((folder / page).as_uri(), "!!window.chasles")
+        self.browser.evaluate("window.chasles.ready")
+
+    def time(self) -> float:
+        return self.browser.evaluate("window.chasles.time()")
+
+    def text(self, selector: str) -> str:
+        return self.browser.evaluate(f"document.querySelector({json.dumps(selector)}).innerText")
+
+    def click(self, selector: str) -> None:
+        self.browser.evaluate(f"document.querySelector({json.dumps(selector)}).click()")
+
+    def slide(self, place: float) -> None:
+        """Drags the slider's thumb from where it is to a place in [0, 1]."""
+        left, right, y, now = self.browser.evaluate(
+            "(({left, right, top, bottom}, slider) => [left + 9, right - 9, (top + bottom) / 2, Number(slider.value)])"
+            "(document.getElementById('time').getBoundingClientRect(), document.getElementById('time'))"
+        )
+        self.browser.drag(left + now * (right - left), left + place * (right - left), y)
+
+    def picture(self, name: str) -> list:
+        png = self.browser.screenshot(scale=0.5)  # Python reads a quarter of the pixels in a quarter of the time
+        (folder / f"{name}.png").write_bytes(png)
+        return pixels(png)
+
+    def test_the_slider_moves_the_body_and_stops_at_the_contact(self) -> None:
+        self.open("contact.html")
+        self.assertEqual(self.time(), 0)
+        before = self.picture("before")
+        self.slide(0.3)
+        self.assertAlmostEqual(self.time(), 0.3, delta=0.02)
+        self.slide(0.95)
+        self.assertEqual(self.time(), self.answer["time"], "to the last bit")
+        self.assertIn(f"{self.answer['time']:.12f}", self.text("#time-text"))
+        after = self.picture("at_contact")
+        changed = sum(a != b for above, below in zip(before, after) for a, b in zip(above, below))
+        self.assertGreater(changed, 2000)
+        self.assertGreater(count(after, is_contact_colour), count(before, is_contact_colour) + 50, "marker and normal")
+        self.assertGreater(count(after, is_moving_colour), 800)
+
+    def test_it_goes_through_when_told_to(self) -> None:
+        self.open("contact.html")
+        self.click("#through")
+        self.slide(0.9)
+        self.assertAlmostEqual(self.time(), 0.9, delta=0.02)
+        self.slide(self.answer["time"] + 0.004)
+        self.assertEqual(self.time(), self.answer["time"], "it snaps to the contact")
+        self.slide(0.9)
+        self.click("#through")
+        self.assertEqual(self.time(), self.answer["time"])
+
+    def test_keys_step_and_play(self) -> None:
+        self.open("contact.html")
+        self.browser.press("ArrowRight")
+        self.browser.press("ArrowRight")
+        self.browser.press("ArrowLeft")
+        self.assertAlmostEqual(self.time(), 0.01)
+        self.browser.press("End")
+        self.assertEqual(self.time(), self.answer["time"])
+        self.browser.press("Home")
+        self.assertEqual(self.time(), 0)
+        self.browser.press(" ")
+        self.browser.evaluate(
+            "new Promise(done => { const wait = () => document.querySelector('.is-playing') ? setTimeout(wait, 20) "
+            ": done(true); wait(); })"
+        )
+        self.assertEqual(self.time(), self.answer["time"], "playing ends at the contact")
+
+    def test_it_shows_the_numbers_of_the_answer(self) -> None:
+        self.open("contact.html")
+        self.assertEqual(self.browser.evaluate("document.title"), TITLE + " \u2013 Chasles")
+        self.assertEqual(self.text("h1"), TITLE)
+        self.assertEqual(self.text("#verdict"), "Contact")
+        shown = numbers_in(self.text("#numbers"))
+        contact = self.answer["contacts"][0]
+        numbers = [self.answer[name] for name in ["time", "time_upper", "tau", "tau_upper"]]
+        numbers += [*contact["point"], *contact["normal"], contact["gap"], contact["approach_speed"]]
+        numbers += self.answer["work"].values()
+        self.assertEqual([number for number in numbers if number not in shown], [])
+
+    def test_a_margin_keeps_a_gap(self) -> None:
+        self.open("margin.html")
+        self.slide(1)
+        self.assertLess(self.time(), self.answer["time"])
+        self.assertIn("within 0.25", self.text("#meaning"))
+        self.assertTrue([number for number in numbers_in(self.text("#numbers")) if abs(number - 0.25) < 1e-9], "the gap")
+        self.assertGreater(count(self.picture("margin"), is_contact_colour), 60)
+
+    def test_a_clear_motion_runs_to_its_end(self) -> None:
+        self.open("clear.html")
+        self.assertEqual(self.text("#verdict"), "Clear")
+        self.slide(1)
+        self.assertEqual(self.time(), 1)
+        self.assertEqual(count(self.picture("clear"), is_contact_colour), 0)
+
+    def test_bodies_that_overlap_do_not_move(self) -> None:
+        self.open("start.html")
+        self.assertEqual(self.text("#verdict"), "Contact at the start")
+        self.slide(0.7)
+        self.assertEqual(self.time(), 0)
+        self.assertGreater(count(self.picture("start"), is_contact_colour), 15, "the point of the overlap")
+
+    def test_narrow_windows_and_the_dark(self) -> None:
+        dark = {"name": "prefers-color-scheme", "value": "dark"}
+        self.browser.call("Emulation.setEmulatedMedia", features=[dark])
+        self.browser.resize(400, 700)
+        try:
+            self.open("contact.html")
+            self.assertEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 400)
+            background = self.picture("narrow")[30][3]
+            self.assertLess(max(background), 60)
+        finally:
+            self.browser.call("Emulation.setEmulatedMedia", features=[])
+            self.browser.resize(*SIZE)
+
+
+def main() -> int:
+    if not chromium:
+        print("skipped: no chromium")
+        return 77
+    (folder / "cube.obj").write_text(CUBE)
+    tried = run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--out", "contact.html")
+    if "this build has no viewer" in tried.stderr:
+        print("skipped:", tried.stderr)
+        return 77
+    return 0 if unittest.main(argv=sys.argv[:1], exit=False).result.wasSuccessful() else 1
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,98 @@
+// The scene says what the answer says, to the last digit, and holds nothing that could end a script element.
+#include "view/page.h"
+#include "view/page_template.h"
+
+#include "tests/query/bodies.h"
+#include "tests/view/packed.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace chasles {
+namespace {
+
+using Json = nlohmann::json;
+
+class SceneJson : public testing::Test {
+protected:
+    const Polyhedron moving = test::box({0.5, 0.4, 0.3}).polyhedron();
+    const Polyhedron fixed = test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}).polyhedron();
+    const Motion motion =
+        ScrewMotion::between(test::shifted(0, 0, 2), test::turned({0.1, 0.2, -2}, {0.3, 0.5, 1}, 1.1));
+    const FirstContact found = first_contact({.moving = moving, .fixed = fixed, .motion = motion});
+
+    [[nodiscard]] view::Scene scene() const {
+        return {.moving = moving, .fixed = fixed, .motion = motion, .found = found};
+    }
+    [[nodiscard]] Json json() const { return Json::parse(view::scene_json(scene())); }
+};
+
+TEST_F(SceneJson, HoldsTheAnswerToTheLastDigit) {
+    ASSERT_EQ(found.verdict, Verdict::contact);
+    const Json answer = json()["answer"];
+    EXPECT_EQ(answer["verdict"], "contact");
+    EXPECT_EQ(answer["time"], found.time.lower);
+    EXPECT_EQ(answer["time_upper"], found.time.upper);
+    EXPECT_EQ(answer["tau"], found.tau.lower);
+    ASSERT_EQ(answer["contacts"].size(), found.contacts.size());
+    for (int i = 0; i < 3; ++i) {
+        EXPECT_EQ(answer["contacts"][0]["point"][i], found.contacts[0].point[i]);
+        EXPECT_EQ(answer["contacts"][0]["normal"][i], found.contacts[0].normal[i]);
+        EXPECT_EQ(answer["pose"][i], found.pose.translation[i]);
+    }
+    EXPECT_EQ(answer["contacts"][0]["gap"], found.contacts[0].gap);
+}
+
+TEST_F(SceneJson, HoldsBothMeshes) {
+    const Json meshes = json()["meshes"];
+    ASSERT_EQ(meshes.size(), 2U);
+    const auto vertices = tests::unpacked<float>(meshes[0]["vertices"].get<std::string>());
+    ASSERT_EQ(vertices.size(), 3 * moving.vertex_count());
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        EXPECT_EQ(vertices[i], static_cast<float>(moving.vertices()[i / 3][static_cast<int>(i % 3)]));
+    EXPECT_EQ(tests::unpacked<std::uint32_t>(meshes[0]["triangles"].get<std::string>()).size(), 3U * 12);
+    EXPECT_EQ(tests::unpacked<std::uint32_t>(meshes[1]["triangles"].get<std::string>()).size(), 3U);
+    EXPECT_EQ(tests::unpacked<std::uint32_t>(meshes[1]["creases"].get<std::string>()).size(), 2U * 3);
+}
+
+TEST_F(SceneJson, WritesABodyThatMeetsItselfOnce) {
+    view::Scene same{.moving = moving, .fixed = moving, .motion = motion, .found = found};
+    const Json json = Json::parse(view::scene_json(same));
+    EXPECT_EQ(json["meshes"].size(), 1U);
+    EXPECT_EQ(json["fixed"]["mesh"], 0);
+}
+
+TEST_F(SceneJson, HoldsTheWay) {
+    const auto poses = tests::unpacked<double>(json()["moving"]["poses"].get<std::string>());
+    ASSERT_GE(poses.size(), 7U * 241);
+    EXPECT_NEAR(poses[2], 2, 1e-14);
+    EXPECT_NEAR(poses[poses.size() - 5], -2, 1e-14);
+    EXPECT_EQ(json()["fixed"]["poses"].get<std::string>().size(), 4U * 19) << "one pose of 56 bytes";
+}
+
+TEST_F(SceneJson, NothingInItEndsAScript) {
+    view::Scene named = scene();
+    named.title = "</script><script>alert('\xE2\x80\xA8')</script><!-- \\ \" \n";
+    named.moving_name = "caf\xC3\xA9 \xFF.obj"; // a file name need not be UTF-8
+    const std::string text = view::scene_json(named);
+    EXPECT_EQ(text.find('<'), std::string::npos);
+    for (const char c : text)
+        ASSERT_TRUE(c >= ' ' && c <= '~') << static_cast<int>(c);
+    EXPECT_EQ(Json::parse(text)["title"], named.title);
+    EXPECT_EQ(Json::parse(text)["moving"]["name"], "caf\xC3\xA9 \xEF\xBF\xBD.obj");
+}
+
+TEST_F(SceneJson, StandsInThePageOnce) {
+    if (view::page_template().empty())
+        GTEST_SKIP() << view::why_no_page_template();
+    view::Scene named = scene();
+    named.title = std::string(view::scene_marker) + " $& </script>";
+    const std::string page = view::page(named);
+    EXPECT_NE(page.find("<script id=\"scene\" type=\"application/json\">" + view::scene_json(named) + "</script>"),
+              std::string::npos);
+    EXPECT_TRUE(page.starts_with("<!doctype html>"));
+    EXPECT_NE(page.find("The MIT License"), std::string::npos) << "of three.js";
+}
+
+} // namespace
+} // namespace chasles

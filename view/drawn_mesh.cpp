@@ -1,0 +1,93 @@
+// Faces become triangles; their inner diagonals are never lines, because lines come from the edges of the body alone.
+#include "view/drawn_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chasles::view {
+namespace {
+
+using Triangle = std::array<std::uint32_t, 3>;
+
+/// An edge as one face has it.
+struct FaceEdge {
+    std::array<std::uint32_t, 2> ends;
+    std::uint32_t face;
+    bool is_upward; ///< the face's outline runs from the lesser vertex to the greater
+};
+
+void add_triangles(const Polyhedron& body, std::size_t face, std::vector<Triangle>& triangles) {
+    const auto outline = body.face(face);
+    const auto corners = body.face_triangles(face);
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+        triangles.push_back({outline[corners[i]], outline[corners[i + 1]], outline[corners[i + 2]]});
+    if (corners.empty()) // convex: a fan covers it
+        for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+            triangles.push_back({outline[0], outline[i], outline[i + 1]});
+}
+
+// Newell's sum over the outline, which also averages a polygon that is planar only nearly.
+Eigen::Vector3d unit_normal(const Polyhedron& body, std::size_t face) {
+    const auto outline = body.face(face);
+    const Eigen::Vector3d first = body.vertices()[outline[0]];
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i + 1 < outline.size(); ++i)
+        sum += (body.vertices()[outline[i]] - first).cross(body.vertices()[outline[i + 1]] - first);
+    return sum.stableNormalized();
+}
+
+std::vector<FaceEdge> sorted_edges(const Polyhedron& body) {
+    std::vector<FaceEdge> edges;
+    for (std::uint32_t face = 0; face < body.face_count(); ++face) {
+        const auto outline = body.face(face);
+        for (std::size_t i = 0; i < outline.size(); ++i) {
+            const std::uint32_t from = outline[i];
+            const std::uint32_t to = outline[(i + 1) % outline.size()];
+            edges.push_back({{std::min(from, to), std::max(from, to)}, face, from < to});
+        }
+    }
+    std::sort(edges.begin(), edges.end(), [](const FaceEdge& a, const FaceEdge& b) { return a.ends < b.ends; });
+    return edges;
+}
+
+// Two faces that meet smoothly hide their edge; one face alone, three or more, or a bend show it. Where two faces run
+// along their edge the same way, one of them is wound backwards and its normal points inside.
+bool is_crease(const Polyhedron& body, std::span<const FaceEdge> sharing) {
+    if (sharing.size() != 2)
+        return true;
+    const double cosine = unit_normal(body, sharing[0].face).dot(unit_normal(body, sharing[1].face));
+    const bool is_wound_alike = sharing[0].is_upward != sharing[1].is_upward;
+    return !((is_wound_alike ? cosine : -cosine) > std::cos(least_crease));
+}
+
+std::vector<std::array<std::uint32_t, 2>> creases(const Polyhedron& body) {
+    const std::vector<FaceEdge> edges = sorted_edges(body);
+    std::vector<std::array<std::uint32_t, 2>> found;
+    for (std::size_t first = 0, end = 0; first < edges.size(); first = end) {
+        while (end < edges.size() && edges[end].ends == edges[first].ends)
+            ++end;
+        if (is_crease(body, std::span(edges).subspan(first, end - first)))
+            found.push_back(edges[first].ends);
+    }
+    return found;
+}
+
+} // namespace
+
+DrawnMesh drawn_mesh(const Polyhedron& body) {
+    DrawnMesh drawn;
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& vertex : body.vertices())
+        box.extend(vertex);
+    drawn.origin = box.center();
+    for (const Eigen::Vector3d& vertex : body.vertices()) {
+        const Eigen::Vector3f about_origin = (vertex - drawn.origin).cast<float>();
+        drawn.vertices.push_back({about_origin.x(), about_origin.y(), about_origin.z()});
+    }
+    for (std::size_t face = 0; face < body.face_count(); ++face)
+        add_triangles(body, face, drawn.triangles);
+    drawn.creases = creases(body);
+    return drawn;
+}
+
+} // namespace chasles::view

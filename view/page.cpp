@@ -1,0 +1,25 @@
+// The template with the scene in the place of its marker.
+#include "view/page.h"
+
+#include "chasles/invalid_input.h"
+#include "view/page_template.h"
+
+namespace chasles::view {
+
+void require_page_template() {
+    if (page_template().empty())
+        throw InvalidInput("view: this build has no viewer: " + std::string(why_no_page_template()));
+}
+
+std::string page(const Scene& scene) {
+    require_page_template();
+    std::string text;
+    for (const std::string_view piece : page_template())
+        text += piece;
+    const std::size_t place = text.find(scene_marker);
+    if (place == std::string::npos)
+        throw InvalidInput("view: template: has no place for the scene");
+    return text.replace(place, scene_marker.size(), scene_json(scene));
+}
+
+} // namespace chasles::view

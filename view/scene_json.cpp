@@ -1,0 +1,68 @@
+// Numbers of the answer stay decimal text that reads back to the same double; meshes and poses are packed.
+#include "view/scene_json.h"
+
+#include "view/answer_json.h"
+#include "view/base64.h"
+#include "view/drawn_mesh.h"
+#include "view/sampled_poses.h"
+
+namespace chasles::view {
+namespace {
+
+constexpr int scene_format = 1;
+
+template <class Rows>
+std::string packed(const Rows& rows) {
+    return base64(std::as_bytes(std::span(rows)));
+}
+
+Json mesh_json(const Polyhedron& body) {
+    const DrawnMesh mesh = drawn_mesh(body);
+    return {{"origin", vector_json(mesh.origin)},
+            {"vertices", packed(mesh.vertices)},
+            {"triangles", packed(mesh.triangles)},
+            {"creases", packed(mesh.creases)}};
+}
+
+// A body that collides with a copy of itself is written once.
+bool is_same_body(const Scene& scene) {
+    return scene.moving.vertices().data() == scene.fixed.vertices().data();
+}
+
+Pose fixed_pose_at_contact(const Scene& scene) {
+    const auto pose = [&](const auto& motion) { return motion.ends().fixed_pose_at(scene.found.time.lower); };
+    return std::visit(pose, scene.motion);
+}
+
+// In JSON "<" occurs within strings only, where it may be written by its number; then nothing ends a script element.
+std::string without_tags(const std::string& json) {
+    std::string safe;
+    safe.reserve(json.size());
+    for (const char c : json)
+        if (c == '<')
+            safe += "\\u003c";
+        else
+            safe += c;
+    return safe;
+}
+
+} // namespace
+
+std::string scene_json(const Scene& scene) {
+    Json json;
+    json["format"] = scene_format;
+    json["title"] = scene.title;
+    json["margin"] = scene.margin;
+    json["is_sweep"] = std::holds_alternative<SweepMotion>(scene.motion);
+    json["meshes"] = Json::array({mesh_json(scene.moving)});
+    if (!is_same_body(scene))
+        json["meshes"].push_back(mesh_json(scene.fixed));
+    const SampledPoses poses = sampled_poses(scene.motion, scene.max_turn);
+    json["moving"] = {{"name", scene.moving_name}, {"mesh", 0}, {"poses", packed(poses.moving)}};
+    json["fixed"] = {{"name", scene.fixed_name}, {"mesh", is_same_body(scene) ? 0 : 1}, {"poses", packed(poses.fixed)}};
+    json["fixed_pose"] = pose_json(fixed_pose_at_contact(scene));
+    json["answer"] = answer_json(scene.found, numbers_of(scene.motion));
+    return without_tags(json.dump(-1, ' ', true, Json::error_handler_t::replace));
+}
+
+} // namespace chasles::view

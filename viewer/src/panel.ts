@@ -1,0 +1,131 @@
+// The answer in words and numbers. Numbers are those of the answer, to the last digit: JavaScript prints the shortest
+// text that reads back to the same double.
+import { type Answer, type Contact, type Feature, type Overlap, type Scene, type Vector } from "./scene";
+
+const mostListed = 100;
+
+type Child = Node | string;
+
+function element(name: string, ...children: Child[]): HTMLElement {
+  const made = document.createElement(name);
+  made.append(...children);
+  return made;
+}
+
+function byId(id: string): HTMLElement {
+  return document.getElementById(id)!;
+}
+
+// One number a line: with all their digits, two do not fit beside each other.
+function lines(numbers: readonly number[]): HTMLElement {
+  return element("dd", ...numbers.map((number) => element("span", String(number))));
+}
+
+function table(rows: [string, number | string | Vector][]): HTMLElement {
+  const list = element("dl");
+  for (const [name, value] of rows)
+    list.append(element("dt", name), Array.isArray(value) ? lines(value) : element("dd", String(value)));
+  return list;
+}
+
+function featureName(feature: Feature): string {
+  if (typeof feature === "number") return `vertex ${feature}`;
+  return feature.length === 1 ? `face ${feature[0]}` : `edge ${feature[0]}\u2013${feature[1]}`;
+}
+
+function pairName({ moving_feature, fixed_feature }: Contact): string {
+  return `${featureName(moving_feature)} on ${featureName(fixed_feature)}`;
+}
+
+function overlapName({ moving_feature, fixed_feature }: Overlap): string {
+  return `${featureName(moving_feature)} of the moving body, ${featureName(fixed_feature)} of the fixed one`;
+}
+
+const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
+
+function meaning(answer: Answer, margin: number): string {
+  const isHeld = answer.verdict === "clear" && answer.held?.length;
+  if (isHeld) return `Proven: what is held keeps its distance, and nothing else comes within ${margin}.`;
+  const touch = margin > 0 ? `come within ${margin}` : "touch";
+  switch (answer.verdict) {
+    case "clear":
+      return margin > 0 ? `Proven: never within ${margin} on the whole way.` : "Proven: nothing touches on the whole way.";
+    case "contact":
+      return `The bodies first ${touch} inside the bracket, and not before its lower end.`;
+    case "contact_at_start":
+      return answer.overlap ? "The surfaces pass through each other already." : `The bodies ${touch} already.`;
+  }
+}
+
+function timeRows(answer: Answer): [string, string | number][] {
+  return [
+    ["time from", answer.time!],
+    ["to", answer.time_upper!],
+    ["tau from", answer.tau!],
+    ["to", answer.tau_upper!],
+    ["certain", answer.certain ? "yes" : "no: they may just miss each other"],
+  ];
+}
+
+function motionRows({ motion }: Answer, isSweep: boolean): [string, number | string | Vector][] {
+  const screw: [string, number | string | Vector][] = [
+    ["turn", `${motion.angle} rad`],
+    ["slide", motion.slide],
+    ["axis", motion.axis_direction],
+    ["through", motion.axis_point],
+  ];
+  return isSweep ? [["motion", "sweep; the screw with its ends:"], ...screw] : screw;
+}
+
+function contactDetails(contact: Contact): HTMLElement {
+  return table([
+    ["point", contact.point],
+    ["normal", contact.normal],
+    ["gap", contact.gap],
+    ["closing speed", contact.approach_speed],
+  ]);
+}
+
+function contactList(contacts: Contact[], choose: (index: number | undefined) => void): HTMLElement[] {
+  const isAlone = contacts.length === 1;
+  const entries = contacts.slice(0, mostListed).map((contact, index) => {
+    const entry = element("details", element("summary", pairName(contact)), contactDetails(contact)) as HTMLDetailsElement;
+    entry.name = "contact"; // one open at a time
+    entry.open = isAlone;
+    entry.addEventListener("toggle", () => {
+      const isNoneOpen = !document.querySelector("details[open]");
+      if (entry.open || isNoneOpen) choose(entry.open ? index : undefined);
+    });
+    return entry;
+  });
+  const left = contacts.length - entries.length;
+  return left > 0 ? [...entries, Object.assign(element("p", `and ${left} more`), { className: "more" })] : entries;
+}
+
+function workRows(answer: Answer): [string, number][] {
+  return Object.entries(answer.work).map(([name, count]) => [name.replaceAll("_", " "), count]);
+}
+
+/** `choose` is told which contact is looked at. */
+export function fillPanel(scene: Scene, choose: (index: number | undefined) => void): void {
+  const { answer } = scene;
+  const contacts = answer.contacts ?? [];
+  document.title = `${scene.title} \u2013 Chasles`;
+  document.documentElement.classList.toggle("is-clear", answer.verdict === "clear");
+  byId("title").textContent = scene.title;
+  byId("moving-name").textContent = `moving: ${scene.moving.name}`;
+  byId("fixed-name").textContent = `fixed: ${scene.fixed.name}`;
+  byId("verdict").textContent = verdicts[answer.verdict];
+  byId("meaning").textContent = meaning(answer, scene.margin);
+  const numbers = byId("numbers");
+  const section = (title: string, ...content: HTMLElement[]) => numbers.append(element("h2", title), ...content);
+  if (answer.verdict !== "clear") section("When", table(timeRows(answer)));
+  if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
+  if (answer.held?.length) {
+    section("Held at the start", ...contactList(answer.held, () => undefined));
+    section("Safe", table([["clear until", answer.clear_until!]]));
+  }
+  if (answer.overlap) section("Overlap", element("div", overlapName(answer.overlap)), table([["point", answer.overlap.point]]));
+  section("Motion", table(motionRows(answer, scene.is_sweep)));
+  section("Work", table(workRows(answer)));
+}

@@ -1,0 +1,89 @@
+// What the page was given, as view/scene_json.cpp wrote it.
+
+export type Vector = [number, number, number];
+export type PoseRow = ArrayLike<number>; // x, y, z, qw, qx, qy, qz
+/** A vertex is a number, a face a list of one, an edge a list of its two vertices. */
+export type Feature = number | [number] | [number, number];
+
+export interface Contact {
+  kind: string;
+  moving_feature: Feature;
+  fixed_feature: Feature;
+  point: Vector;
+  normal: Vector;
+  gap: number;
+  approach_speed: number;
+}
+
+export interface Overlap {
+  moving_feature: Feature;
+  fixed_feature: Feature;
+  point: Vector;
+}
+
+/** As `chasles check --json` prints it; from `time` to `overlap` absent when clear. */
+export interface Answer {
+  verdict: "clear" | "contact" | "contact_at_start";
+  time?: number;
+  time_upper?: number;
+  tau?: number;
+  tau_upper?: number;
+  certain?: boolean;
+  clear_until: number; // how far it is safe to go
+  pose?: number[];
+  contacts?: Contact[];
+  held?: Contact[]; // at time 0
+  overlap?: Overlap;
+  motion: { angle: number; slide: number; axis_point: Vector; axis_direction: Vector };
+  work: Record<string, number>;
+}
+
+/** Packed: the bytes of an array in base64, little end first. */
+export interface PackedMesh {
+  origin: Vector;
+  vertices: string; // float32, from the origin
+  triangles: string; // uint32
+  creases: string; // uint32
+}
+
+export interface PackedBody {
+  name: string;
+  mesh: number;
+  poses: string; // float64, seven a pose, at equal times
+}
+
+export interface Scene {
+  format: number;
+  title: string;
+  margin: number;
+  is_sweep: boolean;
+  meshes: PackedMesh[];
+  moving: PackedBody;
+  fixed: PackedBody;
+  fixed_pose: number[]; // at the contact
+  answer: Answer;
+}
+
+export function readScene(): Scene {
+  const scene = JSON.parse(document.getElementById("scene")!.textContent!) as Scene;
+  if (scene.format !== 1) throw new Error(`this page shows scenes of format 1, not ${scene.format}`);
+  return scene;
+}
+
+export function unpacked(text: string): ArrayBuffer {
+  const letters = atob(text);
+  const bytes = new Uint8Array(letters.length);
+  for (let i = 0; i < letters.length; ++i) bytes[i] = letters.charCodeAt(i);
+  return bytes.buffer;
+}
+
+/** The time at which the motion stops: that of the contact; the end if it is clear. */
+export function stopOf(answer: Answer): number {
+  return answer.verdict === "clear" ? 1 : answer.time!;
+}
+
+/** All points that are marked, in the world at the time of the contact. */
+export function markedPoints(answer: Answer): Vector[] {
+  const points = (answer.contacts ?? []).map((contact) => contact.point);
+  return answer.overlap ? [...points, answer.overlap.point] : points;
+}

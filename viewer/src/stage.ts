@@ -1,0 +1,115 @@
+// Camera, light and drawing. The scene is shifted to its middle and scaled to size one in double precision, so that
+// neither far nor tiny bodies lose digits on the way to the graphics card.
+import {
+  Box3,
+  DirectionalLight,
+  Group,
+  HemisphereLight,
+  Matrix4,
+  PerspectiveCamera,
+  Scene as ThreeScene,
+  Sphere,
+  Vector3,
+  WebGLRenderer,
+} from "three";
+import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+
+const fieldOfView = 32;
+const margin = 0.86; // of the picture is filled
+const usualDirection = new Vector3(0.55, -1, 0.5).normalize();
+
+export class Stage {
+  readonly world = new Group();
+  readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.001, 200);
+  private readonly scene = new ThreeScene();
+  private readonly renderer: WebGLRenderer;
+  private readonly controls: OrbitControls;
+  private readonly sky = new HemisphereLight(0xffffff, 0x8a8f98, 1.5);
+  private readonly sun = new DirectionalLight(0xffffff, 1.9);
+  private drawing = false;
+
+  constructor(private readonly canvas: HTMLCanvasElement, readonly whole: Sphere, private readonly beforeDrawing: () => void) {
+    this.renderer = new WebGLRenderer({ canvas, antialias: true });
+    this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
+    this.camera.up.set(0, 0, 1);
+    this.sky.position.set(0, 0, 1);
+    this.scene.add(this.world, this.sky, this.camera);
+    this.camera.add(this.sun);
+    this.sun.position.set(-1.2, 1.6, 2);
+    this.world.matrixAutoUpdate = false;
+    this.world.matrix.makeScale(this.unit, this.unit, this.unit).multiply(
+      new Matrix4().makeTranslation(whole.center.clone().negate()),
+    );
+    this.controls = new OrbitControls(this.camera, canvas);
+    this.controls.addEventListener("change", () => this.draw());
+    new ResizeObserver(() => this.resize()).observe(canvas.parentElement!);
+    this.resize();
+  }
+
+  /** The length of the mesh's unit in the scene. */
+  get unit(): number {
+    return 1 / this.whole.radius;
+  }
+
+  /** Looks at points of the world, close enough to fill the picture; across `along` rather than along it, if given. */
+  lookAt(points: Vector3[], along?: Vector3): void {
+    const back = usualDirection.clone();
+    if (along) back.addScaledVector(along, -0.85 * back.dot(along));
+    back.setZ(Math.max(back.z, 0.3)).normalize(); // from above
+    const right = this.camera.up.clone().cross(back).normalize();
+    const frame = new Matrix4().makeBasis(right, back.clone().cross(right), back);
+    const toFrame = frame.clone().invert();
+    const seen = points.map((point) =>
+      point.clone().sub(this.whole.center).multiplyScalar(this.unit).applyMatrix4(toFrame),
+    );
+    const middle = new Box3().setFromPoints(seen).getCenter(new Vector3());
+    const slope = Math.tan((fieldOfView / 2 / 180) * Math.PI) * margin;
+    const distanceFor = ({ x, y, z }: Vector3) => {
+      const off = Math.max(Math.abs(x - middle.x) / this.camera.aspect, Math.abs(y - middle.y));
+      return off / slope + z - middle.z;
+    };
+    const distance = Math.max(...seen.map(distanceFor));
+    this.controls.target.copy(middle).applyMatrix4(frame);
+    this.camera.position.copy(this.controls.target).addScaledVector(back, distance);
+    this.controls.update();
+    this.draw();
+  }
+
+  setBackground(colour: string): void {
+    this.renderer.setClearColor(colour);
+    this.draw();
+  }
+
+  /** With the next frame; many calls make one drawing. */
+  draw(): void {
+    if (this.drawing) return;
+    this.drawing = true;
+    requestAnimationFrame(() => this.drawNow());
+  }
+
+  drawNow(): void {
+    this.drawing = false;
+    const distance = this.camera.position.distanceTo(this.controls.target);
+    this.camera.near = distance / 500;
+    this.camera.far = distance + 20;
+    this.camera.updateProjectionMatrix();
+    this.scene.updateMatrixWorld();
+    this.beforeDrawing();
+    this.renderer.render(this.scene, this.camera);
+  }
+
+  private resize(): void {
+    const { clientWidth, clientHeight } = this.canvas.parentElement!;
+    if (clientWidth === 0 || clientHeight === 0) return;
+    this.renderer.setSize(clientWidth, clientHeight, false);
+    this.camera.aspect = clientWidth / clientHeight;
+    this.draw();
+  }
+}
+
+/** Around all points. Never of radius 0. */
+export function ballAround(points: Vector3[]): Sphere {
+  const ball = new Box3().setFromPoints(points).getBoundingSphere(new Sphere());
+  if (!(ball.radius > 0)) ball.radius = 1;
+  return ball;
+}
