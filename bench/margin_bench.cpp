@@ -38,8 +38,9 @@ MarginCase case_of(NamedBody body) {
         const Eigen::Quaterniond turn = Eigen::Quaterniond(w, x, y, normal(random)).normalized();
         const Eigen::Vector3d from = direction();
         const Eigen::Quaterniond further = Eigen::Quaterniond(Eigen::AngleAxisd(0.3, direction())) * turn;
-        motions.push_back(ScrewMotion::between(around_centre(turn, 2.2 * radius * from),
-                                               around_centre(further, 0.9 * radius * from + 0.2 * radius * direction())));
+        motions.push_back(
+            ScrewMotion::between(around_centre(turn, 2.2 * radius * from),
+                                 around_centre(further, 0.9 * radius * from + 0.2 * radius * direction())));
     }
     return {std::move(body), std::move(motions), 2 * radius};
 }

@@ -20,6 +20,9 @@ struct Candidate : FeaturePair {
     FeasibleInterval tau;
 };
 
+/// What is in doubt and begins no earlier than a proven contact by more waits until that one's bracket is narrow.
+inline constexpr double hardly_later = 0x1p-30;
+
 /// The exact stage tells a touch at tau = 0, whose bracket is that number, from one before the least double above it.
 /// What it leaves in doubt may be at the start.
 inline bool may_be_at_start(const FeasibleInterval& tau) {

@@ -9,9 +9,6 @@ namespace chasles::query {
 
 namespace {
 
-/// Directions shorter than this part of what they are made of have no reliable digit left.
-constexpr double no_direction = 1e-12;
-
 /// Where features touch.
 struct Place {
     Eigen::Vector3d normal;   ///< unit, up to its sign

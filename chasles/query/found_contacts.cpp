@@ -11,8 +11,6 @@ namespace {
 
 using Scalar = algebra::DoubleDouble;
 
-/// A candidate in doubt that begins no earlier than a proven contact by more waits until that one's bracket is narrow.
-constexpr double hardly_later = 0x1p-30;
 /// The part of the tolerance before a contact in which nothing is asked where many touch at once.
 constexpr double left_open = 0.75;
 

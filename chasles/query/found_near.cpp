@@ -10,8 +10,6 @@ namespace chasles::query {
 
 namespace {
 
-/// What is in doubt and begins no earlier than a proven contact by more waits until that one's bracket is narrow.
-constexpr double hardly_later = 0x1p-30;
 /// Far above the rounding of a bracket to the whole piece.
 constexpr double rim = 0x1p-45;
 /// A pair has six crossings at most; the rest is for doubt that is looked at in ever longer parts.

@@ -28,9 +28,6 @@ Quotient quotient_at(const Polynomial& p, const Polynomial& w, double tau) {
     return {value, (value_at(p_rate, tau) - value * value_at(w_rate, tau)) / weight};
 }
 
-/// Directions shorter than this part of what they are made of have no reliable digit left.
-constexpr double no_direction = 1e-12;
-
 /// By its direction and length, where nothing underflows.
 struct Segment {
     Eigen::Vector3d from;

@@ -15,6 +15,9 @@ inline Eigen::Vector3d product(const Eigen::Matrix3d& matrix, const Eigen::Vecto
     return result;
 }
 
+/// Directions shorter than this part of what they are made of have no reliable digit left.
+inline constexpr double no_direction = 1e-12;
+
 /// The points of two features that are nearest to each other.
 struct NearestPoints {
     Eigen::Vector3d on_moving;

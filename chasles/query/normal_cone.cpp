@@ -32,7 +32,6 @@ Ways ways_from(const Polyhedron& body, FeatureKind kind, const Feature& feature)
 /// Normals of the cone n . way <= 0 that can be the nearest ones to a direction: itself, itself without its part along
 /// one way, and what is across two ways.
 Ways candidates(const Ways& ways, const Eigen::Vector3d& wanted) {
-    constexpr double no_direction = 1e-12;
     Ways normals;
     const auto add = [&](const Eigen::Vector3d& normal) {
         if (normal.norm() > no_direction)

@@ -28,7 +28,7 @@ TEST_F(Check, AnswersClear) {
     const auto finished = check("--start '3 0 0' --goal '3 5 0' --json");
     EXPECT_EQ(finished.status, 0);
     EXPECT_EQ(finished.err, "");
-    EXPECT_EQ(keys_of(finished.out), (std::vector<std::string>{"verdict", "motion", "work"}));
+    EXPECT_EQ(keys_of(finished.out), (std::vector<std::string>{"verdict", "clear_until", "motion", "work"}));
     EXPECT_EQ(Json::parse(finished.out)["verdict"], "clear");
     EXPECT_EQ(Json::parse(finished.out)["motion"]["slide"], 5.0);
 }
@@ -36,8 +36,9 @@ TEST_F(Check, AnswersClear) {
 TEST_F(Check, AnswersContact) {
     const auto finished = check("--start '0.25 0.5 3' --goal '0.25 0.5 -1' --json");
     EXPECT_EQ(finished.status, 1);
-    EXPECT_EQ(keys_of(finished.out), (std::vector<std::string>{"verdict", "time", "time_upper", "tau", "tau_upper",
-                                                               "certain", "pose", "contacts", "motion", "work"}));
+    EXPECT_EQ(keys_of(finished.out),
+              (std::vector<std::string>{"verdict", "time", "time_upper", "tau", "tau_upper", "certain", "pose",
+                                        "contacts", "clear_until", "motion", "work"}));
     const Json answer = Json::parse(finished.out);
     EXPECT_EQ(answer["verdict"], "contact");
     EXPECT_LE(answer["time"], 0.5);
@@ -46,6 +47,20 @@ TEST_F(Check, AnswersContact) {
     EXPECT_EQ(answer["certain"], true);
     EXPECT_EQ(answer["pose"].size(), 7U);
     EXPECT_NEAR(answer["pose"][2], 1, 1e-11);
+}
+
+TEST_F(Check, TellsGapsAndWhatIsHeldWithAMargin) {
+    const std::string poses = "--start '0.25 0.5 1.3' --goal '0.25 0.5 0.5' --margin 0.5 ";
+    const Json contacts = json("--start '0.25 0.5 3' --goal '0.25 0.5 -1' --margin 0.5")["contacts"];
+    ASSERT_EQ(contacts.size(), 4U);
+    EXPECT_NEAR(contacts[0]["gap"], 0.5, 1e-11);
+    EXPECT_EQ(json(poses)["verdict"], "contact_at_start");
+    const Json held = json(poses + "--hold 0.1");
+    EXPECT_EQ(held["verdict"], "contact");
+    EXPECT_NEAR(held["clear_until"], 0.25, 1e-11);
+    ASSERT_EQ(held["held"].size(), 4U);
+    EXPECT_NEAR(held["held"][0]["gap"], 0.3, 1e-12);
+    EXPECT_NE(check(poses + "--hold 0.1").out.find("clear to"), std::string::npos);
 }
 
 TEST_F(Check, NamesFeaturesByKind) {
