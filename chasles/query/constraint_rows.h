@@ -4,6 +4,7 @@
 
 #include "chasles/query/first_contact.h"
 
+#include <Eigen/Geometry>
 #include <span>
 
 namespace chasles {
@@ -18,6 +19,14 @@ namespace chasles {
 ///
 /// so that "row . twist >= 0 for all rows" is what the contacts leave free, to first order. For the twist of the motion
 /// that was asked about, row . twist = -approach_speed.
-Eigen::Matrix<double, Eigen::Dynamic, 6> constraint_rows(std::span<const Contact> contacts);
+///
+/// Inline, since a matrix that Eigen allocates may not cross from a library that was compiled for another processor.
+inline Eigen::Matrix<double, Eigen::Dynamic, 6> constraint_rows(std::span<const Contact> contacts) {
+    Eigen::Matrix<double, Eigen::Dynamic, 6> rows(static_cast<Eigen::Index>(contacts.size()), 6);
+    Eigen::Index row = 0;
+    for (const Contact& contact : contacts)
+        rows.row(row++) << contact.normal.transpose(), contact.point.cross(contact.normal).transpose();
+    return rows;
+}
 
 } // namespace chasles
