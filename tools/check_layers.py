@@ -19,11 +19,12 @@ MAY_INCLUDE = {
     "io": ["algebra", "motion", "mesh"],
     "scenes": ["algebra", "motion", "elementary", "mesh", "query", "io"],
     "cli": ["algebra", "motion", "elementary", "mesh", "query", "io", "scenes"],
+    "python": ["motion", "mesh", "query", "io"],
 }
-FACES = ["scenes", "cli"]  # beside chasles/, not in it
+FACES = ["scenes", "cli", "python"]  # beside chasles/, not in it
 FOR_ALL = ["chasles/invalid_input.h", "chasles/on_threads.h"]
 SURFACE = "chasles/chasles.h"
-MAY_INCLUDE_SURFACE = ["scenes", "cli", "tests", "bench"]
+MAY_INCLUDE_SURFACE = ["scenes", "cli", "python", "tests", "bench"]
 FREE = ["tests", "bench"]  # may include any layer, but by the same names
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

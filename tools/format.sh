@@ -15,4 +15,4 @@ if [ "${1:-}" = --check ]; then
 else
     set -- -i
 fi
-find chasles cli scenes tests bench \( -name '*.h' -o -name '*.inl' -o -name '*.cpp' \) -print0 | xargs -0 -r "$clang_format" "$@"
+find chasles cli scenes python tests bench \( -name '*.h' -o -name '*.inl' -o -name '*.cpp' \) -print0 | xargs -0 -r "$clang_format" "$@"

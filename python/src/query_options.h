@@ -1,0 +1,47 @@
+// Options that several queries share, as Python hands them over.
+#pragma once
+
+#include "chasles/query/first_contact.h"
+#include "python/src/docstrings.h"
+
+#include <optional>
+#include <string>
+
+namespace chasles::python {
+
+struct QueryOptions {
+    double margin;
+    std::optional<double> hold;
+    double time_tolerance;
+    double max_turn;
+    Find find;
+
+    [[nodiscard]] FirstContact ask(const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion) const {
+        return first_contact({.moving = moving,
+                              .fixed = fixed,
+                              .motion = motion,
+                              .margin = margin,
+                              .hold = hold,
+                              .time_tolerance = time_tolerance,
+                              .max_turn = max_turn,
+                              .find = find});
+    }
+};
+
+inline constexpr double default_time_tolerance = 1e-12;
+inline constexpr double default_max_turn = std::numbers::pi / 18;
+
+#define CHASLES_OPTION_TYPES                                                                                           \
+    "margin: float = 0.0, hold: float | None = None, time_tolerance: float = 1e-12, "                                  \
+    "max_turn: float = math.pi / 18, find: chasles.enums.Find | str = "
+
+/// Their part of a docstring.
+inline std::string option_docs() {
+    return std::string("margin : float\n    ") + doc("FirstContactQuery.margin") + "\nhold : float, optional\n    " +
+           doc("FirstContactQuery.hold") + "\ntime_tolerance : float\n    " + doc("FirstContactQuery.time_tolerance") +
+           "\nmax_turn : float\n    " + doc("FirstContactQuery.max_turn") +
+           "\nfind : Find or str\n    'first': " + doc("Find.first") + "; 'any': " + doc("Find.any") +
+           "; 'first_with_all_contacts': " + doc("Find.first_with_all_contacts");
+}
+
+} // namespace chasles::python
