@@ -9,6 +9,9 @@ for `::`. Of overloads the first documented one counts.
 import pathlib
 import re
 import sys
+import textwrap
+
+WIDTH = 84
 
 SCOPE = re.compile(r"^\s*(?:enum\s+)?(?:struct|class)\s+(?:\[\[\w+\]\]\s+)?(\w+)[^;]*\{")
 ONE_LINE_ENUM = re.compile(r"^\s*enum\s+class\s+(\w+)[^{]*\{[^}]*\};")
@@ -27,7 +30,7 @@ def declared_name(code: str) -> str:
 
 
 def text_of(lines: list[str]) -> str:
-    """Paragraphs, each on one line; indented lines stay as they are."""
+    """Paragraphs, laid out anew; indented lines stay as they are."""
     paragraphs: list[str] = []
     open_paragraph = False
     for line in lines:
@@ -39,7 +42,12 @@ def text_of(lines: list[str]) -> str:
         else:
             paragraphs.append(line.strip())
             open_paragraph = True
-    return "\n".join(paragraphs).strip("\n").replace("::", ".")
+    text = "\n".join(wrapped(paragraph) for paragraph in paragraphs)
+    return text.strip("\n").replace("::", ".")
+
+
+def wrapped(paragraph: str) -> str:
+    return paragraph if paragraph.startswith("    ") else textwrap.fill(paragraph, WIDTH)
 
 
 class Reader:
@@ -72,7 +80,7 @@ class Reader:
             self.behind = self.keep(declared_name(code), [*self.above, text])
             self.count_braces(code)
         elif self.behind in self.found:
-            self.found[self.behind] += " " + text.strip().replace("::", ".")
+            self.found[self.behind] = text_of([self.found[self.behind], text])
         self.above = []
 
     def read_code(self, line: str) -> None:

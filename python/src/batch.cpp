@@ -10,6 +10,7 @@
 #include "python/src/table.h"
 
 #include <algorithm>
+#include <fmt/format.h>
 #include <nanobind/stl/optional.h>
 #include <vector>
 
@@ -55,7 +56,10 @@ void answer_rows(const Table<AnyRow>& table, const BatchOptions& options, Progre
 /// Poses that are read, or why they cannot be, before any question is asked.
 class ReadPoses {
 public:
-    ReadPoses(const PoseArray& array, const BatchOptions& options) : poses_(array.size()), is_bad_(array.size()) {
+    /// `name_of` a pose is for messages.
+    template <typename NameOf>
+    ReadPoses(const PoseArray& array, const BatchOptions& options, const NameOf& name_of)
+        : poses_(array.size()), is_bad_(array.size()) {
         on_threads(options.threads, array.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end; ++i)
                 try {
@@ -66,7 +70,7 @@ public:
         });
         const auto bad = std::ranges::find(is_bad_, 1);
         if (bad != is_bad_.end() && !options.marks_errors)
-            explain(array, std::size_t(bad - is_bad_.begin()));
+            explain(array, std::size_t(bad - is_bad_.begin()), name_of);
     }
 
     const Pose& operator[](std::size_t i) const {
@@ -84,14 +88,14 @@ public:
     }
 
 private:
-    [[noreturn]] static void explain(const PoseArray& array, std::size_t index) {
-        const std::string name = array.name() + "[" + std::to_string(index) + "]: ";
+    template <typename NameOf>
+    [[noreturn]] static void explain(const PoseArray& array, std::size_t index, const NameOf& name_of) {
         try {
             static_cast<void>(array[index]);
         } catch (const InvalidInput& error) {
-            throw InvalidInput(name + error.what());
+            throw InvalidInput(name_of(index) + ": " + error.what());
         }
-        throw InvalidInput(name + "was changed while it was read");
+        throw InvalidInput(name_of(index) + ": was changed while it was read");
     }
 
     std::vector<Pose> poses_;
@@ -108,13 +112,22 @@ void first_contact_rows(const Body& moving, const Body& fixed, nb::handle starts
                            " goals");
     check(options.query);
     const auto work = [&](Progress& progress) {
-        const ReadPoses from(start_array, options), to(goal_array, options);
+        const auto named = [](const char* name) {
+            return [name](std::size_t i) { return fmt::format("{}[{}]", name, i); };
+        };
+        const ReadPoses from(start_array, options, named("starts")), to(goal_array, options, named("goals"));
         answer_rows(table, options, progress, [&](std::size_t i) {
             const Motion motion = ScrewMotion::between(from[i], to[i]);
             write(options.query.ask(moving.polyhedron, fixed.polyhedron, motion), table[i]);
         });
     };
     run_interruptibly(work, report);
+}
+
+/// "paths[PATH][POSE]"
+std::string name_in_paths(std::span<const std::int64_t> offsets, std::size_t pose) {
+    const auto end = std::ranges::upper_bound(offsets, std::int64_t(pose));
+    return fmt::format("paths[{}][{}]", end - offsets.begin() - 1, std::int64_t(pose) - end[-1]);
 }
 
 /// Ends a path that is being asked about.
@@ -128,7 +141,7 @@ void path_rows(const Body& moving, const Body& fixed, nb::handle poses, nb::hand
     const Table<PathRow> table(array);
     check(options.query);
     const auto work = [&](Progress& progress) {
-        const ReadPoses path(pose_array, options);
+        const ReadPoses path(pose_array, options, [&](std::size_t i) { return name_in_paths(offsets.numbers(), i); });
         const auto answer = [&](std::size_t i) {
             const PathQuery query{
                 .moving = moving.polyhedron,

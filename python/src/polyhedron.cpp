@@ -1,10 +1,12 @@
 // chasles.Polyhedron: from arrays, from files, and back to arrays.
 #include "chasles/invalid_input.h"
+#include "chasles/io/mesh_files.h"
 #include "python/src/arrays.h"
 #include "python/src/bind.h"
 #include "python/src/body.h"
 #include "python/src/docstrings.h"
 #include "python/src/face_lists.h"
+#include "python/src/query_options.h"
 
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
@@ -18,6 +20,14 @@ using namespace nb::literals;
 
 static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double)); // points are looked at where NumPy has them
 
+/// Whether no face was dropped or cut.
+bool has_given_ids(const Polyhedron& polyhedron) {
+    for (std::size_t face = 0; face < polyhedron.face_count(); ++face)
+        if (polyhedron.source_face(face) != face)
+            return false;
+    return polyhedron.report().dropped_faces == 0;
+}
+
 Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool drop_degenerate, unsigned threads) {
     const DoubleArray points(vertices, "vertices");
     if (points.shape().size() != 2 || points.shape()[1] != 3)
@@ -28,7 +38,7 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool dro
     const PolyhedronOptions options{triangulate, drop_degenerate, threads};
     const nb::gil_scoped_release release;
     Body body{Polyhedron::from_polygons(given, *outlines, options), nullptr, options};
-    if (body.polyhedron.face_count() != outlines->size())
+    if (!has_given_ids(body.polyhedron))
         body.given_faces = std::move(outlines);
     return body;
 }
@@ -36,7 +46,10 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool dro
 Body load(const std::filesystem::path& file, bool triangulate, bool drop_degenerate, unsigned threads) {
     const PolyhedronOptions options{triangulate, drop_degenerate, threads};
     const nb::gil_scoped_release release;
-    return {Polyhedron::load(file, options), nullptr, options};
+    Body body{Polyhedron::load(file, options), nullptr, options};
+    if (!has_given_ids(body.polyhedron))
+        body.given_faces = std::make_shared<Faces>(io::load_polygons(file).faces);
+    return body;
 }
 
 nb::object vertices(nb::handle self) {
@@ -87,10 +100,23 @@ nb::object source_faces(const Body& body) {
     return index_array(sources, {sources.size()});
 }
 
+/// Faces as the constructor takes them fastest.
+nb::object packed_faces(const Body& body) {
+    const std::size_t corners = body.polyhedron.face(0).size();
+    std::vector<std::uint32_t> indices;
+    for (std::size_t face = 0; face < body.polyhedron.face_count(); ++face) {
+        const auto outline = body.polyhedron.face(face);
+        if (outline.size() != corners)
+            return faces(body);
+        indices.insert(indices.end(), outline.begin(), outline.end());
+    }
+    return index_array(indices, {body.polyhedron.face_count(), corners});
+}
+
 /// The same body from its numbers, with the same ids.
 nb::tuple reduce(nb::handle self) {
     const Body& body = nb::cast<const Body&>(self);
-    const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : nb::object(faces(body));
+    const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
     return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate,
                                                       body.options.drop_degenerate, body.options.threads));
 }
@@ -123,7 +149,7 @@ void bind_report(nb::module_& module) {
 
 const std::string& constructor_doc() {
     static const std::string text =
-        std::string("From arrays, which are copied once.\n\n") + doc("Polyhedron.from_polygons") +
+        std::string("From arrays.\n\n") + doc("Polyhedron.from_polygons") +
         "\n\nParameters\n----------\nvertices : array (n, 3)\n    Points, in the mesh's unit.\n"
         "faces : array (m, k), or a list of m lists\n    Vertex indices from 0.\n"
         "triangulate : bool\n    " +

@@ -28,7 +28,7 @@ Pose pose_from(nb::handle argument, const char* name) {
     }
 }
 
-PoseArray::PoseArray(nb::handle argument, const std::string& name) : name_(name), array_(argument, name) {
+PoseArray::PoseArray(nb::handle argument, const std::string& name) : array_(argument, name) {
     const auto shape = array_.shape();
     numbers_ = shape.size() > 1 ? pose_size(shape.subspan(1)) : 0;
     if (numbers_ == 0)

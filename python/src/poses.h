@@ -19,12 +19,10 @@ public:
     PoseArray(nb::handle argument, const std::string& name);
 
     [[nodiscard]] std::size_t size() const { return size_; }
-    [[nodiscard]] const std::string& name() const { return name_; }
     /// Needs no GIL. Throws InvalidInput that does not say which.
     [[nodiscard]] Pose operator[](std::size_t index) const;
 
 private:
-    std::string name_;
     DoubleArray array_;
     std::size_t size_ = 0;
     std::size_t numbers_ = 7; ///< of one pose

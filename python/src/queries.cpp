@@ -61,7 +61,7 @@ std::string first_contact_doc() {
            "fixed_start, fixed_goal : array (4, 4) or (7,)\n"
            "    Poses of the fixed body, if it moves too; all poses are then in the world.\n" +
            option_docs() +
-           "\n\nReturns\n-------\nFirstContact\n    Its verdict says what is proven.\n\n"
+           "\nReturns\n-------\nFirstContact\n    Its verdict says what is proven.\n\n"
            "Raises\n------\nInvalidInput\n    A ValueError that says what, where and why.";
 }
 
@@ -69,8 +69,8 @@ std::string path_doc() {
     return "The first contact on a path of poses, each segment of which is one screw.\n\n"
            "Parameters\n----------\nmoving, fixed : Polyhedron\nposes : array (n, 4, 4) or (n, 7)\n"
            "    Of the moving body in the frame of the fixed one; at least two.\n" +
-           option_docs() +
-           "\n\nReturns\n-------\nPathContact\n    Its time counts within its segment; its work is that of the whole "
+           option_docs(false) +
+           "\nReturns\n-------\nPathContact\n    Its time counts within its segment; its work is that of the whole "
            "path.";
 }
 

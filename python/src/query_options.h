@@ -35,13 +35,21 @@ inline constexpr double default_max_turn = std::numbers::pi / 18;
     "margin: float = 0.0, hold: float | None = None, time_tolerance: float = 1e-12, "                                  \
     "max_turn: float = math.pi / 18, find: chasles.enums.Find | str = "
 
+/// A paragraph below the name of a parameter.
+inline std::string indented(std::string text) {
+    for (std::size_t line = text.find('\n'); line != std::string::npos; line = text.find('\n', line + 5))
+        text.insert(line + 1, "    ");
+    return "    " + text + "\n";
+}
+
 /// Their part of a docstring.
-inline std::string option_docs() {
-    return std::string("margin : float\n    ") + doc("FirstContactQuery.margin") + "\nhold : float, optional\n    " +
-           doc("FirstContactQuery.hold") + "\ntime_tolerance : float\n    " + doc("FirstContactQuery.time_tolerance") +
-           "\nmax_turn : float\n    " + doc("FirstContactQuery.max_turn") +
-           "\nfind : Find or str\n    'first': " + doc("Find.first") + "; 'any': " + doc("Find.any") +
-           "; 'first_with_all_contacts': " + doc("Find.first_with_all_contacts");
+inline std::string option_docs(bool with_hold = true) {
+    const std::string hold = "hold : float, optional\n" + indented(doc("FirstContactQuery.hold"));
+    return "margin : float\n" + indented(doc("FirstContactQuery.margin")) + (with_hold ? hold : "") +
+           "time_tolerance : float\n" + indented(doc("FirstContactQuery.time_tolerance")) + "max_turn : float\n" +
+           indented(doc("FirstContactQuery.max_turn")) + "find : Find or str\n" +
+           indented(std::string("'first': ") + doc("Find.first") + ";\n'any': " + doc("Find.any") +
+                    ";\n'first_with_all_contacts': " + doc("Find.first_with_all_contacts"));
 }
 
 } // namespace chasles::python
