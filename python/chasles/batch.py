@@ -82,7 +82,7 @@ def first_contact_batch(
         longest query.
     """
     starts, goals = np.asarray(starts), np.asarray(goals)
-    if starts.shape[:1] != goals.shape[:1]:
+    if starts.ndim and goals.ndim and len(starts) != len(goals):
         raise InvalidInput(f"goals: there are {len(goals)} for {len(starts)} starts")
     options = {
         "margin": margin,

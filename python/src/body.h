@@ -4,6 +4,8 @@
 #include "chasles/mesh/polyhedron.h"
 
 #include <memory>
+#include <nanobind/nanobind.h>
+#include <string>
 #include <vector>
 
 namespace chasles::python {
@@ -16,5 +18,13 @@ struct Body {
     std::shared_ptr<const Faces> given_faces;
     PolyhedronOptions options;
 };
+
+/// Of an argument. Throws Python's TypeError if it is another thing.
+inline const Polyhedron& polyhedron_of(nanobind::handle argument, const char* name) {
+    const Body* body = nullptr;
+    if (!nanobind::try_cast(argument, body) || !body)
+        throw nanobind::type_error((std::string(name) + ": must be a chasles.Polyhedron").c_str());
+    return body->polyhedron;
+}
 
 } // namespace chasles::python

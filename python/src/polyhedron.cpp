@@ -53,7 +53,7 @@ Body load(const std::filesystem::path& file, bool triangulate, bool drop_degener
 }
 
 nb::object vertices(nb::handle self) {
-    const auto points = nb::cast<const Body&>(self).polyhedron.vertices();
+    const auto points = polyhedron_of(self, "self").vertices();
     using View = nb::ndarray<nb::numpy, const double>;
     return nb::cast(View(points.data(), {points.size(), 3}, self));
 }

@@ -19,8 +19,8 @@ constexpr const char* all_contacts = "first_with_all_contacts"; ///< as the comm
 Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goal, nb::handle motion,
            nb::handle fixed_start, nb::handle fixed_goal, double margin, std::optional<double> hold,
            double time_tolerance, double max_turn, nb::handle find) {
-    const Polyhedron& moving_body = nb::cast<const Body&>(moving).polyhedron;
-    const Polyhedron& fixed_body = nb::cast<const Body&>(fixed).polyhedron;
+    const Polyhedron& moving_body = polyhedron_of(moving, "moving");
+    const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     Answer answer{
         {}, nb::borrow(moving), nb::borrow(fixed), motion_from({start, goal, motion, fixed_start, fixed_goal})};
     const QueryOptions options{margin, hold, time_tolerance, max_turn, find_from(find)};
@@ -31,8 +31,8 @@ Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goa
 
 PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, double margin, double time_tolerance,
                     double max_turn, nb::handle find) {
-    const Polyhedron& moving_body = nb::cast<const Body&>(moving).polyhedron;
-    const Polyhedron& fixed_body = nb::cast<const Body&>(fixed).polyhedron;
+    const Polyhedron& moving_body = polyhedron_of(moving, "moving");
+    const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     const std::vector<Pose> path = poses_from(poses, "poses");
     const Find stop = find_from(find);
     PathContact answer;
@@ -78,7 +78,7 @@ std::string path_doc() {
 
 void bind_queries(nb::module_& module) {
     static const std::string first_contact_text = first_contact_doc(), path_text = path_doc();
-    module.def("first_contact", ask, "moving"_a, "fixed"_a, "start"_a = nb::none(), "goal"_a = nb::none(),
+    module.def("first_contact", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(), "goal"_a = nb::none(),
                nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(), "fixed_goal"_a = nb::none(),
                "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
                "max_turn"_a = default_max_turn, "find"_a = all_contacts,
@@ -89,8 +89,9 @@ void bind_queries(nb::module_& module) {
                        "fixed_goal: numpy.typing.ArrayLike | None = None, " CHASLES_OPTION_TYPES
                        "'first_with_all_contacts') -> FirstContact"),
                first_contact_text.c_str());
-    module.def("first_contact_on_path", ask_path, "moving"_a, "fixed"_a, "poses"_a, nb::kw_only(), "margin"_a = 0.0,
-               "time_tolerance"_a = default_time_tolerance, "max_turn"_a = default_max_turn, "find"_a = all_contacts,
+    module.def("first_contact_on_path", ask_path, "moving"_a.none(), "fixed"_a.none(), "poses"_a, nb::kw_only(),
+               "margin"_a = 0.0, "time_tolerance"_a = default_time_tolerance, "max_turn"_a = default_max_turn,
+               "find"_a = all_contacts,
                nb::sig("def first_contact_on_path(moving: Polyhedron, fixed: Polyhedron, "
                        "poses: numpy.typing.ArrayLike, *, margin: float = 0.0, time_tolerance: float = 1e-12, "
                        "max_turn: float = math.pi / 18, find: chasles.enums.Find | str = "

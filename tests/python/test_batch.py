@@ -7,6 +7,11 @@ from cubes import has_margin, matrix, pose, random_motions
 import chasles
 
 
+def assert_same_rows(first, second):
+    for name in first.dtype.names:
+        np.testing.assert_array_equal(first[name], second[name], err_msg=name)
+
+
 def test_a_batch_answers_as_single_questions_do(cube):
     starts, goals = random_motions(300)
     table = chasles.first_contact_batch(cube, cube, starts, goals)
@@ -35,7 +40,7 @@ def test_a_batch_answers_as_single_questions_do(cube):
 def test_the_same_rows_for_any_number_of_threads(cube, threads):
     starts, goals = random_motions(200)
     expected = chasles.first_contact_batch(cube, cube, starts, goals)
-    np.testing.assert_array_equal(chasles.first_contact_batch(cube, cube, starts, goals, threads=threads), expected)
+    assert_same_rows(chasles.first_contact_batch(cube, cube, starts, goals, threads=threads), expected)
 
 
 @pytest.mark.parametrize("layout", ["matrices", "float32", "strided", "fortran", "list"])
@@ -91,7 +96,7 @@ def test_a_bad_pose_costs_its_row_alone_if_asked_for(cube):
     table = chasles.first_contact_batch(cube, cube, starts, goals, errors="mark")
     bad = np.isin(np.arange(20), [3, 7])
     assert (table["verdict"][bad] == "error").all()
-    np.testing.assert_array_equal(table[~bad], expected[~bad])
+    assert_same_rows(table[~bad], expected[~bad])
 
 
 @pytest.mark.parametrize("options", [{"margin": -1}, {"max_turn": 0}, {"find": "last"}, {"threads": -1}, {"errors": "x"}])
@@ -110,7 +115,7 @@ def test_a_table_is_gone_on_with(cube):
     again = chasles.first_contact_batch(cube, cube, starts, goals, table=table)
     assert again is table
     assert (table["time_upper"][:20] == 7).all()
-    np.testing.assert_array_equal(table[20:], expected[20:])
+    assert_same_rows(table[20:], expected[20:])
 
 
 @pytest.mark.parametrize("table", [np.zeros(2), chasles.empty_table(3), chasles.empty_table(2, chasles.path_dtype), 5])

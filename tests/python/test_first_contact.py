@@ -160,13 +160,17 @@ def test_invalid_input_is_a_value_error_of_one_line(cube):
 @pytest.mark.parametrize("wrong", [None, CUBE_VERTICES, "cube.obj"])
 def test_what_is_no_body_is_a_type_error(wrong, cube):
     for bodies in ((wrong, cube), (cube, wrong)):
-        with pytest.raises((TypeError, RuntimeError)):
+        with pytest.raises(TypeError, match="must be a chasles.Polyhedron"):
             chasles.first_contact(*bodies, START, GOAL)
 
 
-def test_what_nothing_was_put_into_is_refused():
+@pytest.mark.filterwarnings("ignore:nanobind")
+def test_what_nothing_was_put_into_is_refused(cube):
+    empty = chasles.Polyhedron.__new__(chasles.Polyhedron)
     with pytest.raises(TypeError):
-        chasles.first_contact(chasles.Polyhedron.__new__(chasles.Polyhedron), START, GOAL)
+        chasles.first_contact(empty, cube, START, GOAL)
+    with pytest.raises(TypeError):
+        empty.vertices
 
 
 def test_answers_have_a_readable_repr(cube):

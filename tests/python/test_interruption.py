@@ -15,7 +15,9 @@ import chasles
 from cubes import CUBE_FACES, CUBE_VERTICES, random_motions
 
 cube = chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES)
-starts, goals = (np.tile(poses, (200, 1)) for poses in random_motions(10_000))
+starts, goals = (np.tile(poses, (100, 1)) for poses in random_motions(10_000))
+table = chasles.empty_table(len(starts))
+{prepare}
 print("ready", flush=True)
 try:
     {call}
@@ -24,13 +26,16 @@ except chasles.BatchInterrupted as interrupted:
     done = table["verdict"] != "not_done"
     assert 0 < done.sum() < len(table), done.sum()
     expected = chasles.first_contact_batch(cube, cube, starts[:10_000], goals[:10_000]) if {checks} else None
-    for rows in np.split(table, 200) if {checks} else []:
+    for rows in np.split(table, 100) if {checks} else []:
         answered = rows["verdict"] != "not_done"
         for name in ("verdict", "time", "px"):
             np.testing.assert_array_equal(rows[name][answered], expected[name][answered])
-    some = table[~done][:5].copy()
-    print("interrupted", flush=True)
+    print("interrupted", flush=True)  # once the answers are checked, where they are
 """
+
+
+def program_for(request: pytest.FixtureRequest, call: str, checks: bool = False, prepare: str = "") -> str:
+    return BATCH.format(tests=str(request.path.parent), call="chasles." + call, checks=checks, prepare=prepare)
 
 
 def interrupted_after(program: str, seconds: float) -> float:
@@ -54,20 +59,16 @@ def interrupted_after(program: str, seconds: float) -> float:
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
 @pytest.mark.parametrize("threads", [1, 0])
 def test_a_batch_of_motions(threads, request):
-    call = f"chasles.first_contact_batch(cube, cube, starts, goals, threads={threads})"
-    program = BATCH.format(tests=str(request.path.parent), call=call, checks=threads == 0)
-    interrupted_after(program, 1)  # the answers are checked before the word is said
+    interrupted_after(program_for(request, f"first_contact_batch(cube, cube, starts, goals, threads={threads}, table=table)", True), 1)
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
 def test_it_takes_less_than_a_second(request):
-    call = "chasles.first_contact_batch(cube, cube, starts, goals)"
-    program = BATCH.format(tests=str(request.path.parent), call=call, checks=False)
+    program = program_for(request, "first_contact_batch(cube, cube, starts, goals, table=table)")
     assert min(interrupted_after(program, 0.5) for _ in range(2)) < 1
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
 def test_a_batch_of_long_paths(request):
-    call = "chasles.path_is_clear_batch(cube, cube, np.stack([starts + [9, 0, 0, 0, 0, 0, 0]] * 40, axis=1)[:60_000])"
-    program = BATCH.format(tests=str(request.path.parent), call=call, checks=False)
-    interrupted_after(program, 2)
+    prepare = "paths = np.tile([[3, 1.1, 0, 1, 0, 0, 0], [-1, 1.1, 0, 1, 0, 0, 0]], (50_000, 20, 1))"
+    interrupted_after(program_for(request, "path_is_clear_batch(cube, cube, paths)", prepare=prepare), 1)
