@@ -108,6 +108,8 @@ def first_contact_parquet(
         for rows in done:
             if bar is not None:
                 bar.update(rows)
+    for unfinished in folder.glob(".part-*"):  # of workers that were killed
+        unfinished.unlink(missing_ok=True)
     return ParquetRun(folder, len(partitions), len(partitions) - len(waiting), sum(p.rows for p in partitions))
 
 
