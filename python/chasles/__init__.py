@@ -60,3 +60,7 @@ __all__ = [
     "path_dtype",
     "path_is_clear_batch",
 ]
+
+for _name in __all__:  # the module that users know
+    if getattr(globals()[_name], "__module__", "") == "chasles._core" and isinstance(globals()[_name], type):
+        globals()[_name].__module__ = "chasles"

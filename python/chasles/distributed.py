@@ -144,6 +144,7 @@ def _on_cluster(client: Any, partitions: list[Partition], how: tuple, retries: i
     try:
         for future in as_completed(futures):
             yield future.result()
+            future.release()  # the cluster need not remember that it is done: the file does
     finally:
         client.cancel(futures)  # nothing to cancel once all are done
 

@@ -54,7 +54,8 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
 
 std::string first_contact_doc() {
     return "When do two polyhedra first touch, where, and how?\n\n"
-           "The moving body goes from `start` to `goal` by one screw in the frame of the fixed one, or by `motion`.\n\n"
+           "The moving body goes from `start` to `goal` by one screw in the frame of the fixed\none, or by "
+           "`motion`.\n\n"
            "Parameters\n----------\nmoving, fixed : Polyhedron\nstart, goal : array (4, 4) or (7,)\n"
            "    Poses of the moving body: matrices, or x y z qw qx qy qz with a quaternion of any length.\n"
            "motion : ScrewMotion or SweepMotion\n    Instead of start and goal.\n"
