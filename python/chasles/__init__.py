@@ -10,6 +10,10 @@
 Lengths are in the meshes' own unit, angles in radians, times in [0, 1]. The guide is docs/python.md.
 """
 
+import importlib
+import importlib.util
+from typing import Any
+
 from . import enums
 from ._core import (
     Contact,
@@ -64,3 +68,20 @@ __all__ = [
 for _name in __all__:  # the module that users know
     if getattr(globals()[_name], "__module__", "") == "chasles._core" and isinstance(globals()[_name], type):
         globals()[_name].__module__ = "chasles"
+
+
+def _plot(found: FirstContact, *arguments: Any, **options: Any) -> Any:
+    """A picture of the answer: `chasles.plot.plot`."""
+    return importlib.import_module(".plot", __name__).plot(found, *arguments, **options)
+
+
+if importlib.util.find_spec(".plot", __name__):
+    FirstContact.plot = _plot  # type: ignore[attr-defined]
+
+
+def __getattr__(name: str) -> Any:
+    """`chasles.view`, the function, imported when it is first asked for; a package can be built without it."""
+    if name == "view" and importlib.util.find_spec(".view", __name__):
+        globals()[name] = importlib.import_module(".view", __name__).view
+        return globals()[name]
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -4,11 +4,11 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <memory>
 #include <nanobind/nanobind.h>
 #include <nanobind/ndarray.h>
 #include <span>
 #include <string>
+#include <vector>
 
 namespace chasles::python {
 
@@ -17,21 +17,27 @@ namespace nb = nanobind;
 using OwnArray = nb::ndarray<nb::numpy, double>;
 
 /// An argument that NumPy can make an array of real numbers from, of any type and strides, as contiguous numbers of one
-/// type. Such an array is looked at in place, anything else is converted, once. Throws InvalidInput "NAME: WHY".
+/// type: in place if it is that already, otherwise converted, once. Throws InvalidInput "NAME: WHY".
 template <typename Number>
 class ArrayArgument {
 public:
     ArrayArgument(nb::handle argument, const std::string& name);
-    ArrayArgument(ArrayArgument&& other) noexcept;
     ~ArrayArgument();
+    ArrayArgument(const ArrayArgument&) = delete;
+    ArrayArgument& operator=(const ArrayArgument&) = delete;
 
-    [[nodiscard]] std::span<const Number> numbers() const;
+    [[nodiscard]] std::span<const Number> numbers() const { return numbers_; }
     /// Sizes of the dimensions, outermost first.
-    [[nodiscard]] std::span<const Py_ssize_t> shape() const { return {view_->shape, std::size_t(view_->ndim)}; }
+    [[nodiscard]] std::span<const Py_ssize_t> shape() const { return {view_.shape, std::size_t(view_.ndim)}; }
     [[nodiscard]] std::string shape_text() const;
 
 private:
-    std::unique_ptr<Py_buffer> view_; ///< holds the array
+    /// Whether the numbers of the view could be had.
+    bool take_view();
+
+    Py_buffer view_{}; ///< holds the array
+    std::vector<Number> converted_;
+    std::span<const Number> numbers_;
 };
 
 using DoubleArray = ArrayArgument<double>;
