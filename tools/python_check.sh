@@ -13,8 +13,8 @@ set -- ${1:+"$1"}
 if [ $# -eq 1 ]; then
     prefix=$PWD/build/python/prefix
     cmake --install "$1" --prefix "$prefix" >/dev/null
-    set -- -C cmake.define.CHASLES_PYTHON_OF_INSTALLED=ON -C cmake.define.chasles_ROOT="$prefix" \
-        -C build-dir=build/python/check
+    set -- --config-settings=cmake.define.CHASLES_PYTHON_OF_INSTALLED=ON --config-settings=cmake.define.chasles_ROOT="$prefix" \
+        --config-settings=build-dir=build/python/check
 fi
 "$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$@" ".[test]"
 cd tests/python # away from python/chasles, so that what is tested is what was installed

@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """What a call from Python costs beyond the C++ query, and a batch beyond the C++ batch.
 
-Usage: call_overhead.py. Calls and batches of Python and C++ take turns; the least of the times counts, as noise only adds
-to them. Not a test: it depends on the machine and on what else runs there.
+Usage: call_overhead.py. Calls and batches of Python and C++ take turns; the least of the times counts, as noise
+only adds to them. Not a test: it depends on the machine and on what else runs there.
 """
 
 import time
@@ -36,7 +36,9 @@ def call(name: str, cube: chasles.Polyhedron, start: np.ndarray, goal: np.ndarra
         python.append(seconds_of(lambda: chasles.first_contact(cube, cube, start, goal), times) / times)
         cpp.append(_core._query_seconds(cube, cube, start, goal, find, times) / times)
     overhead = min(python) - min(cpp)
-    print(f"{name:36} C++ {min(cpp) * 1e6:7.3f} us, Python {min(python) * 1e6:7.3f} us, beyond {overhead * 1e6:6.3f} us")
+    print(
+        f"{name:36} C++ {min(cpp) * 1e6:7.3f} us, Python {min(python) * 1e6:7.3f} us, beyond {overhead * 1e6:6.3f} us"
+    )
 
 
 def batch(cube: chasles.Polyhedron, starts: np.ndarray, goals: np.ndarray, threads: int) -> None:
@@ -45,7 +47,9 @@ def batch(cube: chasles.Polyhedron, starts: np.ndarray, goals: np.ndarray, threa
         python.append(seconds_of(lambda: chasles.first_contact_batch(cube, cube, starts, goals, threads=threads)))
         cpp.append(_core._batch_seconds(cube, cube, starts, goals, threads))
     name = f"batch of {len(starts):,}, {threads or 'all'} threads, {'x'.join(map(str, starts.shape[1:]))}"
-    print(f"{name:36} C++ {min(cpp) * 1e3:7.2f} ms, Python {min(python) * 1e3:7.2f} ms, ratio {min(python) / min(cpp):.3f}")
+    print(
+        f"{name:36} C++ {min(cpp) * 1e3:7.2f} ms, Python {min(python) * 1e3:7.2f} ms, ratio {min(python) / min(cpp):.3f}"
+    )
 
 
 def main() -> None:

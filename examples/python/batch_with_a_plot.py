@@ -32,7 +32,8 @@ starts[:, 0], starts[:, 1], starts[:, 3] = -2, offsets, 1
 goals[:, 0], goals[:, 1], goals[:, 3], goals[:, 6] = 2, offsets, np.cos(turns / 2), np.sin(turns / 2)
 table = chasles.first_contact_batch(parcel, walls, starts, goals)
 touched = table["verdict"] == "contact"
-print(f"{touched.sum()} of {COUNT} touch; first contacts from {np.nanmin(table['time']):.3f} to {np.nanmax(table['time']):.3f}")
+first, last = np.nanmin(table["time"]), np.nanmax(table["time"])
+print(f"{touched.sum()} of {COUNT} touch; first contacts from {first:.3f} to {last:.3f}")
 assert touched.any() and not touched.all() and table["certain"].all()
 
 # %% [markdown]

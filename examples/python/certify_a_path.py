@@ -1,7 +1,7 @@
 # %% [markdown]
 # # Certify a path of poses
-# A planner hands over poses. Between them the robot moves; if it moves by screws, "clear" is a proof for the whole path,
-# not for samples of it.
+# A planner hands over poses. Between them the robot moves; if it moves by screws, "clear" is a proof for the whole
+# path, not for samples of it.
 
 # %%
 import numpy as np
@@ -47,7 +47,7 @@ for contact in found.contacts:
 
 # %% [markdown]
 # ## What the contacts leave free
-# One row a contact; `rows @ (v, w) >= 0` are the velocities that do not close a gap. Along the motion itself they close.
+# One row a contact; `rows @ (v, w) >= 0` are the velocities that do not close a gap. Along the motion they close.
 
 # %%
 rows = chasles.constraint_rows(found.contacts)

@@ -20,7 +20,9 @@ def thread(radius: float, begin: float, end: float) -> chasles.Polyhedron:
     rows = []
     for inset, rise in ((DEPTH, 0.0), (0.0, PITCH / 2), (DEPTH, PITCH)):
         r = radius - inset
-        rows.append(np.column_stack([r * np.cos(angles), r * np.sin(angles), begin + PITCH * angles / (2 * math.pi) + rise]))
+        rows.append(
+            np.column_stack([r * np.cos(angles), r * np.sin(angles), begin + PITCH * angles / (2 * math.pi) + rise])
+        )
     n = len(angles)
     faces = []
     for row in range(2):
@@ -37,6 +39,7 @@ print(bolt, nut)
 # %% [markdown]
 # ## The right screw
 # Twelve poses a turn: a screw between two poses turns by less than half a turn.
+
 
 # %%
 def turned(turns: float, slide: float) -> np.ndarray:

@@ -14,7 +14,6 @@ import importlib
 import importlib.util
 from typing import Any
 
-from . import enums
 from ._core import (
     Contact,
     FirstContact,

@@ -60,8 +60,8 @@ def first_contact_batch(
     threads : int
         At most so many; 0 for all cores.
     errors : "raise" or "mark"
-        What a pose does that cannot be used: raise InvalidInput that names it before anything is answered, or make the
-        verdict of its row "error".
+        What a pose does that cannot be used: raise InvalidInput that names it before anything is answered, or make
+        the verdict of its row "error".
     progress : bool
         Show a bar; needs tqdm.
     table : structured array, optional
@@ -144,7 +144,7 @@ def path_is_clear_batch(
     return _run(_core._path_is_clear_batch, (moving, fixed, poses, offsets), table, options, progress, "paths")
 
 
-def _run(ask: Any, question: tuple, table: Table, options: dict[str, Any], progress: bool, unit: str) -> Table:
+def _run(ask: Any, question: tuple[Any, ...], table: Table, options: dict[str, Any], progress: bool, unit: str) -> Table:
     with _bar(progress, len(table), unit) as bar:
         report = None if bar is None else lambda done: bar.update(done - bar.n)
         try:
@@ -182,7 +182,7 @@ def _table_for(table: Table | None, rows: int, dtype: np.dtype) -> Table:
     return table
 
 
-def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray, npt.NDArray[np.int64]]:
+def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray[Any], npt.NDArray[np.int64]]:
     """All poses behind one another, and where each path begins and the last one ends."""
     if isinstance(paths, np.ndarray) and paths.dtype != object:
         arrays: Any = paths
@@ -192,9 +192,13 @@ def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray
         return np.empty((0, 7)), np.zeros(1, np.int64)
     for i, path in enumerate(arrays):
         if path.ndim < 2 or path.shape[1:] not in ((7,), (4, 4)):
-            raise InvalidInput(f"paths[{i}]: the shape is {path.shape}; a path has (n, 4, 4), or (n, 7) for x y z qw qx qy qz")
+            raise InvalidInput(
+                f"paths[{i}]: the shape is {path.shape}; a path has (n, 4, 4), or (n, 7) for x y z qw qx qy qz"
+            )
         if path.shape[1:] != arrays[0].shape[1:]:
-            raise InvalidInput(f"paths[{i}]: poses are of shape {path.shape[1:]}, those before of {arrays[0].shape[1:]}")
+            raise InvalidInput(
+                f"paths[{i}]: poses are of shape {path.shape[1:]}, those before of {arrays[0].shape[1:]}"
+            )
         if len(path) < 2:
             raise InvalidInput(f"paths[{i}]: at least two poses are needed")
     offsets = np.cumsum([0, *(len(path) for path in arrays)], dtype=np.int64)

@@ -59,8 +59,8 @@ def first_contact_parquet(
 ) -> ParquetRun:
     """The first contact of many motions of one pair of bodies, from Parquet to Parquet.
 
-    Each row group of the motions is a partition, answered as by `first_contact_batch` with ``errors="mark"`` and written
-    to a file of its own in `out`. Partitions that are there from an earlier run are not done again, so that a run that
+    Each row group of the motions is a partition, answered as by `first_contact_batch` with ``errors="mark"`` and
+    written to a file of its own in `out`. Partitions that are there from an earlier run are not done again, so that a run that
     was interrupted, or lost its cluster, goes on where it was; results of another question are refused. A worker that
     is killed loses at most the partitions that it was at, which other workers do again.
 
@@ -122,12 +122,12 @@ def _check(moving: Polyhedron, fixed: Polyhedron, options: dict[str, Any]) -> No
     first_contact(moving, fixed, nowhere, nowhere, **options)
 
 
-def _here(partitions: list[Partition], how: tuple) -> Iterator[int]:
+def _here(partitions: list[Partition], how: tuple[Any, ...]) -> Iterator[int]:
     for partition in partitions:
         yield answer_partition(partition, *how)
 
 
-def _on_cluster(client: Any, partitions: list[Partition], how: tuple, retries: int) -> Iterator[int]:
+def _on_cluster(client: Any, partitions: list[Partition], how: tuple[Any, ...], retries: int) -> Iterator[int]:
     from dask.distributed import as_completed
 
     folder, digest, options, threads = how

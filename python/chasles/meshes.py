@@ -5,7 +5,9 @@ from typing import Any
 from ._core import InvalidInput, Polyhedron
 
 
-def from_trimesh(mesh: Any, *, triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0) -> Polyhedron:
+def from_trimesh(
+    mesh: Any, *, triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0
+) -> Polyhedron:
     """A polyhedron from a ``trimesh.Trimesh``, with the ids of its vertices and faces.
 
     Scenes and other geometry are refused; ``scene.to_mesh()`` makes a Trimesh of a scene.

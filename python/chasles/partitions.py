@@ -95,7 +95,10 @@ def manifest_of(
         "fixed": digest_of(fixed),
         "options": options,
         "motions": [
-            {"bytes": file.stat().st_size, "metadata": hashlib.sha256(repr(_metadata(file).to_dict()).encode()).hexdigest()}
+            {
+                "bytes": file.stat().st_size,
+                "metadata": hashlib.sha256(repr(_metadata(file).to_dict()).encode()).hexdigest(),
+            }
             for file in files
         ],
     }
@@ -135,7 +138,9 @@ def _bodies(out: pathlib.Path, digest: str) -> tuple[Polyhedron, Polyhedron]:
     return pickle.loads((out / BODIES).read_bytes())
 
 
-def answer_partition(partition: Partition, out: pathlib.Path, digest: str, options: dict[str, Any], threads: int) -> int:
+def answer_partition(
+    partition: Partition, out: pathlib.Path, digest: str, options: dict[str, Any], threads: int
+) -> int:
     """Answers the motions of a partition, unless that was done, and returns their number."""
     file = out / partition.name
     if not file.exists():

@@ -44,7 +44,9 @@ motion_dtype = np.dtype(
 )
 
 #: One row of a batch of paths.
-path_dtype = np.dtype([*((name, motion_dtype[name]) for name in motion_dtype.names or ()), ("segment", np.int64)], align=True)
+path_dtype = np.dtype(
+    [*((name, motion_dtype[name]) for name in motion_dtype.names or ()), ("segment", np.int64)], align=True
+)
 
 
 def _blank_row(dtype: np.dtype) -> npt.NDArray[np.void]:

@@ -32,14 +32,14 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool dro
     const DoubleArray points(vertices, "vertices");
     if (points.shape().size() != 2 || points.shape()[1] != 3)
         throw InvalidInput("vertices: the shape is " + points.shape_text() + "; points have (n, 3)");
-    auto outlines = std::make_shared<Faces>(faces_from(faces));
+    const FaceLists outlines(faces);
     const std::span given(reinterpret_cast<const Eigen::Vector3d*>(points.numbers().data()),
                           points.numbers().size() / 3);
     const PolyhedronOptions options{triangulate, drop_degenerate, threads};
     const nb::gil_scoped_release release;
-    Body body{Polyhedron::from_polygons(given, *outlines, options), nullptr, options};
+    Body body{Polyhedron::from_polygons(given, outlines.lists(), options), nullptr, options};
     if (!has_given_ids(body.polyhedron))
-        body.given_faces = std::move(outlines);
+        body.given_faces = std::make_shared<Faces>(outlines.copies());
     return body;
 }
 

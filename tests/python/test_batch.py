@@ -99,7 +99,9 @@ def test_a_bad_pose_costs_its_row_alone_if_asked_for(cube):
     assert_same_rows(table[~bad], expected[~bad])
 
 
-@pytest.mark.parametrize("options", [{"margin": -1}, {"max_turn": 0}, {"find": "last"}, {"threads": -1}, {"errors": "x"}])
+@pytest.mark.parametrize(
+    "options", [{"margin": -1}, {"max_turn": 0}, {"find": "last"}, {"threads": -1}, {"errors": "x"}]
+)
 def test_options_out_of_range_are_refused_whatever_the_motions(cube, options):
     arguments = {"errors": "mark", **options}
     with pytest.raises(chasles.InvalidInput, match=next(iter(options))):

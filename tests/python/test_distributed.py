@@ -18,7 +18,9 @@ pq = pytest.importorskip("pyarrow.parquet")
 from chasles import distributed, partitions  # noqa: E402  (needs pyarrow)
 
 
-def write_motions(file: pathlib.Path, count: int, rows_in_group: int, ids: list | None = None, seed: int = 1) -> pa.Table:
+def write_motions(
+    file: pathlib.Path, count: int, rows_in_group: int, ids: list | None = None, seed: int = 1
+) -> pa.Table:
     poses = np.hstack(random_motions(count, seed))
     columns = dict(zip(partitions.START_COLUMNS + partitions.GOAL_COLUMNS, poses.T))
     table = pa.table({"id": ids, **columns} if ids else columns)

@@ -52,7 +52,13 @@ def test_every_name_is_documented(name):
 
 def test_help_reads_well():
     text = pydoc.plain(pydoc.render_doc(chasles.first_contact))
-    for part in ("When do two polyhedra first touch", "margin : float\n", "Returns\n", "InvalidInput", "'any': yes or no"):
+    for part in (
+        "When do two polyhedra first touch",
+        "margin : float\n",
+        "Returns\n",
+        "InvalidInput",
+        "'any': yes or no",
+    ):
         assert part in text
     assert "::" not in text
     body = text.split("\n    \n", 1)[1]

@@ -13,7 +13,9 @@ EXAMPLES = sorted((ROOT / "examples" / "python").glob("*.py"))
 def test_example(example, tmp_path):
     if "matplotlib" in example.read_text("utf-8"):
         pytest.importorskip("matplotlib")
-    done = subprocess.run([sys.executable, example, tmp_path / "picture.png"], capture_output=True, text=True, timeout=120)
+    done = subprocess.run(
+        [sys.executable, example, tmp_path / "picture.png"], capture_output=True, text=True, timeout=120
+    )
     assert done.returncode == 0, done.stderr
     if "savefig" in example.read_text("utf-8"):
         assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")

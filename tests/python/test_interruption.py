@@ -40,7 +40,9 @@ def program_for(request: pytest.FixtureRequest, call: str, checks: bool = False,
 
 def interrupted_after(program: str, seconds: float) -> float:
     """How long the program takes to say that it was interrupted."""
-    process = subprocess.Popen([sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    process = subprocess.Popen(
+        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
     try:
         assert process.stdout.readline() == "ready\n", process.stderr.read()
         time.sleep(seconds)
@@ -59,7 +61,9 @@ def interrupted_after(program: str, seconds: float) -> float:
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
 @pytest.mark.parametrize("threads", [1, 0])
 def test_a_batch_of_motions(threads, request):
-    interrupted_after(program_for(request, f"first_contact_batch(cube, cube, starts, goals, threads={threads}, table=table)", True), 1)
+    interrupted_after(
+        program_for(request, f"first_contact_batch(cube, cube, starts, goals, threads={threads}, table=table)", True), 1
+    )
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")

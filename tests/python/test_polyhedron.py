@@ -35,7 +35,9 @@ def test_a_body_does_not_change_with_the_array_that_it_was_made_from():
     np.testing.assert_array_equal(body.vertices, CUBE_VERTICES)
 
 
-@pytest.mark.parametrize("layout", ["float32", "int", "list", "fortran", "strided", "reversed", "big-endian", "unaligned"])
+@pytest.mark.parametrize(
+    "layout", ["float32", "int", "list", "fortran", "strided", "reversed", "big-endian", "unaligned"]
+)
 def test_any_layout_of_vertices_gives_the_same_body(layout):
     wide = np.zeros((16, 6))
     wide[::2, ::2] = CUBE_VERTICES
@@ -58,7 +60,16 @@ def test_any_layout_of_vertices_gives_the_same_body(layout):
 
 @pytest.mark.parametrize("kind", [np.int8, np.int32, np.uint32, np.uint64, ">i4"])
 def test_faces_of_any_whole_numbers(kind):
-    assert chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES.astype(kind)).faces == [tuple(face) for face in CUBE_FACES.tolist()]
+    assert chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES.astype(kind)).faces == [
+        tuple(face) for face in CUBE_FACES.tolist()
+    ]
+
+
+def test_faces_that_are_looked_at_in_place():
+    faces = CUBE_FACES.astype(np.uint32)
+    for given in (faces, faces[::-1].copy()[::-1], np.asfortranarray(faces)):
+        given.flags.writeable = False
+        assert chasles.Polyhedron(CUBE_VERTICES, given).faces == [tuple(face) for face in CUBE_FACES.tolist()]
 
 
 def test_faces_of_different_sizes():
