@@ -84,7 +84,7 @@ bool convert_whole(char format, const Py_buffer& view, std::vector<Number>& numb
 
 /// Whether the buffer was got; leaves no error behind.
 bool get(nb::handle argument, Py_buffer& view) {
-    if (!PyObject_CheckBuffer(argument.ptr()))
+    if (!PyObject_CheckBuffer(argument.ptr()) || PyBytes_Check(argument.ptr())) // bytes are text, not numbers
         return false;
     if (PyObject_GetBuffer(argument.ptr(), &view, PyBUF_STRIDES | PyBUF_FORMAT) == 0)
         return true;

@@ -116,6 +116,7 @@ def test_a_matrix_in_single_precision_is_taken_for_the_nearest_rotation(cube):
         (pose(1e40, 0, 0), "1e30"),
         ("here", "not one of real numbers"),
         (["1"] * 7, "not one of real numbers"),
+        (b"1234567", "not one of real numbers"),
         ([1j] * 7, "not one of real numbers"),
         ([True] * 7, "not one of real numbers"),
         (object(), "not one of real numbers"),
