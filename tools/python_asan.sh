@@ -1,8 +1,7 @@
 #!/bin/sh
 # The tests of the Python package, with bindings and library under the address and undefined-behaviour sanitizers. Uses
-# the environment of python_check.sh, which has to be there.
-#
-#   python_asan.sh [PREFIX]    with PREFIX, links to the library that is installed there, which the sanitizers do not see
+# the environment of python_check.sh, which has to be there. (The library has to be under them as well: Eigen allocates
+# in another way then.)
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -12,7 +11,6 @@ build=$PWD/build/python/asan
 cmake -G Ninja -S . -B "$build" -DCMAKE_BUILD_TYPE=RelWithDebInfo -DCMAKE_CXX_FLAGS_RELWITHDEBINFO="-O1 -g1" \
     -DCMAKE_CXX_FLAGS="-fsanitize=address,undefined -fno-sanitize-recover=undefined -fno-omit-frame-pointer" \
     -DCHASLES_PYTHON=ON -DCHASLES_PYTHON_STUBS=OFF -DCHASLES_TESTS=OFF -DCHASLES_CLI=OFF -DCHASLES_INSTALL=OFF \
-    ${1:+-DCHASLES_PYTHON_OF_INSTALLED=ON "-Dchasles_ROOT=$1"} \
     -DPython_EXECUTABLE="$python" -Dnanobind_DIR="$("$python" -m nanobind --cmake_dir)" >/dev/null
 cmake --build "$build" --target chasles_python
 
