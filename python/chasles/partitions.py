@@ -169,13 +169,19 @@ def results_of(table: npt.NDArray[np.void], ids: pa.Array | pa.ChunkedArray) -> 
     for name in table.dtype.names[1:]:  # type: ignore[index]
         values = np.ascontiguousarray(table[name])
         if values.ndim == 2:
-            pairs = pa.array(values.ravel())
-            columns[name] = pa.FixedSizeListArray.from_arrays(pairs, 2, mask=pa.array(values[:, 0] < 0))
+            columns[name] = _pairs(values)
         elif values.dtype.kind == "U":
             columns[name] = pa.array(values).dictionary_encode()
         else:
             columns[name] = pa.array(values, from_pandas=True)  # NaN is null
     return pa.table(columns)
+
+
+def _pairs(values: npt.NDArray[np.int64]) -> pa.ListArray:
+    """Lists of two; null for -1."""
+    has = values[:, 0] >= 0
+    ends = np.concatenate([[0], np.cumsum(2 * has)]).astype(np.int32)
+    return pa.ListArray.from_arrays(pa.array(ends), pa.array(values[has].ravel()), mask=pa.array(~has))
 
 
 def _parquet(table: pa.Table) -> bytes:

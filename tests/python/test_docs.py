@@ -61,7 +61,7 @@ def test_help_reads_well():
     ):
         assert part in text
     assert "::" not in text
-    body = text.split("\n    \n", 1)[1]
+    body = text.split("When do two", 1)[1]
     assert max(map(len, body.splitlines())) <= 110
 
 
