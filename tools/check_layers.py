@@ -19,7 +19,7 @@ MAY_INCLUDE = {
     "io": ["algebra", "motion", "mesh"],
     "scenes": ["algebra", "motion", "elementary", "mesh", "query", "io"],
     "cli": ["algebra", "motion", "elementary", "mesh", "query", "io", "scenes"],
-    "python": ["motion", "mesh", "query", "io"],
+    "python": ["algebra", "motion", "elementary", "mesh", "query", "io"],
 }
 FACES = ["scenes", "cli", "python"]  # beside chasles/, not in it
 FOR_ALL = ["chasles/invalid_input.h", "chasles/on_threads.h"]
