@@ -3,11 +3,12 @@ JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 60
 
-.PHONY: help demo check facts attack install bench asan tsan fuzz tidy format clean
+.PHONY: help demo check python-check facts attack install bench asan tsan fuzz tidy format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
 	@echo "make check    install what is missing, build with checks, and run every test"
+	@echo "make python-check  install the Python package into a fresh environment and run its tests"
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
 	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
@@ -25,11 +26,16 @@ demo:
 	build/release/bin/chasles demo
 
 check:
-	@tools/install_dependencies.sh check fuzz
+	@tools/install_dependencies.sh check fuzz python
 	cmake --preset dev
 	cmake --build --preset dev -j $(JOBS)
 	ctest --preset dev -j $(JOBS)
+	tools/python_check.sh build/dev
 	tools/fuzz.sh $(FUZZ_SECONDS) $(JOBS)
+
+python-check:
+	@tools/install_dependencies.sh python
+	tools/python_check.sh
 
 facts:
 	@tools/install_dependencies.sh check

@@ -1,5 +1,5 @@
-// A crate is dropped on a floor and pushed along it until it meets a wall, and then along the wall. Each step asks Chasles
-// how far it may go; contacts tell what is left free. Only the public interface is used.
+// A crate is dropped on a floor and pushed along it until it meets a wall, and then along the wall. Each step asks
+// Chasles how far it may go; contacts tell what is left free. Only the public interface is used.
 #include <chasles/chasles.h>
 
 #include <Eigen/Dense>
@@ -7,8 +7,8 @@
 
 namespace {
 
-constexpr double margin = 0.01;  // what counts as contact, in metres
-constexpr double hold = 0.002;   // what rests on something comes no nearer than this
+constexpr double margin = 0.01;    // what counts as contact, in metres
+constexpr double hold = 0.002;     // what rests on something comes no nearer than this
 constexpr double time_step = 0.02; // seconds
 
 using Twist = Eigen::Matrix<double, 6, 1>; // of the crate's centre: linear, then angular
@@ -37,8 +37,8 @@ Rows about(const Eigen::Vector3d& point, Rows rows) {
     return rows;
 }
 
-/// The nearest twist that uses up no more of any gap than there is to half the margin, by Hildreth's method: rows push as
-/// far as they have to.
+/// The nearest twist that uses up no more of any gap than there is to half the margin, by Hildreth's method: rows push
+/// as far as they have to.
 Twist within(const Rows& rows, const std::vector<chasles::Contact>& contacts, Twist twist) {
     Eigen::VectorXd pushes = Eigen::VectorXd::Zero(rows.rows());
     for (int sweep = 0; sweep < 200; ++sweep)

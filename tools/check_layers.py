@@ -20,11 +20,12 @@ MAY_INCLUDE = {
     "scenes": ["algebra", "motion", "elementary", "mesh", "query", "io"],
     "view": ["algebra", "motion", "elementary", "mesh", "query"],
     "cli": ["algebra", "motion", "elementary", "mesh", "query", "io", "scenes", "view"],
+    "python": ["algebra", "motion", "elementary", "mesh", "query", "io", "view"],
 }
-FACES = ["scenes", "view", "cli"]  # beside chasles/, not in it
+FACES = ["scenes", "view", "cli", "python"]  # beside chasles/, not in it
 FOR_ALL = ["chasles/invalid_input.h", "chasles/on_threads.h"]
 SURFACE = "chasles/chasles.h"
-MAY_INCLUDE_SURFACE = ["scenes", "view", "cli", "tests", "bench"]
+MAY_INCLUDE_SURFACE = ["scenes", "view", "cli", "python", "tests", "bench", "examples"]
 FREE = ["tests", "bench"]  # may include any layer, but by the same names
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

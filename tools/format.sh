@@ -15,4 +15,5 @@ if [ "${1:-}" = --check ]; then
 else
     set -- -i
 fi
-find chasles cli scenes view tests bench \( -name '*.h' -o -name '*.inl' -o -name '*.cpp' \) -print0 | xargs -0 -r "$clang_format" "$@"
+find chasles cli scenes view python examples tests bench \( -name '*.h' -o -name '*.inl' -o -name '*.cpp' \) -print0 |
+    xargs -0 -r "$clang_format" "$@"

@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the Debian packages that are missing, and says nothing when none is.
 #
-#   install_dependencies.sh [check] [fuzz] [bench] [tidy]    what `make demo` needs, and what the named targets add
+#   install_dependencies.sh [check] [fuzz] [python] [bench] [tidy]    what `make demo` needs, and what the named targets add
 #   install_dependencies.sh --list [check] ...        prints the packages instead
 set -eu
 
@@ -34,6 +34,8 @@ for group in "$@"; do
             ;;
         # libFuzzer and the sanitizers are in the runtime library.
         fuzz) packages="$packages clang-$clang_version libclang-rt-$clang_version-dev libgmp-dev" ;;
+        # The rest comes from the package index into a virtual environment.
+        python) packages="$packages python3-venv python3-dev" ;;
         # Highway is what the lanes are compared with, FCL and Bullet what whole queries are; other peers are brought by
         # Python and Rust.
         bench)
@@ -42,7 +44,7 @@ for group in "$@"; do
             ;;
         tidy) packages="$packages clang-tidy-$clang_version" ;;
         *)
-            echo "install_dependencies.sh: unknown group \"$group\" (known: check, fuzz, bench, tidy)" >&2
+            echo "install_dependencies.sh: unknown group \"$group\" (known: check, fuzz, python, bench, tidy)" >&2
             exit 2
             ;;
     esac

@@ -14,7 +14,8 @@
 namespace chasles {
 namespace {
 
-using Face = std::vector<std::uint32_t>;
+using Face = std::span<const std::uint32_t>; ///< as given
+using Outline = std::vector<std::uint32_t>;
 
 constexpr double largest_coordinate = 1e30;
 constexpr double smallest_size = 1e-30;
@@ -39,14 +40,14 @@ void check_counts(std::span<const Eigen::Vector3d> vertices, std::span<const Fac
         throw InvalidInput("mesh: has no faces");
     constexpr std::size_t most = std::numeric_limits<std::uint32_t>::max() / 2;
     std::size_t corners = 0;
-    for (const Face& face : faces)
+    for (const Face face : faces)
         corners += face.size();
     if (vertices.size() > most || corners > most)
         throw InvalidInput(fmt::format("mesh: {} vertices and {} face corners are too many (at most {} each)",
                                        vertices.size(), corners, most));
 }
 
-void check_indices(std::size_t index, const Face& face, std::size_t vertex_count) {
+void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
     if (face.size() < 3)
         refuse_face(index, fmt::format("a face needs at least three vertices and this one has {}", face.size()));
     for (const std::uint32_t vertex : face)
@@ -55,22 +56,22 @@ void check_indices(std::size_t index, const Face& face, std::size_t vertex_count
                 index, fmt::format("vertex index {} is out of range (the mesh has {} vertices)", vertex, vertex_count));
 }
 
-std::size_t count_distinct(Face ids) {
+std::size_t count_distinct(Outline ids) {
     std::ranges::sort(ids);
     return static_cast<std::size_t>(std::ranges::unique(ids).begin() - ids.begin());
 }
 
 /// A vertex named twice in a row, or so often that no area can be left. Elsewhere in an outline a vertex may come
 /// back, as it does where a hole is bridged.
-void check_repeats(std::size_t index, const Face& face) {
+void check_repeats(std::size_t index, Face face) {
     for (std::size_t i = 0; i < face.size(); ++i)
         if (face[i] == face[(i + 1) % face.size()])
             refuse_face(index, fmt::format("names vertex {} twice in a row", face[i]));
-    if (face.size() > 3 && count_distinct(face) < 3)
+    if (face.size() > 3 && count_distinct({face.begin(), face.end()}) < 3)
         refuse_face(index, "has fewer than three distinct vertices");
 }
 
-void merge_corners(const Face& face, std::span<const std::uint32_t> first_equal, Face& outline) {
+void merge_corners(Face face, std::span<const std::uint32_t> first_equal, Outline& outline) {
     outline.clear();
     for (const std::uint32_t vertex : face)
         if (outline.empty() || outline.back() != first_equal[vertex])
@@ -79,7 +80,7 @@ void merge_corners(const Face& face, std::span<const std::uint32_t> first_equal,
         outline.pop_back();
 }
 
-bool is_on_one_line(std::span<const Eigen::Vector3d> vertices, const Face& outline) {
+bool is_on_one_line(std::span<const Eigen::Vector3d> vertices, const Outline& outline) {
     for (std::size_t i = 2; i < outline.size(); ++i)
         if (!are_collinear(vertices[outline[0]], vertices[outline[1]], vertices[outline[i]]))
             return false;
@@ -102,14 +103,14 @@ void check_vertices(std::span<const Eigen::Vector3d> vertices) {
                                        (upper - lower).maxCoeff(), smallest_size));
 }
 
-SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<const std::vector<std::uint32_t>> faces,
+SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces,
                        const PolyhedronOptions& options) {
     check_counts(vertices, faces);
     const std::vector<std::uint32_t> first_equal = first_equal_vertices(vertices);
     SortedFaces sorted;
     for (std::uint32_t vertex = 0; vertex < first_equal.size(); ++vertex)
         sorted.distinct_vertices += first_equal[vertex] == vertex ? 1 : 0;
-    Face outline;
+    Outline outline;
     for (std::uint32_t index = 0; index < faces.size(); ++index) {
         check_indices(index, faces[index], vertices.size());
         if (!options.drop_degenerate)

@@ -36,7 +36,7 @@ void check_vertices(std::span<const Eigen::Vector3d> vertices);
 /// faces from collapsed ones, exactly. Throws InvalidInput for indices out of range, repeated vertices and faces
 /// without area that the options don't allow.
 [[nodiscard]] SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices,
-                                     std::span<const std::vector<std::uint32_t>> faces,
+                                     std::span<const std::span<const std::uint32_t>> faces,
                                      const PolyhedronOptions& options);
 
 } // namespace chasles

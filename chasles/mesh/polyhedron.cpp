@@ -97,6 +97,13 @@ MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
 Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::vector<std::uint32_t>> faces,
                                      const PolyhedronOptions& options) {
+    const std::vector<std::span<const std::uint32_t>> looked_at(faces.begin(), faces.end());
+    return from_polygons(vertices, looked_at, options);
+}
+
+Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
+                                     std::span<const std::span<const std::uint32_t>> faces,
+                                     const PolyhedronOptions& options) {
     check_vertices(vertices);
     SortedFaces sorted = sort_faces(vertices, faces, options);
     PolygonFaces polygons = examine_polygons(std::move(sorted.proper), vertices, options);

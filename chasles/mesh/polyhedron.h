@@ -58,6 +58,11 @@ public:
                                     std::span<const std::vector<std::uint32_t>> faces,
                                     const PolyhedronOptions& options = {});
 
+    /// The same for faces that lie anywhere, say behind one another in one array.
+    static Polyhedron from_polygons(std::span<const Eigen::Vector3d> vertices,
+                                    std::span<const std::span<const std::uint32_t>> faces,
+                                    const PolyhedronOptions& options = {});
+
     /// From a file: OBJ, OFF, PLY, STL and what Assimp reads. Defined in chasles/io/mesh_files.cpp.
     /// Throws InvalidInput that names the file, the line where there is one, and the reason.
     static Polyhedron load(const std::filesystem::path& file, const PolyhedronOptions& options = {});

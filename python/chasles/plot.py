@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -29,7 +28,6 @@ def plot(
     axes: Axes3D | None = None,
     *,
     ghosts: int = 3,
-    max_turn: float = math.pi / 18,
 ) -> Axes3D:
     """Draw the bodies at the contact (at the goal, if clear), the start as a ghost, and the way of the moving body.
 
@@ -44,8 +42,6 @@ def plot(
         Where to draw; new ones in a new figure if none are given.
     ghosts : int
         So many faint bodies along the way, the start among them.
-    max_turn : float
-        As it was given to the query, radians; the way depends on it a little.
 
     Returns
     -------
@@ -55,7 +51,7 @@ def plot(
     axes.computed_zorder = False  # bodies are sorted below; marks come on top
     is_clear = found.verdict == Verdict.clear
     end = 1.0 if is_clear else found.time
-    motion = _poses(found.motion, max_turn)
+    motion = _poses(found.motion, found.max_turn)
     moving, fixed = _polygons(found.moving), _polygons(found.fixed)
     moving_pose = motion(1.0) if is_clear else np.asarray(found.pose)
     bodies = [(_moved(fixed, found.motion.fixed_pose_at(end)), FIXED), (_moved(moving, moving_pose), MOVING)]

@@ -1,6 +1,5 @@
 """An answer as a page of HTML to look at: both bodies, a slider for the time, the contact and its numbers."""
 
-import math
 import os
 import pathlib
 from typing import Any
@@ -49,8 +48,7 @@ def view(
         As `first_contact`, or if the package was built without the viewer.
     """
     found = _core.first_contact(moving, fixed, start, goal, **options)
-    used = {name: options[name] for name in ("max_turn", "margin") if name in options}
-    write_page(found, out, title=title, names=names, **used)
+    write_page(found, out, title=title, names=names)
     return found
 
 
@@ -60,14 +58,9 @@ def write_page(
     *,
     title: str = "Chasles",
     names: tuple[str, str] = ("moving", "fixed"),
-    max_turn: float = math.pi / 18,
-    margin: float = 0.0,
 ) -> pathlib.Path:
-    """Write a page that shows an answer; `found.view(out)` is the same.
-
-    `max_turn` and `margin` are those of the query. Returns the path of the page.
-    """
-    page = _core.view_page(found, title, *names, max_turn=max_turn, margin=margin)
+    """Write a page that shows an answer; `found.view(out)` is the same. Returns the path of the page."""
+    page = _core.view_page(found, title, *names)
     path = pathlib.Path(out)
     path.write_text(page, encoding="utf-8")
     return path

@@ -86,6 +86,20 @@ TEST(Polyhedron, IsTheCubeItWasMadeFrom) {
     EXPECT_EQ(cube.hierarchy().nodes().size(), 11U);
 }
 
+TEST(Polyhedron, IsTheSameFromFacesThatLieInOneArray) {
+    const Soup soup = test::cube();
+    std::vector<std::uint32_t> indices;
+    for (const auto& face : soup.faces)
+        indices.insert(indices.end(), face.begin(), face.end());
+    std::vector<std::span<const std::uint32_t>> faces;
+    for (std::size_t f = 0; f < soup.faces.size(); ++f)
+        faces.push_back(std::span<const std::uint32_t>(indices).subspan(4 * f, 4));
+    const Polyhedron cube = Polyhedron::from_polygons(soup.vertices, faces);
+    ASSERT_EQ(cube.face_count(), 6U);
+    for (std::size_t f = 0; f < 6; ++f)
+        EXPECT_EQ(ids(cube.face(f)), soup.faces[f]);
+}
+
 TEST(Polyhedron, OwnsEachFeatureOfATorusOnceAndEvenly) {
     const Polyhedron torus = made_from(test::torus(37, 23));
     expect_owned_once(torus);

@@ -13,7 +13,7 @@ run() {
     asked=$(grep -E '^(apt-get|sudo)' "$folder/log" || true)
 }
 
-run --list check fuzz bench tidy
+run --list check fuzz python bench tidy
 everything=$(printf 'echo installed %s\n' $output)
 
 run --list check
@@ -30,6 +30,9 @@ rm "$folder/bin/npm" "$folder/bin/chromium"
 run --list fuzz
 expect "fuzzing needs the compiler and its runtime" 'case $output in *clang-*libclang-rt-*) ;; *) false ;; esac'
 
+run --list python
+expect "the package needs environments and headers" 'case $output in *python3-venv*python3-dev*) ;; *) false ;; esac'
+
 run --list bench
 expect "benchmarks need Python's environments and Rust" 'case $output in *python3-venv*cargo*) ;; *) false ;; esac'
 
@@ -45,7 +48,7 @@ expect "elsewhere than on Debian: one line, no failure" \
 pretend apt-get ''
 pretend id 'echo 0'
 pretend dpkg-query "$everything"
-run check fuzz bench tidy
+run check fuzz python bench tidy
 expect "nothing missing: silent, and the package lists are left alone" '[ $status -eq 0 ] && [ -z "$output$asked" ]'
 
 pretend dpkg-query "$(printf '%s\n' "$everything" | grep -v -e 'installed libfmt-dev$')

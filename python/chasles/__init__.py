@@ -1,0 +1,80 @@
+"""When do two moving polyhedra first touch, where, and how? Answered exactly.
+
+    import chasles
+
+    peg, hole = chasles.load("peg.obj"), chasles.load("hole.obj")
+    found = chasles.first_contact(peg, hole, start, goal)  # poses: (4, 4), or (7,) for x y z qw qx qy qz
+    if found.verdict == "contact":
+        print(found.time, found.contacts[0].normal)
+
+Lengths are in the meshes' own unit, angles in radians, times in [0, 1]. The guide is docs/python.md.
+"""
+
+from typing import Any
+
+from ._core import (
+    Contact,
+    FirstContact,
+    InvalidInput,
+    MeshReport,
+    Overlap,
+    PathContact,
+    Polyhedron,
+    ScrewMotion,
+    SweepMotion,
+    Work,
+    __version__,
+    constraint_rows,
+    first_contact,
+    first_contact_on_path,
+    load,
+)
+from .batch import BatchInterrupted, first_contact_batch, path_is_clear_batch
+from .enums import ContactKind, Find, Verdict
+from .meshes import from_trimesh
+from .table import empty_table, motion_dtype, path_dtype
+from .view import view, write_page
+
+__all__ = [
+    "BatchInterrupted",
+    "Contact",
+    "ContactKind",
+    "Find",
+    "FirstContact",
+    "InvalidInput",
+    "MeshReport",
+    "Overlap",
+    "PathContact",
+    "Polyhedron",
+    "ScrewMotion",
+    "SweepMotion",
+    "Verdict",
+    "Work",
+    "__version__",
+    "constraint_rows",
+    "empty_table",
+    "first_contact",
+    "first_contact_batch",
+    "first_contact_on_path",
+    "from_trimesh",
+    "load",
+    "motion_dtype",
+    "path_dtype",
+    "path_is_clear_batch",
+    "view",
+]
+
+for _name in __all__:  # the module that users know
+    if getattr(globals()[_name], "__module__", "") == "chasles._core" and isinstance(globals()[_name], type):
+        globals()[_name].__module__ = "chasles"
+
+
+def _plot(found: FirstContact, *arguments: Any, **options: Any) -> Any:
+    """A picture of the answer with matplotlib: see `chasles.plot.plot`."""
+    from .plot import plot  # matplotlib and what it brings are no dependency
+
+    return plot(found, *arguments, **options)
+
+
+FirstContact.plot = _plot  # type: ignore[attr-defined]
+FirstContact.view = write_page  # type: ignore[attr-defined]

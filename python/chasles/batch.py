@@ -1,0 +1,205 @@
+"""Many motions, or many paths, of one pair of bodies, on all cores."""
+
+import math
+from collections.abc import Sequence
+from contextlib import AbstractContextManager, nullcontext
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._core import InvalidInput, Polyhedron
+from .enums import Find
+from .table import NOT_DONE, empty_table, motion_dtype, path_dtype
+
+Table = npt.NDArray[np.void]
+Errors = Literal["raise", "mark"]
+
+
+class BatchInterrupted(KeyboardInterrupt):
+    """Ctrl-C in a batch. Nothing is lost: ``table`` has the rows that were answered, the others say "not_done".
+
+    In a session ``sys.last_value.table`` is the same; hand it back to the batch as ``table=`` to go on.
+    """
+
+    def __init__(self, table: Table):
+        done = int(np.count_nonzero(table["verdict"] != NOT_DONE))
+        super().__init__(f"{done} of {len(table)} rows are answered; go on with table=error.table")
+        self.table = table
+
+
+def first_contact_batch(
+    moving: Polyhedron,
+    fixed: Polyhedron,
+    starts: npt.ArrayLike,
+    goals: npt.ArrayLike,
+    *,
+    margin: float = 0.0,
+    hold: float | None = None,
+    time_tolerance: float = 1e-12,
+    max_turn: float = math.pi / 18,
+    find: Find | str = "first",
+    threads: int = 0,
+    errors: Errors = "raise",
+    progress: bool = False,
+    table: Table | None = None,
+) -> Table:
+    """The first contact of many motions of one pair of bodies.
+
+    Each motion is the screw from its start to its goal. The GIL is released while they are answered, and the answers
+    are the same for any number of threads.
+
+    Parameters
+    ----------
+    moving, fixed : Polyhedron
+    starts, goals : array (n, 4, 4) or (n, 7)
+        Poses of the moving body in the frame of the fixed one, as `first_contact` takes them.
+    margin, hold, time_tolerance, max_turn, find
+        As for `first_contact`, but for `find`: a row has room for one contact.
+    threads : int
+        At most so many; 0 for all cores.
+    errors : "raise" or "mark"
+        What a pose does that cannot be used: raise InvalidInput that names it before anything is answered, or make
+        the verdict of its row "error".
+    progress : bool
+        Show a bar; needs tqdm.
+    table : structured array, optional
+        The table of a batch that was interrupted: rows that are not "not_done" are left alone, the others are answered
+        in place.
+
+    Returns
+    -------
+    structured array of n rows
+        With the columns of `chasles.table`.
+
+    Raises
+    ------
+    InvalidInput
+        A ValueError that says what, where and why.
+    BatchInterrupted
+        A KeyboardInterrupt that carries the answers so far. It comes within a tenth of a second and the time of the
+        longest query.
+    """
+    starts, goals = np.asarray(starts), np.asarray(goals)
+    if starts.ndim and goals.ndim and len(starts) != len(goals):
+        raise InvalidInput(f"goals: there are {len(goals)} for {len(starts)} starts")
+    options = {
+        "margin": margin,
+        "hold": hold,
+        "time_tolerance": time_tolerance,
+        "max_turn": max_turn,
+        "find": find,
+        "threads": _thread_count(threads),
+        "marks_errors": _marks(errors),
+    }
+    table = _table_for(table, len(starts) if starts.ndim else 0, motion_dtype)
+    return _run(_core._first_contact_batch, (moving, fixed, starts, goals), table, options, progress, "motions")
+
+
+def path_is_clear_batch(
+    moving: Polyhedron,
+    fixed: Polyhedron,
+    paths: npt.ArrayLike | Sequence[npt.ArrayLike],
+    *,
+    margin: float = 0.0,
+    time_tolerance: float = 1e-12,
+    max_turn: float = math.pi / 18,
+    find: Find | str = "any",
+    threads: int = 0,
+    errors: Errors = "raise",
+    progress: bool = False,
+    table: Table | None = None,
+) -> Table:
+    """Which of many paths are clear: no contact on any of their segments.
+
+    Each segment between two poses is one screw. With `find` "any", the default, the answer is yes or no, and the time of
+    a contact is that of some contact of its segment; ask with "first" for the first contact of each path.
+
+    Parameters
+    ----------
+    moving, fixed : Polyhedron
+    paths : array (p, n, 4, 4) or (p, n, 7), or a sequence of p arrays (n, 4, 4) or (n, 7)
+        Poses of the moving body in the frame of the fixed one; at least two a path.
+    margin, time_tolerance, max_turn, find
+        As for `first_contact_on_path`.
+    threads, errors, progress, table
+        As for `first_contact_batch`.
+
+    Returns
+    -------
+    structured array of p rows
+        With the columns of `chasles.table`; `table["verdict"] == "clear"` are the paths that are proven clear.
+    """
+    poses, offsets = _joined(paths)
+    options = {
+        "margin": margin,
+        "time_tolerance": time_tolerance,
+        "max_turn": max_turn,
+        "find": find,
+        "threads": _thread_count(threads),
+        "marks_errors": _marks(errors),
+    }
+    table = _table_for(table, len(offsets) - 1, path_dtype)
+    return _run(_core._path_is_clear_batch, (moving, fixed, poses, offsets), table, options, progress, "paths")
+
+
+def _run(ask: Any, question: tuple[Any, ...], table: Table, options: dict[str, Any], progress: bool, unit: str) -> Table:
+    with _bar(progress, len(table), unit) as bar:
+        report = None if bar is None else lambda done: bar.update(done - bar.n)
+        try:
+            ask(*question, table, **options, report=report)
+        except KeyboardInterrupt:
+            raise BatchInterrupted(table) from None
+    return table
+
+
+def _bar(progress: bool, rows: int, unit: str) -> AbstractContextManager[Any]:
+    if not progress:
+        return nullcontext()
+    from tqdm.auto import tqdm
+
+    return tqdm(total=rows, unit=f" {unit}")
+
+
+def _marks(errors: Errors) -> bool:
+    if errors not in ("raise", "mark"):
+        raise InvalidInput(f"errors: {errors!r}: must be 'raise' or 'mark'")
+    return errors == "mark"
+
+
+def _thread_count(threads: int) -> int:
+    if threads < 0:
+        raise InvalidInput(f"threads: {threads} is negative; 0 is for all cores")
+    return threads
+
+
+def _table_for(table: Table | None, rows: int, dtype: np.dtype) -> Table:
+    if table is None:
+        return empty_table(rows, dtype)
+    if not isinstance(table, np.ndarray) or table.dtype != dtype or table.shape != (rows,):
+        raise InvalidInput(f"table: must be one of {rows} rows that an earlier batch of the same kind left")
+    return table
+
+
+def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray[Any], npt.NDArray[np.int64]]:
+    """All poses behind one another, and where each path begins and the last one ends."""
+    if isinstance(paths, np.ndarray) and paths.dtype != object:
+        arrays: Any = paths
+    else:
+        arrays = [np.asarray(path) for path in paths]  # type: ignore[union-attr]
+    if len(arrays) == 0:
+        return np.empty((0, 7)), np.zeros(1, np.int64)
+    for i, path in enumerate(arrays):
+        if path.ndim < 2 or path.shape[1:] not in ((7,), (4, 4)):
+            raise InvalidInput(
+                f"paths[{i}]: the shape is {path.shape}; a path has (n, 4, 4), or (n, 7) for x y z qw qx qy qz"
+            )
+        if path.shape[1:] != arrays[0].shape[1:]:
+            raise InvalidInput(
+                f"paths[{i}]: poses are of shape {path.shape[1:]}, those before of {arrays[0].shape[1:]}"
+            )
+        if len(path) < 2:
+            raise InvalidInput(f"paths[{i}]: at least two poses are needed")
+    offsets = np.cumsum([0, *(len(path) for path in arrays)], dtype=np.int64)
+    return np.concatenate(arrays), offsets

@@ -1,0 +1,30 @@
+// Answers as Python holds them: what the library said, and what it was asked.
+#pragma once
+
+#include "chasles/query/first_contact.h"
+#include "python/src/body.h"
+
+#include <nanobind/nanobind.h>
+#include <string>
+
+namespace chasles::python {
+
+struct Answer {
+    FirstContact found;
+    nanobind::object moving; ///< the bodies that were asked about, which live as long as the answer
+    nanobind::object fixed;
+    Motion motion;
+    double margin;
+    double max_turn;
+};
+
+struct PathAnswer : Answer {
+    std::size_t segment = 0;
+};
+
+/// "edge 0-3 on edge 2-6"
+std::string text_of(const Contact& contact);
+
+nanobind::tuple tuple_of(const std::vector<Contact>& contacts);
+
+} // namespace chasles::python

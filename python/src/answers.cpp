@@ -1,0 +1,95 @@
+// chasles.FirstContact and chasles.PathContact.
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/docstrings.h"
+#include "python/src/names.h"
+#include "python/src/poses.h"
+
+#include <fmt/format.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/variant.h>
+
+namespace chasles::python {
+namespace {
+
+#define CHASLES_ARRAY "numpy.typing.NDArray[numpy.float64]"
+
+/// "contact at time 0.465661545123, 1 contact: edge 0-3 on edge 2-6"
+std::string summary(const FirstContact& found) {
+    if (found.verdict == Verdict::clear)
+        return found.clear_until < 1 ? fmt::format("clear until {}", found.clear_until) : "clear";
+    std::string text = found.verdict == Verdict::contact ? fmt::format("contact at time {:.12g}", found.time.lower)
+                                                         : "contact at the start";
+    if (!found.certain)
+        text += " (uncertain)";
+    if (found.overlap)
+        text += ", overlapping";
+    if (!found.contacts.empty())
+        text += fmt::format(", {} contact{}: {}{}", found.contacts.size(), found.contacts.size() == 1 ? "" : "s",
+                            text_of(found.contacts.front()), found.contacts.size() > 1 ? ", ..." : "");
+    return text;
+}
+
+nb::class_<Answer> bind_first_contact(nb::module_& module) {
+    nb::class_<Answer> type(module, "FirstContact", doc("FirstContact"));
+    type.def_prop_ro(
+            "verdict", [](const Answer& a) { return member_of(a.found.verdict); },
+            nb::sig("def verdict(self) -> chasles.enums.Verdict"), doc("Verdict"))
+        .def_prop_ro(
+            "time", [](const Answer& a) { return a.found.time.lower; },
+            "Lower end of the bracket around the time of the first contact (with find='any', of some "
+            "contact), in [0, 1]; 0 if clear.")
+        .def_prop_ro(
+            "time_upper", [](const Answer& a) { return a.found.time.upper; }, "Its upper end.")
+        .def_prop_ro(
+            "tau", [](const Answer& a) { return a.found.tau.lower; },
+            "Lower end of the same bracket in the paper's parameter.")
+        .def_prop_ro(
+            "tau_upper", [](const Answer& a) { return a.found.tau.upper; }, "Its upper end.")
+        .def_prop_ro(
+            "certain", [](const Answer& a) { return a.found.certain; }, doc("FirstContact.certain"))
+        .def_prop_ro(
+            "contacts", [](const Answer& a) { return tuple_of(a.found.contacts); },
+            nb::sig("def contacts(self) -> tuple[Contact, ...]"), doc("Contact"))
+        .def_prop_ro(
+            "held", [](const Answer& a) { return tuple_of(a.found.held); },
+            nb::sig("def held(self) -> tuple[Contact, ...]"), doc("FirstContact.held"))
+        .def_prop_ro(
+            "clear_until", [](const Answer& a) { return a.found.clear_until; }, doc("FirstContact.clear_until"))
+        .def_prop_ro(
+            "overlap", [](const Answer& a) { return a.found.overlap; }, doc("FirstContact.overlap"))
+        .def_prop_ro(
+            "pose", [](const Answer& a) { return matrix_of(a.found.pose); },
+            nb::sig("def pose(self) -> " CHASLES_ARRAY), doc("FirstContact.pose"))
+        .def_prop_ro(
+            "work", [](const Answer& a) { return a.found.work; }, doc("Work"));
+    return type;
+}
+
+} // namespace
+
+void bind_answers(nb::module_& module) {
+    bind_first_contact(module)
+        .def_prop_ro(
+            "moving", [](const Answer& a) { return a.moving; }, nb::sig("def moving(self) -> Polyhedron"),
+            "The moving body that was asked about.")
+        .def_prop_ro(
+            "fixed", [](const Answer& a) { return a.fixed; }, nb::sig("def fixed(self) -> Polyhedron"),
+            "The fixed body that was asked about.")
+        .def_prop_ro(
+            "motion", [](const Answer& a) { return a.motion; },
+            nb::sig("def motion(self) -> ScrewMotion | SweepMotion"), "The motion that was asked about.")
+        .def_ro("margin", &Answer::margin, "The margin that was asked for.")
+        .def_ro("max_turn", &Answer::max_turn, "By how much a screw turned at most before it was cut; radians.")
+        .def("__repr__", [](const Answer& a) { return "<chasles.FirstContact: " + summary(a.found) + ">"; });
+    nb::class_<PathAnswer, Answer>(module, "PathContact", doc("PathContact"))
+        .def_ro("segment", &PathAnswer::segment, doc("PathContact.segment"))
+        .def("__repr__", [](const PathAnswer& a) {
+            const bool is_clear = a.found.verdict == Verdict::clear;
+            return "<chasles.PathContact: " + (is_clear ? "" : fmt::format("segment {}, ", a.segment)) +
+                   summary(a.found) + ">";
+        });
+}
+
+} // namespace chasles::python

@@ -1,0 +1,190 @@
+// Reads arrays through the buffer protocol, which costs a tenth of a microsecond; what has no plain numbers goes
+// through NumPy, which takes some microseconds.
+#include "python/src/arrays.h"
+
+#include "chasles/invalid_input.h"
+
+#include <algorithm>
+#include <cstring>
+#include <nanobind/stl/string.h>
+
+namespace chasles::python {
+namespace {
+
+template <typename Number>
+constexpr const char* numpy_type = std::is_same_v<Number, double> ? "float64" : "int64";
+
+template <typename Number>
+constexpr const char* allowed_kinds = std::is_same_v<Number, double> ? "iuf" : "iu";
+
+template <typename Number>
+bool is_of(const Py_buffer& view) {
+    return view.itemsize == sizeof(Number) && reinterpret_cast<std::uintptr_t>(view.buf) % alignof(Number) == 0;
+}
+
+bool is_contiguous(const Py_buffer& view) {
+    Py_ssize_t step = view.itemsize;
+    for (int i = view.ndim - 1; i >= 0; --i) {
+        if (view.shape[i] > 1 && view.strides[i] != step)
+            return false;
+        step *= view.shape[i];
+    }
+    return true;
+}
+
+/// Appends the numbers of a dimension and those inside of it, in order.
+template <typename Given, typename Number>
+void append(const Py_buffer& view, int dimension, const char* at, std::vector<Number>& numbers) {
+    for (Py_ssize_t i = 0; i < view.shape[dimension]; ++i, at += view.strides[dimension]) {
+        if (dimension + 1 < view.ndim) {
+            append<Given>(view, dimension + 1, at, numbers);
+            continue;
+        }
+        Given given;
+        std::memcpy(&given, at, sizeof(Given)); // it need not be aligned
+        numbers.push_back(static_cast<Number>(given));
+    }
+}
+
+template <typename Given, typename Number>
+bool convert(const Py_buffer& view, std::vector<Number>& numbers) {
+    numbers.reserve(std::size_t(view.len / view.itemsize));
+    append<Given>(view, 0, static_cast<const char*>(view.buf), numbers);
+    return true;
+}
+
+/// Whole numbers of the machine's own byte order.
+template <typename Number>
+bool convert_whole(char format, const Py_buffer& view, std::vector<Number>& numbers) {
+    switch (format) {
+    case 'b':
+        return convert<signed char>(view, numbers);
+    case 'B':
+        return convert<unsigned char>(view, numbers);
+    case 'h':
+        return convert<short>(view, numbers);
+    case 'H':
+        return convert<unsigned short>(view, numbers);
+    case 'i':
+        return convert<int>(view, numbers);
+    case 'I':
+        return convert<unsigned>(view, numbers);
+    case 'l':
+        return convert<long>(view, numbers);
+    case 'L':
+        return convert<unsigned long>(view, numbers);
+    case 'q':
+        return convert<long long>(view, numbers);
+    case 'Q':
+        return convert<unsigned long long>(view, numbers);
+    default:
+        return false;
+    }
+}
+
+/// Whether the buffer was got; leaves no error behind.
+bool get(nb::handle argument, Py_buffer& view) {
+    if (!PyObject_CheckBuffer(argument.ptr()) || PyBytes_Check(argument.ptr())) // bytes are text, not numbers
+        return false;
+    if (PyObject_GetBuffer(argument.ptr(), &view, PyBUF_STRIDES | PyBUF_FORMAT) == 0)
+        return true;
+    PyErr_Clear();
+    return false;
+}
+
+std::string text_of(const nb::object& object) {
+    return nb::cast<std::string>(nb::str(nb::handle(object)));
+}
+
+template <typename Number>
+nb::object converted(nb::handle argument, const std::string& name) {
+    const nb::module_ numpy = nb::module_::import_("numpy");
+    nb::object array;
+    try {
+        array = numpy.attr("asarray")(argument);
+    } catch (nb::python_error& error) {
+        if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError))
+            throw;
+        throw InvalidInput(name + ": not an array: " + text_of(nb::borrow(error.value())));
+    }
+    const auto kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
+    const bool is_empty = nb::cast<std::size_t>(array.attr("size")) == 0; // NumPy makes floats of []
+    if (!is_empty && std::string_view(allowed_kinds<Number>).find(kind) == std::string_view::npos)
+        throw InvalidInput(
+            name + ": an array of " + text_of(array.attr("dtype")) +
+            (std::is_same_v<Number, double> ? " is not one of real numbers" : " is not one of whole numbers"));
+    return numpy.attr("require")(array, numpy_type<Number>, "CA");
+}
+
+} // namespace
+
+std::string text_of_shape(std::span<const Py_ssize_t> shape) {
+    std::string text = "(";
+    for (std::size_t i = 0; i < shape.size(); ++i)
+        text += (i ? ", " : "") + std::to_string(shape[i]);
+    return text + (shape.size() == 1 ? ",)" : ")");
+}
+
+template <typename Number>
+ArrayArgument<Number>::ArrayArgument(nb::handle argument, const std::string& name) {
+    if (get(argument, view_)) {
+        if (take_view())
+            return;
+        PyBuffer_Release(&view_);
+    }
+    const nb::object array = converted<Number>(argument, name);
+    if (PyObject_GetBuffer(array.ptr(), &view_, PyBUF_STRIDES | PyBUF_FORMAT) != 0)
+        throw nb::python_error();
+    numbers_ = {static_cast<const Number*>(view_.buf), std::size_t(view_.len) / sizeof(Number)};
+}
+
+template <typename Number>
+ArrayArgument<Number>::~ArrayArgument() {
+    PyBuffer_Release(&view_);
+}
+
+template <typename Number>
+bool ArrayArgument<Number>::take_view() {
+    constexpr bool is_real = std::is_same_v<Number, double>;
+    const std::string_view format = view_.format ? view_.format : "B";
+    if (view_.ndim == 0 || format.size() != 1)
+        return false;
+    const bool has_type = is_real ? format == "d" : format == "l" || format == "q";
+    if (has_type && is_of<Number>(view_) && is_contiguous(view_)) {
+        numbers_ = {static_cast<const Number*>(view_.buf), std::size_t(view_.len) / sizeof(Number)};
+        return true;
+    }
+    const bool is_converted = is_real && format == "d"   ? convert<double>(view_, converted_)
+                              : is_real && format == "f" ? convert<float>(view_, converted_)
+                                                         : convert_whole(format[0], view_, converted_);
+    numbers_ = converted_;
+    return is_converted;
+}
+
+template <typename Number>
+std::string ArrayArgument<Number>::shape_text() const {
+    return text_of_shape(shape());
+}
+
+template class ArrayArgument<double>;
+template class ArrayArgument<std::int64_t>;
+
+Eigen::Vector3d vector_from(nb::handle argument, const std::string& name) {
+    const DoubleArray array(argument, name);
+    if (array.shape().size() != 1 || array.numbers().size() != 3)
+        throw InvalidInput(name + ": the shape is " + array.shape_text() + "; a point has (3,)");
+    return Eigen::Map<const Eigen::Vector3d>(array.numbers().data());
+}
+
+nb::object array_of(std::span<const double> numbers, std::initializer_list<std::size_t> shape) {
+    auto* const copy = new double[numbers.size() + 1]; // + 1: nothing is an array too
+    std::ranges::copy(numbers, copy);
+    const nb::capsule owner(copy, [](void* memory) noexcept { delete[] static_cast<double*>(memory); });
+    return nb::cast(OwnArray(copy, shape.size(), shape.begin(), owner));
+}
+
+nb::object array_of(const Eigen::Vector3d& vector) {
+    return array_of(std::span(vector.data(), 3), {3});
+}
+
+} // namespace chasles::python

@@ -1,0 +1,194 @@
+// chasles.first_contact_batch and chasles.path_is_clear_batch, below python/chasles/batch.py.
+#include "chasles/invalid_input.h"
+#include "chasles/on_threads.h"
+#include "python/src/bind.h"
+#include "python/src/body.h"
+#include "python/src/interruptible.h"
+#include "python/src/names.h"
+#include "python/src/poses.h"
+#include "python/src/query_options.h"
+#include "python/src/table.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <nanobind/stl/optional.h>
+#include <vector>
+
+namespace chasles::python {
+namespace {
+
+using namespace nb::literals;
+
+/// How to answer, besides the bodies and the motions.
+struct BatchOptions {
+    QueryOptions query;
+    unsigned threads;
+    bool marks_errors; ///< a pose that cannot be used costs its row, not the batch
+};
+
+/// Refuses options that no query takes before any is answered: by asking about two triangles.
+void check(const QueryOptions& options) {
+    const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<std::vector<std::uint32_t>> face{{0, 1, 2}};
+    const Polyhedron triangle = Polyhedron::from_polygons(corners, face);
+    const Pose beside({4, 0, 0}, Eigen::Quaterniond::Identity());
+    static_cast<void>(options.ask(triangle, triangle, ScrewMotion::between(beside, beside)));
+}
+
+/// Calls answer(i) for each row that has no answer yet, until the batch is to stop.
+template <typename AnyRow, typename AnswerRow>
+void answer_rows(const Table<AnyRow>& table, const BatchOptions& options, Progress& progress, const AnswerRow& answer) {
+    on_threads(options.threads, table.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !progress.is_stopping; ++i) {
+            if (!is_answered(table[i]))
+                try {
+                    answer(i);
+                } catch (const InvalidInput&) {
+                    if (!options.marks_errors)
+                        throw;
+                    write_error(table[i]);
+                }
+            ++progress.done;
+        }
+    });
+}
+
+/// Poses that are read, or why they cannot be, before any question is asked.
+class ReadPoses {
+public:
+    /// `name_of` a pose is for messages.
+    template <typename NameOf>
+    ReadPoses(const PoseArray& array, const BatchOptions& options, const NameOf& name_of)
+        : poses_(array.size()), is_bad_(array.size()) {
+        on_threads(options.threads, array.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end; ++i)
+                try {
+                    poses_[i] = array[i];
+                } catch (const InvalidInput&) {
+                    is_bad_[i] = true;
+                }
+        });
+        const auto bad = std::ranges::find(is_bad_, 1);
+        if (bad != is_bad_.end() && !options.marks_errors)
+            explain(array, std::size_t(bad - is_bad_.begin()), name_of);
+    }
+
+    const Pose& operator[](std::size_t i) const {
+        if (is_bad_[i])
+            throw InvalidInput("pose " + std::to_string(i));
+        return poses_[i];
+    }
+
+    /// Throws as operator[] would for any of them.
+    std::span<const Pose> range(std::size_t begin, std::size_t end) const {
+        const auto bad = std::span(is_bad_).subspan(begin, end - begin);
+        if (const auto first = std::ranges::find(bad, 1); first != bad.end())
+            static_cast<void>((*this)[begin + std::size_t(first - bad.begin())]);
+        return std::span(poses_).subspan(begin, end - begin);
+    }
+
+private:
+    template <typename NameOf>
+    [[noreturn]] static void explain(const PoseArray& array, std::size_t index, const NameOf& name_of) {
+        try {
+            static_cast<void>(array[index]);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput(name_of(index) + ": " + error.what());
+        }
+        throw InvalidInput(name_of(index) + ": was changed while it was read");
+    }
+
+    std::vector<Pose> poses_;
+    std::vector<std::uint8_t> is_bad_;
+};
+
+void first_contact_rows(const Body& moving, const Body& fixed, nb::handle starts, nb::handle goals, nb::handle array,
+                        const BatchOptions& options, nb::handle report) {
+    const PoseArray start_array(starts, "starts"), goal_array(goals, "goals");
+    const Table<Row> table(array);
+    if (start_array.size() != table.size() || goal_array.size() != table.size())
+        throw InvalidInput("table: has " + std::to_string(table.size()) + " rows for " +
+                           std::to_string(start_array.size()) + " starts and " + std::to_string(goal_array.size()) +
+                           " goals");
+    check(options.query);
+    const auto work = [&](Progress& progress) {
+        const auto named = [](const char* name) {
+            return [name](std::size_t i) { return fmt::format("{}[{}]", name, i); };
+        };
+        const ReadPoses from(start_array, options, named("starts")), to(goal_array, options, named("goals"));
+        answer_rows(table, options, progress, [&](std::size_t i) {
+            const Motion motion = ScrewMotion::between(from[i], to[i]);
+            write(options.query.ask(moving.polyhedron, fixed.polyhedron, motion), table[i]);
+        });
+    };
+    run_interruptibly(work, report);
+}
+
+/// "paths[PATH][POSE]"
+std::string name_in_paths(std::span<const std::int64_t> offsets, std::size_t pose) {
+    const auto end = std::ranges::upper_bound(offsets, std::int64_t(pose));
+    return fmt::format("paths[{}][{}]", end - offsets.begin() - 1, std::int64_t(pose) - end[-1]);
+}
+
+/// Ends a path that is being asked about.
+struct Stopped {};
+
+/// The poses of path i are those from offsets[i] to offsets[i + 1].
+void path_rows(const Body& moving, const Body& fixed, nb::handle poses, nb::handle offset_array, nb::handle array,
+               const BatchOptions& options, nb::handle report) {
+    const PoseArray pose_array(poses, "paths");
+    const IndexArray offsets(offset_array, "offsets");
+    const Table<PathRow> table(array);
+    check(options.query);
+    const auto work = [&](Progress& progress) {
+        const ReadPoses path(pose_array, options, [&](std::size_t i) { return name_in_paths(offsets.numbers(), i); });
+        const auto answer = [&](std::size_t i) {
+            const PathQuery query{
+                .moving = moving.polyhedron,
+                .fixed = fixed.polyhedron,
+                .poses = path.range(std::size_t(offsets.numbers()[i]), std::size_t(offsets.numbers()[i + 1])),
+                .margin = options.query.margin,
+                .time_tolerance = options.query.time_tolerance,
+                .max_turn = options.query.max_turn,
+                .find = options.query.find,
+                .progress = [&](std::size_t) {
+                    if (progress.is_stopping)
+                        throw Stopped();
+                }};
+            try {
+                write(first_contact_on_path(query), table[i]);
+            } catch (const Stopped&) {
+            }
+        };
+        answer_rows(table, options, progress, answer);
+    };
+    run_interruptibly(work, report);
+}
+
+} // namespace
+
+void bind_batches(nb::module_& module) {
+    module.def(
+        "_first_contact_batch",
+        [](const Body& moving, const Body& fixed, nb::handle starts, nb::handle goals, nb::handle table, double margin,
+           std::optional<double> hold, double time_tolerance, double max_turn, nb::handle find, unsigned threads,
+           bool marks_errors, nb::handle report) {
+            first_contact_rows(moving, fixed, starts, goals, table,
+                               {{margin, hold, time_tolerance, max_turn, find_from(find)}, threads, marks_errors},
+                               report);
+        },
+        "moving"_a, "fixed"_a, "starts"_a, "goals"_a, "table"_a, nb::kw_only(), "margin"_a, "hold"_a.none(),
+        "time_tolerance"_a, "max_turn"_a, "find"_a, "threads"_a, "marks_errors"_a, "report"_a.none());
+    module.def(
+        "_path_is_clear_batch",
+        [](const Body& moving, const Body& fixed, nb::handle poses, nb::handle offsets, nb::handle table, double margin,
+           double time_tolerance, double max_turn, nb::handle find, unsigned threads, bool marks_errors,
+           nb::handle report) {
+            path_rows(moving, fixed, poses, offsets, table,
+                      {{margin, {}, time_tolerance, max_turn, find_from(find)}, threads, marks_errors}, report);
+        },
+        "moving"_a, "fixed"_a, "poses"_a, "offsets"_a, "table"_a, nb::kw_only(), "margin"_a, "time_tolerance"_a,
+        "max_turn"_a, "find"_a, "threads"_a, "marks_errors"_a, "report"_a.none());
+}
+
+} // namespace chasles::python

@@ -1,0 +1,17 @@
+// The parts of the module, each in the source of its name.
+#pragma once
+
+#include <nanobind/nanobind.h>
+
+namespace chasles::python {
+
+void bind_polyhedron(nanobind::module_& module);
+void bind_motions(nanobind::module_& module);
+void bind_contacts(nanobind::module_& module);
+void bind_answers(nanobind::module_& module);
+void bind_queries(nanobind::module_& module);
+void bind_batches(nanobind::module_& module);
+void bind_view(nanobind::module_& module);
+void bind_timing(nanobind::module_& module);
+
+} // namespace chasles::python

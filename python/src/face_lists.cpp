@@ -1,0 +1,97 @@
+#include "python/src/face_lists.h"
+
+#include "chasles/invalid_input.h"
+#include "python/src/arrays.h"
+
+#include <limits>
+
+namespace chasles::python {
+namespace {
+
+std::uint32_t index_from(std::int64_t index, std::size_t face) {
+    if (index < 0 || index > std::numeric_limits<std::uint32_t>::max())
+        throw InvalidInput("faces[" + std::to_string(face) + "]: there is no vertex " + std::to_string(index));
+    return static_cast<std::uint32_t>(index);
+}
+
+/// Lists of one length are as good as an array, and faster as one.
+bool has_one_length(const nb::sequence& lists) {
+    std::size_t length = 0;
+    for (const nb::handle list : lists) {
+        const Py_ssize_t size = PyObject_Length(list.ptr());
+        if (size < 0) {
+            PyErr_Clear();
+            return true; // no list of lists at all: the array will say what is wrong
+        }
+        if (length != 0 && std::size_t(size) != length)
+            return false;
+        length = std::size_t(size);
+    }
+    return true;
+}
+
+} // namespace
+
+FaceLists::FaceLists(nb::handle argument) {
+    nb::sequence lists;
+    const bool is_list = PyList_Check(argument.ptr()) || PyTuple_Check(argument.ptr());
+    if (is_list && nb::try_cast(argument, lists) && !has_one_length(lists))
+        convert_lists(lists);
+    else if (!look_at(argument))
+        convert_array(argument);
+}
+
+Faces FaceLists::copies() const {
+    Faces faces;
+    for (const auto list : lists_)
+        faces.emplace_back(list.begin(), list.end());
+    return faces;
+}
+
+void FaceLists::cut(const std::uint32_t* indices, std::size_t rows, std::size_t corners) {
+    lists_.reserve(rows);
+    for (std::size_t row = 0; row < rows; ++row)
+        lists_.emplace_back(indices + row * corners, corners);
+}
+
+bool FaceLists::look_at(nb::handle argument) {
+    nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig, nb::device::cpu> array;
+    if (!nb::isinstance<nb::ndarray<>>(argument) || !nb::try_cast(argument, array, false))
+        return false;
+    held_ = nb::borrow(argument);
+    cut(array.data(), array.shape(0), array.shape(1));
+    return true;
+}
+
+void FaceLists::convert_array(nb::handle argument) {
+    const IndexArray array(argument, "faces");
+    if (array.shape().size() != 2)
+        throw InvalidInput("faces: the shape is " + array.shape_text() +
+                           "; faces have (m, 3), or (m, k) for k corners each");
+    const auto corners = std::size_t(array.shape()[1]);
+    converted_.reserve(array.numbers().size());
+    for (const std::int64_t index : array.numbers())
+        converted_.push_back(index_from(index, converted_.size() / corners));
+    cut(converted_.data(), std::size_t(array.shape()[0]), corners);
+}
+
+void FaceLists::convert_lists(const nb::sequence& lists) {
+    std::vector<std::size_t> ends;
+    for (const nb::handle list : lists) {
+        const std::string name = "faces[" + std::to_string(ends.size()) + "]";
+        const IndexArray indices(list, name);
+        if (indices.shape().size() != 1)
+            throw InvalidInput(name + ": the shape is " + indices.shape_text() +
+                               "; a face is a list of vertex indices");
+        for (const std::int64_t index : indices.numbers())
+            converted_.push_back(index_from(index, ends.size()));
+        ends.push_back(converted_.size());
+    }
+    std::size_t begin = 0;
+    for (const std::size_t end : ends) {
+        lists_.push_back(std::span<const std::uint32_t>(converted_).subspan(begin, end - begin));
+        begin = end;
+    }
+}
+
+} // namespace chasles::python

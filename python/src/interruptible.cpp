@@ -1,0 +1,81 @@
+#include "python/src/interruptible.h"
+
+#include "python/src/signals.h"
+
+#include <condition_variable>
+#include <exception>
+#include <mutex>
+#include <thread>
+
+namespace chasles::python {
+namespace {
+
+/// Work on another thread, which is joined at the latest when this ends.
+class Background {
+public:
+    Background(const std::function<void(Progress&)>& work, Progress& progress)
+        : thread_([this, &work, &progress] {
+              try {
+                  work(progress);
+              } catch (...) {
+                  error_ = std::current_exception();
+              }
+              const std::lock_guard lock(mutex_);
+              is_over_ = true;
+              over_.notify_one();
+          }) {}
+    ~Background() { join(); }
+    Background(const Background&) = delete;
+    Background& operator=(const Background&) = delete;
+
+    /// Whether it is over by then.
+    bool wait() {
+        std::unique_lock lock(mutex_);
+        return over_.wait_for(lock, SignalCheck::interval, [this] { return is_over_; });
+    }
+
+    void join() {
+        if (thread_.joinable())
+            thread_.join();
+    }
+
+    void rethrow() const {
+        if (error_)
+            std::rethrow_exception(error_);
+    }
+
+private:
+    std::mutex mutex_;
+    std::condition_variable over_;
+    bool is_over_ = false;
+    std::exception_ptr error_;
+    std::thread thread_; ///< last: it uses the others
+};
+
+void look_up(nanobind::handle report, std::size_t done) {
+    const nanobind::gil_scoped_acquire acquire;
+    if (PyErr_CheckSignals() != 0)
+        throw nanobind::python_error();
+    if (!report.is_none())
+        report(done);
+}
+
+} // namespace
+
+void run_interruptibly(const std::function<void(Progress&)>& work, nanobind::handle report) {
+    const nanobind::gil_scoped_release release;
+    Progress progress;
+    Background background(work, progress);
+    try {
+        while (!background.wait())
+            look_up(report, progress.done);
+        background.join();
+        look_up(report, progress.done);
+    } catch (...) {
+        progress.is_stopping = true;
+        throw; // once the background has been joined
+    }
+    background.rethrow();
+}
+
+} // namespace chasles::python

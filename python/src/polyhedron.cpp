@@ -1,0 +1,196 @@
+// chasles.Polyhedron: from arrays, from files, and back to arrays.
+#include "chasles/invalid_input.h"
+#include "chasles/io/mesh_files.h"
+#include "python/src/arrays.h"
+#include "python/src/bind.h"
+#include "python/src/body.h"
+#include "python/src/docstrings.h"
+#include "python/src/face_lists.h"
+#include "python/src/query_options.h"
+
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+#include <numeric>
+
+namespace chasles::python {
+namespace {
+
+using namespace nb::literals;
+
+static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double)); // points are looked at where NumPy has them
+
+/// Whether no face was dropped or cut.
+bool has_given_ids(const Polyhedron& polyhedron) {
+    for (std::size_t face = 0; face < polyhedron.face_count(); ++face)
+        if (polyhedron.source_face(face) != face)
+            return false;
+    return polyhedron.report().dropped_faces == 0;
+}
+
+Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool drop_degenerate, unsigned threads) {
+    const DoubleArray points(vertices, "vertices");
+    if (points.shape().size() != 2 || points.shape()[1] != 3)
+        throw InvalidInput("vertices: the shape is " + points.shape_text() + "; points have (n, 3)");
+    const FaceLists outlines(faces);
+    const std::span given(reinterpret_cast<const Eigen::Vector3d*>(points.numbers().data()),
+                          points.numbers().size() / 3);
+    const PolyhedronOptions options{triangulate, drop_degenerate, threads};
+    const nb::gil_scoped_release release;
+    Body body{Polyhedron::from_polygons(given, outlines.lists(), options), nullptr, options};
+    if (!has_given_ids(body.polyhedron))
+        body.given_faces = std::make_shared<Faces>(outlines.copies());
+    return body;
+}
+
+Body load(const std::filesystem::path& file, bool triangulate, bool drop_degenerate, unsigned threads) {
+    const PolyhedronOptions options{triangulate, drop_degenerate, threads};
+    const nb::gil_scoped_release release;
+    Body body{Polyhedron::load(file, options), nullptr, options};
+    if (!has_given_ids(body.polyhedron))
+        body.given_faces = std::make_shared<Faces>(io::load_polygons(file).faces);
+    return body;
+}
+
+nb::object vertices(nb::handle self) {
+    const auto points = polyhedron_of(self, "self").vertices();
+    using View = nb::ndarray<nb::numpy, const double>;
+    return nb::cast(View(points.data(), {points.size(), 3}, self));
+}
+
+nb::list faces(const Body& body) {
+    nb::list result;
+    for (std::size_t face = 0; face < body.polyhedron.face_count(); ++face) {
+        nb::list outline;
+        for (const std::uint32_t vertex : body.polyhedron.face(face))
+            outline.append(vertex);
+        result.append(nb::tuple(outline));
+    }
+    return result;
+}
+
+nb::object index_array(const std::vector<std::uint32_t>& indices, std::initializer_list<std::size_t> shape) {
+    auto* const copy = new std::vector<std::uint32_t>(indices);
+    const nb::capsule owner(copy,
+                            [](void* memory) noexcept { delete static_cast<std::vector<std::uint32_t>*>(memory); });
+    return nb::cast(nb::ndarray<nb::numpy, std::uint32_t>(copy->data(), shape.size(), shape.begin(), owner));
+}
+
+void add_triangles(const Polyhedron& body, std::size_t face, std::vector<std::uint32_t>& triangles) {
+    const auto outline = body.face(face);
+    for (const std::uint32_t corner : body.face_triangles(face))
+        triangles.push_back(outline[corner]);
+    if (!body.face_triangles(face).empty())
+        return;
+    for (std::size_t i = 2; i < outline.size(); ++i)
+        triangles.insert(triangles.end(), {outline[0], outline[i - 1], outline[i]});
+}
+
+nb::object triangles(const Body& body) {
+    std::vector<std::uint32_t> corners;
+    for (std::size_t face = 0; face < body.polyhedron.face_count(); ++face)
+        add_triangles(body.polyhedron, face, corners);
+    return index_array(corners, {corners.size() / 3, 3});
+}
+
+nb::object source_faces(const Body& body) {
+    std::vector<std::uint32_t> sources(body.polyhedron.face_count());
+    for (std::size_t face = 0; face < sources.size(); ++face)
+        sources[face] = body.polyhedron.source_face(face);
+    return index_array(sources, {sources.size()});
+}
+
+/// Faces as the constructor takes them fastest.
+nb::object packed_faces(const Body& body) {
+    const std::size_t corners = body.polyhedron.face(0).size();
+    std::vector<std::uint32_t> indices;
+    for (std::size_t face = 0; face < body.polyhedron.face_count(); ++face) {
+        const auto outline = body.polyhedron.face(face);
+        if (outline.size() != corners)
+            return faces(body);
+        indices.insert(indices.end(), outline.begin(), outline.end());
+    }
+    return index_array(indices, {body.polyhedron.face_count(), corners});
+}
+
+/// The same body from its numbers, with the same ids.
+nb::tuple reduce(nb::handle self) {
+    const Body& body = nb::cast<const Body&>(self);
+    const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
+    return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate,
+                                                      body.options.drop_degenerate, body.options.threads));
+}
+
+std::string repr(const Body& body) {
+    const MeshReport report = body.polyhedron.report();
+    return "<chasles.Polyhedron: " + std::to_string(report.vertices) + " vertices, " + std::to_string(report.faces) +
+           " faces, " + (report.closed ? "closed" : "open") + ">";
+}
+
+std::string repr_of_report(const MeshReport& report) {
+    return "MeshReport(vertices=" + std::to_string(report.vertices) + ", faces=" + std::to_string(report.faces) +
+           ", edges=" + std::to_string(report.edges) + ", closed=" + (report.closed ? "True" : "False") + ")";
+}
+
+void bind_report(nb::module_& module) {
+    nb::class_<MeshReport>(module, "MeshReport", doc("MeshReport"))
+        .def_ro("vertices", &MeshReport::vertices, doc("MeshReport.vertices"))
+        .def_ro("distinct_vertices", &MeshReport::distinct_vertices, doc("MeshReport.distinct_vertices"))
+        .def_ro("faces", &MeshReport::faces, doc("MeshReport.faces"))
+        .def_ro("triangles", &MeshReport::triangles, doc("MeshReport.triangles"))
+        .def_ro("polygons", &MeshReport::polygons, doc("MeshReport.polygons"))
+        .def_ro("edges", &MeshReport::edges, doc("MeshReport.edges"))
+        .def_ro("boundary_edges", &MeshReport::boundary_edges, doc("MeshReport.boundary_edges"))
+        .def_ro("nonmanifold_edges", &MeshReport::nonmanifold_edges, doc("MeshReport.nonmanifold_edges"))
+        .def_ro("dropped_faces", &MeshReport::dropped_faces, doc("MeshReport.dropped_faces"))
+        .def_ro("closed", &MeshReport::closed, doc("MeshReport.closed"))
+        .def("__repr__", repr_of_report);
+}
+
+const std::string& constructor_doc() {
+    static const std::string text =
+        std::string("From arrays.\n\n") + doc("Polyhedron.from_polygons") +
+        "\n\nParameters\n----------\nvertices : array (n, 3)\n    Points, in the mesh's unit.\n"
+        "faces : array (m, k), or a list of m lists\n    Vertex indices from 0.\n"
+        "triangulate : bool\n    " +
+        doc("PolyhedronOptions.triangulate") + "\ndrop_degenerate : bool\n    " +
+        doc("PolyhedronOptions.drop_degenerate") + "\nthreads : int\n    " + doc("PolyhedronOptions.threads");
+    return text;
+}
+
+} // namespace
+
+void bind_polyhedron(nb::module_& module) {
+    bind_report(module);
+    nb::class_<Body>(module, "Polyhedron", doc("Polyhedron"))
+        .def(
+            "__init__",
+            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate, bool drop_degenerate,
+               unsigned threads) {
+                new (self) Body(body_from(points, outlines, triangulate, drop_degenerate, threads));
+            },
+            "vertices"_a, "faces"_a, "triangulate"_a = false, "drop_degenerate"_a = false, "threads"_a = 0,
+            nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, "
+                    "faces: numpy.typing.ArrayLike | collections.abc.Sequence[collections.abc.Sequence[int]], "
+                    "triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0) -> None"),
+            constructor_doc().c_str())
+        .def_prop_ro("vertices", vertices, nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"),
+                     doc("Polyhedron.vertices"))
+        .def_prop_ro("faces", faces, nb::sig("def faces(self) -> list[tuple[int, ...]]"),
+                     "The outline of each face: its vertex ids in order, at least three.")
+        .def_prop_ro("triangles", triangles, nb::sig("def triangles(self) -> numpy.typing.NDArray[numpy.uint32]"),
+                     "Triangles that cover the faces, (t, 3) vertex ids. Inner diagonals are not edges of the body.")
+        .def_prop_ro("source_faces", source_faces,
+                     nb::sig("def source_faces(self) -> numpy.typing.NDArray[numpy.uint32]"),
+                     doc("Polyhedron.source_face"))
+        .def_prop_ro(
+            "report", [](const Body& body) { return body.polyhedron.report(); }, doc("MeshReport"))
+        .def("__reduce__", reduce, nb::sig("def __reduce__(self) -> tuple"))
+        .def("__repr__", repr);
+    module.def("load", load, "file"_a, "triangulate"_a = false, "drop_degenerate"_a = false, "threads"_a = 0,
+               nb::sig("def load(file: str | os.PathLike[str], triangulate: bool = False, "
+                       "drop_degenerate: bool = False, threads: int = 0) -> Polyhedron"),
+               doc("Polyhedron.load"));
+}
+
+} // namespace chasles::python

@@ -1,0 +1,108 @@
+// chasles.first_contact and chasles.first_contact_on_path.
+#include "chasles/query/path.h"
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/motions.h"
+#include "python/src/names.h"
+#include "python/src/query_options.h"
+#include "python/src/signals.h"
+
+#include <nanobind/stl/optional.h>
+
+namespace chasles::python {
+namespace {
+
+using namespace nb::literals;
+
+constexpr const char* all_contacts = "first_with_all_contacts"; ///< as the command line
+
+Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goal, nb::handle motion,
+           nb::handle fixed_start, nb::handle fixed_goal, double margin, std::optional<double> hold,
+           double time_tolerance, double max_turn, nb::handle find) {
+    const Polyhedron& moving_body = polyhedron_of(moving, "moving");
+    const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
+    Answer answer{{},
+                  nb::borrow(moving),
+                  nb::borrow(fixed),
+                  motion_from({start, goal, motion, fixed_start, fixed_goal}),
+                  margin,
+                  max_turn};
+    const QueryOptions options{margin, hold, time_tolerance, max_turn, find_from(find)};
+    const nb::gil_scoped_release release;
+    answer.found = options.ask(moving_body, fixed_body, answer.motion);
+    return answer;
+}
+
+PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, double margin, double time_tolerance,
+                    double max_turn, nb::handle find) {
+    const Polyhedron& moving_body = polyhedron_of(moving, "moving");
+    const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
+    const std::vector<Pose> path = poses_from(poses, "poses");
+    const Find stop = find_from(find);
+    PathContact answer;
+    {
+        const nb::gil_scoped_release release;
+        SignalCheck signals;
+        answer = first_contact_on_path({.moving = moving_body,
+                                        .fixed = fixed_body,
+                                        .poses = path,
+                                        .margin = margin,
+                                        .time_tolerance = time_tolerance,
+                                        .max_turn = max_turn,
+                                        .find = stop,
+                                        .progress = [&](std::size_t) { signals.raise_now_and_then(); }});
+    }
+    const Motion segment = ScrewMotion::between(path[answer.segment], path[answer.segment + 1]);
+    return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin, max_turn},
+            answer.segment};
+}
+
+std::string first_contact_doc() {
+    return "When do two polyhedra first touch, where, and how?\n\n"
+           "The moving body goes from `start` to `goal` by one screw in the frame of the fixed\none, or by "
+           "`motion`.\n\n"
+           "Parameters\n----------\nmoving, fixed : Polyhedron\nstart, goal : array (4, 4) or (7,)\n"
+           "    Poses of the moving body: matrices, or x y z qw qx qy qz with a quaternion of any length.\n"
+           "motion : ScrewMotion or SweepMotion\n    Instead of start and goal.\n"
+           "fixed_start, fixed_goal : array (4, 4) or (7,)\n"
+           "    Poses of the fixed body, if it moves too; all poses are then in the world.\n" +
+           option_docs() +
+           "\nReturns\n-------\nFirstContact\n    Its verdict says what is proven.\n\n"
+           "Raises\n------\nInvalidInput\n    A ValueError that says what, where and why.";
+}
+
+std::string path_doc() {
+    return "The first contact on a path of poses, each segment of which is one screw.\n\n"
+           "Parameters\n----------\nmoving, fixed : Polyhedron\nposes : array (n, 4, 4) or (n, 7)\n"
+           "    Of the moving body in the frame of the fixed one; at least two.\n" +
+           option_docs(false) +
+           "\nReturns\n-------\nPathContact\n    Its time counts within its segment; its work is that of the whole "
+           "path.";
+}
+
+} // namespace
+
+void bind_queries(nb::module_& module) {
+    static const std::string first_contact_text = first_contact_doc(), path_text = path_doc();
+    module.def("first_contact", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(), "goal"_a = nb::none(),
+               nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(), "fixed_goal"_a = nb::none(),
+               "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
+               "max_turn"_a = default_max_turn, "find"_a = all_contacts,
+               nb::sig("def first_contact(moving: Polyhedron, fixed: Polyhedron, "
+                       "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
+                       "motion: ScrewMotion | SweepMotion | None = None, "
+                       "fixed_start: numpy.typing.ArrayLike | None = None, "
+                       "fixed_goal: numpy.typing.ArrayLike | None = None, " CHASLES_OPTION_TYPES
+                       "'first_with_all_contacts') -> FirstContact"),
+               first_contact_text.c_str());
+    module.def("first_contact_on_path", ask_path, "moving"_a.none(), "fixed"_a.none(), "poses"_a, nb::kw_only(),
+               "margin"_a = 0.0, "time_tolerance"_a = default_time_tolerance, "max_turn"_a = default_max_turn,
+               "find"_a = all_contacts,
+               nb::sig("def first_contact_on_path(moving: Polyhedron, fixed: Polyhedron, "
+                       "poses: numpy.typing.ArrayLike, *, margin: float = 0.0, time_tolerance: float = 1e-12, "
+                       "max_turn: float = math.pi / 18, find: chasles.enums.Find | str = "
+                       "'first_with_all_contacts') -> PathContact"),
+               path_text.c_str());
+}
+
+} // namespace chasles::python

@@ -1,0 +1,57 @@
+// The rows of the structured arrays that batches answer with. The columns are those of `chasles batch`
+// (docs/command-line.md); python/chasles/table.py has the same as NumPy's types.
+#pragma once
+
+#include "chasles/query/path.h"
+
+#include <cstdint>
+#include <nanobind/nanobind.h>
+#include <span>
+
+namespace chasles::python {
+
+/// NaN, -1 and "" stand for what an answer does not have.
+struct Row {
+    std::int64_t id;
+    char32_t verdict[16];
+    double time;
+    double time_upper;
+    double tau;
+    double tau_upper;
+    bool certain;
+    char32_t kind[13];
+    std::int64_t moving_feature[2];
+    std::int64_t fixed_feature[2];
+    double point[3];
+    double normal[3];
+    double clear_until;
+};
+
+struct PathRow : Row {
+    std::int64_t segment;
+};
+
+void write(const FirstContact& found, Row& row);
+void write(const PathContact& found, PathRow& row);
+/// For what cannot be asked.
+void write_error(Row& row);
+/// Whether an earlier batch has answered it.
+bool is_answered(const Row& row);
+
+/// The rows of a structured array, in place. Throws InvalidInput if it is not of the type of these rows.
+template <typename AnyRow>
+class Table {
+public:
+    explicit Table(nanobind::handle array);
+    ~Table() { PyBuffer_Release(&view_); }
+    Table(const Table&) = delete;
+    Table& operator=(const Table&) = delete;
+
+    [[nodiscard]] std::size_t size() const { return std::size_t(view_.shape[0]); }
+    AnyRow& operator[](std::size_t row) const { return static_cast<AnyRow*>(view_.buf)[row]; }
+
+private:
+    Py_buffer view_;
+};
+
+} // namespace chasles::python

@@ -1,0 +1,52 @@
+// What the library takes without Python, for bench/python. Not for users.
+#include "chasles/query/path.h"
+#include "python/src/bind.h"
+#include "python/src/body.h"
+#include "python/src/motions.h"
+#include "python/src/names.h"
+#include "python/src/query_options.h"
+
+#include <chrono>
+
+namespace chasles::python {
+namespace {
+
+using namespace nb::literals;
+
+double seconds_of(const auto& work) {
+    const auto begin = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+/// Of the same question asked again and again, motion made from its poses each time.
+double query_seconds(const Body& moving, const Body& fixed, nb::handle start, nb::handle goal, nb::handle find,
+                     std::size_t times) {
+    const QueryOptions options{0, {}, default_time_tolerance, default_max_turn, find_from(find)};
+    const Pose from = pose_from(start, "start"), to = pose_from(goal, "goal");
+    return seconds_of([&] {
+        for (std::size_t i = 0; i < times; ++i)
+            static_cast<void>(options.ask(moving.polyhedron, fixed.polyhedron, ScrewMotion::between(from, to)));
+    });
+}
+
+double batch_seconds(const Body& moving, const Body& fixed, nb::handle starts, nb::handle goals, unsigned threads) {
+    const std::vector<Pose> from = poses_from(starts, "starts"), to = poses_from(goals, "goals");
+    std::vector<Motion> motions;
+    for (std::size_t i = 0; i < from.size(); ++i)
+        motions.emplace_back(ScrewMotion::between(from[i], to[i]));
+    const nb::gil_scoped_release release;
+    return seconds_of([&] {
+        static_cast<void>(first_contact_batch(
+            {.moving = moving.polyhedron, .fixed = fixed.polyhedron, .motions = motions, .threads = threads}));
+    });
+}
+
+} // namespace
+
+void bind_timing(nb::module_& module) {
+    module.def("_query_seconds", query_seconds, "moving"_a, "fixed"_a, "start"_a, "goal"_a, "find"_a, "times"_a);
+    module.def("_batch_seconds", batch_seconds, "moving"_a, "fixed"_a, "starts"_a, "goals"_a, "threads"_a = 0);
+}
+
+} // namespace chasles::python

@@ -1,0 +1,76 @@
+"""What the documents show is so, and nothing is without documentation."""
+
+import doctest
+import inspect
+import pathlib
+import pydoc
+import re
+
+import numpy as np
+import pytest
+from conftest import ROOT
+
+import chasles
+
+PUBLIC = [name for name in chasles.__all__ if name != "__version__"]
+
+
+def code_of(document: pathlib.Path) -> str:
+    if not document.is_file():
+        pytest.skip(f"{document.name} is not here: tests of a source distribution")
+    return "\n".join(re.findall(r"^```python\n(.*?)^```", document.read_text("utf-8"), re.DOTALL | re.MULTILINE))
+
+
+def test_the_quick_start_can_be_pasted(tmp_path, monkeypatch, capsys):
+    monkeypatch.chdir(tmp_path)
+    exec(compile(code_of(ROOT / "README.md"), "README.md", "exec"), {})
+    between, count = capsys.readouterr().out.splitlines()
+    assert between.startswith("between 0.49999999999") and count == "400 of 1000 are clear"
+
+
+def test_the_guide_tells_the_truth(tmp_path, monkeypatch):
+    pytest.importorskip("pyarrow")
+    monkeypatch.chdir(tmp_path)
+    code = code_of(ROOT / "docs" / "python.md")
+    example = doctest.DocTestParser().get_doctest(code, {}, "docs/python.md", "docs/python.md", 0)
+    assert len(example.examples) > 20
+    failures: list[str] = []
+    doctest.DocTestRunner().run(example, out=failures.append)
+    assert not failures, "".join(failures)
+
+
+@pytest.mark.parametrize("name", PUBLIC)
+def test_every_name_is_documented(name):
+    thing = getattr(chasles, name)
+    if isinstance(thing, np.dtype):
+        return
+    assert thing.__doc__ and thing.__doc__.strip()
+    for member, value in inspect.getmembers(thing) if inspect.isclass(thing) else []:
+        if not member.startswith("_") and (isinstance(value, property) or callable(value)) and member not in dir(str):
+            assert member in dir(BaseException) or value.__doc__, f"{name}.{member}"
+
+
+def test_help_reads_well():
+    text = pydoc.plain(pydoc.render_doc(chasles.first_contact))
+    for part in (
+        "When do two polyhedra first touch",
+        "margin : float\n",
+        "Returns\n",
+        "InvalidInput",
+        "'any': yes or no",
+    ):
+        assert part in text
+    assert "::" not in text
+    body = text.split("When do two", 1)[1]
+    assert max(map(len, body.splitlines())) <= 110
+
+
+def test_stubs_are_shipped():
+    folder = pathlib.Path(chasles.__file__).parent
+    if not (folder / "_core.pyi").is_file():
+        pytest.skip("run from a build folder, not installed")
+    stubs = (folder / "_core.pyi").read_text("utf-8")
+    compile(stubs, "_core.pyi", "exec")
+    for name in ("class Polyhedron", "def first_contact(", "def verdict(self) -> chasles.enums.Verdict"):
+        assert name in stubs
+    assert (folder / "py.typed").is_file()

@@ -1,0 +1,25 @@
+"""The examples run as they are; what they claim they assert."""
+
+import subprocess
+import sys
+
+import pytest
+from conftest import ROOT
+
+EXAMPLES = sorted((ROOT / "examples" / "python").glob("*.py"))
+
+
+@pytest.mark.parametrize("example", EXAMPLES, ids=lambda file: file.stem)
+def test_example(example, tmp_path):
+    if "matplotlib" in example.read_text("utf-8"):
+        pytest.importorskip("matplotlib")
+    done = subprocess.run(
+        [sys.executable, example, tmp_path / "picture.png"], capture_output=True, text=True, timeout=120
+    )
+    assert done.returncode == 0, done.stderr
+    if "savefig" in example.read_text("utf-8"):
+        assert (tmp_path / "picture.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_there_are_examples():
+    assert len(EXAMPLES) >= 3

@@ -1,0 +1,78 @@
+"""Ctrl-C, in a process of its own: within a second, and nothing that was answered is lost."""
+
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+BATCH = """
+import sys, time
+import numpy as np
+sys.path.insert(0, {tests!r})
+import chasles
+from cubes import CUBE_FACES, CUBE_VERTICES, random_motions
+
+cube = chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES)
+starts, goals = (np.tile(poses, (100, 1)) for poses in random_motions(10_000))
+table = chasles.empty_table(len(starts))
+{prepare}
+print("ready", flush=True)
+try:
+    {call}
+except chasles.BatchInterrupted as interrupted:
+    table = interrupted.table
+    done = table["verdict"] != "not_done"
+    assert 0 < done.sum() < len(table), done.sum()
+    expected = chasles.first_contact_batch(cube, cube, starts[:10_000], goals[:10_000]) if {checks} else None
+    for rows in np.split(table, 100) if {checks} else []:
+        answered = rows["verdict"] != "not_done"
+        for name in ("verdict", "time", "px"):
+            np.testing.assert_array_equal(rows[name][answered], expected[name][answered])
+    print("interrupted", flush=True)  # once the answers are checked, where they are
+"""
+
+
+def program_for(request: pytest.FixtureRequest, call: str, checks: bool = False, prepare: str = "") -> str:
+    return BATCH.format(tests=str(request.path.parent), call="chasles." + call, checks=checks, prepare=prepare)
+
+
+def interrupted_after(program: str, seconds: float) -> float:
+    """How long the program takes to say that it was interrupted."""
+    process = subprocess.Popen(
+        [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
+    )
+    try:
+        assert process.stdout.readline() == "ready\n", process.stderr.read()
+        time.sleep(seconds)
+        sent = time.monotonic()
+        process.send_signal(signal.SIGINT)
+        answer = process.stdout.readline()
+        took = time.monotonic() - sent
+        assert answer == "interrupted\n", process.stderr.read()
+        assert process.wait(timeout=60) == 0
+        return took
+    finally:
+        process.kill()
+        process.communicate()
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
+@pytest.mark.parametrize("threads", [1, 0])
+def test_a_batch_of_motions(threads, request):
+    interrupted_after(
+        program_for(request, f"first_contact_batch(cube, cube, starts, goals, threads={threads}, table=table)", True), 1
+    )
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
+def test_it_takes_less_than_a_second(request):
+    program = program_for(request, "first_contact_batch(cube, cube, starts, goals, table=table)")
+    assert min(interrupted_after(program, 0.5) for _ in range(2)) < 1
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
+def test_a_batch_of_long_paths(request):
+    prepare = "paths = np.tile([[3, 1.1, 0, 1, 0, 0, 0], [-1, 1.1, 0, 1, 0, 0, 0]], (50_000, 20, 1))"
+    interrupted_after(program_for(request, "path_is_clear_batch(cube, cube, paths)", prepare=prepare), 1)
