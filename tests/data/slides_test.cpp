@@ -20,7 +20,7 @@ struct SlideCase {
     const char* moving;
     const char* fixed; ///< a plate where it is empty
     From from = From::outside;
-    int steps = 80;
+    int steps = 50;
 };
 
 /// Of triangles, in the plane z = 0.
@@ -128,7 +128,7 @@ TEST_P(Slides, ComeNoNearerThanTheHoldAndAreNotStoppedWithoutACause) {
     while (tally.steps < count && !HasFailure()) {
         SlidingBody body = body_with(moving, fixed, random, fcl);
         ASSERT_TRUE(approach(body, random));
-        for (int i = 0; i < 40 && !HasFailure(); ++i) {
+        for (int i = 0; i < 25 && !HasFailure(); ++i) {
             SCOPED_TRACE("step " + std::to_string(tally.steps + body.tally.steps));
             body.new_samples = i % 4 == 0 ? 4 : 0;
             if (!Slide(body, random).step())

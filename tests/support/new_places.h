@@ -83,6 +83,8 @@ public:
     [[nodiscard]] std::optional<double> first(const std::function<Pose(double)>& pose_at, double from, double to,
                                               int parts) const {
         Pairs before = sorted(bodies_.within(pose_at(from), distance_ + slack_));
+        if (before.size() > most_pairs)
+            return std::nullopt;
         for (int i = 1; i <= parts; ++i) {
             const double time = from + (to - from) * i / parts;
             Pairs now = sorted(bodies_.within(pose_at(time), distance_));
@@ -96,6 +98,7 @@ public:
 private:
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     static constexpr double next_to_no_time = 1e-9;
+    static constexpr std::size_t most_pairs = 2000; ///< with more it takes too long
 
     static Pairs sorted(const std::vector<TrianglePair>& pairs) {
         Pairs result;

@@ -20,11 +20,13 @@ using LongTriangle = Triangle3<long double>;
 struct LongPose {
     Eigen::Matrix<long double, 3, 3> turn = Eigen::Matrix<long double, 3, 3>::Identity();
     LongPoint shift = LongPoint::Zero();
+    Eigen::Matrix3d rough_turn = Eigen::Matrix3d::Identity(); ///< for boxes
+    Eigen::Vector3d rough_shift = Eigen::Vector3d::Zero();
 
     LongPose() = default;
     explicit LongPose(const Pose& pose)
         : turn(Eigen::Quaterniond(pose.rotation).cast<long double>().normalized().toRotationMatrix()),
-          shift(pose.translation.cast<long double>()) {}
+          shift(pose.translation.cast<long double>()), rough_turn(turn.cast<double>()), rough_shift(pose.translation) {}
 
     [[nodiscard]] LongTriangle operator()(const LongTriangle& t) const {
         return {turn * t[0] + shift, turn * t[1] + shift, turn * t[2] + shift};
@@ -36,17 +38,21 @@ struct MiddleBox {
     Eigen::Vector3d middle;
     Eigen::Vector3d half;
 
+    static MiddleBox around(const LongTriangle& t) {
+        const LongPoint lower = t[0].cwiseMin(t[1]).cwiseMin(t[2]);
+        const LongPoint upper = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
+        return {(0.5 * (lower + upper)).cast<double>(), (0.5 * (upper - lower)).cast<double>()};
+    }
     /// The box of the box that has been moved.
     [[nodiscard]] MiddleBox moved(const LongPose& pose) const {
-        const Eigen::Matrix3d turn = pose.turn.cast<double>();
-        return {turn * middle + pose.shift.cast<double>(), turn.cwiseAbs() * half};
+        return {pose.rough_turn * middle + pose.rough_shift, pose.rough_turn.cwiseAbs() * half};
     }
     [[nodiscard]] double distance(const MiddleBox& other) const {
         return ((middle - other.middle).cwiseAbs() - half - other.half).cwiseMax(0).norm();
     }
 };
 
-/// The triangles of a body, four or fewer a leaf.
+/// The triangles of a body, two or fewer a leaf.
 class TriangleTree {
 public:
     struct Node {
@@ -62,12 +68,15 @@ public:
         nodes_.push_back(node_of(0, std::uint32_t(corners_.size())));
         for (std::uint32_t i = 0; i < nodes_.size(); ++i) // it grows
             split(i);
-        for (const auto& c : corners_)
+        for (const auto& c : corners_) {
             triangles_.push_back({at(c[0]), at(c[1]), at(c[2])});
+            boxes_.push_back(MiddleBox::around(triangles_.back()));
+        }
     }
 
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
     [[nodiscard]] const LongTriangle& triangle(std::uint32_t i) const { return triangles_[i]; }
+    [[nodiscard]] const MiddleBox& box(std::uint32_t i) const { return boxes_[i]; }
     /// Vertex ids of the body.
     [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t i) const { return corners_[i]; }
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
@@ -94,7 +103,7 @@ private:
 
     void split(std::uint32_t index) {
         const Node node = nodes_[index];
-        if (node.last - node.first <= 4)
+        if (node.last - node.first <= 2)
             return;
         Eigen::Index axis = 0;
         node.box.half.maxCoeff(&axis);
@@ -112,6 +121,7 @@ private:
     std::span<const Eigen::Vector3d> vertices_; ///< of the body
     std::vector<std::array<std::uint32_t, 3>> corners_;
     std::vector<LongTriangle> triangles_;
+    std::vector<MiddleBox> boxes_; ///< of the triangles
     std::vector<Node> nodes_;
 };
 
@@ -166,12 +176,8 @@ private:
     void visit(const LongPose& pose, std::uint32_t a, std::uint32_t b, const Limit& limit, const See& see) const {
         const TriangleTree::Node& m = moving_->nodes()[a];
         const TriangleTree::Node& f = fixed_->nodes()[b];
-        if (m.child == 0 && f.child == 0) {
-            for (std::uint32_t i = m.first; i < m.last; ++i)
-                for (std::uint32_t j = f.first; j < f.last; ++j)
-                    see({i, j, distance(pose, i, j)});
-            return;
-        }
+        if (m.child == 0 && f.child == 0)
+            return visit_leaves(pose, m, f, limit, see);
         const bool is_moving = f.child == 0 || (m.child != 0 && m.box.half.norm() >= f.box.half.norm());
         std::array<std::pair<double, std::uint32_t>, 2> children;
         for (std::uint32_t i = 0; i < 2; ++i) {
@@ -184,6 +190,18 @@ private:
         for (const auto& [apart, child] : children)
             if (apart <= limit() * (1 + 1e-9))
                 visit(pose, is_moving ? child : a, is_moving ? b : child, limit, see);
+    }
+
+    template <class Limit, class See>
+    void visit_leaves(const LongPose& pose, const TriangleTree::Node& m, const TriangleTree::Node& f,
+                      const Limit& limit, const See& see) const {
+        for (std::uint32_t i = m.first; i < m.last; ++i) {
+            const LongTriangle moved = pose(moving_->triangle(i));
+            const MiddleBox box = MiddleBox::around(moved);
+            for (std::uint32_t j = f.first; j < f.last; ++j)
+                if (box.distance(fixed_->box(j)) <= limit() * (1 + 1e-9))
+                    see({i, j, std::sqrt(squared_distance_of_triangles<long double>(moved, fixed_->triangle(j)))});
+        }
     }
 
     std::shared_ptr<const TriangleTree> moving_;
