@@ -16,7 +16,8 @@ struct SlideTally {
     int clear = 0;
     int held = 0; ///< stopped where it would come nearer than the hold
     int new_contacts = 0;
-    int in_doubt = 0;                                        ///< of these
+    int at_cracks = 0;                                       ///< of these: the surface goes on behind the rim
+    int in_doubt = 0;                                        ///< of all contacts
     int stuck = 0;                                           ///< stopped where they stood
     int touching = 0;                                        ///< contact_at_start
     double lowest = std::numeric_limits<double>::infinity(); ///< distance over hold, the least
@@ -28,6 +29,7 @@ struct SlideTally {
         clear += other.clear;
         held += other.held;
         new_contacts += other.new_contacts;
+        at_cracks += other.at_cracks;
         in_doubt += other.in_doubt;
         stuck += other.stuck;
         touching += other.touching;
@@ -136,12 +138,23 @@ private:
             const double radius = 1e-4 * margin;
             EXPECT_NEAR(contact.gap, margin, inexact) << "a new contact is at the margin";
             EXPECT_GT(contact.approach_speed, -slack) << "and closing";
-            EXPECT_GE(distance_beside(surfaces, there, contact, radius), contact.gap - 1e-3 * radius)
-                << "and nothing next to it is nearer";
+            if (distance_beside(surfaces, there, contact, radius) < contact.gap - 1e-3 * radius) {
+                ++tally.at_cracks;
+                EXPECT_TRUE(is_at_rim(contact)) << "nothing next to it is nearer";
+            }
         } else {
             EXPECT_NEAR(distance(there), contact.gap, inexact) << "what was held comes to the hold";
             EXPECT_LE(contact.gap, std::min(hold, before) + inexact) << "and not before";
         }
+    }
+
+    /// The library follows a surface through common vertices; where the mesh is not joined it sees a rim.
+    [[nodiscard]] bool is_at_rim(const Contact& contact) const {
+        const auto at_rim = [](const TriangleTree& body, FeatureKind kind, const Feature& feature) {
+            return kind != FeatureKind::face && body.is_at_rim(feature.first, feature.second);
+        };
+        return at_rim(surfaces.moving(), moving_feature_kind(contact.kind), contact.moving) ||
+               at_rim(surfaces.fixed(), fixed_feature_kind(contact.kind), contact.fixed);
     }
 
     /// Before it stops, nothing new comes that is not told.

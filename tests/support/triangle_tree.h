@@ -7,6 +7,7 @@
 #include "tests/support/surface_distance.h"
 
 #include <limits>
+#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -80,6 +81,18 @@ public:
     /// Vertex ids of the body.
     [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t i) const { return corners_[i]; }
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
+
+    /// Is there an edge of one triangle only at a vertex, or both of two? Meshes with vertices in the middle of edges
+    /// have such cracks all over.
+    [[nodiscard]] bool is_at_rim(std::uint32_t from, std::uint32_t to) const {
+        std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
+        for (const auto& c : corners_)
+            for (std::size_t i = 0; i < 3; ++i)
+                if (const auto edge = std::minmax(c[i], c[(i + 1) % 3]);
+                    from == to ? edge.first == from || edge.second == from : edge == std::minmax(from, to))
+                    ++count[edge];
+        return std::ranges::any_of(count, [](const auto& edge) { return edge.second == 1; });
+    }
 
 private:
     void add_face(const Polyhedron& body, std::uint32_t f) {
