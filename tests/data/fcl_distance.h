@@ -11,7 +11,8 @@ namespace chasles::test {
 /// Bodies that cross are at 0, or below.
 class FclDistance {
 public:
-    FclDistance(const Polyhedron& moving, const Polyhedron& fixed) : moving_(model_of(moving)), fixed_(model_of(fixed)) {}
+    FclDistance(const Polyhedron& moving, const Polyhedron& fixed)
+        : moving_(model_of(moving)), fixed_(model_of(fixed)) {}
 
     [[nodiscard]] double operator()(const Pose& at) const {
         fcl::DistanceResultd found;

@@ -117,8 +117,7 @@ private:
         const Eigen::Vector3d turn = twist.tail<3>() / ball_.radius;
         const Eigen::AngleAxisd turning(turn.norm(), turn.stableNormalized());
         const Eigen::Vector3d shift = twist.head<3>();
-        const Eigen::Isometry3d step =
-            Eigen::Translation3d(middle_ + shift) * turning * Eigen::Translation3d(-middle_);
+        const Eigen::Isometry3d step = Eigen::Translation3d(middle_ + shift) * turning * Eigen::Translation3d(-middle_);
         return Pose(step * body_.at.isometry());
     }
 

@@ -60,10 +60,11 @@ protected:
     }
 
     static void print(const char* name, const SlideTally& tally) {
-        print_figures("%s: %d steps, %d clear, %d stopped at the hold, %d new contacts (%d at cracks), %d in doubt, %d stuck; "
-                      "least distance %.15g of the hold, FCL off by %.2g, slowest query %.1f ms",
-                      name, tally.steps, tally.clear, tally.held, tally.new_contacts, tally.at_cracks, tally.in_doubt, tally.stuck,
-                      tally.lowest, tally.peer_error, 1e3 * tally.slowest);
+        print_figures(
+            "%s: %d steps, %d clear, %d stopped at the hold, %d new contacts (%d at cracks), %d in doubt, %d stuck; "
+            "least distance %.15g of the hold, FCL off by %.2g, slowest query %.1f ms",
+            name, tally.steps, tally.clear, tally.held, tally.new_contacts, tally.at_cracks, tally.in_doubt,
+            tally.stuck, tally.lowest, tally.peer_error, 1e3 * tally.slowest);
     }
 
     /// Into the margin, from where the case says; several tries.

@@ -81,10 +81,11 @@ public:
 
     /// When the first one that it sees comes, between two times of a motion.
     [[nodiscard]] std::optional<double> first(const std::function<Pose(double)>& pose_at, double from, double to,
-                                              int parts) const {
+                                              int parts) {
         Pairs before = sorted(bodies_.within(pose_at(from), distance_ + slack_));
         if (before.size() > most_pairs)
             return std::nullopt;
+        looks_left_ = most_looks;
         for (int i = 1; i <= parts; ++i) {
             const double time = from + (to - from) * i / parts;
             Pairs now = sorted(bodies_.within(pose_at(time), distance_));
@@ -98,7 +99,8 @@ public:
 private:
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     static constexpr double next_to_no_time = 1e-9;
-    static constexpr std::size_t most_pairs = 2000; ///< with more it takes too long
+    static constexpr std::size_t most_pairs = 1000; ///< with more it takes too long, and says nothing,
+    static constexpr int most_looks = 80;           ///< as with more halvings
 
     static Pairs sorted(const std::vector<TrianglePair>& pairs) {
         Pairs result;
@@ -109,15 +111,14 @@ private:
     }
 
     [[nodiscard]] std::optional<double> between(const std::function<Pose(double)>& pose_at, const Bracket& time,
-                                                const Pairs& before, const Pairs& now) const {
-        if (!has_new(before, now))
+                                                const Pairs& before, const Pairs& now) {
+        if (!has_new(before, now) || --looks_left_ < 0)
             return std::nullopt;
         if (time.upper - time.lower < next_to_no_time)
             return time.lower;
         const double middle = 0.5 * (time.lower + time.upper);
         const Pose there = pose_at(middle);
-        if (const auto found =
-                between(pose_at, {time.lower, middle}, before, sorted(bodies_.within(there, distance_))))
+        if (const auto found = between(pose_at, {time.lower, middle}, before, sorted(bodies_.within(there, distance_))))
             return found;
         return between(pose_at, {middle, time.upper}, sorted(bodies_.within(there, distance_ + slack_)), now);
     }
@@ -139,7 +140,8 @@ private:
                    share_vertex(bodies_.fixed(), a.second, b.second);
         };
         const auto spread_from = [&](const auto& pair) {
-            const auto rest = std::ranges::partition(left, [&](const auto& other) { return !are_adjacent(pair, other); });
+            const auto rest =
+                std::ranges::partition(left, [&](const auto& other) { return !are_adjacent(pair, other); });
             reached.insert(reached.end(), rest.begin(), rest.end());
             left.erase(rest.begin(), rest.end());
         };
@@ -154,6 +156,7 @@ private:
     const TreePair& bodies_;
     double distance_;
     double slack_;
+    int looks_left_ = 0;
 };
 
 } // namespace chasles::test

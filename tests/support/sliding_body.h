@@ -1,5 +1,6 @@
 // A body that is kept in touch with another one: it makes small steps, each asked with `hold`, and goes as far as the
-// answer allows. Whatever it does, an independent distance has to stay above the hold, and what stops it has to be there.
+// answer allows. Whatever it does, an independent distance has to stay above the hold, and what stops it has to be
+// there.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -58,7 +59,10 @@ struct SlidingBody {
     SlideTally tally = {};
     TreePair surfaces = {moving, fixed};
 
-    [[nodiscard]] double distance(const Pose& there) { return surfaces.distance(there); }
+    /// By all pairs of triangles; the other distance says how far it has to look.
+    [[nodiscard]] double distance(const Pose& there) {
+        return surfaces.distance(there, peer ? peer(there) + 1e-6 * margin : std::numeric_limits<double>::infinity());
+    }
 
     /// Goes to where the bodies come within the margin; false if they do not.
     bool approach(const Pose& from, const Pose& to) {
@@ -164,7 +168,8 @@ private:
             return;
         const auto place = NewPlaces(surfaces, margin - slack, 2 * slack)
                                .first([&](double time) { return motion.pose_at(time); }, 0, end, new_samples);
-        EXPECT_FALSE(place) << "something new comes within the margin at " << place.value_or(0) << ", and nobody says so";
+        EXPECT_FALSE(place) << "something new comes within the margin at " << place.value_or(0)
+                            << ", and nobody says so";
     }
 };
 

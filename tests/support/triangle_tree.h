@@ -151,28 +151,30 @@ public:
     TreePair(const Polyhedron& moving, const Polyhedron& fixed)
         : moving_(std::make_shared<TriangleTree>(moving)), fixed_(std::make_shared<TriangleTree>(fixed)) {}
 
-    /// 0 for surfaces that cross.
-    TrianglePair nearest(const Pose& at) {
+    /// Of those at most so far apart, if there are any; 0 for surfaces that cross.
+    TrianglePair nearest(const Pose& at, double at_most) {
         const LongPose pose(at);
         TrianglePair best = last_; // hardly changes from step to step
         best.distance = distance(pose, best.moving, best.fixed);
-        visit(pose, 0, 0, [&] { return double(best.distance); },
-              [&](const TrianglePair& pair) {
-                  if (pair.distance < best.distance)
-                      best = pair;
-              });
+        visit(
+            pose, 0, 0, [&] { return std::min(double(best.distance), at_most); },
+            [&](const TrianglePair& pair) {
+                if (pair.distance < best.distance)
+                    best = pair;
+            });
         return last_ = best;
     }
-    double distance(const Pose& at) { return double(nearest(at).distance); }
+    double distance(const Pose& at, double at_most) { return double(nearest(at, at_most).distance); }
 
     /// All pairs that are no farther apart.
     [[nodiscard]] std::vector<TrianglePair> within(const Pose& at, double limit) const {
         std::vector<TrianglePair> result;
-        visit(LongPose(at), 0, 0, [&] { return limit; },
-              [&](const TrianglePair& pair) {
-                  if (pair.distance <= limit)
-                      result.push_back(pair);
-              });
+        visit(
+            LongPose(at), 0, 0, [&] { return limit; },
+            [&](const TrianglePair& pair) {
+                if (pair.distance <= limit)
+                    result.push_back(pair);
+            });
         return result;
     }
 
