@@ -99,8 +99,8 @@ public:
 private:
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     static constexpr double next_to_no_time = 1e-9;
-    static constexpr std::size_t most_pairs = 1000; ///< with more it takes too long, and says nothing,
-    static constexpr int most_looks = 80;           ///< as with more halvings
+    static constexpr std::size_t most_pairs = 300; ///< with more it takes too long, and says nothing,
+    static constexpr int most_looks = 40;          ///< as with more halvings
 
     static Pairs sorted(const std::vector<TrianglePair>& pairs) {
         Pairs result;

@@ -18,6 +18,7 @@ struct SlideTally {
     int held = 0; ///< stopped where it would come nearer than the hold
     int new_contacts = 0;
     int at_cracks = 0;                                       ///< of these: the surface goes on behind the rim
+    int seen = 0;                                            ///< of these, by NewPlaces too
     int in_doubt = 0;                                        ///< of all contacts
     int stuck = 0;                                           ///< stopped where they stood
     int touching = 0;                                        ///< contact_at_start
@@ -31,6 +32,7 @@ struct SlideTally {
         held += other.held;
         new_contacts += other.new_contacts;
         at_cracks += other.at_cracks;
+        seen += other.seen;
         in_doubt += other.in_doubt;
         stuck += other.stuck;
         touching += other.touching;
@@ -146,10 +148,19 @@ private:
                 ++tally.at_cracks;
                 EXPECT_TRUE(is_at_rim(contact)) << "nothing next to it is nearer";
             }
+            count_if_seen(found, motion);
         } else {
             EXPECT_NEAR(distance(there), contact.gap, inexact) << "what was held comes to the hold";
             EXPECT_LE(contact.gap, std::min(hold, before) + inexact) << "and not before";
         }
+    }
+
+    /// Whether NewPlaces finds what the library has found: how good it is at finding what it has not.
+    void count_if_seen(const FirstContact& found, const ScrewMotion& motion) {
+        if (new_samples > 0 &&
+            NewPlaces(surfaces, margin - slack, 2 * slack)
+                .first([&](double time) { return motion.pose_at(time); }, 0, std::min(1.0, found.time.upper + 1e-6), 4))
+            ++tally.seen;
     }
 
     /// The library follows a surface through common vertices; where the mesh is not joined it sees a rim.
