@@ -126,13 +126,14 @@ TEST_P(Slides, ComeNoNearerThanTheHoldAndAreNotStoppedWithoutACause) {
     const Polyhedron fixed = body_of(asked.fixed, asked.from);
     const FclDistance fcl(moving, fixed);
     const int count = asked.steps * times_if_long(10);
+    const bool is_small = moving.face_count() + fixed.face_count() < 1500;
     SlideTally tally;
     while (tally.steps < count && !HasFailure()) {
         SlidingBody body = body_with(moving, fixed, random, fcl);
         ASSERT_TRUE(approach(body, random));
         for (int i = 0; i < 25 && !HasFailure(); ++i) {
             SCOPED_TRACE("step " + std::to_string(tally.steps + body.tally.steps));
-            body.new_samples = i % 25 == 0 ? 4 : 0;
+            body.new_samples = i % 25 == 0 && is_small ? 4 : 0; // it is slow
             if (!Slide(body, random).step())
                 break;
         }
