@@ -26,9 +26,9 @@ list_only=false
 for group in "$@"; do
     case $group in
         --list) list_only=true ;;
-        # GMP is the exact arithmetic that the tests compare with; zlib reads packed test data.
+        # GMP is the exact arithmetic that the tests compare with, FCL the distances; zlib reads packed test data.
         check)
-            packages="$packages libgtest-dev libgmp-dev zlib1g-dev python3 clang-format-$clang_version"
+            packages="$packages libgtest-dev libgmp-dev libfcl-dev zlib1g-dev python3 clang-format-$clang_version"
             # The page of `chasles view` is tested in a browser.
             command -v chromium >/dev/null || packages="$packages chromium"
             ;;

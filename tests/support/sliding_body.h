@@ -1,47 +1,15 @@
 // A body that is kept in touch with another one: it makes small steps, each asked with `hold`, and goes as far as the
-// answer allows. Whatever it does, an independent distance has to stay above the hold.
+// answer allows. Whatever it does, an independent distance has to stay above the hold, and what stops it has to be
+// there.
 #pragma once
 
 #include "chasles/query/first_contact.h"
-#include "tests/support/surface_distance.h"
+#include "tests/support/new_places.h"
 
-#include <functional>
+#include <chrono>
 #include <gtest/gtest.h>
 
 namespace chasles::test {
-
-/// The distance of the surfaces with the moving body at a pose; 0 if they cross.
-using DistanceAt = std::function<double(const Pose&)>;
-
-/// By all pairs of triangles in extended precision; for small bodies. Polygons must be convex.
-inline DistanceAt plain_distance(const Polyhedron& moving, const Polyhedron& fixed) {
-    using Triangles = std::vector<Triangle3<long double>>;
-    const auto triangles_of = [](const Polyhedron& body) {
-        Triangles result;
-        for (std::size_t f = 0; f < body.face_count(); ++f) {
-            const auto face = body.face(f);
-            const auto at = [&](std::size_t i) {
-                return Point3<long double>(body.vertices()[face[i]].cast<long double>());
-            };
-            for (std::size_t i = 1; i + 1 < face.size(); ++i)
-                result.push_back({at(0), at(i), at(i + 1)});
-        }
-        return result;
-    };
-    return [a = triangles_of(moving), b = triangles_of(fixed)](const Pose& pose) {
-        const Eigen::Quaternion<long double> turn = Eigen::Quaterniond(pose.rotation).cast<long double>().normalized();
-        const Point3<long double> shift = pose.translation.cast<long double>();
-        long double least = std::numeric_limits<long double>::infinity();
-        for (const auto& body : a) {
-            Triangle3<long double> there;
-            for (std::size_t i = 0; i < 3; ++i)
-                there[i] = turn * body[i] + shift;
-            for (const auto& other : b)
-                least = std::min(least, squared_distance_of_triangles<long double>(there, other));
-        }
-        return static_cast<double>(std::sqrt(least));
-    };
-}
 
 /// What happened to the steps.
 struct SlideTally {
@@ -49,23 +17,34 @@ struct SlideTally {
     int clear = 0;
     int held = 0; ///< stopped where it would come nearer than the hold
     int new_contacts = 0;
-    int stuck = 0;                                           ///< of these, stopped where they stood
+    int at_cracks = 0;                                       ///< of these: the surface goes on behind the rim
+    int seen = 0;                                            ///< of these, by NewPlaces too
+    int in_doubt = 0;                                        ///< of all contacts
+    int stuck = 0;                                           ///< stopped where they stood
     int touching = 0;                                        ///< contact_at_start
     double lowest = std::numeric_limits<double>::infinity(); ///< distance over hold, the least
-    double seconds = 0;
+    double peer_error = 0;                                   ///< of the other distance, the greatest
+    double slowest = 0;                                      ///< query, in seconds
 
     SlideTally& operator+=(const SlideTally& other) {
         steps += other.steps;
         clear += other.clear;
         held += other.held;
         new_contacts += other.new_contacts;
+        at_cracks += other.at_cracks;
+        seen += other.seen;
+        in_doubt += other.in_doubt;
         stuck += other.stuck;
         touching += other.touching;
         lowest = std::min(lowest, other.lowest);
-        seconds += other.seconds;
+        peer_error = std::max(peer_error, other.peer_error);
+        slowest = std::max(slowest, other.slowest);
         return *this;
     }
 };
+
+/// The distance of the surfaces with the moving body at a pose; 0 or less if they cross.
+using DistanceAt = std::function<double(const Pose&)>;
 
 /// Two bodies, what they keep, and where the moving one is.
 struct SlidingBody {
@@ -73,11 +52,19 @@ struct SlidingBody {
     const Polyhedron& fixed;
     double margin;
     double hold;
-    double slack;        ///< of distances: of their computation, and 1e-12 of the scene
-    DistanceAt distance; ///< the independent one
-    Pose at;
-    int samples = 4; ///< of each step, at which the distance is looked at
-    SlideTally tally;
+    double slack;          ///< of distances: of their computation, and 1e-12 of the scene
+    int samples = 4;       ///< of each step, at which the distance is looked at
+    int new_samples = 0;   ///< at which it looks for new places; 0 for not at all
+    DistanceAt peer = {};  ///< another distance, if there is one,
+    double peer_slack = 0; ///< and how good it is
+    Pose at = {};
+    SlideTally tally = {};
+    TreePair surfaces = {moving, fixed};
+
+    /// By all pairs of triangles; the other distance says how far it has to look.
+    [[nodiscard]] double distance(const Pose& there) {
+        return surfaces.distance(there, peer ? peer(there) + 1e-6 * margin : std::numeric_limits<double>::infinity());
+    }
 
     /// Goes to where the bodies come within the margin; false if they do not.
     bool approach(const Pose& from, const Pose& to) {
@@ -94,52 +81,106 @@ struct SlidingBody {
     FirstContact step(const Pose& to) {
         const ScrewMotion motion = ScrewMotion::between(at, to);
         const double before = distance(at);
+        const auto asked = std::chrono::steady_clock::now();
         const FirstContact found = first_contact({.moving = moving,
                                                   .fixed = fixed,
                                                   .motion = motion,
                                                   .margin = margin,
                                                   .hold = hold,
                                                   .find = Find::first_with_all_contacts});
-        count(found);
+        count(found, std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count());
         const double end = found.clear_until;
-        const double kept = std::min(hold, before);
         for (int i = 1; i <= samples; ++i) {
-            const double time = end * i / samples;
-            const double there = distance(motion.pose_at(time));
-            tally.lowest = std::min(tally.lowest, there / hold);
-            EXPECT_GE(there, kept - slack) << "at time " << time << " of " << end << ", from " << before;
+            SCOPED_TRACE("time " + std::to_string(end * i / samples) + " of " + std::to_string(end));
+            expect_apart(motion.pose_at(end * i / samples), before, i == samples);
         }
-        expect_reason(found, motion);
+        expect_reason(found, motion, before);
+        expect_no_other_place(found, motion);
         at = found.verdict == Verdict::clear ? to : motion.pose_at(end);
         return found;
     }
 
 private:
-    void count(const FirstContact& found) {
+    void count(const FirstContact& found, double seconds) {
         ++tally.steps;
         tally.clear += found.verdict == Verdict::clear ? 1 : 0;
         tally.touching += found.verdict == Verdict::contact_at_start ? 1 : 0;
         tally.stuck += found.verdict != Verdict::clear && found.clear_until == 0 ? 1 : 0;
+        tally.slowest = std::max(tally.slowest, seconds);
         if (found.verdict == Verdict::clear) {
             EXPECT_EQ(found.clear_until, 1);
         }
     }
 
+    /// By the other distance if there is one, and by the own one, which is slow, at the end.
+    void expect_apart(const Pose& there, double before, bool is_end) {
+        const double kept = std::min(hold, before);
+        const double other = peer ? peer(there) : 0;
+        if (peer) {
+            EXPECT_GE(other, kept - peer_slack) << "from " << before << ", as the other distance has it";
+            tally.lowest = std::min(tally.lowest, other / hold);
+        }
+        if (peer && !is_end)
+            return;
+        const double own = distance(there);
+        tally.lowest = std::min(tally.lowest, own / hold);
+        EXPECT_GE(own, kept - slack) << "from " << before;
+        if (peer)
+            tally.peer_error = std::max(tally.peer_error, std::abs(other - own));
+    }
+
     /// A step that does not reach its goal would come nearer than the hold, or meets something new at the margin.
-    void expect_reason(const FirstContact& found, const ScrewMotion& motion) {
+    void expect_reason(const FirstContact& found, const ScrewMotion& motion, double before) {
         if (found.verdict != Verdict::contact)
             return;
         ASSERT_FALSE(found.contacts.empty());
-        const double gap = found.contacts[0].gap;
-        const bool is_new = gap > 0.5 * (margin + hold);
+        const Contact& contact = found.contacts[0];
+        const Pose there = motion.pose_at(found.time.lower);
+        const bool is_new = contact.gap > 0.5 * (margin + hold);
         ++(is_new ? tally.new_contacts : tally.held);
+        tally.in_doubt += found.certain ? 0 : 1;
+        const double inexact = slack + 1e-9 * margin;
         if (is_new) {
-            EXPECT_NEAR(gap, margin, slack + 1e-9 * margin) << "a new contact is at the margin";
-            EXPECT_GT(found.contacts[0].approach_speed, -slack) << "and closing";
+            const double radius = 1e-4 * margin;
+            EXPECT_NEAR(contact.gap, margin, inexact) << "a new contact is at the margin";
+            EXPECT_GT(contact.approach_speed, -slack) << "and closing";
+            if (distance_beside(surfaces, there, contact, radius) < contact.gap - 1e-3 * radius) {
+                ++tally.at_cracks;
+                EXPECT_TRUE(is_at_rim(contact)) << "nothing next to it is nearer";
+            }
+            count_if_seen(found, motion);
         } else {
-            EXPECT_NEAR(distance(motion.pose_at(found.time.lower)), gap, slack + 1e-9 * margin)
-                << "what was held comes to the hold";
+            EXPECT_NEAR(distance(there), contact.gap, inexact) << "what was held comes to the hold";
+            EXPECT_LE(contact.gap, std::min(hold, before) + inexact) << "and not before";
         }
+    }
+
+    /// Whether NewPlaces finds what the library has found: how good it is at finding what it has not.
+    void count_if_seen(const FirstContact& found, const ScrewMotion& motion) {
+        if (new_samples > 0 &&
+            NewPlaces(surfaces, margin - slack, 2 * slack)
+                .first([&](double time) { return motion.pose_at(time); }, 0, std::min(1.0, found.time.upper + 1e-6), 4))
+            ++tally.seen;
+    }
+
+    /// The library follows a surface through common vertices; where the mesh is not joined it sees a rim.
+    [[nodiscard]] bool is_at_rim(const Contact& contact) const {
+        const auto at_rim = [](const TriangleTree& body, FeatureKind kind, const Feature& feature) {
+            return kind != FeatureKind::face && body.is_at_rim(feature.first, feature.second);
+        };
+        return at_rim(surfaces.moving(), moving_feature_kind(contact.kind), contact.moving) ||
+               at_rim(surfaces.fixed(), fixed_feature_kind(contact.kind), contact.fixed);
+    }
+
+    /// Before it stops, nothing new comes that is not told.
+    void expect_no_other_place(const FirstContact& found, const ScrewMotion& motion) const {
+        const double end = found.verdict == Verdict::clear ? 1 : found.time.lower - 1e-6;
+        if (new_samples == 0 || end <= 0)
+            return;
+        const auto place = NewPlaces(surfaces, margin - slack, 2 * slack)
+                               .first([&](double time) { return motion.pose_at(time); }, 0, end, new_samples);
+        EXPECT_FALSE(place) << "something new comes within the margin at " << place.value_or(0)
+                            << ", and nobody says so";
     }
 };
 
