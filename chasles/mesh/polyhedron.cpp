@@ -98,10 +98,10 @@ Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::vector<std::uint32_t>> faces,
                                      const PolyhedronOptions& options) {
     const std::vector<std::span<const std::uint32_t>> looked_at(faces.begin(), faces.end());
-    return from_polygons(vertices, looked_at, options);
+    return from_outlines(vertices, looked_at, options);
 }
 
-Polyhedron Polyhedron::from_polygons(std::span<const Eigen::Vector3d> vertices,
+Polyhedron Polyhedron::from_outlines(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::span<const std::uint32_t>> faces,
                                      const PolyhedronOptions& options) {
     check_vertices(vertices);

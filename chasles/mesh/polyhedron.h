@@ -58,9 +58,9 @@ public:
                                     std::span<const std::vector<std::uint32_t>> faces,
                                     const PolyhedronOptions& options = {});
 
-    /// The same for faces that lie anywhere, say behind one another in one array.
-    static Polyhedron from_polygons(std::span<const Eigen::Vector3d> vertices,
-                                    std::span<const std::span<const std::uint32_t>> faces,
+    /// `from_polygons` for faces that lie anywhere, say behind one another in one array.
+    static Polyhedron from_outlines(std::span<const Eigen::Vector3d> vertices,
+                                    std::span<const std::span<const std::uint32_t>> outlines,
                                     const PolyhedronOptions& options = {});
 
     /// From a file: OBJ, OFF, PLY, STL and what Assimp reads. Defined in chasles/io/mesh_files.cpp.

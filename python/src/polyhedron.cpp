@@ -37,7 +37,7 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool dro
                           points.numbers().size() / 3);
     const PolyhedronOptions options{triangulate, drop_degenerate, threads};
     const nb::gil_scoped_release release;
-    Body body{Polyhedron::from_polygons(given, outlines.lists(), options), nullptr, options};
+    Body body{Polyhedron::from_outlines(given, outlines.lists(), options), nullptr, options};
     if (!has_given_ids(body.polyhedron))
         body.given_faces = std::make_shared<Faces>(outlines.copies());
     return body;

@@ -94,7 +94,7 @@ TEST(Polyhedron, IsTheSameFromFacesThatLieInOneArray) {
     std::vector<std::span<const std::uint32_t>> faces;
     for (std::size_t f = 0; f < soup.faces.size(); ++f)
         faces.push_back(std::span<const std::uint32_t>(indices).subspan(4 * f, 4));
-    const Polyhedron cube = Polyhedron::from_polygons(soup.vertices, faces);
+    const Polyhedron cube = Polyhedron::from_outlines(soup.vertices, faces);
     ASSERT_EQ(cube.face_count(), 6U);
     for (std::size_t f = 0; f < 6; ++f)
         EXPECT_EQ(ids(cube.face(f)), soup.faces[f]);
