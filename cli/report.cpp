@@ -66,11 +66,15 @@ std::string report_contact(const FirstContact& found, const view::MotionNumbers&
 } // namespace
 
 std::string headline(const FirstContact& found, double margin) {
-    const std::string within = margin > 0 ? fmt::format(" within {:.9g}", margin) : "";
+    const bool is_as_near_as_held = !found.held.empty() && found.clear_until <= found.time.lower;
+    const std::string within = is_as_near_as_held ? " at the distance that is held,"
+                               : margin > 0       ? fmt::format(" within {:.9g}", margin)
+                                                  : "";
     switch (found.verdict) {
     case Verdict::clear:
         if (!found.held.empty())
-            return "CLEAR: proven that what is held keeps its distance, and nothing else comes" + within + "\n";
+            return fmt::format("CLEAR: what is held keeps its distance, and nothing else comes within {:.9g}\n",
+                               margin);
         return fmt::format("CLEAR: proven that nothing {} on the whole way\n",
                            margin > 0 ? "comes" + within : "touches");
     case Verdict::contact:

@@ -181,6 +181,7 @@ private:
             const auto& piece = piece_at(i);
             query::PieceSearch search = search_of(piece, {i, count}, level);
             search.check_start = false;
+            search.find = query_.find == Find::any ? Find::first : query_.find; // `clear_until` is of the first
             const PieceResult near = search_piece(search);
             found.work += near.work;
             const bool is_known = found.verdict != Verdict::clear;

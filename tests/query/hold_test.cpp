@@ -148,6 +148,19 @@ TEST(Hold, APrismRollsFromEdgeToEdge) {
     }
 }
 
+TEST(Hold, AnyContactStillTellsHowFarOneMayGo) {
+    for (const Find find : {Find::first, Find::any}) {
+        const auto found = first_contact({.moving = cube(),
+                                          .fixed = table_with_wall(),
+                                          .motion = ScrewMotion::between(shifted(0, 0, 1.05), shifted(4, 0, 0.9)),
+                                          .margin = margin,
+                                          .hold = hold,
+                                          .find = find});
+        ASSERT_EQ(found.verdict, Verdict::contact);
+        EXPECT_NEAR(found.clear_until, 0.2, 1e-11);
+    }
+}
+
 TEST(Hold, IsRefusedOutOfRange) {
     EXPECT_THROW(static_cast<void>(ask(Pose(), Pose(), cube(), margin)), InvalidInput);
     EXPECT_THROW(static_cast<void>(ask(Pose(), Pose(), cube(), -0.01)), InvalidInput);
