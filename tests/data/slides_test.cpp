@@ -138,7 +138,7 @@ TEST_P(Slides, ComeNoNearerThanTheHoldAndAreNotStoppedWithoutACause) {
         }
         tally += body.tally;
     }
-    EXPECT_GT(tally.clear, count / 4);
+    EXPECT_GT(tally.clear, count / 10);
     EXPECT_EQ(tally.touching, 0);
     print(asked.name, tally);
     total_ += tally;

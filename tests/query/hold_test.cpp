@@ -67,6 +67,16 @@ TEST(Hold, ABoxSlidesOverTheRimOfATable) {
     EXPECT_EQ(ask(shifted(-3, 1, 1.05), shifted(-8, 1, 1.05)).verdict, Verdict::clear);
 }
 
+TEST(Hold, ABoxSlidesOffABoxOfItsSize) {
+    // Corners run along rims and leave the margin of edges where these end.
+    const auto found = first_contact({.moving = cube(),
+                                      .fixed = cube(),
+                                      .motion = ScrewMotion::between(shifted(0, 0, 1.05), shifted(3, 0, 1.05)),
+                                      .margin = margin,
+                                      .hold = hold});
+    EXPECT_EQ(found.verdict, Verdict::clear);
+}
+
 TEST(Hold, ABoxIsLiftedOffAndTilted) {
     EXPECT_EQ(ask(shifted(0, 0, 1.05), shifted(0, 0, 3)).verdict, Verdict::clear);
     EXPECT_EQ(ask(shifted(0, 0, 1.05), turned({0, 0, 1.4}, {0, 1, 0}, 0.5)).verdict, Verdict::clear);
