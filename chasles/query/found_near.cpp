@@ -90,11 +90,13 @@ void FoundNear::narrow_brackets() {
                     : std::nullopt;
         keep(candidate, narrow && narrow->tau.certain ? narrow->tau : candidate.tau);
     }
+    const bool lists_all = search_.find == Find::first_with_all_contacts;
     for (const Candidate& candidate : waiting_) {
-        const bool is_listed = search_.find == Find::first_with_all_contacts;
-        if (candidate.tau.lower > best_ || (!is_listed && certain_ - search_.tolerance <= candidate.tau.lower))
+        if (candidate.tau.lower > best_)
             continue;
-        if (const auto tau = first_that_counts(candidate, {candidate.tau, false}))
+        if (!lists_all && certain_ - search_.tolerance <= candidate.tau.lower) // the bracket may as well begin there
+            keep(candidate, {candidate.tau.lower, 1, false});
+        else if (const auto tau = first_that_counts(candidate, {candidate.tau, false}))
             keep(candidate, *tau);
     }
 }
@@ -139,8 +141,10 @@ std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& 
     Crossing next = found;
     const double shortest = 4 * search_.tolerance;
     double width = std::max(shortest, width_of(next));
+    double after = 0; // nothing before it counts
     for (int i = 0; i < most_looks; ++i) {
-        const TauRange where = part_from(next.tau.lower, width);
+        TauRange where = part_from(next.tau.lower, width);
+        where.lower = std::max(where.lower, after);
         const auto crossing = is_decided(next.tau) ? std::optional(next) : refined(features, where);
         if (crossing && !crossing->tau.certain && width > shortest) {
             width = std::max(shortest, 0x1p-6 * std::min(width, width_of(*crossing)));
@@ -152,7 +156,7 @@ std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& 
         const auto passed = crossing ? passed_until(features, *crossing) : std::optional(where.upper);
         if (!passed)
             return crossing->tau;
-        const double after = std::max(*passed, next.tau.lower + rim);
+        after = std::max(*passed, next.tau.lower + rim);
         if (after >= best_)
             return std::nullopt;
         filter_.use({after, 1});

@@ -167,7 +167,7 @@ TEST(Hold, AnyContactStillTellsHowFarOneMayGo) {
                                           .hold = hold,
                                           .find = find});
         ASSERT_EQ(found.verdict, Verdict::contact);
-        EXPECT_NEAR(found.clear_until, 0.2, 1e-11);
+        EXPECT_NEAR(found.clear_until, 0.2, 1e-10) << "with its reserve";
     }
 }
 
