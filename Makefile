@@ -1,7 +1,7 @@
 # Thin: every target is what you could type yourself with the CMake presets.
 JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
-FUZZ_SECONDS ?= 20
+FUZZ_SECONDS ?= 10
 
 .PHONY: help demo check python-check facts attack install bench asan tsan fuzz tidy format clean
 
