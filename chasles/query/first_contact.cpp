@@ -190,7 +190,8 @@ private:
                 search.held = &held;
                 const PieceResult fresh = search_piece(search);
                 found.work += fresh.work;
-                const bool is_fresh = is_contact(fresh) && enclosing(fresh).upper < enclosing(near).upper;
+                const bool is_fresh =
+                    is_contact(fresh) && (!is_contact(near) || enclosing(fresh).upper < enclosing(near).upper);
                 if (is_fresh || is_contact(near))
                     report(found, piece, {i, count}, is_fresh ? fresh : near, is_fresh ? query_.margin : level);
             }

@@ -171,6 +171,13 @@ TEST(Hold, AnyContactStillTellsHowFarOneMayGo) {
     }
 }
 
+TEST(Hold, ANewContactAtTheVeryEndIsReported) {
+    // The wall comes to the margin with the goal, to within the bracket.
+    const auto found = ask(shifted(0, 0, 1.05), shifted(2 - margin, 0, 1.05));
+    EXPECT_EQ(found.verdict, Verdict::contact);
+    EXPECT_NEAR(found.time.upper, 1, 1e-9);
+}
+
 TEST(Hold, IsRefusedOutOfRange) {
     EXPECT_THROW(static_cast<void>(ask(Pose(), Pose(), cube(), margin)), InvalidInput);
     EXPECT_THROW(static_cast<void>(ask(Pose(), Pose(), cube(), -0.01)), InvalidInput);
