@@ -166,6 +166,14 @@ bool stay_apart_across(const motion::ControlMaps<S>& maps, const EdgePath<S>& mo
     return is_positive(dot(from, across), band) && is_positive(dot(to, across), band);
 }
 
+template <class S, class Ask>
+void ask_unless_apart(const SquareProblem<S>& problem, Workspace<S>& workspace, Ask ask) {
+    if (problem.stays_apart())
+        return;
+    ++workspace.root_brackets;
+    ask(problem.problem());
+}
+
 template <class S>
 S unit_of(const Accuracy& accuracy) {
     return S(relative_error<S>(accuracy.scale) * accuracy.scale.length);
@@ -192,10 +200,7 @@ void vertex_near_vertex(const VertexPath<S>& path, const Vector3<S>& point, cons
     problem.set_function(
         detail::dot_product<S>(sized_arm, sized_arm).minus(detail::constant<S>(margin.square, path.weight)).bounded(),
         slack * slack);
-    if (problem.stays_apart())
-        return;
-    ++workspace.root_brackets;
-    ask(problem.problem());
+    detail::ask_unless_apart(problem, workspace, ask);
 }
 
 /// Vertex and edge: |(P - W c) x v|^2 <= d^2 |v|^2 W^2, and 0 <= (P - W c) . v <= |v|^2 W.
@@ -218,10 +223,7 @@ void vertex_near_edge(const VertexPath<S>& path, const RestingEdge<S>& edge, con
                              .minus(detail::constant<S>(margin.square * edge.square, path.weight))
                              .bounded(),
                          slack * slack);
-    if (problem.stays_apart())
-        return;
-    ++workspace.root_brackets;
-    ask(problem.problem());
+    detail::ask_unless_apart(problem, workspace, ask);
 }
 
 /// Edge and edge: V^2 <= d^2 |U x v|^2, and 0 <= (W c - A) x v . (U x v) <= |U x v|^2 as well as 0 <= (c x U - M) . (U
@@ -253,10 +255,7 @@ void edge_near_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& movin
     const Sized<S> height = algebra::sized(volume, maps.weight);
     distance.add(height, height);
     problem.set_function(distance.minus(square.scaled(margin.square)).bounded(), S(0));
-    if (problem.stays_apart())
-        return;
-    ++workspace.root_brackets;
-    ask(problem.problem());
+    detail::ask_unless_apart(problem, workspace, ask);
 }
 
 namespace detail {

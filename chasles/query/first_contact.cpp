@@ -116,7 +116,7 @@ private:
             found.work += result.work;
             if (is_contact(result)) {
                 report(found, piece, {i, count}, result, margin);
-                found.clear_until = query_.find == Find::any ? PieceClock{i, count}.whole(0) : found.time.lower;
+                found.clear_until = query_.find == Find::any ? in_whole({i, count}, {0, 0}).lower : found.time.lower;
                 return found;
             }
             if (i + 1 == count)
@@ -140,7 +140,7 @@ private:
             found.clear_until = 0;
             return found;
         }
-        found.held = contacts_of(piece_at(0), 0, start.candidates, {0, count}, query_.margin, true);
+        found.held = contacts_of(piece_at(0), {0, 0}, start.candidates, {0, count}, query_.margin, true);
         search_holding(found, level.distance, query::HeldContacts({start.candidates.begin(), start.candidates.end()}),
                        count, piece_at);
         if (level.is_reached && found.clear_until < 1)
@@ -196,9 +196,10 @@ private:
                     report(found, piece, {i, count}, is_fresh ? fresh : near, is_fresh ? query_.margin : level);
             }
             if (is_contact(near)) {
-                const Bracket time = time_of(piece, {i, count}, enclosing(near));
-                found.clear_until = time.lower;
-                found.time.lower = std::min(found.time.lower, time.lower);
+                const Bracket tau = enclosing(near); // where both are at once, the answer begins with the earlier one
+                found.clear_until = time_of(piece, {i, count}, tau).lower;
+                found.time.lower = std::min(found.time.lower, found.clear_until);
+                found.tau.lower = std::min(found.tau.lower, in_whole({i, count}, tau).lower);
                 return;
             }
             if (!is_known && i + 1 == count && found.verdict == Verdict::clear)
@@ -242,20 +243,23 @@ private:
         return least;
     }
 
+    /// A bracket of tau or of time in a piece, in terms of the whole motion.
+    static Bracket in_whole(const PieceClock& clock, const Bracket& part) {
+        const double tiny = part.upper > 0 ? underflow_slack : 0;
+        return {std::max(0.0, clock.whole(part.lower) * (1 - clock_slack)),
+                std::min(1.0, clock.whole(part.upper) * (1 + clock_slack) + tiny)};
+    }
+
     template <class AnyMotion>
     static Bracket time_of(const AnyMotion& piece, const PieceClock& clock, const Bracket& tau) {
-        const double tiny = tau.upper > 0 ? underflow_slack : 0;
-        return {std::max(0.0, clock.whole(piece.time_at(tau.lower)) * (1 - clock_slack)),
-                std::min(1.0, clock.whole(piece.time_at(tau.upper)) * (1 + clock_slack) + tiny)};
+        return in_whole(clock, {piece.time_at(tau.lower), piece.time_at(tau.upper)});
     }
 
     template <class AnyMotion>
     void report(FirstContact& found, const AnyMotion& piece, const PieceClock& clock, const PieceResult& result,
                 double margin) const {
         const Bracket tau = enclosing(result);
-        const double tiny = tau.upper > 0 ? underflow_slack : 0;
-        found.tau = {std::max(0.0, clock.whole(tau.lower) * (1 - clock_slack)),
-                     std::min(1.0, clock.whole(tau.upper) * (1 + clock_slack) + tiny)};
+        found.tau = in_whole(clock, tau);
         found.time = time_of(piece, clock, tau);
         found.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
         const bool at_start = clock.index == 0 && query::may_be_at_start({tau.lower, tau.upper, found.certain});
@@ -267,30 +271,30 @@ private:
             found.overlap->point = query::product(to_world.linear(), found.overlap->point) + to_world.translation();
             name_face(found.overlap->face, found.overlap->edge_is_moving ? query_.fixed : query_.moving);
         }
-        found.contacts = contacts_of(piece, tau.upper - tau.lower, result.candidates, clock, margin, at_start);
+        found.contacts = contacts_of(piece, tau, result.candidates, clock, margin, at_start);
     }
 
-    /// In the world at the lower end of the bracket of width `width`, which is that of the earliest candidate.
+    /// In the world at the lower end of the bracket.
     template <class AnyMotion>
-    std::vector<Contact> contacts_of(const AnyMotion& piece, double width, std::vector<query::Candidate> candidates,
-                                     const PieceClock& clock, double margin, bool at_start) const {
+    std::vector<Contact> contacts_of(const AnyMotion& piece, const Bracket& tau,
+                                     std::vector<query::Candidate> candidates, const PieceClock& clock, double margin,
+                                     bool at_start) const {
         if (candidates.empty())
             return {};
         candidates = without_repeated(std::move(candidates));
-        const double tau = std::ranges::min(candidates, {}, [](const auto& c) { return c.tau.lower; }).tau.lower;
         const query::PieceNumbers numbers(search_of(piece, clock, margin));
-        const query::Instant instant(query_.moving, query_.fixed, numbers.maps, tau);
+        const query::Instant instant(query_.moving, query_.fixed, numbers.maps, tau.lower);
         const query::ContactScene scene{
             instant, at_start, margin,
-            query::touch_slack(instant, numbers.scale, std::min(width, query_.time_tolerance))};
+            query::touch_slack(instant, numbers.scale, std::min(tau.upper - tau.lower, query_.time_tolerance))};
         const bool lists_all = query_.find == Find::first_with_all_contacts || query_.hold;
         std::vector<Contact> contacts =
             lists_all ? contact_set(scene, candidates) : std::vector{described(scene, first_of(candidates))};
-        const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau)).isometry();
+        const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
         for (Contact& contact : contacts) {
             contact.point = query::product(to_world.linear(), contact.point) + to_world.translation();
             contact.normal = query::product(to_world.linear(), contact.normal);
-            contact.approach_speed *= piece.tau_rate(tau) * double(clock.count);
+            contact.approach_speed *= piece.tau_rate(tau.lower) * double(clock.count);
             name_faces(contact);
         }
         return contacts;

