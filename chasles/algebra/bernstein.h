@@ -107,16 +107,22 @@ constexpr std::int64_t binomial(int n, int k) {
     return result;
 }
 
-/// The product, of the summed degree.
+/// The product, of the summed degree. With the binomials taken into them, coefficients multiply like those of powers.
 template <int P, int Q, class Scalar>
 Bernstein<P + Q, Scalar> product(const Bernstein<P, Scalar>& a, const Bernstein<Q, Scalar>& b) {
+    std::array<Scalar, P + 1> of_a;
+    std::array<Scalar, Q + 1> of_b;
+    for (int i = 0; i <= P; ++i)
+        of_a[i] = Scalar(double(binomial(P, i))) * a[i];
+    for (int j = 0; j <= Q; ++j)
+        of_b[j] = Scalar(double(binomial(Q, j))) * b[j];
+    std::array<Scalar, P + Q + 1> sums{};
+    for (int i = 0; i <= P; ++i)
+        for (int j = 0; j <= Q; ++j)
+            sums[i + j] = sums[i + j] + of_a[i] * of_b[j];
     Bernstein<P + Q, Scalar> result;
-    for (int k = 0; k <= P + Q; ++k) {
-        Scalar sum(0);
-        for (int i = (k > Q ? k - Q : 0); i <= (k < P ? k : P); ++i)
-            sum = sum + Scalar(double(binomial(P, i) * binomial(Q, k - i))) * a[i] * b[k - i];
-        result.set(k, Scalar(sum / Scalar(double(binomial(P + Q, k)))));
-    }
+    for (int k = 0; k <= P + Q; ++k)
+        result.set(k, Scalar(sums[k] / Scalar(double(binomial(P + Q, k)))));
     return result;
 }
 

@@ -35,13 +35,15 @@ RestingEdge<S> resting_edge(const Vector3<S>& from, const Vector3<S>& to) {
     return {from, v, norm1(v), dot(v, v)};
 }
 
+/// Edges at a smaller sine than this may be taken for parallel: ends of theirs are as near, up to this part of the
+/// scene (note 16, "Nearly parallel edges").
+inline constexpr double parallel_slack = 0x1p-44;
+
 namespace detail {
 
-/// Edges at a smaller sine than 2^-44 may be taken for parallel: ends of theirs are as near, up to this part of the
-/// scene (note 16, "Nearly parallel edges"). The first two are of the product of their 1-norms.
+/// Of the product of two edges' 1-norms.
 inline constexpr double nearly_parallel = 0x1p-48;
 inline constexpr double least_crossing = 0x1p-46;
-inline constexpr double parallel_slack = 0x1p-44;
 
 template <class S>
 using Cubic = Bernstein<3, S>;
@@ -69,13 +71,6 @@ SumOfProducts<S> constant(const S& number, const Cubic<S>& weight) {
     const Sized<S> one{{weight, S(0)}, S(1)};
     square.add(one, one);
     return square.scaled(number);
-}
-
-/// A component that stays beyond `limit` on one side is as good as a proof that the whole vector does.
-template <class S>
-bool stays_beyond(const Vector3<Cubic<S>>& vector, const S& limit, const Cubic<S>& weight) {
-    const Cubic<S> band = weight * limit;
-    return keeps_one_sign(vector.x, band) || keeps_one_sign(vector.y, band) || keeps_one_sign(vector.z, band);
 }
 
 /// W^2, F = square - limit and up to five constraints of degree six, each of which is >= 0.
@@ -141,29 +136,84 @@ bool demand_between(const EdgePair<S>& pair, const SizedVector<S>& crossing, con
            demand_share({pair.line_arm(0), pair.line_arm(1), pair.line_arm(2)}, pair.line_arm_error());
 }
 
-/// Whether one direction proves two edges to stay farther apart than the margin: from the middle of the fixed one to
-/// that of the moving one half way, across the fixed one. It tells what edges that become parallel have in doubt
-/// otherwise.
+/// Where a path is half way.
 template <class S>
-bool stay_apart_across(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
-                       const Margin<S>& margin, const S& unit) {
+Vector3<S> half_way(const Vector3<Cubic<S>>& path, const Cubic<S>& weight) {
+    return position_at<S>(path, weight, S(0.5));
+}
+
+template <class S>
+S clamped_share(const S& part, const S& whole) {
+    return part > S(0) ? part < whole ? S(part / whole) : S(1) : S(0);
+}
+
+/// The way to a point from the segment that starts at c with direction v.
+template <class S>
+Vector3<S> way_from_segment(const Vector3<S>& c, const Vector3<S>& v, const Vector3<S>& point) {
+    const Vector3<S> arm = point - c;
+    return arm - scale(v, clamped_share<S>(dot(arm, v), dot(v, v)));
+}
+
+/// The shortest way from there to the segment that starts at a with direction u.
+template <class S>
+Vector3<S> way_between_segments(const Vector3<S>& c, const Vector3<S>& v, const Vector3<S>& a, const Vector3<S>& u) {
+    const Vector3<S> arm = a - c;
+    const S uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
+    const S on_line = clamped_share<S>(uv * dot(v, arm) - vv * dot(u, arm), uu * vv - uv * uv);
+    const Vector3<S> near = a + scale(u, on_line);
+    const Vector3<S> foot = c + scale(v, clamped_share<S>(dot(near - c, v), vv));
+    return scale(way_from_segment(a, u, foot), S(-1));
+}
+
+/// A plane across a direction with all points p of a feature on one side: way . p <= reach. What stays beyond it by
+/// more than a distance is farther than that from the feature, whatever the direction.
+template <class S>
+class Front {
+public:
+    Front(const Vector3<S>& way, const S& reach, const S& distance, const S& unit, const Cubic<S>& weight)
+        : way_(way), limit_(weight * S(reach + distance * length(way) + with_underflow<S>(unit * norm1(way) * S(2)))) {}
+
+    [[nodiscard]] bool is_left_behind(const Vector3<Cubic<S>>& path) const {
+        return is_positive(dot(path, way_), limit_);
+    }
+
+private:
+    Vector3<S> way_;
+    Cubic<S> limit_;
+};
+
+/// Before the segment that starts at c with direction v.
+template <class S>
+Front<S> front_of_segment(const Vector3<S>& c, const Vector3<S>& v, const Vector3<S>& way, const S& distance,
+                          const S& unit, const Cubic<S>& weight) {
+    const S along = dot(way, v);
+    return {way, dot(way, c) + (along > S(0) ? along : S(0)), distance, unit, weight};
+}
+
+// Whether the shortest way half way proves two features to stay farther apart than a distance.
+
+template <class S>
+bool stay_apart(const VertexPath<S>& path, const Vector3<S>& point, const S& distance, const S& unit) {
+    const Vector3<S> way = half_way(path.position, path.weight) - point;
+    return Front<S>(way, dot(way, point), distance, unit, path.weight).is_left_behind(path.position);
+}
+
+template <class S>
+bool stay_apart(const VertexPath<S>& path, const RestingEdge<S>& edge, const S& distance, const S& unit) {
+    const Vector3<S> way = way_from_segment(edge.from, edge.direction, half_way(path.position, path.weight));
+    return front_of_segment<S>(edge.from, edge.direction, way, distance, unit, path.weight)
+        .is_left_behind(path.position);
+}
+
+/// This one tells what edges that become parallel have in doubt otherwise.
+template <class S>
+bool stay_apart(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
+                const S& distance, const S& unit) {
     const Vector3<Cubic<S>> from = maps.turn * moving.from + maps.shift;
-    const Vector3<Cubic<S>> to = from + moving.direction;
-    const S half(0.5);
-    const auto middle = [&](const Cubic<S>& a, const Cubic<S>& b) {
-        return value_at(a, half) + (value_at(b, half) - value_at(a, half)) * half;
-    };
-    const S weight = value_at(maps.weight, half);
-    const Vector3<S> arm = Vector3<S>{middle(from.x, to.x), middle(from.y, to.y), middle(from.z, to.z)} -
-                           scale(fixed.from + scale(fixed.direction, half), weight);
-    const Vector3<S> across =
-        arm - scale(fixed.direction, S(dot(arm, fixed.direction) / dot(fixed.direction, fixed.direction)));
-    const S offset = dot(across, fixed.from);
-    const S along = dot(across, fixed.direction);
-    const S farther = offset + (along > S(0) ? along : S(0));
-    const S limit = farther + margin.distance * length(across) + with_underflow<S>(unit * norm1(across) * S(2));
-    const Cubic<S> band = maps.weight * limit;
-    return is_positive(dot(from, across), band) && is_positive(dot(to, across), band);
+    const Vector3<S> way = way_between_segments(fixed.from, fixed.direction, half_way(from, maps.weight),
+                                                half_way(moving.direction, maps.weight));
+    const auto front = front_of_segment<S>(fixed.from, fixed.direction, way, distance, unit, maps.weight);
+    return front.is_left_behind(from) && front.is_left_behind(from + moving.direction);
 }
 
 template <class S, class Ask>
@@ -190,12 +240,12 @@ template <class S, class Ask>
 void vertex_near_vertex(const VertexPath<S>& path, const Vector3<S>& point, const Margin<S>& margin,
                         const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
     ++workspace.elementary_tests;
-    const S error = with_underflow<S>(detail::unit_of<S>(accuracy));
-    const Vector3<Bernstein<3, S>> arm = path.position - scale(point, path.weight);
-    if (detail::stays_beyond<S>(arm, margin.distance + error, path.weight))
+    const S unit = detail::unit_of<S>(accuracy);
+    const S slack = S(parallel_slack * accuracy.scale.length);
+    if (detail::stay_apart<S>(path, point, margin.distance + slack, unit))
         return;
-    const auto sized_arm = detail::sized_vector<S>(arm, error, path.weight);
-    const S slack = S(detail::parallel_slack * accuracy.scale.length);
+    const Vector3<Bernstein<3, S>> arm = path.position - scale(point, path.weight);
+    const auto sized_arm = detail::sized_vector<S>(arm, with_underflow<S>(unit), path.weight);
     detail::SquareProblem<S> problem(path.weight);
     problem.set_function(
         detail::dot_product<S>(sized_arm, sized_arm).minus(detail::constant<S>(margin.square, path.weight)).bounded(),
@@ -209,16 +259,15 @@ void vertex_near_edge(const VertexPath<S>& path, const RestingEdge<S>& edge, con
                       const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
-    const S error = with_underflow<S>(unit * edge.size);
-    const Vector3<Bernstein<3, S>> arm = path.position - scale(edge.from, path.weight);
-    const Vector3<Bernstein<3, S>> moment = cross(arm, edge.direction);
-    if (detail::stays_beyond<S>(moment, margin.distance * edge.size + error, path.weight))
+    if (detail::stay_apart<S>(path, edge, margin.distance + S(parallel_slack) * edge.size, unit))
         return;
+    const Vector3<Bernstein<3, S>> arm = path.position - scale(edge.from, path.weight);
     detail::SquareProblem<S> problem(path.weight);
     if (!detail::demand_foot(arm, edge, unit, path.weight, problem))
         return;
-    const auto sized_moment = detail::sized_vector<S>(moment, error, path.weight);
-    const S slack = S(detail::parallel_slack) * edge.square;
+    const auto sized_moment =
+        detail::sized_vector<S>(cross(arm, edge.direction), with_underflow<S>(unit * edge.size), path.weight);
+    const S slack = S(parallel_slack) * edge.square;
     problem.set_function(detail::dot_product<S>(sized_moment, sized_moment)
                              .minus(detail::constant<S>(margin.square * edge.square, path.weight))
                              .bounded(),
@@ -232,6 +281,8 @@ template <class S, class Ask>
 void edge_near_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
                     const Margin<S>& margin, const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
     ++workspace.elementary_tests;
+    if (detail::stay_apart<S>(maps, moving, fixed, margin.distance, detail::unit_of<S>(accuracy)))
+        return;
     const detail::EdgePair<S> pair(maps, moving, fixed, accuracy.scale);
     const Bounded<3, S> volume = pair.volume();
     const S most = margin.distance * pair.size();
@@ -242,8 +293,7 @@ void edge_near_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& movin
     const S spread =
         margin.distance * (crossing.x.size + crossing.y.size + crossing.z.size + pair.crossing_error() * S(3));
     if (keeps_one_sign(volume.polynomial, maps.weight * S(volume.error + spread)) ||
-        widest <= S(detail::nearly_parallel) * pair.size() ||
-        detail::stay_apart_across<S>(maps, moving, fixed, margin, detail::unit_of<S>(accuracy)))
+        widest <= S(detail::nearly_parallel) * pair.size())
         return;
     const SumOfProducts<S> square = detail::dot_product<S>(crossing, crossing);
     const S least = S(detail::least_crossing) * pair.size();

@@ -22,6 +22,13 @@ struct VertexPath {
     const Bernstein<3, S>& weight;
 };
 
+/// Where such a path is at tau.
+template <class S>
+Vector3<S> position_at(const Vector3<Bernstein<3, S>>& path, const Bernstein<3, S>& weight, const S& tau) {
+    const S inverse = S(1) / value_at(weight, tau);
+    return {value_at(path.x, tau) * inverse, value_at(path.y, tau) * inverse, value_at(path.z, tau) * inverse};
+}
+
 /// What a detection is allowed to be off, and when it may stop.
 struct Accuracy {
     ErrorScale scale;

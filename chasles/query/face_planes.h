@@ -7,6 +7,7 @@
 #include "chasles/query/feature_pairs.h"
 
 #include <algorithm>
+#include <limits>
 
 namespace chasles::query {
 
@@ -74,7 +75,34 @@ public:
         return {fixed_, fixed_face, of_moving_.plane, part, of_moving_.sides};
     }
 
+    /// With a margin: whether the way from one face to the other at `time`, in the interval, proves that they stay
+    /// farther apart than the margin.
+    [[nodiscard]] bool stay_apart(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part,
+                                  double time) const {
+        if (margin_ <= 0)
+            return false;
+        const auto path = maps_->turn * mean_corner(moving_, moving_face) + maps_->shift;
+        elementary::FaceShape<double> front;
+        front.normal = elementary::position_at(path, maps_->weight, time) - mean_corner(fixed_, fixed_face);
+        front.size = norm1(front.normal);
+        front.offset = -std::numeric_limits<double>::infinity();
+        for (const std::uint32_t corner : fixed_.face(fixed_face))
+            front.offset = std::max(front.offset, dot(front.normal, HeldFace<double>::point(fixed_, corner)));
+        const auto plane = elementary::plane_of_fixed_face(*maps_, front, scale_, reach_of(front));
+        const auto band = part(plane.band);
+        return std::ranges::all_of(moving_.face(moving_face), [&](std::uint32_t corner) {
+            return plane.side_of(HeldFace<double>::point(moving_, corner), part, band) > 0;
+        });
+    }
+
 private:
+    static Vector3<double> mean_corner(const Polyhedron& body, std::uint32_t face) {
+        Vector3<double> sum{0, 0, 0};
+        for (const std::uint32_t corner : body.face(face))
+            sum = sum + HeldFace<double>::point(body, corner);
+        return scale(sum, 1.0 / double(body.face(face).size()));
+    }
+
     static constexpr std::uint32_t no_face = 0xffffffff;
 
     [[nodiscard]] double reach_of(const elementary::FaceShape<double>& face) const {

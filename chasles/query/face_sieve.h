@@ -15,8 +15,8 @@ public:
               const elementary::ErrorScale& scale, double margin)
         : planes_(moving, fixed, scale, margin), maps_(whole) {}
 
-    /// Calls `ask(part, sides of the moving corners, sides of the fixed ones)` unless a face's plane keeps the faces
-    /// apart up to `best`; answers would be the same (note 13). Planes are made once for the interval.
+    /// Calls `ask(part, sides of the moving corners, sides of the fixed ones)` unless a plane keeps the faces apart up
+    /// to `best`; answers would be the same (note 13). Planes are made once for the interval.
     template <class Ask>
     void sift(const FacePair& pair, double best, Ask ask) {
         const TauRange& interval = pair.interval;
@@ -27,6 +27,8 @@ public:
             planes_.use(maps_.maps());
         const FacePlanes::Part in_interval((part.lower - interval.lower) / interval.width(),
                                            (part.upper - interval.lower) / interval.width());
+        if (planes_.stay_apart(pair.moving, pair.fixed, in_interval, (first - interval.lower) / interval.width()))
+            return;
         const CornerSides moving_sides = planes_.sides_of_moving(pair.moving, pair.fixed, in_interval);
         if (moving_sides.all_on_one_side())
             return;

@@ -12,8 +12,8 @@ namespace {
 class NearSearch {
 public:
     explicit NearSearch(const PieceSearch& search)
-        : search_(search), numbers_(search),
-          sieve_(search.moving, search.fixed, numbers_.maps, numbers_.scale, search.margin),
+        : search_(search), numbers_(search), sieve_(search.moving, search.fixed, numbers_.maps, numbers_.scale,
+                                                    search.margin + elementary::parallel_slack * numbers_.scale.length),
           filter_(search, numbers_.scale, numbers_.maps), touching_(search.moving, search.fixed, {numbers_.scale, {}}),
           found_(search, numbers_) {}
 

@@ -233,11 +233,14 @@ inline Reach reach_along(const Vectors& direction, const Boxes& boxes, const Sla
     return {dot(magnitude(direction), boxes.half), share * slabs.middle, rest + magnitude(share) * slabs.half};
 }
 
-/// Along the way from the middle of one box to that of the other, where both are small beside the margin.
+/// Along the way from the middle of one box to that of the other, at a time in the interval, where both are small
+/// beside the margin.
 inline void see_middles(Closed& closed, const Boxes& a, const Boxes& b, const Slabs& a_slab, const Slabs& b_slab,
-                        const Vectors& a_seen, const SweptBoxes::View& here, Lanes slack, float margin) {
-    const Vectors apart{a_seen.x + halves_swapped(a_seen.x), a_seen.y + halves_swapped(a_seen.y),
-                        a_seen.z + halves_swapped(a_seen.z)};
+                        const Vectors& a_seen, const SweptBoxes::View& here, Lanes slack, float margin, float time) {
+    const Lanes share{1 - time, 1 - time, 1 - time, 1 - time, time, time, time, time};
+    const Vectors part = scale(a_seen, share);
+    const Vectors apart{part.x + halves_swapped(part.x), part.y + halves_swapped(part.y),
+                        part.z + halves_swapped(part.z)};
     const Vectors size = magnitude(apart);
     const Vectors way = scale(apart, all(1) / (size.x + size.y + size.z));
     const Reach of_a = reach_along(turned(here, way), a, a_slab);
@@ -283,6 +286,6 @@ inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, 
     closed.see(a_height - a_thick, -a_height - a_thick);
     closed.see(b_height - b_thick, -b_height - b_thick);
     if (margin > 0 && !closed.are_apart())
-        see_middles(closed, a, b, a_slab, b_slab, a_seen, here, all(there.slack), margin);
+        see_middles(closed, a, b, a_slab, b_slab, a_seen, here, all(there.slack), margin, when.lower);
     return closed.windows();
 }
