@@ -172,10 +172,14 @@ TEST(Hold, AnyContactStillTellsHowFarOneMayGo) {
 }
 
 TEST(Hold, ANewContactAtTheVeryEndIsReported) {
-    // The wall comes to the margin with the goal, to within the bracket.
-    const auto found = ask(shifted(0, 0, 1.05), shifted(2 - margin + 1e-14, 0, 1.05));
+    // The wall comes to the margin with the goal, to the last bit.
+    const auto found = first_contact({.moving = cube(),
+                                      .fixed = table_with_wall(),
+                                      .motion = ScrewMotion::between(shifted(0, 0, 1.0625), shifted(1.875, 0, 1.0625)),
+                                      .margin = 0.125,
+                                      .hold = hold});
     EXPECT_EQ(found.verdict, Verdict::contact);
-    EXPECT_NEAR(found.time.upper, 1, 1e-9);
+    EXPECT_EQ(found.time.upper, 1);
 }
 
 TEST(Hold, IsRefusedOutOfRange) {
