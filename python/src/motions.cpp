@@ -54,6 +54,8 @@ nb::tuple state(const M& motion) {
 
 template <typename M>
 M made_from(const nb::tuple& state) {
+    if (state.size() != 5)
+        throw InvalidInput(fmt::format("state: a motion has 5 parts, and this is {}", state.size()));
     M motion = state[2].is_none() ? M::between(pose_from(state[0], "start"), pose_from(state[1], "goal"))
                                   : relative<M>(state[0], state[1], state[2], state[3]);
     if constexpr (std::is_same_v<M, SweepMotion>)
@@ -163,10 +165,10 @@ bool none_of(std::initializer_list<nb::handle> arguments) {
 }
 
 Motion given_motion(nb::handle motion) {
-    if (nb::isinstance<ScrewMotion>(motion))
-        return nb::cast<const ScrewMotion&>(motion);
-    if (nb::isinstance<SweepMotion>(motion))
-        return nb::cast<const SweepMotion&>(motion);
+    if (const ScrewMotion* screw = nullptr; nb::try_cast(motion, screw) && screw)
+        return *screw;
+    if (const SweepMotion* sweep = nullptr; nb::try_cast(motion, sweep) && sweep)
+        return *sweep;
     throw InvalidInput("motion: must be a ScrewMotion or a SweepMotion");
 }
 

@@ -1,7 +1,9 @@
 """Bodies from arrays, files and other packages, and back."""
 
 import gc
+import os
 import pickle
+import sys
 
 import numpy as np
 import pytest
@@ -98,6 +100,7 @@ def test_faces_of_different_sizes():
         (CUBE_VERTICES, [[0, 1, 2], [0, 1, 2.5, 3]], r"faces\[1\].*whole"),
         (CUBE_VERTICES, [[0, 1, 2], [[0], [1], [2], [3]]], r"faces\[1\].*shape"),
         (CUBE_VERTICES, 5, "faces"),
+        (CUBE_VERTICES, None, "faces"),
         (np.empty((0, 3)), CUBE_FACES, "face"),
     ],
 )
@@ -114,6 +117,12 @@ def test_files(tmp_path, cube):
         np.testing.assert_array_equal(chasles.load(name).vertices, cube.vertices)
     with pytest.raises(chasles.InvalidInput, match="nothing.obj"):
         chasles.load(tmp_path / "nothing.obj")
+
+
+@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="names of files are text there")
+def test_a_file_whose_name_is_no_text(tmp_path):
+    with pytest.raises(chasles.InvalidInput, match=r"\\x80.obj: no such file"):
+        chasles.load(os.fsencode(tmp_path) + b"/\x80.obj")
 
 
 def test_trimesh(cube):
