@@ -180,12 +180,14 @@ class Page(unittest.TestCase):
         self.assertTrue([number for number in numbers_in(self.text("#numbers")) if abs(number - 0.25) < 1e-9], "the gap")
         self.assertGreater(count(self.picture("margin"), is_contact_colour), 60)
 
-    def test_what_is_held_is_told_from_what_is_new(self) -> None:
+    def test_what_is_held_goes_on(self) -> None:
         self.open("slide.html")
         self.assertEqual(self.text("#verdict"), "Clear")
         self.assertIn("what is held keeps its distance", self.text("#meaning"))
         self.assertIn("held at the start", self.text("#numbers").lower())
-        self.open_another("push.html")
+
+    def test_what_is_held_may_come_nearer(self) -> None:
+        self.open("push.html")
         self.assertEqual(self.text("#verdict"), "Contact")
         self.assertIn("What is held comes nearer than it may", self.text("#meaning"))
 
