@@ -13,8 +13,6 @@
 namespace chasles::python {
 namespace {
 
-#define CHASLES_ARRAY "numpy.typing.NDArray[numpy.float64]"
-
 /// "contact at time 0.465661545123, 1 contact: edge 0-3 on edge 2-6"
 std::string summary(const FirstContact& found) {
     if (found.verdict == Verdict::clear)

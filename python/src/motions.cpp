@@ -15,8 +15,6 @@ namespace {
 using namespace nb::literals;
 
 #define CHASLES_POSE "numpy.typing.ArrayLike"
-#define CHASLES_ARRAY "numpy.typing.NDArray[numpy.float64]"
-
 #define CHASLES_RELATIVE                                                                                               \
     "def relative(moving_start: " CHASLES_POSE ", moving_goal: " CHASLES_POSE ", fixed_start: " CHASLES_POSE           \
     ", fixed_goal: " CHASLES_POSE ") -> "
@@ -97,10 +95,6 @@ void bind_common(nb::class_<M>& type) {
         .def_prop_ro("angle", &M::angle, doc("ScrewMotion.angle"))
         .def("__getstate__", state<M>)
         .def("__setstate__", [](M& motion, const nb::tuple& state) { new (&motion) M(made_from<M>(state)); });
-}
-
-std::string text_of(const Eigen::Vector3d& v) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
 std::string repr_of_screw(const ScrewMotion& motion) {

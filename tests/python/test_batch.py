@@ -1,5 +1,7 @@
 """Many motions and many paths at once."""
 
+import multiprocessing
+
 import numpy as np
 import pytest
 from cubes import CUBE_VERTICES, matrix, pose, random_motions
@@ -207,6 +209,18 @@ def test_a_batch_of_paths_answers_as_single_paths_do(cube, ragged):
 def test_what_are_no_paths_is_refused_by_name(cube, paths, why):
     with pytest.raises(chasles.InvalidInput, match=why):
         chasles.path_is_clear_batch(cube, cube, paths)
+
+
+@pytest.mark.parametrize("method", multiprocessing.get_all_start_methods())
+def test_processes_answer_as_one_does(cube, method):
+    starts, goals = random_motions(400)
+    expected = chasles.first_contact_batch(cube, cube, starts, goals)  # before they are forked from its threads
+    questions = [(cube, cube, starts[part], goals[part]) for part in (slice(0, 200), slice(200, 400))]
+    with multiprocessing.get_context(method).Pool(2) as pool:
+        tables = pool.starmap_async(chasles.first_contact_batch, questions).get(timeout=60)
+    found = np.concatenate(tables)
+    np.testing.assert_array_equal(found["verdict"], expected["verdict"])
+    np.testing.assert_array_equal(found["time"], expected["time"])
 
 
 def test_a_bar_shows_progress(cube, capsys):
