@@ -200,21 +200,30 @@ def _each(paths: Any) -> Iterator[Any]:
 def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray[Any], npt.NDArray[np.int64]]:
     """All poses behind one another, and where each path begins and the last one ends."""
     if isinstance(paths, np.ndarray) and paths.dtype != object and paths.ndim > 0:
-        arrays: Any = paths
-    else:
-        arrays = [_array(path, f"paths[{i}]") for i, path in enumerate(_each(paths))]
-    if len(arrays) == 0:
+        return _joined_alike(paths)
+    arrays = [_array(path, f"paths[{i}]") for i, path in enumerate(_each(paths))]
+    if not arrays:
         return np.empty((0, 7)), np.zeros(1, np.int64)
     for i, path in enumerate(arrays):
-        if path.ndim < 2 or path.shape[1:] not in ((7,), (4, 4)):
-            raise InvalidInput(
-                f"paths[{i}]: the shape is {path.shape}; a path has (n, 4, 4), or (n, 7) for x y z qw qx qy qz"
-            )
+        _check_path(path, i)
         if path.shape[1:] != arrays[0].shape[1:]:
             raise InvalidInput(
                 f"paths[{i}]: poses are of shape {path.shape[1:]}, those before of {arrays[0].shape[1:]}"
             )
-        if len(path) < 2:
-            raise InvalidInput(f"paths[{i}]: at least two poses are needed")
-    offsets = np.cumsum([0, *(len(path) for path in arrays)], dtype=np.int64)
-    return np.concatenate(arrays), offsets
+    return np.concatenate(arrays), np.cumsum([0, *map(len, arrays)], dtype=np.int64)
+
+
+def _joined_alike(paths: npt.NDArray[Any]) -> tuple[npt.NDArray[Any], npt.NDArray[np.int64]]:
+    if len(paths) == 0:
+        return np.empty((0, 7)), np.zeros(1, np.int64)
+    _check_path(paths[0], 0)
+    return paths.reshape(-1, *paths.shape[2:]), np.arange(len(paths) + 1, dtype=np.int64) * paths.shape[1]
+
+
+def _check_path(path: npt.NDArray[Any], i: int) -> None:
+    if path.ndim < 2 or path.shape[1:] not in ((7,), (4, 4)):
+        raise InvalidInput(
+            f"paths[{i}]: the shape is {path.shape}; a path has (n, 4, 4), or (n, 7) for x y z qw qx qy qz"
+        )
+    if len(path) < 2:
+        raise InvalidInput(f"paths[{i}]: at least two poses are needed")

@@ -176,12 +176,17 @@ def test_a_path_tells_its_segment(cube):
         chasles.first_contact_on_path(cube, cube, np.zeros((2, 7)) + [[1], [0]])
 
 
-@pytest.mark.parametrize("ragged", [False, True])
-def test_a_batch_of_paths_answers_as_single_paths_do(cube, ragged):
+@pytest.mark.parametrize("kind", ["array", "strided", "list", "ragged"])
+def test_a_batch_of_paths_answers_as_single_paths_do(cube, kind):
     starts, goals = random_motions(100)
     paths = np.stack([starts, goals, starts], axis=1)
     paths[::2, 1] = paths[::2, 0] + [1, 0, 0, 0, 0, 0, 0]
-    asked = [path[: 2 + i % 2] for i, path in enumerate(paths)] if ragged else paths
+    asked = {
+        "array": paths,
+        "strided": np.asfortranarray(paths),
+        "list": list(paths),
+        "ragged": [path[: 2 + i % 2] for i, path in enumerate(paths)],
+    }[kind]
     table = chasles.path_is_clear_batch(cube, cube, asked, find="first")
     assert 20 < np.count_nonzero(table["verdict"] == "clear") < 80
     for row, path in zip(table, asked):
@@ -200,6 +205,8 @@ def test_a_batch_of_paths_answers_as_single_paths_do(cube, ragged):
         ([np.ones((2, 7)), np.ones((2, 6))], r"paths\[1\]: the shape"),
         ([np.ones((2, 7)), np.stack([np.eye(4)] * 2)], r"paths\[1\]: poses are of shape"),
         (np.ones((2, 7)), r"paths\[0\]: the shape"),
+        (np.ones(7), r"paths\[0\]: the shape"),
+        (np.ones((2, 1, 7)), r"paths\[0\]: at least two"),
         ([np.ones((2, 7)), np.ones((3, 7)) * [[1], [np.nan], [1]]], r"paths\[1\]\[1\]: pose"),
         ([np.ones((2, 7)), [[1, 2], [3]]], rf"paths\[1\]: {RAGGED}"),
         (None, "paths: not a sequence"),
