@@ -2,7 +2,7 @@
 #include "cli/batch_rows.h"
 
 #include "chasles/io/csv_table.h"
-#include "view/answer_json.h"
+#include "view/names.h"
 
 #include <fmt/format.h>
 
@@ -45,7 +45,7 @@ std::string batch_header() {
 }
 
 std::string batch_row(const std::string& id, const FirstContact& found) {
-    const std::string start = io::csv_cell(id) + "," + view::name_of(found.verdict) + ",";
+    const std::string start = fmt::format("{},{},", io::csv_cell(id), view::name_of(found.verdict));
     if (found.verdict == Verdict::clear)
         return start + ",,,,," + std::string(contact_columns - 1, ',') + "\n";
     return start + fmt::format("{},{},{},{},{},{}\n", found.time.lower, found.time.upper, found.tau.lower,

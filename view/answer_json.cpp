@@ -1,6 +1,8 @@
 // Answers as JSON; the keys are those of docs/command-line.md.
 #include "view/answer_json.h"
 
+#include "view/names.h"
+
 namespace chasles::view {
 namespace {
 
@@ -88,36 +90,6 @@ Json pose_json(const Pose& pose) {
     const Eigen::Quaterniond rotation = pose.rotation.normalized();
     return {pose.translation.x(), pose.translation.y(), pose.translation.z(), rotation.w(),
             rotation.x(),         rotation.y(),         rotation.z()};
-}
-
-std::string name_of(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::clear:
-        return "clear";
-    case Verdict::contact:
-        return "contact";
-    case Verdict::contact_at_start:
-        break;
-    }
-    return "contact_at_start";
-}
-
-std::string name_of(ContactKind kind) {
-    switch (kind) {
-    case ContactKind::vertex_face:
-        return "vertex_face";
-    case ContactKind::face_vertex:
-        return "face_vertex";
-    case ContactKind::vertex_edge:
-        return "vertex_edge";
-    case ContactKind::edge_vertex:
-        return "edge_vertex";
-    case ContactKind::vertex_vertex:
-        return "vertex_vertex";
-    case ContactKind::edge_edge:
-        break;
-    }
-    return "edge_edge";
 }
 
 Json answer_json(const FirstContact& found, const MotionNumbers& motion) {

@@ -4,7 +4,6 @@
 #include "view/motion_numbers.h"
 
 #include <nlohmann/json.hpp>
-#include <string>
 
 namespace chasles::view {
 
@@ -16,7 +15,5 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 Json vector_json(const Eigen::Vector3d& vector);
 /// x, y, z, qw, qx, qy, qz, with a quaternion of length one.
 Json pose_json(const Pose& pose);
-std::string name_of(Verdict verdict);
-std::string name_of(ContactKind kind);
 
 } // namespace chasles::view

@@ -1,9 +1,11 @@
 """Many motions, or many paths, of one pair of bodies, on all cores."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import AbstractContextManager, nullcontext
-from typing import Any, Literal
+from functools import partial
+from operator import index
+from typing import Any, Literal, SupportsIndex
 
 import numpy as np
 import numpy.typing as npt
@@ -27,6 +29,9 @@ class BatchInterrupted(KeyboardInterrupt):
         done = int(np.count_nonzero(table["verdict"] != NOT_DONE))
         super().__init__(f"{done} of {len(table)} rows are answered; go on with table=error.table")
         self.table = table
+
+    def __reduce__(self) -> tuple[type, tuple[Table]]:
+        return type(self), (self.table,)  # to get out of a pool's process
 
 
 def first_contact_batch(
@@ -81,20 +86,11 @@ def first_contact_batch(
         A KeyboardInterrupt that carries the answers so far. It comes within a tenth of a second and the time of the
         longest query.
     """
-    starts, goals = np.asarray(starts), np.asarray(goals)
-    if starts.ndim and goals.ndim and len(starts) != len(goals):
-        raise InvalidInput(f"goals: there are {len(goals)} for {len(starts)} starts")
-    options = {
-        "margin": margin,
-        "hold": hold,
-        "time_tolerance": time_tolerance,
-        "max_turn": max_turn,
-        "find": find,
-        "threads": _thread_count(threads),
-        "marks_errors": _marks(errors),
-    }
+    starts, goals = _array(starts, "starts"), _array(goals, "goals")
     table = _table_for(table, len(starts) if starts.ndim else 0, motion_dtype)
-    return _run(_core._first_contact_batch, (moving, fixed, starts, goals), table, options, progress, "motions")
+    ask = partial(_core._first_contact_batch, moving, fixed, starts, goals, table, hold=hold)
+    options = {"margin": margin, "time_tolerance": time_tolerance, "max_turn": max_turn, "find": find}
+    return _run(ask, table, options, threads, errors, progress, "motions")
 
 
 def path_is_clear_batch(
@@ -132,23 +128,26 @@ def path_is_clear_batch(
         With the columns of `chasles.table`; `table["verdict"] == "clear"` are the paths that are proven clear.
     """
     poses, offsets = _joined(paths)
-    options = {
-        "margin": margin,
-        "time_tolerance": time_tolerance,
-        "max_turn": max_turn,
-        "find": find,
-        "threads": _thread_count(threads),
-        "marks_errors": _marks(errors),
-    }
     table = _table_for(table, len(offsets) - 1, path_dtype)
-    return _run(_core._path_is_clear_batch, (moving, fixed, poses, offsets), table, options, progress, "paths")
+    ask = partial(_core._path_is_clear_batch, moving, fixed, poses, offsets, table)
+    options = {"margin": margin, "time_tolerance": time_tolerance, "max_turn": max_turn, "find": find}
+    return _run(ask, table, options, threads, errors, progress, "paths")
 
 
-def _run(ask: Any, question: tuple[Any, ...], table: Table, options: dict[str, Any], progress: bool, unit: str) -> Table:
+def _run(
+    ask: Callable[..., None],
+    table: Table,
+    options: dict[str, Any],
+    threads: int,
+    errors: Errors,
+    progress: bool,
+    unit: str,
+) -> Table:
+    options |= {"threads": _thread_count(threads), "marks_errors": _marks(errors)}
     with _bar(progress, len(table), unit) as bar:
         report = None if bar is None else lambda done: bar.update(done - bar.n)
         try:
-            ask(*question, table, **options, report=report)
+            ask(**options, report=report)
         except KeyboardInterrupt:
             raise BatchInterrupted(table) from None
     return table
@@ -169,9 +168,18 @@ def _marks(errors: Errors) -> bool:
 
 
 def _thread_count(threads: int) -> int:
-    if threads < 0:
+    if not isinstance(threads, SupportsIndex):
+        raise TypeError(f"threads: {threads!r} is no whole number")
+    if index(threads) < 0:
         raise InvalidInput(f"threads: {threads} is negative; 0 is for all cores")
-    return threads
+    return min(index(threads), 1 << 16)  # no machine has more
+
+
+def _array(argument: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
+    try:
+        return np.asarray(argument)
+    except (TypeError, ValueError) as error:
+        raise InvalidInput(f"{name}: not an array: {error}") from None
 
 
 def _table_for(table: Table | None, rows: int, dtype: np.dtype) -> Table:
@@ -182,24 +190,40 @@ def _table_for(table: Table | None, rows: int, dtype: np.dtype) -> Table:
     return table
 
 
+def _each(paths: Any) -> Iterator[Any]:
+    try:
+        return iter(paths)
+    except TypeError as error:
+        raise InvalidInput(f"paths: not a sequence: {error}") from None
+
+
 def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray[Any], npt.NDArray[np.int64]]:
     """All poses behind one another, and where each path begins and the last one ends."""
-    if isinstance(paths, np.ndarray) and paths.dtype != object:
-        arrays: Any = paths
-    else:
-        arrays = [np.asarray(path) for path in paths]  # type: ignore[union-attr]
-    if len(arrays) == 0:
+    if isinstance(paths, np.ndarray) and paths.dtype != object and paths.ndim > 0:
+        return _joined_alike(paths)
+    arrays = [_array(path, f"paths[{i}]") for i, path in enumerate(_each(paths))]
+    if not arrays:
         return np.empty((0, 7)), np.zeros(1, np.int64)
     for i, path in enumerate(arrays):
-        if path.ndim < 2 or path.shape[1:] not in ((7,), (4, 4)):
-            raise InvalidInput(
-                f"paths[{i}]: the shape is {path.shape}; a path has (n, 4, 4), or (n, 7) for x y z qw qx qy qz"
-            )
+        _check_path(path, i)
         if path.shape[1:] != arrays[0].shape[1:]:
             raise InvalidInput(
                 f"paths[{i}]: poses are of shape {path.shape[1:]}, those before of {arrays[0].shape[1:]}"
             )
-        if len(path) < 2:
-            raise InvalidInput(f"paths[{i}]: at least two poses are needed")
-    offsets = np.cumsum([0, *(len(path) for path in arrays)], dtype=np.int64)
-    return np.concatenate(arrays), offsets
+    return np.concatenate(arrays), np.cumsum([0, *map(len, arrays)], dtype=np.int64)
+
+
+def _joined_alike(paths: npt.NDArray[Any]) -> tuple[npt.NDArray[Any], npt.NDArray[np.int64]]:
+    if len(paths) == 0:
+        return np.empty((0, 7)), np.zeros(1, np.int64)
+    _check_path(paths[0], 0)
+    return paths.reshape(-1, *paths.shape[2:]), np.arange(len(paths) + 1, dtype=np.int64) * paths.shape[1]
+
+
+def _check_path(path: npt.NDArray[Any], i: int) -> None:
+    if path.ndim < 2 or path.shape[1:] not in ((7,), (4, 4)):
+        raise InvalidInput(
+            f"paths[{i}]: the shape is {path.shape}; a path has (n, 4, 4), or (n, 7) for x y z qw qx qy qz"
+        )
+    if len(path) < 2:
+        raise InvalidInput(f"paths[{i}]: at least two poses are needed")

@@ -181,16 +181,22 @@ def _draw_contacts(axes: Axes3D, found: FirstContact, extent: float) -> None:
     axes.quiver(*np.array(points).T, *normals.T, length=0.3 * extent, color=CONTACT, linewidth=1.8, zorder=10)
 
 
+def _title(found: FirstContact) -> str:
+    within = f" within {found.margin:g}" if found.margin > 0 else ""
+    if found.verdict == Verdict.contact:
+        return f"contact{within} at time {found.time:.12g}"
+    if found.verdict == Verdict.contact_at_start:
+        return f"contact{within} at the start"
+    if found.held:
+        return "clear: what is held keeps its distance"
+    return f"clear: nothing {'comes' + within if within else 'touches'} on the whole way"
+
+
 def _label(axes: Axes3D, found: FirstContact) -> None:
     from matplotlib.lines import Line2D
     from matplotlib.ticker import MaxNLocator
 
-    texts = {
-        Verdict.clear: "clear: nothing touches on the whole way",
-        Verdict.contact: f"contact at time {found.time:.12g}",
-        Verdict.contact_at_start: "contact at the start",
-    }
-    axes.set_title(texts[Verdict(found.verdict)])
+    axes.set_title(_title(found))
     labels = {"moving": MOVING, "fixed": FIXED} | ({"contact": CONTACT} if found.contacts else {})
     marks = [Line2D([], [], linestyle="", marker="o", color=colour, label=label) for label, colour in labels.items()]
     axes.legend(handles=marks, loc="upper left", frameon=False)

@@ -13,8 +13,6 @@
 namespace chasles::python {
 namespace {
 
-#define CHASLES_ARRAY "numpy.typing.NDArray[numpy.float64]"
-
 /// "contact at time 0.465661545123, 1 contact: edge 0-3 on edge 2-6"
 std::string summary(const FirstContact& found) {
     if (found.verdict == Verdict::clear)
@@ -51,7 +49,8 @@ nb::class_<Answer> bind_first_contact(nb::module_& module) {
             "certain", [](const Answer& a) { return a.found.certain; }, doc("FirstContact.certain"))
         .def_prop_ro(
             "contacts", [](const Answer& a) { return tuple_of(a.found.contacts); },
-            nb::sig("def contacts(self) -> tuple[Contact, ...]"), doc("Contact"))
+            nb::sig("def contacts(self) -> tuple[Contact, ...]"),
+            "The feature pairs in contact, in the world frame at `time`.")
         .def_prop_ro(
             "held", [](const Answer& a) { return tuple_of(a.found.held); },
             nb::sig("def held(self) -> tuple[Contact, ...]"), doc("FirstContact.held"))
@@ -79,7 +78,8 @@ void bind_answers(nb::module_& module) {
             "The fixed body that was asked about.")
         .def_prop_ro(
             "motion", [](const Answer& a) { return a.motion; },
-            nb::sig("def motion(self) -> ScrewMotion | SweepMotion"), "The motion that was asked about.")
+            nb::sig("def motion(self) -> ScrewMotion | SweepMotion"),
+            "The motion that was asked about; of a path, the `segment`.")
         .def_ro("margin", &Answer::margin, "The margin that was asked for.")
         .def_ro("max_turn", &Answer::max_turn, "By how much a screw turned at most before it was cut; radians.")
         .def("__repr__", [](const Answer& a) { return "<chasles.FirstContact: " + summary(a.found) + ">"; });

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstring>
+#include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
 namespace chasles::python {
@@ -123,6 +124,10 @@ std::string text_of_shape(std::span<const Py_ssize_t> shape) {
     for (std::size_t i = 0; i < shape.size(); ++i)
         text += (i ? ", " : "") + std::to_string(shape[i]);
     return text + (shape.size() == 1 ? ",)" : ")");
+}
+
+std::string text_of(const Eigen::Vector3d& vector) {
+    return fmt::format("({:.6g}, {:.6g}, {:.6g})", vector.x(), vector.y(), vector.z());
 }
 
 template <typename Number>

@@ -14,6 +14,9 @@ namespace chasles::python {
 
 namespace nb = nanobind;
 
+/// What an array of real numbers is in signatures.
+#define CHASLES_ARRAY "numpy.typing.NDArray[numpy.float64]"
+
 using OwnArray = nb::ndarray<nb::numpy, double>;
 
 /// An argument that NumPy can make an array of real numbers from, of any type and strides, as contiguous numbers of one
@@ -45,6 +48,9 @@ using IndexArray = ArrayArgument<std::int64_t>;
 
 /// "(4, 3)", as Python writes a shape.
 std::string text_of_shape(std::span<const Py_ssize_t> shape);
+
+/// "(0.5, 1, -2)", six digits each.
+std::string text_of(const Eigen::Vector3d& vector);
 
 /// A point or vector from three numbers. Throws InvalidInput "NAME: WHY".
 Eigen::Vector3d vector_from(nb::handle argument, const std::string& name);

@@ -58,10 +58,10 @@ class ReadPoses {
 public:
     /// `name_of` a pose is for messages.
     template <typename NameOf>
-    ReadPoses(const PoseArray& array, const BatchOptions& options, const NameOf& name_of)
+    ReadPoses(const PoseArray& array, const BatchOptions& options, const Progress& progress, const NameOf& name_of)
         : poses_(array.size()), is_bad_(array.size()) {
         on_threads(options.threads, array.size(), [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
+            for (std::size_t i = begin; i < end && !progress.is_stopping; ++i)
                 try {
                     poses_[i] = array[i];
                 } catch (const InvalidInput&) {
@@ -102,23 +102,24 @@ private:
     std::vector<std::uint8_t> is_bad_;
 };
 
-void first_contact_rows(const Body& moving, const Body& fixed, nb::handle starts, nb::handle goals, nb::handle array,
-                        const BatchOptions& options, nb::handle report) {
+void first_contact_rows(const Polyhedron& moving, const Polyhedron& fixed, nb::handle starts, nb::handle goals,
+                        nb::handle array, const BatchOptions& options, nb::handle report) {
     const PoseArray start_array(starts, "starts"), goal_array(goals, "goals");
     const Table<Row> table(array);
-    if (start_array.size() != table.size() || goal_array.size() != table.size())
-        throw InvalidInput("table: has " + std::to_string(table.size()) + " rows for " +
-                           std::to_string(start_array.size()) + " starts and " + std::to_string(goal_array.size()) +
-                           " goals");
+    if (goal_array.size() != start_array.size())
+        throw InvalidInput(fmt::format("goals: there are {} for {} starts", goal_array.size(), start_array.size()));
+    if (table.size() != start_array.size())
+        throw InvalidInput(fmt::format("table: has {} rows for {} starts", table.size(), start_array.size()));
     check(options.query);
     const auto work = [&](Progress& progress) {
         const auto named = [](const char* name) {
             return [name](std::size_t i) { return fmt::format("{}[{}]", name, i); };
         };
-        const ReadPoses from(start_array, options, named("starts")), to(goal_array, options, named("goals"));
+        const ReadPoses from(start_array, options, progress, named("starts")),
+            to(goal_array, options, progress, named("goals"));
         answer_rows(table, options, progress, [&](std::size_t i) {
             const Motion motion = ScrewMotion::between(from[i], to[i]);
-            write(options.query.ask(moving.polyhedron, fixed.polyhedron, motion), table[i]);
+            write(options.query.ask(moving, fixed, motion), table[i]);
         });
     };
     run_interruptibly(work, report);
@@ -134,33 +135,26 @@ std::string name_in_paths(std::span<const std::int64_t> offsets, std::size_t pos
 struct Stopped {};
 
 /// The poses of path i are those from offsets[i] to offsets[i + 1].
-void path_rows(const Body& moving, const Body& fixed, nb::handle poses, nb::handle offset_array, nb::handle array,
-               const BatchOptions& options, nb::handle report) {
+void path_rows(const Polyhedron& moving, const Polyhedron& fixed, nb::handle poses, nb::handle offset_array,
+               nb::handle array, const BatchOptions& options, nb::handle report) {
     const PoseArray pose_array(poses, "paths");
     const IndexArray offsets(offset_array, "offsets");
     const Table<PathRow> table(array);
     check(options.query);
     const auto work = [&](Progress& progress) {
-        const ReadPoses path(pose_array, options, [&](std::size_t i) { return name_in_paths(offsets.numbers(), i); });
-        const auto answer = [&](std::size_t i) {
-            const PathQuery query{
-                .moving = moving.polyhedron,
-                .fixed = fixed.polyhedron,
-                .poses = path.range(std::size_t(offsets.numbers()[i]), std::size_t(offsets.numbers()[i + 1])),
-                .margin = options.query.margin,
-                .time_tolerance = options.query.time_tolerance,
-                .max_turn = options.query.max_turn,
-                .find = options.query.find,
-                .progress = [&](std::size_t) {
-                    if (progress.is_stopping)
-                        throw Stopped();
-                }};
+        const ReadPoses path(pose_array, options, progress,
+                             [&](std::size_t i) { return name_in_paths(offsets.numbers(), i); });
+        const auto stop_if_asked_to = [&](std::size_t) {
+            if (progress.is_stopping)
+                throw Stopped();
+        };
+        answer_rows(table, options, progress, [&](std::size_t i) {
+            const auto begin = std::size_t(offsets.numbers()[i]), end = std::size_t(offsets.numbers()[i + 1]);
             try {
-                write(first_contact_on_path(query), table[i]);
+                write(options.query.ask_path(moving, fixed, path.range(begin, end), stop_if_asked_to), table[i]);
             } catch (const Stopped&) {
             }
-        };
-        answer_rows(table, options, progress, answer);
+        });
     };
     run_interruptibly(work, report);
 }
@@ -170,25 +164,26 @@ void path_rows(const Body& moving, const Body& fixed, nb::handle poses, nb::hand
 void bind_batches(nb::module_& module) {
     module.def(
         "_first_contact_batch",
-        [](const Body& moving, const Body& fixed, nb::handle starts, nb::handle goals, nb::handle table, double margin,
+        [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle table, double margin,
            std::optional<double> hold, double time_tolerance, double max_turn, nb::handle find, unsigned threads,
            bool marks_errors, nb::handle report) {
-            first_contact_rows(moving, fixed, starts, goals, table,
+            first_contact_rows(polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed"), starts, goals, table,
                                {{margin, hold, time_tolerance, max_turn, find_from(find)}, threads, marks_errors},
                                report);
         },
-        "moving"_a, "fixed"_a, "starts"_a, "goals"_a, "table"_a, nb::kw_only(), "margin"_a, "hold"_a.none(),
-        "time_tolerance"_a, "max_turn"_a, "find"_a, "threads"_a, "marks_errors"_a, "report"_a.none());
+        "moving"_a.none(), "fixed"_a.none(), "starts"_a, "goals"_a, "table"_a, nb::kw_only(), "margin"_a,
+        "hold"_a.none(), "time_tolerance"_a, "max_turn"_a, "find"_a.none(), "threads"_a, "marks_errors"_a,
+        "report"_a.none());
     module.def(
         "_path_is_clear_batch",
-        [](const Body& moving, const Body& fixed, nb::handle poses, nb::handle offsets, nb::handle table, double margin,
+        [](nb::handle moving, nb::handle fixed, nb::handle poses, nb::handle offsets, nb::handle table, double margin,
            double time_tolerance, double max_turn, nb::handle find, unsigned threads, bool marks_errors,
            nb::handle report) {
-            path_rows(moving, fixed, poses, offsets, table,
+            path_rows(polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed"), poses, offsets, table,
                       {{margin, {}, time_tolerance, max_turn, find_from(find)}, threads, marks_errors}, report);
         },
-        "moving"_a, "fixed"_a, "poses"_a, "offsets"_a, "table"_a, nb::kw_only(), "margin"_a, "time_tolerance"_a,
-        "max_turn"_a, "find"_a, "threads"_a, "marks_errors"_a, "report"_a.none());
+        "moving"_a.none(), "fixed"_a.none(), "poses"_a, "offsets"_a, "table"_a, nb::kw_only(), "margin"_a,
+        "time_tolerance"_a, "max_turn"_a, "find"_a.none(), "threads"_a, "marks_errors"_a, "report"_a.none());
 }
 
 } // namespace chasles::python

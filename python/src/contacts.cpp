@@ -15,26 +15,19 @@ namespace {
 
 using namespace nb::literals;
 
-#define CHASLES_ARRAY "numpy.typing.NDArray[numpy.float64]"
-
 nb::tuple tuple_of(FeatureKind kind, const Feature& feature) {
     return kind == FeatureKind::edge ? nb::make_tuple(feature.first, feature.second) : nb::make_tuple(feature.first);
 }
 
-std::string text_of(FeatureKind kind, const Feature& feature) {
+std::string name_of(FeatureKind kind, const Feature& feature) {
     if (kind == FeatureKind::edge)
         return fmt::format("edge {}-{}", feature.first, feature.second);
     return fmt::format("{} {}", kind == FeatureKind::vertex ? "vertex" : "face", feature.first);
 }
 
-std::string text_of(const Eigen::Vector3d& v) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
-}
-
 std::string repr_of_contact(const Contact& contact) {
-    return fmt::format("<chasles.Contact: {} at {}, normal {}, gap {:.3g}, approach speed {:.6g}>",
-                       python::text_of(contact), text_of(contact.point), text_of(contact.normal), contact.gap,
-                       contact.approach_speed);
+    return fmt::format("<chasles.Contact: {} at {}, normal {}, gap {:.3g}, approach speed {:.6g}>", text_of(contact),
+                       text_of(contact.point), text_of(contact.normal), contact.gap, contact.approach_speed);
 }
 
 std::string repr_of_overlap(const Overlap& overlap) {
@@ -106,8 +99,8 @@ void bind_work(nb::module_& module) {
 } // namespace
 
 std::string text_of(const Contact& contact) {
-    return text_of(moving_feature_kind(contact.kind), contact.moving) + " on " +
-           text_of(fixed_feature_kind(contact.kind), contact.fixed);
+    return name_of(moving_feature_kind(contact.kind), contact.moving) + " on " +
+           name_of(fixed_feature_kind(contact.kind), contact.fixed);
 }
 
 nb::tuple tuple_of(const std::vector<Contact>& contacts) {

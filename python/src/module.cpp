@@ -3,12 +3,32 @@
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
 
+#include <exception>
+#include <string_view>
+
+namespace {
+
+/// Messages name files, and names of files are bytes of any kind.
+void raise_invalid_input(const std::exception_ptr& error, void* type) {
+    try {
+        std::rethrow_exception(error);
+    } catch (const chasles::InvalidInput& invalid) {
+        const std::string_view what = invalid.what();
+        const auto text =
+            nanobind::steal(PyUnicode_DecodeUTF8(what.data(), Py_ssize_t(what.size()), "backslashreplace"));
+        PyErr_SetObject(static_cast<PyObject*>(type), text.ptr());
+    }
+}
+
+} // namespace
+
 NB_MODULE(_core, module) {
     namespace python = chasles::python;
     module.attr("__version__") = CHASLES_VERSION;
     module.doc() = "The compiled part of chasles: import chasles instead.";
     auto invalid_input = nanobind::exception<chasles::InvalidInput>(module, "InvalidInput", PyExc_ValueError);
     invalid_input.attr("__doc__") = python::doc("InvalidInput");
+    nanobind::register_exception_translator(raise_invalid_input, invalid_input.ptr());
     python::bind_polyhedron(module);
     python::bind_motions(module);
     python::bind_contacts(module);

@@ -15,8 +15,6 @@ namespace {
 using namespace nb::literals;
 
 #define CHASLES_POSE "numpy.typing.ArrayLike"
-#define CHASLES_ARRAY "numpy.typing.NDArray[numpy.float64]"
-
 #define CHASLES_RELATIVE                                                                                               \
     "def relative(moving_start: " CHASLES_POSE ", moving_goal: " CHASLES_POSE ", fixed_start: " CHASLES_POSE           \
     ", fixed_goal: " CHASLES_POSE ") -> "
@@ -54,6 +52,8 @@ nb::tuple state(const M& motion) {
 
 template <typename M>
 M made_from(const nb::tuple& state) {
+    if (state.size() != 5)
+        throw InvalidInput(fmt::format("state: a motion has 5 parts, and this is {}", state.size()));
     M motion = state[2].is_none() ? M::between(pose_from(state[0], "start"), pose_from(state[1], "goal"))
                                   : relative<M>(state[0], state[1], state[2], state[3]);
     if constexpr (std::is_same_v<M, SweepMotion>)
@@ -95,10 +95,6 @@ void bind_common(nb::class_<M>& type) {
         .def_prop_ro("angle", &M::angle, doc("ScrewMotion.angle"))
         .def("__getstate__", state<M>)
         .def("__setstate__", [](M& motion, const nb::tuple& state) { new (&motion) M(made_from<M>(state)); });
-}
-
-std::string text_of(const Eigen::Vector3d& v) {
-    return fmt::format("({:.6g}, {:.6g}, {:.6g})", v.x(), v.y(), v.z());
 }
 
 std::string repr_of_screw(const ScrewMotion& motion) {
@@ -163,10 +159,10 @@ bool none_of(std::initializer_list<nb::handle> arguments) {
 }
 
 Motion given_motion(nb::handle motion) {
-    if (nb::isinstance<ScrewMotion>(motion))
-        return nb::cast<const ScrewMotion&>(motion);
-    if (nb::isinstance<SweepMotion>(motion))
-        return nb::cast<const SweepMotion&>(motion);
+    if (const ScrewMotion* screw = nullptr; nb::try_cast(motion, screw) && screw)
+        return *screw;
+    if (const SweepMotion* sweep = nullptr; nb::try_cast(motion, sweep) && sweep)
+        return *sweep;
     throw InvalidInput("motion: must be a ScrewMotion or a SweepMotion");
 }
 

@@ -152,9 +152,10 @@ const std::string& constructor_doc() {
         std::string("From arrays.\n\n") + doc("Polyhedron.from_polygons") +
         "\n\nParameters\n----------\nvertices : array (n, 3)\n    Points, in the mesh's unit.\n"
         "faces : array (m, k), or a list of m lists\n    Vertex indices from 0.\n"
-        "triangulate : bool\n    " +
-        doc("PolyhedronOptions.triangulate") + "\ndrop_degenerate : bool\n    " +
-        doc("PolyhedronOptions.drop_degenerate") + "\nthreads : int\n    " + doc("PolyhedronOptions.threads");
+        "triangulate : bool\n" +
+        indented(doc("PolyhedronOptions.triangulate")) + "drop_degenerate : bool\n" +
+        indented(doc("PolyhedronOptions.drop_degenerate")) + "threads : int\n" +
+        indented(doc("PolyhedronOptions.threads"));
     return text;
 }
 
@@ -169,7 +170,8 @@ void bind_polyhedron(nb::module_& module) {
                unsigned threads) {
                 new (self) Body(body_from(points, outlines, triangulate, drop_degenerate, threads));
             },
-            "vertices"_a, "faces"_a, "triangulate"_a = false, "drop_degenerate"_a = false, "threads"_a = 0,
+            "vertices"_a.none(), "faces"_a.none(), "triangulate"_a = false, "drop_degenerate"_a = false,
+            "threads"_a = 0,
             nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, "
                     "faces: numpy.typing.ArrayLike | collections.abc.Sequence[collections.abc.Sequence[int]], "
                     "triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0) -> None"),

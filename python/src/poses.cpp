@@ -30,7 +30,8 @@ Pose pose_from(nb::handle argument, const char* name) {
 
 PoseArray::PoseArray(nb::handle argument, const std::string& name) : array_(argument, name) {
     const auto shape = array_.shape();
-    numbers_ = shape.size() > 1 ? pose_size(shape.subspan(1)) : 0;
+    const bool is_nothing = shape.size() == 1 && shape[0] == 0; // what NumPy makes of []
+    numbers_ = is_nothing ? 7 : shape.size() > 1 ? pose_size(shape.subspan(1)) : 0;
     if (numbers_ == 0)
         throw InvalidInput(name + ": the shape is " + array_.shape_text() +
                            "; poses have (n, 4, 4), or (n, 7) for x y z qw qx qy qz");

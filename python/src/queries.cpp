@@ -1,5 +1,4 @@
 // chasles.first_contact and chasles.first_contact_on_path.
-#include "chasles/query/path.h"
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/motions.h"
@@ -38,19 +37,12 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     const std::vector<Pose> path = poses_from(poses, "poses");
-    const Find stop = find_from(find);
+    const QueryOptions options{margin, {}, time_tolerance, max_turn, find_from(find)};
     PathContact answer;
     {
         const nb::gil_scoped_release release;
         SignalCheck signals;
-        answer = first_contact_on_path({.moving = moving_body,
-                                        .fixed = fixed_body,
-                                        .poses = path,
-                                        .margin = margin,
-                                        .time_tolerance = time_tolerance,
-                                        .max_turn = max_turn,
-                                        .find = stop,
-                                        .progress = [&](std::size_t) { signals.raise_now_and_then(); }});
+        answer = options.ask_path(moving_body, fixed_body, path, [&](std::size_t) { signals.raise_now_and_then(); });
     }
     const Motion segment = ScrewMotion::between(path[answer.segment], path[answer.segment + 1]);
     return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin, max_turn},
@@ -87,7 +79,7 @@ void bind_queries(nb::module_& module) {
     module.def("first_contact", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(), "goal"_a = nb::none(),
                nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(), "fixed_goal"_a = nb::none(),
                "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
-               "max_turn"_a = default_max_turn, "find"_a = all_contacts,
+               "max_turn"_a = default_max_turn, "find"_a.none() = all_contacts,
                nb::sig("def first_contact(moving: Polyhedron, fixed: Polyhedron, "
                        "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
                        "motion: ScrewMotion | SweepMotion | None = None, "
@@ -95,9 +87,9 @@ void bind_queries(nb::module_& module) {
                        "fixed_goal: numpy.typing.ArrayLike | None = None, " CHASLES_OPTION_TYPES
                        "'first_with_all_contacts') -> FirstContact"),
                first_contact_text.c_str());
-    module.def("first_contact_on_path", ask_path, "moving"_a.none(), "fixed"_a.none(), "poses"_a, nb::kw_only(),
+    module.def("first_contact_on_path", ask_path, "moving"_a.none(), "fixed"_a.none(), "poses"_a.none(), nb::kw_only(),
                "margin"_a = 0.0, "time_tolerance"_a = default_time_tolerance, "max_turn"_a = default_max_turn,
-               "find"_a = all_contacts,
+               "find"_a.none() = all_contacts,
                nb::sig("def first_contact_on_path(moving: Polyhedron, fixed: Polyhedron, "
                        "poses: numpy.typing.ArrayLike, *, margin: float = 0.0, time_tolerance: float = 1e-12, "
                        "max_turn: float = math.pi / 18, find: chasles.enums.Find | str = "

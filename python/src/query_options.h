@@ -1,10 +1,12 @@
 // Options that several queries share, as Python hands them over.
 #pragma once
 
-#include "chasles/query/first_contact.h"
+#include "chasles/query/path.h"
 #include "python/src/docstrings.h"
 
+#include <functional>
 #include <optional>
+#include <span>
 #include <string>
 
 namespace chasles::python {
@@ -25,6 +27,18 @@ struct QueryOptions {
                               .time_tolerance = time_tolerance,
                               .max_turn = max_turn,
                               .find = find});
+    }
+
+    [[nodiscard]] PathContact ask_path(const Polyhedron& moving, const Polyhedron& fixed, std::span<const Pose> poses,
+                                       const std::function<void(std::size_t)>& progress) const {
+        return first_contact_on_path({.moving = moving,
+                                      .fixed = fixed,
+                                      .poses = poses,
+                                      .margin = margin,
+                                      .time_tolerance = time_tolerance,
+                                      .max_turn = max_turn,
+                                      .find = find,
+                                      .progress = progress});
     }
 };
 

@@ -1,7 +1,7 @@
 #include "python/src/table.h"
 
 #include "chasles/invalid_input.h"
-#include "python/src/names.h"
+#include "view/names.h"
 
 #include <algorithm>
 #include <limits>
@@ -47,7 +47,7 @@ void write_nowhere(Row& row) {
 }
 
 void write_place(const Contact& contact, Row& row) {
-    write_text(name_of(contact.kind), row.kind);
+    write_text(view::name_of(contact.kind), row.kind);
     write_feature(contact.moving, row.moving_feature);
     write_feature(contact.fixed, row.fixed_feature);
     write_vector(contact.point, row.point);
@@ -70,7 +70,7 @@ void write(const FirstContact& found, Row& row) {
         write_place(found.contacts.front(), row);
     else if (found.overlap)
         write_place(*found.overlap, row);
-    write_text(name_of(found.verdict), row.verdict); // last: now it is answered
+    write_text(view::name_of(found.verdict), row.verdict); // last: now it is answered
 }
 
 void write(const PathContact& found, PathRow& row) {

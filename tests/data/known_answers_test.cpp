@@ -2,23 +2,12 @@
 // with this one. Covers rotations from 1e-14 to 3.05 rad and motions down to 1e-7 of a body.
 
 #include "tests/data/screw_known_answers.h"
+#include "view/names.h"
 
 #include <numbers>
 
 namespace chasles::test {
 namespace {
-
-const char* name_of(Verdict verdict) {
-    switch (verdict) {
-    case Verdict::clear:
-        return "clear";
-    case Verdict::contact:
-        return "contact";
-    case Verdict::contact_at_start:
-        return "contact_at_start";
-    }
-    return "";
-}
 
 bool encloses(const Bracket& bracket, double value) {
     return bracket.lower <= value && value <= bracket.upper;
@@ -45,9 +34,9 @@ void answer(const Json& one, Tally& tally) {
     ++tally.cases;
     tally.work += found.work;
     const Json& truth = one["truth"];
-    if (truth["verdict"] != name_of(found.verdict)) {
+    if (truth["verdict"] != view::name_of(found.verdict)) {
         ++tally.wrong_verdicts;
-        ADD_FAILURE() << one["id"] << ": " << name_of(found.verdict) << " instead of " << truth;
+        ADD_FAILURE() << one["id"] << ": " << view::name_of(found.verdict) << " instead of " << truth;
         return;
     }
     if (found.verdict == Verdict::clear)

@@ -6,6 +6,7 @@ CUBE_VERTICES = np.array(
     [[0, 0, 0], [1, 0, 0], [1, 1, 0], [0, 1, 0], [0, 0, 1], [1, 0, 1], [1, 1, 1], [0, 1, 1]], np.float64
 )
 CUBE_FACES = np.array([[3, 2, 1, 0], [4, 5, 6, 7], [0, 1, 5, 4], [1, 2, 6, 5], [2, 3, 7, 6], [3, 0, 4, 7]])
+RAGGED = "(not an array|an array of object is not|the shape is)"  # NumPy before 1.24 makes objects of ragged lists
 
 
 def pose(x: float, y: float, z: float, *quaternion: float) -> np.ndarray:

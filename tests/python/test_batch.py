@@ -1,8 +1,10 @@
 """Many motions and many paths at once."""
 
+import multiprocessing
+
 import numpy as np
 import pytest
-from cubes import matrix, pose, random_motions
+from cubes import CUBE_VERTICES, RAGGED, matrix, pose, random_motions
 
 import chasles
 
@@ -66,6 +68,7 @@ def test_overlap_has_features_and_a_point_but_no_kind(cube):
 
 def test_nothing_is_a_batch_too(cube):
     assert len(chasles.first_contact_batch(cube, cube, np.empty((0, 7)), np.empty((0, 4, 4)))) == 0
+    assert len(chasles.first_contact_batch(cube, cube, [], [])) == 0
     assert len(chasles.path_is_clear_batch(cube, cube, [])) == 0
 
 
@@ -81,6 +84,9 @@ def test_nothing_is_a_batch_too(cube):
         (np.ones((1, 7)) * 1j, np.ones((1, 7)), "starts: .*complex"),
         ("abc", np.ones((1, 7)), "starts"),
         (5, 5, "starts"),
+        (np.eye(4), np.ones((2, 7)), r"starts: the shape is \(4, 4\)"),
+        ([np.eye(4), np.ones(7)], np.ones((2, 7)), f"starts: {RAGGED}"),
+        (np.ones((1, 7)), [[1, 2], [3]], f"goals: {RAGGED}"),
     ],
 )
 def test_what_are_no_poses_is_refused_by_name(cube, starts, goals, why):
@@ -106,6 +112,27 @@ def test_options_out_of_range_are_refused_whatever_the_motions(cube, options):
     arguments = {"errors": "mark", **options}
     with pytest.raises(chasles.InvalidInput, match=next(iter(options))):
         chasles.first_contact_batch(cube, cube, np.empty((0, 7)), np.empty((0, 7)), **arguments)
+
+
+@pytest.mark.parametrize("threads", [1.5, "2", None])
+def test_threads_are_a_whole_number(cube, threads):
+    with pytest.raises(TypeError, match="threads: .* is no whole number"):
+        chasles.first_contact_batch(cube, cube, [], [], threads=threads)
+
+
+def test_there_may_be_more_threads_than_any_machine_has(cube):
+    starts, goals = random_motions(20)
+    expected = chasles.first_contact_batch(cube, cube, starts, goals)
+    assert_same_rows(chasles.first_contact_batch(cube, cube, starts, goals, threads=10**12), expected)
+
+
+@pytest.mark.parametrize("wrong", [None, CUBE_VERTICES])
+def test_what_is_no_body_is_a_type_error(cube, wrong):
+    for name, bodies in (("moving", (wrong, cube)), ("fixed", (cube, wrong))):
+        with pytest.raises(TypeError, match=f"{name}: must be a chasles.Polyhedron"):
+            chasles.first_contact_batch(*bodies, [], [])
+        with pytest.raises(TypeError, match=f"{name}: must be a chasles.Polyhedron"):
+            chasles.path_is_clear_batch(*bodies, [])
 
 
 def test_a_table_is_gone_on_with(cube):
@@ -143,16 +170,23 @@ def test_a_path_tells_its_segment(cube):
     assert "segment 1, contact at time 0.5" in repr(found)
     with pytest.raises(chasles.InvalidInput, match="at least two"):
         chasles.first_contact_on_path(cube, cube, [pose(3, 0, 0)])
+    with pytest.raises(chasles.InvalidInput, match="at least two"):
+        chasles.first_contact_on_path(cube, cube, [])
     with pytest.raises(chasles.InvalidInput, match=r"poses\[1\]: pose"):
         chasles.first_contact_on_path(cube, cube, np.zeros((2, 7)) + [[1], [0]])
 
 
-@pytest.mark.parametrize("ragged", [False, True])
-def test_a_batch_of_paths_answers_as_single_paths_do(cube, ragged):
+@pytest.mark.parametrize("kind", ["array", "strided", "list", "ragged"])
+def test_a_batch_of_paths_answers_as_single_paths_do(cube, kind):
     starts, goals = random_motions(100)
     paths = np.stack([starts, goals, starts], axis=1)
     paths[::2, 1] = paths[::2, 0] + [1, 0, 0, 0, 0, 0, 0]
-    asked = [path[: 2 + i % 2] for i, path in enumerate(paths)] if ragged else paths
+    asked = {
+        "array": paths,
+        "strided": np.asfortranarray(paths),
+        "list": list(paths),
+        "ragged": [path[: 2 + i % 2] for i, path in enumerate(paths)],
+    }[kind]
     table = chasles.path_is_clear_batch(cube, cube, asked, find="first")
     assert 20 < np.count_nonzero(table["verdict"] == "clear") < 80
     for row, path in zip(table, asked):
@@ -171,12 +205,29 @@ def test_a_batch_of_paths_answers_as_single_paths_do(cube, ragged):
         ([np.ones((2, 7)), np.ones((2, 6))], r"paths\[1\]: the shape"),
         ([np.ones((2, 7)), np.stack([np.eye(4)] * 2)], r"paths\[1\]: poses are of shape"),
         (np.ones((2, 7)), r"paths\[0\]: the shape"),
+        (np.ones(7), r"paths\[0\]: the shape"),
+        (np.ones((2, 1, 7)), r"paths\[0\]: at least two"),
         ([np.ones((2, 7)), np.ones((3, 7)) * [[1], [np.nan], [1]]], r"paths\[1\]\[1\]: pose"),
+        ([np.ones((2, 7)), [[1, 2], [3]]], rf"paths\[1\]: {RAGGED}"),
+        (None, "paths: not a sequence"),
+        (np.array(5.0), "paths: not a sequence"),
     ],
 )
 def test_what_are_no_paths_is_refused_by_name(cube, paths, why):
     with pytest.raises(chasles.InvalidInput, match=why):
         chasles.path_is_clear_batch(cube, cube, paths)
+
+
+@pytest.mark.parametrize("method", multiprocessing.get_all_start_methods())
+def test_processes_answer_as_one_does(cube, method):
+    starts, goals = random_motions(400)
+    expected = chasles.first_contact_batch(cube, cube, starts, goals)  # before they are forked from its threads
+    questions = [(cube, cube, starts[part], goals[part]) for part in (slice(0, 200), slice(200, 400))]
+    with multiprocessing.get_context(method).Pool(2) as pool:
+        tables = pool.starmap_async(chasles.first_contact_batch, questions).get(timeout=60)
+    found = np.concatenate(tables)
+    np.testing.assert_array_equal(found["verdict"], expected["verdict"])
+    np.testing.assert_array_equal(found["time"], expected["time"])
 
 
 def test_a_bar_shows_progress(cube, capsys):

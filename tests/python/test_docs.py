@@ -65,6 +65,13 @@ def test_help_reads_well():
     assert max(map(len, body.splitlines())) <= 110
 
 
+@pytest.mark.parametrize("function", [chasles.first_contact, chasles.first_contact_on_path, chasles.Polyhedron.__init__])
+def test_parameters_are_laid_out(function):
+    parameters = re.search(r"----------\n(.*?)(\n\n|\Z)", inspect.cleandoc(function.__doc__), re.DOTALL)[1]
+    for line in parameters.splitlines():
+        assert line.startswith("    ") or re.match(r"[\w, ]+ : ", line), line
+
+
 def test_stubs_are_shipped():
     folder = pathlib.Path(chasles.__file__).parent
     if not (folder / "_core.pyi").is_file():

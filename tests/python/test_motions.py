@@ -58,6 +58,13 @@ def test_pickled_motions_give_the_same_answer(cube, motion):
     np.testing.assert_array_equal(again.pose_at(0.3), motion.pose_at(0.3))
 
 
+@pytest.mark.parametrize("kind", [chasles.ScrewMotion, chasles.SweepMotion])
+@pytest.mark.parametrize("state", [(), (pose(0, 0, 0),), (None,) * 5])
+def test_a_spoilt_pickle_is_refused(kind, state):
+    with pytest.raises(chasles.InvalidInput):
+        kind.__new__(kind).__setstate__(state)
+
+
 def test_poses_of_two_moving_bodies_are_in_the_world(cube):
     arguments = pose(3, 0, 0), pose(0, 0, 0), pose(0, 0, 0), pose(2, 0, 0)
     relative = chasles.ScrewMotion.relative(*arguments)

@@ -1,11 +1,13 @@
 """Bodies from arrays, files and other packages, and back."""
 
 import gc
+import os
 import pickle
+import sys
 
 import numpy as np
 import pytest
-from cubes import CUBE_FACES, CUBE_VERTICES, pose
+from cubes import CUBE_FACES, CUBE_VERTICES, RAGGED, pose
 
 import chasles
 
@@ -87,7 +89,7 @@ def test_faces_of_different_sizes():
         (CUBE_VERTICES * np.nan, CUBE_FACES, "NaN|finite"),
         (CUBE_VERTICES + 1j, CUBE_FACES, "complex128 is not one of real numbers"),
         (CUBE_VERTICES.astype(str), CUBE_FACES, "not one of real numbers"),
-        ([[0, 0, 0], [1, 0]], CUBE_FACES, "not an array"),
+        ([[0, 0, 0], [1, 0]], CUBE_FACES, RAGGED),
         (CUBE_VERTICES, CUBE_FACES.astype(float), "not one of whole numbers"),
         (CUBE_VERTICES, CUBE_FACES - 1, "there is no vertex -1"),
         (CUBE_VERTICES, CUBE_FACES + 2**40, "there is no vertex"),
@@ -98,6 +100,7 @@ def test_faces_of_different_sizes():
         (CUBE_VERTICES, [[0, 1, 2], [0, 1, 2.5, 3]], r"faces\[1\].*whole"),
         (CUBE_VERTICES, [[0, 1, 2], [[0], [1], [2], [3]]], r"faces\[1\].*shape"),
         (CUBE_VERTICES, 5, "faces"),
+        (CUBE_VERTICES, None, "faces"),
         (np.empty((0, 3)), CUBE_FACES, "face"),
     ],
 )
@@ -114,6 +117,12 @@ def test_files(tmp_path, cube):
         np.testing.assert_array_equal(chasles.load(name).vertices, cube.vertices)
     with pytest.raises(chasles.InvalidInput, match="nothing.obj"):
         chasles.load(tmp_path / "nothing.obj")
+
+
+@pytest.mark.skipif(sys.platform in ("win32", "darwin"), reason="names of files are text there")
+def test_a_file_whose_name_is_no_text(tmp_path):
+    with pytest.raises(chasles.InvalidInput, match=r"\\x80.obj: no such file"):
+        chasles.load(os.fsencode(tmp_path) + b"/\x80.obj")
 
 
 def test_trimesh(cube):

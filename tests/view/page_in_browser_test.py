@@ -63,6 +63,10 @@ class Page(unittest.TestCase):
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--margin", "0.25", "--out", "margin.html")
         run("view", "cube.obj", "cube.obj", "--start", "3 0 0", "--goal", "3 5 0", "--out", "clear.html")
         run("view", "cube.obj", "cube.obj", "--start", ".5 .5 .5", "--goal", "3 5 0", "--out", "start.html")
+        resting, on = ["--start", "0 0 1.05"], ["--margin", "0.1", "--hold", "0.02"]
+        run("view", "cube.obj", "cube.obj", *resting, "--goal", "3 0 1.05", *on, "--out", "slide.html")
+        run("view", "cube.obj", "cube.obj", *resting, "--goal", "0 0 0.95", *on, "--out", "push.html")
+        run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--any", "--out", "any.html")
         cls.browser = Browser(chromium, *SIZE)
 
     @classmethod
@@ -175,6 +179,21 @@ class Page(unittest.TestCase):
         self.assertIn("within 0.25", self.text("#meaning"))
         self.assertTrue([number for number in numbers_in(self.text("#numbers")) if abs(number - 0.25) < 1e-9], "the gap")
         self.assertGreater(count(self.picture("margin"), is_contact_colour), 60)
+
+    def test_what_is_held_goes_on(self) -> None:
+        self.open("slide.html")
+        self.assertEqual(self.text("#verdict"), "Clear")
+        self.assertIn("what is held keeps its distance", self.text("#meaning"))
+        self.assertIn("held at the start", self.text("#numbers").lower())
+
+    def test_what_is_held_may_come_nearer(self) -> None:
+        self.open("push.html")
+        self.assertEqual(self.text("#verdict"), "Contact")
+        self.assertIn("What is held comes nearer than it may", self.text("#meaning"))
+
+    def test_any_contact_need_not_be_the_first(self) -> None:
+        self.open("any.html")
+        self.assertIn("whether earlier too was not asked", self.text("#meaning"))
 
     def test_a_clear_motion_runs_to_its_end(self) -> None:
         self.open("clear.html")

@@ -43,14 +43,21 @@ function overlapName({ moving_feature, fixed_feature }: Overlap): string {
 
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
 
+function meaningWithHold({ verdict, time, clear_until }: Answer, margin: number): string {
+  if (verdict === "clear") return `Proven: what is held keeps its distance, and nothing else comes within ${margin}.`;
+  const isNew = clear_until > time!;
+  const event = `${isNew ? "Something" : "What is held comes nearer than it may, or something"} new comes within ${margin}`;
+  return `${event}: inside the bracket, and not before its lower end.`;
+}
+
 function meaning(answer: Answer, margin: number): string {
-  const isHeld = answer.verdict === "clear" && answer.held?.length;
-  if (isHeld) return `Proven: what is held keeps its distance, and nothing else comes within ${margin}.`;
+  if (answer.held?.length) return meaningWithHold(answer, margin);
   const touch = margin > 0 ? `come within ${margin}` : "touch";
   switch (answer.verdict) {
     case "clear":
       return margin > 0 ? `Proven: never within ${margin} on the whole way.` : "Proven: nothing touches on the whole way.";
     case "contact":
+      if (answer.clear_until < answer.time!) return `The bodies ${touch} inside the bracket; whether earlier too was not asked.`;
       return `The bodies first ${touch} inside the bracket, and not before its lower end.`;
     case "contact_at_start":
       return answer.overlap ? "The surfaces pass through each other already." : `The bodies ${touch} already.`;

@@ -1,0 +1,35 @@
+#include "view/names.h"
+
+namespace chasles::view {
+
+std::string_view name_of(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::clear:
+        return "clear";
+    case Verdict::contact:
+        return "contact";
+    case Verdict::contact_at_start:
+        break;
+    }
+    return "contact_at_start";
+}
+
+std::string_view name_of(ContactKind kind) {
+    switch (kind) {
+    case ContactKind::vertex_face:
+        return "vertex_face";
+    case ContactKind::face_vertex:
+        return "face_vertex";
+    case ContactKind::vertex_edge:
+        return "vertex_edge";
+    case ContactKind::edge_vertex:
+        return "edge_vertex";
+    case ContactKind::vertex_vertex:
+        return "vertex_vertex";
+    case ContactKind::edge_edge:
+        break;
+    }
+    return "edge_edge";
+}
+
+} // namespace chasles::view

@@ -1,0 +1,14 @@
+// The words that users read, in files and in Python.
+#pragma once
+
+#include "chasles/query/first_contact.h"
+
+#include <string_view>
+
+namespace chasles::view {
+
+/// As in C++: "contact_at_start".
+std::string_view name_of(Verdict verdict);
+std::string_view name_of(ContactKind kind);
+
+} // namespace chasles::view
