@@ -135,24 +135,28 @@ std::optional<double> FoundNear::passed_until(const FeaturePair& features, const
 }
 
 /// From what the filter found on. Where double-double finds nothing there, the filter is asked what comes next, and
-/// double-double looks further each time; what is in doubt in a long part is looked at again in shorter ones.
+/// double-double looks much further each time. Where it is in doubt, which may be for the length of the part, it starts
+/// over with the shortest one.
 std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& features, const Crossing& found) {
+    constexpr double shortest = 4 * rim;
+    constexpr double further = 64;
     const auto width_of = [](const Crossing& crossing) { return crossing.tau.upper - crossing.tau.lower; };
     Crossing next = found;
-    const double shortest = 4 * search_.tolerance;
-    double width = std::max(shortest, width_of(next));
+    double width = std::max(4 * search_.tolerance, width_of(next));
     double after = 0; // nothing before it counts
+    bool was_in_doubt = false;
     for (int i = 0; i < most_looks; ++i) {
         TauRange where = part_from(next.tau.lower, width);
         where.lower = std::max(where.lower, after);
         const auto crossing = is_decided(next.tau) ? std::optional(next) : refined(features, where);
+        if (crossing && crossing->tau.lower > best_)
+            return std::nullopt;
         if (crossing && !crossing->tau.certain && width > shortest) {
-            width = std::max(shortest, 0x1p-6 * std::min(width, width_of(*crossing)));
+            width = shortest;
+            was_in_doubt = true;
             next = *crossing;
             continue;
         }
-        if (crossing && crossing->tau.lower > best_)
-            return std::nullopt;
         const auto passed = crossing ? passed_until(features, *crossing) : std::optional(where.upper);
         if (!passed)
             return crossing->tau;
@@ -165,7 +169,7 @@ std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& 
         if (!left || left->tau.lower > best_)
             return std::nullopt;
         next = *left;
-        width = std::max(width_of(next), 8 * width);
+        width = std::max(further * width, was_in_doubt ? 0.0 : width_of(next)); // the filter is in doubt for longer
     }
     return FeasibleInterval{next.tau.lower, next.tau.upper, false};
 }
