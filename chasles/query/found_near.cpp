@@ -71,7 +71,8 @@ PieceResult FoundNear::take() {
 
 void FoundNear::keep(const FeaturePair& features, const FeasibleInterval& tau) {
     result_.candidates.push_back({features, tau});
-    best_ = std::min(best_, tau.upper);
+    const bool may_be_proven_soon = !tau.certain && tau.upper > 0;
+    best_ = std::min(best_, may_be_proven_soon ? std::max(tau.upper, tau.lower + search_.tolerance) : tau.upper);
     if (tau.certain)
         certain_ = std::min(certain_, tau.upper);
     stop_ = search_.find == Find::any || (search_.find == Find::first && tau.upper <= 0);
@@ -80,7 +81,7 @@ void FoundNear::keep(const FeaturePair& features, const FeasibleInterval& tau) {
 /// Last: what was found is asked again, the surest first, so that most of it falls behind the first contact.
 void FoundNear::narrow_brackets() {
     std::vector<Candidate> found = std::exchange(result_.candidates, {});
-    std::ranges::stable_sort(found, {}, [](const Candidate& c) { return c.tau.upper; });
+    std::ranges::stable_sort(found, {}, [](const Candidate& c) { return std::pair(!c.tau.certain, c.tau.upper); });
     for (const Candidate& candidate : found) {
         if (candidate.tau.lower > best_)
             continue;
@@ -88,17 +89,29 @@ void FoundNear::narrow_brackets() {
         const auto narrow =
             is_wide ? refined(candidate, part_from(candidate.tau.lower, candidate.tau.upper - candidate.tau.lower))
                     : std::nullopt;
-        keep(candidate, narrow && narrow->tau.certain ? narrow->tau : candidate.tau);
+        keep(candidate, narrow && narrow->tau.certain ? narrow->tau : without_doubtful_end(candidate.tau));
     }
     const bool lists_all = search_.find == Find::first_with_all_contacts;
     for (const Candidate& candidate : waiting_) {
         if (candidate.tau.lower > best_)
             continue;
-        if (!lists_all && certain_ - search_.tolerance <= candidate.tau.lower) // the bracket may as well begin there
-            keep(candidate, {candidate.tau.lower, 1, false});
-        else if (const auto tau = first_that_counts(candidate, {candidate.tau, false}))
-            keep(candidate, *tau);
+        const auto tau = !lists_all && is_hardly_before_a_proven_contact(candidate.tau)
+                             ? std::optional(candidate.tau)
+                             : first_that_counts(candidate, {candidate.tau, false});
+        if (tau)
+            keep(candidate, without_doubtful_end(*tau));
     }
+}
+
+/// The bracket may as well begin there.
+bool FoundNear::is_hardly_before_a_proven_contact(const FeasibleInterval& tau) const {
+    return certain_ - search_.tolerance <= tau.lower;
+}
+
+/// Where a proven contact follows at once it ends the bracket.
+FeasibleInterval FoundNear::without_doubtful_end(const FeasibleInterval& tau) const {
+    const bool is_doubtful = !tau.certain && tau.upper > 0 && is_hardly_before_a_proven_contact(tau);
+    return is_doubtful ? FeasibleInterval{tau.lower, 1, false} : tau;
 }
 
 bool FoundNear::is_near_a_proven_contact(const FeasibleInterval& tau) const {
