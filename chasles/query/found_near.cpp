@@ -65,13 +65,16 @@ void FoundNear::add(const Overlap& found) {
 
 PieceResult FoundNear::take() {
     narrow_brackets();
-    std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > best_; });
+    double end = best_;
+    for (const Candidate& candidate : result_.candidates)
+        end = std::min(end, candidate.tau.upper);
+    std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > end; });
     return std::move(result_);
 }
 
 void FoundNear::keep(const FeaturePair& features, const FeasibleInterval& tau) {
     result_.candidates.push_back({features, tau});
-    const bool may_be_proven_soon = !tau.certain && tau.upper > 0;
+    const bool may_be_proven_soon = !tau.certain && tau.upper > 0; // by another pair, which ends the bracket then
     best_ = std::min(best_, may_be_proven_soon ? std::max(tau.upper, tau.lower + search_.tolerance) : tau.upper);
     if (tau.certain)
         certain_ = std::min(certain_, tau.upper);
