@@ -74,9 +74,10 @@ bool is_contact(const query::PieceResult& result) {
     return result.overlap || !result.candidates.empty();
 }
 
-/// Proven before in doubt, then the earliest.
+/// Proven before in doubt, then the earliest: by the end of what is proven, as that is where the answer's bracket ends.
 std::pair<bool, double> rank(const query::Candidate& candidate) {
-    return {!candidate.tau.certain, candidate.tau.lower};
+    const auto& [lower, upper, certain] = candidate.tau;
+    return {!certain, certain ? upper : lower};
 }
 
 /// Of each feature pair the surest.
