@@ -74,19 +74,24 @@ bool is_contact(const query::PieceResult& result) {
     return result.overlap || !result.candidates.empty();
 }
 
+/// Proven before in doubt, then the earliest: by the end of what is proven, as that is where the answer's bracket ends.
+std::pair<bool, double> rank(const query::Candidate& candidate) {
+    const auto& [lower, upper, certain] = candidate.tau;
+    return {!certain, certain ? upper : lower};
+}
+
+/// Of each feature pair the surest.
 std::vector<query::Candidate> without_repeated(std::vector<query::Candidate> candidates) {
     const auto features = [](const query::Candidate& c) -> const query::FeaturePair& { return c; };
-    std::ranges::sort(candidates, {}, features);
+    std::ranges::sort(candidates, {}, [&](const query::Candidate& c) { return std::pair(features(c), rank(c)); });
     // An edge or a vertex is met again in each interval of time that its contact borders on.
     const auto repeated = std::ranges::unique(candidates, {}, features);
     candidates.erase(repeated.begin(), repeated.end());
     return candidates;
 }
 
-/// Proven before in doubt, then the earliest.
 const query::Candidate& first_of(const std::vector<query::Candidate>& candidates) {
-    return *std::ranges::min_element(candidates, {},
-                                     [](const query::Candidate& c) { return std::pair(!c.tau.certain, c.tau.lower); });
+    return *std::ranges::min_element(candidates, {}, rank);
 }
 
 /// One query, piece by piece.

@@ -65,13 +65,17 @@ void FoundNear::add(const Overlap& found) {
 
 PieceResult FoundNear::take() {
     narrow_brackets();
-    std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > best_; });
+    double end = best_;
+    for (const Candidate& candidate : result_.candidates)
+        end = std::min(end, candidate.tau.upper);
+    std::erase_if(result_.candidates, [&](const Candidate& c) { return c.tau.lower > end; });
     return std::move(result_);
 }
 
 void FoundNear::keep(const FeaturePair& features, const FeasibleInterval& tau) {
     result_.candidates.push_back({features, tau});
-    best_ = std::min(best_, tau.upper);
+    const bool may_be_proven_soon = !tau.certain && tau.upper > 0; // by another pair, which ends the bracket then
+    best_ = std::min(best_, may_be_proven_soon ? std::max(tau.upper, tau.lower + search_.tolerance) : tau.upper);
     if (tau.certain)
         certain_ = std::min(certain_, tau.upper);
     stop_ = search_.find == Find::any || (search_.find == Find::first && tau.upper <= 0);
@@ -80,7 +84,7 @@ void FoundNear::keep(const FeaturePair& features, const FeasibleInterval& tau) {
 /// Last: what was found is asked again, the surest first, so that most of it falls behind the first contact.
 void FoundNear::narrow_brackets() {
     std::vector<Candidate> found = std::exchange(result_.candidates, {});
-    std::ranges::stable_sort(found, {}, [](const Candidate& c) { return c.tau.upper; });
+    std::ranges::stable_sort(found, {}, [](const Candidate& c) { return std::pair(!c.tau.certain, c.tau.upper); });
     for (const Candidate& candidate : found) {
         if (candidate.tau.lower > best_)
             continue;
@@ -88,17 +92,29 @@ void FoundNear::narrow_brackets() {
         const auto narrow =
             is_wide ? refined(candidate, part_from(candidate.tau.lower, candidate.tau.upper - candidate.tau.lower))
                     : std::nullopt;
-        keep(candidate, narrow && narrow->tau.certain ? narrow->tau : candidate.tau);
+        keep(candidate, narrow && narrow->tau.certain ? narrow->tau : without_doubtful_end(candidate.tau));
     }
     const bool lists_all = search_.find == Find::first_with_all_contacts;
     for (const Candidate& candidate : waiting_) {
         if (candidate.tau.lower > best_)
             continue;
-        if (!lists_all && certain_ - search_.tolerance <= candidate.tau.lower) // the bracket may as well begin there
-            keep(candidate, {candidate.tau.lower, 1, false});
-        else if (const auto tau = first_that_counts(candidate, {candidate.tau, false}))
-            keep(candidate, *tau);
+        const auto tau = !lists_all && is_hardly_before_a_proven_contact(candidate.tau)
+                             ? std::optional(candidate.tau)
+                             : first_that_counts(candidate, {candidate.tau, false});
+        if (tau)
+            keep(candidate, without_doubtful_end(*tau));
     }
+}
+
+/// The bracket may as well begin there.
+bool FoundNear::is_hardly_before_a_proven_contact(const FeasibleInterval& tau) const {
+    return certain_ - search_.tolerance <= tau.lower;
+}
+
+/// Where a proven contact follows at once it ends the bracket.
+FeasibleInterval FoundNear::without_doubtful_end(const FeasibleInterval& tau) const {
+    const bool is_doubtful = !tau.certain && tau.upper > 0 && is_hardly_before_a_proven_contact(tau);
+    return is_doubtful ? FeasibleInterval{tau.lower, 1, false} : tau;
 }
 
 bool FoundNear::is_near_a_proven_contact(const FeasibleInterval& tau) const {
@@ -135,24 +151,28 @@ std::optional<double> FoundNear::passed_until(const FeaturePair& features, const
 }
 
 /// From what the filter found on. Where double-double finds nothing there, the filter is asked what comes next, and
-/// double-double looks further each time; what is in doubt in a long part is looked at again in shorter ones.
+/// double-double looks much further each time. Where it is in doubt, which may be for the length of the part, it starts
+/// over with the shortest one.
 std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& features, const Crossing& found) {
+    constexpr double shortest = 4 * rim;
+    constexpr double further = 64;
     const auto width_of = [](const Crossing& crossing) { return crossing.tau.upper - crossing.tau.lower; };
     Crossing next = found;
-    const double shortest = 4 * search_.tolerance;
-    double width = std::max(shortest, width_of(next));
+    double width = std::max(4 * search_.tolerance, width_of(next));
     double after = 0; // nothing before it counts
+    bool was_in_doubt = false;
     for (int i = 0; i < most_looks; ++i) {
         TauRange where = part_from(next.tau.lower, width);
         where.lower = std::max(where.lower, after);
         const auto crossing = is_decided(next.tau) ? std::optional(next) : refined(features, where);
+        if (crossing && crossing->tau.lower > best_)
+            return std::nullopt;
         if (crossing && !crossing->tau.certain && width > shortest) {
-            width = std::max(shortest, 0x1p-6 * std::min(width, width_of(*crossing)));
+            width = shortest;
+            was_in_doubt = true;
             next = *crossing;
             continue;
         }
-        if (crossing && crossing->tau.lower > best_)
-            return std::nullopt;
         const auto passed = crossing ? passed_until(features, *crossing) : std::optional(where.upper);
         if (!passed)
             return crossing->tau;
@@ -165,7 +185,7 @@ std::optional<FeasibleInterval> FoundNear::first_that_counts(const FeaturePair& 
         if (!left || left->tau.lower > best_)
             return std::nullopt;
         next = *left;
-        width = std::max(width_of(next), 8 * width);
+        width = std::max(further * width, was_in_doubt ? 0.0 : width_of(next)); // the filter is in doubt for longer
     }
     return FeasibleInterval{next.tau.lower, next.tau.upper, false};
 }

@@ -74,6 +74,8 @@ public:
 private:
     [[nodiscard]] bool is_decided(const FeasibleInterval& tau) const;
     [[nodiscard]] bool is_near_a_proven_contact(const FeasibleInterval& tau) const;
+    [[nodiscard]] bool is_hardly_before_a_proven_contact(const FeasibleInterval& tau) const;
+    [[nodiscard]] FeasibleInterval without_doubtful_end(const FeasibleInterval& tau) const;
     [[nodiscard]] std::optional<double> passed_until(const FeaturePair& features, const Crossing& crossing) const;
     std::optional<FeasibleInterval> first_that_counts(const FeaturePair& features, const Crossing& found);
     std::optional<Crossing> refined(const FeaturePair& features, const TauRange& where);

@@ -3,6 +3,7 @@
 #include "tests/support/exact_reference.h"
 
 #include "chasles/motion/screw_motion.h"
+#include "tests/attack/piecewise_tau.h"
 #include "tests/support/algebraic_roots.h"
 
 #include <gtest/gtest.h>
@@ -58,6 +59,15 @@ TEST(ExactReference, RootsAndSignsAgreeWithSturm) {
     }
     EXPECT_GT(roots, 300);
     EXPECT_GT(zeros, 10);
+}
+
+TEST(ExactReference, TimesOfFirstInstantsAreGoodTo1e18) {
+    const Integer denominator(Integer(3) << 57); // tau is 2.3e-18
+    const attack::PiecewiseTau first{roots_of({Integer(-1), denominator}).at(0)};
+    const MotionPath<Rational> turn = screw_path({}, {{}, {Rational(1), {Rational(0), Rational(0), Rational(40)}}});
+    const long double tau = 1 / denominator.convert_to<long double>();
+    EXPECT_NEAR(double(first.time(attack::MotionKind::sweep, turn)), double(tau), 1e-24);
+    EXPECT_NEAR(double(first.time(attack::MotionKind::screw, turn)), double(40 * tau / std::atan(40.0L)), 1e-24);
 }
 
 TEST(ExactReference, RootsOfDifferentPolynomialsAreOrderedExactly) {

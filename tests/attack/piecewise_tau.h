@@ -34,7 +34,7 @@ struct PiecewiseTau {
     /// screw, whose weight is 1 + tan(w / 2)^2 tau^2 times a number; on a sweep time is tau.
     [[nodiscard]] long double time(MotionKind kind, const MotionPath<Rational>& path) const {
         Root copy = *tau;
-        const auto at = copy.narrowed().convert_to<long double>();
+        const auto at = copy.narrowed(90).convert_to<long double>(); // times may run hundreds of times as fast
         const Rational square(path.weight[2] / path.weight[0]);
         const long double tangent = std::sqrt(square.convert_to<long double>());
         const long double within =

@@ -34,5 +34,68 @@ TEST(MarginQueries, EveryFamilyAgreesWithExactArithmetic) {
     }
 }
 
+/// A case of `chasles_attack --margins 100000`.
+struct AttackCase {
+    const char* family;
+    std::uint64_t index;
+    std::uint64_t seed = 3;
+};
+
+attack::MarginCase posed(const AttackCase& once) {
+    std::uint64_t number = 200;
+    for (const MarginFamily& family : attack::margin_families()) {
+        AttackRandom random(once.seed, ++number, once.index);
+        if (std::string_view(family.name) == once.family)
+            return family.make(random);
+    }
+    throw std::logic_error("no such family");
+}
+
+std::string judged(const AttackCase& once, Tally& tally) {
+    SCOPED_TRACE(once.family);
+    const std::string wrong = check(posed(once), tally);
+    EXPECT_EQ(tally.loose, 0u);
+    return wrong.empty() ? "" : std::string(once.family) + ", index " + std::to_string(once.index) + ": " + wrong;
+}
+
+/// Described was what is in doubt about a pair that is proven, or another pair that is proven for a little later.
+TEST(MarginQueries, WhatIsProvenIsDescribed) {
+    Tally tally;
+    for (const AttackCase once : {AttackCase{"at the margin", 1301},
+                                  {"at the margin", 2372},
+                                  {"at the margin", 3093},
+                                  {"at the margin", 10888},
+                                  {"other units", 3330},
+                                  {"degenerate", 13581, 11}})
+        EXPECT_EQ(judged(once, tally), "");
+    EXPECT_EQ(tally.uncertain, 0u);
+}
+
+/// Double-double was in doubt in long parts and found nothing in short ones, in turns, until looks were used up.
+TEST(MarginQueries, EdgesThatTurnParallelAreToldApart) {
+    Tally tally;
+    for (const AttackCase once : {AttackCase{"degenerate", 3881},
+                                  {"degenerate", 6460},
+                                  {"at the margin", 2793},
+                                  {"at the margin", 2840},
+                                  {"at the margin", 8528},
+                                  {"at the margin", 14928},
+                                  {"slides above", 3496},
+                                  {"slides above", 4335},
+                                  {"slides above", 6289},
+                                  {"other units", 504},
+                                  {"other units", 4293}})
+        EXPECT_EQ(judged(once, tally), "");
+    EXPECT_EQ(tally.uncertain, 0u);
+}
+
+/// Contacts at tau of 5e-17 and 6e-19, where two flat faces begin to turn.
+TEST(MarginQueries, FirstInstantsAreJudgedExactly) {
+    Tally tally;
+    for (const AttackCase once : {AttackCase{"rolling", 2921}, {"rolling", 4477}})
+        EXPECT_EQ(judged(once, tally), "");
+    EXPECT_EQ(tally.uncertain, 0u);
+}
+
 } // namespace
 } // namespace chasles::test

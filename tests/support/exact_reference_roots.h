@@ -159,9 +159,9 @@ public:
         return aligned(upper_end(), cell_.depth, other.cell_.depth) <=
                aligned(other.cell_.from, other.cell_.depth, cell_.depth);
     }
-    /// To within 2^-60.
-    Rational narrowed() {
-        while (!is_point_ && cell_.depth < 60)
+    /// To within 2^-bits.
+    Rational narrowed(unsigned bits = 60) {
+        while (!is_point_ && cell_.depth < bits)
             narrow();
         return {cell_.from, Integer(Integer(1) << cell_.depth)};
     }
