@@ -127,7 +127,7 @@ bool FoundNear::is_decided(const FeasibleInterval& tau) const {
 
 /// None if the crossing counts. Without contacts that are held, every one is of features that were farther apart.
 /// Otherwise one that leaves the margin is none, and one that is no local minimum is that of a contact which spreads or
-/// slides; both stay so for as long as directions and speeds take to change.
+/// slides; it stays so for as long as directions take to change.
 std::optional<double> FoundNear::passed_until(const FeaturePair& features, const Crossing& crossing) const {
     if (!search_.held)
         return std::nullopt;
@@ -136,18 +136,15 @@ std::optional<double> FoundNear::passed_until(const FeaturePair& features, const
         return tau.upper;
     const Instant instant(search_.moving, search_.fixed, numbers_.maps, tau.lower);
     const NearestPoints nearest = instant.nearest(features);
-    const Eigen::Vector3d velocity = instant.velocity_at(nearest.on_moving);
-    const double speed = velocity.norm();
+    const double speed = instant.velocity_at(nearest.on_moving).norm();
     const double error = elementary::error_unit<double> * numbers_.scale.length + speed * (tau.upper - tau.lower);
-    const double angle_error = 4 * error / search_.margin;
+    const double excess = instant.descent(features, nearest) - 4 * error / search_.margin;
+    if (excess <= 0)
+        return std::nullopt;
     // Rates are at most twice as large as here for a steady while.
-    const double bend = std::sqrt(std::max(1.0, numbers_.maps.weight[3]));
+    const double steady = 0x1p-4 / std::sqrt(std::max(1.0, numbers_.maps.weight[3]));
     const double turning = 4 * (2 * speed / search_.margin + instant.turn_rate());
-    const double no_minimum = (instant.descent(features, nearest) - angle_error) / turning;
-    const double opening = nearest.apart().stableNormalized().dot(velocity) - angle_error * speed;
-    const double leaving = speed > 0 ? opening / (speed * (turning + 4 * bend)) : 0;
-    const double passed = std::max(no_minimum, leaving);
-    return passed > 0 ? std::optional(std::max(tau.upper, tau.lower + std::min(0x1p-4 / bend, passed))) : std::nullopt;
+    return std::max(tau.upper, tau.lower + std::min(steady, excess / turning));
 }
 
 /// From what the filter found on. Where double-double finds nothing there, the filter is asked what comes next, and
