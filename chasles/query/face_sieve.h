@@ -27,7 +27,7 @@ public:
             planes_.use(maps_.maps());
         const FacePlanes::Part in_interval((part.lower - interval.lower) / interval.width(),
                                            (part.upper - interval.lower) / interval.width());
-        if (planes_.stay_apart(pair.moving, pair.fixed, in_interval, (first - interval.lower) / interval.width()))
+        if (planes_.stay_apart(pair.moving, pair.fixed, in_interval, pair.when.lower))
             return;
         const CornerSides moving_sides = planes_.sides_of_moving(pair.moving, pair.fixed, in_interval);
         if (moving_sides.all_on_one_side())
