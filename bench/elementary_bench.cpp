@@ -3,7 +3,7 @@
 // problem is timed by itself, so that the spread over the problems is seen; answers are checked first.
 #include "bench/elementary_detector.h"
 #include "bench/run_benchmarks.h"
-#include "chasles/query/found_contacts.h"
+#include "chasles/search/found_contacts.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -35,7 +35,7 @@ public:
 
     template <class Problem>
     Answer operator()(const Found<Problem>& problem) {
-        detect_.use(query::refinement_tolerance(1e-12, problem.found));
+        detect_.use(search::refinement_tolerance(1e-12, problem.found));
         return detect_(problem);
     }
 
@@ -100,7 +100,7 @@ void add(const char* name, const Detect& detector, const std::vector<Problem>& p
 
 int run(int argc, char** argv) {
     const ElementaryCases cases = elementary_cases();
-    const Detector<double> filter(cases.maps, cases.maps, query::filter_tolerance(1e-12));
+    const Detector<double> filter(cases.maps, cases.maps, search::filter_tolerance(1e-12));
     const Refinement refinement(cases);
     const auto vertex_face_found = found_by(filter, cases.vertex_face_contacts);
     const auto edge_edge_found = found_by(filter, cases.edge_edge_contacts);

@@ -76,7 +76,7 @@ private:
     Point point() { return {uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)}; }
 
     [[nodiscard]] Point moved(const Point& body_point, double tau) const {
-        const auto position = maps_.turn * body_point + maps_.shift;
+        const auto position = maps_.rotation * body_point + maps_.translation;
         const double weight = value_at(maps_.weight, tau);
         return {value_at(position.x, tau) / weight, value_at(position.y, tau) / weight,
                 value_at(position.z, tau) / weight};

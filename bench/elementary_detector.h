@@ -37,7 +37,7 @@ public:
 
     Answer operator()(const VertexFaceProblem& problem) {
         const Vector corners[] = {in_scalar(problem.face[0]), in_scalar(problem.face[1]), in_scalar(problem.face[2])};
-        const auto position = maps_.turn * in_scalar(problem.vertex) + maps_.shift;
+        const auto position = maps_.rotation * in_scalar(problem.vertex) + maps_.translation;
         return elementary::vertex_face<S>({position, maps_.weight}, elementary::face_shape<S>(corners, {}), accuracy_,
                                           workspace_);
     }
@@ -57,7 +57,7 @@ public:
 
     void make_ready(const VertexFaceProblem& problem, ReadyVertexFace& ready) const {
         ready.vertex = problem.vertex;
-        ready.position = maps_.turn * problem.vertex + maps_.shift;
+        ready.position = maps_.rotation * problem.vertex + maps_.translation;
         ready.corners = problem.face;
         ready.face = elementary::face_shape<double>(ready.corners, {});
         ready.plane = elementary::plane_of_fixed_face(maps_, ready.face, accuracy_.scale);

@@ -20,7 +20,7 @@ struct LibraryForm {
     using Lanes = algebra::Lanes<4, double>;
     Lanes lanes{};
 
-    static LibraryForm all(double value) { return {Lanes::all(value)}; }
+    static LibraryForm all(double value) { return {Lanes::broadcast(value)}; }
     static LibraryForm of(const FourDoubles& values) {
         LibraryForm result;
         for (std::size_t i = 0; i < 4; ++i)

@@ -49,11 +49,11 @@ PackedMaps<Pack> packed(const motion::ControlMaps<double>& maps, double slack) {
     result.weight = load_lanes<Pack>(maps.weight);
     result.slack = result.weight * Pack::all(slack);
     for (int i = 0; i < 3; ++i) {
-        result.shift[i] = load_lanes<Pack>(maps.shift[i]);
-        result.inverse_shift[i] = load_lanes<Pack>(maps.inverse_shift[i]);
+        result.translation[i] = load_lanes<Pack>(maps.translation[i]);
+        result.inverse_translation[i] = load_lanes<Pack>(maps.inverse_translation[i]);
         for (int j = 0; j < 3; ++j) {
-            result.turn.row[i][j] = load_lanes<Pack>(maps.turn.row[i][j]);
-            result.turn_size.row[i][j] = magnitude(result.turn.row[i][j]);
+            result.rotation.row[i][j] = load_lanes<Pack>(maps.rotation.row[i][j]);
+            result.turn_size.row[i][j] = magnitude(result.rotation.row[i][j]);
         }
     }
     return result;
@@ -74,7 +74,8 @@ template <class Pack>
 Pack height(const PackedMaps<Pack>& maps, const VertexAndPlane& pair) {
     Vector3<Pack> arm;
     for (int i = 0; i < 3; ++i)
-        arm[i] = combined(maps.turn.row[i], pair.vertex) + maps.shift[i] - maps.weight * Pack::all(pair.anchor[i]);
+        arm[i] =
+            combined(maps.rotation.row[i], pair.vertex) + maps.translation[i] - maps.weight * Pack::all(pair.anchor[i]);
     return combined(arm, pair.normal);
 }
 
@@ -93,13 +94,13 @@ bool is_rejected(const PackedMaps<Pack>& maps, const BoxPair& pair) {
         return is_apart(combined(row, turned) + offset - maps.weight * Pack::all(still), reach);
     };
     for (int i = 0; i < 3; ++i)
-        if (separates(maps.turn.row[i], maps.turn_size.row[i], maps.shift[i], pair.moving_centre, pair.moving_half,
-                      pair.fixed_centre[i], pair.fixed_half[i]))
+        if (separates(maps.rotation.row[i], maps.turn_size.row[i], maps.translation[i], pair.moving_centre,
+                      pair.moving_half, pair.fixed_centre[i], pair.fixed_half[i]))
             return true;
     for (int i = 0; i < 3; ++i) {
-        const Vector3<Pack> column{maps.turn.row[0][i], maps.turn.row[1][i], maps.turn.row[2][i]};
+        const Vector3<Pack> column{maps.rotation.row[0][i], maps.rotation.row[1][i], maps.rotation.row[2][i]};
         const Vector3<Pack> size{maps.turn_size.row[0][i], maps.turn_size.row[1][i], maps.turn_size.row[2][i]};
-        if (separates(column, size, Pack::all(0) - maps.inverse_shift[i], pair.fixed_centre, pair.fixed_half,
+        if (separates(column, size, Pack::all(0) - maps.inverse_translation[i], pair.fixed_centre, pair.fixed_half,
                       pair.moving_centre[i], pair.moving_half[i]))
             return true;
     }

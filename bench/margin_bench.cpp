@@ -21,8 +21,8 @@ struct MarginCase {
 };
 
 MarginCase case_of(NamedBody body) {
-    const double radius = body.body.hierarchy().radius();
-    const Eigen::Vector3d centre = body.body.hierarchy().centre();
+    const double radius = body.body.body().bvh().radius();
+    const Eigen::Vector3d centre = body.body.body().bvh().centre();
     std::mt19937_64 random(5);
     std::normal_distribution<double> normal;
     const auto direction = [&] {

@@ -1,6 +1,6 @@
 #include "bench/peer_motions.h"
 
-#include "chasles/motion/screw_pose.h"
+#include "chasles/motion/screw_path.h"
 
 namespace chasles::bench {
 

@@ -3,7 +3,7 @@
 #include "bench/bodies.h"
 #include "bench/draw.h"
 #include "bench/run_benchmarks.h"
-#include "chasles/mesh/flat_lists.h"
+#include "chasles/base/flat_lists.h"
 #include "chasles/query/path.h"
 
 #include <Eigen/Geometry>
@@ -88,9 +88,9 @@ void time_build(benchmark::State& state) {
     for (std::size_t face = 0; face < body.face_count(); ++face)
         outlines.append(body.face(face));
     for (auto _ : state)
-        benchmark::DoNotOptimize(BoxHierarchy(outlines, body.vertices(), unsigned(state.range(1))));
+        benchmark::DoNotOptimize(Bvh(outlines, body.vertices(), unsigned(state.range(1))));
     state.SetItemsProcessed(state.iterations() * std::int64_t(body.face_count()));
-    state.counters["bytes_a_triangle"] = double(body.hierarchy().memory()) / double(body.face_count());
+    state.counters["bytes_a_triangle"] = double(body.body().bvh().memory()) / double(body.face_count());
 }
 
 void add_growth() {

@@ -8,7 +8,7 @@
 #include "bench/registry_peers.h"
 #include "bench/translation_cases.h"
 #include "chasles/motion/screw_motion.h"
-#include "chasles/query/found_contacts.h"
+#include "chasles/search/found_contacts.h"
 
 #include <cstdio>
 #include <filesystem>
@@ -30,7 +30,7 @@ public:
         const auto found = filter_(problem);
         if (!found || (found->certain && found->upper - found->lower <= width))
             return found;
-        refinement_.use(query::refinement_tolerance(width, *found));
+        refinement_.use(search::refinement_tolerance(width, *found));
         return refinement_(problem);
     }
 
@@ -41,7 +41,7 @@ private:
         ScrewMotion::between(Pose(), Pose(way, Eigen::Quaterniond::Identity())).frame().motion;
     motion::ControlMaps<double> maps_ = motion::double_maps(motion_);
     motion::ControlMaps<DoubleDouble> exact_maps_ = motion::control_maps(motion_);
-    Detector<double> filter_{maps_, maps_, query::filter_tolerance(width)};
+    Detector<double> filter_{maps_, maps_, search::filter_tolerance(width)};
     Detector<DoubleDouble> refinement_{exact_maps_, maps_, {}};
 };
 

@@ -6,7 +6,7 @@
 #include "chasles/algebra/exact_feasible.h"
 #include "chasles/motion/exact_motion.h"
 #include "chasles/motion/screw_motion.h"
-#include "chasles/query/found_contacts.h"
+#include "chasles/search/found_contacts.h"
 
 #include <algorithm>
 #include <cmath>
@@ -24,7 +24,7 @@ using algebra::ExactNumber;
 struct Stages {
     explicit Stages(const MotionFrame& frame)
         : exact(motion::exact_motion(frame)), fine(motion::control_maps(frame.motion)), rounded(motion::rounded(fine)),
-          filter(rounded, rounded, query::filter_tolerance(1e-12)), refinement(fine, rounded, {}),
+          filter(rounded, rounded, search::filter_tolerance(1e-12)), refinement(fine, rounded, {}),
           decision(exact.maps, rounded, {1e-12, 1e-12}) {}
 
     motion::ExactMotion exact;
@@ -44,7 +44,7 @@ bool detect(Stages& stages, const Problem& problem) {
     const auto found = stages.filter(problem);
     if (is_decided(found))
         return true;
-    stages.refinement.use(query::refinement_tolerance(1e-12, *found));
+    stages.refinement.use(search::refinement_tolerance(1e-12, *found));
     return is_decided(stages.refinement(problem));
 }
 
@@ -188,7 +188,7 @@ void add(const std::string& name, std::deque<Stages>& motions, const std::vector
 int run(int argc, char** argv) {
     static std::deque<Stages> all = motions();
     const ElementaryCases cases = elementary_cases();
-    const Detector<double> filter(cases.maps, cases.maps, query::filter_tolerance(1e-12));
+    const Detector<double> filter(cases.maps, cases.maps, search::filter_tolerance(1e-12));
     add("vertex_face", all, cases.vertex_face_contacts, filter);
     add("edge_edge", all, cases.edge_edge_contacts, filter);
     return run_benchmarks(argc, argv);

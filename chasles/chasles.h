@@ -1,10 +1,10 @@
 // The stable surface of the library: include this, and link to chasles::chasles.
 #pragma once
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
+#include "chasles/contact/constraint_rows.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
 #include "chasles/motion/pose.h"
-#include "chasles/query/constraint_rows.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/query/path.h"

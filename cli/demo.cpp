@@ -1,6 +1,6 @@
 // chasles demo: a bolt and a nut that the project makes itself; see scenes/demo.h.
 #include "scenes/demo.h"
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "cli/commands.h"
 
 #include <iostream>

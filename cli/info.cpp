@@ -6,7 +6,6 @@
 #include "cli/report.h"
 #include "view/answer_json.h"
 
-#include <Eigen/Geometry>
 #include <fmt/format.h>
 #include <memory>
 
@@ -19,26 +18,8 @@ struct InfoOptions {
     bool json = false;
 };
 
-Eigen::AlignedBox3d bounds_of(const Polyhedron& body) {
-    Eigen::AlignedBox3d bounds;
-    for (std::size_t face = 0; face < body.face_count(); ++face)
-        for (const std::uint32_t vertex : body.face(face))
-            bounds.extend(body.vertices()[vertex]);
-    return bounds;
-}
-
-// Children always stand behind their parent, so that one pass from front to back suffices.
-std::size_t depth_of(std::span<const BoxNode> nodes) {
-    std::vector<std::size_t> depths(nodes.size(), 1);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-        if (!nodes[i].is_leaf())
-            depths[nodes[i].first] = depths[nodes[i].first + 1] = depths[i] + 1;
-    return nodes.empty() ? 0 : *std::max_element(depths.begin(), depths.end());
-}
-
 view::Json body_json(const Polyhedron& body) {
     const MeshReport mesh = body.report();
-    const Eigen::AlignedBox3d bounds = bounds_of(body);
     return {{"vertices", mesh.vertices},
             {"distinct_vertices", mesh.distinct_vertices},
             {"faces", mesh.faces},
@@ -49,18 +30,13 @@ view::Json body_json(const Polyhedron& body) {
             {"nonmanifold_edges", mesh.nonmanifold_edges},
             {"dropped_faces", mesh.dropped_faces},
             {"closed", mesh.closed},
-            {"bounding_box", {{"lower", view::vector_json(bounds.min())}, {"upper", view::vector_json(bounds.max())}}},
-            {"hierarchy",
-             {{"nodes", body.hierarchy().nodes().size()},
-              {"depth", depth_of(body.hierarchy().nodes())},
-              {"bytes", body.hierarchy().memory()}}},
+            {"bounding_box", {{"lower", view::vector_json(mesh.lower)}, {"upper", view::vector_json(mesh.upper)}}},
+            {"hierarchy", {{"nodes", mesh.bvh_nodes}, {"depth", mesh.bvh_depth}, {"bytes", mesh.bvh_bytes}}},
             {"bytes", body.memory()}};
 }
 
 std::string body_report(const std::string& name, const Polyhedron& body) {
     const MeshReport mesh = body.report();
-    const Eigen::AlignedBox3d bounds = bounds_of(body);
-    const auto nodes = body.hierarchy().nodes();
     std::string text = name + ": " + (mesh.closed ? "closed\n" : "open: a surface without inside\n");
     text += labelled("faces", fmt::format("{}, {} of them polygons of more than three sides; {} triangles in all",
                                           mesh.faces, mesh.polygons, mesh.triangles));
@@ -69,10 +45,10 @@ std::string body_report(const std::string& name, const Polyhedron& body) {
     text += labelled("vertices", fmt::format("{}, {} distinct", mesh.vertices, mesh.distinct_vertices));
     text += labelled("edges", fmt::format("{}, {} with one face, {} with more than two", mesh.edges,
                                           mesh.boundary_edges, mesh.nonmanifold_edges));
-    text += labelled("box", vector_text(bounds.min()) + " to " + vector_text(bounds.max()));
-    text += labelled("size", vector_text(bounds.sizes()));
-    return text + labelled("hierarchy", fmt::format("{} boxes, {} deep; {} bytes with the topology", nodes.size(),
-                                                    depth_of(nodes), body.memory()));
+    text += labelled("box", vector_text(mesh.lower) + " to " + vector_text(mesh.upper));
+    text += labelled("size", vector_text(mesh.upper - mesh.lower));
+    return text + labelled("hierarchy", fmt::format("{} boxes, {} deep; {} bytes with the topology", mesh.bvh_nodes,
+                                                    mesh.bvh_depth, body.memory()));
 }
 
 int run_info(const InfoOptions& options) {

@@ -1,5 +1,5 @@
 // The command line of Chasles. Exit status: 0 clear, 1 contact, 2 wrong input or usage, with one line that says why.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"

@@ -1,7 +1,7 @@
 // Output through C streams, because they say why they fail (errno).
 #include "cli/output.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 
 #include <cerrno>

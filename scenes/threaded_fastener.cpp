@@ -1,6 +1,6 @@
 #include "scenes/threaded_fastener.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "scenes/triangle_mesh.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "scenes/triangle_mesh.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 
 #include <algorithm>
 #include <cmath>

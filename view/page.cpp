@@ -1,7 +1,7 @@
 // The template with the scene in the place of its marker.
 #include "view/page.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "view/page_template.h"
 
 namespace chasles::view {

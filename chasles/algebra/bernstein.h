@@ -17,7 +17,7 @@ struct Bernstein {
     Bernstein() = default;
     explicit Bernstein(const Lanes<Degree + 1, Scalar>& lanes) : coefficients(lanes) {}
 
-    static Bernstein constant(const Scalar& value) { return Bernstein(Lanes<Degree + 1, Scalar>::all(value)); }
+    static Bernstein constant(const Scalar& value) { return Bernstein(Lanes<Degree + 1, Scalar>::broadcast(value)); }
 
     decltype(auto) operator[](int i) const { return coefficients[static_cast<std::size_t>(i)]; }
     void set(int i, const Scalar& value) { coefficients.set(static_cast<std::size_t>(i), value); }
@@ -29,7 +29,7 @@ struct Bernstein {
         return Bernstein(a.coefficients - b.coefficients);
     }
     friend Bernstein operator*(const Bernstein& a, const Scalar& s) {
-        return Bernstein(a.coefficients * Lanes<Degree + 1, Scalar>::all(s));
+        return Bernstein(a.coefficients * Lanes<Degree + 1, Scalar>::broadcast(s));
     }
     friend Bernstein operator*(const Scalar& s, const Bernstein& a) { return a * s; }
 };
@@ -64,12 +64,12 @@ template <int Degree, class Scalar>
 class Restriction {
 public:
     Restriction(const Scalar& from, const Scalar& to) {
-        weights_[0] = Column::all(Scalar(1));
+        weights_[0] = Column::broadcast(Scalar(1));
         for (int step = 0; step < Degree; ++step) {
             Column argument;
             for (int k = 0; k <= Degree; ++k)
                 argument.set(static_cast<std::size_t>(k), takes_to(k, step) ? to : from);
-            const Column rest = Column::all(Scalar(1)) - argument;
+            const Column rest = Column::broadcast(Scalar(1)) - argument;
             weights_[step + 1] = weights_[step] * argument;
             for (int i = step; i > 0; --i)
                 weights_[i] = weights_[i] * rest + weights_[i - 1] * argument;
@@ -78,9 +78,9 @@ public:
     }
 
     Bernstein<Degree, Scalar> operator()(const Bernstein<Degree, Scalar>& p) const {
-        Column sum = weights_[0] * Column::all(p[0]);
+        Column sum = weights_[0] * Column::broadcast(p[0]);
         for (int i = 1; i <= Degree; ++i)
-            sum = sum + weights_[i] * Column::all(p[i]);
+            sum = sum + weights_[i] * Column::broadcast(p[i]);
         return Bernstein<Degree, Scalar>(sum);
     }
 

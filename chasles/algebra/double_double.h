@@ -147,9 +147,9 @@ struct Lanes<4, DoubleDouble> {
     using Word = detail::WordPair<detail::Register>;
     std::array<Word, detail::registers> words{};
 
-    static Lanes all(const DoubleDouble& value) {
-        const Lanes<4, double> high = Lanes<4, double>::all(value.high());
-        const Lanes<4, double> low = Lanes<4, double>::all(value.low());
+    static Lanes broadcast(const DoubleDouble& value) {
+        const Lanes<4, double> high = Lanes<4, double>::broadcast(value.high());
+        const Lanes<4, double> low = Lanes<4, double>::broadcast(value.low());
         Lanes lanes;
         for (std::size_t i = 0; i < detail::registers; ++i)
             lanes.words[i] = {high.words[i], low.words[i]};
@@ -177,11 +177,11 @@ struct Lanes<4, DoubleDouble> {
     }
     friend Lanes maximum(const Lanes& a, const Lanes& b) {
         return {
-            detail::zip(a.words, b.words, [](const Word& x, const Word& y) { return chosen(is_below(y, x), x, y); })};
+            detail::zip(a.words, b.words, [](const Word& x, const Word& y) { return select(is_below(y, x), x, y); })};
     }
     friend Lanes magnitude(const Lanes& a) {
         return {detail::zip(a.words, a.words,
-                            [](const Word& x, const Word&) { return chosen(is_below(x, Word{}), -x, x); })};
+                            [](const Word& x, const Word&) { return select(is_below(x, Word{}), -x, x); })};
     }
     /// Whether a > b in every lane.
     friend bool all_above(const Lanes& a, const Lanes& b) {
@@ -197,7 +197,7 @@ private:
     static Mask is_below(const Word& a, const Word& b) {
         return (a.high < b.high) | ((a.high == b.high) & (a.low < b.low));
     }
-    static Word chosen(const Mask& where, const Word& a, const Word& b) {
+    static Word select(const Mask& where, const Word& a, const Word& b) {
         return {where ? a.high : b.high, where ? a.low : b.low};
     }
 };

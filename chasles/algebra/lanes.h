@@ -16,7 +16,7 @@ template <std::size_t N, class Scalar>
 struct Lanes {
     std::array<Scalar, N> values{};
 
-    static Lanes all(const Scalar& value) {
+    static Lanes broadcast(const Scalar& value) {
         Lanes lanes;
         lanes.values.fill(value);
         return lanes;
@@ -98,7 +98,7 @@ struct Lanes<4, double> {
     using Words = std::array<detail::Register, detail::registers>;
     Words words{};
 
-    static Lanes all(double value) {
+    static Lanes broadcast(double value) {
         Lanes lanes;
         lanes.words.fill(value - detail::Register{});
         return lanes;

@@ -23,7 +23,7 @@ struct EdgePath {
 template <class S>
 EdgePath<S> edge_path(const motion::ControlMaps<S>& maps, const Vector3<S>& from, const Vector3<S>& to) {
     const Vector3<S> u = to - from;
-    return {from, to, u, norm1(u), maps.turn * u, maps.turn * cross(from, u) + maps.moment * u};
+    return {from, to, u, norm1(u), maps.rotation * u, maps.rotation * cross(from, u) + maps.moment * u};
 }
 
 /// A fixed edge and its line.
@@ -54,7 +54,7 @@ public:
     EdgePair(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
              const ErrorScale& scale)
         : maps_(maps), moving_(moving), fixed_(fixed), unit_(relative_error<S>(scale) * scale.length),
-          stretch_unit_(relative_error<S>(scale) * scale.stretch) {}
+          stretch_unit_(relative_error<S>(scale) * scale.norm_bound) {}
 
     /// W times the reciprocal product of the two lines: v . M + (c x v) . U.
     [[nodiscard]] Bounded<3, S> volume() const {
@@ -77,8 +77,8 @@ public:
 
     /// The two edges overlap when both are projected on v, and when both are projected on u.
     void add_overlaps(Constraints<S>& constraints) const {
-        const Vector a = maps_.turn * moving_.from + maps_.shift;
-        const Vector b = maps_.turn * moving_.to + maps_.shift;
+        const Vector a = maps_.rotation * moving_.from + maps_.translation;
+        const Vector b = maps_.rotation * moving_.to + maps_.translation;
         add_overlap(a, b, fixed_.from, fixed_.direction, fixed_.size, constraints);
         const Vector c = in_body(fixed_.from);
         const Vector d = in_body(fixed_.from + fixed_.direction);
@@ -88,7 +88,7 @@ public:
     /// Component i of (W c - A) x v: the share of the moving edge before the other line, times U x v.
     [[nodiscard]] Polynomial end_arm(int i) const {
         const auto a = [&](int component) {
-            return dot(maps_.turn.row[component], moving_.from) + maps_.shift[component];
+            return dot(maps_.rotation.row[component], moving_.from) + maps_.translation[component];
         };
         const int j = (i + 1) % 3;
         const int k = (i + 2) % 3;
@@ -116,7 +116,7 @@ private:
     }
 
     [[nodiscard]] Vector in_body(const Vector3<S>& point) const {
-        return maps_.turn.transposed() * point - maps_.inverse_shift;
+        return maps_.rotation.transposed() * point - maps_.inverse_translation;
     }
 
     /// The second is the first without `crossing`. sign > 0: first >= 0 >= second. sign < 0: the reverse. 0: either,

@@ -12,9 +12,9 @@ namespace chasles::elementary {
 
 /// Bounds every coefficient error by error_unit * length * (norms of the directions that enter) * weight.
 struct ErrorScale {
-    double length = 0;  ///< of positions, differences of positions, and moments of unit directions, over the weight
-    double stretch = 1; ///< of turned unit directions over the weight; 1 for a rotation, more for its control maps
-    double turn = 1;    ///< over the cosine of half a screw's turn: what its numbers in double-double lose by it
+    double length = 0;     ///< of positions, differences of positions, and moments of unit directions, over the weight
+    double norm_bound = 1; ///< of turned unit directions over the weight; 1 for a rotation, more for its control maps
+    double turn = 1;       ///< over the cosine of half a screw's turn: what its numbers in double-double lose by it
 };
 
 /// Relative error of a coefficient, counted in the notes: most of it is that of the maps themselves
@@ -53,17 +53,17 @@ inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double mo
         for (int i = 0; i < 3; ++i) {
             double row = 0, column = 0;
             for (int j = 0; j < 3; ++j) {
-                row += std::abs(maps.turn.row[i][j][lane]);
-                column += std::abs(maps.turn.row[j][i][lane]);
+                row += std::abs(maps.rotation.row[i][j][lane]);
+                column += std::abs(maps.rotation.row[j][i][lane]);
                 moment = std::max(moment, std::abs(maps.moment.row[i][j][lane]));
             }
             rows = std::max(rows, row);
             columns = std::max(columns, column);
-            shift = std::max(shift, std::abs(maps.shift[i][lane]));
-            inverse = std::max(inverse, std::abs(maps.inverse_shift[i][lane]));
+            shift = std::max(shift, std::abs(maps.translation[i][lane]));
+            inverse = std::max(inverse, std::abs(maps.inverse_translation[i][lane]));
         }
         const double turned = std::max(rows, columns) / weight;
-        scale.stretch = std::max(scale.stretch, turned);
+        scale.norm_bound = std::max(scale.norm_bound, turned);
         scale.length = std::max({scale.length, turned * moving_reach + shift / weight + fixed_reach,
                                  turned * fixed_reach + inverse / weight + moving_reach,
                                  turned * (moving_reach + fixed_reach) + moment / weight});

@@ -49,16 +49,17 @@ SeenPlane<S> seen_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<
 template <class S>
 SeenPlane<S> plane_of_fixed_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face, const ErrorScale& scale,
                                  const S& reach = S(0)) {
-    return detail::seen_plane<S>(maps.turn.transposed() * face.normal, dot(maps.shift, face.normal), maps.weight, face,
-                                 scale, reach);
+    return detail::seen_plane<S>(maps.rotation.transposed() * face.normal, dot(maps.translation, face.normal),
+                                 maps.weight, face, scale, reach);
 }
 
 /// The plane of a moving face, seen by points of the fixed body.
 template <class S>
 SeenPlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face, const ErrorScale& scale,
                                   const S& reach = S(0)) {
-    return detail::seen_plane<S>(maps.turn * face.normal, Bernstein<3, S>() - dot(maps.inverse_shift, face.normal),
-                                 maps.weight, face, scale, reach);
+    return detail::seen_plane<S>(maps.rotation * face.normal,
+                                 Bernstein<3, S>() - dot(maps.inverse_translation, face.normal), maps.weight, face,
+                                 scale, reach);
 }
 
 /// The plane of a face, seen by points of its own body: at rest.

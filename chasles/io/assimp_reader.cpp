@@ -1,6 +1,6 @@
 // What Assimp reads: glTF, COLLADA, 3MF and others. No post-processing is asked for, so polygons and coordinates stay
 // as they are; the transforms of the nodes are applied here, in double precision.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
 

@@ -1,7 +1,7 @@
 // Chooses the reader of a mesh file by its extension, and gives every message the name of the file.
 #include "chasles/io/mesh_files.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "chasles/mesh/polyhedron.h"

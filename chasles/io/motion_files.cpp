@@ -1,7 +1,7 @@
 // Paths and lists of motions: headers are compared to the letter, so that no column is ever taken for another one.
 #include "chasles/io/motion_files.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/csv_table.h"
 #include "chasles/io/pose_text.h"
 #include "chasles/io/read_file.h"

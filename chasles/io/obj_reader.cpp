@@ -1,6 +1,6 @@
 // Wavefront OBJ: vertices and polygons; groups, materials, normals, textures, points and lines are left out.
 // Anything that would be a part of the surface and cannot be read is refused, with its line.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
 

@@ -1,6 +1,6 @@
 // OFF: a header line, the counts, one vertex a line, one polygon a line. ASCII; also COFF, NOFF and STOFF, whose
 // colours, normals and textures are left out. The counts must agree with what follows.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
 

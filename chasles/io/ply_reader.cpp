@@ -1,6 +1,6 @@
 // PLY: ASCII and binary of either byte order, with any number types. Reads x, y, z of the element "vertex" and the list
 // vertex_indices (or vertex_index) of the element "face"; everything else is read over.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/bytes.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/ply_header.h"

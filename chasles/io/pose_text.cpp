@@ -1,7 +1,7 @@
 // Poses and points out of text; what a pose may be is decided by chasles/motion/pose.h.
 #include "chasles/io/pose_text.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 
 #include <cmath>

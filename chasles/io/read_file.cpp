@@ -2,7 +2,7 @@
 // Reading to the end (rather than by the stated size) serves pipes as well.
 #include "chasles/io/read_file.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 
 #include <cerrno>

@@ -1,6 +1,6 @@
 // STL, ASCII and binary. Equal vertices become one, so that ids name the vertices of the merged list in order of
 // first occurrence; the normals in the file are left out.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/bytes.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"

@@ -2,7 +2,7 @@
 // std::from_chars does the rounding; strtod and streams are out because they follow the locale.
 #include "chasles/io/text_scan.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 
 #include <algorithm>
 #include <charconv>

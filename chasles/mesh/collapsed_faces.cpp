@@ -1,7 +1,7 @@
 // The distinct corners in order along the line cut it into pieces; edges of the faces kept between corners cover them.
 #include "chasles/mesh/collapsed_faces.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 
 #include <algorithm>
 #include <fmt/format.h>

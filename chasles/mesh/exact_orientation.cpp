@@ -1,7 +1,7 @@
 // The filter is Shewchuk's first one for orient2d; the exact value is the determinant multiplied out.
 #include "chasles/mesh/exact_orientation.h"
 
-#include "chasles/mesh/exact_sum.h"
+#include "chasles/algebra/exact_sum.h"
 
 #include <cmath>
 #include <limits>

@@ -1,7 +1,7 @@
 // Every check looks at one face at a time and names it in its message.
 #include "chasles/mesh/face_outlines.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/mesh/exact_orientation.h"
 #include "chasles/mesh/merge_vertices.h"
 

@@ -1,7 +1,7 @@
 // The faces as given become outlines of distinct vertices; what can't be a face is refused with its reason.
 #pragma once
 
-#include "chasles/mesh/flat_lists.h"
+#include "chasles/base/flat_lists.h"
 #include "chasles/mesh/polyhedron.h"
 
 #include <Eigen/Core>

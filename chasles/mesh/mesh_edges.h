@@ -1,8 +1,8 @@
 // The distinct edges of a set of faces, and which edge each side of each face is.
 #pragma once
 
-#include "chasles/mesh/flat_lists.h"
-#include "chasles/mesh/polyhedron.h"
+#include "chasles/base/flat_lists.h"
+#include "chasles/mesh/edge.h"
 
 #include <cstdint>
 #include <span>

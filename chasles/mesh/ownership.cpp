@@ -9,19 +9,19 @@ namespace {
 
 constexpr std::uint32_t no_owner = 0xffffffff;
 
-struct Taker {
+struct Claimant {
     std::uint32_t face;
     std::uint32_t next; ///< first of its features not looked at yet
 };
 
-/// Lets the taker have its next free feature. False if there is none.
-bool take_one(Taker& taker, std::uint32_t end, std::span<const std::uint32_t> features,
-              std::vector<std::uint32_t>& owner) {
-    while (taker.next < end) {
-        const std::uint32_t feature = features[taker.next++];
+/// Lets the claimant have its next free feature. False if there is none.
+bool claim_one(Claimant& claimant, std::uint32_t end, std::span<const std::uint32_t> features,
+               std::vector<std::uint32_t>& owner) {
+    while (claimant.next < end) {
+        const std::uint32_t feature = features[claimant.next++];
         if (feature == no_feature || owner[feature] != no_owner)
             continue;
-        owner[feature] = taker.face;
+        owner[feature] = claimant.face;
         return true;
     }
     return false;
@@ -48,15 +48,15 @@ FlatLists<std::uint32_t> share_features(std::span<const std::uint32_t> offsets, 
                                         std::size_t feature_count) {
     const std::size_t face_count = offsets.size() - 1;
     std::vector<std::uint32_t> owner(feature_count, no_owner);
-    std::vector<Taker> takers(face_count);
+    std::vector<Claimant> claimants(face_count);
     for (std::uint32_t face = 0; face < face_count; ++face)
-        takers[face] = {face, offsets[face]};
-    while (!takers.empty()) {
+        claimants[face] = {face, offsets[face]};
+    while (!claimants.empty()) {
         std::size_t staying = 0;
-        for (Taker taker : takers)
-            if (take_one(taker, offsets[taker.face + 1], features, owner))
-                takers[staying++] = taker;
-        takers.resize(staying);
+        for (Claimant claimant : claimants)
+            if (claim_one(claimant, offsets[claimant.face + 1], features, owner))
+                claimants[staying++] = claimant;
+        claimants.resize(staying);
     }
     return lists_by_owner(owner, face_count);
 }

@@ -1,7 +1,7 @@
 // Gives each vertex or edge to exactly one of the faces that have it, so that no pair of features is met twice.
 #pragma once
 
-#include "chasles/mesh/flat_lists.h"
+#include "chasles/base/flat_lists.h"
 
 #include <cstdint>
 #include <span>

@@ -1,7 +1,7 @@
 // The checks of one polygon in order: planar or to be cut, not folded, convex or covered by triangles.
 #include "chasles/mesh/polygon_faces.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/mesh/polygon_plane.h"
 #include "chasles/mesh/triangulate_polygon.h"
 

@@ -1,8 +1,8 @@
 // What becomes of each face of more than three corners: kept whole, kept with triangles to cover it, or cut up.
 #pragma once
 
+#include "chasles/base/flat_lists.h"
 #include "chasles/mesh/face_outlines.h"
-#include "chasles/mesh/flat_lists.h"
 
 #include <Eigen/Core>
 #include <cstdint>

@@ -1,7 +1,7 @@
-// An immutable rigid body: vertices, polygon faces, unique edges, and the box hierarchy over its faces.
+// An immutable rigid body with polygon faces: what a query moves.
 #pragma once
 
-#include "chasles/mesh/box_hierarchy.h"
+#include "chasles/base/export.h"
 
 #include <Eigen/Core>
 #include <cstdint>
@@ -36,19 +36,19 @@ struct MeshReport {
     std::size_t nonmanifold_edges = 0; ///< with three faces or more
     std::size_t dropped_faces = 0;     ///< collapsed faces left out because they add nothing to the surface
     bool closed = false;               ///< no boundary edge
+    Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< corners of the axis-aligned bounding box, mesh unit
+    Eigen::Vector3d upper = Eigen::Vector3d::Zero();
+    std::size_t bvh_nodes = 0; ///< nodes, depth and bytes of the bounding volume hierarchy
+    std::size_t bvh_depth = 0;
+    std::size_t bvh_bytes = 0;
 };
 
-/// One edge between two vertices, `from` < `to`.
-struct Edge {
-    std::uint32_t from;
-    std::uint32_t to;
-};
+class Body;
 
 /// A polyhedral surface that never changes once made; copies share it. It need not be closed.
 ///
-/// Vertices with the very same coordinates are one vertex: feature ids name the first of them. Each vertex and each
-/// edge is owned by exactly one of its faces, so that a traversal over pairs of faces meets it once.
-class Polyhedron {
+/// Vertices with the very same coordinates are one vertex: feature ids name the first of them.
+class CHASLES_EXPORT Polyhedron {
 public:
     /// From `vertices` (n points, the mesh's unit) and `faces` (m lists of at least three vertex indices from 0).
     /// Throws InvalidInput, naming the face or the vertex, for: no face, an index out of range, a coordinate that is
@@ -84,26 +84,17 @@ public:
     /// which is covered as it stands. The inner diagonals are not edges of the body.
     [[nodiscard]] std::span<const std::uint32_t> face_triangles(std::size_t face) const;
 
-    /// Vertices and edges owned by a face. Each vertex of the surface and each edge occurs for exactly one face.
-    [[nodiscard]] std::span<const std::uint32_t> owned_vertices(std::size_t face) const;
-    [[nodiscard]] std::span<const Edge> owned_edges(std::size_t face) const;
-
-    /// The faces that have a vertex as a corner, in ascending order. Found for all vertices when it is first asked for
-    /// any.
-    [[nodiscard]] std::span<const std::uint32_t> faces_around(std::size_t vertex) const;
-
-    /// Boxes over the faces, in the body's frame.
-    [[nodiscard]] const BoxHierarchy& hierarchy() const;
-
     [[nodiscard]] MeshReport report() const;
 
     /// Bytes held beyond the vertices.
     [[nodiscard]] std::size_t memory() const;
 
+    /// The body itself, for the library's own use: its type is no part of the public interface.
+    [[nodiscard]] const Body& body() const { return *body_; }
+
 private:
-    struct Data;
-    explicit Polyhedron(std::shared_ptr<const Data> data);
-    std::shared_ptr<const Data> data_;
+    explicit Polyhedron(std::shared_ptr<const Body> body);
+    std::shared_ptr<const Body> body_;
 };
 
 } // namespace chasles

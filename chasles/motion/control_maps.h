@@ -14,18 +14,18 @@ using algebra::Bernstein;
 
 /// A motion as cubic polynomials over a positive weight W. For a body point b, a fixed point x, and the line through
 /// b with direction u in the body's frame, all at the same tau:
-///   turn b + shift              = W * (position of b in the frame of the fixed body)
-///   turn^T x - inverse_shift    = W * (position of x in the body's frame)
-///   turn u                      = W * (direction of the line in the fixed frame)
-///   turn (b x u) + moment u     = W * (moment of the line in the fixed frame)
+///   rotation b + translation              = W * (position of b in the frame of the fixed body)
+///   rotation^T x - inverse_translation    = W * (position of x in the body's frame)
+///   rotation u                            = W * (direction of the line in the fixed frame)
+///   rotation (b x u) + moment u           = W * (moment of the line in the fixed frame)
 /// W is 1 at the start in scalars with division, and some positive number in others.
 template <class S>
 struct ControlMaps {
     using Polynomial = Bernstein<3, S>;
     Polynomial weight;
-    Matrix3<Polynomial> turn;
-    Vector3<Polynomial> shift;
-    Vector3<Polynomial> inverse_shift;
+    Matrix3<Polynomial> rotation;
+    Vector3<Polynomial> translation;
+    Vector3<Polynomial> inverse_translation;
     Matrix3<Polynomial> moment;
 };
 
@@ -142,8 +142,8 @@ ControlMaps<S> control_maps(const RationalMotion<S>& motion) {
     if constexpr (!algebra::Divisible<S>) { // all five over one unit
         const S& length = motion.length_unit;
         maps.weight = maps.weight * S(length * motion.orientation_unit);
-        maps.shift = scale(maps.shift, motion.orientation_unit);
-        maps.turn = scale(maps.turn, length);
+        maps.translation = scale(maps.translation, motion.orientation_unit);
+        maps.rotation = scale(maps.rotation, length);
     }
     return maps;
 }
@@ -154,10 +154,10 @@ ControlMaps<To> transformed(const ControlMaps<From>& maps, Function function) {
     ControlMaps<To> result;
     result.weight = function(maps.weight);
     for (int i = 0; i < 3; ++i) {
-        result.shift[i] = function(maps.shift[i]);
-        result.inverse_shift[i] = function(maps.inverse_shift[i]);
+        result.translation[i] = function(maps.translation[i]);
+        result.inverse_translation[i] = function(maps.inverse_translation[i]);
         for (int j = 0; j < 3; ++j) {
-            result.turn.row[i][j] = function(maps.turn.row[i][j]);
+            result.rotation.row[i][j] = function(maps.rotation.row[i][j]);
             result.moment.row[i][j] = function(maps.moment.row[i][j]);
         }
     }

@@ -1,6 +1,6 @@
 #include "chasles/motion/exact_motion.h"
 
-#include "chasles/motion/screw_pose.h"
+#include "chasles/motion/screw_path.h"
 
 namespace chasles::motion {
 

@@ -4,7 +4,7 @@
 
 #include "chasles/algebra/exact_number.h"
 #include "chasles/motion/control_maps.h"
-#include "chasles/motion/motion_frame.h"
+#include "chasles/motion/motion_ends.h"
 
 #include <memory>
 

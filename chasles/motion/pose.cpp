@@ -1,6 +1,6 @@
 #include "chasles/motion/pose.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/motion/rational_motion.h"
 
 #include <Eigen/SVD>

@@ -1,6 +1,6 @@
 #include "chasles/motion/screw_clock.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/motion/screw_motion.h"
 
 #include <cmath>

@@ -1,7 +1,7 @@
 // The paper's parameter of a screw, and time. Source: docs/derivations/01-screw-from-two-poses.md.
 #pragma once
 
-#include "chasles/motion/screw_pose.h"
+#include "chasles/motion/screw_path.h"
 
 #include <cstddef>
 

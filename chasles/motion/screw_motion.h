@@ -1,7 +1,7 @@
 // The paper's in-between motion: one screw from the start pose to the goal pose (paper, section 1.2).
 #pragma once
 
-#include "chasles/motion/motion_frame.h"
+#include "chasles/motion/motion_ends.h"
 
 #include <cstddef>
 #include <vector>

@@ -1,7 +1,7 @@
 // A screw with the numbers made that queries ask for again and again.
 #pragma once
 
-#include "chasles/motion/motion_frame.h"
+#include "chasles/motion/motion_ends.h"
 #include "chasles/motion/screw_clock.h"
 
 namespace chasles::motion {

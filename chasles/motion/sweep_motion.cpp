@@ -1,8 +1,8 @@
 #include "chasles/motion/sweep_motion.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/motion/control_maps.h"
-#include "chasles/motion/screw_pose.h"
+#include "chasles/motion/screw_path.h"
 
 #include <cmath>
 
@@ -66,9 +66,9 @@ Pose SweepMotion::pose_at(double time) const {
     // The body's origin is the body point zero, so that only the shift of the control maps moves it.
     const auto maps = motion::control_maps(m);
     const Scalar inverse = Scalar(1.0) / value_at(maps.weight, tau);
-    const algebra::Vector3<Scalar> position{value_at(maps.shift.x, tau) * inverse,
-                                            value_at(maps.shift.y, tau) * inverse,
-                                            value_at(maps.shift.z, tau) * inverse};
+    const algebra::Vector3<Scalar> position{value_at(maps.translation.x, tau) * inverse,
+                                            value_at(maps.translation.y, tau) * inverse,
+                                            value_at(maps.translation.z, tau) * inverse};
     return frame_.in_world(motion::rounded({position, turn * frame_.start.rotation}), time);
 }
 

@@ -1,7 +1,7 @@
 // Straight travel with a normalised linear turn ("nlerp + lerp"), symmetric in time, regular at a half turn.
 #pragma once
 
-#include "chasles/motion/motion_frame.h"
+#include "chasles/motion/motion_ends.h"
 #include "chasles/motion/pose.h"
 
 namespace chasles {

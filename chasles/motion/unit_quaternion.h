@@ -25,31 +25,32 @@ inline double sum_of(const FourNumbers& numbers) {
 
 /// Half of |q|^2 - 1; if that is little, to within 2^-76.
 inline double half_excess(const FourNumbers& q) {
-    const FourNumbers grid = FourNumbers::all(0x1.8p26); // rounds to multiples of 2^-26, whose squares have no error
+    const FourNumbers grid =
+        FourNumbers::broadcast(0x1.8p26); // rounds to multiples of 2^-26, whose squares have no error
     const FourNumbers near = (q + grid) - grid;
     return 0.5 * ((sum_of(near * near) - 1) + sum_of((q - near) * (q + near)));
 }
 
 /// All are 0 or at least 2^-900, so that nothing underflows that matters: s (s - 2^-900) is negative in between only.
 inline bool are_in_range(const FourNumbers& sizes) {
-    const FourNumbers scale = FourNumbers::all(0x1p500);
-    const FourNumbers beyond = sizes - FourNumbers::all(0x1p-900);
-    return all_above((sizes * scale) * (beyond * scale), FourNumbers::all(-0x1p-1000));
+    const FourNumbers scale = FourNumbers::broadcast(0x1p500);
+    const FourNumbers beyond = sizes - FourNumbers::broadcast(0x1p-900);
+    return all_above((sizes * scale) * (beyond * scale), FourNumbers::broadcast(-0x1p-1000));
 }
 
 } // namespace detail
 
 /// Not sure of a length that differs from one by more than roundings, nor of numbers next to the middle of two doubles.
 inline UnitNumbers unit_of_near_unit(const FourNumbers& quaternion) {
-    const FourNumbers numbers = quaternion + FourNumbers::all(0); // there is no -0 in answers
+    const FourNumbers numbers = quaternion + FourNumbers::broadcast(0); // there is no -0 in answers
     const FourNumbers sizes = magnitude(numbers);
     const double excess = detail::half_excess(numbers);
-    const FourNumbers change = numbers * FourNumbers::all(-excess);
-    const FourNumbers doubt = sizes * FourNumbers::all(0x1p-74); // twice as much as the change may be off
+    const FourNumbers change = numbers * FourNumbers::broadcast(-excess);
+    const FourNumbers doubt = sizes * FourNumbers::broadcast(0x1p-74); // twice as much as the change may be off
     const FourNumbers upper = numbers + (change + doubt);
     const FourNumbers gap = upper - (numbers + (change - doubt)); // 0, or that of two doubles
-    return {upper,
-            std::abs(excess) < 0x1p-46 && all_above(FourNumbers::all(0x1p-1000), gap) && detail::are_in_range(sizes)};
+    return {upper, std::abs(excess) < 0x1p-46 && all_above(FourNumbers::broadcast(0x1p-1000), gap) &&
+                       detail::are_in_range(sizes)};
 }
 
 } // namespace chasles::motion

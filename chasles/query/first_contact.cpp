@@ -1,12 +1,12 @@
 #include "chasles/query/first_contact.h"
 
 #include "chasles/algebra/rounding_mode.h"
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
+#include "chasles/contact/contact_set.h"
+#include "chasles/culling/far_apart.h"
 #include "chasles/motion/screw_piece.h"
-#include "chasles/query/contact_set.h"
-#include "chasles/query/far_apart.h"
-#include "chasles/query/near_search.h"
-#include "chasles/query/piece_numbers.h"
+#include "chasles/search/near_search.h"
+#include "chasles/search/piece_context.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -53,51 +53,52 @@ void validate(const FirstContactQuery& query) {
 }
 
 /// The first contact is not before any lower end nor after any upper end.
-Bracket enclosing(const query::PieceResult& result) {
+Bracket enclosing(const search::PieceResult& result) {
     if (result.overlap)
         return {0, 0};
     Bracket bracket{result.open_after, 1};
-    for (const query::Candidate& candidate : result.candidates) {
+    for (const search::Candidate& candidate : result.candidates) {
         bracket.lower = std::min(bracket.lower, candidate.tau.lower);
         bracket.upper = std::min(bracket.upper, candidate.tau.upper);
     }
     return bracket;
 }
 
-bool is_certain(const std::vector<query::Candidate>& candidates, const Bracket& tau) {
-    return std::ranges::any_of(candidates, [&](const query::Candidate& candidate) {
+bool is_certain(const std::vector<search::Candidate>& candidates, const Bracket& tau) {
+    return std::ranges::any_of(candidates, [&](const search::Candidate& candidate) {
         return candidate.tau.certain && candidate.tau.upper <= tau.upper;
     });
 }
 
-bool is_contact(const query::PieceResult& result) {
+bool is_contact(const search::PieceResult& result) {
     return result.overlap || !result.candidates.empty();
 }
 
 /// Proven before in doubt, then the earliest: by the end of what is proven, as that is where the answer's bracket ends.
-std::pair<bool, double> rank(const query::Candidate& candidate) {
+std::pair<bool, double> rank(const search::Candidate& candidate) {
     const auto& [lower, upper, certain] = candidate.tau;
     return {!certain, certain ? upper : lower};
 }
 
 /// Of each feature pair the surest.
-std::vector<query::Candidate> without_repeated(std::vector<query::Candidate> candidates) {
-    const auto features = [](const query::Candidate& c) -> const query::FeaturePair& { return c; };
-    std::ranges::sort(candidates, {}, [&](const query::Candidate& c) { return std::pair(features(c), rank(c)); });
+std::vector<search::Candidate> without_repeated(std::vector<search::Candidate> candidates) {
+    const auto features = [](const search::Candidate& c) -> const contact::FeaturePair& { return c; };
+    std::ranges::sort(candidates, {}, [&](const search::Candidate& c) { return std::pair(features(c), rank(c)); });
     // An edge or a vertex is met again in each interval of time that its contact borders on.
     const auto repeated = std::ranges::unique(candidates, {}, features);
     candidates.erase(repeated.begin(), repeated.end());
     return candidates;
 }
 
-const query::Candidate& first_of(const std::vector<query::Candidate>& candidates) {
+const search::Candidate& first_of(const std::vector<search::Candidate>& candidates) {
     return *std::ranges::min_element(candidates, {}, rank);
 }
 
 /// One query, piece by piece.
 class Query {
 public:
-    explicit Query(const FirstContactQuery& query) : query_(query) {}
+    explicit Query(const FirstContactQuery& query)
+        : query_(query), moving_(query.moving.body()), fixed_(query.fixed.body()) {}
 
     /// `piece_at` gives the pieces of the motion in order.
     template <class PieceAt>
@@ -108,14 +109,14 @@ public:
     }
 
 private:
-    using PieceResult = query::PieceResult;
+    using PieceResult = search::PieceResult;
 
     template <class PieceAt>
     FirstContact answer_within(double margin, std::size_t count, PieceAt piece_at) const {
         FirstContact found;
         for (std::size_t i = 0; i < count; ++i) {
             const auto& piece = piece_at(i);
-            query::PieceSearch search = search_of(piece, {i, count}, margin);
+            search::PieceSearch search = search_of(piece, {i, count}, margin);
             search.check_start = i == 0;
             const PieceResult result = search_piece(search);
             found.work += result.work;
@@ -146,7 +147,7 @@ private:
             return found;
         }
         found.held = contacts_of(piece_at(0), {0, 0}, start.candidates, {0, count}, query_.margin, true);
-        search_holding(found, level.distance, query::HeldContacts({start.candidates.begin(), start.candidates.end()}),
+        search_holding(found, level.distance, search::HeldContacts({start.candidates.begin(), start.candidates.end()}),
                        count, piece_at);
         if (level.is_reached && found.clear_until < 1)
             found.clear_until = 0;
@@ -180,11 +181,11 @@ private:
 
     /// The first event, and how long nothing comes within `level`, which may be later.
     template <class PieceAt>
-    void search_holding(FirstContact& found, double level, const query::HeldContacts& held, std::size_t count,
+    void search_holding(FirstContact& found, double level, const search::HeldContacts& held, std::size_t count,
                         PieceAt piece_at) const {
         for (std::size_t i = 0; i < count; ++i) {
             const auto& piece = piece_at(i);
-            query::PieceSearch search = search_of(piece, {i, count}, level);
+            search::PieceSearch search = search_of(piece, {i, count}, level);
             search.check_start = false;
             search.find = query_.find == Find::any ? Find::first : query_.find; // `clear_until` is of the first
             const PieceResult near = search_piece(search);
@@ -213,11 +214,11 @@ private:
     }
 
     template <class AnyMotion>
-    [[nodiscard]] query::PieceSearch search_of(const AnyMotion& piece, const PieceClock& clock, double margin) const {
+    [[nodiscard]] search::PieceSearch search_of(const AnyMotion& piece, const PieceClock& clock, double margin) const {
         // tau as a function of time is convex, so that dtime/dtau is greatest at tau = 0.
         const double greatest_rate = std::max(1.0, 1 / piece.tau_rate(0));
         const double tolerance = query_.time_tolerance * double(clock.count) / greatest_rate;
-        query::PieceSearch search{query_.moving, query_.fixed, piece.frame(), std::min(tolerance, 1.0), query_.find};
+        search::PieceSearch search{moving_, fixed_, piece.frame(), std::min(tolerance, 1.0), query_.find};
         search.margin = margin;
         return search;
     }
@@ -225,7 +226,7 @@ private:
     /// All feature pairs within the margin, and a little more: what was stopped at the margin is within it.
     template <class AnyMotion>
     PieceResult contacts_at_start(const AnyMotion& piece, std::size_t count) const {
-        query::PieceSearch search = search_of(piece, {0, count}, query_.margin + resting_slack(piece, count));
+        search::PieceSearch search = search_of(piece, {0, count}, query_.margin + resting_slack(piece, count));
         search.find = Find::first_with_all_contacts;
         search.only_start = true;
         return search_piece(search);
@@ -235,15 +236,15 @@ private:
     template <class AnyMotion>
     [[nodiscard]] double resting_slack(const AnyMotion& piece, std::size_t count) const {
         constexpr double rounding_of_poses = 0x1p-44;
-        return rounding_of_poses * query::PieceNumbers(search_of(piece, {0, count}, query_.margin)).scale.length;
+        return rounding_of_poses * search::PieceContext(search_of(piece, {0, count}, query_.margin)).scale.length;
     }
 
     /// The least distance at the start.
     template <class AnyMotion>
     double nearest(const AnyMotion& piece, const PieceResult& start) const {
-        const query::Instant instant(query_.moving, query_.fixed, motion::double_maps(piece.frame().motion), 0);
+        const contact::RelativeConfiguration instant(moving_, fixed_, motion::double_maps(piece.frame().motion), 0);
         double least = query_.margin;
-        for (const query::Candidate& candidate : start.candidates)
+        for (const search::Candidate& candidate : start.candidates)
             least = std::min(least, instant.nearest(candidate).apart().norm());
         return least;
     }
@@ -267,14 +268,14 @@ private:
         found.tau = in_whole(clock, tau);
         found.time = time_of(piece, clock, tau);
         found.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
-        const bool at_start = clock.index == 0 && query::may_be_at_start({tau.lower, tau.upper, found.certain});
+        const bool at_start = clock.index == 0 && search::may_be_at_start({tau.lower, tau.upper, found.certain});
         found.verdict = at_start ? Verdict::contact_at_start : Verdict::contact;
         found.pose = piece.pose_at(piece.time_at(tau.lower));
         found.overlap = result.overlap;
         if (found.overlap) {
             const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
-            found.overlap->point = query::product(to_world.linear(), found.overlap->point) + to_world.translation();
-            name_face(found.overlap->face, found.overlap->edge_is_moving ? query_.fixed : query_.moving);
+            found.overlap->point = contact::product(to_world.linear(), found.overlap->point) + to_world.translation();
+            name_face(found.overlap->face, found.overlap->edge_is_moving ? fixed_ : moving_);
         }
         found.contacts = contacts_of(piece, tau, result.candidates, clock, margin, at_start);
     }
@@ -282,23 +283,24 @@ private:
     /// In the world at the lower end of the bracket.
     template <class AnyMotion>
     std::vector<Contact> contacts_of(const AnyMotion& piece, const Bracket& tau,
-                                     std::vector<query::Candidate> candidates, const PieceClock& clock, double margin,
+                                     std::vector<search::Candidate> candidates, const PieceClock& clock, double margin,
                                      bool at_start) const {
         if (candidates.empty())
             return {};
         candidates = without_repeated(std::move(candidates));
-        const query::PieceNumbers numbers(search_of(piece, clock, margin));
-        const query::Instant instant(query_.moving, query_.fixed, numbers.maps, tau.lower);
-        const query::ContactScene scene{
+        const search::PieceContext numbers(search_of(piece, clock, margin));
+        const contact::RelativeConfiguration instant(moving_, fixed_, numbers.maps, tau.lower);
+        const contact::ContactScene scene{
             instant, at_start, margin,
-            query::touch_slack(instant, numbers.scale, std::min(tau.upper - tau.lower, query_.time_tolerance))};
+            contact::touch_slack(instant, numbers.scale, std::min(tau.upper - tau.lower, query_.time_tolerance))};
         const bool lists_all = query_.find == Find::first_with_all_contacts || query_.hold;
         std::vector<Contact> contacts =
-            lists_all ? contact_set(scene, candidates) : std::vector{described(scene, first_of(candidates))};
+            lists_all ? contact_set(scene, std::vector<contact::FeaturePair>(candidates.begin(), candidates.end()))
+                      : std::vector{described(scene, first_of(candidates))};
         const Eigen::Isometry3d to_world = piece.frame().fixed_pose_at(piece.time_at(tau.lower)).isometry();
         for (Contact& contact : contacts) {
-            contact.point = query::product(to_world.linear(), contact.point) + to_world.translation();
-            contact.normal = query::product(to_world.linear(), contact.normal);
+            contact.point = contact::product(to_world.linear(), contact.point) + to_world.translation();
+            contact.normal = contact::product(to_world.linear(), contact.normal);
             contact.approach_speed *= piece.tau_rate(tau.lower) * double(clock.count);
             name_faces(contact);
         }
@@ -306,17 +308,19 @@ private:
     }
 
     /// From the body's own numbering of faces to that of its input.
-    static void name_face(Feature& feature, const Polyhedron& body) {
+    static void name_face(Feature& feature, const Body& body) {
         feature.first = feature.second = body.source_face(feature.first);
     }
     void name_faces(Contact& contact) const {
         if (moving_feature_kind(contact.kind) == FeatureKind::face)
-            name_face(contact.moving, query_.moving);
+            name_face(contact.moving, moving_);
         if (fixed_feature_kind(contact.kind) == FeatureKind::face)
-            name_face(contact.fixed, query_.fixed);
+            name_face(contact.fixed, fixed_);
     }
 
     const FirstContactQuery& query_;
+    const Body& moving_;
+    const Body& fixed_;
 };
 
 const MotionEnds& ends_of(const Motion& motion) {
@@ -329,7 +333,7 @@ FirstContact clear_to_the_goal(const MotionEnds& ends) {
     return clear;
 }
 
-FirstContact search(const FirstContactQuery& query) {
+FirstContact answer(const FirstContactQuery& query) {
     const Query run(query);
     if (const auto* sweep = std::get_if<SweepMotion>(&query.motion))
         return run.answer(1, [&](std::size_t) -> const SweepMotion& { return *sweep; });
@@ -343,21 +347,11 @@ FirstContact search(const FirstContactQuery& query) {
 
 } // namespace
 
-Work& Work::operator+=(const Work& other) {
-    node_pairs += other.node_pairs;
-    face_pairs += other.face_pairs;
-    elementary_tests += other.elementary_tests;
-    root_brackets += other.root_brackets;
-    refined += other.refined;
-    exact += other.exact;
-    return *this;
-}
-
 FirstContact first_contact(const FirstContactQuery& query) {
     validate(query);
     const MotionEnds& ends = ends_of(query.motion);
-    return query::are_far_apart(query.moving, query.fixed, ends, query.margin) ? clear_to_the_goal(ends)
-                                                                               : search(query);
+    return culling::are_far_apart(query.moving.body(), query.fixed.body(), ends, query.margin) ? clear_to_the_goal(ends)
+                                                                                               : answer(query);
 }
 
 } // namespace chasles

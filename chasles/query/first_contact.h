@@ -1,10 +1,12 @@
 // The main job: when do two moving polyhedra first touch, where, and how?
 #pragma once
 
+#include "chasles/algebra/bracket.h"
+#include "chasles/contact/contact.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
+#include "chasles/search/find.h"
 
-#include <compare>
 #include <cstdint>
 #include <numbers>
 #include <optional>
@@ -17,69 +19,6 @@ enum class Verdict : std::uint8_t {
     clear,            ///< no contact on [0, 1]
     contact,          ///< first contact inside FirstContact::time, none before its lower end
     contact_at_start, ///< already touching or overlapping at time 0
-};
-
-/// Where a query may stop.
-enum class Find : std::uint8_t {
-    first,                   ///< the first contact and one feature pair at it
-    any,                     ///< yes or no: stops at the first contact that it meets, which need not be the earliest
-    first_with_all_contacts, ///< the first contact and every feature pair in contact within the bracket
-};
-
-/// First named feature: of the moving body. Second: of the fixed body. The last three are met at the rims of faces and
-/// at the ends of edges: there the normal is one of many that the features allow.
-enum class ContactKind : std::uint8_t { vertex_face, face_vertex, edge_edge, vertex_edge, edge_vertex, vertex_vertex };
-enum class FeatureKind : std::uint8_t { vertex, edge, face };
-
-/// Of the first named feature, and of the second.
-FeatureKind moving_feature_kind(ContactKind kind);
-FeatureKind fixed_feature_kind(ContactKind kind);
-
-/// A closed interval that encloses a number.
-struct Bracket {
-    double lower = 0;
-    double upper = 0;
-};
-
-/// A vertex, a face or an edge of a body. The ids are those of the input mesh, from 0; an edge is named by its two
-/// vertices, any other feature by one id (the second is then equal to the first).
-struct Feature {
-    std::uint32_t first = 0;
-    std::uint32_t second = 0;
-
-    friend auto operator<=>(const Feature&, const Feature&) = default;
-};
-
-/// One feature pair in contact, in the world frame at FirstContact::time.lower.
-struct Contact {
-    ContactKind kind = ContactKind::vertex_face;
-    Feature moving;
-    Feature fixed;
-    Eigen::Vector3d point;     ///< on the fixed feature, mesh unit; the moving one is at point + gap * normal
-    Eigen::Vector3d normal;    ///< unit, from the fixed body to the moving one
-    double gap = 0;            ///< distance of the two features, mesh unit; 0 up to rounding where they touch
-    double approach_speed = 0; ///< -d(gap)/dtime at contact, mesh unit per motion; positive when closing, and
-                               ///< negative only at the start, for bodies that touch there and part
-};
-
-/// An edge of one body that passes through a face of the other at time 0.
-struct Overlap {
-    bool edge_is_moving = true; ///< whose edge it is; the face is the other body's
-    Feature edge;
-    Feature face;
-    Eigen::Vector3d point; ///< in the world frame
-    bool certain = true;   ///< false if the edge may just miss the face's rim
-};
-
-/// How much was done.
-struct Work {
-    std::uint64_t node_pairs = 0;       ///< box pairs tested over some interval of time
-    std::uint64_t face_pairs = 0;       ///< leaf pairs that reached the elementary detections
-    std::uint64_t elementary_tests = 0; ///< vertex/face and edge/edge detections
-    std::uint64_t root_brackets = 0;    ///< of those, the ones that had to look for roots
-    std::uint64_t refined = 0;          ///< of those, the ones repeated in double-double precision
-    std::uint64_t exact = 0;            ///< of those, and of edges through faces at the start, decided exactly
-    Work& operator+=(const Work& other);
 };
 
 /// The answer to a query.

@@ -1,7 +1,7 @@
 #include "chasles/query/path.h"
 
-#include "chasles/invalid_input.h"
-#include "chasles/on_threads.h"
+#include "chasles/base/invalid_input.h"
+#include "chasles/base/parallel_for.h"
 
 #include <mutex>
 
@@ -35,7 +35,7 @@ std::vector<FirstContact> first_contact_batch(const BatchQuery& query) {
     std::vector<FirstContact> results(query.motions.size());
     std::size_t done = 0;
     std::mutex reporting;
-    on_threads(query.threads, results.size(), [&](std::size_t begin, std::size_t end) {
+    parallel_for(query.threads, results.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             results[i] = first_contact({.moving = query.moving,
                                         .fixed = query.fixed,

@@ -2,7 +2,7 @@
 // through NumPy, which takes some microseconds.
 #include "python/src/arrays.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 
 #include <algorithm>
 #include <cstring>

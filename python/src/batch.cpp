@@ -1,6 +1,6 @@
 // chasles.first_contact_batch and chasles.path_is_clear_batch, below python/chasles/batch.py.
-#include "chasles/invalid_input.h"
-#include "chasles/on_threads.h"
+#include "chasles/base/invalid_input.h"
+#include "chasles/base/parallel_for.h"
 #include "python/src/bind.h"
 #include "python/src/body.h"
 #include "python/src/interruptible.h"
@@ -38,7 +38,7 @@ void check(const QueryOptions& options) {
 /// Calls answer(i) for each row that has no answer yet, until the batch is to stop.
 template <typename AnyRow, typename AnswerRow>
 void answer_rows(const Table<AnyRow>& table, const BatchOptions& options, Progress& progress, const AnswerRow& answer) {
-    on_threads(options.threads, table.size(), [&](std::size_t begin, std::size_t end) {
+    parallel_for(options.threads, table.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end && !progress.is_stopping; ++i) {
             if (!is_answered(table[i]))
                 try {
@@ -60,7 +60,7 @@ public:
     template <typename NameOf>
     ReadPoses(const PoseArray& array, const BatchOptions& options, const Progress& progress, const NameOf& name_of)
         : poses_(array.size()), is_bad_(array.size()) {
-        on_threads(options.threads, array.size(), [&](std::size_t begin, std::size_t end) {
+        parallel_for(options.threads, array.size(), [&](std::size_t begin, std::size_t end) {
             for (std::size_t i = begin; i < end && !progress.is_stopping; ++i)
                 try {
                     poses_[i] = array[i];

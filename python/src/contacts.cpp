@@ -1,5 +1,5 @@
 // chasles.Contact, chasles.Overlap, chasles.Work and the rows of constraints.
-#include "chasles/query/constraint_rows.h"
+#include "chasles/contact/constraint_rows.h"
 #include "python/src/answer.h"
 #include "python/src/arrays.h"
 #include "python/src/bind.h"

@@ -1,6 +1,6 @@
 #include "python/src/face_lists.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "python/src/arrays.h"
 
 #include <limits>

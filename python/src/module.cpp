@@ -1,5 +1,5 @@
 // The extension module chasles._core. The package chasles is what users import.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
 

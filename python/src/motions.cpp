@@ -1,7 +1,7 @@
 // chasles.ScrewMotion and chasles.SweepMotion.
 #include "python/src/motions.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
 

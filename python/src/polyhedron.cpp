@@ -1,5 +1,5 @@
 // chasles.Polyhedron: from arrays, from files, and back to arrays.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "python/src/arrays.h"
 #include "python/src/bind.h"

@@ -1,7 +1,7 @@
 // What a pose may be is decided where poses are read from text, chasles/io/pose_text.h.
 #include "python/src/poses.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/pose_text.h"
 
 namespace chasles::python {

@@ -1,6 +1,6 @@
 #include "python/src/table.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "view/names.h"
 
 #include <algorithm>

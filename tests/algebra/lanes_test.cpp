@@ -84,7 +84,7 @@ TEST(Lanes, RegistersOfDoubleDoublesDoWhatOneDoes) {
         expect_same(a * b, each(a, b, [](auto x, auto y) { return x * y; }));
         expect_same(maximum(a, b), each(a, b, [](auto x, auto y) { return x < y ? y : x; }));
         expect_same(magnitude(a), each(a, b, [](auto x, auto) { return x < DoubleDouble(0) ? -x : x; }));
-        expect_same(Four::all(a[0]), {a[0], a[0], a[0], a[0]});
+        expect_same(Four::broadcast(a[0]), {a[0], a[0], a[0], a[0]});
         const auto is_above = each(a, b, [](auto x, auto y) { return x > y; });
         EXPECT_EQ(all_above(a, b), is_above[0] && is_above[1] && is_above[2] && is_above[3]);
         above += all_above(a, b) ? 1 : 0;
@@ -94,22 +94,22 @@ TEST(Lanes, RegistersOfDoubleDoublesDoWhatOneDoes) {
 
 TEST(Lanes, AllAboveNeedsEveryLane) {
     for (std::size_t lane = 0; lane < 4; ++lane) {
-        Register a = Register::all(1);
-        EXPECT_TRUE(all_above(a, Register::all(0)));
+        Register a = Register::broadcast(1);
+        EXPECT_TRUE(all_above(a, Register::broadcast(0)));
         a.set(lane, 0);
-        EXPECT_FALSE(all_above(a, Register::all(0))) << "lane " << lane << " is equal, not above";
+        EXPECT_FALSE(all_above(a, Register::broadcast(0))) << "lane " << lane << " is equal, not above";
         a.set(lane, std::numeric_limits<double>::quiet_NaN());
-        EXPECT_FALSE(all_above(a, Register::all(0))) << "lane " << lane << " is not a number";
+        EXPECT_FALSE(all_above(a, Register::broadcast(0))) << "lane " << lane << " is not a number";
     }
 }
 
 TEST(Lanes, AllFillsEveryLane) {
-    expect_same(Register::all(7), Plain::all(7));
-    EXPECT_EQ((Lanes<7, Rational>::all(Rational(3))[6]), 3);
+    expect_same(Register::broadcast(7), Plain::broadcast(7));
+    EXPECT_EQ((Lanes<7, Rational>::broadcast(Rational(3))[6]), 3);
 }
 
 TEST(Lanes, StartAtZero) {
-    expect_same(Register(), Plain::all(0));
+    expect_same(Register(), Plain::broadcast(0));
     EXPECT_EQ((Lanes<3, Rational>()[2]), 0);
 }
 

@@ -2,7 +2,7 @@
 
 #include "chasles/algebra/exact_feasible.h"
 #include "chasles/motion/exact_motion.h"
-#include "chasles/query/found_contacts.h"
+#include "chasles/search/found_contacts.h"
 #include "tests/support/exact_reference.h"
 
 #include <chrono>
@@ -61,12 +61,12 @@ public:
             b.push_back(in_scalar<S>(p));
         switch (question.kind) {
         case QuestionKind::vertex_face: {
-            const auto path = maps_.turn * a[0] + maps_.shift;
+            const auto path = maps_.rotation * a[0] + maps_.translation;
             return elementary::vertex_face<S>({path, maps_.weight}, elementary::face_shape<S>(b, {}), accuracy_,
                                               workspace_);
         }
         case QuestionKind::face_vertex: {
-            const auto path = maps_.turn.transposed() * b[0] - maps_.inverse_shift;
+            const auto path = maps_.rotation.transposed() * b[0] - maps_.inverse_translation;
             return elementary::vertex_face<S>({path, maps_.weight}, elementary::face_shape<S>(a, {}), accuracy_,
                                               workspace_);
         }
@@ -200,9 +200,9 @@ std::string check(const QuestionGroup& group, StageTallies& tallies) {
     for (std::size_t i = 0; i < truths.size(); ++i) {
         const Question& question = group.questions[i];
         const auto filtered =
-            timed(tallies.filter.seconds, [&] { return filter.ask(question, query::filter_tolerance(tolerance)); });
+            timed(tallies.filter.seconds, [&] { return filter.ask(question, search::filter_tolerance(tolerance)); });
         const algebra::Tolerance how =
-            filtered ? query::refinement_tolerance(tolerance, *filtered) : algebra::Tolerance{tolerance, 0x1p-90};
+            filtered ? search::refinement_tolerance(tolerance, *filtered) : algebra::Tolerance{tolerance, 0x1p-90};
         const auto refined = timed(tallies.refinement.seconds, [&] { return refinement.ask(question, how); });
         std::string what = judged("double", truths[i], filtered, tallies.filter) +
                            judged("double-double", truths[i], refined, tallies.refinement);

@@ -1,6 +1,6 @@
 #include "tests/attack/check_margin.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/query/first_contact.h"
 #include "tests/attack/check_mesh.h"
 #include "tests/attack/contact_geometry.h"
@@ -50,10 +50,10 @@ public:
     }
     /// What is left to the margin at the tau of an answer, of the scene's size.
     [[nodiscard]] double clearance_at(double tau) const {
-        const double in_pieces = tau * double(paths_.size());
-        const std::size_t piece = std::min(std::size_t(in_pieces), paths_.size() - 1);
+        const double parallel_chunks = tau * double(paths_.size());
+        const std::size_t piece = std::min(std::size_t(parallel_chunks), paths_.size() - 1);
         const reference::SampledDistance distance(moving_, fixed_, paths_[piece]);
-        return (static_cast<double>(distance.at(in_pieces - double(piece))) - posed_.margin) / scene_size();
+        return (static_cast<double>(distance.at(parallel_chunks - double(piece))) - posed_.margin) / scene_size();
     }
     [[nodiscard]] double scene_size() const {
         double size = posed_.margin;

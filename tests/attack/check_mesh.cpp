@@ -1,6 +1,6 @@
 #include "tests/attack/check_mesh.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/query/first_contact.h"
 #include "tests/attack/piecewise_tau.h"
 #include "tests/support/exact_reference.h"

@@ -1,7 +1,7 @@
 // Random small steps of a body that is in touch with another one: most go along what it touches.
 #pragma once
 
-#include "chasles/query/constraint_rows.h"
+#include "chasles/contact/constraint_rows.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/sliding_body.h"
 

@@ -156,8 +156,8 @@ void expect_bounds_of_vertex_and_face(std::uint64_t seed, bool face_moves) {
                 const auto point = in_scalar<S>(vertex);
                 const auto at = points_in<S>(corners);
                 const FaceShape<S> face = face_shape<S>(at, {});
-                auto all = face_polynomials<S>(face_moves ? m.turn.transposed() * point - m.inverse_shift
-                                                          : m.turn * point + m.shift,
+                auto all = face_polynomials<S>(face_moves ? m.rotation.transposed() * point - m.inverse_translation
+                                                          : m.rotation * point + m.translation,
                                                m.weight, face, maps.accuracy.scale);
                 const SeenPlane<S> plane = face_moves ? plane_of_moving_face<S>(m, face, maps.accuracy.scale)
                                                       : plane_of_fixed_face<S>(m, face, maps.accuracy.scale);
@@ -202,7 +202,7 @@ TEST(ErrorScale, StretchIsOneForATranslation) {
     straight.displacement = {1.0, 2.0, 3.0};
     straight.orientation = algebra::identity_matrix<DoubleDouble>();
     const auto scale = error_scale(motion::double_maps(straight), 4, 5);
-    EXPECT_EQ(scale.stretch, 1);
+    EXPECT_EQ(scale.norm_bound, 1);
     EXPECT_GE(scale.length, 4 + 3 + 5);
     EXPECT_LT(scale.length, 2 * (4 + 3 + 5));
 }

@@ -68,7 +68,8 @@ bool has_sign(const Bernstein<3, Rational>& p, int sign) {
 
 /// A point of the face's body, seen from the other one at the start.
 DoublePoint at_start(const motion::ControlMaps<double>& maps, const DoublePoint& p, bool body_moves) {
-    const auto path = body_moves ? maps.turn * p + maps.shift : maps.turn.transposed() * p - maps.inverse_shift;
+    const auto path =
+        body_moves ? maps.rotation * p + maps.translation : maps.rotation.transposed() * p - maps.inverse_translation;
     return {path.x[0], path.y[0], path.z[0]};
 }
 
@@ -100,8 +101,9 @@ TEST(FaceSides, ASideThatIsToldIsTheExactOne) {
         Points exactly;
         for (const DoublePoint& corner : corners)
             exactly.push_back(exact(corner));
-        const auto position = face_moves ? exact_maps.turn.transposed() * exact(vertex) - exact_maps.inverse_shift
-                                         : exact_maps.turn * exact(vertex) + exact_maps.shift;
+        const auto position = face_moves
+                                  ? exact_maps.rotation.transposed() * exact(vertex) - exact_maps.inverse_translation
+                                  : exact_maps.rotation * exact(vertex) + exact_maps.translation;
         (side == 0 ? open : told) += 1;
         if (side != 0) {
             const auto height = exact_height(position, exact_maps.weight, exactly);

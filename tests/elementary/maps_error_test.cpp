@@ -50,13 +50,13 @@ struct LaneErrors {
         for (int i = 0; i < 3; ++i) {
             double row = 0, column = 0;
             for (int j = 0; j < 3; ++j) {
-                row += maps.turn.row[i][j][lane].error();
-                column += maps.turn.row[j][i][lane].error();
+                row += maps.rotation.row[i][j][lane].error();
+                column += maps.rotation.row[j][i][lane].error();
                 moment = std::max(moment, maps.moment.row[i][j][lane].error());
             }
             turn = std::max({turn, row, column});
-            shift = std::max(shift, maps.shift[i][lane].error());
-            inverse = std::max(inverse, maps.inverse_shift[i][lane].error());
+            shift = std::max(shift, maps.translation[i][lane].error());
+            inverse = std::max(inverse, maps.inverse_translation[i][lane].error());
         }
     }
 };
@@ -77,7 +77,7 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfTheMaps) {
         for (int lane = 0; lane <= 3; ++lane) {
             const LaneErrors e(maps, lane);
             const double length = bound * scale.length * in_doubles.weight[lane];
-            ratios.note("turn", e.turn / (bound * scale.stretch * in_doubles.weight[lane]));
+            ratios.note("turn", e.turn / (bound * scale.norm_bound * in_doubles.weight[lane]));
             ratios.note("arms from the fixed body", (e.turn * moving + e.shift + e.weight * fixed) / length);
             ratios.note("arms from the moving body", (e.turn * fixed + e.inverse + e.weight * moving) / length);
             ratios.note("moments", (e.turn * (moving + fixed) + e.moment) / length);
@@ -115,7 +115,7 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfMapsInDouble) {
         for (int lane = 0; lane <= 3; ++lane) {
             const LaneErrors e(maps, lane);
             const double weight = in_doubles.weight[lane];
-            ratios.note("turn", e.turn / (bound * scale.stretch * weight));
+            ratios.note("turn", e.turn / (bound * scale.norm_bound * weight));
             ratios.note("arms from the fixed body",
                         (e.turn * moving + e.shift + e.weight * fixed) / (bound * scale.length * weight));
             ratios.note("arms from the moving body",
@@ -142,7 +142,8 @@ TEST(ErrorScale, CountsTheCentreOfASweepAsAPointOfTheBody) {
         const auto truth = motion::control_maps(motion.exactly);
         const auto in_doubles = motion::rounded(made);
         for (int i = 0; i < 12; ++i) {
-            const Rational off = magnitude(Rational(exact(made.shift[i / 4][i % 4]) - truth.shift[i / 4][i % 4]));
+            const Rational off =
+                magnitude(Rational(exact(made.translation[i / 4][i % 4]) - truth.translation[i / 4][i % 4]));
             const auto ratio = [&](double reach) {
                 const ErrorScale scale = error_scale(in_doubles, reach, 1);
                 return static_cast<double>(off) / (relative_error<DoubleDouble>(scale) * scale.length);

@@ -1,6 +1,6 @@
 // Triangle against triangle as the paper decomposes it (section 4.1): nine pairs of edges, six of a vertex and a face.
-#include "chasles/query/feature_pairs.h"
 #include "chasles/query/first_contact.h"
+#include "chasles/search/feature_pairs.h"
 #include "tests/support/random_poses.h"
 
 #include <gtest/gtest.h>
@@ -37,11 +37,12 @@ double reach(const Polyhedron& triangle) {
 
 Decomposition decomposed(const Polyhedron& moving, const Polyhedron& fixed, const ScrewMotion& screw) {
     const auto maps = motion::rounded(motion::control_maps(screw.frame().motion));
-    query::FeaturePairs<double> pairs(moving, fixed, {elementary::error_scale(maps, reach(moving), reach(fixed)), {}});
+    search::FeaturePairs<double> pairs(moving.body(), fixed.body(),
+                                       {elementary::error_scale(maps, reach(moving), reach(fixed)), {}});
     pairs.use(maps, {});
     Decomposition all;
-    for (const Edge& a : moving.owned_edges(0))
-        for (const Edge& b : fixed.owned_edges(0)) {
+    for (const Edge& a : moving.body().owned_edges(0))
+        for (const Edge& b : fixed.body().owned_edges(0)) {
             all.note(pairs.edge_edge(pairs.path_of(a), b));
             ++all.edge_edge;
         }

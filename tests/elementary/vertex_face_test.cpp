@@ -148,9 +148,9 @@ TEST(VertexFace, CountsItsTests) {
     Stage<double> stage(translation({0, 0, -4}).motion(), {point(1, 1, 1)}, triangle.corners);
     const auto corners = corners_in<double>(triangle.corners);
     const auto shape = face_shape<double>(corners, {});
-    const auto path = stage.maps.turn * Vector3<double>{1, 1, 1} + stage.maps.shift;
+    const auto path = stage.maps.rotation * Vector3<double>{1, 1, 1} + stage.maps.translation;
     (void)vertex_face<double>({path, stage.maps.weight}, shape, stage.accuracy, workspace);
-    const auto above = stage.maps.turn * Vector3<double>{1, 1, 9} + stage.maps.shift;
+    const auto above = stage.maps.rotation * Vector3<double>{1, 1, 9} + stage.maps.translation;
     (void)vertex_face<double>({above, stage.maps.weight}, shape, stage.accuracy, workspace);
     EXPECT_EQ(workspace.elementary_tests, 2u);
     EXPECT_EQ(workspace.root_brackets, 1u) << "one sign is enough for the vertex that never meets the plane";

@@ -1,5 +1,5 @@
 // Queries with any doubles at all: each is answered with finite numbers and bounded work, or refused.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/query/path.h"
 #include "tests/fuzz/sound_answer.h"
 

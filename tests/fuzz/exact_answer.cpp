@@ -1,7 +1,7 @@
 // The exact reference, asked piece by piece until one touches. Compiled without sanitizers: it is not what is tested.
 #include "tests/fuzz/exact_answer.h"
 
-#include "chasles/motion/screw_pose.h"
+#include "chasles/motion/screw_path.h"
 #include "tests/support/exact_reference.h"
 
 #include <array>

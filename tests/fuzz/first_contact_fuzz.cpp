@@ -1,5 +1,5 @@
 // Small bodies that move, against an answer in exact rationals: no miss, no false alarm, never late, nothing in doubt.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "tests/fuzz/exact_answer.h"
 #include "tests/fuzz/sound_answer.h"
 

@@ -1,7 +1,7 @@
 // Every byte sequence as OBJ, OFF, PLY and STL: it is read or refused, and what was read makes a body or is refused.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
-#include "chasles/mesh/polyhedron.h"
+#include "chasles/mesh/body.h"
 #include "tests/fuzz/bytes.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ void demand_sound(const Polyhedron& body, const io::PolygonSoup& soup) {
     const MeshReport report = body.report();
     std::size_t edges = 0;
     for (std::uint32_t face = 0; face < body.face_count(); ++face) {
-        edges += body.owned_edges(face).size();
+        edges += body.body().owned_edges(face).size();
         demand(body.face(face).size() >= 3, "faces have three corners at least");
         demand(body.source_face(face) < soup.faces.size(), "faces come from the input");
         for (const std::uint32_t corner : body.face_triangles(face))
@@ -30,7 +30,7 @@ void demand_sound(const Polyhedron& body, const io::PolygonSoup& soup) {
     }
     demand(edges == report.edges, "every edge is owned once");
     demand(report.closed == (report.boundary_edges == 0), "closed is without a boundary");
-    demand(body.hierarchy().nodes().size() == 2 * body.face_count() - 1, "every face has its box");
+    demand(body.body().bvh().nodes().size() == 2 * body.face_count() - 1, "every face has its box");
 }
 
 void make_body(const io::PolygonSoup& soup, const PolyhedronOptions& options) {

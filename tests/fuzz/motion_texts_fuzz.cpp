@@ -1,5 +1,5 @@
 // Every byte sequence as a pose, a point, a path and a list of motions: it is read or refused.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/csv_table.h"
 #include "chasles/io/motion_files.h"
 #include "chasles/io/pose_text.h"

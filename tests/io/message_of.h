@@ -1,7 +1,7 @@
 // What a call complains about, and files that vanish with the test.
 #pragma once
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 
 #include <filesystem>
 #include <fstream>

@@ -1,7 +1,7 @@
 // Signs against exact rationals, on points chosen so that rounding would get them wrong.
 #include "chasles/mesh/exact_orientation.h"
 
-#include "chasles/mesh/exact_sum.h"
+#include "chasles/algebra/exact_sum.h"
 
 #include <gmpxx.h>
 #include <gtest/gtest.h>

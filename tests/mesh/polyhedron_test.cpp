@@ -1,5 +1,5 @@
 // What a polyhedron promises about outlines, ids, ownership, what it drops and what it counts.
-#include "chasles/mesh/polyhedron.h"
+#include "chasles/mesh/body.h"
 
 #include "tests/mesh/shapes.h"
 
@@ -43,11 +43,11 @@ void expect_owned_once(const Polyhedron& body) {
     std::multiset<std::uint32_t> vertices;
     std::multiset<std::pair<std::uint32_t, std::uint32_t>> edges;
     for (std::size_t f = 0; f < body.face_count(); ++f) {
-        for (const std::uint32_t vertex : body.owned_vertices(f)) {
+        for (const std::uint32_t vertex : body.body().owned_vertices(f)) {
             EXPECT_TRUE(std::ranges::count(body.face(f), vertex) > 0);
             vertices.insert(vertex);
         }
-        for (const Edge edge : body.owned_edges(f)) {
+        for (const Edge edge : body.body().owned_edges(f)) {
             EXPECT_LT(edge.from, edge.to);
             EXPECT_TRUE(has_side(body.face(f), edge));
             edges.emplace(edge.from, edge.to);
@@ -69,8 +69,8 @@ TEST(Polyhedron, IsTheCubeItWasMadeFrom) {
         EXPECT_EQ(ids(cube.face(f)), soup.faces[f]);
         EXPECT_EQ(cube.source_face(f), f);
         EXPECT_TRUE(cube.face_triangles(f).empty());
-        EXPECT_LE(cube.owned_vertices(f).size(), 2U);
-        EXPECT_EQ(cube.owned_edges(f).size(), 2U);
+        EXPECT_LE(cube.body().owned_vertices(f).size(), 2U);
+        EXPECT_EQ(cube.body().owned_edges(f).size(), 2U);
     }
     expect_owned_once(cube);
     const MeshReport report = cube.report();
@@ -83,7 +83,7 @@ TEST(Polyhedron, IsTheCubeItWasMadeFrom) {
     EXPECT_EQ(report.nonmanifold_edges, 0U);
     EXPECT_EQ(report.dropped_faces, 0U);
     EXPECT_TRUE(report.closed);
-    EXPECT_EQ(cube.hierarchy().nodes().size(), 11U);
+    EXPECT_EQ(cube.body().bvh().nodes().size(), 11U);
 }
 
 TEST(Polyhedron, IsTheSameFromFacesThatLieInOneArray) {
@@ -104,8 +104,8 @@ TEST(Polyhedron, OwnsEachFeatureOfATorusOnceAndEvenly) {
     const Polyhedron torus = made_from(test::torus(37, 23));
     expect_owned_once(torus);
     for (std::size_t f = 0; f < torus.face_count(); ++f) {
-        EXPECT_LE(torus.owned_vertices(f).size(), 1U);
-        EXPECT_LE(torus.owned_edges(f).size(), 2U);
+        EXPECT_LE(torus.body().owned_vertices(f).size(), 1U);
+        EXPECT_LE(torus.body().owned_edges(f).size(), 2U);
     }
     EXPECT_EQ(torus.report().edges, 3U * 37 * 23);
     EXPECT_TRUE(torus.report().closed);
@@ -128,7 +128,7 @@ TEST(Polyhedron, IgnoresVerticesOfNoFace) {
     soup.vertices.emplace_back(100, 100, 100);
     const Polyhedron cube = made_from(soup);
     expect_owned_once(cube);
-    EXPECT_EQ(cube.hierarchy().centre(), Eigen::Vector3d(0.5, 0.5, 0.5));
+    EXPECT_EQ(cube.body().bvh().centre(), Eigen::Vector3d(0.5, 0.5, 0.5));
 }
 
 TEST(Polyhedron, DropsFacesThatMergingShrankToAnEdge) {
@@ -200,8 +200,8 @@ TEST(Polyhedron, TakesAHoleBridgedToItsOutline) {
     ASSERT_EQ(plate.face_count(), 1U);
     EXPECT_EQ(plate.face_triangles(0).size(), 24U);
     // The bridge is no edge; each corner of the square and of the hole is owned once.
-    EXPECT_EQ(plate.owned_edges(0).size(), 8U);
-    EXPECT_EQ(plate.owned_vertices(0).size(), 8U);
+    EXPECT_EQ(plate.body().owned_edges(0).size(), 8U);
+    EXPECT_EQ(plate.body().owned_vertices(0).size(), 8U);
     EXPECT_EQ(plate.report().boundary_edges, 8U);
 }
 
@@ -261,7 +261,7 @@ TEST(Polyhedron, IsTheSameEachTime) {
     const Polyhedron first = made_from(soup);
     const Polyhedron second = made_from(soup);
     for (std::size_t f = 0; f < first.face_count(); ++f)
-        EXPECT_EQ(ids(first.owned_vertices(f)), ids(second.owned_vertices(f)));
+        EXPECT_EQ(ids(first.body().owned_vertices(f)), ids(second.body().owned_vertices(f)));
 }
 
 TEST(Polyhedron, TakesLessThan200BytesATriangle) {

@@ -81,7 +81,7 @@ void for_random_motions(std::uint64_t seed, Check check) {
 TEST(ControlMaps, CarryBodyPoints) {
     for_random_motions(601, [](Random& random, const Case& family, const auto& maps, const Rational& tau) {
         const Vector b = random_vector(random);
-        const Vector carried = test::value_at(maps.turn * b + maps.shift, tau);
+        const Vector carried = test::value_at(maps.rotation * b + maps.translation, tau);
         expect_equal(carried, scale(family.position(b, tau), algebra::value_at(maps.weight, tau)));
     });
 }
@@ -89,7 +89,8 @@ TEST(ControlMaps, CarryBodyPoints) {
 TEST(ControlMaps, CarryFixedPointsIntoTheBodysFrame) {
     for_random_motions(602, [](Random& random, const Case& family, const auto& maps, const Rational& tau) {
         const Vector b = random_vector(random);
-        const Vector seen = test::value_at(maps.turn.transposed() * family.position(b, tau) - maps.inverse_shift, tau);
+        const Vector seen =
+            test::value_at(maps.rotation.transposed() * family.position(b, tau) - maps.inverse_translation, tau);
         expect_equal(seen, scale(b, algebra::value_at(maps.weight, tau)));
     });
 }
@@ -97,7 +98,7 @@ TEST(ControlMaps, CarryFixedPointsIntoTheBodysFrame) {
 TEST(ControlMaps, CarryDirections) {
     for_random_motions(603, [](Random& random, const Case& family, const auto& maps, const Rational& tau) {
         const Vector u = random_vector(random);
-        expect_equal(test::value_at(maps.turn * u, tau),
+        expect_equal(test::value_at(maps.rotation * u, tau),
                      scale(family.direction(u, tau), algebra::value_at(maps.weight, tau)));
     });
 }
@@ -106,7 +107,7 @@ TEST(ControlMaps, CarryMomentsOfLines) {
     for_random_motions(604, [](Random& random, const Case& family, const auto& maps, const Rational& tau) {
         const Vector b = random_vector(random);
         const Vector u = random_vector(random);
-        const Vector moment = test::value_at(maps.turn * cross(b, u) + maps.moment * u, tau);
+        const Vector moment = test::value_at(maps.rotation * cross(b, u) + maps.moment * u, tau);
         expect_equal(moment, scale(cross(family.position(b, tau), family.direction(u, tau)),
                                    algebra::value_at(maps.weight, tau)));
     });
@@ -130,9 +131,10 @@ TEST(ControlMaps, RestrictedIntervalIsTheSameMotion) {
         const Rational weight = algebra::value_at(part.weight, tau);
         EXPECT_EQ(weight, algebra::value_at(maps.weight, whole));
         const Vector place = family.position(b, whole);
-        expect_equal(test::value_at(part.turn * b + part.shift, tau), scale(place, weight));
-        expect_equal(test::value_at(part.turn.transposed() * place - part.inverse_shift, tau), scale(b, weight));
-        expect_equal(test::value_at(part.turn * cross(b, u) + part.moment * u, tau),
+        expect_equal(test::value_at(part.rotation * b + part.translation, tau), scale(place, weight));
+        expect_equal(test::value_at(part.rotation.transposed() * place - part.inverse_translation, tau),
+                     scale(b, weight));
+        expect_equal(test::value_at(part.rotation * cross(b, u) + part.moment * u, tau),
                      scale(cross(place, family.direction(u, whole)), weight));
     });
 }
@@ -143,10 +145,10 @@ TEST(ControlMaps, RoundedAreTheNearestDoubles) {
     const auto in_doubles = rounded(maps);
     for (int lane = 0; lane <= 3; ++lane)
         for (int i = 0; i < 3; ++i) {
-            EXPECT_EQ(in_doubles.shift[i][lane], maps.shift[i][lane].high());
-            EXPECT_EQ(in_doubles.inverse_shift[i][lane], maps.inverse_shift[i][lane].high());
+            EXPECT_EQ(in_doubles.translation[i][lane], maps.translation[i][lane].high());
+            EXPECT_EQ(in_doubles.inverse_translation[i][lane], maps.inverse_translation[i][lane].high());
             for (int j = 0; j < 3; ++j) {
-                EXPECT_EQ(in_doubles.turn.row[i][j][lane], maps.turn.row[i][j][lane].high());
+                EXPECT_EQ(in_doubles.rotation.row[i][j][lane], maps.rotation.row[i][j][lane].high());
                 EXPECT_EQ(in_doubles.moment.row[i][j][lane], maps.moment.row[i][j][lane].high());
             }
         }

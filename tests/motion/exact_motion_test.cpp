@@ -30,10 +30,10 @@ void expect_multiple(const motion::ExactMotion& found, const motion::ControlMaps
     EXPECT_GT(unit, 0);
     expect_equal(found.maps.weight, truth.weight, unit, root);
     for (int i = 0; i < 3; ++i) {
-        expect_equal(found.maps.shift[i], truth.shift[i], unit, root);
-        expect_equal(found.maps.inverse_shift[i], truth.inverse_shift[i], unit, root);
+        expect_equal(found.maps.translation[i], truth.translation[i], unit, root);
+        expect_equal(found.maps.inverse_translation[i], truth.inverse_translation[i], unit, root);
         for (int j = 0; j < 3; ++j) {
-            expect_equal(found.maps.turn.row[i][j], truth.turn.row[i][j], unit, root);
+            expect_equal(found.maps.rotation.row[i][j], truth.rotation.row[i][j], unit, root);
             expect_equal(found.maps.moment.row[i][j], truth.moment.row[i][j], unit, root);
         }
     }
@@ -109,7 +109,7 @@ TEST(ExactMotion, SweepsEndAtTheirGoalsWhateverTheRoot) {
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) { // turn * denominator = weight * numerator, in the ring
                 const Rational entry = truth.row[i][j];
-                const ExactNumber left = found.maps.turn.row[i][j][3] * exact_number(Rational(denominator(entry)));
+                const ExactNumber left = found.maps.rotation.row[i][j][3] * exact_number(Rational(denominator(entry)));
                 const ExactNumber right = found.maps.weight[3] * exact_number(Rational(numerator(entry)));
                 EXPECT_EQ(left, right);
             }

@@ -27,7 +27,7 @@ Vector placed(const RationalPose& pose, const Vector& point) {
 
 Vector position(const RationalMotion<Rational>& motion, const Vector& point, const Rational& tau) {
     const auto maps = control_maps(motion);
-    const Vector carried = test::value_at(maps.turn * point + maps.shift, tau);
+    const Vector carried = test::value_at(maps.rotation * point + maps.translation, tau);
     return scale(carried, Rational(1 / algebra::value_at(maps.weight, tau)));
 }
 

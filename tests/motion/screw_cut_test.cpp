@@ -1,5 +1,5 @@
 // Cutting a screw: the pieces join, add up, and none turns more than it may.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/motion/screw_motion.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/wide.h"

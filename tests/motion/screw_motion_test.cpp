@@ -1,7 +1,7 @@
 // The paper's motion as sines and cosines have it, to a hundred digits: angle w t, slide s tan(w t / 2) / tan(w / 2).
 #include "chasles/motion/screw_motion.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/motion/control_maps.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/wide.h"
@@ -21,7 +21,7 @@ constexpr double pi = std::numbers::pi;
 WideVector carried(const ScrewMotion& screw, const Eigen::Vector3d& body_point, double tau) {
     const auto maps = motion::control_maps(screw.frame().motion);
     const algebra::Vector3<Scalar> b{body_point.x(), body_point.y(), body_point.z()};
-    const auto path = maps.turn * b + maps.shift;
+    const auto path = maps.rotation * b + maps.translation;
     const Wide weight = wide(value_at(maps.weight, Scalar(tau)));
     return WideVector(wide(value_at(path.x, Scalar(tau))), wide(value_at(path.y, Scalar(tau))),
                       wide(value_at(path.z, Scalar(tau)))) /

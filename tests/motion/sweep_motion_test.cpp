@@ -1,7 +1,7 @@
 // The sweep by its definition: a reference point runs straight, the quaternion is interpolated linearly and normalised.
 #include "chasles/motion/sweep_motion.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "chasles/motion/control_maps.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/wide.h"
@@ -38,7 +38,7 @@ WideVector defined(const Pose& start, const Pose& goal, const Eigen::Vector3d& c
 WideVector carried(const SweepMotion& sweep, const Eigen::Vector3d& body_point, double tau) {
     const auto maps = motion::control_maps(sweep.frame().motion);
     const algebra::Vector3<Scalar> b{body_point.x(), body_point.y(), body_point.z()};
-    const auto path = maps.turn * b + maps.shift;
+    const auto path = maps.rotation * b + maps.translation;
     return WideVector(wide(value_at(path.x, Scalar(tau))), wide(value_at(path.y, Scalar(tau))),
                       wide(value_at(path.z, Scalar(tau)))) /
            wide(value_at(maps.weight, Scalar(tau)));

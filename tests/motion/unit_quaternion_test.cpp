@@ -1,7 +1,7 @@
 // Quaternions of length one: the bits of the long way, and most often by the short one.
 #include "chasles/motion/unit_quaternion.h"
 
-#include "chasles/motion/screw_pose.h"
+#include "chasles/motion/screw_path.h"
 #include "tests/support/random_poses.h"
 
 #include <bit>

@@ -2,7 +2,7 @@
 // splitting of time.
 #pragma once
 
-#include "chasles/query/feature_pairs.h"
+#include "chasles/search/feature_pairs.h"
 #include "tests/support/rational.h"
 
 namespace chasles::test {
@@ -22,22 +22,22 @@ inline ExactAnswer exact_answer(const Polyhedron& a, const Polyhedron& b,
                                 const motion::RationalMotion<Rational>& motion, double width = 1e-9) {
     using elementary::Ends;
     const auto maps = motion::control_maps(motion);
-    query::FeaturePairs<Rational> pairs(a, b, {});
+    search::FeaturePairs<Rational> pairs(a.body(), b.body(), {});
     pairs.use(maps, {width, 1e-32});
     ExactAnswer answer;
     for (std::uint32_t f = 0; f < a.face_count(); ++f) {
         for (std::uint32_t g = 0; g < b.face_count(); ++g) {
-            for (const std::uint32_t vertex : a.owned_vertices(f))
+            for (const std::uint32_t vertex : a.body().owned_vertices(f))
                 answer.keep(pairs.vertex_face(vertex, g));
-            for (const std::uint32_t vertex : b.owned_vertices(g))
+            for (const std::uint32_t vertex : b.body().owned_vertices(g))
                 answer.keep(pairs.face_vertex(f, vertex));
-            for (const Edge& edge : a.owned_edges(f)) {
+            for (const Edge& edge : a.body().owned_edges(f)) {
                 answer.overlaps = answer.overlaps || pairs.moving_edge_passage(edge, g, Ends::proven_opposite);
                 const auto path = pairs.path_of(edge);
-                for (const Edge& other : b.owned_edges(g))
+                for (const Edge& other : b.body().owned_edges(g))
                     answer.keep(pairs.edge_edge(path, other));
             }
-            for (const Edge& edge : b.owned_edges(g))
+            for (const Edge& edge : b.body().owned_edges(g))
                 answer.overlaps = answer.overlaps || pairs.fixed_edge_passage(edge, f, Ends::proven_opposite);
         }
     }

@@ -1,6 +1,6 @@
 // Whole queries on extreme bodies and motions against exact rationals: nothing is missed, what is called certain is
 // true, and no alarm is false beyond the bound.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "tests/query/bodies.h"
 #include "tests/query/exact_answer.h"
 #include "tests/support/exact_reference.h"

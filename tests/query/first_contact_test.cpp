@@ -1,7 +1,7 @@
 // The answers of a query, on bodies whose first contact can be told by hand.
 #include "chasles/query/first_contact.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "tests/query/bodies.h"
 
 #include <cmath>

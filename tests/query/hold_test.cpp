@@ -1,6 +1,6 @@
 // Bodies that start in touch: they slide, roll and lift off, come no nearer than `hold`, and meet what is new at the
 // margin.
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "tests/query/bodies.h"
 
 #include <gtest/gtest.h>

@@ -1,7 +1,7 @@
 // Paths of poses, and batches on any number of threads.
 #include "chasles/query/path.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "tests/query/bodies.h"
 
 #include <gtest/gtest.h>

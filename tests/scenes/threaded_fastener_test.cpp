@@ -1,7 +1,7 @@
 // The meshes: closed, of the right size, on the helicoid, alike under a screw of one facet, and within their bounds.
 #include "scenes/threaded_fastener.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "tests/scenes/mesh_measures.h"
 
 #include <algorithm>

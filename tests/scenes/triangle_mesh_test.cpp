@@ -1,6 +1,6 @@
 #include "scenes/triangle_mesh.h"
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 #include "tests/scenes/mesh_measures.h"
 #include "tests/support/own_file.h"
 

@@ -76,7 +76,7 @@ struct VertexFaceCase {
         Stage<S> stage(screw.motion(), {vertex}, face.corners);
         const auto corners = corners_in<S>(face.corners);
         const auto shape = elementary::face_shape<S>(corners, face.triangles);
-        const auto path = stage.maps.turn * rounded_to<S>(vertex) + stage.maps.shift;
+        const auto path = stage.maps.rotation * rounded_to<S>(vertex) + stage.maps.translation;
         return elementary::vertex_face<S>({path, stage.maps.weight}, shape, stage.accuracy, stage.workspace);
     }
 };
@@ -92,7 +92,7 @@ struct FaceVertexCase {
         Stage<S> stage(screw.motion(), face.corners, {vertex});
         const auto corners = corners_in<S>(face.corners);
         const auto shape = elementary::face_shape<S>(corners, face.triangles);
-        const auto path = stage.maps.turn.transposed() * rounded_to<S>(vertex) - stage.maps.inverse_shift;
+        const auto path = stage.maps.rotation.transposed() * rounded_to<S>(vertex) - stage.maps.inverse_translation;
         return elementary::vertex_face<S>({path, stage.maps.weight}, shape, stage.accuracy, stage.workspace);
     }
 };

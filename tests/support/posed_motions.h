@@ -4,7 +4,7 @@
 
 #include "chasles/motion/control_maps.h"
 #include "chasles/motion/screw_motion.h"
-#include "chasles/motion/screw_pose.h"
+#include "chasles/motion/screw_path.h"
 #include "chasles/motion/sweep_motion.h"
 #include "tests/support/rational_motions.h"
 

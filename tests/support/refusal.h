@@ -1,7 +1,7 @@
 // What a call complains about, if it does.
 #pragma once
 
-#include "chasles/invalid_input.h"
+#include "chasles/base/invalid_input.h"
 
 #include <string>
 

@@ -9,9 +9,9 @@ import check_layers  # in the folder that small_tree adds
 
 SOUND = {
     "chasles/chasles.h": '#include "chasles/query/first_contact.h"\n',
-    "chasles/invalid_input.h": "#include <string>\n",
+    "chasles/base/invalid_input.h": "#include <string>\n",
     "chasles/algebra/bernstein.h": "#include <array>\n",
-    "chasles/motion/pose.h": '#include "chasles/algebra/bernstein.h"\n#include "chasles/invalid_input.h"\n',
+    "chasles/motion/pose.h": '#include "chasles/algebra/bernstein.h"\n#include "chasles/base/invalid_input.h"\n',
     "chasles/elementary/plane.h": '#include "chasles/motion/pose.h"\n',
     "chasles/mesh/box.h": "#include <vector>\n",
     "chasles/mesh/box.cpp": '#include "chasles/mesh/box.h"\n',

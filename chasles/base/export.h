@@ -1,0 +1,14 @@
+// Marks the symbols that a shared library of chasles exports; all others are hidden.
+#pragma once
+
+#if defined(_WIN32)
+#if defined(CHASLES_BUILDS_SHARED)
+#define CHASLES_EXPORT __declspec(dllexport)
+#elif defined(CHASLES_USES_SHARED)
+#define CHASLES_EXPORT __declspec(dllimport)
+#else
+#define CHASLES_EXPORT
+#endif
+#else
+#define CHASLES_EXPORT __attribute__((visibility("default")))
+#endif

@@ -1,0 +1,41 @@
+// Independent pieces of work on several threads. Not part of the stable surface.
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <oneapi/tbb/blocked_range.h>
+#include <oneapi/tbb/info.h>
+#include <oneapi/tbb/parallel_for.h>
+#include <oneapi/tbb/task_arena.h>
+
+namespace chasles {
+
+/// Calls work(begin, end) for ranges that make up [0, count), at the same time on at most `threads` threads (0: all
+/// cores). A single piece is done by the calling thread.
+template <typename Work>
+void parallel_for(unsigned threads, std::size_t count, const Work& work) {
+    if (count < 2) {
+        if (count == 1)
+            work(std::size_t{0}, count);
+        return;
+    }
+    // More threads than cores gain nothing, and oneTBB would warn on standard error.
+    const auto cores = static_cast<unsigned>(oneapi::tbb::info::default_concurrency());
+    oneapi::tbb::task_arena arena(int(threads == 0 ? cores : std::min(threads, cores)));
+    arena.execute([&] {
+        using Range = oneapi::tbb::blocked_range<std::size_t>;
+        oneapi::tbb::parallel_for(Range(0, count, 1), [&](const Range& range) { work(range.begin(), range.end()); });
+    });
+}
+
+/// Calls work(index, begin, end) for pieces of [0, count) of so many each, which do not depend on the number of
+/// threads.
+template <typename Work>
+void parallel_chunks(unsigned threads, std::size_t count, std::size_t piece, const Work& work) {
+    parallel_for(threads, (count + piece - 1) / piece, [&](std::size_t first, std::size_t last) {
+        for (std::size_t index = first; index < last; ++index)
+            work(index, index * piece, std::min((index + 1) * piece, count));
+    });
+}
+
+} // namespace chasles

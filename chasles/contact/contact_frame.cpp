@@ -1,0 +1,92 @@
+#include "chasles/contact/contact_frame.h"
+
+#include "chasles/contact/normal_cone.h"
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace chasles::contact {
+
+namespace {
+
+/// Where features touch.
+struct Place {
+    Eigen::Vector3d normal;   ///< unit, up to its sign
+    Eigen::Vector3d fallback; ///< decides the sign where nothing approaches
+};
+
+/// Across both edges. Parallel edges have many normals: that across them along the relative velocity, if it has any.
+Place place_on_edges(const ContactScene& scene, const FeaturePair& features, const Eigen::Vector3d& point) {
+    const RelativeConfiguration& instant = scene.instant;
+    const auto direction = [](const Body& body, const Feature& edge) -> Eigen::Vector3d {
+        return (body.vertices()[edge.second] - body.vertices()[edge.first]).stableNormalized();
+    };
+    const Eigen::Vector3d along = direction(instant.fixed(), features.fixed);
+    const Eigen::Vector3d crossing = instant.turned(direction(instant.moving(), features.moving)).cross(along);
+    const Eigen::Vector3d outward = outward_direction(instant);
+    if (crossing.norm() > no_direction)
+        return {crossing.normalized(), outward};
+    const Eigen::Vector3d velocity = instant.velocity_at(point);
+    const Eigen::Vector3d across = velocity - along * velocity.dot(along);
+    const bool slides = across.stableNorm() <= no_direction * velocity.stableNorm();
+    return {slides ? Eigen::Vector3d(along.unitOrthogonal()) : Eigen::Vector3d(across.stableNormalized()), outward};
+}
+
+Place place_of(const ContactScene& scene, const FeaturePair& features, const Eigen::Vector3d& point) {
+    if (features.kind == ContactKind::vertex_face) {
+        const Eigen::Vector3d normal = face_normal(scene.instant.fixed(), features.fixed.first);
+        return {normal, normal};
+    }
+    if (features.kind == ContactKind::face_vertex) {
+        const Eigen::Vector3d normal =
+            scene.instant.turned(face_normal(scene.instant.moving(), features.moving.first)).normalized();
+        return {normal, -normal};
+    }
+    if (features.kind == ContactKind::edge_edge)
+        return place_on_edges(scene, features, point);
+    const Eigen::Vector3d normal = normal_between_cones(scene.instant, features, scene.at_start);
+    return {normal, normal};
+}
+
+Eigen::Vector3d towards_moving(const Place& place, double closing, double speed, bool at_start) {
+    // Before a first contact the gap was closing; at the very start there was no before.
+    const bool approaches = !at_start && std::abs(closing) > no_direction * speed;
+    const bool turned_over = (approaches ? -closing : place.normal.dot(place.fallback)) < 0;
+    return turned_over ? Eigen::Vector3d(-place.normal) : place.normal;
+}
+
+} // namespace
+
+double touch_slack(const RelativeConfiguration& instant, const elementary::ErrorScale& scale, double width) {
+    const Bvh& hierarchy = instant.moving().bvh();
+    const Eigen::Vector3d centre = instant.moved(hierarchy.centre());
+    double speed = instant.velocity_at(centre).norm();
+    for (int i = 0; i < 3; ++i)
+        speed +=
+            (instant.velocity_at(centre + hierarchy.radius() * Eigen::Vector3d::Unit(i)) - instant.velocity_at(centre))
+                .norm();
+    return elementary::error_unit<double> * scale.length + speed * width;
+}
+
+Contact described(const ContactScene& scene, const FeaturePair& features) {
+    const NearestPoints nearest = scene.instant.nearest(features);
+    const Eigen::Vector3d velocity = scene.instant.velocity_at(nearest.on_moving);
+    Contact contact;
+    contact.kind = features.kind;
+    contact.moving = features.moving;
+    contact.fixed = features.fixed;
+    contact.point = nearest.on_fixed;
+    const double distance = nearest.apart().stableNorm();
+    if (scene.margin > 0 && distance > scene.slack) {
+        contact.normal = nearest.apart().stableNormalized();
+        contact.gap = distance;
+    } else {
+        const Place place = place_of(scene, features, contact.point);
+        contact.normal = towards_moving(place, place.normal.dot(velocity), velocity.norm(), scene.at_start);
+        contact.gap = contact.normal.dot(nearest.apart());
+    }
+    contact.approach_speed = 0 - contact.normal.dot(velocity); // not -0
+    return contact;
+}
+
+} // namespace chasles::contact

@@ -1,0 +1,24 @@
+// Point, normal, gap and approach speed of a feature pair in contact.
+// Source: docs/derivations/08-contact-frame.md.
+#pragma once
+
+#include "chasles/contact/relative_configuration.h"
+#include "chasles/elementary/error_scale.h"
+
+namespace chasles::contact {
+
+/// What is known of an instant at which contacts are described.
+struct ContactScene {
+    const RelativeConfiguration& instant;
+    bool at_start = false; ///< at time 0 what the bodies do next says nothing about the side that they touch from
+    double margin = 0;     ///< what counts as contact; 0: features touch
+    double slack = 0;      ///< how far points may be off where they are at the contact, mesh unit
+};
+
+/// How far points may be off at an instant that is no further than `width` from the contact.
+double touch_slack(const RelativeConfiguration& instant, const elementary::ErrorScale& scale, double width);
+
+/// In the frame of the fixed body; `approach_speed` is per unit of tau. Features are taken as they are named.
+Contact described(const ContactScene& scene, const FeaturePair& features);
+
+} // namespace chasles::contact

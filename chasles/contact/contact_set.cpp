@@ -1,0 +1,176 @@
+#include "chasles/contact/contact_set.h"
+
+#include "chasles/contact/flat_hull.h"
+#include "chasles/mesh/adjacent_directions.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <tuple>
+
+namespace chasles::contact {
+
+namespace {
+
+/// A feature of one body, with its kind.
+struct Part {
+    FeatureKind kind;
+    Feature feature;
+};
+
+Part vertex_part(std::uint32_t vertex) {
+    return {FeatureKind::vertex, {vertex, vertex}};
+}
+
+/// Features that touch are a vertex and anything, or two edges.
+FeaturePair pair_of(const Part& moving, const Part& fixed) {
+    using enum FeatureKind;
+    const auto kind = [&] {
+        if (moving.kind == vertex)
+            return fixed.kind == vertex ? ContactKind::vertex_vertex
+                   : fixed.kind == edge ? ContactKind::vertex_edge
+                                        : ContactKind::vertex_face;
+        if (moving.kind == edge)
+            return fixed.kind == vertex ? ContactKind::edge_vertex : ContactKind::edge_edge;
+        return ContactKind::face_vertex;
+    };
+    return {kind(), moving.feature, fixed.feature};
+}
+
+/// The faces at an edge are in one plane up to the slack over their own size.
+bool is_flat_at(const Body& body, const Edge& edge, double slack) {
+    std::vector<Eigen::Vector3d> ways;
+    any_way_from_edge(body, edge, [&](const Eigen::Vector3d& way) {
+        ways.push_back(way);
+        return false;
+    });
+    if (ways.size() != 2)
+        return false;
+    const double sine = ways[0].stableNormalized().cross(ways[1].stableNormalized()).norm();
+    return ways[0].dot(ways[1]) < 0 && sine * std::min(ways[0].norm(), ways[1].norm()) <= slack;
+}
+
+/// The vertex or edge of a body that a point on its feature is at, up to the slack; otherwise the feature itself.
+class Rims {
+public:
+    Rims(const Body& body, double slack) : body_(body), slack_(slack) {}
+
+    [[nodiscard]] Part part_at(const Part& part, const Eigen::Vector3d& point) const {
+        if (part.kind == FeatureKind::edge)
+            return part_of_edge({part.feature.first, part.feature.second}, point);
+        if (part.kind == FeatureKind::vertex)
+            return part;
+        const auto corners = body_.face(part.feature.first);
+        for (std::size_t i = 0; i < corners.size(); ++i) {
+            const auto [from, to] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
+            if (is_at({from, to}, point) && !is_flat_at(body_, {from, to}, slack_))
+                return part_of_edge({from, to}, point);
+        }
+        return part;
+    }
+
+private:
+    [[nodiscard]] Part part_of_edge(const Edge& edge, const Eigen::Vector3d& point) const {
+        for (const std::uint32_t end : {edge.from, edge.to})
+            if ((body_.vertices()[end] - point).norm() <= slack_)
+                return vertex_part(end);
+        return {FeatureKind::edge, {edge.from, edge.to}};
+    }
+    [[nodiscard]] bool is_at(const Edge& edge, const Eigen::Vector3d& point) const {
+        const Eigen::Vector3d& from = body_.vertices()[edge.from];
+        const Eigen::Vector3d along = body_.vertices()[edge.to] - from;
+        const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+        return (from + share * along - point).norm() <= slack_;
+    }
+
+    const Body& body_;
+    double slack_;
+};
+
+/// Names what touches.
+class Namer {
+public:
+    explicit Namer(const ContactScene& scene)
+        : scene_(scene), moving_(scene.instant.moving(), scene.slack), fixed_(scene.instant.fixed(), scene.slack) {}
+
+    void add(const FeaturePair& features) {
+        if (features.kind == ContactKind::edge_edge && are_parallel(features.moving, features.fixed))
+            add_ends(features);
+        else
+            add_at(features, scene_.instant.nearest(features));
+    }
+
+    void keep(const FeaturePair& features) { named_.push_back(features); }
+
+    std::vector<FeaturePair> take() {
+        std::ranges::sort(named_);
+        const auto repeated = std::ranges::unique(named_);
+        named_.erase(repeated.begin(), repeated.end());
+        return std::move(named_);
+    }
+
+private:
+    void add_at(const FeaturePair& features, const NearestPoints& at) {
+        const RelativeConfiguration& instant = scene_.instant;
+        const Part moving =
+            moving_.part_at({moving_feature_kind(features.kind), features.moving}, instant.moved_back(at.on_moving));
+        const Part fixed = fixed_.part_at({fixed_feature_kind(features.kind), features.fixed}, at.on_fixed);
+        named_.push_back(pair_of(moving, fixed));
+    }
+
+    /// Over the length of the shorter one they stay within the slack of each other.
+    [[nodiscard]] bool are_parallel(const Feature& moving, const Feature& fixed) const {
+        const Eigen::Vector3d u = scene_.instant.turned(along(scene_.instant.moving(), moving));
+        const Eigen::Vector3d v = along(scene_.instant.fixed(), fixed);
+        return u.cross(v).norm() <= scene_.slack * std::max(u.norm(), v.norm());
+    }
+
+    /// The ends of each edge that are on the other one.
+    void add_ends(const FeaturePair& edges) {
+        const auto add_end = [&](const FeaturePair& features) {
+            const NearestPoints at = scene_.instant.nearest(features);
+            if (at.apart().norm() <= scene_.slack)
+                add_at(features, at);
+        };
+        for (const std::uint32_t end : {edges.moving.first, edges.moving.second})
+            add_end({ContactKind::vertex_edge, {end, end}, edges.fixed});
+        for (const std::uint32_t end : {edges.fixed.first, edges.fixed.second})
+            add_end({ContactKind::edge_vertex, edges.moving, {end, end}});
+    }
+
+    static Eigen::Vector3d along(const Body& body, const Feature& edge) {
+        return body.vertices()[edge.second] - body.vertices()[edge.first];
+    }
+
+    const ContactScene& scene_;
+    Rims moving_;
+    Rims fixed_;
+    std::vector<FeaturePair> named_;
+};
+
+/// Features that are apart are named already, by where their nearest points are: of those that go on nearer elsewhere
+/// nothing is to be said.
+std::vector<FeaturePair> named(const ContactScene& scene, const std::vector<FeaturePair>& candidates) {
+    Namer namer(scene);
+    for (const FeaturePair& candidate : candidates) {
+        const NearestPoints nearest = scene.instant.nearest(candidate);
+        const double distance = nearest.apart().norm();
+        if (scene.margin <= 0 || distance <= scene.slack)
+            namer.add(candidate);
+        else if (scene.instant.descent(candidate, nearest) <= 4 * scene.slack / distance)
+            namer.keep(candidate);
+    }
+    return namer.take();
+}
+
+} // namespace
+
+std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<FeaturePair>& candidates) {
+    std::vector<Contact> contacts;
+    for (const FeaturePair& features : named(scene, candidates))
+        contacts.push_back(described(scene, features));
+    if (contacts.empty()) // a distance in doubt, at no minimum that can be told
+        contacts.push_back(described(scene, candidates.front()));
+    return at_corners_of_hulls(std::move(contacts), scene.slack);
+}
+
+} // namespace chasles::contact

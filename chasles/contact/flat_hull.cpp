@@ -1,0 +1,127 @@
+#include "chasles/contact/flat_hull.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace chasles::contact {
+
+namespace {
+
+/// Normals that differ by less are those of one plane (note 18).
+constexpr double same_normal = 1e-6;
+
+/// A contact's place in its plane, and its number.
+struct FlatPoint {
+    Eigen::Vector2d place;
+    std::size_t index;
+};
+
+using FlatPoints = std::vector<FlatPoint>;
+
+/// How far b is to the left of the way from a to c.
+double left_of(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
+    const Eigen::Vector2d way = (c.place - a.place).stableNormalized();
+    const Eigen::Vector2d arm = b.place - a.place;
+    return way.x() * arm.y() - way.y() * arm.x();
+}
+
+/// The corners to the left of the way from a to c, from a on, without the ends.
+void add_corners(const FlatPoint& a, const FlatPoint& c, const FlatPoints& points, double slack, FlatPoints& hull) {
+    const auto farthest = std::ranges::max_element(points, {}, [&](const FlatPoint& b) { return left_of(a, b, c); });
+    if (left_of(a, *farthest, c) <= slack)
+        return;
+    FlatPoints left;
+    std::ranges::copy_if(points, std::back_inserter(left),
+                         [&](const FlatPoint& b) { return left_of(a, b, c) > slack; });
+    add_corners(a, *farthest, left, slack, hull);
+    hull.push_back(*farthest);
+    add_corners(*farthest, c, left, slack, hull);
+}
+
+/// A point that ties with a corner for being the farthest may be one on the side next to it.
+void remove_straight_corners(FlatPoints& hull, double slack) {
+    for (std::size_t i = 0; i < hull.size() && hull.size() > 2;) {
+        const FlatPoint& before = hull[(i + hull.size() - 1) % hull.size()];
+        const FlatPoint& after = hull[(i + 1) % hull.size()];
+        if (std::abs(left_of(before, hull[i], after)) <= slack)
+            hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(i));
+        else
+            ++i;
+    }
+}
+
+/// Each place once, told by the contact with the least number there.
+FlatPoints merged(const FlatPoints& hull, const FlatPoints& points, double slack) {
+    const auto is_near = [&](const FlatPoint& a, const FlatPoint& b) { return (a.place - b.place).norm() <= slack; };
+    FlatPoints result;
+    for (const FlatPoint& corner : hull) {
+        if (std::ranges::any_of(result, [&](const FlatPoint& other) { return is_near(other, corner); }))
+            continue;
+        // Points are in the order of their contacts.
+        result.push_back(*std::ranges::find_if(points, [&](const FlatPoint& point) { return is_near(point, corner); }));
+    }
+    return result;
+}
+
+FlatPoints corners(const FlatPoints& points, double slack) {
+    const auto [first, last] =
+        std::ranges::minmax_element(points, {}, [](const FlatPoint& point) { return point.place.x(); });
+    FlatPoints hull{*first};
+    add_corners(*first, *last, points, slack, hull);
+    hull.push_back(*last);
+    add_corners(*last, *first, points, slack, hull);
+    hull = merged(hull, points, slack);
+    remove_straight_corners(hull, slack);
+    return hull;
+}
+
+/// Axes of a plane.
+struct PlaneAxes {
+    Eigen::Vector3d first;
+    Eigen::Vector3d second;
+
+    explicit PlaneAxes(const Eigen::Vector3d& normal) : first(normal.unitOrthogonal()), second(normal.cross(first)) {}
+};
+
+void mark_corners(const std::vector<Contact>& contacts, const std::vector<std::size_t>& group, double slack,
+                  std::vector<char>& is_kept) {
+    const PlaneAxes axes(contacts[group.front()].normal);
+    FlatPoints points;
+    for (const std::size_t index : group) {
+        const Eigen::Vector3d& point = contacts[index].point;
+        points.push_back({{axes.first.dot(point), axes.second.dot(point)}, index});
+    }
+    for (const FlatPoint& corner : corners(points, slack))
+        is_kept[corner.index] = 1;
+}
+
+} // namespace
+
+std::vector<Contact> at_corners_of_hulls(std::vector<Contact> contacts, double slack) {
+    std::vector<char> is_kept(contacts.size(), 0);
+    std::vector<char> is_grouped(contacts.size(), 0);
+    for (std::size_t i = 0; i < contacts.size(); ++i) {
+        if (is_grouped[i])
+            continue;
+        std::vector<std::size_t> group;
+        const auto is_alike = [&](const Contact& other) {
+            const Contact& first = contacts[i];
+            return (other.normal - first.normal).norm() <= same_normal &&
+                   std::abs(first.normal.dot(other.point - first.point)) <=
+                       slack + same_normal * (other.point - first.point).norm();
+        };
+        for (std::size_t j = i; j < contacts.size(); ++j)
+            if (!is_grouped[j] && is_alike(contacts[j])) {
+                group.push_back(j);
+                is_grouped[j] = 1;
+            }
+        mark_corners(contacts, group, slack, is_kept);
+    }
+    std::vector<Contact> left;
+    for (std::size_t i = 0; i < contacts.size(); ++i)
+        if (is_kept[i])
+            left.push_back(contacts[i]);
+    return left;
+}
+
+} // namespace chasles::contact

@@ -1,0 +1,84 @@
+#include "chasles/contact/normal_cone.h"
+
+#include "chasles/mesh/adjacent_directions.h"
+
+#include <Eigen/Geometry>
+#include <vector>
+
+namespace chasles::contact {
+
+namespace {
+
+/// Ways into the surface around a feature, unit vectors in the fixed body's frame.
+using Ways = std::vector<Eigen::Vector3d>;
+
+Ways ways_from(const Body& body, FeatureKind kind, const Feature& feature) {
+    Ways ways;
+    const auto collect = [&](const Eigen::Vector3d& way) {
+        ways.push_back(way.stableNormalized());
+        return false;
+    };
+    if (kind == FeatureKind::vertex) {
+        any_way_from_vertex(body, feature.first, collect);
+    } else {
+        any_way_from_edge(body, {feature.first, feature.second}, collect);
+        const Eigen::Vector3d along = body.vertices()[feature.second] - body.vertices()[feature.first];
+        collect(along);
+        collect(-along);
+    }
+    return ways;
+}
+
+/// Normals of the cone n . way <= 0 that can be the nearest ones to a direction: itself, itself without its part along
+/// one way, and what is across two ways.
+Ways candidates(const Ways& ways, const Eigen::Vector3d& wanted) {
+    Ways normals;
+    const auto add = [&](const Eigen::Vector3d& normal) {
+        if (normal.norm() > no_direction)
+            normals.push_back(normal.normalized());
+    };
+    add(wanted);
+    for (const Eigen::Vector3d& way : ways)
+        add(wanted - way.dot(wanted) * way);
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            add(ways[i].cross(ways[j]));
+            add(ways[j].cross(ways[i]));
+        }
+    return normals;
+}
+
+} // namespace
+
+Eigen::Vector3d outward_direction(const RelativeConfiguration& instant) {
+    return instant.moved(instant.moving().bvh().centre()) - instant.fixed().bvh().centre();
+}
+
+Eigen::Vector3d normal_between_cones(const RelativeConfiguration& instant, const FeaturePair& features, bool at_start) {
+    const NearestPoints nearest = instant.nearest(features);
+    Ways ways = ways_from(instant.fixed(), fixed_feature_kind(features.kind), features.fixed);
+    for (const Eigen::Vector3d& way : ways_from(instant.moving(), moving_feature_kind(features.kind), features.moving))
+        ways.push_back(-instant.turned(way)); // -n . way <= 0
+    Eigen::Vector3d wanted = at_start ? outward_direction(instant) : -instant.velocity_at(nearest.on_fixed);
+    wanted.stableNormalize();
+    // Cones of bodies that are not convex may have no normal in common: then the one that is least against it.
+    constexpr double rounding = 1e-9;
+    Eigen::Vector3d best = wanted;
+    double best_excess = 2;
+    double best_share = -2;
+    for (const Eigen::Vector3d& normal : candidates(ways, wanted)) {
+        double excess = 0;
+        for (const Eigen::Vector3d& way : ways)
+            excess = std::max(excess, normal.dot(way));
+        excess = excess <= rounding ? 0 : excess;
+        const double share = normal.dot(wanted);
+        if (excess < best_excess || (excess == best_excess && share > best_share)) {
+            best = normal;
+            best_excess = excess;
+            best_share = share;
+        }
+    }
+    return best;
+}
+
+} // namespace chasles::contact

@@ -1,0 +1,169 @@
+#include "chasles/contact/relative_configuration.h"
+
+#include "chasles/mesh/adjacent_directions.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+
+namespace chasles::contact {
+
+namespace {
+
+using Polynomial = algebra::Bernstein<3, double>;
+
+/// Value and derivative of p / w at tau.
+struct Quotient {
+    double value;
+    double rate;
+};
+
+Quotient quotient_at(const Polynomial& p, const Polynomial& w, double tau) {
+    algebra::Bernstein<2, double> p_rate, w_rate;
+    for (int i = 0; i < 3; ++i) {
+        p_rate.set(i, 3 * (p[i + 1] - p[i]));
+        w_rate.set(i, 3 * (w[i + 1] - w[i]));
+    }
+    const double weight = value_at(w, tau);
+    const double value = value_at(p, tau) / weight;
+    return {value, (value_at(p_rate, tau) - value * value_at(w_rate, tau)) / weight};
+}
+
+/// By its direction and length, where nothing underflows.
+struct Segment {
+    Eigen::Vector3d from;
+    Eigen::Vector3d along; ///< unit
+    double length;
+
+    Segment(const Eigen::Vector3d& start, const Eigen::Vector3d& end)
+        : from(start), along((end - start).stableNormalized()), length((end - start).stableNorm()) {}
+
+    [[nodiscard]] Eigen::Vector3d at(double way) const { return from + std::clamp(way, 0.0, length) * along; }
+    [[nodiscard]] double way_to(const Eigen::Vector3d& point) const { return (point - from).dot(along); }
+    [[nodiscard]] Eigen::Vector3d foot(const Eigen::Vector3d& point) const { return at(way_to(point)); }
+};
+
+/// Of parallel edges that share a stretch.
+NearestPoints middle_of_overlap(const Segment& moving, const Segment& fixed) {
+    const double from = std::clamp(fixed.way_to(moving.at(0)), 0.0, fixed.length);
+    const double to = std::clamp(fixed.way_to(moving.at(moving.length)), 0.0, fixed.length);
+    const Eigen::Vector3d point = fixed.at(0.5 * (from + to));
+    return {moving.foot(point), point};
+}
+
+/// Where the lines cross, seen along their common perpendicular; then to and fro until both feet are on the edges.
+NearestPoints nearest_points(const Segment& moving, const Segment& fixed) {
+    const Eigen::Vector3d crossing = moving.along.cross(fixed.along);
+    if (crossing.norm() <= no_direction)
+        return middle_of_overlap(moving, fixed);
+    const Eigen::Vector3d arm = (moving.from - fixed.from).cross(moving.along);
+    Eigen::Vector3d on_fixed = fixed.at(-arm.dot(crossing) / crossing.squaredNorm());
+    on_fixed = fixed.foot(moving.foot(on_fixed));
+    return {moving.foot(on_fixed), on_fixed};
+}
+
+Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& direction) {
+    return direction.stableNormalized().unitOrthogonal();
+}
+
+/// The largest cosine between a direction of length one and the ways from a feature into its body.
+double steepest(const Body& body, FeatureKind kind, const Feature& feature, const Eigen::Vector3d& direction) {
+    double most = -1;
+    const auto see = [&](const Eigen::Vector3d& way) {
+        most = std::max(most, direction.dot(way.stableNormalized()));
+        return false;
+    };
+    if (kind == FeatureKind::vertex)
+        any_way_from_vertex(body, feature.first, see);
+    if (kind == FeatureKind::edge)
+        any_way_from_edge(body, {feature.first, feature.second}, see);
+    return most;
+}
+
+} // namespace
+
+Eigen::Vector3d face_normal(const Body& body, std::uint32_t face) {
+    const auto corners = body.face(face);
+    const auto arm = [&](std::size_t i) -> Eigen::Vector3d {
+        return body.vertices()[corners[i]] - body.vertices()[corners[0]];
+    };
+    Eigen::Vector3d longest = arm(1);
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        if (arm(i).stableNorm() > longest.stableNorm())
+            longest = arm(i);
+    const double size = longest.cwiseAbs().maxCoeff();
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
+        sum += (arm(i) / size).cross(arm(i + 1) / size);
+    return sum.isZero(0) ? any_perpendicular(longest) : Eigen::Vector3d(sum.stableNormalized());
+}
+
+RelativeConfiguration::RelativeConfiguration(const Body& moving, const Body& fixed,
+                                             const motion::ControlMaps<double>& maps, double tau)
+    : moving_(moving), fixed_(fixed) {
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j) {
+            const Quotient entry = quotient_at(maps.rotation.row[i][j], maps.weight, tau);
+            turn_(i, j) = entry.value;
+            turn_rate_(i, j) = entry.rate;
+        }
+        const Quotient entry = quotient_at(maps.translation[i], maps.weight, tau);
+        shift_[i] = entry.value;
+        shift_rate_[i] = entry.rate;
+    }
+}
+
+Eigen::Vector3d RelativeConfiguration::moved(const Eigen::Vector3d& body_point) const {
+    return product(turn_, body_point) + shift_;
+}
+
+Eigen::Vector3d RelativeConfiguration::velocity_at(const Eigen::Vector3d& point) const {
+    return product(turn_rate_, product(turn_.transpose(), point - shift_)) + shift_rate_;
+}
+
+NearestPoints RelativeConfiguration::nearest(const FeaturePair& features) const {
+    const auto moving_point = [&](std::uint32_t vertex) { return moved(moving_.vertices()[vertex]); };
+    const auto fixed_point = [&](std::uint32_t vertex) -> Eigen::Vector3d { return fixed_.vertices()[vertex]; };
+    const auto moving_edge = [&] {
+        return Segment(moving_point(features.moving.first), moving_point(features.moving.second));
+    };
+    const auto fixed_edge = [&] {
+        return Segment(fixed_point(features.fixed.first), fixed_point(features.fixed.second));
+    };
+    const auto foot = [](const Eigen::Vector3d& point, const Eigen::Vector3d& normal, const Eigen::Vector3d& corner) {
+        return Eigen::Vector3d(point - normal.dot(point - corner) * normal);
+    };
+    switch (features.kind) {
+    case ContactKind::vertex_face: {
+        const std::uint32_t face = features.fixed.first;
+        const Eigen::Vector3d vertex = moving_point(features.moving.first);
+        return {vertex, foot(vertex, face_normal(fixed_, face), fixed_point(fixed_.face(face)[0]))};
+    }
+    case ContactKind::face_vertex: {
+        const std::uint32_t face = features.moving.first;
+        const Eigen::Vector3d vertex = fixed_point(features.fixed.first);
+        return {foot(vertex, turned(face_normal(moving_, face)), moving_point(moving_.face(face)[0])), vertex};
+    }
+    case ContactKind::edge_edge:
+        return nearest_points(moving_edge(), fixed_edge());
+    case ContactKind::vertex_edge: {
+        const Eigen::Vector3d vertex = moving_point(features.moving.first);
+        return {vertex, fixed_edge().foot(vertex)};
+    }
+    case ContactKind::edge_vertex: {
+        const Eigen::Vector3d vertex = fixed_point(features.fixed.first);
+        return {moving_edge().foot(vertex), vertex};
+    }
+    case ContactKind::vertex_vertex:
+        break;
+    }
+    return {moving_point(features.moving.first), fixed_point(features.fixed.first)};
+}
+
+double RelativeConfiguration::descent(const FeaturePair& features, const NearestPoints& nearest) const {
+    const Eigen::Vector3d towards_moving = nearest.apart().stableNormalized();
+    const Eigen::Vector3d towards_fixed = turned_back(-towards_moving);
+    return std::max(steepest(fixed_, fixed_feature_kind(features.kind), features.fixed, towards_moving),
+                    steepest(moving_, moving_feature_kind(features.kind), features.moving, towards_fixed));
+}
+
+} // namespace chasles::contact

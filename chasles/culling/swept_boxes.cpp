@@ -1,0 +1,88 @@
+#include "chasles/culling/swept_boxes.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <cstring>
+
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+#if defined(__GNUC__) && !defined(__clang__)
+#pragma GCC diagnostic ignored "-Wpsabi" // how vectors are passed: all of it is inlined in this file
+#endif
+
+namespace chasles::culling {
+
+namespace {
+
+/// What a computed window is widened by: a few roundings of a quotient in [0, 1].
+constexpr float window_slack = 0x1p-20F;
+constexpr Window never{1, 0};
+
+// The kernel is compiled for what the library is compiled for and, on x86-64, for AVX2 besides; the processor at hand
+// chooses. No fused operations: both give the same bits, which tests/bits holds them to (CHASLES_PLAIN_KERNEL).
+namespace plain {
+#include "chasles/culling/swept_boxes_kernel.inl"
+}
+
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(CHASLES_PLAIN_KERNEL)
+#define CHASLES_KERNEL_AVX2
+#if defined(__clang__)
+#pragma clang attribute push(__attribute__((target("avx2"))), apply_to = function)
+#else
+#pragma GCC push_options
+#pragma GCC target("avx2")
+#endif
+namespace avx2 {
+#include "chasles/culling/swept_boxes_kernel.inl"
+}
+#if defined(__clang__)
+#pragma clang attribute pop
+#else
+#pragma GCC pop_options
+#endif
+#endif
+
+SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& a_in_b,
+                             const SweptBoxes::View& b_in_a, float margin, const Window& when) {
+#if defined(CHASLES_KERNEL_AVX2)
+    if (__builtin_cpu_supports("avx2"))
+        return avx2::meetings(outer, inner, a_in_b, b_in_a, margin, when);
+#endif
+    return plain::meetings(outer, inner, a_in_b, b_in_a, margin, when);
+}
+
+void set(SweptBoxes::BothEnds& ends, int end, double value) {
+    std::fill_n(ends.lanes.begin() + 4 * end, 4, float(value));
+}
+
+void place(SweptBoxes::View& view, int end, const Placement& placed) {
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            set(view.turn[i][j], end, placed.turn(i, j));
+        set(view.offset[i], end, placed.offset[i]);
+    }
+}
+
+Placement inverse(const Placement& placed) {
+    return {placed.turn.transpose(), -(placed.turn.transpose() * placed.offset)};
+}
+
+} // namespace
+
+SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSlack& slack)
+    : margin_(float(slack.margin)) {
+    place(moving_, 0, start);
+    place(moving_, 1, end);
+    place(fixed_, 0, inverse(start));
+    place(fixed_, 1, inverse(end));
+    moving_.slack = float(slack.moving);
+    fixed_.slack = float(slack.fixed);
+}
+
+SweptBoxes::Windows SweptBoxes::meetings(const NodeTwo& moving, const NodeTwo& fixed, const Window& when) const {
+    return culling::meetings(moving, fixed, moving_, fixed_, margin_, when);
+}
+
+} // namespace chasles::culling

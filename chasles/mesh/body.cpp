@@ -1,0 +1,42 @@
+#include "chasles/mesh/body.h"
+
+#include <numeric>
+#include <utility>
+
+namespace chasles {
+
+namespace {
+
+/// For each corner that occurs, the lists that have it, each once.
+FlatLists<std::uint32_t> lists_with(const FlatLists<std::uint32_t>& outlines, std::size_t corner_count) {
+    const auto for_each = [&](auto visit) {
+        std::vector<std::uint32_t> last(corner_count, 0); // number of the last list that had it, plus one
+        for (std::uint32_t list = 0; list < outlines.size(); ++list)
+            for (const std::uint32_t corner : outlines[list])
+                if (std::exchange(last[corner], list + 1) != list + 1)
+                    visit(corner, list);
+    };
+    FlatLists<std::uint32_t> lists;
+    lists.offsets.assign(corner_count + 1, 0);
+    for_each([&](std::uint32_t corner, std::uint32_t) { ++lists.offsets[corner + 1]; });
+    std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
+    lists.items.resize(lists.offsets.back());
+    std::vector<std::uint32_t> next(lists.offsets.begin(), lists.offsets.end() - 1);
+    for_each([&](std::uint32_t corner, std::uint32_t list) { lists.items[next[corner]++] = list; });
+    return lists;
+}
+
+} // namespace
+
+std::span<const std::uint32_t> Body::faces_around(std::size_t vertex) const {
+    std::call_once(faces_around_once_, [&] { faces_around_ = lists_with(parts_.outlines, parts_.vertices.size()); });
+    return faces_around_[vertex];
+}
+
+std::size_t Body::memory() const {
+    return sizeof(Body) + parts_.outlines.memory() + parts_.source.capacity() * sizeof(std::uint32_t) +
+           parts_.triangles.memory() + parts_.owned_vertices.memory() + parts_.owned_edges.memory() +
+           parts_.bvh.memory();
+}
+
+} // namespace chasles

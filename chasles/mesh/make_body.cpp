@@ -1,0 +1,116 @@
+// Assembles a body: checks, outlines, edges, ownership and boxes, each made in its own file.
+#include "chasles/mesh/make_body.h"
+
+#include "chasles/base/flat_lists.h"
+#include "chasles/base/invalid_input.h"
+#include "chasles/mesh/collapsed_faces.h"
+#include "chasles/mesh/face_outlines.h"
+#include "chasles/mesh/mesh_edges.h"
+#include "chasles/mesh/ownership.h"
+#include "chasles/mesh/polygon_faces.h"
+
+#include <utility>
+
+namespace chasles {
+
+namespace {
+
+bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
+    for (std::uint32_t face = 0; face < source.size(); ++face)
+        if (source[face] != face)
+            return false;
+    return source.size() == given;
+}
+
+FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const MeshEdges& edges) {
+    FlatLists<std::uint32_t> shares = share_features(outlines.offsets, edges.edge_of_side, edges.edges.size());
+    FlatLists<Edge> owned{std::move(shares.offsets), {}};
+    owned.items.reserve(shares.items.size());
+    for (const std::uint32_t edge : shares.items)
+        owned.items.push_back(edges.edges[edge]);
+    return owned;
+}
+
+std::size_t count_triangles(const PolygonFaces& polygons) {
+    std::size_t triangles = polygons.triangles.items.size() / 3;
+    for (std::size_t face = 0; face < polygons.faces.source.size(); ++face)
+        if (polygons.triangles[face].empty())
+            triangles += polygons.faces.outlines[face].size() - 2;
+    return triangles;
+}
+
+std::size_t count_polygons(const FlatLists<std::uint32_t>& outlines) {
+    std::size_t polygons = 0;
+    for (std::size_t face = 0; face < outlines.size(); ++face)
+        polygons += outlines[face].size() > 3 ? 1 : 0;
+    return polygons;
+}
+
+/// Children follow their parent, so one pass from front to back suffices.
+std::size_t depth_of(std::span<const BvhNode> nodes) {
+    std::vector<std::size_t> depths(nodes.size(), 1);
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+        if (!nodes[i].is_leaf())
+            depths[nodes[i].first] = depths[nodes[i].first + 1] = depths[i] + 1;
+    return *std::ranges::max_element(depths);
+}
+
+/// Only of vertices that a face uses.
+void add_bounding_box(const BodyParts& parts, MeshReport& report) {
+    report.lower = report.upper = parts.vertices[parts.outlines.items.front()];
+    for (const std::uint32_t vertex : parts.outlines.items) {
+        report.lower = report.lower.cwiseMin(parts.vertices[vertex]);
+        report.upper = report.upper.cwiseMax(parts.vertices[vertex]);
+    }
+}
+
+void add_bvh(const Bvh& bvh, MeshReport& report) {
+    report.bvh_nodes = bvh.nodes().size();
+    report.bvh_depth = depth_of(bvh.nodes());
+    report.bvh_bytes = bvh.memory();
+}
+
+MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
+    MeshReport report;
+    report.faces = polygons.faces.source.size();
+    report.triangles = count_triangles(polygons);
+    report.polygons = count_polygons(polygons.faces.outlines);
+    report.edges = edges.edges.size();
+    report.boundary_edges = edges.boundary;
+    report.nonmanifold_edges = edges.nonmanifold;
+    report.closed = edges.boundary == 0;
+    return report;
+}
+
+} // namespace
+
+BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const std::span<const std::uint32_t>> faces,
+                    const PolyhedronOptions& options) {
+    check_vertices(vertices);
+    SortedFaces sorted = sort_faces(vertices, faces, options);
+    PolygonFaces polygons = examine_polygons(std::move(sorted.proper), vertices, options);
+    const FlatLists<std::uint32_t>& outlines = polygons.faces.outlines;
+    const MeshEdges edges = collect_edges(outlines, vertices.size());
+    check_covered(sorted.collapsed, outlines, edges, vertices);
+
+    BodyParts parts;
+    parts.report = make_report(polygons, edges);
+    parts.report.vertices = vertices.size();
+    parts.report.distinct_vertices = sorted.distinct_vertices;
+    parts.report.dropped_faces = sorted.collapsed.source.size();
+    parts.vertices.assign(vertices.begin(), vertices.end());
+    parts.owned_vertices = share_features(outlines.offsets, outlines.items, vertices.size());
+    parts.owned_edges = share_edges(outlines, edges);
+    parts.bvh = Bvh(outlines, vertices, options.threads);
+    if (!is_identity(polygons.faces.source, faces.size()))
+        parts.source = std::move(polygons.faces.source);
+    parts.triangles = std::move(polygons.triangles);
+    parts.outlines = std::move(polygons.faces.outlines);
+    parts.triangles.shrink();
+    parts.outlines.shrink();
+    add_bounding_box(parts, parts.report);
+    add_bvh(parts.bvh, parts.report);
+    return parts;
+}
+
+} // namespace chasles

@@ -1,0 +1,106 @@
+#include "chasles/motion/screw_path.h"
+
+#include "chasles/motion/unit_quaternion.h"
+
+#include <cmath>
+
+namespace chasles::motion {
+
+namespace {
+
+using Scalar = algebra::DoubleDouble;
+using Vector = Vector3<Scalar>;
+
+Quaternion<Scalar> normalized(const Quaternion<Scalar>& q) {
+    const Scalar inverse = Scalar(1.0) / sqrt(q.squared_norm());
+    return {q.w * inverse, scale(q.v, inverse)};
+}
+
+} // namespace
+
+Pose rounded(const GeneralPose<Scalar>& pose) {
+    const Quaternion<Scalar> q = normalized(pose.rotation);
+    return Pose(rounded(pose.translation), Eigen::Quaterniond(q.w.high(), q.v.x.high(), q.v.y.high(), q.v.z.high()));
+}
+
+Pose normalized(const Pose& pose) {
+    FourNumbers numbers;
+    for (int i = 0; i < 4; ++i)
+        numbers.set(std::size_t(i), pose.rotation.coeffs()[i]);
+    const UnitNumbers unit = unit_of_near_unit(numbers);
+    if (!unit.is_sure)
+        return rounded(exact(pose));
+    Pose result = pose;
+    for (int i = 0; i < 4; ++i)
+        result.rotation.coeffs()[i] = unit.numbers[std::size_t(i)];
+    return result;
+}
+
+GeneralPose<Scalar> composed(const GeneralPose<Scalar>& outer, const GeneralPose<Scalar>& inner) {
+    return {rotation_matrix(outer.rotation) * inner.translation + outer.translation, outer.rotation * inner.rotation};
+}
+
+TurnAngle turn_angle(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal) {
+    const Quaternion<Scalar> turn = turn_between(start, goal);
+    const Scalar sine = length(turn.v);
+    return {2 * std::atan2(sine.high(), turn.w.high()), (sine / turn.w).high()};
+}
+
+ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal)
+    : start_(start), turn_(normalized(turn_between(start, goal))), half_sine_(length(turn_.v)) {
+    const Vector shift = goal.translation - start.translation;
+    const bool turns = half_sine_.high() > 0;
+    const Vector raw = turns ? turn_.v : shift;
+    const Scalar raw_length = turns ? half_sine_ : length(raw);
+    if (raw_length.high() > 0)
+        direction_ = scale(raw, Scalar(1.0) / raw_length);
+    along_ = scale(direction_, dot(direction_, shift));
+    if (turns)
+        across_ = shift - along_;
+}
+
+Pose ScrewPath::at(const ScrewProgress& progress) const {
+    const double half = progress.turned * std::atan2(half_sine_.high(), turn_.w.high());
+    const Scalar sine(std::sin(half));
+    const Scalar cosine(std::cos(half));
+    const Quaternion<Scalar> turn{cosine, scale(direction_, sine)};
+    // With k the direction, w and v the whole and the partial half angle: the origin swings by
+    // sin v (sin v, cos v) over (across, k x across) turned by cot w; docs/derivations/01, last section.
+    Vector swing;
+    if (half_sine_.high() > 0) {
+        const Scalar cotangent = turn_.w / half_sine_;
+        const Vector sideways = cross(direction_, across_);
+        const Scalar straight = sine * (cosine * cotangent + sine);
+        const Scalar across = sine * (sine * cotangent - cosine);
+        swing = scale(across_, straight) + scale(sideways, across);
+    }
+    const Vector position = start_.translation + swing + scale(along_, Scalar(progress.slid));
+    return rounded({position, turn * start_.rotation});
+}
+
+ScrewNumbers ScrewPath::numbers() const {
+    ScrewNumbers numbers;
+    numbers.angle = 2 * std::atan2(half_sine_.high(), turn_.w.high());
+    numbers.half_tangent = (half_sine_ / turn_.w).high();
+    numbers.slide = dot(along_, direction_).high();
+    numbers.axis_direction = rounded(direction_);
+    if (numbers.axis_direction.isZero())
+        numbers.axis_direction = Eigen::Vector3d::UnitZ();
+    Vector centre; // of the swing, relative to the body's origin: (across + k x across cot w) / 2
+    if (half_sine_.high() > 0) {
+        const Scalar cotangent = turn_.w / half_sine_;
+        centre = scale(across_ + scale(cross(direction_, across_), cotangent), Scalar(0.5));
+    }
+    numbers.axis_point = rounded(start_.translation + centre);
+    return numbers;
+}
+
+Pose screw_pose(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal, const ScrewProgress& progress) {
+    if (progress.turned <= 0 && progress.slid <= 0)
+        return rounded(start);
+    if (progress.turned >= 1 && progress.slid >= 1)
+        return rounded(goal);
+    return ScrewPath(start, goal).at(progress);
+}
+
+} // namespace chasles::motion

@@ -1,0 +1,107 @@
+// The way between two features: what it tells apart stays farther apart than the margin, and it tells most of that.
+#include "chasles/elementary/distance_tests.h"
+
+#include "tests/support/posed_motions.h"
+#include "tests/support/segment_distance.h"
+
+namespace chasles::elementary {
+namespace {
+
+using namespace test;
+using DoublePoint = Vector3<double>;
+
+/// Two edges, a part of a motion of one of them, and how near they come to each other there, by sampling.
+class Meeting {
+public:
+    explicit Meeting(Random& random) {
+        const double reach = std::abs(random.scaled(-2, 2));
+        const PosedMotion posed = random_posed_motion(random, reach);
+        const double width = std::ldexp(1.0, -random.integer(2, 14));
+        const double from = width * random.integer(0, int(1 / width) - 1);
+        maps_ = motion::restricted(motion::double_maps(posed.made), from, from + width);
+        for (DoublePoint* point : {&moving[0], &moving[1], &fixed[0], &fixed[1]})
+            *point = random.vector(reach);
+        scale = error_scale(maps_, reach + posed.made.reach + motion::double_maps_reach(posed.made), reach);
+    }
+
+    [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
+    [[nodiscard]] Vector3<Bernstein<3, double>> path(const DoublePoint& point) const {
+        return maps_.rotation * point + maps_.translation;
+    }
+    [[nodiscard]] double unit() const { return error_unit<double> * scale.length; }
+
+    /// The least and the greatest distance of one end of the one and one of the other, of one end and the other edge,
+    /// or of the edges.
+    template <class Distance>
+    [[nodiscard]] std::pair<double, double> sampled(Distance distance) const {
+        constexpr int samples = 40;
+        std::pair<double, double> extremes{1e300, 0};
+        for (int i = 0; i <= samples; ++i) {
+            const auto at = [&](const DoublePoint& p) {
+                return eigen(position_at(path(p), maps_.weight, double(i) / samples));
+            };
+            const double d =
+                distance(Segment3{at(moving[0]), at(moving[1])}, Segment3{eigen(fixed[0]), eigen(fixed[1])});
+            extremes = {std::min(extremes.first, d), std::max(extremes.second, d)};
+        }
+        return extremes;
+    }
+
+    std::array<DoublePoint, 2> moving;
+    std::array<DoublePoint, 2> fixed;
+    ErrorScale scale;
+
+private:
+    motion::ControlMaps<double> maps_;
+};
+
+/// `stay_apart(meeting, distance)`.
+template <class StayApart, class Distance>
+void check(std::uint64_t seed, StayApart stay_apart, Distance distance) {
+    Random random(seed);
+    int told = 0, open = 0;
+    for (int trial = 0; trial < 4000; ++trial) {
+        const Meeting meeting(random);
+        const auto [least, greatest] = meeting.sampled(distance);
+        const double rounding = 4 * meeting.unit();
+        EXPECT_FALSE(stay_apart(meeting, least + rounding)) << "they come as near as " << least;
+        if (greatest - least > 0.01 * least || rounding > 0.001 * least)
+            continue; // directions change, or nothing can be told
+        (stay_apart(meeting, 0.98 * least) ? told : open) += 1;
+    }
+    std::cout << told << " told, " << open << " left open\n";
+    EXPECT_GT(told, 1000);
+    EXPECT_LT(open, told / 100);
+}
+
+TEST(NearFeatures, TheWayTellsVerticesApart) {
+    check(
+        881,
+        [](const Meeting& m, double distance) {
+            return detail::stay_apart<double>({m.path(m.moving[0]), m.maps().weight}, m.fixed[0], distance, m.unit());
+        },
+        [](const Segment3& moving, const Segment3& fixed) { return (moving[0] - fixed[0]).norm(); });
+}
+
+TEST(NearFeatures, TheWayTellsAVertexAndAnEdgeApart) {
+    check(
+        882,
+        [](const Meeting& m, double distance) {
+            return detail::stay_apart<double>({m.path(m.moving[0]), m.maps().weight},
+                                              resting_edge(m.fixed[0], m.fixed[1]), distance, m.unit());
+        },
+        [](const Segment3& moving, const Segment3& fixed) { return distance_to_segment(moving[0], fixed); });
+}
+
+TEST(NearFeatures, TheWayTellsEdgesApart) {
+    check(
+        883,
+        [](const Meeting& m, double distance) {
+            return detail::stay_apart<double>(m.maps(), edge_path(m.maps(), m.moving[0], m.moving[1]),
+                                              fixed_edge(m.fixed[0], m.fixed[1]), distance, m.unit());
+        },
+        distance_of_segments);
+}
+
+} // namespace
+} // namespace chasles::elementary
