@@ -7,6 +7,14 @@
 
 namespace chasles::culling {
 
+/// A part of an interval in which two faces may meet, and which of their corners may come to the other face's plane.
+/// Valid until the next pair is culled.
+struct MeetingFaces {
+    TimeRange part;
+    CornerSides moving;
+    CornerSides fixed;
+};
+
 /// For the pairs of faces of one search.
 class FaceCuller {
 public:
@@ -15,10 +23,9 @@ public:
                const elementary::ErrorScale& scale, double margin)
         : planes_(moving, fixed, scale, margin), maps_(whole) {}
 
-    /// Calls `ask(part, sides of the moving corners, sides of the fixed ones)` unless a plane keeps the faces apart up
-    /// to `best`; answers would be the same (note 13). Planes are made once for the interval.
-    template <class Ask>
-    void cull(const FacePair& pair, double best, Ask ask) {
+    /// The features of two faces that may meet up to `best`; empty if a plane separates the faces until then. The answer
+    /// of a search does not depend on what is culled (note 13). Planes are computed once for the interval.
+    std::optional<MeetingFaces> cull(const FacePair& pair, double best) {
         const TimeRange& interval = pair.interval;
         const double first = interval.at(pair.when.lower);
         const TimeRange part =
@@ -28,13 +35,14 @@ public:
         const FacePlanes::Part in_interval((part.lower - interval.lower) / interval.width(),
                                            (part.upper - interval.lower) / interval.width());
         if (planes_.stay_apart(pair.moving, pair.fixed, in_interval, pair.when.lower))
-            return;
+            return std::nullopt;
         const CornerSides moving_sides = planes_.sides_of_moving(pair.moving, pair.fixed, in_interval);
         if (moving_sides.all_on_one_side())
-            return;
+            return std::nullopt;
         const CornerSides fixed_sides = planes_.sides_of_fixed(pair.moving, pair.fixed, in_interval);
-        if (!fixed_sides.all_on_one_side())
-            ask(part, moving_sides, fixed_sides);
+        if (fixed_sides.all_on_one_side())
+            return std::nullopt;
+        return MeetingFaces{part, moving_sides, fixed_sides};
     }
 
 private:

@@ -3,11 +3,11 @@
 #pragma once
 
 #include "chasles/mesh/body.h"
-#include "chasles/motion/motion_ends.h"
+#include "chasles/motion/any_trajectory.h"
 
 namespace chasles::culling {
 
-/// Proven never to come within the margin on the whole screw or sweep, however far it turns. False says nothing.
-bool are_far_apart(const Body& moving, const Body& fixed, const MotionEnds& ends, double margin = 0);
+/// True if the bodies are proven never to come within the margin on the whole trajectory. False proves nothing.
+bool are_far_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory, double margin = 0);
 
 } // namespace chasles::culling

@@ -42,33 +42,62 @@ S with_underflow(const S& relative_part) {
     return error_unit<S> > 0 ? S(relative_part + S(underflow)) : relative_part;
 }
 
-/// The scale for moving points with coordinates up to `moving_reach` in the body's frame and fixed points up to
-/// `fixed_reach`, both in the mesh's unit, under maps over [0, 1].
-inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_reach, double fixed_reach) {
-    ErrorScale scale;
-    scale.turn = std::sqrt(std::max(1.0, maps.weight[3]));
-    for (int lane = 0; lane <= 3; ++lane) {
-        const double weight = maps.weight[lane];
-        double rows = 0, columns = 0, shift = 0, inverse = 0, moment = 0;
+/// The norms of control maps over [0, 1] that error bounds are made of, each over the weight: computed once a piece.
+class MapNorms {
+public:
+    explicit MapNorms(const motion::ControlMaps<double>& maps) : end_weight_(maps.weight[3]) {
+        for (int lane = 0; lane <= 3; ++lane)
+            lanes_[std::size_t(lane)] = lane_of(maps, lane);
+    }
+
+    /// The scale for moving points with coordinates up to `moving_extent` in the body's frame and fixed points up to
+    /// `fixed_extent`, both in the mesh's unit.
+    [[nodiscard]] ErrorScale error_scale(double moving_extent, double fixed_extent) const {
+        ErrorScale scale;
+        scale.turn = std::sqrt(std::max(1.0, end_weight_));
+        for (const Lane& lane : lanes_) {
+            scale.norm_bound = std::max(scale.norm_bound, lane.rotation);
+            scale.length = std::max({scale.length, lane.rotation * moving_extent + lane.translation + fixed_extent,
+                                     lane.rotation * fixed_extent + lane.inverse_translation + moving_extent,
+                                     lane.rotation * (moving_extent + fixed_extent) + lane.moment});
+        }
+        return scale;
+    }
+
+private:
+    /// Of one control point.
+    struct Lane {
+        double rotation = 0; ///< the largest sum of a row or column
+        double translation = 0;
+        double inverse_translation = 0;
+        double moment = 0;
+    };
+
+    static Lane lane_of(const motion::ControlMaps<double>& maps, int lane) {
+        Lane norms;
         for (int i = 0; i < 3; ++i) {
             double row = 0, column = 0;
             for (int j = 0; j < 3; ++j) {
                 row += std::abs(maps.rotation.row[i][j][lane]);
                 column += std::abs(maps.rotation.row[j][i][lane]);
-                moment = std::max(moment, std::abs(maps.moment.row[i][j][lane]));
+                norms.moment = std::max(norms.moment, std::abs(maps.moment.row[i][j][lane]));
             }
-            rows = std::max(rows, row);
-            columns = std::max(columns, column);
-            shift = std::max(shift, std::abs(maps.translation[i][lane]));
-            inverse = std::max(inverse, std::abs(maps.inverse_translation[i][lane]));
+            norms.rotation = std::max({norms.rotation, row, column});
+            norms.translation = std::max(norms.translation, std::abs(maps.translation[i][lane]));
+            norms.inverse_translation = std::max(norms.inverse_translation, std::abs(maps.inverse_translation[i][lane]));
         }
-        const double turned = std::max(rows, columns) / weight;
-        scale.norm_bound = std::max(scale.norm_bound, turned);
-        scale.length = std::max({scale.length, turned * moving_reach + shift / weight + fixed_reach,
-                                 turned * fixed_reach + inverse / weight + moving_reach,
-                                 turned * (moving_reach + fixed_reach) + moment / weight});
+        const double weight = maps.weight[lane];
+        return {norms.rotation / weight, norms.translation / weight, norms.inverse_translation / weight,
+                norms.moment / weight};
     }
-    return scale;
+
+    double end_weight_;
+    std::array<Lane, 4> lanes_;
+};
+
+/// MapNorms::error_scale for one use.
+inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_extent, double fixed_extent) {
+    return MapNorms(maps).error_scale(moving_extent, fixed_extent);
 }
 
 } // namespace chasles::elementary
