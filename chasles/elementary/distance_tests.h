@@ -193,13 +193,13 @@ Front<S> front_of_segment(const Vector3<S>& c, const Vector3<S>& v, const Vector
 // Whether the shortest way half way proves two features to stay farther apart than a distance.
 
 template <class S>
-bool stay_apart(const VertexPath<S>& path, const Vector3<S>& point, const S& distance, const S& unit) {
+bool are_separated(const VertexPath<S>& path, const Vector3<S>& point, const S& distance, const S& unit) {
     const Vector3<S> way = half_way(path.position, path.weight) - point;
     return Front<S>(way, dot(way, point), distance, unit, path.weight).is_left_behind(path.position);
 }
 
 template <class S>
-bool stay_apart(const VertexPath<S>& path, const RestingEdge<S>& edge, const S& distance, const S& unit) {
+bool are_separated(const VertexPath<S>& path, const RestingEdge<S>& edge, const S& distance, const S& unit) {
     const Vector3<S> way = way_from_segment(edge.from, edge.direction, half_way(path.position, path.weight));
     return front_of_segment<S>(edge.from, edge.direction, way, distance, unit, path.weight)
         .is_left_behind(path.position);
@@ -207,8 +207,8 @@ bool stay_apart(const VertexPath<S>& path, const RestingEdge<S>& edge, const S& 
 
 /// This one tells what edges that become parallel have in doubt otherwise.
 template <class S>
-bool stay_apart(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
-                const S& distance, const S& unit) {
+bool are_separated(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
+                   const S& distance, const S& unit) {
     const Vector3<Cubic<S>> from = maps.rotation * moving.from + maps.translation;
     const Vector3<S> way = way_between_segments(fixed.from, fixed.direction, half_way(from, maps.weight),
                                                 half_way(moving.direction, maps.weight));
@@ -237,12 +237,12 @@ S unit_of(const Accuracy& accuracy) {
 
 /// Vertex and vertex: |P - W c|^2 <= d^2 W^2.
 template <class S, class Ask>
-void vertex_near_vertex(const VertexPath<S>& path, const Vector3<S>& point, const Margin<S>& margin,
-                        const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
+void vertex_vertex_distance(const VertexPath<S>& path, const Vector3<S>& point, const Margin<S>& margin,
+                            const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
     const S slack = S(parallel_slack * accuracy.scale.length);
-    if (detail::stay_apart<S>(path, point, margin.distance + slack, unit))
+    if (detail::are_separated<S>(path, point, margin.distance + slack, unit))
         return;
     const Vector3<Bernstein<3, S>> arm = path.position - scale(point, path.weight);
     const auto sized_arm = detail::sized_vector<S>(arm, with_underflow<S>(unit), path.weight);
@@ -255,11 +255,11 @@ void vertex_near_vertex(const VertexPath<S>& path, const Vector3<S>& point, cons
 
 /// Vertex and edge: |(P - W c) x v|^2 <= d^2 |v|^2 W^2, and 0 <= (P - W c) . v <= |v|^2 W.
 template <class S, class Ask>
-void vertex_near_edge(const VertexPath<S>& path, const RestingEdge<S>& edge, const Margin<S>& margin,
-                      const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
+void vertex_edge_distance(const VertexPath<S>& path, const RestingEdge<S>& edge, const Margin<S>& margin,
+                          const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
-    if (detail::stay_apart<S>(path, edge, margin.distance + S(parallel_slack) * edge.size, unit))
+    if (detail::are_separated<S>(path, edge, margin.distance + S(parallel_slack) * edge.size, unit))
         return;
     const Vector3<Bernstein<3, S>> arm = path.position - scale(edge.from, path.weight);
     detail::SquareProblem<S> problem(path.weight);
@@ -278,10 +278,10 @@ void vertex_near_edge(const VertexPath<S>& path, const RestingEdge<S>& edge, con
 /// Edge and edge: V^2 <= d^2 |U x v|^2, and 0 <= (W c - A) x v . (U x v) <= |U x v|^2 as well as 0 <= (c x U - M) . (U
 /// x v) <= |U x v|^2. Edges that are parallel are left to their ends.
 template <class S, class Ask>
-void edge_near_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
-                    const Margin<S>& margin, const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
+void edge_edge_distance(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
+                        const Margin<S>& margin, const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
     ++workspace.elementary_tests;
-    if (detail::stay_apart<S>(maps, moving, fixed, margin.distance, detail::unit_of<S>(accuracy)))
+    if (detail::are_separated<S>(maps, moving, fixed, margin.distance, detail::unit_of<S>(accuracy)))
         return;
     const detail::EdgePair<S> pair(maps, moving, fixed, accuracy.scale);
     const Bounded<3, S> volume = pair.volume();
@@ -334,8 +334,8 @@ void ask_within(const VertexPath<S>& path, const FaceShape<S>& face, std::size_t
 /// Vertex and face: |n . P - W n . c| <= d |n| W within the face's edges. `ask` is called for both sides of each convex
 /// part of the face.
 template <class S, class Ask>
-void vertex_near_face(const VertexPath<S>& path, const FaceShape<S>& face, const Margin<S>& margin,
-                      const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
+void vertex_face_distance(const VertexPath<S>& path, const FaceShape<S>& face, const Margin<S>& margin,
+                          const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
     const Bounded<3, S> plane = detail::plane(path, face, unit);

@@ -14,7 +14,8 @@ namespace chasles::elementary {
 struct ErrorScale {
     double length = 0;     ///< of positions, differences of positions, and moments of unit directions, over the weight
     double norm_bound = 1; ///< of turned unit directions over the weight; 1 for a rotation, more for its control maps
-    double turn = 1;       ///< over the cosine of half a screw's turn: what its numbers in double-double lose by it
+    double half_angle_secant =
+        1; ///< 1 / cos of half of the turn of a screw: the factor by which errors in double-double grow
 };
 
 /// Relative error of a coefficient, counted in the notes: most of it is that of the maps themselves
@@ -29,7 +30,7 @@ inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit
 /// The same for one motion.
 template <class S>
 double relative_error(const ErrorScale& scale) {
-    return std::is_same_v<S, double> ? error_unit<S> : error_unit<S> * scale.turn;
+    return std::is_same_v<S, double> ? error_unit<S> : error_unit<S> * scale.half_angle_secant;
 }
 
 /// What underflow adds at most, far below any bound of bodies of size 1e-30 with features of 1e-50. Makes signs of
@@ -46,7 +47,7 @@ S with_underflow(const S& relative_part) {
 /// `fixed_reach`, both in the mesh's unit, under maps over [0, 1].
 inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_reach, double fixed_reach) {
     ErrorScale scale;
-    scale.turn = std::sqrt(std::max(1.0, maps.weight[3]));
+    scale.half_angle_secant = std::sqrt(std::max(1.0, maps.weight[3]));
     for (int lane = 0; lane <= 3; ++lane) {
         const double weight = maps.weight[lane];
         double rows = 0, columns = 0, shift = 0, inverse = 0, moment = 0;

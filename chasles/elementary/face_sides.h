@@ -10,7 +10,7 @@ namespace chasles::elementary {
 
 /// W times the height over a face's plane as an affine function of a point of the other body, in that body's frame.
 template <class S>
-struct SeenPlane {
+struct RelativePlane {
     using Polynomial = Bernstein<3, S>;
     Vector3<Polynomial> normal;
     Polynomial offset;
@@ -35,9 +35,9 @@ private:
 namespace detail {
 
 template <class S>
-SeenPlane<S> seen_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<3, S>& shift,
-                        const Bernstein<3, S>& weight, const FaceShape<S>& face, const ErrorScale& scale,
-                        const S& reach = S(0)) {
+RelativePlane<S> relative_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<3, S>& shift,
+                                const Bernstein<3, S>& weight, const FaceShape<S>& face, const ErrorScale& scale,
+                                const S& reach = S(0)) {
     const S error = S(relative_error<S>(scale) * scale.length) * face.size + face.deviation + reach;
     return {normal, shift - weight * face.offset, weight * with_underflow<S>(error)};
 }
@@ -47,28 +47,28 @@ SeenPlane<S> seen_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<
 /// The plane of a fixed face, seen by points of the moving body. Points up to `reach` away from it, times the length of
 /// the face's normal, are on neither side.
 template <class S>
-SeenPlane<S> plane_of_fixed_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face, const ErrorScale& scale,
-                                 const S& reach = S(0)) {
-    return detail::seen_plane<S>(maps.rotation.transposed() * face.normal, dot(maps.translation, face.normal),
-                                 maps.weight, face, scale, reach);
+RelativePlane<S> plane_of_fixed_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face,
+                                     const ErrorScale& scale, const S& reach = S(0)) {
+    return detail::relative_plane<S>(maps.rotation.transposed() * face.normal, dot(maps.translation, face.normal),
+                                     maps.weight, face, scale, reach);
 }
 
 /// The plane of a moving face, seen by points of the fixed body.
 template <class S>
-SeenPlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face, const ErrorScale& scale,
-                                  const S& reach = S(0)) {
-    return detail::seen_plane<S>(maps.rotation * face.normal,
-                                 Bernstein<3, S>() - dot(maps.inverse_translation, face.normal), maps.weight, face,
-                                 scale, reach);
+RelativePlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face,
+                                      const ErrorScale& scale, const S& reach = S(0)) {
+    return detail::relative_plane<S>(maps.rotation * face.normal,
+                                     Bernstein<3, S>() - dot(maps.inverse_translation, face.normal), maps.weight, face,
+                                     scale, reach);
 }
 
 /// The plane of a face, seen by points of its own body: at rest.
 template <class S>
-SeenPlane<S> plane_of_own_face(const FaceShape<S>& face, const ErrorScale& scale) {
+RelativePlane<S> plane_of_own_face(const FaceShape<S>& face, const ErrorScale& scale) {
     using Polynomial = Bernstein<3, S>;
     const Vector3<S>& n = face.normal;
-    return detail::seen_plane<S>({Polynomial::constant(n.x), Polynomial::constant(n.y), Polynomial::constant(n.z)},
-                                 Polynomial(), Polynomial::constant(S(1)), face, scale);
+    return detail::relative_plane<S>({Polynomial::constant(n.x), Polynomial::constant(n.y), Polynomial::constant(n.z)},
+                                     Polynomial(), Polynomial::constant(S(1)), face, scale);
 }
 
 } // namespace chasles::elementary

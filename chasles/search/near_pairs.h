@@ -70,30 +70,32 @@ public:
     template <class Ask>
     void vertex_face(std::uint32_t moving_vertex, std::uint32_t fixed_face, Ask ask) {
         const Path path = path_of_moving(moving_vertex);
-        elementary::vertex_near_face<S>(seen(path), face_.shape_of(fixed_, fixed_face), margin_, accuracy_, workspace_,
-                                        ask);
+        elementary::vertex_face_distance<S>(seen(path), face_.shape_of(fixed_, fixed_face), margin_, accuracy_,
+                                            workspace_, ask);
     }
     template <class Ask>
     void face_vertex(std::uint32_t moving_face, std::uint32_t fixed_vertex, Ask ask) {
         const Path path = path_of_fixed(fixed_vertex);
-        elementary::vertex_near_face<S>(seen(path), face_.shape_of(moving_, moving_face), margin_, accuracy_,
-                                        workspace_, ask);
+        elementary::vertex_face_distance<S>(seen(path), face_.shape_of(moving_, moving_face), margin_, accuracy_,
+                                            workspace_, ask);
     }
     template <class Ask>
     void vertex_edge(std::uint32_t moving_vertex, const Edge& fixed_edge, Ask ask) {
         const Path path = path_of_moving(moving_vertex);
-        elementary::vertex_near_edge<S>(seen(path), resting(fixed_, fixed_edge), margin_, accuracy_, workspace_, ask);
+        elementary::vertex_edge_distance<S>(seen(path), resting(fixed_, fixed_edge), margin_, accuracy_, workspace_,
+                                            ask);
     }
     template <class Ask>
     void edge_vertex(const Edge& moving_edge, std::uint32_t fixed_vertex, Ask ask) {
         const Path path = path_of_fixed(fixed_vertex);
-        elementary::vertex_near_edge<S>(seen(path), resting(moving_, moving_edge), margin_, accuracy_, workspace_, ask);
+        elementary::vertex_edge_distance<S>(seen(path), resting(moving_, moving_edge), margin_, accuracy_, workspace_,
+                                            ask);
     }
     template <class Ask>
     void vertex_vertex(std::uint32_t moving_vertex, std::uint32_t fixed_vertex, Ask ask) {
         const Path path = path_of_moving(moving_vertex);
-        elementary::vertex_near_vertex<S>(seen(path), culling::point_of<S>(fixed_, fixed_vertex), margin_, accuracy_,
-                                          workspace_, ask);
+        elementary::vertex_vertex_distance<S>(seen(path), culling::point_of<S>(fixed_, fixed_vertex), margin_,
+                                              accuracy_, workspace_, ask);
     }
     template <class Ask>
     void edge_edge(const Edge& moving_edge, const Edge& fixed_edge, Ask ask) {
@@ -101,7 +103,7 @@ public:
                                                   culling::point_of<S>(moving_, moving_edge.to));
         const auto fixed = elementary::fixed_edge(culling::point_of<S>(fixed_, fixed_edge.from),
                                                   culling::point_of<S>(fixed_, fixed_edge.to));
-        elementary::edge_near_edge<S>(*maps_, moving, fixed, margin_, accuracy_, workspace_, ask);
+        elementary::edge_edge_distance<S>(*maps_, moving, fixed, margin_, accuracy_, workspace_, ask);
     }
 
     /// The features of any kind.

@@ -19,8 +19,8 @@ double reach(const Bvh& hierarchy) {
 
 /// With all that the maps are made of, and the margin.
 double reach_of_moving(const PieceSearch& search) {
-    return std::max(reach(search.moving.bvh()), search.frame.motion.reach) +
-           motion::double_maps_reach(search.frame.motion) + search.margin;
+    return std::max(reach(search.moving.bvh()), search.frame.motion.reference_extent) +
+           motion::rounding_extent(search.frame.motion) + search.margin;
 }
 
 /// Points that meet are within the margin of each other: so either body is seen as large as with it.
