@@ -103,7 +103,7 @@ public:
                                                   culling::point_of<S>(moving_, moving_edge.to));
         const auto fixed = elementary::fixed_edge(culling::point_of<S>(fixed_, fixed_edge.from),
                                                   culling::point_of<S>(fixed_, fixed_edge.to));
-        elementary::edge_edge_distance<S>(*maps_, moving, fixed, margin_, accuracy_, workspace_, ask);
+        elementary::edge_edge_distance<S>({*maps_, moving, fixed}, margin_, accuracy_, workspace_, ask);
     }
 
     /// The features of any kind.

@@ -78,8 +78,8 @@ TEST(NearFeatures, TheWayTellsVerticesApart) {
     check(
         881,
         [](const Meeting& m, double distance) {
-            return detail::are_separated<double>({m.path(m.moving[0]), m.maps().weight}, m.fixed[0], distance,
-                                                 m.unit());
+            return detail::are_separated<double>({m.path(m.moving[0]), m.maps().weight}, m.fixed[0],
+                                                 {distance, m.unit()});
         },
         [](const Segment3& moving, const Segment3& fixed) { return (moving[0] - fixed[0]).norm(); });
 }
@@ -89,7 +89,7 @@ TEST(NearFeatures, TheWayTellsAVertexAndAnEdgeApart) {
         882,
         [](const Meeting& m, double distance) {
             return detail::are_separated<double>({m.path(m.moving[0]), m.maps().weight},
-                                                 resting_edge(m.fixed[0], m.fixed[1]), distance, m.unit());
+                                                 resting_edge(m.fixed[0], m.fixed[1]), {distance, m.unit()});
         },
         [](const Segment3& moving, const Segment3& fixed) { return distance_to_segment(moving[0], fixed); });
 }
@@ -98,8 +98,9 @@ TEST(NearFeatures, TheWayTellsEdgesApart) {
     check(
         883,
         [](const Meeting& m, double distance) {
-            return detail::are_separated<double>(m.maps(), edge_path(m.maps(), m.moving[0], m.moving[1]),
-                                                 fixed_edge(m.fixed[0], m.fixed[1]), distance, m.unit());
+            return detail::are_separated<double>(
+                {m.maps(), edge_path(m.maps(), m.moving[0], m.moving[1]), fixed_edge(m.fixed[0], m.fixed[1])},
+                {distance, m.unit()});
         },
         distance_of_segments);
 }
