@@ -115,7 +115,7 @@ private:
         std::uint32_t first;
         std::uint32_t count;
 
-        [[nodiscard]] NodeTwo of(std::span<const BvhNode> nodes) const {
+        [[nodiscard]] TwoNodes of(std::span<const BvhNode> nodes) const {
             return {&nodes[first], &nodes[first + count - 1]};
         }
     };
@@ -130,7 +130,7 @@ private:
         const bool fixed_splits = !fixed.is_leaf() && (moving.is_leaf() || fixed_side >= much_smaller * moving_side);
         const Part a = moving_splits ? Part{moving.first, 2} : Part{pair.moving, 1};
         const Part b = fixed_splits ? Part{fixed.first, 2} : Part{pair.fixed, 1};
-        const auto when = interval.boxes.meetings(a.of(moving_nodes_), b.of(fixed_nodes_), pair.when);
+        const auto when = interval.boxes.overlap_windows(a.of(moving_nodes_), b.of(fixed_nodes_), pair.when);
         node_pairs_ += a.count * b.count;
         std::array<NodePair, 4> left;
         std::size_t count = 0;

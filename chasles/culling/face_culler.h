@@ -32,9 +32,9 @@ public:
             part_around(interval, {first, std::max(first, std::min(best, interval.at(pair.when.upper)))});
         if (maps_.set(interval))
             planes_.use(maps_.maps());
-        const FacePlanes::Part in_interval((part.lower - interval.lower) / interval.width(),
+        const FacePlanes::Restriction in_interval((part.lower - interval.lower) / interval.width(),
                                            (part.upper - interval.lower) / interval.width());
-        if (planes_.stay_apart(pair.moving, pair.fixed, in_interval, pair.when.lower))
+        if (planes_.are_separated(pair.moving, pair.fixed, in_interval, pair.when.lower))
             return std::nullopt;
         const CornerSides moving_sides = planes_.sides_of_moving(pair.moving, pair.fixed, in_interval);
         if (moving_sides.all_on_one_side())

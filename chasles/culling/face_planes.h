@@ -15,7 +15,7 @@ namespace chasles::culling {
 class CornerSides {
 public:
     /// `room` holds the sides, so that nothing is allocated.
-    CornerSides(const Body& body, std::uint32_t face, const elementary::SeenPlane<double>& plane,
+    CornerSides(const Body& body, std::uint32_t face, const elementary::RelativePlane<double>& plane,
                 const algebra::Restriction<3, double>& part, std::vector<int>& room)
         : corners_(body.face(face)), sides_(room) {
         sides_.clear();
@@ -56,10 +56,10 @@ public:
         maps_ = &maps;
         of_moving_.face = of_fixed_.face = no_face;
     }
-    using Part = algebra::Restriction<3, double>; ///< of the interval
+    using Restriction = algebra::Restriction<3, double>; ///< of the interval
 
     /// The corners of a moving face and the plane of a fixed one. Until the next call.
-    CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part) {
+    CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
         of_fixed_.see(fixed_face, [&] {
             const auto& shape = of_fixed_.held.shape_of(fixed_, fixed_face);
             return elementary::plane_of_fixed_face(*maps_, shape, scale_, reach_of(shape));
@@ -67,7 +67,7 @@ public:
         return {moving_, moving_face, of_fixed_.plane, part, of_fixed_.sides};
     }
     /// The other way round.
-    CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part) {
+    CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
         of_moving_.see(moving_face, [&] {
             const auto& shape = of_moving_.held.shape_of(moving_, moving_face);
             return elementary::plane_of_moving_face(*maps_, shape, scale_, reach_of(shape));
@@ -77,8 +77,8 @@ public:
 
     /// With a margin: whether the way from one face to the other at `time`, in the interval, proves that they stay
     /// farther apart than the margin.
-    [[nodiscard]] bool stay_apart(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part,
-                                  double time) const {
+    [[nodiscard]] bool are_separated(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part,
+                                     double time) const {
         if (margin_ <= 0)
             return false;
         const auto path = maps_->rotation * mean_corner(moving_, moving_face) + maps_->translation;
@@ -112,7 +112,7 @@ private:
     struct LastPlane {
         std::uint32_t face = no_face;
         CachedFace<double> held;
-        elementary::SeenPlane<double> plane;
+        elementary::RelativePlane<double> plane;
         std::vector<int> sides; ///< of the other face's corners
 
         template <class Make>

@@ -9,7 +9,7 @@ namespace {
 using Wide = algebra::DoubleDouble;
 using WidePolynomial = algebra::Bernstein<3, Wide>;
 using WideRestriction = algebra::Restriction<3, Wide>;
-using WidePlane = elementary::SeenPlane<Wide>;
+using WidePlane = elementary::RelativePlane<Wide>;
 
 WidePlane restricted(const WidePlane& plane, const WideRestriction& part) {
     const Vector3<WidePolynomial>& n = plane.normal;

@@ -13,8 +13,8 @@ namespace chasles::culling {
 /// The positive side of a plane, as points of one body see it for a while.
 struct PlaneSide {
     using Wide = algebra::DoubleDouble;
-    elementary::SeenPlane<Wide> plane;
-    elementary::SeenPlane<double> rough; ///< good to within its own band
+    elementary::RelativePlane<Wide> plane;
+    elementary::RelativePlane<double> rough; ///< good to within its own band
 
     /// Whether the point is proven to stay there.
     [[nodiscard]] bool has(const Vector3<double>& point) const;

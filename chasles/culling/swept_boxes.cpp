@@ -44,13 +44,13 @@ namespace avx2 {
 #endif
 #endif
 
-SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& a_in_b,
-                             const SweptBoxes::View& b_in_a, float margin, const Window& when) {
+SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes& inner, const SweptBoxes::View& a_in_b,
+                                    const SweptBoxes::View& b_in_a, float margin, const Window& when) {
 #if defined(CHASLES_KERNEL_AVX2)
     if (__builtin_cpu_supports("avx2"))
-        return avx2::meetings(outer, inner, a_in_b, b_in_a, margin, when);
+        return avx2::overlap_windows(outer, inner, a_in_b, b_in_a, margin, when);
 #endif
-    return plain::meetings(outer, inner, a_in_b, b_in_a, margin, when);
+    return plain::overlap_windows(outer, inner, a_in_b, b_in_a, margin, when);
 }
 
 void set(SweptBoxes::BothEnds& ends, int end, double value) {
@@ -81,8 +81,9 @@ SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSl
     fixed_.slack = float(slack.fixed);
 }
 
-SweptBoxes::Windows SweptBoxes::meetings(const NodeTwo& moving, const NodeTwo& fixed, const Window& when) const {
-    return culling::meetings(moving, fixed, moving_, fixed_, margin_, when);
+SweptBoxes::Windows SweptBoxes::overlap_windows(const TwoNodes& moving, const TwoNodes& fixed,
+                                                const Window& when) const {
+    return culling::overlap_windows(moving, fixed, moving_, fixed_, margin_, when);
 }
 
 } // namespace chasles::culling

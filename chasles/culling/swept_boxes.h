@@ -32,7 +32,7 @@ struct BoxSlack {
 };
 
 /// Two nodes of one body, which may be the same.
-using NodeTwo = std::array<const BvhNode*, 2>;
+using TwoNodes = std::array<const BvhNode*, 2>;
 
 /// Both ends of an interval, prepared for pairs of nodes.
 class SweptBoxes {
@@ -42,7 +42,7 @@ public:
     /// When two nodes of the one body may meet two nodes of the other, within `when`: the first with both, then the
     /// second with both. Empty where they are proven not to.
     using Windows = std::array<Window, 4>;
-    [[nodiscard]] Windows meetings(const NodeTwo& moving, const NodeTwo& fixed, const Window& when) const;
+    [[nodiscard]] Windows overlap_windows(const TwoNodes& moving, const TwoNodes& fixed, const Window& when) const;
 
     /// A number at the start and at the end, for four pairs of nodes.
     struct alignas(32) BothEnds {

@@ -124,7 +124,7 @@ struct Boxes {
 };
 
 template <class Order>
-Boxes boxes_of(const NodeTwo& nodes) {
+Boxes boxes_of(const TwoNodes& nodes) {
     const auto& [a, b] = nodes;
     const auto half_of = [](const float& of_a, const float& of_b) {
         return broadcast(0.5F) * spread<Order>(of_a, of_b);
@@ -144,7 +144,7 @@ struct Slabs {
 };
 
 template <class Order>
-Slabs slabs_of(const NodeTwo& nodes, const Vectors& box_half) {
+Slabs slabs_of(const TwoNodes& nodes, const Vectors& box_half) {
     const std::uint32_t a = nodes[0]->slab.bytes();
     const std::uint32_t b = nodes[1]->slab.bytes();
     const Lanes u = spread_byte<Order, 0>(a, b);
@@ -253,8 +253,8 @@ inline void see_middles(Closed& closed, const Boxes& a, const Boxes& b, const Sl
 }
 
 /// `a_in_b` shows the first two nodes to the others, `b_in_a` shows the others to them.
-inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& a_in_b,
-                                    const SweptBoxes::View& b_in_a, float margin, const Window& when) {
+inline SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes& inner, const SweptBoxes::View& a_in_b,
+                                           const SweptBoxes::View& b_in_a, float margin, const Window& when) {
     const Boxes a = boxes_of<Outer>(outer);
     const Boxes b = boxes_of<Inner>(inner);
     Lanes a_slack = broadcast(a_in_b.slack + margin);

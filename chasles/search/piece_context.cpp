@@ -35,7 +35,7 @@ PieceContext::PieceContext(const Body& moving, const Body& fixed, std::unique_pt
 elementary::ErrorScale PieceContext::error_scale(double margin) const {
     const motion::RationalMotion<algebra::DoubleDouble>& cubic = piece_->cubic();
     const double moving_extent =
-        std::max(extent(moving_.bvh()), cubic.reach) + motion::double_maps_reach(cubic) + margin;
+        std::max(extent(moving_.bvh()), cubic.reference_extent) + motion::rounding_extent(cubic) + margin;
     return norms_.error_scale(moving_extent, extent(fixed_.bvh()));
 }
 
