@@ -3,7 +3,7 @@ JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 10
 
-.PHONY: help demo check python-check facts attack install bench asan tsan fuzz tidy format clean
+.PHONY: help demo quick check python-check facts attack install bench asan tsan fuzz tidy format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
@@ -20,9 +20,9 @@ help:
 	@echo "make format   lay out every source file"
 
 demo:
-	@tools/install_dependencies.sh
-	cmake --preset release
-	cmake --build --preset release --target chasles_cli -j $(JOBS)
+	@tools/install_dependencies.sh demo
+	cmake --preset demo
+	cmake --build --preset demo -j $(JOBS)
 	build/release/bin/chasles demo
 
 check:
@@ -50,7 +50,7 @@ attack:
 	build/dev/bin/chasles_attack --certain --threads $(JOBS)
 
 install:
-	@tools/install_dependencies.sh
+	@tools/install_dependencies.sh install
 	cmake --preset release
 	cmake --build --preset release -j $(JOBS)
 	cmake --install build/release --prefix $(PREFIX)
@@ -84,7 +84,7 @@ tidy:
 	tools/tidy.sh build/dev
 
 format:
-	@tools/install_dependencies.sh check
+	@tools/install_dependencies.sh format
 	tools/format.sh
 
 clean:

@@ -13,7 +13,7 @@ import textwrap
 
 WIDTH = 84
 
-SCOPE = re.compile(r"^\s*(?:enum\s+)?(?:struct|class)\s+(?:\[\[\w+\]\]\s+)?(\w+)[^;]*\{")
+SCOPE = re.compile(r"^\s*(?:enum\s+)?(?:struct|class)\s+(?:(?:\[\[\w+\]\]|[A-Z]+_EXPORT)\s+)*(\w+)[^;]*\{")
 ONE_LINE_ENUM = re.compile(r"^\s*enum\s+class\s+(\w+)[^{]*\{[^}]*\};")
 ABOVE = re.compile(r"^\s*///(?!<) ?(.*)$")
 BEHIND = re.compile(r"^(.*?)///<\s?(.*)$")

@@ -1,6 +1,8 @@
 // A rigid pose: where a body's own frame stands in another frame.
 #pragma once
 
+#include "chasles/base/export.h"
+
 #include <Eigen/Geometry>
 
 namespace chasles {
@@ -10,7 +12,7 @@ namespace chasles {
 /// The quaternion (qw, qx, qy, qz) may have any non-zero length. The library normalises it exactly or with the
 /// error counted, never in plain double precision; two poses whose quaternions differ by a positive factor are
 /// the same pose.
-struct Pose {
+struct CHASLES_EXPORT Pose {
     Eigen::Vector3d translation = Eigen::Vector3d::Zero(); ///< in the mesh's unit
     /// Not aligned for vectors: the layout is the same whatever instruction set a user compiles for.
     Eigen::Quaternion<double, Eigen::DontAlign> rotation = Eigen::Quaterniond::Identity();
