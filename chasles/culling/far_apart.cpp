@@ -1,3 +1,5 @@
+// Bounds the distance of both balls from below by the distance of their centres half way and the travel of the centre.
+// Source: docs/derivations/07-swept-boxes.md, "Far apart".
 #include "chasles/culling/far_apart.h"
 
 namespace chasles::culling {
@@ -6,7 +8,7 @@ namespace {
 
 using Vector = algebra::Vector3<double>;
 
-/// Of the sizes of all that enters: roundings take a tenth of it.
+/// The rounding allowance over the sum of all lengths. The actual rounding is at most a tenth of it.
 constexpr double slack = 1e-12;
 
 double size_of(const Eigen::Vector3d& v) {
@@ -31,7 +33,8 @@ bool are_far_apart(const Body& moving, const Body& fixed, const MotionEnds& ends
     const Vector centre = motion::vector_in<double>(mover.centre());
     const Vector from = position(ends.given_start, centre);
     const Vector to = position(ends.given_goal, centre);
-    double travel = length(to - from); // twice as far as the ball's centre gets from the middle of both
+    double travel =
+        length(to - from); // twice the greatest distance of the ball's centre from the mean of `from` and `to`
     double size = size_of(mover.centre()) + size_of(target.centre());
     if (ends.swept_centre) {
         const Vector reference = motion::vector_in<double>(*ends.swept_centre);
@@ -41,9 +44,9 @@ bool are_far_apart(const Body& moving, const Body& fixed, const MotionEnds& ends
     }
     if (ends.fixed)
         size += size_of(ends.fixed->start.translation) + size_of(ends.fixed->goal.translation);
-    const double away = length(scale(from + to, 0.5) - motion::vector_in<double>(target.centre()));
-    size += away + travel;
-    return away - (mover.radius() + target.radius()) - travel / 2 - margin > slack * size;
+    const double distance = length(scale(from + to, 0.5) - motion::vector_in<double>(target.centre()));
+    size += distance + travel;
+    return distance - (mover.radius() + target.radius()) - travel / 2 - margin > slack * size;
 }
 
 } // namespace chasles::culling

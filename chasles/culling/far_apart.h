@@ -1,4 +1,4 @@
-// Bodies that a whole motion does not bring near each other, told by a ball around each, before anything else is made.
+// A test with one ball around each body. It proves before any other work that a whole motion keeps the bodies apart.
 // Source: docs/derivations/07-swept-boxes.md, "Far apart".
 #pragma once
 
@@ -7,7 +7,8 @@
 
 namespace chasles::culling {
 
-/// Proven never to come within the margin on the whole screw or sweep, however far it turns. False says nothing.
+/// Whether the bodies are proven to stay farther apart than the margin during the whole screw or sweep, for any angle
+/// of rotation. False proves nothing.
 bool are_far_apart(const Body& moving, const Body& fixed, const MotionEnds& ends, double margin = 0);
 
 } // namespace chasles::culling
