@@ -1,5 +1,5 @@
-// What a pair of faces has to pass before any of its features are asked: planes of both, in the part of the interval
-// that matters. Source: docs/derivations/13-face-sides.md.
+// The last culling stage before feature tests: it culls a pair of faces if a plane separates them in the time window.
+// Source: docs/derivations/13-face-sides.md.
 #pragma once
 
 #include "chasles/culling/bvh_traversal.h"
@@ -15,10 +15,10 @@ struct MeetingFaces {
     CornerSides fixed;
 };
 
-/// For the pairs of faces of one search.
+/// The culler of one search.
 class FaceCuller {
 public:
-    /// All are kept by reference. Points within `margin` of a plane count as coming to it.
+    /// Keeps all references. Points within `margin` of a plane count as touching the plane.
     FaceCuller(const Body& moving, const Body& fixed, const motion::ControlMaps<double>& whole,
                const elementary::ErrorScale& scale, double margin)
         : planes_(moving, fixed, scale, margin), maps_(whole) {}

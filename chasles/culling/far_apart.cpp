@@ -1,3 +1,5 @@
+// Bounds the distance of both balls from below by the distance of their centres half way and the travel of the centre.
+// Source: docs/derivations/07-swept-boxes.md, "Far apart".
 #include "chasles/culling/far_apart.h"
 
 #include "chasles/motion/screw_path.h"

@@ -1,4 +1,4 @@
-// Bodies that a whole motion does not bring near each other, told by a ball around each, before anything else is made.
+// A test with one ball around each body. It proves before any other work that a whole motion keeps the bodies apart.
 // Source: docs/derivations/07-swept-boxes.md, "Far apart".
 #pragma once
 

@@ -62,22 +62,22 @@ public:
         using namespace elementary;
         switch (features.kind) {
         case ContactKind::vertex_face:
-            return vertex_near_face<S>(path_of(moving_path(features.moving)), fixed_face(features.fixed), margin_,
+            return vertex_face_distance<S>(path_of(moving_path(features.moving)), fixed_face(features.fixed), margin_,
                                        accuracy_, workspace_, visit);
         case ContactKind::face_vertex:
-            return vertex_near_face<S>(path_of(fixed_path(features.fixed)), moving_face(features.moving), margin_,
+            return vertex_face_distance<S>(path_of(fixed_path(features.fixed)), moving_face(features.moving), margin_,
                                        accuracy_, workspace_, visit);
         case ContactKind::edge_edge:
-            return edge_near_edge<S>(*maps_, moving_edge(features.moving), fixed_edge(features.fixed), margin_,
+            return edge_edge_distance<S>({*maps_, moving_edge(features.moving), fixed_edge(features.fixed)}, margin_,
                                      accuracy_, workspace_, visit);
         case ContactKind::vertex_edge:
-            return vertex_near_edge<S>(path_of(moving_path(features.moving)), resting(fixed_, features.fixed), margin_,
+            return vertex_edge_distance<S>(path_of(moving_path(features.moving)), resting(fixed_, features.fixed), margin_,
                                        accuracy_, workspace_, visit);
         case ContactKind::edge_vertex:
-            return vertex_near_edge<S>(path_of(fixed_path(features.fixed)), resting(moving_, features.moving), margin_,
+            return vertex_edge_distance<S>(path_of(fixed_path(features.fixed)), resting(moving_, features.moving), margin_,
                                        accuracy_, workspace_, visit);
         case ContactKind::vertex_vertex:
-            return vertex_near_vertex<S>(path_of(moving_path(features.moving)),
+            return vertex_vertex_distance<S>(path_of(moving_path(features.moving)),
                                          point_of<S>(fixed_, features.fixed.first), margin_, accuracy_, workspace_,
                                          visit);
         }
