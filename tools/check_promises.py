@@ -8,8 +8,8 @@ Every document is checked:
 - a path or the name of a source file in backticks exists, also as a stem without an extension;
 - a link to a file leads to a file;
 - a code name in backticks occurs in the sources, outside of `//` comments. A code name is a CamelCase type, a
-  snake_case name, a `function()`, or any name with `::`. All parts of `Type::member` or `Type.member` occur in one file.
-  Historical documents are exempt from this rule.
+  snake_case name, a `function()`, or any name with `::`. All parts of `Type::member` or `Type.member` occur in one
+  file. Historical documents are exempt from this rule.
 
 Each promise of docs/promises.md names a test or links to a note.
 """
