@@ -1,6 +1,5 @@
 #include "chasles/motion/screw_clock.h"
 
-
 #include <cmath>
 #include <numbers>
 
