@@ -183,17 +183,17 @@ class Page(unittest.TestCase):
     def test_what_is_held_goes_on(self) -> None:
         self.open("slide.html")
         self.assertEqual(self.text("#verdict"), "Clear")
-        self.assertIn("what is held keeps its distance", self.text("#meaning"))
+        self.assertIn("held contacts keep the hold distance", self.text("#meaning"))
         self.assertIn("held at the start", self.text("#numbers").lower())
 
     def test_what_is_held_may_come_nearer(self) -> None:
         self.open("push.html")
         self.assertEqual(self.text("#verdict"), "Contact")
-        self.assertIn("What is held comes nearer than it may", self.text("#meaning"))
+        self.assertIn("A held contact reaches the hold distance", self.text("#meaning"))
 
     def test_any_contact_need_not_be_the_first(self) -> None:
         self.open("any.html")
-        self.assertIn("whether earlier too was not asked", self.text("#meaning"))
+        self.assertIn("and perhaps earlier", self.text("#meaning"))
 
     def test_a_clear_motion_runs_to_its_end(self) -> None:
         self.open("clear.html")
