@@ -116,7 +116,7 @@ def test_options_out_of_range_are_refused_whatever_the_motions(cube, options):
 
 @pytest.mark.parametrize("threads", [1.5, "2", None])
 def test_threads_are_a_whole_number(cube, threads):
-    with pytest.raises(TypeError, match="threads: .* is no whole number"):
+    with pytest.raises(TypeError, match="threads: .* is not a whole number"):
         chasles.first_contact_batch(cube, cube, [], [], threads=threads)
 
 

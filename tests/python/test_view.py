@@ -106,11 +106,11 @@ def test_plot_says_what_was_asked(cube, plt):
     def title(goal, **options):
         return chasles.first_contact(cube, cube, [0, 0, 1.05, 1, 0, 0, 0], goal, **options).plot().get_title()
 
-    assert title([0, 0, 3, 1, 0, 0, 0], margin=0.01) == "clear: nothing comes within 0.01 on the whole way"
+    assert title([0, 0, 3, 1, 0, 0, 0], margin=0.01) == "clear: nothing comes within 0.01 during the whole motion"
     assert title([0, 0, 3, 1, 0, 0, 0], margin=0.1) == "contact within 0.1 at the start"
     assert title([0, 0, 0, 1, 0, 0, 0], margin=0.01).startswith("contact within 0.01 at time 0.0380")
     held = title([3, 0, 1.05, 1, 0, 0, 0], margin=0.1, hold=0.02)
-    assert held == "clear: what is held keeps its distance"
+    assert held == "clear: held contacts keep the hold distance"
 
 
 def test_plot_draws_into_axes_that_are_given(cube, plt):
