@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 
-# attempt NAME COMMAND: writes the command's output to a log. If the command fails, the last line of the log is the reason.
+# attempt NAME COMMAND: writes the command's output to a log. If the command fails, the log's last line is the reason.
 attempt() {
     log=$folder/$1.log
     reason=$folder/$1-is-absent.txt

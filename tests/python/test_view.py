@@ -1,4 +1,4 @@
-"""Pages and plots: that they are there, and hold what was answered. How a page looks is tests/view's."""
+"""Pages and plots exist and contain the answer. The tests in tests/view check how a page looks."""
 
 import json
 import os
@@ -25,7 +25,7 @@ def page(tmp_path):
 
 @pytest.fixture(autouse=True)
 def _viewer(request, tmp_path, cube):
-    """Tests of pages are skipped where the package was built without the viewer, unless CHASLES_HAS_VIEWER is set."""
+    """Tests of pages are skipped if the package was built without the viewer, unless CHASLES_HAS_VIEWER is set."""
     if "page" in request.fixturenames:
         try:
             chasles.view(cube, cube, START, GOAL, out=tmp_path / "try.html")
