@@ -9,8 +9,10 @@ for tool in "$@"; do
     ln -s "$(command -v "$tool")" "$folder/bin/$tool"
 done
 
-# pretend NAME BODY: makes a command that writes its call to the log and then runs BODY.
+# pretend NAME BODY: makes a command that writes its call to the log and then runs BODY. The name may be one of the real
+# tools: removing its link first keeps the system's own file from being overwritten.
 pretend() {
+    rm -f "$folder/bin/$1"
     printf '#!/bin/sh\necho "%s $*" >>"%s/log"\n%s\n' "$1" "$folder" "$2" >"$folder/bin/$1"
     chmod +x "$folder/bin/$1"
 }
