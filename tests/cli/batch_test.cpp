@@ -59,12 +59,12 @@ TEST_F(Batch, AnswersTheOthersWhereRowsAreBad) {
     const auto finished = batch(columns + misses + "1,2\n" + hits + "x" + misses);
     EXPECT_EQ(finished.status, 2);
     EXPECT_EQ(finished.err,
-              "chasles: motions.csv: 2 of 4 rows cannot be read; the first: line 3: 2 columns found, 14 wanted\n");
+              "chasles: motions.csv: 2 of 4 rows cannot be read; the first: line 3: 2 columns found, 14 expected\n");
     const auto table = rows();
     ASSERT_EQ(table.size(), 5U);
     EXPECT_EQ(table[1][1], "clear");
     EXPECT_EQ(table[2][1], "error");
-    EXPECT_EQ(table[2][7], "line 3: 2 columns found, 14 wanted");
+    EXPECT_EQ(table[2][7], "line 3: 2 columns found, 14 expected");
     EXPECT_EQ(table[3][1], "contact");
     EXPECT_EQ(table[4][1], "error");
     for (const auto& row : table)

@@ -33,7 +33,7 @@ TEST_F(Errors, TruncatedFile) {
     EXPECT_EQ(mesh_error("part.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n"),
               "chasles: part.off: line 4: the file ends before vertex 2 of the 3 announced");
     EXPECT_EQ(mesh_error("part.stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(50, '\0')),
-              "chasles: part.stl: is truncated: 2 triangles are announced, but 1 are there");
+              "chasles: part.stl: is truncated: 2 triangles are announced, but 1 are present");
 }
 
 TEST_F(Errors, NotANumber) {

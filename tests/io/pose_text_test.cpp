@@ -45,9 +45,9 @@ TEST(ParsePose, RefusesWhatIsNoNumber) {
     EXPECT_EQ(message("1 2 nan"), "not a finite number: 'nan'");
     EXPECT_EQ(message("1 2 -inf"), "not a finite number: '-inf'");
     EXPECT_EQ(message("1 2 1e999"), "not a finite number: '1e999'");
-    EXPECT_EQ(message("1,,3"), "a number is missing beside a comma");
-    EXPECT_EQ(message("1,2,3,"), "a number is missing beside a comma");
-    EXPECT_EQ(message(",1,2,3"), "a number is missing beside a comma");
+    EXPECT_EQ(message("1,,3"), "a number is missing before or after a comma");
+    EXPECT_EQ(message("1,2,3,"), "a number is missing before or after a comma");
+    EXPECT_EQ(message(",1,2,3"), "a number is missing before or after a comma");
     EXPECT_EQ(message("1;2;3"), "not a number: '1;2;3'");
 }
 
