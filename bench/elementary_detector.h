@@ -17,7 +17,7 @@ struct ReadyVertexFace {
     algebra::Vector3<algebra::Bernstein<3, double>> position;
     std::array<Point, 3> corners;
     elementary::FaceShape<double> face;
-    elementary::SeenPlane<double> plane; ///< of the face
+    elementary::RelativePlane<double> plane; ///< of the face
     Point vertex;
 };
 struct ReadyEdgeEdge {

@@ -1,5 +1,5 @@
-// Polynomials of fixed degree on [0, 1] in Bernstein form: the coefficients enclose the values.
-// Source: G. Farin, "Curves and Surfaces for CAGD", on blossoms; docs/derivations/06-first-feasible.md.
+// Polynomials of fixed degree on [0, 1] in Bernstein form. The smallest and the greatest coefficient enclose all
+// values. Source: G. Farin, "Curves and Surfaces for CAGD", on blossoms; docs/derivations/06-first-feasible.md.
 #pragma once
 
 #include "chasles/algebra/lanes.h"
@@ -34,14 +34,16 @@ struct Bernstein {
     friend Bernstein operator*(const Scalar& s, const Bernstein& a) { return a * s; }
 };
 
-/// a + t (b - a), as a convex combination: for t in [0, 1] the error is at most u (3 (1 - t) |a| + 2 t |b|), with u
-/// the unit roundoff. It is relative in each term, so that it stays below a bound that is restricted the same way.
+/// a + t (b - a), computed as a convex combination. For t in [0, 1] the error is at most u (3 (1 - t) |a| + 2 t |b|),
+/// with u the unit roundoff. The error is relative to each term. It therefore stays below an error bound that is
+/// interpolated in the same way.
 template <class Scalar>
 Scalar mix(const Scalar& a, const Scalar& b, const Scalar& t) {
     return a * (Scalar(1) - t) + b * t;
 }
 
-/// The value at tau (de Casteljau); error at most 3 Degree unit roundoffs of the value with all coefficients positive.
+/// The value at tau by de Casteljau's algorithm. The error is at most 3 Degree unit roundoffs times the value of the
+/// polynomial with the magnitudes of the coefficients.
 template <int Degree, class Scalar>
 Scalar value_at(const Bernstein<Degree, Scalar>& p, const Scalar& tau) {
     std::array<Scalar, Degree + 1> c;
@@ -53,13 +55,14 @@ Scalar value_at(const Bernstein<Degree, Scalar>& p, const Scalar& tau) {
     return c[0];
 }
 
-/// Unit roundoffs that `Restriction` adds at most, of the magnitudes restricted alike (note 06, "Restriction").
+/// The error that `Restriction` adds is at most this many unit roundoffs times the restricted coefficient magnitudes
+/// (docs/derivations/06-first-feasible.md, "Restriction").
 template <int Degree>
 inline constexpr int restriction_units = Degree <= 3 ? 3 * Degree : 4 * Degree - 1;
 
-/// Rewrites polynomials to [from, to], again over [0, 1]. The new coefficient k is the blossom at Degree - k times
-/// `from` and k times `to`, a convex combination of the old ones; its weights are found once for any number of
-/// polynomials.
+/// Restricts polynomials to [from, to] and maps that interval to [0, 1]. The new coefficient k is the blossom with the
+/// arguments `from`, Degree - k times, and `to`, k times. It is a convex combination of the old coefficients. The
+/// constructor computes the weights once for any number of polynomials.
 template <int Degree, class Scalar>
 class Restriction {
 public:
@@ -68,7 +71,7 @@ public:
         for (int step = 0; step < Degree; ++step) {
             Column argument;
             for (int k = 0; k <= Degree; ++k)
-                argument.set(static_cast<std::size_t>(k), takes_to(k, step) ? to : from);
+                argument.set(static_cast<std::size_t>(k), uses_to(k, step) ? to : from);
             const Column rest = Column::broadcast(Scalar(1)) - argument;
             weights_[step + 1] = weights_[step] * argument;
             for (int i = step; i > 0; --i)
@@ -87,19 +90,19 @@ public:
 private:
     using Column = Lanes<Degree + 1, Scalar>;
 
-    /// The order of a blossom's arguments: those that are more in number first, which rounds least.
-    static constexpr bool takes_to(int k, int step) { return 2 * k > Degree ? step < k : step >= Degree - k; }
+    /// Whether argument `step` of the blossom is `to`. The more frequent argument comes first, which rounds least.
+    static constexpr bool uses_to(int k, int step) { return 2 * k > Degree ? step < k : step >= Degree - k; }
 
-    std::array<Column, Degree + 1> weights_; ///< of the old coefficient i in every new one
+    std::array<Column, Degree + 1> weights_; ///< [i]: the weights of the old coefficient i in all new coefficients
 };
 
-/// One polynomial on [from, to].
+/// One polynomial restricted to [from, to].
 template <int Degree, class Scalar>
 Bernstein<Degree, Scalar> restricted(const Bernstein<Degree, Scalar>& p, const Scalar& from, const Scalar& to) {
     return Restriction<Degree, Scalar>(from, to)(p);
 }
 
-/// Binomial coefficient, exact in 64 bits for the degrees in use.
+/// The binomial coefficient "n choose k", exact in 64 bits for all degrees in use.
 constexpr std::int64_t binomial(int n, int k) {
     std::int64_t result = 1;
     for (int i = 1; i <= k; ++i)
@@ -107,32 +110,32 @@ constexpr std::int64_t binomial(int n, int k) {
     return result;
 }
 
-/// The product, of the summed degree. With the binomials taken into them, coefficients multiply like those of powers.
+/// The product, of degree P + Q. Coefficients that are scaled by their binomials multiply like power coefficients.
 template <int P, int Q, class Scalar>
 Bernstein<P + Q, Scalar> product(const Bernstein<P, Scalar>& a, const Bernstein<Q, Scalar>& b) {
-    std::array<Scalar, P + 1> of_a;
-    std::array<Scalar, Q + 1> of_b;
+    std::array<Scalar, P + 1> scaled_a;
+    std::array<Scalar, Q + 1> scaled_b;
     for (int i = 0; i <= P; ++i)
-        of_a[i] = Scalar(double(binomial(P, i))) * a[i];
+        scaled_a[i] = Scalar(double(binomial(P, i))) * a[i];
     for (int j = 0; j <= Q; ++j)
-        of_b[j] = Scalar(double(binomial(Q, j))) * b[j];
+        scaled_b[j] = Scalar(double(binomial(Q, j))) * b[j];
     std::array<Scalar, P + Q + 1> sums{};
     for (int i = 0; i <= P; ++i)
         for (int j = 0; j <= Q; ++j)
-            sums[i + j] = sums[i + j] + of_a[i] * of_b[j];
+            sums[i + j] = sums[i + j] + scaled_a[i] * scaled_b[j];
     Bernstein<P + Q, Scalar> result;
     for (int k = 0; k <= P + Q; ++k)
         result.set(k, Scalar(sums[k] / Scalar(double(binomial(P + Q, k)))));
     return result;
 }
 
-/// The same polynomial written with a higher degree.
+/// The same polynomial, written in the basis of a higher degree.
 template <int Higher, int Degree, class Scalar>
 Bernstein<Higher, Scalar> elevated(const Bernstein<Degree, Scalar>& p) {
     return product(p, Bernstein<Higher - Degree, Scalar>::constant(Scalar(1)));
 }
 
-/// The same coefficients in another scalar.
+/// The coefficients converted to another scalar.
 template <class To, int Degree, class From>
 Bernstein<Degree, To> converted(const Bernstein<Degree, From>& p) {
     Bernstein<Degree, To> result;
@@ -141,15 +144,17 @@ Bernstein<Degree, To> converted(const Bernstein<Degree, From>& p) {
     return result;
 }
 
-/// Proven signs: of p on [0, 1] when its coefficients are known to within `error` coefficient by coefficient.
+/// Whether p is proven to be positive on [0, 1]. Coefficient i of p is known to within coefficient i of `error`.
 template <int Degree, class Scalar>
 bool is_positive(const Bernstein<Degree, Scalar>& p, const Bernstein<Degree, Scalar>& error) {
     return all_above(p.coefficients, error.coefficients);
 }
+/// Whether p is proven to be negative on [0, 1].
 template <int Degree, class Scalar>
 bool is_negative(const Bernstein<Degree, Scalar>& p, const Bernstein<Degree, Scalar>& error) {
     return is_positive(Bernstein<Degree, Scalar>() - p, error);
 }
+/// Whether p is proven to have no zero on [0, 1].
 template <int Degree, class Scalar>
 bool keeps_one_sign(const Bernstein<Degree, Scalar>& p, const Bernstein<Degree, Scalar>& error) {
     return is_positive(p, error) || is_negative(p, error);

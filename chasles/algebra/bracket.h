@@ -1,4 +1,4 @@
-// A closed interval that encloses a number.
+// A closed interval of doubles that encloses one real number. It is part of the public answers.
 #pragma once
 
 namespace chasles {

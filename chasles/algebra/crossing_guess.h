@@ -1,4 +1,4 @@
-// Where a polynomial seems to cross zero first: in double, without any bound. Nothing rests on it.
+// A guess of the first zero of a polynomial, computed in double without an error bound. No proof depends on the guess.
 // Source: A. Householder, "The Numerical Treatment of a Single Nonlinear Equation", 1970, on steps of higher order;
 // docs/derivations/06-first-feasible.md, section "Guess".
 #pragma once
@@ -10,16 +10,16 @@
 
 namespace chasles::algebra {
 
-/// A place where p seems to vanish, with its Taylor polynomial there: slope (t - tau) + slope bend (t - tau)^2 + ...
+/// An approximate zero of p with the Taylor polynomial p(t) = slope (t - tau) + slope curvature (t - tau)^2 + ...
 struct Crossing {
     double tau;
     double slope;
-    double bend;
+    double curvature; ///< relative to the slope
 };
 
 namespace detail {
 
-/// The coefficients of tau^k, k from 0 to Degree.
+/// The power coefficients of tau^0 to tau^Degree.
 template <int Degree>
 std::array<double, Degree + 1> monomial_form(const Bernstein<Degree, double>& p) {
     std::array<double, Degree + 1> powers;
@@ -33,7 +33,7 @@ std::array<double, Degree + 1> monomial_form(const Bernstein<Degree, double>& p)
     return powers;
 }
 
-/// The first four coefficients of the same polynomial in tau - at (Horner's scheme).
+/// The first four Taylor coefficients at `at`, by Horner's scheme.
 template <std::size_t Size>
 std::array<double, 4> taylor_at(std::array<double, Size> powers, double at) {
     std::array<double, 4> taylor{};
@@ -45,7 +45,7 @@ std::array<double, 4> taylor_at(std::array<double, Size> powers, double at) {
     return taylor;
 }
 
-/// Where the control polygon crosses zero first.
+/// The first zero of the control polygon, or empty if the coefficients have one sign.
 template <int Degree>
 std::optional<double> first_change_of_sign(const Bernstein<Degree, double>& p) {
     for (int i = 0; i < Degree; ++i)
@@ -56,29 +56,30 @@ std::optional<double> first_change_of_sign(const Bernstein<Degree, double>& p) {
 
 } // namespace detail
 
-/// By steps of fourth order from `start`; none where they do not settle in ]0, 1[.
+/// The zero that steps of fourth order find from `start`. Empty if five steps do not converge or leave ]0, 1[.
 template <int Degree>
 std::optional<Crossing> crossing_near(const Bernstein<Degree, double>& p, double start) {
-    constexpr int most_steps = 5;
-    constexpr double last_step = 0x1p-14; // the next one would be below rounding
+    constexpr int max_steps = 5;
+    constexpr double last_step = 0x1p-14; // the next step would be below rounding
     const std::array<double, Degree + 1> powers = detail::monomial_form(p);
     double tau = start;
-    for (int step = 0; step < most_steps; ++step) {
+    for (int step = 0; step < max_steps; ++step) {
         const auto [value, slope, second, third] = detail::taylor_at(powers, tau);
         const double inverse = 1 / slope;
         const double newton = value * inverse;
-        const double bend = second * inverse;
-        const double move = newton * (1 + newton * (bend + newton * (2 * bend * bend - third * inverse)));
+        const double curvature = second * inverse;
+        const double move =
+            newton * (1 + newton * (curvature + newton * (2 * curvature * curvature - third * inverse)));
         tau -= move;
         if (!(tau > 0 && tau < 1))
             return std::nullopt;
         if (std::abs(move) < last_step)
-            return Crossing{tau, slope, bend};
+            return Crossing{tau, slope, curvature};
     }
     return std::nullopt;
 }
 
-/// The same from where the control polygon crosses zero first, if it does.
+/// The zero that the same steps find from the first zero of the control polygon.
 template <int Degree>
 std::optional<Crossing> first_crossing(const Bernstein<Degree, double>& p) {
     const auto start = detail::first_change_of_sign(p);

@@ -1,6 +1,7 @@
-// Numbers of about 106 bits: the unevaluated sum of two doubles.
-// Sources: Dekker 1971; Joldes, Muller, Popescu, "Tight and rigorous error bounds for basic building blocks of
-// double-word arithmetic", ACM TOMS 44(2), 2017 (algorithm numbers below are theirs).
+// Double-double numbers: the unevaluated sum of two doubles, about 106 bits. Every operation has a proven error bound.
+// Sources: T. Dekker, "A floating-point technique for extending the available precision", 1971; M. Joldes, J.-M.
+// Muller, V. Popescu, "Tight and rigorous error bounds for basic building blocks of double-word arithmetic", ACM TOMS
+// 44(2), 2017. The algorithm numbers below refer to the second paper.
 #pragma once
 
 #include "chasles/algebra/lanes.h"
@@ -19,14 +20,14 @@ static_assert(FLT_EVAL_METHOD == 0, "chasles needs doubles that are rounded afte
 
 namespace detail {
 
-/// high + low; a word is a double, or several doubles side by side.
+/// The number high + low. A word is a double or a vector of doubles.
 template <class Word>
 struct WordPair {
     Word high{};
     Word low{};
 };
 
-/// a + b without error, whatever their order.
+/// a + b without error, for any order of magnitude (Knuth's TwoSum).
 template <class Word>
 WordPair<Word> exact_sum(const Word& a, const Word& b) {
     const Word sum = a + b;
@@ -34,14 +35,14 @@ WordPair<Word> exact_sum(const Word& a, const Word& b) {
     return {sum, (a - (sum - b_part)) + (b - b_part)};
 }
 
-/// a + b without error if |a| >= |b|.
+/// a + b without error if |a| >= |b| (Dekker's Fast2Sum).
 template <class Word>
 WordPair<Word> ordered_sum(const Word& a, const Word& b) {
     const Word sum = a + b;
     return {sum, b - (sum - a)};
 }
 
-/// a as the sum of two numbers with 26 bits or fewer.
+/// a as the sum of two numbers with at most 26 bits each (Veltkamp's splitting).
 template <class Word>
 WordPair<Word> halves(const Word& a) {
     const Word scaled = a * (0x1p27 + 1);
@@ -49,8 +50,8 @@ WordPair<Word> halves(const Word& a) {
     return {high, a - high};
 }
 
-/// a * b without error (Dekker). A fused operation would give the same, but is a call of the mathematical library where
-/// the processor that is compiled for need not have it.
+/// a * b without error (Dekker). A fused multiply-add would give the same result, but it becomes a library call if the
+/// target processor need not support it.
 template <class Word>
 WordPair<Word> exact_product(const Word& a, const Word& b) {
     const Word product = a * b;
@@ -77,8 +78,8 @@ WordPair<Word> operator*(const WordPair<Word>& a, const WordPair<Word>& b) { // 
 }
 } // namespace detail
 
-/// high + low with |low| <= half an ulp of high. Each operation has a relative error of at most 2^-101
-/// (unit_roundoff<DoubleDouble>), away from overflow and underflow.
+/// The number high + low with |low| <= half an ulp of high. The relative error of each operation is at most 2^-101
+/// (unit_roundoff<DoubleDouble>) if nothing overflows or underflows.
 class DoubleDouble {
 public:
     constexpr DoubleDouble() = default;
@@ -88,7 +89,7 @@ public:
     [[nodiscard]] constexpr double low() const { return words_.low; }
     constexpr explicit operator double() const { return high(); }
 
-    /// a + b without error, whatever their order.
+    /// a + b without error, for any order of magnitude.
     static DoubleDouble exact_sum(double a, double b) { return DoubleDouble(detail::exact_sum(a, b)); }
     /// a * b without error.
     static DoubleDouble exact_product(double a, double b) { return DoubleDouble(detail::exact_product(a, b)); }
@@ -101,13 +102,15 @@ public:
     friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
         return DoubleDouble(a.words_ * b.words_);
     }
-    friend DoubleDouble operator/(const DoubleDouble& a, const DoubleDouble& b) { // algorithm 18 with one more step
+    friend DoubleDouble operator/(const DoubleDouble& a,
+                                  const DoubleDouble& b) { // algorithm 18 with one additional step
         const double first = a.high() / b.high();
         const DoubleDouble rest = a - b * DoubleDouble(first);
         const double second = rest.high() / b.high();
         const double third = (rest - b * DoubleDouble(second)).high() / b.high();
         return exact_sum(first, second) + DoubleDouble(third);
     }
+    /// The square root; 0 for a <= 0. Two Newton steps correct the root in double.
     friend DoubleDouble sqrt(const DoubleDouble& a) {
         if (!(a.high() > 0))
             return {};
@@ -141,7 +144,7 @@ template <>
 inline constexpr double unit_roundoff<DoubleDouble> = 0x1p-101;
 
 #if defined(__GNUC__)
-/// Four of them in the registers that hold four doubles, with the same results.
+/// Four double-doubles in vector registers. The results are the same as for single double-doubles.
 template <>
 struct Lanes<4, DoubleDouble> {
     using Word = detail::WordPair<detail::Register>;
@@ -192,7 +195,7 @@ struct Lanes<4, DoubleDouble> {
     }
 
 private:
-    /// All bits of a lane where something is true.
+    /// All bits of a lane are set where a condition holds.
     using Mask = decltype(detail::Register{} < detail::Register{});
     static Mask is_below(const Word& a, const Word& b) {
         return (a.high < b.high) | ((a.high == b.high) & (a.low < b.low));

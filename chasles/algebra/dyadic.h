@@ -1,7 +1,8 @@
-// Whole multiples of powers of two, of any size: sums, differences and products of doubles without rounding.
+// Dyadic numbers: integers of any size times powers of two. Sums, differences and products of doubles do not round.
+// The exact stage computes with them (docs/derivations/12-exact-stage.md).
 #pragma once
 
-#if defined(__GNUC__) && !defined(__clang__) // copies of numbers that are too short for memory of their own look unset
+#if defined(__GNUC__) && !defined(__clang__) // false alarm for copies of short integers, which need no allocation
 #pragma GCC diagnostic push
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
 #endif
@@ -13,17 +14,17 @@
 
 namespace chasles::algebra {
 
-/// mantissa * 2^exponent. There is no division; halving is exact.
+/// The number mantissa * 2^exponent. Division is not available; halving is exact.
 class Dyadic {
 public:
-    /// Small numbers, which are most, need no memory of their own.
+    /// Integers of at most 1024 bits need no allocation; most integers of the exact stage are shorter.
     using Integer = boost::multiprecision::number<
         boost::multiprecision::cpp_int_backend<1024, 0, boost::multiprecision::signed_magnitude,
                                                boost::multiprecision::unchecked>,
         boost::multiprecision::et_off>;
 
     Dyadic() = default;
-    /// The double as it is; it must be finite.
+    /// The exact value of x, which must be finite.
     Dyadic(double x) { // NOLINT(google-explicit-constructor)
         if (x == 0)
             return;
@@ -39,7 +40,7 @@ public:
     [[nodiscard]] const Integer& mantissa() const { return mantissa_; }
     [[nodiscard]] int exponent() const { return exponent_; }
     [[nodiscard]] int sign() const { return mantissa_.sign(); }
-    /// Binary digits of the mantissa.
+    /// The number of binary digits of the mantissa.
     [[nodiscard]] unsigned digits() const { return sign() == 0 ? 0 : unsigned(msb(Integer(abs(mantissa_)))) + 1; }
     [[nodiscard]] Dyadic times_power_of_two(int power) const { return Dyadic(mantissa_, exponent_ + power); }
 
@@ -77,17 +78,17 @@ public:
     friend bool operator<(const Dyadic& a, const Dyadic& b) { return (a - b).sign() < 0; }
     friend bool operator==(const Dyadic& a, const Dyadic& b) { return (a - b).sign() == 0; }
 
-    /// The largest double that is not greater, for magnitudes up to 1.
+    /// The greatest double <= this number, for magnitudes up to 1.
     [[nodiscard]] double rounded_down() const {
-        const double near = nearly();
+        const double near = truncated();
         return *this < Dyadic(near) ? std::nextafter(near, -2.0) : near;
     }
-    /// The least double that is not less.
+    /// The least double >= this number, for magnitudes up to 1.
     [[nodiscard]] double rounded_up() const { return -(-*this).rounded_down(); }
 
 private:
-    /// The next double towards zero, or, below the normal ones, the nearest.
-    [[nodiscard]] double nearly() const {
+    /// The next double towards zero; the nearest double if the result is subnormal.
+    [[nodiscard]] double truncated() const {
         if (sign() == 0)
             return 0;
         const Integer size = abs(mantissa_);

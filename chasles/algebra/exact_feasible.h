@@ -1,4 +1,4 @@
-// `first_feasible` for polynomials that are known exactly: every case is decided, also touches and coincidences.
+// `first_feasible` for polynomials with exact coefficients. It decides every case, also touches and coincidences.
 // Source: docs/derivations/12-exact-stage.md.
 #pragma once
 
@@ -7,13 +7,13 @@
 
 namespace chasles::algebra::detail {
 
-/// Longer coefficients come from coordinates that differ by more than a hundred orders of magnitude, and cost seconds.
-/// Those of ordinary scenes have 800 binary digits.
-inline constexpr unsigned most_digits = 4096;
+/// The search does not run for coefficients with more binary digits. They arise from coordinates that differ by more
+/// than a hundred orders of magnitude and would cost seconds. Ordinary scenes have coefficients of 800 binary digits.
+inline constexpr unsigned max_digits = 4096;
 
-/// Takes the place of the search by clipping. Problems with longer coefficients are not looked at: the answer is then
-/// all of [0, 1], and not certain. An error of F that is not zero asks for |F| <= error W: F is then known
-/// no better than that, and what is found is not certain. Constraints must have no errors.
+/// Replaces the search by clipping. If a coefficient is too long, the answer is [0, 1] and not certain. If F has an
+/// error bound, the search finds the first tau with |F| <= error W, and its answer is not certain. Constraints must
+/// have no errors.
 template <int Degree>
 class FeasibilitySearch<Degree, ExactNumber> {
 public:
@@ -40,8 +40,8 @@ public:
             return FeasibleInterval{0, 1, false};
         const bool vanishes = leading_sign(function_) == 0;
         std::optional<FeasibleInterval> first;
-        std::optional<Dyadic> end; // of the interval that holds the first root found
-        for (const Root& root : vanishes ? places_of_change() : Root::roots_of(function_)) {
+        std::optional<Dyadic> end; // of the interval that contains the first feasible root
+        for (const Root& root : vanishes ? candidate_roots() : Root::roots_of(function_)) {
             if (end && *end < root.lower())
                 break;
             if (!holds_at(root))
@@ -56,10 +56,10 @@ public:
 private:
     using OneConstraint = Constraint<Degree, ExactNumber>;
 
-    /// Roots of different polynomials that are closer than 2^-100 may be out of order. All of them are looked at.
+    /// Roots of different polynomials closer than 2^-100 may be out of order. `run` tests all of them.
     static constexpr int order_level = 100;
 
-    /// Of two roots whose intervals may overlap.
+    /// The answer that covers the earlier of two roots whose intervals may overlap.
     static FeasibleInterval earlier_of(const FeasibleInterval& a, const FeasibleInterval& b) {
         return {std::min(a.lower, b.lower), std::min(a.upper, b.upper), a.certain};
     }
@@ -67,7 +67,7 @@ private:
     [[nodiscard]] bool is_too_long() const {
         const auto is_long = [](const Polynomial& p) {
             for (int i = 0; i <= Degree; ++i)
-                if (p[i].digits() > most_digits)
+                if (p[i].digits() > max_digits)
                     return true;
             return false;
         };
@@ -77,30 +77,30 @@ private:
                });
     }
 
-    /// Where F vanishes all along, the first feasible tau is 0 or a root of a constraint.
-    [[nodiscard]] std::vector<Root> places_of_change() const {
-        std::vector<Root> places{Root::at(Dyadic())};
+    /// The candidates if F is zero everywhere: then the first feasible tau is 0 or a root of a constraint.
+    [[nodiscard]] std::vector<Root> candidate_roots() const {
+        std::vector<Root> candidates{Root::at(Dyadic())};
         const auto add = [&](const Polynomial& p) {
             if (leading_sign(p) != 0)
                 for (Root& root : Root::roots_of(p))
-                    places.push_back(std::move(root));
+                    candidates.push_back(std::move(root));
         };
         for (const OneConstraint& constraint : constraints_)
-            all_demands(constraint, weight_, constraint.first.polynomial, constraint.second.polynomial,
-                        [&](const Polynomial& first, const Polynomial* second) {
-                            add(first);
-                            if (second)
-                                add(*second);
-                            return true;
-                        });
-        for (Root& root : places)
+            all_inequalities(constraint, weight_, constraint.first.polynomial, constraint.second.polynomial,
+                             [&](const Polynomial& first, const Polynomial* second) {
+                                 add(first);
+                                 if (second)
+                                     add(*second);
+                                 return true;
+                             });
+        for (Root& root : candidates)
             root.narrow_to(order_level);
-        std::stable_sort(places.begin(), places.end(),
+        std::stable_sort(candidates.begin(), candidates.end(),
                          [](const Root& a, const Root& b) { return a.lower() < b.lower(); });
-        return places;
+        return candidates;
     }
 
-    /// Of a copy, since places out of order may lie before a root that is narrowed further.
+    /// Whether all constraints hold at a root. Narrows a copy: roots out of order may lie before the narrowed root.
     [[nodiscard]] bool holds_at(Root root) const {
         return std::all_of(constraints_.begin(), constraints_.end(),
                            [&](const OneConstraint& constraint) { return holds_at(root, constraint); });
@@ -109,9 +109,10 @@ private:
     [[nodiscard]] bool holds_at(Root& root, const OneConstraint& constraint) const {
         const Polynomial& first = constraint.first.polynomial;
         const Polynomial& second = constraint.second.polynomial;
-        if (constraint.has_alternative && constraint.span && constraint.span->sign() == 0) // two signs tell it all
+        if (constraint.has_alternative && constraint.span &&
+            constraint.span->sign() == 0) // 0 lies between first and second
             return root.sign_of(first) * root.sign_of(second) <= 0;
-        return all_demands(constraint, weight_, first, second, [&](const Polynomial& p, const Polynomial* q) {
+        return all_inequalities(constraint, weight_, first, second, [&](const Polynomial& p, const Polynomial* q) {
             return root.sign_of(p) >= 0 || (q && root.sign_of(*q) >= 0);
         });
     }

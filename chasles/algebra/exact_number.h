@@ -1,4 +1,4 @@
-// The exact scalar of the last stage: a + b sqrt(n), closed under sums, differences and products, with exact signs.
+// The scalar of the exact stage: a + b sqrt(n). Sums, differences, products and signs are exact.
 // Source: docs/derivations/12-exact-stage.md.
 #pragma once
 
@@ -7,20 +7,20 @@
 
 namespace chasles::algebra {
 
-/// A number of the ring that one square root generates. All numbers of a computation share the radicand, which they
-/// do not own; those without a root need none.
+/// A number a + b sqrt(radicand) with dyadic a and b. All numbers of one computation must have the same radicand. They
+/// keep a pointer to the radicand and do not own it. A number with b = 0 needs no radicand.
 class ExactNumber {
 public:
     ExactNumber() = default;
     ExactNumber(double x) : rational_(x) {}            // NOLINT(google-explicit-constructor)
     ExactNumber(Dyadic x) : rational_(std::move(x)) {} // NOLINT(google-explicit-constructor)
 
-    /// The part without the root.
+    /// The part a.
     [[nodiscard]] const Dyadic& rational() const { return rational_; }
-    /// The factor of the root.
+    /// The factor b of the square root.
     [[nodiscard]] const Dyadic& irrational() const { return irrational_; }
 
-    /// The root of a radicand >= 0 that outlives the number.
+    /// The square root of a radicand >= 0. The radicand must outlive the number.
     static ExactNumber root_of(const Dyadic& radicand) {
         ExactNumber root;
         root.irrational_ = Dyadic(1.0);
@@ -28,9 +28,10 @@ public:
         return root;
     }
 
-    /// How many binary digits its parts have.
+    /// The number of binary digits of the longer part.
     [[nodiscard]] unsigned digits() const { return std::max(rational_.digits(), irrational_.digits()); }
 
+    /// -1, 0 or 1. If a and b differ in sign, the sign of a^2 - b^2 n decides.
     [[nodiscard]] int sign() const {
         const int a = rational_.sign();
         const int b = radicand_ != nullptr && radicand_->sign() > 0 ? irrational_.sign() : 0;

@@ -1,5 +1,6 @@
-// Polynomials as sums of c_j tau^j with exact coefficients: common divisors, by Euclid's algorithm without division.
-// Source: D. Knuth, "The Art of Computer Programming", volume 2, section 4.6.1; docs/derivations/12-exact-stage.md.
+// Polynomials as sums of c_j tau^j with exact coefficients. Euclid's algorithm with pseudo-division gives common
+// divisors. Source: D. Knuth, "The Art of Computer Programming", volume 2, section 4.6.1;
+// docs/derivations/12-exact-stage.md.
 #pragma once
 
 #include "chasles/algebra/bernstein.h"
@@ -11,15 +12,17 @@
 
 namespace chasles::algebra {
 
-/// Coefficient j belongs to tau^j; the last one is not zero. Empty: the zero polynomial.
+/// Coefficient j belongs to tau^j. The last coefficient is not zero. The zero polynomial has no coefficients.
 using PowerForm = std::vector<ExactNumber>;
 
+/// The same polynomial without zero coefficients at the end.
 inline PowerForm trimmed(PowerForm p) {
     while (!p.empty() && p.back().sign() == 0)
         p.pop_back();
     return p;
 }
 
+/// The power coefficients of a polynomial in Bernstein form.
 template <int Degree>
 PowerForm power_form(const Bernstein<Degree, ExactNumber>& p) {
     PowerForm result;
@@ -32,7 +35,7 @@ PowerForm power_form(const Bernstein<Degree, ExactNumber>& p) {
     return trimmed(std::move(result));
 }
 
-/// A positive multiple of p, which is of degree Degree at most.
+/// A positive multiple of p in Bernstein form. The degree of p must be at most Degree.
 template <int Degree>
 Bernstein<Degree, ExactNumber> bernstein_form(const PowerForm& p) {
     std::int64_t multiple = 1;
@@ -55,7 +58,7 @@ inline PowerForm derivative(const PowerForm& p) {
     return result;
 }
 
-/// With some power c of the leading coefficient of b: c a = quotient b + remainder.
+/// The equation c a = quotient b + remainder, with c a power of the leading coefficient of b.
 struct PseudoDivision {
     PowerForm quotient;
     PowerForm remainder;
@@ -78,7 +81,7 @@ inline PseudoDivision pseudo_division(PowerForm a, const PowerForm& b) {
     return {trimmed(std::move(quotient)), std::move(a)};
 }
 
-/// A greatest common divisor, up to a factor.
+/// A greatest common divisor of a and b, up to a constant factor.
 inline PowerForm common_divisor(PowerForm a, PowerForm b) {
     while (!b.empty()) {
         PowerForm next = pseudo_division(std::move(a), b).remainder;
@@ -88,7 +91,7 @@ inline PowerForm common_divisor(PowerForm a, PowerForm b) {
     return a;
 }
 
-/// A polynomial with the same roots, each of them once. p must not be zero.
+/// A polynomial with the same roots as p, all of them simple. p must not be zero.
 inline PowerForm without_multiple_roots(const PowerForm& p) {
     const PowerForm multiple = common_divisor(p, derivative(p));
     return multiple.size() < 2 ? p : pseudo_division(p, multiple).quotient;

@@ -1,5 +1,5 @@
-// Roots in [0, 1] of polynomials that are known exactly, and the signs of other polynomials at them.
-// Source: G. Collins, A. Akritas, "Polynomial real root isolation using Descartes' rule of signs", 1976, here in
+// Roots in [0, 1] of polynomials with exact coefficients, and the signs of other polynomials at these roots.
+// Source: G. Collins, A. Akritas, "Polynomial real root isolation using Descartes' rule of signs", 1976, applied to the
 // Bernstein form; docs/derivations/12-exact-stage.md.
 #pragma once
 
@@ -9,7 +9,8 @@
 
 namespace chasles::algebra {
 
-/// Sign changes among the coefficients, zeros left out: as many as roots in ]0, 1[, or more by an even number.
+/// The number of sign changes between consecutive non-zero coefficients. It exceeds the number of roots in ]0, 1[ by an
+/// even number, which may be 0 (Descartes' rule of signs).
 template <int Degree>
 int sign_changes(const Bernstein<Degree, ExactNumber>& p) {
     int changes = 0;
@@ -22,8 +23,8 @@ int sign_changes(const Bernstein<Degree, ExactNumber>& p) {
     return changes;
 }
 
-/// The sign of the first coefficient that is not zero; 0 for the zero polynomial. Without sign changes, it is the sign
-/// all over ]0, 1[.
+/// The sign of the first coefficient that is not zero; 0 for the zero polynomial. Without sign changes the polynomial
+/// has this sign on ]0, 1[.
 template <int Degree>
 int leading_sign(const Bernstein<Degree, ExactNumber>& p) {
     for (int i = 0; i <= Degree; ++i)
@@ -32,13 +33,14 @@ int leading_sign(const Bernstein<Degree, ExactNumber>& p) {
     return 0;
 }
 
+/// One polynomial on both halves of [0, 1], each mapped to [0, 1].
 template <int Degree>
 struct Halves {
     Bernstein<Degree, ExactNumber> left;
     Bernstein<Degree, ExactNumber> right;
 };
 
-/// The polynomial on [0, 1/2] and on [1/2, 1] (de Casteljau).
+/// The polynomial on [0, 1/2] and on [1/2, 1], by de Casteljau's algorithm.
 template <int Degree>
 Halves<Degree> halves(const Bernstein<Degree, ExactNumber>& p) {
     std::array<ExactNumber, Degree + 1> c;
@@ -54,14 +56,14 @@ Halves<Degree> halves(const Bernstein<Degree, ExactNumber>& p) {
     return result;
 }
 
-/// A number in [0, 1]: a multiple of a power of two, or the only root of a polynomial in an open interval, a simple
-/// one.
+/// A number in [0, 1]. It is either a dyadic number (a point) or the only root of a polynomial in an open dyadic
+/// interval, where the root is simple.
 template <int Degree>
 class ExactRoot {
 public:
     using Polynomial = Bernstein<Degree, ExactNumber>;
 
-    /// The roots of p in [0, 1], in order, each of them once. p must not be zero.
+    /// The distinct roots of p in [0, 1] in ascending order. p must not be zero.
     static std::vector<ExactRoot> roots_of(const Polynomial& p) {
         if (auto roots = isolated(p, multiple_level))
             return std::move(*roots);
@@ -78,32 +80,32 @@ public:
         while (part_ && level_ < level)
             halve();
     }
-    /// Narrows the interval until it is away from 0.
+    /// Narrows the interval until its lower end is positive.
     void separate_from_zero() {
         while (part_ && lower_.sign() == 0)
             halve();
     }
 
-    /// The sign of p at the root. Narrows the interval where that helps to tell.
+    /// The sign of p at the root. Narrows the interval as far as the decision needs it.
     int sign_of(const Polynomial& p) {
-        for (bool is_apart = false; part_; narrow_to(level_ + 8)) {
+        for (bool is_distinct = false; part_; narrow_to(level_ + 8)) {
             const Polynomial p_here = restricted(p, ExactNumber(lower()), ExactNumber(upper()));
             if (sign_changes(p_here) == 0)
                 return leading_sign(p_here);
-            if (level_ < doubtful_level || is_apart)
+            if (level_ < suspect_level || is_distinct)
                 continue;
             if (is_root_of(p_here))
                 return 0;
-            is_apart = true;
+            is_distinct = true;
         }
         return value_at(p, ExactNumber(lower_)).sign();
     }
 
 private:
-    /// Roots that bisection does not separate down to this width are likely one.
+    /// Roots that are not separated at this level, at a width of 2^-40, probably form one multiple root.
     static constexpr int multiple_level = 40;
-    /// A number that is this close to a root of another polynomial is likely one.
-    static constexpr int doubtful_level = 64;
+    /// If p still changes sign at this level, at a width of 2^-64, the root is probably also a root of p.
+    static constexpr int suspect_level = 64;
     static constexpr int no_limit = 1 << 20;
 
     ExactRoot(Dyadic lower, int level, std::optional<Polynomial> part = {})
@@ -111,6 +113,7 @@ private:
 
     [[nodiscard]] Dyadic middle() const { return lower_ + Dyadic(1.0).times_power_of_two(-level_ - 1); }
 
+    /// Keeps the half with the root. The root becomes a point if it is the middle.
     void halve() {
         const auto [left, right] = halves(*part_);
         if (sign_changes(left) == 0)
@@ -122,18 +125,19 @@ private:
             part_ = sign_changes(left) == 0 ? right : left;
     }
 
-    /// Both polynomials on the interval, where a common divisor has the same root or none.
+    /// Whether p has the same root; `p_here` is p on the interval. A common divisor has exactly this root there, or
+    /// none.
     [[nodiscard]] bool is_root_of(const Polynomial& p_here) const {
         const PowerForm shared = common_divisor(power_form(*part_), power_form(p_here));
         return sign_changes(bernstein_form<Degree>(shared)) % 2 != 0;
     }
 
-    /// Nothing if roots are still together at the deepest level.
+    /// The roots of p in [0, 1]. Empty if some roots are not separated at the deepest level.
     static std::optional<std::vector<ExactRoot>> isolated(const Polynomial& p, int deepest) {
         std::vector<ExactRoot> roots;
         if (p[0].sign() == 0)
             roots.push_back(at(Dyadic()));
-        std::vector<ExactRoot> parts{{Dyadic(), 0, p}}; // half open: with the upper end; the earliest on top
+        std::vector<ExactRoot> parts{{Dyadic(), 0, p}}; // half-open, with the upper end; the earliest part is on top
         while (!parts.empty()) {
             const ExactRoot part = std::move(parts.back());
             parts.pop_back();
@@ -154,7 +158,7 @@ private:
         return roots;
     }
 
-    std::optional<Polynomial> part_; ///< the polynomial on [lower, lower + 2^-level]; none if `lower` is the root
+    std::optional<Polynomial> part_; ///< the polynomial on [lower, lower + 2^-level]; empty if `lower` is the root
     Dyadic lower_;
     int level_;
 };

@@ -1,4 +1,5 @@
-// Products are split without error into two doubles of unit size, whose mantissas are added as integers.
+// Splits each product without error into two doubles of magnitude at most 1 and adds their mantissas as integers.
+// The sign is read off after one pass that propagates all carries.
 #include "chasles/algebra/exact_sum.h"
 
 #include <cmath>
@@ -21,7 +22,7 @@ int ExactSum::sign() const {
     bool is_zero = true;
     for (const std::int64_t digit : digits_) {
         const std::int64_t total = digit + carry;
-        carry = total >> 32; // rounds down, so what stays behind is never negative
+        carry = total >> 32; // rounds down, therefore the remaining digit is never negative
         is_zero = is_zero && (total & 0xffffffff) == 0;
     }
     if (carry < 0)

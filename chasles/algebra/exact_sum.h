@@ -1,5 +1,5 @@
-// The exact sign of a sum of products of doubles, whatever their exponents: nothing rounds, overflows or underflows.
-// A fixed-point accumulator wide enough for every product (U. Kulisch, "Computer Arithmetic and Validity", 2008).
+// The exact sign of a sum of products of doubles with any exponents. No operation rounds, overflows or underflows.
+// Source: the fixed-point accumulator of U. Kulisch, "Computer Arithmetic and Validity", 2008.
 #pragma once
 
 #include <array>
@@ -7,23 +7,25 @@
 
 namespace chasles {
 
-/// Takes about a microsecond; meant for what a floating-point filter leaves undecided.
+/// One sum takes about a microsecond. Use it where a floating-point filter cannot decide.
 class ExactSum {
 public:
-    /// Adds a * b for finite a, b. At most 2^28 products fit.
+    /// Adds a * b for finite a and b. The accumulator has room for 2^28 products.
     void add_product(double a, double b);
 
-    /// -1, 0 or 1.
+    /// The sign of the sum: -1, 0 or 1.
     [[nodiscard]] int sign() const;
 
 private:
+    /// Adds value * 2^exponent.
     void add_scaled(double value, int exponent);
+    /// Adds a word of 32 bits at a bit position.
     void add_at(std::uint64_t bits, int position, bool negative);
 
-    /// Digits of 32 bits with room for carries; the lowest has the weight of the smallest product, 2^-2148, less the
-    /// 64 bits by which the rounding error of a product may reach below it.
+    /// The weight of the lowest bit. The smallest product is 2^-2148; the rounding error of a product has up to 64 more
+    /// bits below it.
     static constexpr int lowest_bit = -2148 - 64;
-    std::array<std::int64_t, 136> digits_{};
+    std::array<std::int64_t, 136> digits_{}; ///< digits of 32 bits with room for carries
 };
 
 } // namespace chasles

@@ -1,4 +1,5 @@
-// What first_feasible is asked and what it answers. Source: docs/derivations/06-first-feasible.md.
+// The input and the answer of `first_feasible`: a function F, inequalities, tolerances, and an interval.
+// Source: docs/derivations/06-first-feasible.md.
 #pragma once
 
 #include "chasles/algebra/bernstein.h"
@@ -8,15 +9,16 @@
 
 namespace chasles::algebra {
 
-/// A polynomial whose coefficient i differs from the exact one by at most error * weight_i.
+/// A polynomial with an error bound: coefficient i differs from the exact coefficient by at most error * weight_i.
 template <int Degree, class Scalar>
 struct Bounded {
     Bernstein<Degree, Scalar> polynomial;
     Scalar error{};
 };
 
-/// Demands first(tau) >= 0; with an alternative, first(tau) >= 0 or second(tau) >= 0. With a span it demands the same
-/// of span W - first and span W - second besides, so that the values over W from first to second meet [0, span].
+/// The inequality first(tau) >= 0, or, with an alternative, "first(tau) >= 0 or second(tau) >= 0". A span adds the same
+/// inequality for span W - first and span W - second. Both together state that the interval between first / W and
+/// second / W intersects [0, span].
 template <int Degree, class Scalar>
 struct Constraint {
     Bounded<Degree, Scalar> first;
@@ -25,20 +27,22 @@ struct Constraint {
     std::optional<Scalar> span{};
 };
 
-/// Calls `demand(polynomial, second polynomial or nullptr)` for the one or two demands of a constraint, given its
-/// polynomials on some part (`second` is not looked at without an alternative), until one returns false.
-template <int Degree, class Scalar, class Demand>
-bool all_demands(const Constraint<Degree, Scalar>& constraint, const Bernstein<Degree, Scalar>& weight,
-                 const Bernstein<Degree, Scalar>& first, const Bernstein<Degree, Scalar>& second, Demand demand) {
-    const auto ask = [&](const Bernstein<Degree, Scalar>& p, const Bernstein<Degree, Scalar>& q) {
-        return demand(p, constraint.has_alternative ? &q : nullptr);
+/// Calls `holds(polynomial, second polynomial or nullptr)` for the one or two inequalities of a constraint and returns
+/// false as soon as one call returns false. The polynomials are given on some part of [0, 1]. `second` is ignored
+/// without an alternative.
+template <int Degree, class Scalar, class Predicate>
+bool all_inequalities(const Constraint<Degree, Scalar>& constraint, const Bernstein<Degree, Scalar>& weight,
+                      const Bernstein<Degree, Scalar>& first, const Bernstein<Degree, Scalar>& second,
+                      Predicate holds) {
+    const auto visit = [&](const Bernstein<Degree, Scalar>& p, const Bernstein<Degree, Scalar>& q) {
+        return holds(p, constraint.has_alternative ? &q : nullptr);
     };
-    if (!ask(first, second))
+    if (!visit(first, second))
         return false;
     if (!constraint.span)
         return true;
     const Bernstein<Degree, Scalar> end = weight * *constraint.span;
-    return ask(end - first, end - second);
+    return visit(end - first, end - second);
 }
 
 /// F and the constraints over one positive weight polynomial.
@@ -49,7 +53,7 @@ struct FeasibilityProblem {
     std::span<const Constraint<Degree, Scalar>> constraints;
 };
 
-/// What `first_feasible` found: nothing feasible lies before `lower`.
+/// The answer of `first_feasible`. It proves that no feasible tau lies before `lower`.
 struct FeasibleInterval {
     double lower = 0;
     double upper = 1;
@@ -57,17 +61,17 @@ struct FeasibleInterval {
     bool certain = false;
 };
 
-/// Where to look first.
+/// The part of [0, 1] that is searched first.
 struct Focus {
-    double lower = 0; ///< nothing feasible is before it: so an earlier search has proven
-    double upper = 1; ///< what is after it is looked at last
+    double lower = 0; ///< an earlier search has proven that no feasible tau lies before it
+    double upper = 1; ///< the rest of [0, 1] after it is searched last
 };
 
-/// When to stop.
+/// When the search stops. All widths are in tau.
 struct Tolerance {
-    double width = 1e-12;      ///< of an interval that holds a root for certain
-    double resolution = 1e-12; ///< below it, what is still not certain is reported as it stands
-    int restrictions = 10'000; ///< of polynomials to parts of [0, 1]; after so many, likewise
+    double width = 1e-12;      ///< greatest width of an answer that is certain
+    double resolution = 1e-12; ///< a part that is narrower than this is reported as uncertain
+    int restrictions = 10'000; ///< after this many restrictions the current part is reported as uncertain
     Focus focus{};
 };
 

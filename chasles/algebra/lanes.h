@@ -1,5 +1,6 @@
-// N numbers side by side. Four doubles are one vector register (AVX), or two (SSE2, NEON, WebAssembly); any other
-// count or scalar is a plain array, so that the same lines run in double, double-double and exact rationals.
+// N numbers with element-wise arithmetic. Four doubles use one vector register (AVX) or two (SSE2, NEON, WebAssembly).
+// Any other count or scalar uses a plain array. The same source lines therefore run in double, double-double and exact
+// rationals.
 #pragma once
 
 #include <array>
@@ -58,7 +59,7 @@ struct Lanes {
 #if defined(__GNUC__)
 namespace detail {
 
-/// As many doubles as a register of the target holds. Twice as many would be lowered to memory and back.
+/// The number of doubles in one register of the target. The compiler would pass wider vectors through memory.
 #if defined(__AVX__)
 inline constexpr std::size_t register_doubles = 4;
 #else
@@ -92,7 +93,7 @@ inline bool all_above(const std::array<Register, registers>& a, const std::array
 
 } // namespace detail
 
-/// The fast case: compiler vectors, which GCC and Clang lower to whatever the target has.
+/// The fast case. GCC and Clang lower these compiler vectors to the instructions of the target.
 template <>
 struct Lanes<4, double> {
     using Words = std::array<detail::Register, detail::registers>;

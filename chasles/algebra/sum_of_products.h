@@ -1,5 +1,5 @@
-// Sums of products of cubics over one weight, with bounds of their coefficients that follow the numbers at hand: what
-// squared distances are made of. Source: docs/derivations/16-margin.md, "Bounds".
+// Sums of products of cubics over one weight, with error bounds from the actual coefficients. Squared distances are
+// sums of this kind. Source: docs/derivations/16-margin.md, "Bounds".
 #pragma once
 
 #include "chasles/algebra/feasibility_problem.h"
@@ -7,14 +7,14 @@
 
 namespace chasles::algebra {
 
-/// A cubic whose coefficient i is at most size * weight_i in magnitude.
+/// A cubic with a size: the magnitude of coefficient i is at most size * weight_i.
 template <class Scalar>
 struct Sized {
     Bounded<3, Scalar> cubic;
     Scalar size{};
 };
 
-/// The least such size, up to two roundings.
+/// A cubic with its least size, up to two roundings.
 template <class Scalar>
 Sized<Scalar> sized(const Bounded<3, Scalar>& cubic, const Bernstein<3, Scalar>& weight) {
     const auto magnitudes = magnitude(cubic.polynomial.coefficients);
@@ -26,10 +26,11 @@ Sized<Scalar> sized(const Bounded<3, Scalar>& cubic, const Bernstein<3, Scalar>&
     return {cubic, size};
 }
 
-/// A sum of degree six over the square of the weight.
+/// A sum of products of degree six over the square of the weight.
 template <class Scalar>
 class SumOfProducts {
 public:
+    /// Adds a b.
     void add(const Sized<Scalar>& a, const Sized<Scalar>& b) {
         const Scalar& a_error = a.cubic.error;
         const Scalar& b_error = b.cubic.error;
@@ -53,9 +54,9 @@ public:
         return result;
     }
 
-    /// With all that products, sums and restrictions round, and a little more for the bound's own roundings.
+    /// The sum with its error bound. The bound covers the rounding of products, sums, restrictions and of itself.
     [[nodiscard]] Bounded<6, Scalar> bounded() const {
-        constexpr double units = 48;
+        constexpr double units = 48; // unit roundoffs, counted in the note
         constexpr double underflow = 0x1p-1000;
         const Scalar rounded = Scalar(units * unit_roundoff<Scalar>) * size_;
         return {sum_, Scalar(Scalar(1.0625) * (error_ + rounded) + Scalar(underflow))};

@@ -1,4 +1,4 @@
-// What is asked of a scalar: how exact it is, and whether it can be divided.
+// Properties of a scalar type: the rounding error of one operation, and whether the type has a division.
 #pragma once
 
 namespace chasles::algebra {
@@ -9,7 +9,7 @@ inline constexpr double unit_roundoff = 0;
 template <>
 inline constexpr double unit_roundoff<double> = 0x1p-53;
 
-/// Numbers of the exact stage cannot be.
+/// Scalars with a division. Dyadic and ExactNumber have none.
 template <class Scalar>
 concept Divisible = requires(Scalar a) { a / a; };
 

@@ -1,4 +1,4 @@
-// Vectors and matrices of three over any ring: doubles, double-doubles, rationals, lanes, polynomials.
+// Vectors and matrices of dimension three over any ring: doubles, double-doubles, rationals, lanes, polynomials.
 #pragma once
 
 #include <cmath>
@@ -20,13 +20,14 @@ struct Vector3 {
     friend Vector3 operator-(const Vector3& a, const Vector3& b) { return {a.x - b.x, a.y - b.y, a.z - b.z}; }
 };
 
-/// Every component times a factor of another type, for example a vector of numbers times a polynomial.
+/// The product with a factor of any type, for example a vector of numbers times a polynomial.
 template <class T, class S>
 auto scale(const Vector3<T>& a, const S& s) {
     using Product = decltype(a.x * s);
     return Vector3<Product>{a.x * s, a.y * s, a.z * s};
 }
 
+/// The scalar product.
 template <class A, class B>
 [[gnu::always_inline]] inline auto dot(const Vector3<A>& a, const Vector3<B>& b) {
     using Product = decltype(a.x * b.x);
@@ -39,13 +40,14 @@ auto cross(const Vector3<A>& a, const Vector3<B>& b) {
     return Vector3<Product>{a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// The Euclidean length; T needs a square root.
 template <class T>
 T length(const Vector3<T>& a) {
     using std::sqrt;
     return sqrt(dot(a, a));
 }
 
-/// Sum of the magnitudes of the components.
+/// The 1-norm: the sum of the magnitudes of the components.
 template <class T>
 T norm1(const Vector3<T>& a) {
     const auto magnitude_of = [](const T& value) {
@@ -57,7 +59,7 @@ T norm1(const Vector3<T>& a) {
     return magnitude_of(a.x) + magnitude_of(a.y) + magnitude_of(a.z);
 }
 
-/// Three rows.
+/// A matrix of three rows.
 template <class T>
 struct Matrix3 {
     Vector3<T> row[3];

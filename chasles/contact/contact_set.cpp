@@ -39,7 +39,7 @@ FeaturePair pair_of(const Part& moving, const Part& fixed) {
 /// The faces at an edge are in one plane up to the slack over their own size.
 bool is_flat_at(const Body& body, const Edge& edge, double slack) {
     std::vector<Eigen::Vector3d> ways;
-    any_way_from_edge(body, edge, [&](const Eigen::Vector3d& way) {
+    any_direction_from_edge(body, edge, [&](const Eigen::Vector3d& way) {
         ways.push_back(way);
         return false;
     });

@@ -19,9 +19,9 @@ Ways ways_from(const Body& body, FeatureKind kind, const Feature& feature) {
         return false;
     };
     if (kind == FeatureKind::vertex) {
-        any_way_from_vertex(body, feature.first, collect);
+        any_direction_from_vertex(body, feature.first, collect);
     } else {
-        any_way_from_edge(body, {feature.first, feature.second}, collect);
+        any_direction_from_edge(body, {feature.first, feature.second}, collect);
         const Eigen::Vector3d along = body.vertices()[feature.second] - body.vertices()[feature.first];
         collect(along);
         collect(-along);

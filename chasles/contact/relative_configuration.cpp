@@ -73,9 +73,9 @@ double steepest(const Body& body, FeatureKind kind, const Feature& feature, cons
         return false;
     };
     if (kind == FeatureKind::vertex)
-        any_way_from_vertex(body, feature.first, see);
+        any_direction_from_vertex(body, feature.first, see);
     if (kind == FeatureKind::edge)
-        any_way_from_edge(body, {feature.first, feature.second}, see);
+        any_direction_from_edge(body, {feature.first, feature.second}, see);
     return most;
 }
 

@@ -1,4 +1,5 @@
-// The ball around a body that its box hierarchy tells.
+// A ball that encloses a body, taken from its BVH.
+// The far-apart test and the chord deviation use it.
 #pragma once
 
 #include "chasles/hierarchy/bvh.h"
@@ -6,7 +7,7 @@
 
 namespace chasles::culling {
 
-/// Around the centre of the hierarchy, in the body's frame.
+/// The ball around the centre of the hierarchy, in the body's frame and length unit.
 inline motion::Ball ball_around(const Bvh& hierarchy) {
     return {hierarchy.centre(), hierarchy.radius()};
 }

@@ -1,4 +1,5 @@
-// The corners and the plane of a face in any scalar, kept until another face is requested.
+// The shape of a face in any scalar, kept until another face is requested.
+// Consecutive pairs of faces often share a face.
 #pragma once
 
 #include "chasles/elementary/face_shape.h"
@@ -15,7 +16,7 @@ Vector3<S> point_of(const Body& body, std::uint32_t vertex) {
     return motion::vector_in<S>(body.vertices()[vertex]);
 }
 
-/// Consecutive pairs of faces often share a face; its shape is computed once for them.
+/// The shape of the last requested face. It is computed once for consecutive requests of one face.
 template <class S>
 class CachedFace {
 public:

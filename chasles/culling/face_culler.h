@@ -1,5 +1,5 @@
-// What a pair of faces has to pass before any of its features are asked: planes of both, in the part of the interval
-// that matters. Source: docs/derivations/13-face-sides.md.
+// The last culling stage before feature tests: it culls a pair of faces if a plane separates them in the time window.
+// Source: docs/derivations/13-face-sides.md.
 #pragma once
 
 #include "chasles/culling/bvh_traversal.h"
@@ -7,34 +7,42 @@
 
 namespace chasles::culling {
 
-/// For the pairs of faces of one search.
+/// A part of an interval in which two faces may meet, and which of their corners may come to the other face's plane.
+/// Valid until the next pair is culled.
+struct MeetingFaces {
+    TimeRange part;
+    CornerSides moving;
+    CornerSides fixed;
+};
+
+/// The culler of one search.
 class FaceCuller {
 public:
-    /// All are kept by reference. Points within `margin` of a plane count as coming to it.
+    /// Keeps all references. Points within `margin` of a plane count as touching the plane.
     FaceCuller(const Body& moving, const Body& fixed, const motion::ControlMaps<double>& whole,
                const elementary::ErrorScale& scale, double margin)
         : planes_(moving, fixed, scale, margin), maps_(whole) {}
 
-    /// Calls `ask(part, sides of the moving corners, sides of the fixed ones)` unless a plane keeps the faces apart up
-    /// to `best`; answers would be the same (note 13). Planes are made once for the interval.
-    template <class Ask>
-    void cull(const FacePair& pair, double best, Ask ask) {
+    /// The features of two faces that may meet up to `best`; empty if a plane separates the faces until then. The answer
+    /// of a search does not depend on what is culled (note 13). Planes are computed once for the interval.
+    std::optional<MeetingFaces> cull(const FacePair& pair, double best) {
         const TimeRange& interval = pair.interval;
         const double first = interval.at(pair.when.lower);
         const TimeRange part =
             part_around(interval, {first, std::max(first, std::min(best, interval.at(pair.when.upper)))});
         if (maps_.set(interval))
             planes_.use(maps_.maps());
-        const FacePlanes::Part in_interval((part.lower - interval.lower) / interval.width(),
+        const FacePlanes::Restriction in_interval((part.lower - interval.lower) / interval.width(),
                                            (part.upper - interval.lower) / interval.width());
-        if (planes_.stay_apart(pair.moving, pair.fixed, in_interval, pair.when.lower))
-            return;
+        if (planes_.are_separated(pair.moving, pair.fixed, in_interval, pair.when.lower))
+            return std::nullopt;
         const CornerSides moving_sides = planes_.sides_of_moving(pair.moving, pair.fixed, in_interval);
         if (moving_sides.all_on_one_side())
-            return;
+            return std::nullopt;
         const CornerSides fixed_sides = planes_.sides_of_fixed(pair.moving, pair.fixed, in_interval);
-        if (!fixed_sides.all_on_one_side())
-            ask(part, moving_sides, fixed_sides);
+        if (fixed_sides.all_on_one_side())
+            return std::nullopt;
+        return MeetingFaces{part, moving_sides, fixed_sides};
     }
 
 private:

@@ -1,5 +1,5 @@
-// Which corners of two faces may come to each other's planes in an interval of time: what is asked before any of their
-// features.
+// The corners of two faces that may touch the plane of the other face in an interval of time.
+// The face culler uses them before any feature test.
 // Source: docs/derivations/13-face-sides.md.
 #pragma once
 
@@ -11,13 +11,13 @@
 
 namespace chasles::culling {
 
-/// On which side of the other face's plane the corners of a face are proven to stay.
+/// The proven sides of the corners of one face on the plane of the other face.
 class CornerSides {
 public:
-    /// `room` holds the sides, so that nothing is allocated.
-    CornerSides(const Body& body, std::uint32_t face, const elementary::SeenPlane<double>& plane,
-                const algebra::Restriction<3, double>& part, std::vector<int>& room)
-        : corners_(body.face(face)), sides_(room) {
+    /// The sides are stored in `storage`, which is reused.
+    CornerSides(const Body& body, std::uint32_t face, const elementary::RelativePlane<double>& plane,
+                const algebra::Restriction<3, double>& part, std::vector<int>& storage)
+        : corners_(body.face(face)), sides_(storage) {
         sides_.clear();
         sides_.reserve(8);
         const auto band = part(plane.band);
@@ -25,11 +25,13 @@ public:
             sides_.push_back(plane.side_of(point_of<double>(body, corner), part, band));
     }
 
+    /// Whether all corners are proven to stay on one side.
     [[nodiscard]] bool all_on_one_side() const {
         return sides_[0] != 0 && std::all_of(sides_.begin(), sides_.end(), [&](int side) { return side == sides_[0]; });
     }
-    /// Whether the corner may come to the plane.
+    /// Whether the corner may touch the plane.
     [[nodiscard]] bool may_meet(std::uint32_t vertex) const { return side(vertex) == 0; }
+    /// Whether a point of the edge may touch the plane.
     [[nodiscard]] bool may_meet(const Edge& edge) const {
         const int from = side(edge.from);
         return from == 0 || from != side(edge.to);
@@ -44,51 +46,51 @@ private:
     std::vector<int>& sides_;
 };
 
-/// The planes of the faces that were asked about last; a pair of faces often shares one with the pair before.
+/// The planes of the last tested faces. Consecutive pairs of faces often share a face.
 class FacePlanes {
 public:
-    /// Points within `margin` of a plane count as coming to it.
+    /// Keeps the bodies by reference. Points within `margin` of a plane count as touching the plane.
     FacePlanes(const Body& moving, const Body& fixed, const elementary::ErrorScale& scale, double margin)
         : moving_(moving), fixed_(fixed), scale_(scale), margin_(margin) {}
 
-    /// Sets the maps of an interval, which are kept by reference.
+    /// Sets the maps of an interval. Keeps them by reference.
     void use(const motion::ControlMaps<double>& maps) {
         maps_ = &maps;
         of_moving_.face = of_fixed_.face = no_face;
     }
-    using Part = algebra::Restriction<3, double>; ///< of the interval
+    using Restriction = algebra::Restriction<3, double>; ///< to a part of the interval
 
-    /// The corners of a moving face and the plane of a fixed one. Until the next call.
-    CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part) {
-        of_fixed_.see(fixed_face, [&] {
-            const auto& shape = of_fixed_.held.shape_of(fixed_, fixed_face);
-            return elementary::plane_of_fixed_face(*maps_, shape, scale_, reach_of(shape));
+    /// The sides of a moving face's corners on the plane of a fixed face. Valid until the next call.
+    CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
+        of_fixed_.update(fixed_face, [&] {
+            const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
+            return elementary::plane_of_fixed_face(*maps_, shape, scale_, offset_of(shape));
         });
         return {moving_, moving_face, of_fixed_.plane, part, of_fixed_.sides};
     }
-    /// The other way round.
-    CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part) {
-        of_moving_.see(moving_face, [&] {
-            const auto& shape = of_moving_.held.shape_of(moving_, moving_face);
-            return elementary::plane_of_moving_face(*maps_, shape, scale_, reach_of(shape));
+    /// The sides of a fixed face's corners on the plane of a moving face. Valid until the next call.
+    CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
+        of_moving_.update(moving_face, [&] {
+            const auto& shape = of_moving_.shape.shape_of(moving_, moving_face);
+            return elementary::plane_of_moving_face(*maps_, shape, scale_, offset_of(shape));
         });
         return {fixed_, fixed_face, of_moving_.plane, part, of_moving_.sides};
     }
 
-    /// With a margin: whether the way from one face to the other at `time`, in the interval, proves that they stay
-    /// farther apart than the margin.
-    [[nodiscard]] bool stay_apart(std::uint32_t moving_face, std::uint32_t fixed_face, const Part& part,
-                                  double time) const {
+    /// With a margin: whether the direction between the mean corners at `time` (in [0, 1] of the interval) proves that
+    /// the faces stay farther apart than the margin. Without a margin: false.
+    [[nodiscard]] bool are_separated(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part,
+                                     double time) const {
         if (margin_ <= 0)
             return false;
         const auto path = maps_->rotation * mean_corner(moving_, moving_face) + maps_->translation;
-        elementary::FaceShape<double> front;
-        front.normal = elementary::position_at(path, maps_->weight, time) - mean_corner(fixed_, fixed_face);
-        front.size = norm1(front.normal);
-        front.offset = -std::numeric_limits<double>::infinity();
+        elementary::FaceShape<double> half_space; // its plane supports the fixed face
+        half_space.normal = elementary::position_at(path, maps_->weight, time) - mean_corner(fixed_, fixed_face);
+        half_space.size = norm1(half_space.normal);
+        half_space.offset = -std::numeric_limits<double>::infinity();
         for (const std::uint32_t corner : fixed_.face(fixed_face))
-            front.offset = std::max(front.offset, dot(front.normal, point_of<double>(fixed_, corner)));
-        const auto plane = elementary::plane_of_fixed_face(*maps_, front, scale_, reach_of(front));
+            half_space.offset = std::max(half_space.offset, dot(half_space.normal, point_of<double>(fixed_, corner)));
+        const auto plane = elementary::plane_of_fixed_face(*maps_, half_space, scale_, offset_of(half_space));
         const auto band = part(plane.band);
         return std::ranges::all_of(moving_.face(moving_face), [&](std::uint32_t corner) {
             return plane.side_of(point_of<double>(moving_, corner), part, band) > 0;
@@ -105,21 +107,24 @@ private:
 
     static constexpr std::uint32_t no_face = 0xffffffff;
 
-    [[nodiscard]] double reach_of(const elementary::FaceShape<double>& face) const {
+    /// The margin as an offset of the plane: margin * |normal|.
+    [[nodiscard]] double offset_of(const elementary::FaceShape<double>& face) const {
         return margin_ > 0 ? margin_ * length(face.normal) : 0;
     }
 
+    /// The plane of the last requested face.
     struct LastPlane {
         std::uint32_t face = no_face;
-        CachedFace<double> held;
-        elementary::SeenPlane<double> plane;
-        std::vector<int> sides; ///< of the other face's corners
+        CachedFace<double> shape;
+        elementary::RelativePlane<double> plane;
+        std::vector<int> sides; ///< of the corners of the other face
 
+        /// Computes the plane if the requested face is another one.
         template <class Make>
-        void see(std::uint32_t asked, Make make) {
-            if (asked != face)
+        void update(std::uint32_t requested, Make make) {
+            if (requested != face)
                 plane = make();
-            face = asked;
+            face = requested;
         }
     };
 

@@ -1,49 +1,29 @@
+// Bounds the distance of both balls from below by the distance of their centres half way and the travel of the centre.
+// Source: docs/derivations/07-swept-boxes.md, "Far apart".
 #include "chasles/culling/far_apart.h"
+
+#include "chasles/motion/screw_path.h"
 
 namespace chasles::culling {
 
 namespace {
 
-using Vector = algebra::Vector3<double>;
-
-/// Of the sizes of all that enters: roundings take a tenth of it.
+/// Times the sizes of everything that enters: ten times the roundings.
 constexpr double slack = 1e-12;
 
 double size_of(const Eigen::Vector3d& v) {
     return norm1(motion::vector_in<double>(v));
 }
 
-/// A point of the moving body in the fixed body's frame.
-[[gnu::always_inline]] inline Vector position(const GivenPose& given, const Vector& point) {
-    const auto pose = motion::pose_in<double>(given.pose);
-    const Vector in_world = rotated(pose.rotation, point) + pose.translation;
-    if (!given.seen_from)
-        return in_world;
-    const auto frame = motion::pose_in<double>(*given.seen_from);
-    return rotated(frame.rotation.conjugate(), in_world - frame.translation);
-}
-
 } // namespace
 
-bool are_far_apart(const Body& moving, const Body& fixed, const MotionEnds& ends, double margin) {
+bool are_far_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory, double margin) {
     const Bvh& mover = moving.bvh();
     const Bvh& target = fixed.bvh();
-    const Vector centre = motion::vector_in<double>(mover.centre());
-    const Vector from = position(ends.given_start, centre);
-    const Vector to = position(ends.given_goal, centre);
-    double travel = length(to - from); // twice as far as the ball's centre gets from the middle of both
-    double size = size_of(mover.centre()) + size_of(target.centre());
-    if (ends.swept_centre) {
-        const Vector reference = motion::vector_in<double>(*ends.swept_centre);
-        const Vector straight = position(ends.given_goal, reference) - position(ends.given_start, reference);
-        travel = length(straight) + length(to - from - straight);
-        size += size_of(*ends.swept_centre);
-    }
-    if (ends.fixed)
-        size += size_of(ends.fixed->start.translation) + size_of(ends.fixed->goal.translation);
-    const double away = length(scale(from + to, 0.5) - motion::vector_in<double>(target.centre()));
-    size += away + travel;
-    return away - (mover.radius() + target.radius()) - travel / 2 - margin > slack * size;
+    const motion::PathBall path = trajectory.ball_around_path(motion::vector_in<double>(mover.centre()));
+    const double away = length(path.centre - motion::vector_in<double>(target.centre()));
+    const double size = size_of(mover.centre()) + size_of(target.centre()) + path.size + away + 2 * path.radius;
+    return away - (mover.radius() + target.radius()) - path.radius - margin > slack * size;
 }
 
 } // namespace chasles::culling

@@ -1,4 +1,5 @@
-// The pairs of nodes that are still to be visited in one interval of time.
+// The pairs of nodes that are not yet visited in one interval of time, as a stack or as a queue by time.
+// Push and pop take constant time.
 #pragma once
 
 #include "chasles/culling/swept_boxes.h"
@@ -10,22 +11,23 @@
 
 namespace chasles::culling {
 
-/// A pair of nodes, one of each hierarchy, that may meet in a part of the interval at hand.
+/// A pair of nodes, one of each hierarchy, that may touch in a window of the current interval.
 struct NodePair {
     std::uint32_t moving;
     std::uint32_t fixed;
     Window when;
 };
 
-/// The last one in is the first one out, so that its nodes are still at hand. By time, pairs that may meet earlier come
-/// before that, in steps of a part of the interval. In and out cost the same, however many there are.
+/// A stack: the pair that was pushed last is popped first, because its nodes are still in the cache. By time, the
+/// interval is divided into 64 steps with one stack each. Pairs whose window starts in an earlier step are popped
+/// first.
 class PairQueue {
 public:
     explicit PairQueue(bool by_time) : steps_(by_time ? 64 : 1) {}
 
     [[nodiscard]] bool is_empty() const { return occupied_ == 0; }
 
-    /// Where the windows of all that are left begin, up to rounding, at the earliest. By time only.
+    /// The earliest start of the windows of all pairs, rounded down to a step. Only for a queue by time. 1 if empty.
     [[nodiscard]] float earliest() const { return is_empty() ? 1 : float(first_step()) / float(steps_ - 1); }
 
     void push(const NodePair& pair) {
@@ -44,7 +46,7 @@ public:
         occupied_ |= bit;
     }
 
-    /// There has to be one.
+    /// Removes and returns the next pair. The queue must not be empty.
     NodePair pop() {
         const std::size_t step = first_step();
         const std::uint32_t place = tops_[step];
@@ -70,14 +72,14 @@ private:
 
     struct Entry {
         NodePair pair;
-        std::uint32_t next; ///< below it in its step, or the next unused one
+        std::uint32_t next; ///< the entry below in the same step, or the next unused entry
     };
 
     int steps_;
     std::vector<Entry> entries_;
     std::uint32_t unused_ = none;
-    std::uint64_t occupied_ = 0; ///< a bit for each step that has some
-    std::array<std::uint32_t, 64> tops_;
+    std::uint64_t occupied_ = 0;         ///< one bit for each step with entries
+    std::array<std::uint32_t, 64> tops_; ///< the top entry of each occupied step
 };
 
 } // namespace chasles::culling

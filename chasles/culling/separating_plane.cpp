@@ -1,3 +1,5 @@
+// Finds a plane half way between two faces in double-double, then tests nodes and vertices against it.
+// Source: docs/derivations/15-flat-on-flat.md.
 #include "chasles/culling/separating_plane.h"
 
 #include <algorithm>
@@ -9,37 +11,37 @@ namespace {
 using Wide = algebra::DoubleDouble;
 using WidePolynomial = algebra::Bernstein<3, Wide>;
 using WideRestriction = algebra::Restriction<3, Wide>;
-using WidePlane = elementary::SeenPlane<Wide>;
+using WidePlane = elementary::RelativePlane<Wide>;
 
 WidePlane restricted(const WidePlane& plane, const WideRestriction& part) {
     const Vector3<WidePolynomial>& n = plane.normal;
     return {{part(n.x), part(n.y), part(n.z)}, part(plane.offset), part(plane.band)};
 }
 
-WidePlane turned_over(const WidePlane& plane) {
+WidePlane flipped(const WidePlane& plane) {
     return {Vector3<WidePolynomial>() - plane.normal, WidePolynomial() - plane.offset, plane.band};
 }
 
-/// The parallel plane that lies `height` over this one.
+/// The parallel plane at a height of `height` / |normal| over this plane.
 WidePlane raised(WidePlane plane, const WidePolynomial& weight, const Wide& height) {
     plane.offset = plane.offset - weight * height;
     return plane;
 }
 
-/// A face's plane, and what its heights are measured by.
+/// The plane of a face relative to both bodies, and the scale of its heights.
 struct FacePlane {
-    WidePlane by_own;   ///< as the face's own body sees it
-    WidePlane by_other; ///< over the range
-    Wide size;          ///< of the normal
+    WidePlane by_own;   ///< relative to the body of the face
+    WidePlane by_other; ///< relative to the other body, over the range
+    Wide size;          ///< `FaceShape::size`
 };
 
-/// Both sides of a plane.
+/// Both sides of a plane: of the body of the face, and of the other body.
 struct Sides {
     PlaneSide of_own;
     PlaneSide of_other;
 };
 
-/// Finds planes over one range.
+/// Finds planes for one range.
 class PlaneFinder {
 public:
     explicit PlaneFinder(const BodiesInRange& bodies)
@@ -47,34 +49,34 @@ public:
           weight_(part_(bodies.maps.weight)) {}
 
     std::optional<Sides> parallel_to_fixed(std::uint32_t fixed_face, std::uint32_t moving_face) {
-        const auto& face = held_.shape_of(bodies_.fixed, fixed_face);
+        const auto& face = shape_.shape_of(bodies_.fixed, fixed_face);
         return half_way({plane_of_own_face(face, bodies_.scale),
                          restricted(plane_of_fixed_face(bodies_.maps, face, bodies_.scale), part_), face.size},
                         bodies_.moving, moving_face);
     }
     std::optional<Sides> parallel_to_moving(std::uint32_t moving_face, std::uint32_t fixed_face) {
-        const auto& face = held_.shape_of(bodies_.moving, moving_face);
+        const auto& face = shape_.shape_of(bodies_.moving, moving_face);
         return half_way({plane_of_own_face(face, bodies_.scale),
                          restricted(plane_of_moving_face(bodies_.maps, face, bodies_.scale), part_), face.size},
                         bodies_.fixed, fixed_face);
     }
 
 private:
-    /// None if the corners of the other face are not on one side.
+    /// The plane half way to the other face. Empty if the first corner of the other face is on no proven side.
     std::optional<Sides> half_way(const FacePlane& plane, const Body& other, std::uint32_t face) const {
         const auto corners = other.face(face);
         const auto point = [&](std::uint32_t corner) { return point_of<Wide>(other, corner); };
         const int side = plane.by_other.side_of(point(corners[0]));
         if (side == 0)
             return std::nullopt;
-        const WidePlane by_other = side > 0 ? plane.by_other : turned_over(plane.by_other);
-        const WidePlane by_own = side > 0 ? plane.by_own : turned_over(plane.by_own);
+        const WidePlane by_other = side > 0 ? plane.by_other : flipped(plane.by_other);
+        const WidePlane by_own = side > 0 ? plane.by_own : flipped(plane.by_own);
         Wide least = end_height(by_other, point(corners[0]));
         for (const std::uint32_t corner : corners)
             least = std::min(least, end_height(by_other, point(corner)));
         const Wide half = least * Wide(0.5);
         const WidePolynomial one = WidePolynomial::constant(Wide(1));
-        return Sides{side_of(turned_over(raised(by_own, one, half)), one, plane.size),
+        return Sides{side_of(flipped(raised(by_own, one, half)), one, plane.size),
                      side_of(raised(by_other, weight_, half), weight_, plane.size)};
     }
 
@@ -82,7 +84,8 @@ private:
         return (dot(plane.normal, point) + plane.offset)[3] / weight_[3];
     }
 
-    /// In double, coefficients are rounded once more and heights five times: a small part of `error_unit`.
+    /// Adds the plane in double. Coefficients are rounded once more and heights five times, a small part of
+    /// `error_unit`.
     [[nodiscard]] PlaneSide side_of(const WidePlane& plane, const WidePolynomial& weight, const Wide& size) const {
         const auto rough = [](const WidePolynomial& p) { return algebra::converted<double>(p); };
         const double error = elementary::with_underflow(elementary::relative_error<double>(bodies_.scale) *
@@ -95,41 +98,41 @@ private:
     const BodiesInRange& bodies_;
     WideRestriction part_;
     WidePolynomial weight_;
-    CachedFace<Wide> held_;
+    CachedFace<Wide> shape_;
 };
 
 } // namespace
 
-bool PlaneSide::has(const Vector3<double>& point) const {
-    return has_roughly(point) || plane.side_of({Wide(point.x), Wide(point.y), Wide(point.z)}) > 0;
+bool PlaneSide::contains(const Vector3<double>& point) const {
+    return contains_roughly(point) || plane.side_of({Wide(point.x), Wide(point.y), Wide(point.z)}) > 0;
 }
 
-template <class Look>
-bool HalfSpaceCache::memoize(Known& known, Look look) {
-    if (known == Known::nothing)
-        known = look() ? Known::inside : Known::not_inside;
-    return known == Known::inside;
+template <class Test>
+bool HalfSpaceCache::memoize(Result& result, Test test) {
+    if (result == Result::unknown)
+        result = test() ? Result::inside : Result::not_inside;
+    return result == Result::inside;
 }
 
-bool HalfSpaceCache::has_vertex(std::uint32_t vertex) {
-    return memoize(vertices_[vertex], [&] { return side_.has(point_of<double>(*body_, vertex)); });
+bool HalfSpaceCache::contains_vertex(std::uint32_t vertex) {
+    return memoize(vertices_[vertex], [&] { return side_.contains(point_of<double>(*body_, vertex)); });
 }
 
-bool HalfSpaceCache::has_face(std::uint32_t face) {
+bool HalfSpaceCache::contains_face(std::uint32_t face) {
     const auto corners = body_->face(face);
-    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) { return has_vertex(corner); });
+    return std::all_of(corners.begin(), corners.end(), [&](std::uint32_t corner) { return contains_vertex(corner); });
 }
 
-bool HalfSpaceCache::has_node(std::uint32_t index) {
+bool HalfSpaceCache::contains_node(std::uint32_t index) {
     return memoize(nodes_[index], [&] {
         const BvhNode& node = body_->bvh().nodes()[index];
         if (node.is_leaf())
-            return has_face(node.first);
-        return has_box(node) || (has_node(node.first) && has_node(node.first + 1));
+            return contains_face(node.first);
+        return contains_box(node) || (contains_node(node.first) && contains_node(node.first + 1));
     });
 }
 
-bool HalfSpaceCache::has_box(const BvhNode& node) const {
+bool HalfSpaceCache::contains_box(const BvhNode& node) const {
     const Eigen::Vector3d& centre = body_->bvh().centre();
     for (unsigned corner = 0; corner < 8; ++corner) {
         Vector3<double> point;
@@ -137,7 +140,7 @@ bool HalfSpaceCache::has_box(const BvhNode& node) const {
             const auto& end = (corner >> i & 1) != 0 ? node.upper : node.lower;
             point[i] = centre[i] + double(end[std::size_t(i)]);
         }
-        if (!side_.has_roughly(point))
+        if (!side_.contains_roughly(point))
             return false;
     }
     return true;
@@ -147,7 +150,7 @@ std::optional<SeparatingPlane> SeparatingPlane::faces(const BodiesInRange& bodie
                                                       std::uint32_t fixed_face) {
     const auto if_apart = [&](const PlaneSide& of_moving, const PlaneSide& of_fixed) {
         std::optional<SeparatingPlane> plane(SeparatingPlane(bodies, of_moving, of_fixed));
-        if (!plane->moving_.has_face(moving_face) || !plane->fixed_.has_face(fixed_face))
+        if (!plane->moving_.contains_face(moving_face) || !plane->fixed_.contains_face(fixed_face))
             plane.reset();
         return plane;
     };

@@ -1,4 +1,4 @@
-// One plane that keeps many faces apart until shortly before all of them touch: flat on flat.
+// One plane that separates many faces of both bodies during a part of the motion, for flat faces that meet flat faces.
 // Source: docs/derivations/15-flat-on-flat.md.
 #pragma once
 
@@ -10,43 +10,46 @@
 
 namespace chasles::culling {
 
-/// The positive side of a plane, as points of one body see it for a while.
+/// The positive side of a plane relative to one body, during a part of the motion.
 struct PlaneSide {
     using Wide = algebra::DoubleDouble;
-    elementary::SeenPlane<Wide> plane;
-    elementary::SeenPlane<double> rough; ///< good to within its own band
+    elementary::RelativePlane<Wide> plane;
+    elementary::RelativePlane<double> rough; ///< the same plane in double, with a larger band
 
-    /// Whether the point is proven to stay there.
-    [[nodiscard]] bool has(const Vector3<double>& point) const;
-    [[nodiscard]] bool has_roughly(const Vector3<double>& point) const { return rough.side_of(point) > 0; }
+    /// Whether the point is proven to stay on the positive side.
+    [[nodiscard]] bool contains(const Vector3<double>& point) const;
+    /// The same test in double only: faster, with fewer proofs.
+    [[nodiscard]] bool contains_roughly(const Vector3<double>& point) const { return rough.side_of(point) > 0; }
 };
 
-/// The part of a body that is proven to stay on one side of a plane. Each node and each vertex is looked at once.
+/// The part of a body that is proven to stay on one side of a plane. The result for each node and vertex is computed
+/// once.
 class HalfSpaceCache {
 public:
-    /// The body is kept by reference.
+    /// Keeps the body by reference.
     HalfSpaceCache(const Body& body, const PlaneSide& side)
         : body_(&body), side_(side), nodes_(body.bvh().nodes().size()), vertices_(body.vertices().size()) {}
 
-    bool has_face(std::uint32_t face);
-    /// Whether it has all faces below the node.
-    bool has_node(std::uint32_t node);
+    /// Whether the half-space contains a face.
+    bool contains_face(std::uint32_t face);
+    /// Whether the half-space contains all faces below a node.
+    bool contains_node(std::uint32_t node);
 
 private:
-    enum class Known : signed char { nothing, inside, not_inside };
+    enum class Result : signed char { unknown, inside, not_inside };
 
-    template <class Look>
-    static bool memoize(Known& known, Look look);
-    bool has_vertex(std::uint32_t vertex);
-    [[nodiscard]] bool has_box(const BvhNode& node) const;
+    template <class Test>
+    static bool memoize(Result& result, Test test);
+    bool contains_vertex(std::uint32_t vertex);
+    [[nodiscard]] bool contains_box(const BvhNode& node) const;
 
     const Body* body_;
     PlaneSide side_;
-    std::vector<Known> nodes_;
-    std::vector<Known> vertices_;
+    std::vector<Result> nodes_;
+    std::vector<Result> vertices_;
 };
 
-/// Two bodies for a part of their motion.
+/// Two bodies during a part of their motion. All members but the range are kept by reference.
 struct BodiesInRange {
     const Body& moving;
     const Body& fixed;
@@ -55,17 +58,17 @@ struct BodiesInRange {
     TimeRange range;
 };
 
-/// A plane parallel to a face, with the parts of both bodies that it keeps apart.
+/// A plane parallel to a face, and the parts of both bodies that are proven to stay on its two sides.
 class SeparatingPlane {
 public:
-    /// Half way between two faces at the end of the range, parallel to the fixed one or else to the moving one. None if
-    /// neither plane keeps them apart all along.
+    /// The plane half way between two faces at the end of the range, parallel to the fixed face or else to the moving
+    /// face. Empty if neither plane separates the faces during the whole range.
     static std::optional<SeparatingPlane> faces(const BodiesInRange& bodies, std::uint32_t moving_face,
                                                 std::uint32_t fixed_face);
 
-    /// Whether the faces below the nodes are proven to stay apart.
+    /// Whether the faces below both nodes are proven to stay apart during the range.
     bool keeps_apart(std::uint32_t moving_node, std::uint32_t fixed_node) {
-        return moving_.has_node(moving_node) && fixed_.has_node(fixed_node);
+        return moving_.contains_node(moving_node) && fixed_.contains_node(fixed_node);
     }
 
     [[nodiscard]] const TimeRange& range() const { return range_; }

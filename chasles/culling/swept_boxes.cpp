@@ -1,3 +1,5 @@
+// Prepares both ends of an interval in single precision, and chooses the kernel for the processor at run time.
+// All kernels return the same bits.
 #include "chasles/culling/swept_boxes.h"
 
 #include <algorithm>
@@ -9,19 +11,20 @@
 #endif
 
 #if defined(__GNUC__) && !defined(__clang__)
-#pragma GCC diagnostic ignored "-Wpsabi" // how vectors are passed: all of it is inlined in this file
+#pragma GCC diagnostic ignored "-Wpsabi" // on passing vectors: all functions with vector arguments are inlined here
 #endif
 
 namespace chasles::culling {
 
 namespace {
 
-/// What a computed window is widened by: a few roundings of a quotient in [0, 1].
+/// A computed window is widened by this for the rounding of a quotient in [0, 1] (note 14, "Rounding").
 constexpr float window_slack = 0x1p-20F;
 constexpr Window never{1, 0};
 
-// The kernel is compiled for what the library is compiled for and, on x86-64, for AVX2 besides; the processor at hand
-// chooses. No fused operations: both give the same bits, which tests/bits holds them to (CHASLES_PLAIN_KERNEL).
+// The kernel is compiled for the target of the library and, on x86-64, also for AVX2. The processor at run time decides
+// which kernel runs. No kernel uses fused operations, therefore both return the same bits. tests/bits checks this with
+// CHASLES_PLAIN_KERNEL.
 namespace plain {
 #include "chasles/culling/swept_boxes_kernel.inl"
 }
@@ -44,15 +47,16 @@ namespace avx2 {
 #endif
 #endif
 
-SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& a_in_b,
-                             const SweptBoxes::View& b_in_a, float margin, const Window& when) {
+SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes& inner, const SweptBoxes::View& a_in_b,
+                                    const SweptBoxes::View& b_in_a, float margin, const Window& when) {
 #if defined(CHASLES_KERNEL_AVX2)
     if (__builtin_cpu_supports("avx2"))
-        return avx2::meetings(outer, inner, a_in_b, b_in_a, margin, when);
+        return avx2::overlap_windows(outer, inner, a_in_b, b_in_a, margin, when);
 #endif
-    return plain::meetings(outer, inner, a_in_b, b_in_a, margin, when);
+    return plain::overlap_windows(outer, inner, a_in_b, b_in_a, margin, when);
 }
 
+/// Sets the four lanes of one end (0: start, 1: end).
 void set(SweptBoxes::BothEnds& ends, int end, double value) {
     std::fill_n(ends.lanes.begin() + 4 * end, 4, float(value));
 }
@@ -60,13 +64,13 @@ void set(SweptBoxes::BothEnds& ends, int end, double value) {
 void place(SweptBoxes::View& view, int end, const Placement& placed) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
-            set(view.turn[i][j], end, placed.turn(i, j));
+            set(view.rotation[i][j], end, placed.rotation(i, j));
         set(view.offset[i], end, placed.offset[i]);
     }
 }
 
 Placement inverse(const Placement& placed) {
-    return {placed.turn.transpose(), -(placed.turn.transpose() * placed.offset)};
+    return {placed.rotation.transpose(), -(placed.rotation.transpose() * placed.offset)};
 }
 
 } // namespace
@@ -81,8 +85,9 @@ SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSl
     fixed_.slack = float(slack.fixed);
 }
 
-SweptBoxes::Windows SweptBoxes::meetings(const NodeTwo& moving, const NodeTwo& fixed, const Window& when) const {
-    return culling::meetings(moving, fixed, moving_, fixed_, margin_, when);
+SweptBoxes::Windows SweptBoxes::overlap_windows(const TwoNodes& moving, const TwoNodes& fixed,
+                                                const Window& when) const {
+    return culling::overlap_windows(moving, fixed, moving_, fixed_, margin_, when);
 }
 
 } // namespace chasles::culling

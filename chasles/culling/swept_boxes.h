@@ -1,5 +1,5 @@
-// Boxes and slabs of the two hierarchies over an interval of time that is seen as straight: when may they meet?
-// Source: docs/derivations/14-node-pairs.md.
+// The time windows in which nodes of two hierarchies may overlap, if every point moves on a chord over an interval.
+// Outside its window a pair is proven apart. Source: docs/derivations/14-node-pairs.md.
 #pragma once
 
 #include "chasles/hierarchy/bvh.h"
@@ -9,7 +9,7 @@
 
 namespace chasles::culling {
 
-/// A part of an interval of time; all of it is [0, 1].
+/// A part of an interval of time. The whole interval is [0, 1].
 struct Window {
     float lower = 0;
     float upper = 1;
@@ -17,47 +17,47 @@ struct Window {
     [[nodiscard]] bool is_empty() const { return !(lower <= upper); }
 };
 
-/// Where the moving body's hierarchy is at one time: points y relative to its centre are at turn * y + offset, relative
-/// to the centre of the fixed one.
+/// The placement of the moving hierarchy at one time: a point y relative to its centre is at rotation * y + offset,
+/// relative to the centre of the fixed hierarchy.
 struct Placement {
-    Eigen::Matrix3d turn;
+    Eigen::Matrix3d rotation;
     Eigen::Vector3d offset;
 };
 
-/// By how much the boxes are to be widened.
+/// The lengths by which the boxes are widened, in the length unit.
 struct BoxSlack {
-    double moving = 0; ///< points of the moving body, in the frame of the fixed one
-    double fixed = 0;  ///< the other way round
-    double margin = 0; ///< points within this distance meet
+    double moving = 0; ///< for points of the moving body in the frame of the fixed body
+    double fixed = 0;  ///< for points of the fixed body in the frame of the moving body
+    double margin = 0; ///< points within this distance count as touching
 };
 
-/// Two nodes of one body, which may be the same.
-using NodeTwo = std::array<const BvhNode*, 2>;
+/// Two nodes of one body. Both may be the same node.
+using TwoNodes = std::array<const BvhNode*, 2>;
 
-/// Both ends of an interval, prepared for pairs of nodes.
+/// The placements at both ends of an interval, prepared for tests of node pairs.
 class SweptBoxes {
 public:
     SweptBoxes(const Placement& start, const Placement& end, const BoxSlack& slack);
 
-    /// When two nodes of the one body may meet two nodes of the other, within `when`: the first with both, then the
-    /// second with both. Empty where they are proven not to.
+    /// The windows, within `when`, in which two nodes of the moving body may touch two nodes of the fixed body. The
+    /// order of the pairs is 00, 01, 10, 11. The window of a pair that is proven apart is empty.
     using Windows = std::array<Window, 4>;
-    [[nodiscard]] Windows meetings(const NodeTwo& moving, const NodeTwo& fixed, const Window& when) const;
+    [[nodiscard]] Windows overlap_windows(const TwoNodes& moving, const TwoNodes& fixed, const Window& when) const;
 
-    /// A number at the start and at the end, for four pairs of nodes.
+    /// A number at the start (four lanes) and at the end (four lanes) of the interval.
     struct alignas(32) BothEnds {
         std::array<float, 8> lanes{};
     };
 
-    /// Points of one body in the frame of the other.
+    /// The map of points of one body to the frame of the other body.
     struct View {
-        BothEnds turn[3][3]; ///< rows
+        BothEnds rotation[3][3]; ///< rows
         BothEnds offset[3];
         float slack = 0;
     };
 
 private:
-    View moving_; ///< seen from the fixed body
+    View moving_; ///< points of the moving body in the frame of the fixed body
     View fixed_;
     float margin_;
 };

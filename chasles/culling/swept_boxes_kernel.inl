@@ -1,8 +1,11 @@
-// Two nodes of one body against two nodes of the other: the innermost loop of every query, and nothing else. This file
-// is included once for each instruction set, in a namespace of its own, so that the compiler sees all of it at once.
-// Source: docs/derivations/14-node-pairs.md.
+// The test of two nodes of one body against two nodes of the other body: the innermost loop of every query.
+// swept_boxes.cpp includes this file once for each instruction set, each time in a separate namespace. All functions
+// are in one translation unit and can be inlined. Source: docs/derivations/14-node-pairs.md.
 
-/// One number for each of four pairs of nodes, at the start and at the end: a0 b0, a0 b1, a1 b0, a1 b1, twice.
+// Legend: a0 and a1 are the nodes of body a, b0 and b1 the nodes of body b.
+
+/// One number for each pair of nodes, in the order a0 b0, a0 b1, a1 b0, a1 b1: four at the start of the interval, then
+/// four at the end.
 typedef float Lanes __attribute__((vector_size(32)));
 typedef std::int32_t Bits __attribute__((vector_size(32)));
 
@@ -20,17 +23,19 @@ inline Lanes magnitude(Lanes a) {
 inline Lanes select(Bits mask, Lanes a, Lanes b) {
     return Lanes((Bits(a) & mask) | (Bits(b) & ~mask));
 }
-/// The second one where one is not a number; `greater` the first.
+/// The lesser number; b if a or b is not a number.
 inline Lanes min(Lanes a, Lanes b) {
     return select(a < b, a, b);
 }
+/// The greater number; a if a or b is not a number.
 inline Lanes max(Lanes a, Lanes b) {
     return select(a < b, b, a);
 }
-/// The start of one and of another gap, and their ends.
+/// The values of two gaps at the start of the interval.
 inline Lanes starts(Lanes a, Lanes b) {
     return __builtin_shufflevector(a, b, 0, 1, 2, 3, 8, 9, 10, 11);
 }
+/// The values of two gaps at the end of the interval.
 inline Lanes ends(Lanes a, Lanes b) {
     return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
 }
@@ -38,7 +43,7 @@ inline Lanes halves_swapped(Lanes a) {
     return __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
 }
 
-/// Bits of the lanes that are set.
+/// One bit for each lane of a mask.
 inline unsigned bits_of(Bits mask) {
 #if defined(CHASLES_KERNEL_AVX2)
     return unsigned(_mm256_movemask_ps(__m256(mask)));
@@ -54,6 +59,7 @@ inline unsigned bits_of(Bits mask) {
 #endif
 }
 
+/// A vector for each lane.
 struct Vectors {
     Lanes x, y, z;
 };
@@ -76,16 +82,17 @@ inline Lanes dot(const Vectors& a, const Vectors& b) {
 inline Vectors loaded(const SweptBoxes::BothEnds (&ends)[3]) {
     return {loaded(ends[0]), loaded(ends[1]), loaded(ends[2])};
 }
-inline Vectors turned(const SweptBoxes::View& view, const Vectors& v) {
-    return {dot(loaded(view.turn[0]), v), dot(loaded(view.turn[1]), v), dot(loaded(view.turn[2]), v)};
+/// Vectors of one body in the frame of the other body.
+inline Vectors rotated(const SweptBoxes::View& view, const Vectors& v) {
+    return {dot(loaded(view.rotation[0]), v), dot(loaded(view.rotation[1]), v), dot(loaded(view.rotation[2]), v)};
 }
-/// By as much as any vector with components up to these.
-inline Vectors turned_size(const SweptBoxes::View& view, const Vectors& v) {
-    return {dot(magnitude(loaded(view.turn[0])), v), dot(magnitude(loaded(view.turn[1])), v),
-            dot(magnitude(loaded(view.turn[2])), v)};
+/// Bounds of the components after rotation, for all vectors whose components are at most v in magnitude.
+inline Vectors rotated_extent(const SweptBoxes::View& view, const Vectors& v) {
+    return {dot(magnitude(loaded(view.rotation[0])), v), dot(magnitude(loaded(view.rotation[1])), v),
+            dot(magnitude(loaded(view.rotation[2])), v)};
 }
 
-/// How numbers of the two nodes of a body are spread over the pairs that they are in.
+/// The lanes of node 1 among the four pairs: the order of the nodes of one body.
 struct Outer { ///< a0 a0 a1 a1
     static constexpr int second = 0b1100;
 };
@@ -93,8 +100,9 @@ struct Inner { ///< b0 b1 b0 b1
     static constexpr int second = 0b1010;
 };
 
+/// One number of each of the two nodes, distributed over the lanes of their pairs.
 template <class Order>
-Lanes spread(const float& a, const float& b) {
+Lanes distribute(const float& a, const float& b) {
 #if defined(CHASLES_KERNEL_AVX2)
     return _mm256_blend_ps(_mm256_broadcast_ss(&a), _mm256_broadcast_ss(&b), Order::second * 0x11);
 #else
@@ -103,9 +111,9 @@ Lanes spread(const float& a, const float& b) {
 #endif
 }
 
-/// The same for one of the four signed bytes in two words.
+/// The signed byte at `place` (0 to 3) of two words, distributed over the lanes of the pairs.
 template <class Order, int place>
-Lanes spread_byte(std::uint32_t a, std::uint32_t b) {
+Lanes distribute_byte(std::uint32_t a, std::uint32_t b) {
 #if defined(CHASLES_KERNEL_AVX2)
     const auto from = [](int i) { return char(place + ((Order::second >> i & 1) != 0 ? 4 : 0)); };
     const __m128i order =
@@ -114,20 +122,21 @@ Lanes spread_byte(std::uint32_t a, std::uint32_t b) {
     return _mm256_cvtepi32_ps(_mm256_cvtepi8_epi32(_mm_shuffle_epi8(words, order)));
 #else
     const auto byte = [](std::uint32_t word) { return float(std::int8_t(word >> (8 * place))); };
-    return spread<Order>(byte(a), byte(b));
+    return distribute<Order>(byte(a), byte(b));
 #endif
 }
 
+/// The boxes of the nodes, relative to the centre of their body.
 struct Boxes {
     Vectors centre;
-    Vectors half;
+    Vectors half; ///< half of the side lengths
 };
 
 template <class Order>
-Boxes boxes_of(const NodeTwo& nodes) {
+Boxes boxes_of(const TwoNodes& nodes) {
     const auto& [a, b] = nodes;
     const auto half_of = [](const float& of_a, const float& of_b) {
-        return broadcast(0.5F) * spread<Order>(of_a, of_b);
+        return broadcast(0.5F) * distribute<Order>(of_a, of_b);
     };
     const Vectors lower{half_of(a->lower[0], b->lower[0]), half_of(a->lower[1], b->lower[1]),
                         half_of(a->lower[2], b->lower[2])};
@@ -136,39 +145,43 @@ Boxes boxes_of(const NodeTwo& nodes) {
     return {lower + upper, upper - lower};
 }
 
+/// The slabs of the nodes: normal . y is between middle - half and middle + half, for y relative to the box centre.
 struct Slabs {
     Vectors normal;
-    Lanes inverse_square; ///< of the normal's length
+    Lanes inverse_square; ///< 1 / |normal|^2
     Lanes middle;
     Lanes half;
 };
 
+/// Unpacks the slabs as `PackedSlab` does.
 template <class Order>
-Slabs slabs_of(const NodeTwo& nodes, const Vectors& box_half) {
+Slabs slabs_of(const TwoNodes& nodes, const Vectors& box_half) {
     const std::uint32_t a = nodes[0]->slab.bytes();
     const std::uint32_t b = nodes[1]->slab.bytes();
-    const Lanes u = spread_byte<Order, 0>(a, b);
-    const Lanes v = spread_byte<Order, 1>(a, b);
-    const Lanes lower = spread_byte<Order, 2>(a, b);
-    const Lanes upper = spread_byte<Order, 3>(a, b);
+    const Lanes u = distribute_byte<Order, 0>(a, b);
+    const Lanes v = distribute_byte<Order, 1>(a, b);
+    const Lanes lower = distribute_byte<Order, 2>(a, b);
+    const Lanes upper = distribute_byte<Order, 3>(a, b);
     const Lanes x = u + v;
     const Lanes y = u - v;
     const Lanes z = broadcast(254) - magnitude(x) - magnitude(y);
     Slabs slabs;
     slabs.normal = scale(Vectors{x, y, z}, broadcast(PackedSlab::normal_unit));
     slabs.inverse_square = broadcast(1) / dot(slabs.normal, slabs.normal);
-    const Lanes reach = broadcast(0.5F * PackedSlab::height_unit) * dot(magnitude(slabs.normal), box_half);
-    slabs.middle = reach * (upper + lower);
-    slabs.half = reach * (upper - lower);
+    const Lanes half_unit = broadcast(0.5F * PackedSlab::height_unit) * dot(magnitude(slabs.normal), box_half);
+    slabs.middle = half_unit * (upper + lower);
+    slabs.half = half_unit * (upper - lower);
     return slabs;
 }
 
-/// The parts of an interval in which no gap of a pair is open. Gaps run evenly from start to end.
-class Closed {
+/// The part of the interval in which no tested direction separates a pair. A gap is linear in time; it is open where it
+/// is positive.
+class OverlapWindow {
 public:
-    explicit Closed(const Window& when) : lower_(broadcast(when.lower)), upper_(broadcast(when.upper)) {}
+    explicit OverlapWindow(const Window& when) : lower_(broadcast(when.lower)), upper_(broadcast(when.upper)) {}
 
-    void see(Lanes a, Lanes b) {
+    /// Excludes the times at which gap a or gap b is open.
+    void add(Lanes a, Lanes b) {
         const Lanes start = starts(a, b);
         const Lanes end = ends(a, b);
         const Bits start_open = start > 0.0F;
@@ -181,7 +194,7 @@ public:
         upper_ = min(select(end_open, crossing + broadcast(window_slack), broadcast(1)), upper_);
     }
 
-    /// Each pair has a gap that is open all along.
+    /// Whether each pair has a gap that is open during the whole interval.
     [[nodiscard]] bool are_apart() const { return open_pairs() == 0xf; }
 
     [[nodiscard]] SweptBoxes::Windows windows() const {
@@ -200,20 +213,46 @@ private:
         return (bits | bits >> 4) & 0xf;
     }
 
-    Lanes lower_; ///< for two gaps of each pair
+    Lanes lower_; ///< of gap a in the first four lanes, of gap b in the last four
     Lanes upper_;
-    Bits open_{};
+    Bits open_{}; ///< lanes with a gap that is open during the whole interval
 };
 
-/// Along the axes of the frame that both bodies are seen in: how far the middle of one box is from that of the other,
-/// and what they reach together.
-inline void see_axes(Closed& closed, const Vectors& apart, const Vectors& reach) {
-    closed.see(apart.x - reach.x, -apart.x - reach.x);
-    closed.see(apart.y - reach.y, -apart.y - reach.y);
-    closed.see(apart.z - reach.z, -apart.z - reach.z);
+/// The placement of each pair in both frames.
+struct PairPlacement {
+    const SweptBoxes::View& a_in_b; ///< points of body a in the frame of body b
+    const SweptBoxes::View& b_in_a;
+    Vectors a_from_b; ///< the centre of box a relative to the centre of box b, in the frame of b
+    Vectors b_from_a; ///< the centre of box b relative to the centre of box a, in the frame of a
+};
+
+inline PairPlacement placement_of(const Boxes& a, const Boxes& b, const SweptBoxes::View& a_in_b,
+                                  const SweptBoxes::View& b_in_a) {
+    return {a_in_b, b_in_a, rotated(a_in_b, a.centre) + loaded(a_in_b.offset) - b.centre,
+            rotated(b_in_a, b.centre) + loaded(b_in_a.offset) - a.centre};
 }
 
-/// The length of a slab's normal or a ten-thousandth more: Newton's steps for a root of [1/3, 1] stay above it.
+/// Tests the axes of one frame. `centre` is the centre of one box relative to the other; `extent` is the sum of both
+/// half sides.
+inline void test_axes(OverlapWindow& window, const Vectors& centre, const Vectors& extent) {
+    window.add(centre.x - extent.x, -centre.x - extent.x);
+    window.add(centre.y - extent.y, -centre.y - extent.y);
+    window.add(centre.z - extent.z, -centre.z - extent.z);
+}
+
+/// Tests the axes of both boxes.
+inline void test_box_axes(OverlapWindow& window, const PairPlacement& pair, const Boxes& a, const Boxes& b,
+                          float margin) {
+    const Lanes a_slack = broadcast(pair.a_in_b.slack + margin);
+    const Lanes b_slack = broadcast(pair.b_in_a.slack + margin);
+    test_axes(window, pair.a_from_b,
+              rotated_extent(pair.a_in_b, a.half) + (b.half + Vectors{a_slack, a_slack, a_slack}));
+    test_axes(window, pair.b_from_a,
+              rotated_extent(pair.b_in_a, b.half) + (a.half + Vectors{b_slack, b_slack, b_slack}));
+}
+
+/// An upper bound of the length of a slab's normal, at most 1e-4 above it. Two Newton steps for the square root of a
+/// number in [1/3, 1] stay above the root.
 inline Lanes length_above(const Vectors& normal) {
     const Lanes square = dot(normal, normal);
     Lanes length = broadcast(0.5F) * (square + broadcast(1));
@@ -222,72 +261,83 @@ inline Lanes length_above(const Vectors& normal) {
     return length;
 }
 
-/// How far a patch reaches along a direction of its own frame, from the middle of its box: by its box, and by its slab.
-struct Reach {
-    Lanes by_box;
-    Lanes middle; ///< of the slab, along the direction
-    Lanes by_slab;
+/// The patches of the nodes of one body, enclosed in boxes and in slabs.
+struct Patches {
+    Boxes box;
+    Slabs slab;
 };
 
-inline Reach reach_along(const Vectors& direction, const Boxes& boxes, const Slabs& slabs) {
+/// Tests the normals of both slabs. The height of a patch along the other slab's normal n' is bounded by its slab for
+/// the part of n' along its own normal, and by its box for the rest of n'.
+inline void test_slab_normals(OverlapWindow& window, const PairPlacement& pair, const Patches& a, const Patches& b,
+                              float margin) {
+    Lanes a_slack = broadcast(pair.a_in_b.slack + margin);
+    Lanes b_slack = broadcast(pair.b_in_a.slack + margin);
+    if (margin > 0) { // the margin counts by the length of the normal
+        a_slack = broadcast(pair.a_in_b.slack) + broadcast(margin) * length_above(b.slab.normal);
+        b_slack = broadcast(pair.b_in_a.slack) + broadcast(margin) * length_above(a.slab.normal);
+    }
+    const Vectors a_normal = rotated(pair.a_in_b, a.slab.normal);
+    const Vectors b_normal = rotated(pair.b_in_a, b.slab.normal);
+    const Lanes along = dot(a_normal, b.slab.normal);
+    const Lanes by_a = along * a.slab.inverse_square;
+    const Lanes by_b = along * b.slab.inverse_square;
+    const Lanes a_rest = dot(magnitude(b_normal - scale(a.slab.normal, by_a)), a.box.half);
+    const Lanes b_rest = dot(magnitude(a_normal - scale(b.slab.normal, by_b)), b.box.half);
+    const Lanes a_height = dot(b.slab.normal, pair.a_from_b) + (by_a * a.slab.middle - b.slab.middle);
+    const Lanes b_height = dot(a.slab.normal, pair.b_from_a) + (by_b * b.slab.middle - a.slab.middle);
+    const Lanes a_thick = a_rest + (magnitude(by_a) * a.slab.half + b.slab.half) + a_slack;
+    const Lanes b_thick = b_rest + (magnitude(by_b) * b.slab.half + a.slab.half) + b_slack;
+    window.add(a_height - a_thick, -a_height - a_thick);
+    window.add(b_height - b_thick, -b_height - b_thick);
+}
+
+/// The support of a patch along a direction of its own frame, relative to the centre of its box.
+struct Support {
+    Lanes by_box;  ///< half of the width of the box
+    Lanes middle;  ///< height of the middle of the slab
+    Lanes by_slab; ///< half of the width that the slab and the box allow
+};
+
+inline Support support_along(const Vectors& direction, const Patches& patches) {
+    const Boxes& boxes = patches.box;
+    const Slabs& slabs = patches.slab;
     const Lanes share = dot(direction, slabs.normal) * slabs.inverse_square;
     const Lanes rest = dot(magnitude(direction - scale(slabs.normal, share)), boxes.half);
     return {dot(magnitude(direction), boxes.half), share * slabs.middle, rest + magnitude(share) * slabs.half};
 }
 
-/// Along the way from the middle of one box to that of the other, at a time in the interval, where both are small
-/// beside the margin.
-inline void see_middles(Closed& closed, const Boxes& a, const Boxes& b, const Slabs& a_slab, const Slabs& b_slab,
-                        const Vectors& a_seen, const SweptBoxes::View& b_in_a, Lanes slack, float margin, float time) {
+/// Tests the direction between both box centres at one time of the interval. This direction separates boxes that are
+/// small compared with the margin.
+inline void test_centre_axis(OverlapWindow& window, const PairPlacement& pair, const Patches& a, const Patches& b,
+                             float margin, float time) {
     const Lanes share{1 - time, 1 - time, 1 - time, 1 - time, time, time, time, time};
-    const Vectors part = scale(a_seen, share);
+    const Vectors part = scale(pair.a_from_b, share);
     const Vectors apart{part.x + halves_swapped(part.x), part.y + halves_swapped(part.y),
                         part.z + halves_swapped(part.z)};
     const Vectors size = magnitude(apart);
-    const Vectors way = scale(apart, broadcast(1) / (size.x + size.y + size.z));
-    const Reach of_a = reach_along(turned(b_in_a, way), a, a_slab);
-    const Reach of_b = reach_along(way, b, b_slab);
-    const Lanes gap = dot(way, a_seen) - slack - broadcast(margin) * length_above(way);
+    const Vectors axis = scale(apart, broadcast(1) / (size.x + size.y + size.z));
+    const Support of_a = support_along(rotated(pair.b_in_a, axis), a);
+    const Support of_b = support_along(axis, b);
+    const Lanes gap = dot(axis, pair.a_from_b) - broadcast(pair.a_in_b.slack) - broadcast(margin) * length_above(axis);
     const Lanes between_slabs = of_a.middle - of_b.middle - of_a.by_slab - of_b.by_slab;
-    closed.see(gap - of_a.by_box - of_b.by_box, gap + between_slabs);
+    window.add(gap - of_a.by_box - of_b.by_box, gap + between_slabs);
 }
 
-/// `a_in_b` shows the first two nodes to the others, `b_in_a` shows the others to them.
-inline SweptBoxes::Windows meetings(const NodeTwo& outer, const NodeTwo& inner, const SweptBoxes::View& a_in_b,
-                                    const SweptBoxes::View& b_in_a, float margin, const Window& when) {
-    const Boxes a = boxes_of<Outer>(outer);
-    const Boxes b = boxes_of<Inner>(inner);
-    Lanes a_slack = broadcast(a_in_b.slack + margin);
-    Lanes b_slack = broadcast(b_in_a.slack + margin);
-    const Vectors a_seen = turned(a_in_b, a.centre) + loaded(a_in_b.offset) - b.centre;
-    const Vectors b_seen = turned(b_in_a, b.centre) + loaded(b_in_a.offset) - a.centre;
-    Closed closed(when);
-    see_axes(closed, a_seen, turned_size(a_in_b, a.half) + (b.half + Vectors{a_slack, a_slack, a_slack}));
-    see_axes(closed, b_seen, turned_size(b_in_a, b.half) + (a.half + Vectors{b_slack, b_slack, b_slack}));
-    if (closed.are_apart())
+/// The windows of the four pairs of the nodes `outer` of body a and the nodes `inner` of body b.
+inline SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes& inner, const SweptBoxes::View& a_in_b,
+                                           const SweptBoxes::View& b_in_a, float margin, const Window& when) {
+    const Boxes a_box = boxes_of<Outer>(outer);
+    const Boxes b_box = boxes_of<Inner>(inner);
+    const PairPlacement pair = placement_of(a_box, b_box, a_in_b, b_in_a);
+    OverlapWindow window(when);
+    test_box_axes(window, pair, a_box, b_box, margin);
+    if (window.are_apart())
         return {never, never, never, never};
-    // Along the normals of the slabs. What is left of a normal that the other body sees, without its part along the
-    // other slab's normal, meets the other box.
-    const Slabs a_slab = slabs_of<Outer>(outer, a.half);
-    const Slabs b_slab = slabs_of<Inner>(inner, b.half);
-    if (margin > 0) { // along a normal of the other one it counts by that one's length
-        a_slack = broadcast(a_in_b.slack) + broadcast(margin) * length_above(b_slab.normal);
-        b_slack = broadcast(b_in_a.slack) + broadcast(margin) * length_above(a_slab.normal);
-    }
-    const Vectors a_normal = turned(a_in_b, a_slab.normal);
-    const Vectors b_normal = turned(b_in_a, b_slab.normal);
-    const Lanes along = dot(a_normal, b_slab.normal);
-    const Lanes by_a = along * a_slab.inverse_square;
-    const Lanes by_b = along * b_slab.inverse_square;
-    const Lanes a_rest = dot(magnitude(b_normal - scale(a_slab.normal, by_a)), a.half);
-    const Lanes b_rest = dot(magnitude(a_normal - scale(b_slab.normal, by_b)), b.half);
-    const Lanes a_height = dot(b_slab.normal, a_seen) + (by_a * a_slab.middle - b_slab.middle);
-    const Lanes b_height = dot(a_slab.normal, b_seen) + (by_b * b_slab.middle - a_slab.middle);
-    const Lanes a_thick = a_rest + (magnitude(by_a) * a_slab.half + b_slab.half) + a_slack;
-    const Lanes b_thick = b_rest + (magnitude(by_b) * b_slab.half + a_slab.half) + b_slack;
-    closed.see(a_height - a_thick, -a_height - a_thick);
-    closed.see(b_height - b_thick, -b_height - b_thick);
-    if (margin > 0 && !closed.are_apart())
-        see_middles(closed, a, b, a_slab, b_slab, a_seen, b_in_a, broadcast(a_in_b.slack), margin, when.lower);
-    return closed.windows();
+    const Patches a{a_box, slabs_of<Outer>(outer, a_box.half)};
+    const Patches b{b_box, slabs_of<Inner>(inner, b_box.half)};
+    test_slab_normals(window, pair, a, b, margin);
+    if (margin > 0 && !window.are_apart())
+        test_centre_axis(window, pair, a, b, margin, when.lower);
+    return window.windows();
 }

@@ -1,3 +1,5 @@
+// Evaluates the control maps at both ends of an interval and sums up by how much its boxes must be widened.
+// Source: docs/derivations/14-node-pairs.md, "Rounding".
 #include "chasles/culling/time_tree.h"
 
 #include <algorithm>
@@ -7,30 +9,31 @@ namespace chasles::culling {
 
 namespace {
 
-/// Boxes lose at most so much where subnormal floats are flushed to zero.
+/// The greatest loss of a box where subnormal floats are flushed to zero, in the length unit.
 constexpr double flushed = 0x1p-110;
-/// Roundings of single precision in a gap, of all lengths that enter: 90 are counted, and with a margin 165.
+/// The rounding error of a gap in single precision over the sum of all lengths. Note 14 counts 90 roundings, note 16
+/// counts 165 with a margin.
 constexpr double float_rounding = 128 * 0x1p-24;
 constexpr double float_rounding_with_margin = 192 * 0x1p-24;
 
 } // namespace
 
-TimeTree::TimeTree(const motion::ControlMaps<double>& whole, const motion::ChordDeviation& bend,
+TimeTree::TimeTree(const motion::ControlMaps<double>& whole, const motion::ChordDeviation& deviation,
                    const motion::Ball& moving, const motion::Ball& fixed, const elementary::ErrorScale& scale,
                    double margin)
-    : whole_(whole), bend_(bend), moving_(moving), fixed_(fixed), margin_(margin),
+    : whole_(whole), deviation_(deviation), moving_(moving), fixed_(fixed), margin_(margin),
       rounding_(elementary::error_unit<double> * scale.length + flushed) {}
 
 TimeInterval TimeTree::interval(const TimeRange& range) const {
     const Placement start = placement(range.lower);
     const Placement end = placement(range.upper);
-    const double away = std::max(start.offset.lpNorm<1>(), end.offset.lpNorm<1>());
+    const double distance = std::max(start.offset.lpNorm<1>(), end.offset.lpNorm<1>());
     const double unit = margin_ > 0 ? float_rounding_with_margin : float_rounding;
-    const double rounding = rounding_ + unit * (moving_.radius + fixed_.radius + away);
-    const double moving_bend = bend_.of_moving(range.lower, range.upper);
-    const double fixed_bend = bend_.of_fixed(range.lower, range.upper);
-    return {range, SweptBoxes(start, end, {moving_bend + rounding, fixed_bend + rounding, margin_}),
-            std::max(moving_bend, fixed_bend), rounding};
+    const double rounding = rounding_ + unit * (moving_.radius + fixed_.radius + distance);
+    const double moving_deviation = deviation_.of_moving(range.lower, range.upper);
+    const double fixed_deviation = deviation_.of_fixed(range.lower, range.upper);
+    return {range, SweptBoxes(start, end, {moving_deviation + rounding, fixed_deviation + rounding, margin_}),
+            std::max(moving_deviation, fixed_deviation), rounding};
 }
 
 Placement TimeTree::placement(double tau) const {
@@ -39,10 +42,10 @@ Placement TimeTree::placement(double tau) const {
     Placement placed;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
-            placed.turn(i, j) = value(whole_.rotation.row[i][j]);
+            placed.rotation(i, j) = value(whole_.rotation.row[i][j]);
         placed.offset[i] = value(whole_.translation[i]);
     }
-    placed.offset += placed.turn * moving_.centre - fixed_.centre;
+    placed.offset += placed.rotation * moving_.centre - fixed_.centre;
     return placed;
 }
 

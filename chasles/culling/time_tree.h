@@ -1,4 +1,4 @@
-// The intervals of tau that a traversal visits: for hierarchies, the bodies at both ends; for features, control maps.
+// The intervals of tau that a traversal visits: swept boxes for pairs of nodes, and control maps for pairs of features.
 // Source: docs/derivations/14-node-pairs.md.
 #pragma once
 
@@ -8,10 +8,10 @@
 
 namespace chasles::culling {
 
-/// As short as the tolerance of the answer: not halved.
+/// The traversal halves no interval of this width or less, in tau.
 inline constexpr double shortest_interval = 0x1p-40;
 
-/// A part of [0, 1].
+/// A part of [0, 1] in tau.
 struct TimeRange {
     double lower = 0;
     double upper = 1;
@@ -21,20 +21,21 @@ struct TimeRange {
     friend bool operator==(const TimeRange&, const TimeRange&) = default;
 };
 
-/// A dyadic interval.
+/// A range with the data for node pairs. Its ends are multiples of a power of two.
 struct TimeInterval {
     TimeRange range;
     SweptBoxes boxes;
-    double bend = 0;     ///< how far paths leave their chords, at most
-    double rounding = 0; ///< what boxes are widened by besides
+    double deviation = 0; ///< the greatest chord deviation of both bodies, in the length unit
+    double rounding = 0;  ///< the widening of the boxes for rounding, in the length unit
 };
 
-/// Makes intervals of one motion.
+/// The intervals of one motion.
 class TimeTree {
 public:
-    /// Maps are kept by reference. Points within `margin` of each other count as meeting.
-    TimeTree(const motion::ControlMaps<double>& whole, const motion::ChordDeviation& bend, const motion::Ball& moving,
-             const motion::Ball& fixed, const elementary::ErrorScale& scale, double margin = 0);
+    /// Keeps the maps by reference. Points within `margin` of each other count as touching.
+    TimeTree(const motion::ControlMaps<double>& whole, const motion::ChordDeviation& deviation,
+             const motion::Ball& moving, const motion::Ball& fixed, const elementary::ErrorScale& scale,
+             double margin = 0);
 
     [[nodiscard]] TimeInterval interval(const TimeRange& range) const;
 
@@ -42,20 +43,21 @@ private:
     [[nodiscard]] Placement placement(double tau) const;
 
     const motion::ControlMaps<double>& whole_;
-    motion::ChordDeviation bend_;
+    motion::ChordDeviation deviation_;
     motion::Ball moving_;
     motion::Ball fixed_;
     double margin_;
-    double rounding_; ///< of positions in double precision
+    double rounding_; ///< rounding of positions in double precision
 };
 
-/// Control maps over one range at a time.
+/// The control maps over the current range.
 class RangeMaps {
 public:
-    /// Those of the whole motion are kept by reference.
+    /// Keeps the maps of the whole motion by reference.
     explicit RangeMaps(const motion::ControlMaps<double>& whole) : whole_(whole) {}
 
-    /// False if the range is the one at hand. Maps are restricted from the whole, so that rounding does not build up.
+    /// Changes the range. Returns false if it is the current range. The maps are always restricted from the whole
+    /// motion, therefore rounding errors do not accumulate.
     bool set(const TimeRange& range) {
         if (range == range_)
             return false;
@@ -67,12 +69,13 @@ public:
 
 private:
     const motion::ControlMaps<double>& whole_;
-    TimeRange range_{0, 0}; ///< none at first
+    TimeRange range_{0, 0}; ///< empty before the first call of `set`
     motion::ControlMaps<double> maps_;
 };
 
-/// The least part of the interval that is as wide as a power of two, begins at a multiple of a quarter of its width,
-/// and holds `needed`; not narrower than `least`.
+/// The least part of the interval that contains `needed`, has a power of two as width, and starts at a multiple of a
+/// quarter of its width or at an end of the interval. Its width is at least `least`. If no part fits, the result is the
+/// interval.
 TimeRange part_around(const TimeRange& interval, const TimeRange& needed, double least = shortest_interval);
 
 } // namespace chasles::culling

@@ -1,17 +1,18 @@
-// When do two features come within a margin of each other? Squared distances along the motion, in degree six.
-// Source: docs/derivations/16-margin.md. Legend: the moving edge runs from a to b with direction u, the fixed one from
-// c with direction v; W is the weight, d the margin.
+// The conditions that two features are within a margin of each other: squared distances as polynomials of degree six.
+// The conditions are polynomial inequalities for `first_feasible`. Source: docs/derivations/16-margin.md.
+// Legend: the moving edge runs from a to b with direction u; the fixed edge starts at c with direction v; W is the
+// weight, d the margin, P is W times the position of a moving vertex, V the reciprocal product of two lines.
 #pragma once
 
 #include "chasles/algebra/sum_of_products.h"
-#include "chasles/elementary/edge_edge.h"
+#include "chasles/elementary/feature_separation.h"
 
 namespace chasles::elementary {
 
 using algebra::Sized;
 using algebra::SumOfProducts;
 
-/// A distance that counts as contact, and its square.
+/// The distance within which features count as in contact, in the length unit, and its square.
 template <class S>
 struct Margin {
     S distance;
@@ -20,33 +21,16 @@ struct Margin {
     explicit Margin(double margin) : distance(margin), square(distance * distance) {}
 };
 
-/// An edge at rest in the frame of the vertex's path.
-template <class S>
-struct RestingEdge {
-    Vector3<S> from;      ///< c
-    Vector3<S> direction; ///< v
-    S size;               ///< |v|_1
-    S square;             ///< |v|^2
-};
-
-template <class S>
-RestingEdge<S> resting_edge(const Vector3<S>& from, const Vector3<S>& to) {
-    const Vector3<S> v = to - from;
-    return {from, v, norm1(v), dot(v, v)};
-}
-
-/// Edges at a smaller sine than this may be taken for parallel: ends of theirs are as near, up to this part of the
-/// scene (note 16, "Nearly parallel edges").
+/// Edges that cross at a smaller sine than this may be treated as parallel. Then ends of the edges are as close as the
+/// edges, up to this fraction of the scene (note 16, "Nearly parallel edges").
 inline constexpr double parallel_slack = 0x1p-44;
 
 namespace detail {
 
-/// Of the product of two edges' 1-norms.
-inline constexpr double nearly_parallel = 0x1p-48;
-inline constexpr double least_crossing = 0x1p-46;
+// Bounds of |U x v| as fractions of the product of the 1-norms of both edges.
+inline constexpr double nearly_parallel = 0x1p-48; ///< pairs below it are left to the tests of their ends
+inline constexpr double least_crossing = 0x1p-46;  ///< a constraint: |U x v| is at least this
 
-template <class S>
-using Cubic = Bernstein<3, S>;
 template <class S>
 using SizedVector = Vector3<Sized<S>>;
 
@@ -73,24 +57,25 @@ SumOfProducts<S> constant(const S& number, const Cubic<S>& weight) {
     return square.scaled(number);
 }
 
-/// W^2, F = square - limit and up to five constraints of degree six, each of which is >= 0.
+/// A feasibility problem of degree six: the weight W^2, F = squared distance - squared margin, and up to five
+/// constraints.
 template <class S>
 class SquareProblem {
 public:
     explicit SquareProblem(const Cubic<S>& weight) : weight_(product(weight, weight)) {}
 
-    /// Squared distances at which nearly parallel edges may be nearer than their ends.
+    /// `slack` (a square) is added to the error of F. It covers nearly parallel edges that this test stands for.
     void set_function(const Bounded<6, S>& function, const S& slack) {
         function_ = {function.polynomial, function.error + slack};
     }
-    /// False if it is proven to fail all along.
-    bool demand(const Bounded<6, S>& constraint) {
+    /// Adds the constraint that a polynomial is >= 0. Returns false if the polynomial is proven to stay negative.
+    bool add(const Bounded<6, S>& constraint) {
         Constraint<6, S>& next = constraints_[count_++];
         next.first = constraint;
         return !is_negative(constraint.polynomial, weight_ * constraint.error);
     }
-    /// Proven to stay beyond the limit.
-    [[nodiscard]] bool stays_apart() const { return is_positive(function_.polynomial, weight_ * function_.error); }
+    /// Whether F is proven to stay positive.
+    [[nodiscard]] bool is_separated() const { return is_positive(function_.polynomial, weight_ * function_.error); }
 
     [[nodiscard]] algebra::FeasibilityProblem<6, S> problem() const {
         return {weight_, function_, std::span(constraints_).first(count_)};
@@ -103,7 +88,7 @@ private:
     std::size_t count_ = 0;
 };
 
-/// W p, for a constraint beside those of degree six.
+/// W p: a cubic as a constraint of degree six.
 template <class S>
 Bounded<6, S> lifted(const Bounded<3, S>& p, const Cubic<S>& weight) {
     SumOfProducts<S> sum;
@@ -111,117 +96,39 @@ Bounded<6, S> lifted(const Bounded<3, S>& p, const Cubic<S>& weight) {
     return sum.bounded();
 }
 
-/// The foot of the perpendicular is on the edge; false if it is proven never to be.
+/// Adds the constraints that the foot of the perpendicular from a vertex is on an edge. `arm` is P - W c. Returns false
+/// if the foot is proven never to be on the edge.
 template <class S>
-bool demand_foot(const Vector3<Cubic<S>>& arm, const RestingEdge<S>& edge, const S& unit, const Cubic<S>& weight,
-                 SquareProblem<S>& problem) {
+bool add_foot_constraints(const Vector3<Cubic<S>>& arm, const RestingEdge<S>& edge, const S& unit,
+                          const Cubic<S>& weight, SquareProblem<S>& problem) {
     const S error = with_underflow<S>(unit * edge.size);
-    const Bounded<3, S> behind_start{dot(arm, edge.direction), error};
-    const Bounded<3, S> before_end{weight * edge.square - behind_start.polynomial, error};
-    for (const Bounded<3, S>& side : {behind_start, before_end})
+    const Bounded<3, S> after_start{dot(arm, edge.direction), error};
+    const Bounded<3, S> before_end{weight * edge.square - after_start.polynomial, error};
+    for (const Bounded<3, S>& side : {after_start, before_end})
         if (is_negative(side.polynomial, weight * side.error))
             return false;
-    return problem.demand(lifted(behind_start, weight)) && problem.demand(lifted(before_end, weight));
+    return problem.add(lifted(after_start, weight)) && problem.add(lifted(before_end, weight));
 }
 
-/// The points of two lines that are nearest to each other are on both edges; false if they are proven never to be.
+/// Adds the constraints that the closest points of two lines are on both edges. `square` is |U x v|^2. Returns false if
+/// the closest points are proven never to be on both edges.
 template <class S>
-bool demand_between(const EdgePair<S>& pair, const SizedVector<S>& crossing, const SumOfProducts<S>& square,
-                    const Cubic<S>& weight, SquareProblem<S>& problem) {
-    const auto demand_share = [&](const Vector3<Cubic<S>>& arm, const S& error) {
+bool add_closest_point_constraints(const EdgePair<S>& pair, const SizedVector<S>& crossing,
+                                   const SumOfProducts<S>& square, const Cubic<S>& weight, SquareProblem<S>& problem) {
+    const auto add_share = [&](const Vector3<Cubic<S>>& arm, const S& error) {
         const SumOfProducts<S> share = dot_product(sized_vector(arm, error, weight), crossing);
-        return problem.demand(share.bounded()) && problem.demand(square.minus(share).bounded());
+        return problem.add(share.bounded()) && problem.add(square.minus(share).bounded());
     };
-    return demand_share({pair.end_arm(0), pair.end_arm(1), pair.end_arm(2)}, pair.end_arm_error()) &&
-           demand_share({pair.line_arm(0), pair.line_arm(1), pair.line_arm(2)}, pair.line_arm_error());
+    return add_share({pair.end_arm(0), pair.end_arm(1), pair.end_arm(2)}, pair.end_arm_error()) &&
+           add_share({pair.line_arm(0), pair.line_arm(1), pair.line_arm(2)}, pair.line_arm_error());
 }
 
-/// Where a path is half way.
-template <class S>
-Vector3<S> half_way(const Vector3<Cubic<S>>& path, const Cubic<S>& weight) {
-    return position_at<S>(path, weight, S(0.5));
-}
-
-template <class S>
-S clamped_share(const S& part, const S& whole) {
-    return part > S(0) ? part < whole ? S(part / whole) : S(1) : S(0);
-}
-
-/// The way to a point from the segment that starts at c with direction v.
-template <class S>
-Vector3<S> way_from_segment(const Vector3<S>& c, const Vector3<S>& v, const Vector3<S>& point) {
-    const Vector3<S> arm = point - c;
-    return arm - scale(v, clamped_share<S>(dot(arm, v), dot(v, v)));
-}
-
-/// The shortest way from there to the segment that starts at a with direction u.
-template <class S>
-Vector3<S> way_between_segments(const Vector3<S>& c, const Vector3<S>& v, const Vector3<S>& a, const Vector3<S>& u) {
-    const Vector3<S> arm = a - c;
-    const S uu = dot(u, u), uv = dot(u, v), vv = dot(v, v);
-    const S on_line = clamped_share<S>(uv * dot(v, arm) - vv * dot(u, arm), uu * vv - uv * uv);
-    const Vector3<S> near = a + scale(u, on_line);
-    const Vector3<S> foot = c + scale(v, clamped_share<S>(dot(near - c, v), vv));
-    return scale(way_from_segment(a, u, foot), S(-1));
-}
-
-/// A plane across a direction with all points p of a feature on one side: way . p <= reach. What stays beyond it by
-/// more than a distance is farther than that from the feature, whatever the direction.
-template <class S>
-class Front {
-public:
-    Front(const Vector3<S>& way, const S& reach, const S& distance, const S& unit, const Cubic<S>& weight)
-        : way_(way), limit_(weight * S(reach + distance * length(way) + with_underflow<S>(unit * norm1(way) * S(2)))) {}
-
-    [[nodiscard]] bool is_left_behind(const Vector3<Cubic<S>>& path) const {
-        return is_positive(dot(path, way_), limit_);
-    }
-
-private:
-    Vector3<S> way_;
-    Cubic<S> limit_;
-};
-
-/// Before the segment that starts at c with direction v.
-template <class S>
-Front<S> front_of_segment(const Vector3<S>& c, const Vector3<S>& v, const Vector3<S>& way, const S& distance,
-                          const S& unit, const Cubic<S>& weight) {
-    const S along = dot(way, v);
-    return {way, dot(way, c) + (along > S(0) ? along : S(0)), distance, unit, weight};
-}
-
-// Whether the shortest way half way proves two features to stay farther apart than a distance.
-
-template <class S>
-bool stay_apart(const VertexPath<S>& path, const Vector3<S>& point, const S& distance, const S& unit) {
-    const Vector3<S> way = half_way(path.position, path.weight) - point;
-    return Front<S>(way, dot(way, point), distance, unit, path.weight).is_left_behind(path.position);
-}
-
-template <class S>
-bool stay_apart(const VertexPath<S>& path, const RestingEdge<S>& edge, const S& distance, const S& unit) {
-    const Vector3<S> way = way_from_segment(edge.from, edge.direction, half_way(path.position, path.weight));
-    return front_of_segment<S>(edge.from, edge.direction, way, distance, unit, path.weight)
-        .is_left_behind(path.position);
-}
-
-/// This one tells what edges that become parallel have in doubt otherwise.
-template <class S>
-bool stay_apart(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
-                const S& distance, const S& unit) {
-    const Vector3<Cubic<S>> from = maps.rotation * moving.from + maps.translation;
-    const Vector3<S> way = way_between_segments(fixed.from, fixed.direction, half_way(from, maps.weight),
-                                                half_way(moving.direction, maps.weight));
-    const auto front = front_of_segment<S>(fixed.from, fixed.direction, way, distance, unit, maps.weight);
-    return front.is_left_behind(from) && front.is_left_behind(from + moving.direction);
-}
-
-template <class S, class Ask>
-void ask_unless_apart(const SquareProblem<S>& problem, Workspace<S>& workspace, Ask ask) {
-    if (problem.stays_apart())
+template <class S, class Visit>
+void visit_unless_separated(const SquareProblem<S>& problem, Workspace<S>& workspace, Visit visit) {
+    if (problem.is_separated())
         return;
     ++workspace.root_brackets;
-    ask(problem.problem());
+    visit(problem.problem());
 }
 
 template <class S>
@@ -231,18 +138,18 @@ S unit_of(const Accuracy& accuracy) {
 
 } // namespace detail
 
-// Each calls `ask(problem)` for the condition "the features' nearest points are within the margin", F <= 0 with all
-// constraints, unless it is proven to fail all along. Problems have the degree of the squared distance; that of a
-// vertex and a face is cubic.
+// Each test calls `visit(problem)` with the condition "the closest points of both features are within the margin",
+// F <= 0 with all constraints. It makes no call if the condition is proven to fail during the whole motion. The
+// problems have the degree of the squared distance; the problems of vertex and face are cubic.
 
 /// Vertex and vertex: |P - W c|^2 <= d^2 W^2.
-template <class S, class Ask>
-void vertex_near_vertex(const VertexPath<S>& path, const Vector3<S>& point, const Margin<S>& margin,
-                        const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
+template <class S, class Visit>
+void vertex_vertex_distance(const VertexPath<S>& path, const Vector3<S>& point, const Margin<S>& margin,
+                            const Accuracy& accuracy, Workspace<S>& workspace, Visit visit) {
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
     const S slack = S(parallel_slack * accuracy.scale.length);
-    if (detail::stay_apart<S>(path, point, margin.distance + slack, unit))
+    if (detail::are_separated<S>(path, point, {margin.distance + slack, unit}))
         return;
     const Vector3<Bernstein<3, S>> arm = path.position - scale(point, path.weight);
     const auto sized_arm = detail::sized_vector<S>(arm, with_underflow<S>(unit), path.weight);
@@ -250,20 +157,20 @@ void vertex_near_vertex(const VertexPath<S>& path, const Vector3<S>& point, cons
     problem.set_function(
         detail::dot_product<S>(sized_arm, sized_arm).minus(detail::constant<S>(margin.square, path.weight)).bounded(),
         slack * slack);
-    detail::ask_unless_apart(problem, workspace, ask);
+    detail::visit_unless_separated(problem, workspace, visit);
 }
 
 /// Vertex and edge: |(P - W c) x v|^2 <= d^2 |v|^2 W^2, and 0 <= (P - W c) . v <= |v|^2 W.
-template <class S, class Ask>
-void vertex_near_edge(const VertexPath<S>& path, const RestingEdge<S>& edge, const Margin<S>& margin,
-                      const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
+template <class S, class Visit>
+void vertex_edge_distance(const VertexPath<S>& path, const RestingEdge<S>& edge, const Margin<S>& margin,
+                          const Accuracy& accuracy, Workspace<S>& workspace, Visit visit) {
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
-    if (detail::stay_apart<S>(path, edge, margin.distance + S(parallel_slack) * edge.size, unit))
+    if (detail::are_separated<S>(path, edge, {margin.distance + S(parallel_slack) * edge.size, unit}))
         return;
     const Vector3<Bernstein<3, S>> arm = path.position - scale(edge.from, path.weight);
     detail::SquareProblem<S> problem(path.weight);
-    if (!detail::demand_foot(arm, edge, unit, path.weight, problem))
+    if (!detail::add_foot_constraints(arm, edge, unit, path.weight, problem))
         return;
     const auto sized_moment =
         detail::sized_vector<S>(cross(arm, edge.direction), with_underflow<S>(unit * edge.size), path.weight);
@@ -272,83 +179,107 @@ void vertex_near_edge(const VertexPath<S>& path, const RestingEdge<S>& edge, con
                              .minus(detail::constant<S>(margin.square * edge.square, path.weight))
                              .bounded(),
                          slack * slack);
-    detail::ask_unless_apart(problem, workspace, ask);
-}
-
-/// Edge and edge: V^2 <= d^2 |U x v|^2, and 0 <= (W c - A) x v . (U x v) <= |U x v|^2 as well as 0 <= (c x U - M) . (U
-/// x v) <= |U x v|^2. Edges that are parallel are left to their ends.
-template <class S, class Ask>
-void edge_near_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
-                    const Margin<S>& margin, const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
-    ++workspace.elementary_tests;
-    if (detail::stay_apart<S>(maps, moving, fixed, margin.distance, detail::unit_of<S>(accuracy)))
-        return;
-    const detail::EdgePair<S> pair(maps, moving, fixed, accuracy.scale);
-    const Bounded<3, S> volume = pair.volume();
-    const S most = margin.distance * pair.size();
-    if (keeps_one_sign(volume.polynomial, maps.weight * S(volume.error + most)))
-        return;
-    const auto crossing = detail::sized_vector<S>(pair.crossing(), pair.crossing_error(), maps.weight);
-    const S widest = std::max({crossing.x.size, crossing.y.size, crossing.z.size});
-    const S spread =
-        margin.distance * (crossing.x.size + crossing.y.size + crossing.z.size + pair.crossing_error() * S(3));
-    if (keeps_one_sign(volume.polynomial, maps.weight * S(volume.error + spread)) ||
-        widest <= S(detail::nearly_parallel) * pair.size())
-        return;
-    const SumOfProducts<S> square = detail::dot_product<S>(crossing, crossing);
-    const S least = S(detail::least_crossing) * pair.size();
-    detail::SquareProblem<S> problem(maps.weight);
-    if (!problem.demand(square.minus(detail::constant<S>(least * least, maps.weight)).bounded()) ||
-        !detail::demand_between<S>(pair, crossing, square, maps.weight, problem))
-        return;
-    SumOfProducts<S> distance;
-    const Sized<S> height = algebra::sized(volume, maps.weight);
-    distance.add(height, height);
-    problem.set_function(distance.minus(square.scaled(margin.square)).bounded(), S(0));
-    detail::ask_unless_apart(problem, workspace, ask);
+    detail::visit_unless_separated(problem, workspace, visit);
 }
 
 namespace detail {
 
-/// Room for a face's constraints and the plane of the other side of the margin.
-template <class S, class CornerAt, class Ask>
-void ask_within(const VertexPath<S>& path, const FaceShape<S>& face, std::size_t count, CornerAt corner_at,
-                const Bounded<3, S>& plane, const S& reach, const S& unit, Workspace<S>& workspace, Ask ask) {
-    Constraints<S>& constraints = workspace.constraints;
-    if (!add_inside_constraints(path, face, count, corner_at, unit, constraints))
+/// The three quantities of the edge and edge condition: V, U x v and |U x v|^2.
+template <class S>
+struct EdgeDistance {
+    Bounded<3, S> volume;
+    SizedVector<S> crossing;
+    SumOfProducts<S> square;
+};
+
+/// Empty if the edges are proven to stay beyond the margin, or if they are parallel and the tests of their ends
+/// suffice.
+template <class S>
+std::optional<EdgeDistance<S>> edge_distance(const EdgePair<S>& pair, const Cubic<S>& weight, const S& margin) {
+    const Bounded<3, S> volume = pair.volume();
+    if (keeps_one_sign(volume.polynomial, weight * S(volume.error + margin * pair.size())))
+        return std::nullopt;
+    const auto crossing = sized_vector<S>(pair.crossing(), pair.crossing_error(), weight);
+    const S widest = std::max({crossing.x.size, crossing.y.size, crossing.z.size});
+    const S crossing_bound =
+        margin * (crossing.x.size + crossing.y.size + crossing.z.size + pair.crossing_error() * S(3));
+    if (keeps_one_sign(volume.polynomial, weight * S(volume.error + crossing_bound)) ||
+        widest <= S(nearly_parallel) * pair.size())
+        return std::nullopt;
+    return EdgeDistance<S>{volume, crossing, dot_product<S>(crossing, crossing)};
+}
+
+} // namespace detail
+
+/// Edge and edge: V^2 <= d^2 |U x v|^2, 0 <= (W c - A) x v . (U x v) <= |U x v|^2 and 0 <= (c x U - M) . (U x v) <=
+/// |U x v|^2. Parallel edges are left to the tests of their ends.
+template <class S, class Visit>
+void edge_edge_distance(const EdgeMotion<S>& edges, const Margin<S>& margin, const Accuracy& accuracy,
+                        Workspace<S>& workspace, Visit visit) {
+    ++workspace.elementary_tests;
+    if (detail::are_separated<S>(edges, {margin.distance, detail::unit_of<S>(accuracy)}))
         return;
-    ++workspace.root_brackets;
-    const Cubic<S> limit = path.weight * reach;
-    const Bounded<3, S> above{plane.polynomial - limit, plane.error};
-    const Bounded<3, S> below{Cubic<S>() - plane.polynomial - limit, plane.error};
+    const Bernstein<3, S>& weight = edges.maps.weight;
+    const detail::EdgePair<S> pair(edges, accuracy.scale);
+    const auto distance = detail::edge_distance<S>(pair, weight, margin.distance);
+    if (!distance)
+        return;
+    const S least = S(detail::least_crossing) * pair.size();
+    detail::SquareProblem<S> problem(weight);
+    if (!problem.add(distance->square.minus(detail::constant<S>(least * least, weight)).bounded()) ||
+        !detail::add_closest_point_constraints<S>(pair, distance->crossing, distance->square, weight, problem))
+        return;
+    SumOfProducts<S> squared_volume;
+    const Sized<S> volume = algebra::sized(distance->volume, weight);
+    squared_volume.add(volume, volume);
+    problem.set_function(squared_volume.minus(distance->square.scaled(margin.square)).bounded(), S(0));
+    detail::visit_unless_separated(problem, workspace, visit);
+}
+
+namespace detail {
+
+/// The plane of a face and the offset d |n| W of the two planes at the margin.
+template <class S>
+struct PlanesAtMargin {
+    const Bounded<3, S>& plane;
+    const Cubic<S> offset;
+};
+
+/// Visits the problems of both sides: F is the height over one plane at the margin, and the last constraint keeps the
+/// vertex on the inner side of the other plane. `constraints` holds the constraints of the face's edges.
+template <class S, class Visit>
+void visit_both_sides(const PlanesAtMargin<S>& planes, const Cubic<S>& weight, Constraints<S>& constraints,
+                      Visit visit) {
+    const Bounded<3, S> above{planes.plane.polynomial - planes.offset, planes.plane.error};
+    const Bounded<3, S> below{Cubic<S>() - planes.plane.polynomial - planes.offset, planes.plane.error};
     Bounded<3, S>& other_side = constraints.add();
     for (const bool from_above : {true, false}) {
         other_side = from_above ? below : above;
         other_side.polynomial = Cubic<S>() - other_side.polynomial;
-        ask(algebra::FeasibilityProblem<3, S>{path.weight, from_above ? above : below, constraints.all()});
+        visit(algebra::FeasibilityProblem<3, S>{weight, from_above ? above : below, constraints.all()});
     }
 }
 
 } // namespace detail
 
-/// Vertex and face: |n . P - W n . c| <= d |n| W within the face's edges. `ask` is called for both sides of each convex
-/// part of the face.
-template <class S, class Ask>
-void vertex_near_face(const VertexPath<S>& path, const FaceShape<S>& face, const Margin<S>& margin,
-                      const Accuracy& accuracy, Workspace<S>& workspace, Ask ask) {
+/// Vertex and face: |n . P - W n . c| <= d |n| W inside the edges of the face. `visit` is called for both sides of each
+/// convex part of the face.
+template <class S, class Visit>
+void vertex_face_distance(const VertexPath<S>& path, const FaceShape<S>& face, const Margin<S>& margin,
+                          const Accuracy& accuracy, Workspace<S>& workspace, Visit visit) {
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
     const Bounded<3, S> plane = detail::plane(path, face, unit);
-    const S reach = margin.distance * length(face.normal);
-    if (keeps_one_sign(plane.polynomial, path.weight * S(plane.error + reach)))
+    const S offset = margin.distance * length(face.normal);
+    if (keeps_one_sign(plane.polynomial, path.weight * S(plane.error + offset)))
         return;
-    const auto ask_part = [&](std::size_t count, auto corner_at) {
-        detail::ask_within(path, face, count, corner_at, plane, reach, unit, workspace, ask);
-    };
-    if (face.triangles.empty())
-        ask_part(face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; });
-    for (std::size_t t = 0; t < face.triangles.size(); t += 3)
-        ask_part(3, [&](std::size_t i) -> const Vector3<S>& { return face.corners[face.triangles[t + i]]; });
+    any_convex_part(face, [&](std::size_t count, auto corner_at) {
+        if (detail::add_inside_constraints(path, face, count, corner_at, unit, workspace.constraints)) {
+            ++workspace.root_brackets;
+            detail::visit_both_sides<S>({plane, path.weight * offset}, path.weight, workspace.constraints, visit);
+        }
+        return false;
+    });
 }
 
 } // namespace chasles::elementary

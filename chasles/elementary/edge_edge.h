@@ -1,32 +1,33 @@
-// When do two edges first meet?
+// The first time at which a moving edge and a fixed edge touch. No touch is missed; a certain answer is proven.
 // Source: paper sections 2.2.1 to 2.2.4; docs/derivations/04-edge-edge.md and 05-being-inside.md.
-// Legend: the moving edge runs from a to b with direction u = b - a, the fixed one from c to d with v = d - c.
+// Legend: the moving edge runs from a to b with direction u = b - a, the fixed edge from c to d with v = d - c. A and B
+// are W times the positions of a and b.
 #pragma once
 
 #include "chasles/elementary/vertex_face.h"
 
 namespace chasles::elementary {
 
-/// A moving edge and its line along the motion; a polynomial is W times what it names, in the fixed body's frame.
+/// A moving edge and its line during the motion. Each polynomial is W times a vector in the frame of the fixed body.
 template <class S>
 struct EdgePath {
     using Polynomial = Bernstein<3, S>;
-    Vector3<S> from;               ///< a in the body's frame
+    Vector3<S> from;               ///< a, in the frame of the moving body
     Vector3<S> to;                 ///< b
     Vector3<S> along;              ///< u
     S size;                        ///< |u|_1
-    Vector3<Polynomial> direction; ///< U, of the turned u
-    Vector3<Polynomial> moment;    ///< M, of the moved line
+    Vector3<Polynomial> direction; ///< U, the rotated u
+    Vector3<Polynomial> moment;    ///< M, the moment of the line
 };
 
-/// The moving edge between two points of the body.
+/// The moving edge between two points of the moving body.
 template <class S>
 EdgePath<S> edge_path(const motion::ControlMaps<S>& maps, const Vector3<S>& from, const Vector3<S>& to) {
     const Vector3<S> u = to - from;
     return {from, to, u, norm1(u), maps.rotation * u, maps.rotation * cross(from, u) + maps.moment * u};
 }
 
-/// A fixed edge and its line.
+/// A fixed edge and its line, in the frame of the fixed body.
 template <class S>
 struct FixedEdge {
     Vector3<S> from;      ///< c
@@ -35,26 +36,33 @@ struct FixedEdge {
     S size;               ///< |v|_1
 };
 
-/// The fixed edge between two points.
+/// The fixed edge between two points of the fixed body.
 template <class S>
 FixedEdge<S> fixed_edge(const Vector3<S>& from, const Vector3<S>& to) {
     const Vector3<S> v = to - from;
     return {from, v, cross(from, v), norm1(v)};
 }
 
+/// A pair of edges under a motion; all members are kept by reference.
+template <class S>
+struct EdgeMotion {
+    const motion::ControlMaps<S>& maps;
+    const EdgePath<S>& moving;
+    const FixedEdge<S>& fixed;
+};
+
 namespace detail {
 
-/// All quantities of one edge pair, made as they are needed.
+/// The polynomials of one pair of edges, each computed when a test needs it.
 template <class S>
 class EdgePair {
 public:
     using Polynomial = Bernstein<3, S>;
     using Vector = Vector3<Polynomial>;
 
-    EdgePair(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving, const FixedEdge<S>& fixed,
-             const ErrorScale& scale)
-        : maps_(maps), moving_(moving), fixed_(fixed), unit_(relative_error<S>(scale) * scale.length),
-          stretch_unit_(relative_error<S>(scale) * scale.norm_bound) {}
+    EdgePair(const EdgeMotion<S>& edges, const ErrorScale& scale)
+        : maps_(edges.maps), moving_(edges.moving), fixed_(edges.fixed), unit_(relative_error<S>(scale) * scale.length),
+          norm_unit_(relative_error<S>(scale) * scale.norm_bound) {}
 
     /// W times the reciprocal product of the two lines: v . M + (c x v) . U.
     [[nodiscard]] Bounded<3, S> volume() const {
@@ -62,20 +70,21 @@ public:
                 with_underflow<S>(unit_ * size())};
     }
 
-    /// U x v, whose direction tells how the edges cross, with one error for all components.
+    /// U x v. All components have the same error bound, `crossing_error()`.
     [[nodiscard]] Vector crossing() const { return cross(moving_.direction, fixed_.direction); }
     [[nodiscard]] S size() const { return moving_.size * fixed_.size; }
-    [[nodiscard]] S crossing_error() const { return with_underflow<S>(stretch_unit_ * size()); }
+    [[nodiscard]] S crossing_error() const { return with_underflow<S>(norm_unit_ * size()); }
 
-    /// The meeting point is between a and b iff 0 lies between the i-th components of (W c - A) x v and
-    /// (W c - B) x v, and between c and d iff it does for c x U - M and d x U - M. Both pairs differ by U x v: where
-    /// that is > 0 all along, the first of each is >= 0 and the second <= 0.
+    /// Adds the constraints of component i that the intersection of both lines is inside both edges. It is between a
+    /// and b iff 0 lies between the components of (W c - A) x v and (W c - B) x v. It is between c and d iff 0 lies
+    /// between the components of c x U - M and d x U - M. Both differences are U x v. If component i of U x v is
+    /// positive during the whole motion (sign > 0), the first value of each pair must be >= 0 and the second <= 0.
     void add_inside(int i, const Polynomial& crossing, int sign, Constraints<S>& constraints) const {
         add_opposed({end_arm(i), end_arm_error()}, crossing, sign, constraints);
         add_opposed({line_arm(i), line_arm_error()}, crossing, sign, constraints);
     }
 
-    /// The two edges overlap when both are projected on v, and when both are projected on u.
+    /// Adds the constraints that the projections of both edges overlap, on v and on u.
     void add_overlaps(Constraints<S>& constraints) const {
         const Vector a = maps_.rotation * moving_.from + maps_.translation;
         const Vector b = maps_.rotation * moving_.to + maps_.translation;
@@ -85,7 +94,7 @@ public:
         add_overlap(c, d, moving_.from, moving_.along, moving_.size, constraints);
     }
 
-    /// Component i of (W c - A) x v: the share of the moving edge before the other line, times U x v.
+    /// Component i of (W c - A) x v. It is U x v times the fraction of the moving edge before the fixed line.
     [[nodiscard]] Polynomial end_arm(int i) const {
         const auto a = [&](int component) {
             return dot(maps_.rotation.row[component], moving_.from) + maps_.translation[component];
@@ -95,7 +104,7 @@ public:
         return maps_.weight * fixed_.moment[i] - (a(j) * fixed_.direction[k] - a(k) * fixed_.direction[j]);
     }
 
-    /// Component i of c x U - M: the same for the fixed edge.
+    /// Component i of c x U - M. It is U x v times the fraction of the fixed edge before the moving line.
     [[nodiscard]] Polynomial line_arm(int i) const {
         const int j = (i + 1) % 3;
         const int k = (i + 2) % 3;
@@ -106,7 +115,8 @@ public:
     [[nodiscard]] S line_arm_error() const { return with_underflow<S>(unit_ * moving_.size); }
 
 private:
-    /// Of the edge from p to q with one that starts in `from`.
+    /// Adds the constraint that the projection of the edge from p to q on `along` overlaps the edge that starts at
+    /// `from` with direction `along`.
     void add_overlap(const Vector& p, const Vector& q, const Vector3<S>& from, const Vector3<S>& along, const S& size,
                      Constraints<S>& constraints) const {
         const S offset = dot(along, from);
@@ -115,12 +125,13 @@ private:
                         {height<S>({q, maps_.weight}, along, offset), error}, dot(along, along));
     }
 
+    /// W times a fixed point in the frame of the moving body.
     [[nodiscard]] Vector in_body(const Vector3<S>& point) const {
         return maps_.rotation.transposed() * point - maps_.inverse_translation;
     }
 
-    /// The second is the first without `crossing`. sign > 0: first >= 0 >= second. sign < 0: the reverse. 0: either,
-    /// so that 0 is between them.
+    /// Adds constraints for `first` and second = first - crossing. sign > 0: first >= 0 >= second. sign < 0: the
+    /// reverse. sign = 0: 0 lies between both, in either order.
     static void add_opposed(const Bounded<3, S>& first, const Polynomial& crossing, int sign,
                             Constraints<S>& constraints) {
         const Polynomial& p = first.polynomial;
@@ -139,18 +150,19 @@ private:
     const EdgePath<S>& moving_;
     const FixedEdge<S>& fixed_;
     S unit_;
-    S stretch_unit_;
+    S norm_unit_;
 };
 
-/// Edges at a smaller angle count as parallel. Both ways are right for any angle, but the distance of two lines is
-/// known to the error over their angle only, and the moments of the ends say more (note 04, "Nearly parallel edges").
+/// If no component of U x v is beyond this fraction of the lengths, all three components are tested. Both sets of
+/// constraints are correct for any angle. A single component separates no better than the volume; all three separate
+/// nearly parallel edges that pass at a small height (note 04, "Nearly parallel edges").
 inline constexpr double parallel_angle = 0x1p-32;
 
-/// The component of U x v that is proven to keep its sign with the widest distance from zero; sign 0 if none is, or if
-/// none is as far from it as `least`.
+/// The component of U x v that is proven to keep its sign with the greatest distance from zero. The sign is 0 if no
+/// component is proven to keep its sign at a distance of more than `least`.
 struct CrossingAxis {
     int component = 0;
-    int sign = 0;
+    int sign = 0; ///< 1, -1 or 0
 };
 
 template <class S>
@@ -172,7 +184,7 @@ CrossingAxis crossing_axis(const Vector3<Bernstein<3, S>>& crossing, const Berns
     return best;
 }
 
-/// A constraint that fails all along settles the question without looking for roots.
+/// Whether a constraint is proven to fail during the whole motion. Then no root search is needed.
 template <class S>
 bool fails(const Constraint<3, S>& constraint, const Bernstein<3, S>& weight) {
     using Polynomial = Bernstein<3, S>;
@@ -180,11 +192,11 @@ bool fails(const Constraint<3, S>& constraint, const Bernstein<3, S>& weight) {
         return !is_negative(first, weight * constraint.first.error) ||
                (second && !is_negative(*second, weight * constraint.second.error));
     };
-    return !algebra::all_demands(constraint, weight, constraint.first.polynomial, constraint.second.polynomial,
-                                 may_hold);
+    return !algebra::all_inequalities(constraint, weight, constraint.first.polynomial, constraint.second.polynomial,
+                                      may_hold);
 }
 
-/// For edges on lines that may meet.
+/// The first time for edges on lines that may intersect.
 template <class S>
 std::optional<FeasibleInterval> first_meeting(const EdgePair<S>& pair, const Bounded<3, S>& volume,
                                               const Bernstein<3, S>& weight, const algebra::Tolerance& tolerance,
@@ -209,15 +221,15 @@ std::optional<FeasibleInterval> first_meeting(const EdgePair<S>& pair, const Bou
 
 } // namespace detail
 
-/// The first tau in [0, 1] at which the closed edges may meet; empty if they are proven never to. Edges that are, or
-/// become, parallel are no special case for the answer: where no component of U x v keeps its sign, all three decide
-/// together with the overlap along each edge.
+/// The first tau in [0, 1] at which the closed edges may touch. An empty result proves that the edges never touch.
+/// Parallel edges need no special case. If no component of U x v keeps its sign, all three components are used together
+/// with the overlap along each edge.
 template <class S>
 std::optional<FeasibleInterval> edge_edge(const motion::ControlMaps<S>& maps, const EdgePath<S>& moving,
                                           const FixedEdge<S>& fixed, const Accuracy& accuracy,
                                           Workspace<S>& workspace) {
     ++workspace.elementary_tests;
-    const detail::EdgePair<S> pair(maps, moving, fixed, accuracy.scale);
+    const detail::EdgePair<S> pair({maps, moving, fixed}, accuracy.scale);
     const Bounded<3, S> volume = pair.volume();
     if (keeps_one_sign(volume.polynomial, maps.weight * volume.error))
         return std::nullopt;

@@ -1,4 +1,4 @@
-// Does an edge pass through a face at one instant? Tells bodies that overlap at the start from bodies that are apart.
+// A test whether an edge passes through a face at one instant. It detects bodies that overlap at the start of a motion.
 // Source: docs/derivations/05-being-inside.md, last section.
 #pragma once
 
@@ -8,51 +8,51 @@
 
 namespace chasles::elementary {
 
-/// A segment in the frame of the face's body, times a positive weight.
+/// A segment in the frame of the face's body; `from` and `to` are the weight times the ends.
 template <class S>
 struct Segment {
     Vector3<S> from;
     Vector3<S> to;
-    S weight{1};
+    S weight{1}; ///< positive
 };
 
-/// Where an edge passes through a face.
+/// The point at which an edge passes through a face.
 template <class S>
 struct Passage {
-    Vector3<S> point;     ///< over the weight; an end of the segment in scalars without division
-    bool certain = false; ///< proven; otherwise the edge may just miss the rim
+    Vector3<S> point;     ///< times the weight; `Segment::from` for scalars without division
+    bool certain = false; ///< the passage is proven; otherwise the edge may barely miss the rim of the face
 };
 
-/// Which segments to ask about.
+/// The segments that the test accepts, by the sides of their ends on the plane of the face.
 enum class Ends : std::uint8_t {
-    not_proven_on_one_side, ///< a filter: also segments that may only touch the plane; `certain` says nothing then
-    proven_opposite,        ///< the answer: an end on the plane is left to vertex/face
+    not_proven_on_one_side, ///< for a filter: also segments that may only touch the plane; `certain` is meaningless
+    proven_opposite,        ///< for the answer: ends on the plane are left to the vertex and face test
 };
 
 namespace detail {
 
-/// A segment with ends that are ordered to run along the face's normal.
+/// A segment with a direction along the face's normal.
 template <class S>
-struct Way {
+struct OrientedSegment {
     const Segment<S>& segment;
-    bool upwards;
+    bool upwards; ///< `from` is below the face, `to` above
     Ends ends;
 };
 
-/// Signed volumes of the segment with each edge of a convex part of the face: all non-negative if it passes inside.
-/// Where the ends are not proven on opposite sides, the place in the plane says nothing, and the volumes are only as
-/// good as the ends times the distance of the face's edge.
+/// Whether the segment passes through a convex part of a face: all signed volumes of the segment with the edges of the
+/// part must be non-negative. Empty if one volume is proven negative; true if all are proven positive. If the ends are
+/// not proven on opposite sides, the error of a volume also contains the distance from the end to the edge.
 template <class S, class CornerAt>
-std::optional<bool> passes(const Way<S>& way, std::size_t count, CornerAt corner_at, const S& unit) {
-    const Segment<S>& segment = way.segment;
-    const Vector3<S> u = way.upwards ? segment.to - segment.from : segment.from - segment.to;
+std::optional<bool> passes(const OrientedSegment<S>& oriented, std::size_t count, CornerAt corner_at, const S& unit) {
+    const Segment<S>& segment = oriented.segment;
+    const Vector3<S> u = oriented.upwards ? segment.to - segment.from : segment.from - segment.to;
     bool certain = true;
     for (std::size_t i = 0; i < count; ++i) {
         const Vector3<S>& from = corner_at(i);
         const Vector3<S> v = corner_at(i + 1 == count ? 0 : i + 1) - from;
         const Vector3<S> arm = scale(from, segment.weight) - segment.from;
         const S volume = dot(cross(arm, v), u);
-        const S size = way.ends == Ends::proven_opposite ? norm1(u) : S(norm1(u) + norm1(arm));
+        const S size = oriented.ends == Ends::proven_opposite ? norm1(u) : S(norm1(u) + norm1(arm));
         const S error = with_underflow<S>(unit * size * norm1(v));
         if (volume < S(0) - error)
             return std::nullopt;
@@ -61,13 +61,13 @@ std::optional<bool> passes(const Way<S>& way, std::size_t count, CornerAt corner
     return certain;
 }
 
-/// Whether the segment and the hull of the face's corners are proven apart along a direction, however long.
+/// Whether a direction of any length separates the segment from the convex hull of the face's corners.
 template <class S>
 bool are_apart_along(const Vector3<S>& direction, const Segment<S>& segment, const FaceShape<S>& face, const S& unit) {
     const Vector3<S> anchor = scale(face.corners[0], segment.weight);
     const S from = dot(direction, segment.from - anchor);
     const S to = dot(direction, segment.to - anchor);
-    S lower(0), upper(0); // of the corners
+    S lower(0), upper(0); // heights of the corners
     for (const Vector3<S>& corner : face.corners) {
         const S height = dot(direction, corner - face.corners[0]) * segment.weight;
         lower = height < lower ? height : lower;
@@ -77,7 +77,7 @@ bool are_apart_along(const Vector3<S>& direction, const Segment<S>& segment, con
     return (from > upper + error && to > upper + error) || (from < lower - error && to < lower - error);
 }
 
-/// The same for directions in the face's plane: across the segment and across each side of the face.
+/// Whether a direction in the plane of the face separates both: across the segment or across a side of the face.
 template <class S>
 bool are_apart_in_plane(const Segment<S>& segment, const FaceShape<S>& face, const S& unit) {
     if (are_apart_along<S>(cross(face.normal, segment.to - segment.from), segment, face, unit))
@@ -91,9 +91,21 @@ bool are_apart_in_plane(const Segment<S>& segment, const FaceShape<S>& face, con
     return false;
 }
 
+/// The point at height zero, for heights of both ends over the plane.
+template <class S>
+Vector3<S> point_at_plane(const Segment<S>& segment, const S& from, const S& to) {
+    S share(0);
+    if constexpr (algebra::Divisible<S>) {
+        const S height = from - to;
+        share = height < S(0) || height > S(0) ? S(from / height) : S(0);
+    }
+    return segment.from + scale(segment.to - segment.from, share);
+}
+
 } // namespace detail
 
-/// Whether the segment may go through the face. `bounds` as for the detections.
+/// The passage of the segment through the face, if the segment may pass. `bounds` has the same meaning as for the
+/// elementary tests.
 template <class S>
 std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face,
                                             const ErrorScale& bounds, Ends ends = Ends::proven_opposite) {
@@ -105,33 +117,17 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
     const S to = dot(face.normal, segment.to - anchor);
     const bool upwards = from < S(0) - limit && to > limit;
     const bool downwards = to < S(0) - limit && from > limit;
-    // In the plane or next to it volumes tell nothing.
+    // In the plane or next to the plane, the signed volumes separate nothing.
     if (upwards && downwards && detail::are_apart_in_plane(segment, face, unit))
         return std::nullopt;
-    const auto passes = [&](std::size_t count, auto corner_at) {
-        auto found = upwards ? detail::passes<S>({segment, true, ends}, count, corner_at, unit) : std::nullopt;
-        return !found && downwards ? detail::passes<S>({segment, false, ends}, count, corner_at, unit) : found;
-    };
-    const auto passage = [&](bool certain) {
-        S share(0);
-        if constexpr (algebra::Divisible<S>) {
-            const S height = from - to;
-            share = height < S(0) || height > S(0) ? S(from / height) : S(0);
-        }
-        return Passage<S>{segment.from + scale(segment.to - segment.from, share), certain};
-    };
-    if (face.triangles.empty()) {
-        const auto found =
-            passes(face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; });
-        return found ? std::optional(passage(*found)) : std::nullopt;
-    }
-    for (std::size_t t = 0; t < face.triangles.size(); t += 3) {
-        const auto found =
-            passes(3, [&](std::size_t i) -> const Vector3<S>& { return face.corners[face.triangles[t + i]]; });
-        if (found)
-            return passage(*found);
-    }
-    return std::nullopt;
+    std::optional<bool> certain;
+    any_convex_part(face, [&](std::size_t count, auto corner_at) {
+        certain = upwards ? detail::passes<S>({segment, true, ends}, count, corner_at, unit) : std::nullopt;
+        if (!certain && downwards)
+            certain = detail::passes<S>({segment, false, ends}, count, corner_at, unit);
+        return certain.has_value();
+    });
+    return certain ? std::optional(Passage<S>{detail::point_at_plane(segment, from, to), *certain}) : std::nullopt;
 }
 
 } // namespace chasles::elementary

@@ -1,24 +1,27 @@
-// The semi-static error bound of the elementary detections: one length and one ratio per motion and pair of bodies.
+// The semi-static error bound of the elementary tests: one length and two factors per motion and pair of bodies.
 // Source: docs/derivations/06-first-feasible.md, section "Constants".
 #pragma once
 
 #include "chasles/motion/control_maps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 
 namespace chasles::elementary {
 
-/// Bounds every coefficient error by error_unit * length * (norms of the directions that enter) * weight.
+/// Bounds every coefficient error by error_unit * length * (norms of the directions in the product) * weight.
 struct ErrorScale {
-    double length = 0;     ///< of positions, differences of positions, and moments of unit directions, over the weight
-    double norm_bound = 1; ///< of turned unit directions over the weight; 1 for a rotation, more for its control maps
-    double turn = 1;       ///< over the cosine of half a screw's turn: what its numbers in double-double lose by it
+    double length = 0; ///< bound of positions, their differences, and moments of unit directions, over the weight
+    double norm_bound =
+        1; ///< bound of rotated unit directions over the weight; 1 for a rotation, more for control maps
+    double half_angle_secant =
+        1; ///< 1 / cos of half of the turn of a screw: the factor by which errors in double-double grow
 };
 
-/// Relative error of a coefficient, counted in the notes: most of it is that of the maps themselves
-/// (docs/derivations/10-error-bounds.md). In exact scalars there is none.
+/// The relative error of a coefficient, counted in docs/derivations/10-error-bounds.md. Most of it is the error of the
+/// control maps. Exact scalars have no error.
 template <class S>
 inline constexpr double error_unit = 0;
 template <>
@@ -26,49 +29,79 @@ inline constexpr double error_unit<double> = 160 * algebra::unit_roundoff<double
 template <>
 inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit_roundoff<algebra::DoubleDouble>;
 
-/// The same for one motion.
+/// The relative error of a coefficient under one motion.
 template <class S>
 double relative_error(const ErrorScale& scale) {
-    return std::is_same_v<S, double> ? error_unit<S> : error_unit<S> * scale.turn;
+    return std::is_same_v<S, double> ? error_unit<S> : error_unit<S> * scale.half_angle_secant;
 }
 
-/// What underflow adds at most, far below any bound of bodies of size 1e-30 with features of 1e-50. Makes signs of
-/// numbers that lost digits to underflow count for nothing, also where subnormal numbers are flushed to zero.
+/// The greatest error by underflow. It is far below any other bound for bodies of size 1e-30 with features of 1e-50. It
+/// invalidates the signs of numbers that lost digits to underflow, also where subnormal numbers are flushed to zero.
 inline constexpr double underflow = 0x1p-760;
 
-/// The bound of a coefficient's error, over the weight.
+/// The error bound of a coefficient over the weight: the relative part and underflow.
 template <class S>
 S with_underflow(const S& relative_part) {
     return error_unit<S> > 0 ? S(relative_part + S(underflow)) : relative_part;
 }
 
-/// The scale for moving points with coordinates up to `moving_reach` in the body's frame and fixed points up to
-/// `fixed_reach`, both in the mesh's unit, under maps over [0, 1].
-inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_reach, double fixed_reach) {
-    ErrorScale scale;
-    scale.turn = std::sqrt(std::max(1.0, maps.weight[3]));
-    for (int lane = 0; lane <= 3; ++lane) {
-        const double weight = maps.weight[lane];
-        double rows = 0, columns = 0, shift = 0, inverse = 0, moment = 0;
-        for (int i = 0; i < 3; ++i) {
-            double row = 0, column = 0;
-            for (int j = 0; j < 3; ++j) {
-                row += std::abs(maps.rotation.row[i][j][lane]);
-                column += std::abs(maps.rotation.row[j][i][lane]);
-                moment = std::max(moment, std::abs(maps.moment.row[i][j][lane]));
-            }
-            rows = std::max(rows, row);
-            columns = std::max(columns, column);
-            shift = std::max(shift, std::abs(maps.translation[i][lane]));
-            inverse = std::max(inverse, std::abs(maps.inverse_translation[i][lane]));
+/// Norms of one coefficient of the control maps, over its weight.
+struct CoefficientNorms {
+    double rotation = 0; ///< the greater of the maximal row sum and the maximal column sum
+    double translation = 0;
+    double inverse_translation = 0;
+    double moment = 0;
+};
+
+/// The norms of coefficient `lane`. All but the rotation are maximum norms.
+inline CoefficientNorms coefficient_norms(const motion::ControlMaps<double>& maps, int lane) {
+    const double weight = maps.weight[lane];
+    double rows = 0, columns = 0, translation = 0, inverse = 0, moment = 0;
+    for (int i = 0; i < 3; ++i) {
+        double row = 0, column = 0;
+        for (int j = 0; j < 3; ++j) {
+            row += std::abs(maps.rotation.row[i][j][lane]);
+            column += std::abs(maps.rotation.row[j][i][lane]);
+            moment = std::max(moment, std::abs(maps.moment.row[i][j][lane]));
         }
-        const double turned = std::max(rows, columns) / weight;
-        scale.norm_bound = std::max(scale.norm_bound, turned);
-        scale.length = std::max({scale.length, turned * moving_reach + shift / weight + fixed_reach,
-                                 turned * fixed_reach + inverse / weight + moving_reach,
-                                 turned * (moving_reach + fixed_reach) + moment / weight});
+        rows = std::max(rows, row);
+        columns = std::max(columns, column);
+        translation = std::max(translation, std::abs(maps.translation[i][lane]));
+        inverse = std::max(inverse, std::abs(maps.inverse_translation[i][lane]));
     }
-    return scale;
+    return {std::max(rows, columns) / weight, translation / weight, inverse / weight, moment / weight};
+}
+
+/// The norms of all coefficients of control maps over [0, 1]: computed once for a piece of motion.
+class MapNorms {
+public:
+    explicit MapNorms(const motion::ControlMaps<double>& maps) : end_weight_(maps.weight[3]) {
+        for (int lane = 0; lane <= 3; ++lane)
+            norms_[std::size_t(lane)] = coefficient_norms(maps, lane);
+    }
+
+    /// The scale for moving points with coordinates up to `moving_extent` in the frame of the moving body and fixed
+    /// points up to `fixed_extent`, both in the length unit of the mesh.
+    [[nodiscard]] ErrorScale error_scale(double moving_extent, double fixed_extent) const {
+        ErrorScale scale;
+        scale.half_angle_secant = std::sqrt(std::max(1.0, end_weight_));
+        for (const CoefficientNorms& norms : norms_) {
+            scale.norm_bound = std::max(scale.norm_bound, norms.rotation);
+            scale.length = std::max({scale.length, norms.rotation * moving_extent + norms.translation + fixed_extent,
+                                     norms.rotation * fixed_extent + norms.inverse_translation + moving_extent,
+                                     norms.rotation * (moving_extent + fixed_extent) + norms.moment});
+        }
+        return scale;
+    }
+
+private:
+    double end_weight_;
+    std::array<CoefficientNorms, 4> norms_;
+};
+
+/// The scale of one set of maps.
+inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_extent, double fixed_extent) {
+    return MapNorms(maps).error_scale(moving_extent, fixed_extent);
 }
 
 } // namespace chasles::elementary

@@ -1,4 +1,5 @@
-// A face as the elementary detections see it: corners, a normal, and how far its corners are off one plane.
+// The input of the elementary tests for a face: corners, a normal, and the deviation of the corners from one plane.
+// Source: docs/derivations/03-vertex-face.md.
 #pragma once
 
 #include "chasles/algebra/vector.h"
@@ -11,19 +12,20 @@ namespace chasles::elementary {
 
 using algebra::Vector3;
 
-/// A planar face in its body's frame. A convex one is covered as it stands, any other by its triangles.
+/// A planar face in the frame of its body. Triangles cover a face that is not convex.
 template <class S>
 struct FaceShape {
-    std::span<const Vector3<S>> corners;      ///< the outline, at least three
-    std::span<const std::uint32_t> triangles; ///< corner positions, three by three; empty if convex
-    Vector3<S> normal;                        ///< of any length, by Newell's sum
-    S offset{};                               ///< normal . corners[0]
-    S size{};                                 ///< at least |normal|_1, and the scale of its rounding
-    S deviation{};                            ///< all corners have |normal . (corner - corners[0])| <= deviation
+    std::span<const Vector3<S>> corners; ///< the outline, at least three corners
+    std::span<const std::uint32_t>
+        triangles;     ///< positions of corners, three for each triangle; empty if the face is convex
+    Vector3<S> normal; ///< of any length, by Newell's method
+    S offset{};        ///< normal . corners[0]
+    S size{};          ///< at least |normal|_1; the rounding of the normal is proportional to it
+    S deviation{};     ///< |normal . (corner - corners[0])| <= deviation for all corners
 };
 
-/// Newell's normal as a sum over the fan of triangles at the first corner, which is exact for one triangle up to the
-/// rounding of one cross product.
+/// Computes the normal by Newell's method as a sum over the fan of triangles at the first corner. For a triangle the
+/// only error is the rounding of one cross product.
 template <class S>
 FaceShape<S> face_shape(std::span<const Vector3<S>> corners, std::span<const std::uint32_t> triangles) {
     FaceShape<S> face{corners, triangles, {}, S(0), S(0), S(0)};
@@ -39,10 +41,25 @@ FaceShape<S> face_shape(std::span<const Vector3<S>> corners, std::span<const std
     for (const Vector3<S>& corner : corners) {
         const Vector3<S> arm = corner - corners[0];
         const S height = dot(face.normal, arm);
-        const S off = (height < S(0) ? S(S(0) - height) : height) + S(error_unit<S> / 10) * face.size * norm1(arm);
-        face.deviation = face.deviation < off ? off : face.deviation;
+        const S magnitude =
+            (height < S(0) ? S(S(0) - height) : height) + S(error_unit<S> / 10) * face.size * norm1(arm);
+        face.deviation = face.deviation < magnitude ? magnitude : face.deviation;
     }
     return face;
+}
+
+/// Calls `visit(count, corner_at)` for the convex parts that cover a face: the whole outline or the triangles. Stops
+/// and returns true as soon as a call returns true.
+template <class S, class Visit>
+bool any_convex_part(const FaceShape<S>& face, Visit visit) {
+    if (face.triangles.empty())
+        return visit(face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; });
+    for (std::size_t t = 0; t < face.triangles.size(); t += 3) {
+        const auto corner_at = [&](std::size_t i) -> const Vector3<S>& { return face.corners[face.triangles[t + i]]; };
+        if (visit(std::size_t(3), corner_at))
+            return true;
+    }
+    return false;
 }
 
 } // namespace chasles::elementary

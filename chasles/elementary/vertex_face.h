@@ -1,5 +1,6 @@
-// When does a vertex first meet a face? Also for a fixed vertex and a moving face, seen from the face's body.
-// Source: paper sections 3.2.1 to 3.2.4; docs/derivations/03-vertex-face.md and 05-being-inside.md.
+// The first time at which a vertex touches a face. No touch is missed; a certain answer is proven. For a fixed vertex
+// and a moving face, the path is given in the frame of the moving body. Source: paper sections 3.2.1 to 3.2.4;
+// docs/derivations/03-vertex-face.md and 05-being-inside.md.
 #pragma once
 
 #include "chasles/algebra/first_feasible.h"
@@ -15,40 +16,40 @@ using algebra::Bounded;
 using algebra::Constraint;
 using algebra::FeasibleInterval;
 
-/// A vertex along the motion as W times its position, in the frame of the face's body.
+/// The path of a vertex: W times its position, in the frame of the face's body.
 template <class S>
 struct VertexPath {
     const Vector3<Bernstein<3, S>>& position;
     const Bernstein<3, S>& weight;
 };
 
-/// Where such a path is at tau.
+/// The position on a path at tau.
 template <class S>
 Vector3<S> position_at(const Vector3<Bernstein<3, S>>& path, const Bernstein<3, S>& weight, const S& tau) {
     const S inverse = S(1) / value_at(weight, tau);
     return {value_at(path.x, tau) * inverse, value_at(path.y, tau) * inverse, value_at(path.z, tau) * inverse};
 }
 
-/// What a detection is allowed to be off, and when it may stop.
+/// The error bounds of an elementary test and the tolerance of its answer.
 struct Accuracy {
     ErrorScale scale;
-    algebra::Tolerance tolerance; ///< of the interval that the paths run over
+    algebra::Tolerance tolerance; ///< in the parameter of the interval that the paths are given on
 };
 
-/// The constraints of one problem. Keeps its room: in the scalar of the filter, writing zeros first would take as long
-/// as the numbers.
+/// The constraints of one problem. Its storage is reused without initialization: in double, writing zeros first would
+/// take as long as writing the numbers.
 template <class S>
 class Constraints {
 public:
     void clear() { count_ = 0; }
-    /// Demands that what is written to the result is >= 0.
+    /// Adds a constraint. The caller writes the polynomial that must be >= 0 to the result.
     Bounded<3, S>& add() {
         Constraint<3, S>& constraint = next();
         constraint.has_alternative = false;
         constraint.span.reset();
         return constraint.first;
     }
-    /// Demands that the values over W from p to q meet [0, span].
+    /// Adds the constraint that the interval between p / W and q / W intersects [0, span].
     void add(const Bounded<3, S>& p, const Bounded<3, S>& q, const S& span) { next() = {p, q, true, span}; }
 
     [[nodiscard]] std::span<const Constraint<3, S>> all() const { return {constraints_.data(), count_}; }
@@ -66,7 +67,7 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Room for constraints and counts of what was done; owned by the caller, so that detections do not allocate.
+/// Storage for constraints, and counts of the work done. The caller owns it, therefore the tests do not allocate.
 template <class S>
 struct Workspace {
     Constraints<S> constraints;
@@ -76,19 +77,19 @@ struct Workspace {
 
 namespace detail {
 
-/// W times direction . position - offset, the height of the vertex over a plane.
+/// W (direction . position - offset): W times the height of the vertex over a plane.
 template <class S>
 Bernstein<3, S> height(const VertexPath<S>& path, const Vector3<S>& direction, const S& offset) {
     return dot(path.position, direction) - path.weight * offset;
 }
 
-/// W times the height of the vertex over the face's plane.
+/// W times the height of the vertex over the plane of the face.
 template <class S>
 Bounded<3, S> plane(const VertexPath<S>& path, const FaceShape<S>& face, const S& unit) {
     return {height(path, face.normal, face.offset), with_underflow<S>(unit * face.size + face.deviation)};
 }
 
-/// Positive on the inner side of one edge of the face.
+/// A polynomial that is positive on the inner side of one edge of the face.
 template <class S>
 Bounded<3, S> inside(const VertexPath<S>& path, const FaceShape<S>& face, const Vector3<S>& from, const Vector3<S>& to,
                      const S& unit) {
@@ -97,7 +98,8 @@ Bounded<3, S> inside(const VertexPath<S>& path, const FaceShape<S>& face, const 
     return {height<S>(path, inwards, dot(inwards, from)), with_underflow<S>(unit * face.size * norm1(edge))};
 }
 
-/// The vertex is within the three or more edges of a convex part of the face; false if proven outside all along.
+/// Sets the constraints that the vertex is inside all edges of a convex part of the face. Returns false if the vertex
+/// is proven to stay outside.
 template <class S, class CornerAt>
 bool add_inside_constraints(const VertexPath<S>& path, const FaceShape<S>& face, std::size_t count, CornerAt corner_at,
                             const S& unit, Constraints<S>& constraints) {
@@ -111,33 +113,30 @@ bool add_inside_constraints(const VertexPath<S>& path, const FaceShape<S>& face,
     return true;
 }
 
-/// For a vertex that may come to the face's plane.
+/// The first time for a vertex that may touch the plane of the face.
 template <class S>
 std::optional<FeasibleInterval> first_meeting(const VertexPath<S>& path, const FaceShape<S>& face,
                                               const Bounded<3, S>& plane, const Accuracy& accuracy,
                                               Workspace<S>& workspace) {
     const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
-    const auto solve = [&](std::size_t count, auto corner_at) -> std::optional<FeasibleInterval> {
-        if (!add_inside_constraints(path, face, count, corner_at, unit, workspace.constraints))
-            return std::nullopt;
-        ++workspace.root_brackets;
-        return algebra::first_feasible<3, S>({path.weight, plane, workspace.constraints.all()}, accuracy.tolerance);
-    };
-    if (face.triangles.empty())
-        return solve(face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; });
     std::optional<FeasibleInterval> first;
-    for (std::size_t t = 0; t < face.triangles.size(); t += 3) {
+    any_convex_part(face, [&](std::size_t count, auto corner_at) {
+        if (!add_inside_constraints(path, face, count, corner_at, unit, workspace.constraints))
+            return false;
+        ++workspace.root_brackets;
         const auto found =
-            solve(3, [&](std::size_t i) -> const Vector3<S>& { return face.corners[face.triangles[t + i]]; });
+            algebra::first_feasible<3, S>({path.weight, plane, workspace.constraints.all()}, accuracy.tolerance);
         if (found && (!first || found->lower < first->lower))
             first = found;
-    }
+        return false;
+    });
     return first;
 }
 
 } // namespace detail
 
-/// The first tau in [0, 1] at which the vertex may be on the closed face; empty if it is proven never to be.
+/// The first tau in [0, 1] at which the vertex may be on the closed face. An empty result proves that the vertex never
+/// touches the face.
 template <class S>
 std::optional<FeasibleInterval> vertex_face(const VertexPath<S>& path, const FaceShape<S>& face,
                                             const Accuracy& accuracy, Workspace<S>& workspace) {

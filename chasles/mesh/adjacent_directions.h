@@ -32,7 +32,7 @@ bool any_part_at(const Body& body, std::uint32_t face, std::uint32_t vertex, See
 /// Whether `leads(way)` is true for some way along the rim of the faces around a vertex; every way into these faces is
 /// a sum of two of them. Ways are of any length.
 template <class Leads>
-bool any_way_from_vertex(const Body& body, std::uint32_t vertex, Leads leads) {
+bool any_direction_from_vertex(const Body& body, std::uint32_t vertex, Leads leads) {
     const auto way_to = [&](std::uint32_t other) -> Eigen::Vector3d {
         return body.vertices()[other] - body.vertices()[vertex];
     };
@@ -45,7 +45,7 @@ bool any_way_from_vertex(const Body& body, std::uint32_t vertex, Leads leads) {
 
 /// Whether `leads(way)` is true for some way from an edge across one of its faces, at a right angle to the edge.
 template <class Leads>
-bool any_way_from_edge(const Body& body, const Edge& edge, Leads leads) {
+bool any_direction_from_edge(const Body& body, const Edge& edge, Leads leads) {
     const Eigen::Vector3d& from = body.vertices()[edge.from];
     const Eigen::Vector3d along = (body.vertices()[edge.to] - from).stableNormalized();
     const auto across_to = [&](std::uint32_t corner) -> Eigen::Vector3d {

@@ -20,7 +20,7 @@ constexpr double planar_within = 1e-5;
 /// The rounding of the deviation itself; all that is forgiven where creases are wanted.
 constexpr double rounding_within = 32 * std::numeric_limits<double>::epsilon();
 
-double allowed_deviation(const PolygonView& view, const PolyhedronOptions& options) {
+double allowed_deviation(const PolygonProjection& view, const PolyhedronOptions& options) {
     return (options.triangulate ? rounding_within : planar_within) * std::max(view.size, view.magnitude);
 }
 
@@ -32,7 +32,7 @@ struct Polygon {
     std::span<const Eigen::Vector3d> vertices; ///< of the whole mesh
     std::span<const std::uint32_t> outline;
     std::uint32_t source;
-    PolygonView view;
+    PolygonProjection view;
 
     [[nodiscard]] const Eigen::Vector3d& corner(std::size_t i) const { return vertices[outline[i % outline.size()]]; }
 
@@ -133,7 +133,7 @@ PolygonFaces examine_polygons(FaceOutlines given, std::span<const Eigen::Vector3
         if (outline.size() == 3)
             result.faces.append(outline, given.source[i]);
         else
-            append_polygon({vertices, outline, given.source[i], view_polygon(vertices, outline)}, options, result);
+            append_polygon({vertices, outline, given.source[i], project_polygon(vertices, outline)}, options, result);
     }
     if (!result.triangles.items.empty())
         result.triangles.offsets.resize(result.faces.source.size() + 1, result.triangles.offsets.back());

@@ -52,7 +52,7 @@ bool is_ascending(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
 
 } // namespace
 
-PolygonView view_polygon(std::span<const Eigen::Vector3d> vertices, std::span<const std::uint32_t> outline) {
+PolygonProjection project_polygon(std::span<const Eigen::Vector3d> vertices, std::span<const std::uint32_t> outline) {
     const Eigen::Vector3d twice_area = newell_normal(vertices, outline);
     const Eigen::Vector3d normal = twice_area.stableNormalized();
     Eigen::Vector3d lower = vertices[outline.front()];

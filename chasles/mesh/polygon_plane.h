@@ -9,7 +9,7 @@
 namespace chasles {
 
 /// Seen so that the polygon turns to the left, with one coordinate left out: the remaining ones are not rounded.
-struct PolygonView {
+struct PolygonProjection {
     std::vector<Eigen::Vector2d> corners;
     double deviation; ///< greatest distance of a corner from the middle plane along the normal
     double size;      ///< diagonal of the bounding box
@@ -17,8 +17,8 @@ struct PolygonView {
     bool is_flat;     ///< the area is zero, or smaller than its own rounding; then the rest means nothing
 };
 
-[[nodiscard]] PolygonView view_polygon(std::span<const Eigen::Vector3d> vertices,
-                                       std::span<const std::uint32_t> outline);
+[[nodiscard]] PolygonProjection project_polygon(std::span<const Eigen::Vector3d> vertices,
+                                                std::span<const std::uint32_t> outline);
 
 /// Whether the outline is convex: it turns to the left or goes straight at each corner, once around in all.
 [[nodiscard]] bool is_convex(std::span<const Eigen::Vector2d> outline);

@@ -177,20 +177,20 @@ ControlMaps<double> rounded(const ControlMaps<S>& maps) {
 }
 
 /// By 14 degrees at most: |a| <= 1/8.
-inline bool turns_little(const RationalMotion<algebra::DoubleDouble>& motion) {
+inline bool is_small_rotation(const RationalMotion<algebra::DoubleDouble>& motion) {
     return double(dot(motion.axis, motion.axis)) <= 0x1p-6;
 }
 
 /// What the reach of the moving body is to be enlarged by where errors of such maps are bounded: the size of the terms
 /// that they are made of.
-inline double double_maps_reach(const RationalMotion<algebra::DoubleDouble>& motion) {
-    return turns_little(motion) ? double(norm1(motion.moment)) + double(norm1(motion.displacement)) : 0;
+inline double rounding_extent(const RationalMotion<algebra::DoubleDouble>& motion) {
+    return is_small_rotation(motion) ? double(norm1(motion.moment)) + double(norm1(motion.displacement)) : 0;
 }
 
 /// The maps in double precision: of a motion that is rounded first where it turns by little, which takes a tenth of the
 /// time, and otherwise rounded last (docs/derivations/10-error-bounds.md, "Maps in double precision").
 inline ControlMaps<double> double_maps(const RationalMotion<algebra::DoubleDouble>& motion) {
-    return turns_little(motion) ? control_maps(rounded(motion)) : rounded(control_maps(motion));
+    return is_small_rotation(motion) ? control_maps(rounded(motion)) : rounded(control_maps(motion));
 }
 
 } // namespace chasles::motion

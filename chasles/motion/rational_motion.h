@@ -71,7 +71,8 @@ struct RationalMotion {
     Vector3<S> displacement; ///< d, a length
     Vector3<S> origin;       ///< start position of the body's origin, in the frame of the fixed body
     Matrix3<S> orientation;  ///< at the start
-    double reach = 0;        ///< of the body points that the numbers were made from: of a sweep's reference point
+    double reference_extent =
+        0; ///< 1-norm of a sweep's reference point in the body's frame, in the length unit; 0 for a screw
     S turn_unit = S(1);
     S length_unit = S(1);
     S orientation_unit = S(1);
@@ -118,13 +119,10 @@ inline RationalMotion<double> rounded(const RationalMotion<algebra::DoubleDouble
         return Vector3<double>{double(v.x), double(v.y), double(v.z)};
     };
     const Matrix3<algebra::DoubleDouble>& turn = motion.orientation;
-    return {double(motion.end_cosine),
-            vector(motion.axis),
-            vector(motion.moment),
-            vector(motion.displacement),
-            vector(motion.origin),
-            {vector(turn.row[0]), vector(turn.row[1]), vector(turn.row[2])},
-            motion.reach};
+    return {double(motion.end_cosine), vector(motion.axis),
+            vector(motion.moment),     vector(motion.displacement),
+            vector(motion.origin),     {vector(turn.row[0]), vector(turn.row[1]), vector(turn.row[2])},
+            motion.reference_extent};
 }
 
 } // namespace chasles::motion

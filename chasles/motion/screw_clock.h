@@ -20,7 +20,6 @@ public:
     [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at a tau
 
     /// Equal turns of at most `max_turn` radians, none of them too near to a half turn for its half-angle tangent.
-    /// Throws InvalidInput if max_turn is less than ScrewMotion::least_max_turn.
     [[nodiscard]] std::size_t piece_count(double max_turn) const;
     /// Whether the screw may be left whole, up to rounding.
     [[nodiscard]] bool is_short() const;

@@ -28,7 +28,7 @@ Pose normalized(const Pose& pose) {
     for (int i = 0; i < 4; ++i)
         numbers.set(std::size_t(i), pose.rotation.coeffs()[i]);
     const UnitNumbers unit = unit_of_near_unit(numbers);
-    if (!unit.is_sure)
+    if (!unit.is_certain)
         return rounded(exact(pose));
     Pose result = pose;
     for (int i = 0; i < 4; ++i)

@@ -11,10 +11,10 @@ namespace chasles::motion {
 /// The numbers of a quaternion, in any order.
 using FourNumbers = algebra::Lanes<4, double>;
 
-/// Those of the quaternion of length one, rounded to nearest, if `is_sure`.
+/// Those of the quaternion of length one, rounded to nearest, if `is_certain`.
 struct UnitNumbers {
     FourNumbers numbers;
-    bool is_sure;
+    bool is_certain;
 };
 
 namespace detail {

@@ -11,11 +11,11 @@ namespace {
 
 using namespace test;
 
-/// slope (tau - root) + slope bend (tau - root)^2, times 1 for certain degrees.
+/// slope (tau - root) + slope curvature (tau - root)^2, times 1 for certain degrees.
 template <int Degree>
-Bernstein<Degree, double> parabola(double root, double slope, double bend) {
+Bernstein<Degree, double> parabola(double root, double slope, double curvature) {
     const PowerPolynomial shifted{Rational(-root), Rational(1)};
-    const PowerPolynomial outer{Rational(0), Rational(slope), Rational(slope) * Rational(bend)};
+    const PowerPolynomial outer{Rational(0), Rational(slope), Rational(slope) * Rational(curvature)};
     return rounded_to<double>(bernstein_form<Degree>(composed(outer, shifted)));
 }
 
@@ -24,13 +24,13 @@ TEST(CrossingGuess, IsNextToAPlainRoot) {
     for (int trial = 0; trial < 300; ++trial) {
         const double root = random.uniform(0.05, 0.95);
         const double slope = random.scaled(-3, 3);
-        const double bend = random.uniform(-0.4, 0.4); // no other root in [0, 1]
-        const auto guess = first_crossing(parabola<3>(root, slope, bend));
+        const double curvature = random.uniform(-0.4, 0.4); // no other root in [0, 1]
+        const auto guess = first_crossing(parabola<3>(root, slope, curvature));
         ASSERT_TRUE(guess);
         EXPECT_NEAR(guess->tau, root, 1e-14);
         EXPECT_NEAR(guess->slope, slope, 1e-4 * std::abs(slope));
-        EXPECT_NEAR(guess->bend, bend, 1e-4);
-        EXPECT_NEAR(first_crossing(parabola<6>(root, slope, bend))->tau, root, 1e-13);
+        EXPECT_NEAR(guess->curvature, curvature, 1e-4);
+        EXPECT_NEAR(first_crossing(parabola<6>(root, slope, curvature))->tau, root, 1e-13);
     }
 }
 

@@ -44,18 +44,18 @@ TEST(FacePlanes, TheWayTellsFacesApartThatStayFartherThanTheMargin) {
         }
         const Polyhedron moving_body = body_of(moving);
         const Polyhedron fixed_body = body_of(fixed);
-        const elementary::ErrorScale scale =
-            elementary::error_scale(maps, reach + posed.made.reach + motion::double_maps_reach(posed.made), reach);
-        const auto stay_apart = [&](double margin) {
+        const elementary::ErrorScale scale = elementary::error_scale(
+            maps, reach + posed.made.reference_extent + motion::rounding_extent(posed.made), reach);
+        const auto are_separated = [&](double margin) {
             FacePlanes planes(moving_body.body(), fixed_body.body(), scale, margin);
             planes.use(maps);
-            return planes.stay_apart(0, 0, FacePlanes::Part(from, from + width), from + 0.5 * width);
+            return planes.are_separated(0, 0, FacePlanes::Restriction(from, from + width), from + 0.5 * width);
         };
         const double rounding = 4 * elementary::error_unit<double> * scale.length;
-        EXPECT_FALSE(stay_apart(least + rounding)) << "they come as near as " << least;
-        EXPECT_FALSE(stay_apart(0)) << "planes of faces tell that, and no way";
+        EXPECT_FALSE(are_separated(least + rounding)) << "they come as near as " << least;
+        EXPECT_FALSE(are_separated(0)) << "planes of faces tell that, and no way";
         if (greatest - least <= 0.01 * least && rounding <= 0.001 * least)
-            (stay_apart(0.5 * least) ? told : open) += 1;
+            (are_separated(0.5 * least) ? told : open) += 1;
     }
     std::cout << told << " told, " << open << " left open\n";
     EXPECT_GT(told, 500);

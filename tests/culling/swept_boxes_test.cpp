@@ -78,14 +78,14 @@ struct Scene {
         const motion::Ball a = culling::ball_around(moving.body().bvh());
         const motion::Ball b = culling::ball_around(fixed.body().bvh());
         const auto scale = elementary::error_scale(
-            maps, std::max(reach(moving), motion.reach) + motion::double_maps_reach(motion), reach(fixed));
+            maps, std::max(reach(moving), motion.reference_extent) + motion::rounding_extent(motion), reach(fixed));
         return culling::TimeTree(maps, motion::ChordDeviation(motion, a, b), a, b, scale).interval(range);
     }
 
     /// Two nodes of a hierarchy, and their places in it.
     struct Two {
         std::array<std::size_t, 2> at;
-        culling::NodeTwo nodes;
+        culling::TwoNodes nodes;
     };
 
     /// Each node twice, and the children of each that has some.
@@ -105,7 +105,7 @@ struct Scene {
     void for_all_pairs(const TimeInterval& interval, See see) const {
         for (const Two& a : twos(moving))
             for (const Two& b : twos(fixed)) {
-                const auto windows = interval.boxes.meetings(a.nodes, b.nodes, {});
+                const auto windows = interval.boxes.overlap_windows(a.nodes, b.nodes, {});
                 for (std::size_t i : {0U, 1U})
                     for (std::size_t j : {0U, 1U})
                         see(a.at[i], b.at[j], windows[2 * i + j]);
@@ -180,7 +180,7 @@ TEST(SweptBoxes, ParallelPatchesAreToldApartByTheirSlabs) {
         const Scene scene{motion, motion::double_maps(motion), sheet(0), sheet(0.05), 0};
         const auto a = scene.moving.body().bvh().nodes();
         const auto b = scene.fixed.body().bvh().nodes();
-        const auto windows = scene.interval({}).boxes.meetings({&a[1], &a[2]}, {&b[0], &b[0]}, {});
+        const auto windows = scene.interval({}).boxes.overlap_windows({&a[1], &a[2]}, {&b[0], &b[0]}, {});
         for (const std::size_t child : {0U, 2U})
             apart += windows[child].is_empty() ? 1 : 0;
         for (std::size_t child : {1U, 2U}) {
@@ -204,7 +204,8 @@ TEST(SweptBoxes, WindowsOfAStraightMotionAreExact) {
     const Scene scene{motion, motion::double_maps(motion), body, body, 0};
     const auto nodes = body.body().bvh().nodes();
     float first = 1, last = 0;
-    for (const Window& window : scene.interval({}).boxes.meetings({&nodes[1], &nodes[2]}, {&nodes[0], &nodes[0]}, {})) {
+    for (const Window& window :
+         scene.interval({}).boxes.overlap_windows({&nodes[1], &nodes[2]}, {&nodes[0], &nodes[0]}, {})) {
         first = std::min(first, window.lower);
         last = std::max(last, window.upper);
     }
@@ -218,7 +219,7 @@ TEST(SweptBoxes, WindowsStayWithinTheGivenOne) {
     const Scene scene{motion, motion::double_maps(motion), body, body, 0};
     const auto nodes = body.body().bvh().nodes();
     for (const Window& window :
-         scene.interval({}).boxes.meetings({&nodes[0], &nodes[0]}, {&nodes[1], &nodes[2]}, {0.25F, 0.5F})) {
+         scene.interval({}).boxes.overlap_windows({&nodes[0], &nodes[0]}, {&nodes[1], &nodes[2]}, {0.25F, 0.5F})) {
         EXPECT_EQ(window.lower, 0.25F);
         EXPECT_EQ(window.upper, 0.5F);
     }

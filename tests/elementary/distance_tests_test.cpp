@@ -21,7 +21,7 @@ public:
         maps_ = motion::restricted(motion::double_maps(posed.made), from, from + width);
         for (DoublePoint* point : {&moving[0], &moving[1], &fixed[0], &fixed[1]})
             *point = random.vector(reach);
-        scale = error_scale(maps_, reach + posed.made.reach + motion::double_maps_reach(posed.made), reach);
+        scale = error_scale(maps_, reach + posed.made.reference_extent + motion::rounding_extent(posed.made), reach);
     }
 
     [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
@@ -55,19 +55,19 @@ private:
     motion::ControlMaps<double> maps_;
 };
 
-/// `stay_apart(meeting, distance)`.
-template <class StayApart, class Distance>
-void check(std::uint64_t seed, StayApart stay_apart, Distance distance) {
+/// `are_separated(meeting, distance)`.
+template <class AreSeparated, class Distance>
+void check(std::uint64_t seed, AreSeparated are_separated, Distance distance) {
     Random random(seed);
     int told = 0, open = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const Meeting meeting(random);
         const auto [least, greatest] = meeting.sampled(distance);
         const double rounding = 4 * meeting.unit();
-        EXPECT_FALSE(stay_apart(meeting, least + rounding)) << "they come as near as " << least;
+        EXPECT_FALSE(are_separated(meeting, least + rounding)) << "they come as near as " << least;
         if (greatest - least > 0.01 * least || rounding > 0.001 * least)
             continue; // directions change, or nothing can be told
-        (stay_apart(meeting, 0.98 * least) ? told : open) += 1;
+        (are_separated(meeting, 0.98 * least) ? told : open) += 1;
     }
     std::cout << told << " told, " << open << " left open\n";
     EXPECT_GT(told, 1000);
@@ -78,7 +78,8 @@ TEST(NearFeatures, TheWayTellsVerticesApart) {
     check(
         881,
         [](const Meeting& m, double distance) {
-            return detail::stay_apart<double>({m.path(m.moving[0]), m.maps().weight}, m.fixed[0], distance, m.unit());
+            return detail::are_separated<double>({m.path(m.moving[0]), m.maps().weight}, m.fixed[0],
+                                                 {distance, m.unit()});
         },
         [](const Segment3& moving, const Segment3& fixed) { return (moving[0] - fixed[0]).norm(); });
 }
@@ -87,8 +88,8 @@ TEST(NearFeatures, TheWayTellsAVertexAndAnEdgeApart) {
     check(
         882,
         [](const Meeting& m, double distance) {
-            return detail::stay_apart<double>({m.path(m.moving[0]), m.maps().weight},
-                                              resting_edge(m.fixed[0], m.fixed[1]), distance, m.unit());
+            return detail::are_separated<double>({m.path(m.moving[0]), m.maps().weight},
+                                                 resting_edge(m.fixed[0], m.fixed[1]), {distance, m.unit()});
         },
         [](const Segment3& moving, const Segment3& fixed) { return distance_to_segment(moving[0], fixed); });
 }
@@ -97,8 +98,9 @@ TEST(NearFeatures, TheWayTellsEdgesApart) {
     check(
         883,
         [](const Meeting& m, double distance) {
-            return detail::stay_apart<double>(m.maps(), edge_path(m.maps(), m.moving[0], m.moving[1]),
-                                              fixed_edge(m.fixed[0], m.fixed[1]), distance, m.unit());
+            return detail::are_separated<double>(
+                {m.maps(), edge_path(m.maps(), m.moving[0], m.moving[1]), fixed_edge(m.fixed[0], m.fixed[1])},
+                {distance, m.unit()});
         },
         distance_of_segments);
 }

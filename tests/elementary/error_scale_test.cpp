@@ -37,9 +37,9 @@ struct Maps {
     Maps(Random& random, const PosedMotion& motion, const Sizes& sizes)
         : refined(motion::control_maps(motion.made)), exactly_whole(motion::control_maps(motion.exactly)) {
         in_doubles = motion::double_maps(motion.made);
-        accuracy.scale =
-            error_scale(in_doubles, std::max(sizes.moving, motion.made.reach) + motion::double_maps_reach(motion.made),
-                        sizes.fixed);
+        accuracy.scale = error_scale(
+            in_doubles, std::max(sizes.moving, motion.made.reference_extent) + motion::rounding_extent(motion.made),
+            sizes.fixed);
         exactly = exactly_whole;
         if (random.chance(0.5)) {
             const double width = std::ldexp(1.0, -random.integer(1, 12));
@@ -159,8 +159,8 @@ void expect_bounds_of_vertex_and_face(std::uint64_t seed, bool face_moves) {
                 auto all = face_polynomials<S>(face_moves ? m.rotation.transposed() * point - m.inverse_translation
                                                           : m.rotation * point + m.translation,
                                                m.weight, face, maps.accuracy.scale);
-                const SeenPlane<S> plane = face_moves ? plane_of_moving_face<S>(m, face, maps.accuracy.scale)
-                                                      : plane_of_fixed_face<S>(m, face, maps.accuracy.scale);
+                const RelativePlane<S> plane = face_moves ? plane_of_moving_face<S>(m, face, maps.accuracy.scale)
+                                                          : plane_of_fixed_face<S>(m, face, maps.accuracy.scale);
                 const S unit(relative_error<S>(maps.accuracy.scale) * maps.accuracy.scale.length);
                 all.push_back({"side", {dot(plane.normal, point) + plane.offset, unit * face.size}});
                 return all;

@@ -90,7 +90,7 @@ TEST(FaceSides, ASideThatIsToldIsTheExactOne) {
         const DoublePoint vertex = random.chance(0.5) ? random.vector(4 * reach) : at_start(maps, beside, face_moves);
         const double far = std::max(4 * reach, norm1(vertex));
         const ErrorScale scale =
-            error_scale(maps, std::max(far, posed.made.reach) + motion::double_maps_reach(posed.made), far);
+            error_scale(maps, std::max(far, posed.made.reference_extent) + motion::rounding_extent(posed.made), far);
         const FaceShape<double> face = face_shape<double>(corners, {});
         const double width = std::ldexp(1.0, -random.integer(0, 12));
         const double from = random.chance(0.5) ? 0 : 0.25 * width * random.integer(0, int(4 / width) - 4);

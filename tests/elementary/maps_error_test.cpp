@@ -70,7 +70,7 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfTheMaps) {
         const auto maps = motion::control_maps(motion);
         const auto in_doubles = motion::transformed<double>(
             maps, [](const Bernstein<3, Tracked>& p) { return algebra::converted<double>(p); });
-        const double moving = std::max(motion.reach, size * std::abs(random.scaled(-6, 2)));
+        const double moving = std::max(motion.reference_extent, size * std::abs(random.scaled(-6, 2)));
         const double fixed = size * std::abs(random.scaled(-6, 2));
         const ErrorScale scale = error_scale(in_doubles, moving, fixed);
         const double bound = relative_error<DoubleDouble>(scale);
@@ -98,7 +98,7 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfMapsInDouble) {
     for (int trial = 0; trial < 4000 * times_if_long(100); ++trial) {
         const double size = std::abs(random.scaled(-6, 6));
         const RationalMotion<DoubleDouble> motion = random_posed_motion(random, size).made;
-        if (!motion::turns_little(motion))
+        if (!motion::is_small_rotation(motion))
             continue;
         ++made;
         RationalMotion<TrackedDouble> rounded{
@@ -108,9 +108,9 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfMapsInDouble) {
             rounded.orientation.row[i] = tracked_vector(motion.orientation.row[i]);
         const auto maps = motion::control_maps(rounded);
         const auto in_doubles = motion::double_maps(motion);
-        const double moving = std::max(motion.reach, size * std::abs(random.scaled(-6, 2)));
+        const double moving = std::max(motion.reference_extent, size * std::abs(random.scaled(-6, 2)));
         const double fixed = size * std::abs(random.scaled(-6, 2));
-        const ErrorScale scale = error_scale(in_doubles, moving + motion::double_maps_reach(motion), fixed);
+        const ErrorScale scale = error_scale(in_doubles, moving + motion::rounding_extent(motion), fixed);
         const double bound = 71 * 0x1p-53; // what 88 leave of 160 units, and 1 that they count for the maps
         for (int lane = 0; lane <= 3; ++lane) {
             const LaneErrors e(maps, lane);
@@ -148,7 +148,7 @@ TEST(ErrorScale, CountsTheCentreOfASweepAsAPointOfTheBody) {
                 const ErrorScale scale = error_scale(in_doubles, reach, 1);
                 return static_cast<double>(off) / (relative_error<DoubleDouble>(scale) * scale.length);
             };
-            ratios.note("shift", ratio(std::max(1.0, motion.made.reach)));
+            ratios.note("shift", ratio(std::max(1.0, motion.made.reference_extent)));
             without = std::max(without, ratio(1));
         }
     }

@@ -24,12 +24,12 @@ Polyhedron hinge() {
 
 TEST(Surroundings, AnEdgeLeadsAcrossItsFaces) {
     const Polyhedron body = hinge();
-    const auto ways = collected([&](auto leads) { any_way_from_edge(body.body(), {0, 1}, leads); });
+    const auto ways = collected([&](auto leads) { any_direction_from_edge(body.body(), {0, 1}, leads); });
     ASSERT_EQ(ways.size(), 2u);
     EXPECT_EQ(ways[0], Eigen::Vector3d(0, 1, 0));
     EXPECT_EQ(ways[1], Eigen::Vector3d(0, 0, 3));
     EXPECT_EQ(collected([&](auto leads) {
-                  any_way_from_edge(body.body(), {0, 2}, leads);
+                  any_direction_from_edge(body.body(), {0, 2}, leads);
               }).size(),
               1u)
         << "an open rim";
@@ -37,7 +37,7 @@ TEST(Surroundings, AnEdgeLeadsAcrossItsFaces) {
 
 TEST(Surroundings, AVertexLeadsAlongTheRimsOfItsFaces) {
     const Polyhedron body = hinge();
-    const auto ways = collected([&](auto leads) { any_way_from_vertex(body.body(), 0, leads); });
+    const auto ways = collected([&](auto leads) { any_direction_from_vertex(body.body(), 0, leads); });
     EXPECT_EQ(ways.size(), 4u) << "two for each of two faces";
     EXPECT_EQ(body.body().faces_around(0).size(), 2u);
     EXPECT_EQ(body.body().faces_around(2).size(), 1u);
@@ -50,9 +50,9 @@ TEST(Surroundings, APolygonThatIsNotConvexLeadsThroughItsTriangles) {
     const Polyhedron body = Polyhedron::from_polygons(vertices, faces);
     const Eigen::Vector3d inwards(-1, -1, 0);
     EXPECT_TRUE(
-        any_way_from_vertex(body.body(), 3, [&](const Eigen::Vector3d& way) { return way.dot(inwards) > 0.5; }));
-    EXPECT_TRUE(any_way_from_edge(body.body(), {2, 3}, [](const Eigen::Vector3d& way) { return way.y() < 0; }));
-    EXPECT_FALSE(any_way_from_edge(body.body(), {2, 3}, [](const Eigen::Vector3d& way) { return way.y() > 0; }));
+        any_direction_from_vertex(body.body(), 3, [&](const Eigen::Vector3d& way) { return way.dot(inwards) > 0.5; }));
+    EXPECT_TRUE(any_direction_from_edge(body.body(), {2, 3}, [](const Eigen::Vector3d& way) { return way.y() < 0; }));
+    EXPECT_FALSE(any_direction_from_edge(body.body(), {2, 3}, [](const Eigen::Vector3d& way) { return way.y() > 0; }));
 }
 
 } // namespace

@@ -35,7 +35,7 @@ TEST(PolygonView, TurnsToTheLeftAlongEveryAxis) {
     const test::Soup cube = test::cube();
     for (std::vector<std::uint32_t> face : cube.faces)
         for (int side = 0; side < 2; ++side) {
-            EXPECT_EQ(test::signed_area(view_polygon(cube.vertices, face).corners), 1.0);
+            EXPECT_EQ(test::signed_area(project_polygon(cube.vertices, face).corners), 1.0);
             std::ranges::reverse(face);
         }
 }
@@ -43,13 +43,13 @@ TEST(PolygonView, TurnsToTheLeftAlongEveryAxis) {
 TEST(PolygonView, MeasuresTheDeviationFromTheMiddlePlane) {
     std::vector<Eigen::Vector3d> corners = {{0, 0, 0}, {1, 0, 0}, {1, 1, 0}, {0, 1, 0}};
     const std::vector<std::uint32_t> outline = {0, 1, 2, 3};
-    EXPECT_EQ(view_polygon(corners, outline).deviation, 0.0);
-    EXPECT_DOUBLE_EQ(view_polygon(corners, outline).size, std::sqrt(2.0));
+    EXPECT_EQ(project_polygon(corners, outline).deviation, 0.0);
+    EXPECT_DOUBLE_EQ(project_polygon(corners, outline).size, std::sqrt(2.0));
     corners[2].z() = 0.01;
     // Corners of a warped quad lie alternately above and below its plane by a quarter of the warp.
-    EXPECT_NEAR(view_polygon(corners, outline).deviation, 0.0025, 1e-6);
+    EXPECT_NEAR(project_polygon(corners, outline).deviation, 0.0025, 1e-6);
     corners[3].x() = -7;
-    EXPECT_EQ(view_polygon(corners, outline).magnitude, 7.0);
+    EXPECT_EQ(project_polygon(corners, outline).magnitude, 7.0);
 }
 
 } // namespace

@@ -20,8 +20,8 @@ FourNumbers lanes(const Numbers& numbers) {
     return result;
 }
 
-bool is_sure(const Numbers& numbers) {
-    return unit_of_near_unit(lanes(numbers)).is_sure;
+bool is_certain(const Numbers& numbers) {
+    return unit_of_near_unit(lanes(numbers)).is_certain;
 }
 
 Numbers random_unit(Random& random) {
@@ -48,7 +48,7 @@ TEST(UnitQuaternion, HasTheBitsOfTheLongWay) {
         Numbers numbers = random_unit(random);
         for (int i = 0; i < 4; ++i)
             numbers[i] *= 1 + 0x1p-53 * random.integer(-8, 8);
-        sure += is_sure(numbers) ? 1 : 0;
+        sure += is_certain(numbers) ? 1 : 0;
         changed += unit_of_near_unit(lanes(numbers)).numbers[0] != numbers[0] ? 1 : 0;
         expect_same_bits(numbers);
     }
@@ -61,7 +61,7 @@ TEST(UnitQuaternion, HasTheBitsOfTheLongWayAtAnyLength) {
     int sure = 0, open = 0;
     for (int trial = 0; trial < 20'000; ++trial) {
         const Numbers numbers = random_unit(random) * (1 + std::exp2(random.uniform(-60, 6)));
-        (is_sure(numbers) ? sure : open) += 1;
+        (is_certain(numbers) ? sure : open) += 1;
         expect_same_bits(numbers);
     }
     EXPECT_GT(sure, 1000);
@@ -80,7 +80,7 @@ TEST(UnitQuaternion, HasTheBitsOfTheLongWayNextToAxes) {
             numbers[i] = choices[random.integer(0, 2)];
         }
         numbers[3] = std::sqrt(std::max(0.0, 1 - numbers.head<3>().squaredNorm()));
-        (is_sure(numbers) ? sure : open) += 1;
+        (is_certain(numbers) ? sure : open) += 1;
         expect_same_bits(numbers);
     }
     EXPECT_GT(sure, 5000);
@@ -89,16 +89,16 @@ TEST(UnitQuaternion, HasTheBitsOfTheLongWayNextToAxes) {
 
 /// At a length of exactly one nothing changes; half a unit off, only the double-doubles tell which way to round.
 TEST(UnitQuaternion, IsNotSureInTheMiddleOfTwoDoubles) {
-    EXPECT_TRUE(is_sure({0, 0, 0, 1}));
-    EXPECT_TRUE(is_sure({0.5, -0.5, 0.5, 0.5}));
+    EXPECT_TRUE(is_certain({0, 0, 0, 1}));
+    EXPECT_TRUE(is_certain({0.5, -0.5, 0.5, 0.5}));
     const Numbers middle(0x1p-27, 0x1p-27, 0, 1); // over its length, the last one is 1 - 2^-54 up to 2^-107
-    EXPECT_FALSE(is_sure(middle));
+    EXPECT_FALSE(is_certain(middle));
     expect_same_bits(middle);
 }
 
 TEST(UnitQuaternion, IsNotSureOfWhatIsNoLength) {
     for (const double bad : {0.0, 1e308, std::numeric_limits<double>::infinity(), std::nan("")})
-        EXPECT_FALSE(is_sure({bad, 0, 0, bad})) << bad;
+        EXPECT_FALSE(is_certain({bad, 0, 0, bad})) << bad;
 }
 
 } // namespace
