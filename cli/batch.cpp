@@ -22,14 +22,14 @@ constexpr std::size_t chunk_size = 1024;
 
 struct BatchOptions {
     BodyOptions bodies;
-    QueryOptions query;
+    QuestionOptions query;
     std::string motions;
     std::string out;
 };
 
 /// The number of rows with each outcome.
 struct Tally {
-    std::array<std::size_t, 3> verdicts{}; ///< by Verdict
+    std::array<std::size_t, 4> verdicts{}; ///< by Verdict
     std::size_t errors = 0;
     std::string first_error;
 
@@ -38,11 +38,11 @@ struct Tally {
 
 using Rows = std::span<const io::MotionRow>;
 
-std::vector<Motion> readable_motions(Rows rows) {
+std::vector<Motion> readable_motions(Rows rows, double max_turn) {
     std::vector<Motion> motions;
     for (const io::MotionRow& row : rows)
         if (row.error.empty())
-            motions.emplace_back(ScrewMotion::between(row.start, row.goal));
+            motions.emplace_back(ScrewMotion::between(row.start, row.goal, max_turn));
     return motions;
 }
 
@@ -82,10 +82,8 @@ void check_out_is_no_input(const BatchOptions& options) {
 class BatchRun {
 public:
     BatchRun(const BatchOptions& options, Rows rows)
-        : rows_(rows), bodies_(load_bodies(options.bodies)), margin_(margin_of(options.query)),
-          time_tolerance_(time_tolerance_of(options.query)), max_turn_(max_turn_of(options.query)),
-          find_(options.query.any ? Find::any : Find::first), threads_(options.bodies.polyhedron.threads),
-          out_(options.out) {}
+        : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
+          max_turn_(max_turn_of(options.query)), threads_(options.bodies.polyhedron.threads), out_(options.out) {}
 
     Tally run() {
         Tally tally;
@@ -93,7 +91,7 @@ public:
         std::string table = batch_header();
         for (std::size_t done = 0; done < rows_.size(); done += chunk_size) {
             const Rows chunk = rows_.subspan(done, std::min(chunk_size, rows_.size() - done));
-            const auto answers = answer(readable_motions(chunk), [&](std::size_t n) { bar.show(done + n); });
+            const auto answers = answer(readable_motions(chunk, max_turn_), [&](std::size_t n) { bar.show(done + n); });
             out_.write(table + table_of(chunk, answers, tally));
             table.clear();
         }
@@ -108,20 +106,14 @@ private:
         return first_contact_batch({.moving = bodies_.moving,
                                     .fixed = bodies_.fixed,
                                     .motions = motions,
-                                    .margin = margin_,
-                                    .time_tolerance = time_tolerance_,
-                                    .max_turn = max_turn_,
-                                    .find = find_,
-                                    .threads = threads_,
-                                    .progress = std::move(progress)});
+                                    .options = query_,
+                                    .batch = {.threads = threads_, .progress = std::move(progress)}});
     }
 
     Rows rows_;
     Bodies bodies_;
-    double margin_;
-    double time_tolerance_;
-    double max_turn_;
-    Find find_;
+    QueryOptions query_;
+    double max_turn_; ///< radians
     unsigned threads_;
     OutputFile out_; // last: opened only after all other input has been read
 };
@@ -152,7 +144,7 @@ void add_batch(CLI::App& app, Task& task) {
     command.add_option("--out", options->out, "CSV file to write, one answer a row")->required()->type_name("FILE");
     command.add_option("--threads", options->bodies.polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();
-    add_query_options(command, options->query);
+    add_batch_query_options(command, options->query);
     command.callback([options, &task] { task = [options] { return run_batch(*options); }; });
 }
 

@@ -18,8 +18,8 @@ struct CheckOptions {
 int run_check(const CheckOptions& options) {
     const OneMotion question = read_one_motion(options.question);
     const FirstContact found = first_contact(question);
-    const view::MotionNumbers motion = view::numbers_of(question.motion);
-    print(options.json ? view::answer_json(found, motion).dump() + "\n" : report(found, motion, question.margin));
+    print(options.json ? view::answer_json(found, question.numbers).dump() + "\n"
+                       : report(found, question.numbers, question.options.margin));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 

@@ -19,7 +19,7 @@ auto naming_option(const std::string& option, const Read& read) {
 
 } // namespace
 
-void add_query_options(CLI::App& command, QueryOptions& options) {
+void add_batch_query_options(CLI::App& command, QuestionOptions& options) {
     command.add_option("--margin", options.margin, "distance of the surfaces that counts as contact")
         ->type_name("D")
         ->capture_default_str();
@@ -32,6 +32,16 @@ void add_query_options(CLI::App& command, QueryOptions& options) {
         ->type_name("T")
         ->capture_default_str();
     command.add_flag("--any", options.any, "stop at any contact, which need not be the first one");
+}
+
+void add_query_options(CLI::App& command, QuestionOptions& options) {
+    add_batch_query_options(command, options);
+    command.add_flag("--all-contacts", options.all_contacts, "list every contact at the time of the first one")
+        ->excludes("--any");
+    command
+        .add_option("--hold", options.hold,
+                    "bodies that start within the margin may move on, but never come within this distance")
+        ->type_name("H");
 }
 
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options) {
@@ -68,16 +78,17 @@ Eigen::Vector3d point_of(const std::string& option, const std::string& text) {
     return naming_option(option, [&] { return io::parse_point(text); });
 }
 
-double margin_of(const QueryOptions& options) {
-    return number_of("--margin", options.margin);
-}
-
-double time_tolerance_of(const QueryOptions& options) {
-    return number_of("--time-tolerance", options.time_tolerance);
+QueryOptions options_of(const QuestionOptions& options) {
+    return {.margin = number_of("--margin", options.margin),
+            .hold = options.hold.empty() ? std::nullopt : std::optional(number_of("--hold", options.hold)),
+            .time_tolerance = number_of("--time-tolerance", options.time_tolerance),
+            .find = options.any            ? Find::any
+                    : options.all_contacts ? Find::first_with_all_contacts
+                                           : Find::first};
 }
 
 // Dividing first makes 180 degrees exactly the double nearest to pi.
-double max_turn_of(const QueryOptions& options) {
+double max_turn_of(const QuestionOptions& options) {
     return number_of("--max-turn-deg", options.max_turn_degrees) / 180 * std::numbers::pi;
 }
 

@@ -9,11 +9,13 @@
 namespace chasles::cli {
 
 /// Numbers stay text until use. Chasles then parses them itself, correctly rounded and with its own messages.
-struct QueryOptions {
+struct QuestionOptions {
     std::string margin = "0";
     std::string max_turn_degrees = "10";
     std::string time_tolerance = "1e-12";
+    std::string hold; ///< empty: none
     bool any = false;
+    bool all_contacts = false;
 };
 
 struct BodyOptions {
@@ -27,7 +29,9 @@ struct Bodies {
     Polyhedron fixed;
 };
 
-void add_query_options(CLI::App& command, QueryOptions& options);
+/// The options of every question, or without --hold those of a batch.
+void add_query_options(CLI::App& command, QuestionOptions& options);
+void add_batch_query_options(CLI::App& command, QuestionOptions& options);
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
 void add_body_options(CLI::App& command, BodyOptions& options);
 
@@ -39,8 +43,7 @@ double number_of(const std::string& option, const std::string& text);
 Pose pose_of(const std::string& option, const std::string& text);
 Eigen::Vector3d point_of(const std::string& option, const std::string& text);
 
-double margin_of(const QueryOptions& options);
-double time_tolerance_of(const QueryOptions& options);
-double max_turn_of(const QueryOptions& options); ///< radians
+QueryOptions options_of(const QuestionOptions& options);
+double max_turn_of(const QuestionOptions& options); ///< radians
 
 } // namespace chasles::cli

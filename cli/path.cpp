@@ -15,7 +15,7 @@ namespace {
 
 struct PathOptions {
     BodyOptions bodies;
-    QueryOptions query;
+    QuestionOptions query;
     std::string poses;
     bool json = false;
 };
@@ -38,18 +38,14 @@ std::string path_report(const PathContact& found, const view::MotionNumbers& mot
 }
 
 PathContact answer_path(const PathOptions& options, const std::vector<Pose>& poses) {
-    const double margin = margin_of(options.query);
-    const double time_tolerance = time_tolerance_of(options.query);
-    const double max_turn = max_turn_of(options.query);
+    const QueryOptions query = options_of(options.query);
+    std::vector<Motion> motions = screws_along(poses, max_turn_of(options.query));
     const Bodies bodies = load_bodies(options.bodies);
-    ProgressBar bar("segments", poses.empty() ? 0 : poses.size() - 1);
+    ProgressBar bar("segments", motions.size());
     return first_contact_on_path({.moving = bodies.moving,
                                   .fixed = bodies.fixed,
-                                  .poses = poses,
-                                  .margin = margin,
-                                  .time_tolerance = time_tolerance,
-                                  .max_turn = max_turn,
-                                  .find = options.query.any ? Find::any : Find::first_with_all_contacts,
+                                  .motions = std::move(motions),
+                                  .options = query,
                                   .progress = [&](std::size_t done) { bar.show(done); }});
 }
 
@@ -59,7 +55,7 @@ int run_path(const PathOptions& options) {
     const view::MotionNumbers motion =
         view::numbers_of(ScrewMotion::between(poses[found.segment], poses[found.segment + 1]));
     print(options.json ? path_json(found, motion).dump() + "\n"
-                       : path_report(found, motion, poses.size(), margin_of(options.query)));
+                       : path_report(found, motion, poses.size(), options_of(options.query).margin));
     return found.contact.verdict == Verdict::clear ? is_clear : is_contact;
 }
 

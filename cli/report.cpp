@@ -81,6 +81,7 @@ std::string headline(const FirstContact& found, double margin) {
     case Verdict::contact:
         return fmt::format("CONTACT{} at time {:.12g}\n", within, found.time.lower);
     case Verdict::contact_at_start:
+    case Verdict::unknown: // no query returns it
         break;
     }
     return fmt::format("CONTACT{} AT THE START{}\n", within,

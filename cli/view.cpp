@@ -31,14 +31,14 @@ int run_view(const ViewOptions& options) {
     file.write(view::page({.moving = question.bodies.moving,
                            .fixed = question.bodies.fixed,
                            .motion = question.motion,
+                           .numbers = question.numbers,
                            .found = found,
-                           .max_turn = question.max_turn,
-                           .margin = question.margin,
+                           .margin = question.options.margin,
                            .title = options.title.empty() ? moving_name + " and " + fixed_name : options.title,
                            .moving_name = moving_name,
                            .fixed_name = fixed_name}));
     file.close();
-    print(headline(found, question.margin) + labelled("page", options.out));
+    print(headline(found, question.options.margin) + labelled("page", options.out));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 

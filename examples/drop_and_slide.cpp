@@ -81,9 +81,9 @@ int main() {
         return chasles::first_contact({.moving = crate,
                                        .fixed = room,
                                        .motion = chasles::ScrewMotion::between(pose, goal),
-                                       .margin = margin,
-                                       .hold = hold,
-                                       .find = chasles::Find::first_with_all_contacts});
+                                       .options = {.margin = margin,
+                                                   .hold = hold,
+                                                   .find = chasles::Find::first_with_all_contacts}});
     };
     Twist wish; // forward, slightly sideways, and down
     wish << 0.8, 0.3, -0.5, 0, 0, 0;

@@ -42,11 +42,9 @@ Stage built(const ThreadedFastener& size) {
 // first contact.
 FirstContact answer_for_turn(const Stage& stage, const NutTurn& motion) {
     const std::vector<Pose> poses = nut_path(motion);
-    std::vector<Motion> steps;
-    for (std::size_t i = 0; i + 1 < poses.size(); ++i)
-        steps.emplace_back(ScrewMotion::between(poses[i], poses[i + 1]));
+    const std::vector<Motion> steps = screws_along(poses, max_turn);
     const std::vector<FirstContact> answers =
-        first_contact_batch({.moving = stage.nut, .fixed = stage.bolt, .motions = steps, .max_turn = max_turn});
+        first_contact_batch({.moving = stage.nut, .fixed = stage.bolt, .motions = steps});
     const auto touching = std::ranges::find_if_not(answers, &is_clear);
     FirstContact found = touching == answers.end() ? answers.back() : *touching;
     found.work = {};
@@ -57,7 +55,7 @@ FirstContact answer_for_turn(const Stage& stage, const NutTurn& motion) {
 
 PathContact answer_for_path(const Stage& stage, const NutTurn& motion) {
     const std::vector<Pose> poses = nut_path(motion);
-    return first_contact_on_path({.moving = stage.nut, .fixed = stage.bolt, .poses = poses, .max_turn = max_turn});
+    return first_contact_on_path({.moving = stage.nut, .fixed = stage.bolt, .motions = screws_along(poses, max_turn)});
 }
 
 FirstContact answer_for_pull(const Stage& stage) {

@@ -15,7 +15,8 @@ struct MotionNumbers {
     double travel = 0; ///< path length of the sweep's reference point, mesh unit
 };
 
-MotionNumbers numbers_of(const Motion& motion);
+MotionNumbers numbers_of(const ScrewMotion& screw);
+MotionNumbers numbers_of(const SweepMotion& sweep);
 
 /// The angle turned until the time of `found` (the lower end of its bracket), in radians.
 double turned_so_far(const MotionNumbers& motion, const FirstContact& found);

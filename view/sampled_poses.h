@@ -10,12 +10,12 @@ namespace chasles::view {
 /// x, y, z, qw, qx, qy, qz. The quaternion has length one, and its dot product with its predecessor is not negative.
 using PoseRow = std::array<double, 7>;
 
-/// The poses at equal time steps from 0 to 1. The motion is cut by `max_turn`, as the query cuts it.
+/// The poses at equal time steps from 0 to 1.
 struct SampledPoses {
     std::vector<PoseRow> moving;
     std::vector<PoseRow> fixed; ///< one row if the fixed body does not move
 };
 
-SampledPoses sampled_poses(const Motion& motion, double max_turn);
+SampledPoses sampled_poses(const Motion& motion);
 
 } // namespace chasles::view

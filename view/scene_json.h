@@ -1,21 +1,21 @@
 // All data of a page as JSON, shared by the command line and Python.
 #pragma once
 
-#include "chasles/chasles.h"
+#include "view/motion_numbers.h"
 
 #include <string>
 
 namespace chasles::view {
 
-/// An answered query and its names. A Scene holds references: bodies, motion and answer must outlive the Scene.
+/// An answered query and its names. A Scene holds references: bodies, motion, numbers and answer must outlive it.
 struct Scene {
     const Polyhedron& moving;
     const Polyhedron& fixed;
     const Motion& motion;
+    const MotionNumbers& numbers; ///< of the motion
     const FirstContact& found;
-    double max_turn = std::numbers::pi / 18; ///< max_turn of the query, radians
-    double margin = 0;                       ///< margin of the query, mesh unit
-    std::string title = "Chasles";           ///< UTF-8; invalid bytes are replaced
+    double margin = 0;             ///< margin of the query, mesh unit
+    std::string title = "Chasles"; ///< UTF-8; invalid bytes are replaced
     std::string moving_name = "moving";
     std::string fixed_name = "fixed";
 };
