@@ -23,8 +23,8 @@ public:
                const elementary::ErrorScale& scale, double margin)
         : planes_(moving, fixed, scale, margin), maps_(whole) {}
 
-    /// The features of two faces that may meet up to `best`; empty if a plane separates the faces until then. The answer
-    /// of a search does not depend on what is culled (note 13). Planes are computed once for the interval.
+    /// The features of two faces that may meet up to `best`; empty if a plane separates the faces until then. The
+    /// answer of a search does not depend on what is culled (note 13). Planes are computed once for the interval.
     std::optional<MeetingFaces> cull(const FacePair& pair, double best) {
         const TimeRange& interval = pair.interval;
         const double first = interval.at(pair.when.lower);
@@ -33,7 +33,7 @@ public:
         if (maps_.set(interval))
             planes_.use(maps_.maps());
         const FacePlanes::Restriction in_interval((part.lower - interval.lower) / interval.width(),
-                                           (part.upper - interval.lower) / interval.width());
+                                                  (part.upper - interval.lower) / interval.width());
         if (planes_.are_separated(pair.moving, pair.fixed, in_interval, pair.when.lower))
             return std::nullopt;
         const CornerSides moving_sides = planes_.sides_of_moving(pair.moving, pair.fixed, in_interval);

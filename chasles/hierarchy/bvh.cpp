@@ -1,4 +1,5 @@
-// Rounds the vertices outward to single precision and divides the boxes of the faces from the root down.
+// Builds a BVH: rounds the vertices outward to single precision and divides the boxes of the faces from the root down.
+// Large bodies are divided into groups first, and threads build the subtrees of the groups.
 #include "chasles/hierarchy/bvh.h"
 
 #include "chasles/base/parallel_for.h"
@@ -15,36 +16,36 @@
 namespace chasles {
 namespace {
 
-/// What is left of a - b when `difference` is the rounded value (D. Knuth, "The Art of Computer Programming", 4.2.2).
-double lost(double a, double b, double difference) {
+/// The exact a - b minus `difference`, its rounded value (D. Knuth, "The Art of Computer Programming", 4.2.2).
+double rounding_error(double a, double b, double difference) {
     const double b_used = a - difference;
     const double a_used = difference + b_used;
     return (a - a_used) + (b_used - b);
 }
 
-/// The float next below a finite one: floats of a sign are ordered as their bits.
+/// The next smaller float of a finite float. Floats of one sign have the order of their bits.
 float next_below(float value) {
     const auto bits = std::bit_cast<std::int32_t>(value == 0 ? -0.0F : value);
     return std::bit_cast<float>(bits < 0 ? bits + 1 : bits - 1);
 }
 
-/// The greatest float that is at most a - b; exactly so, not up to rounding.
+/// The greatest float <= a - b. The comparison is exact.
 float difference_below(double a, double b) {
     const double difference = a - b;
     const auto nearest = static_cast<float>(difference);
-    const bool is_above = nearest > difference || (nearest == difference && lost(a, b, difference) < 0.0);
+    const bool is_above = nearest > difference || (nearest == difference && rounding_error(a, b, difference) < 0.0);
     return is_above ? next_below(nearest) : nearest;
 }
 
-/// The smallest float that is at least a - b.
+/// The least float >= a - b. The comparison is exact.
 float difference_above(double a, double b) {
     return -difference_below(b, a);
 }
 
-/// Vertices or corners that one thread looks at in a row.
+/// The number of vertices or corners in one chunk of work.
 constexpr std::size_t many_vertices = 1U << 15U;
 
-/// Of all vertices that are corners.
+/// The bounding box of all vertices that are corners of faces.
 Eigen::AlignedBox3d extent_of(std::span<const std::uint32_t> corners, std::span<const Eigen::Vector3d> vertices,
                               unsigned threads) {
     std::vector<Eigen::AlignedBox3d> parts(corners.size() / many_vertices + 1);
@@ -60,6 +61,7 @@ Eigen::AlignedBox3d extent_of(std::span<const std::uint32_t> corners, std::span<
     return whole;
 }
 
+/// The box of one vertex relative to `centre`, rounded outward.
 PackedBox round_outward(const Eigen::Vector3d& vertex, const Eigen::Vector3d& centre) {
     PackedBox box{Eigen::Array4f::Zero(), Eigen::Array4f::Zero()};
     for (int axis = 0; axis < 3; ++axis) {
@@ -69,7 +71,7 @@ PackedBox round_outward(const Eigen::Vector3d& vertex, const Eigen::Vector3d& ce
     return box;
 }
 
-/// What encloses each vertex, relative to the middle of the body.
+/// The boxes of all vertices relative to `centre`, rounded outward.
 std::vector<PackedBox> round_outward(std::span<const Eigen::Vector3d> vertices, const Eigen::Vector3d& centre,
                                      unsigned threads) {
     std::vector<PackedBox> rounded(vertices.size());
@@ -80,15 +82,16 @@ std::vector<PackedBox> round_outward(std::span<const Eigen::Vector3d> vertices, 
     return rounded;
 }
 
-/// `count` faces are to become the subtree at `node`, whose other nodes begin at `below`.
+/// A subtree of `count` faces with its root at `node`. Its other nodes begin at `below`.
 struct Subtree {
-    std::size_t begin; ///< of its boxes, among those of its group
+    std::size_t begin; ///< index of its first box among the boxes of the group
     std::size_t count;
     std::size_t node;
     std::size_t below;
     std::size_t depth;
 
-    /// Two nodes for the children, then all 2 first - 2 nodes below the left one, then those below the right one.
+    /// The two children are at `below`. The 2 first - 2 nodes below the left child follow, then the nodes below the
+    /// right child.
     [[nodiscard]] Subtree left(std::size_t first) const { return {begin, first, below, below + 2, depth + 1}; }
     [[nodiscard]] Subtree right(std::size_t first) const {
         return {begin + first, count - first, below + 1, below + 2 * first, depth + 1};
@@ -113,7 +116,7 @@ void set_first(BvhNode& node, std::size_t face_or_child) {
     node.first = static_cast<std::uint32_t>(face_or_child) & 0x7fffffffU;
 }
 
-/// Divides one group after another; keeps its memory for the next one.
+/// Builds the subtrees of groups, one after another. It reuses its memory.
 class GroupBuilder {
 public:
     GroupBuilder(const RoundedFaces& faces, float size, std::span<BvhNode> nodes)
@@ -160,7 +163,7 @@ private:
         set_box(node, bounds.boxes);
         node.leaf = 0;
         set_first(node, subtree.below);
-        // Uneven divisions in a row could make the tree as deep as it has faces.
+        // Without this limit, uneven divisions could make the tree as deep as its number of faces.
         const bool may_be_uneven = subtree.depth < Bvh::max_depth - 32;
         const std::span<PackedBox> boxes = boxes_of(subtree);
         return may_be_uneven ? chasles::divide(boxes, bounds) : halve(boxes);
@@ -176,7 +179,7 @@ private:
     std::vector<PackedBox> boxes_;
 };
 
-/// The nodes above the groups, and which nodes belong to each group.
+/// The nodes above the groups, and the subtree of each group.
 class GroupPlaces {
 public:
     GroupPlaces(const FaceGroups& groups, std::span<BvhNode> nodes)
@@ -186,9 +189,9 @@ public:
 
     [[nodiscard]] const Subtree& operator[](std::size_t group) const { return subtrees_[group]; }
 
-    /// Once the groups are built.
+    /// Sets the boxes of the nodes above the groups. Call it after all groups are built.
     void enclose_groups() {
-        for (const Subtree& subtree : std::views::reverse(above_)) { // children come behind their parents
+        for (const Subtree& subtree : std::views::reverse(above_)) { // children come after their parents
             BvhNode& node = nodes_[subtree.node];
             set_box(node, nodes_[subtree.below], nodes_[subtree.below + 1]);
             node.leaf = 0;
@@ -229,12 +232,12 @@ void build_tree(const RoundedFaces& faces, float size, unsigned threads, std::sp
     places.enclose_groups();
 }
 
-/// Around the point that the root's box is relative to.
+/// The radius of a ball around the centre of the hierarchy that encloses the root's box.
 double radius_of(const BvhNode& root) {
-    Eigen::Vector3d reach;
+    Eigen::Vector3d extent;
     for (int i = 0; i < 3; ++i)
-        reach[i] = std::max(std::abs(double(root.lower[i])), std::abs(double(root.upper[i])));
-    return reach.norm() * (1 + 1e-14);
+        extent[i] = std::max(std::abs(double(root.lower[i])), std::abs(double(root.upper[i])));
+    return extent.norm() * (1 + 1e-14);
 }
 
 } // namespace

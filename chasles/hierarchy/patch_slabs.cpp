@@ -1,4 +1,5 @@
-// Corners are gathered first, in the order of the leaves: a node's stand in a row then.
+// Gathers the corners in the order of the leaves first. The corners of each node are then contiguous.
+// Then computes the slab of each node along the sum of its face normals.
 #include "chasles/hierarchy/patch_slabs.h"
 
 #include <Eigen/Geometry>
@@ -8,7 +9,7 @@
 namespace chasles {
 namespace {
 
-/// The two sides of a thin plate do not cancel.
+/// a + b or a - b, whichever is longer: the normals of the two sides of a thin plate must not cancel.
 Eigen::Vector3f aligned_sum(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     return a.dot(b) < 0 ? Eigen::Vector3f(a - b) : Eigen::Vector3f(a + b);
 }
@@ -45,7 +46,7 @@ void PatchSlabs::gather(std::size_t face) {
     gathered_.push_back({normal, static_cast<std::uint32_t>(corners_.size())});
 }
 
-/// Answers what the normals add up to.
+/// Sets the slabs of all nodes of a subtree. Returns the aligned sum of the face normals.
 Eigen::Vector3f PatchSlabs::add_below(std::span<BvhNode> nodes, std::size_t root) {
     BvhNode& node = nodes[root];
     const std::size_t begin = used_ == 0 ? 0 : gathered_[used_ - 1].end;

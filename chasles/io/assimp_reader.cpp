@@ -1,5 +1,5 @@
-// What Assimp reads: glTF, COLLADA, 3MF and others. No post-processing is asked for, so polygons and coordinates stay
-// as they are; the transforms of the nodes are applied here, in double precision.
+// Reads glTF, COLLADA, 3MF and other formats through Assimp. Assimp does no post-processing, therefore polygons and
+// coordinates stay unchanged. This file applies the node transforms in double.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
@@ -37,7 +37,7 @@ void add_vertices(PolygonSoup& soup, const aiMesh& mesh, const Eigen::Affine3d& 
     }
 }
 
-// Points and lines (faces of one or two vertices for Assimp) have no area and are left out.
+// Skips points and lines, which Assimp represents as faces with one or two vertices. They have no area.
 void add_faces(PolygonSoup& soup, const aiMesh& mesh, std::uint32_t first_vertex) {
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
@@ -54,7 +54,7 @@ void add_faces(PolygonSoup& soup, const aiMesh& mesh, std::uint32_t first_vertex
     }
 }
 
-// Assimp's own depth limit bounds the recursion: its tree is built by recursive readers.
+// The depth limit of Assimp bounds the recursion: recursive readers build its tree.
 void add_node(PolygonSoup& soup, const aiScene& scene, const aiNode& node, const Eigen::Affine3d& parent) {
     const Eigen::Affine3d to_world = parent * transform_of(node);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
@@ -74,8 +74,8 @@ PolygonSoup read_with_assimp(const std::filesystem::path& file) {
     const std::string extension = file.extension().string();
     if (extension.empty() || !importer.IsExtensionSupported(extension))
         throw InvalidInput("no reader for the extension " + in_quotes(extension) +
-                           "; known are .obj, .off, .ply, .stl, " +
-                           ".gltf, .glb, .dae, .3mf and what else Assimp reads");
+                           "; supported are .obj, .off, .ply, .stl, " +
+                           ".gltf, .glb, .dae, .3mf and other formats of Assimp");
     const aiScene* const scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr)
         throw InvalidInput("cannot be read: " + one_line(importer.GetErrorString()));

@@ -1,4 +1,5 @@
-// Paths and lists of motions: headers are compared to the letter, so that no column is ever taken for another one.
+// Reads paths and lists of motions from CSV files. Headers must match exactly, therefore columns cannot be confused.
+// Every message contains the file name and the line number.
 #include "chasles/io/motion_files.h"
 
 #include "chasles/base/invalid_input.h"
@@ -30,7 +31,7 @@ std::vector<double> numbers_in(Cells cells, std::string_view header) {
     const std::vector<std::string> names = split_csv(header);
     if (cells.size() != names.size())
         throw InvalidInput(std::to_string(cells.size()) + " columns found, " + std::to_string(names.size()) +
-                           " wanted");
+                           " expected");
     std::vector<double> numbers;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto number = parse_finite(cells[i]);
@@ -60,7 +61,7 @@ void read_motion(const CsvRow& row, bool has_id, MotionRow& motion) {
     }
 }
 
-// Whether the first column is "id".
+// Checks the header. Returns whether the first column is "id".
 bool read_motion_header(CsvTable& table) {
     const auto header = table.next();
     if (header && is_header(header->cells, motion_header))
@@ -73,7 +74,7 @@ bool read_motion_header(CsvTable& table) {
     return true;
 }
 
-// Runs a reader over the file's content and puts its name in front of what goes wrong.
+// Runs a reader on the content of a file and puts the file name at the start of every message.
 template <typename Read>
 auto read_naming_file(const std::filesystem::path& file, const Read& read) {
     const std::string text = read_file(file);

@@ -1,5 +1,5 @@
-// OFF: a header line, the counts, one vertex a line, one polygon a line. ASCII; also COFF, NOFF and STOFF, whose
-// colours, normals and textures are left out. The counts must agree with what follows.
+// Reads ASCII OFF: a header line, the counts, one vertex per line, one polygon per line. The counts must be correct.
+// The variants COFF, NOFF and STOFF are accepted; their colours, normals and texture coordinates are ignored.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
@@ -29,7 +29,7 @@ public:
     }
 
 private:
-    // The next line that is not blank once its comment is gone.
+    // Moves to the next line that is not blank after its comment is removed. Returns false at the end of the text.
     bool next_content() {
         while (lines_.next()) {
             content_ = lines_.line().substr(0, lines_.line().find('#'));
@@ -44,7 +44,7 @@ private:
             fail("the file ends before " + wanted);
     }
 
-    // "OFF" may stand alone, share its line with the counts, or be absent.
+    // The keyword "OFF" may be on a separate line, on the line of the counts, or missing.
     void read_header() {
         require_content("its header");
         Words words(content_);
@@ -79,7 +79,7 @@ private:
         return static_cast<std::size_t>(*count);
     }
 
-    // Every vertex or face takes two bytes at least, whatever the header claims.
+    // Limits a count of the header: every vertex or face takes at least two bytes.
     std::size_t bounded(std::size_t count) const { return std::min(count, text_size_ / 2); }
 
     void read_vertex(std::size_t index) {
@@ -122,7 +122,7 @@ private:
         return static_cast<std::uint32_t>(*index);
     }
 
-    // Colours and the like: numbers that do not matter here.
+    // Checks that the remaining words of a line, for example colours, are numbers.
     void check_attributes(Words words) const {
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
             if (!parse_number(word))

@@ -1,5 +1,5 @@
-// The header of a PLY file. Source: Greg Turk, "The PLY Polygon File Format", 1994, with the sized type names
-// (int8 ... float64) that came into use later.
+// Reads the header of a PLY file. Source: Greg Turk, "The PLY Polygon File Format", 1994, and the later type names with
+// sizes (int8 to float64).
 #include "chasles/io/ply_header.h"
 
 #include "chasles/io/text_scan.h"
@@ -51,7 +51,7 @@ public:
     }
 
 private:
-    // False at the end of the header.
+    // Reads one line. Returns false at the end of the header.
     bool read_statement() {
         Words words(lines_.line());
         const std::string_view keyword = words.next();
@@ -79,7 +79,7 @@ private:
         else
             fail("not a PLY format: " + in_quotes(lines_.line()));
         if (words.next() != "1.0")
-            fail("only version 1.0 of PLY is known: " + in_quotes(lines_.line()));
+            fail("only version 1.0 of PLY is supported: " + in_quotes(lines_.line()));
         has_format_ = true;
     }
 
@@ -90,7 +90,7 @@ private:
             fail("an element needs a name and a count: " + in_quotes(lines_.line()));
         for (const PlyElement& other : header_.elements)
             if (other.name == name)
-                fail("a second element of that name: " + in_quotes(lines_.line()));
+                fail("a second element with the same name: " + in_quotes(lines_.line()));
         header_.elements.push_back({std::string(name), static_cast<std::size_t>(*count), {}});
     }
 

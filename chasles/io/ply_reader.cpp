@@ -1,5 +1,5 @@
-// PLY: ASCII and binary of either byte order, with any number types. Reads x, y, z of the element "vertex" and the list
-// vertex_indices (or vertex_index) of the element "face"; everything else is read over.
+// Reads PLY: ASCII, and binary in either byte order, with any number types. It uses x, y, z of the element "vertex" and
+// the list vertex_indices (or vertex_index) of the element "face", and skips all other data.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/bytes.h"
 #include "chasles/io/mesh_files.h"
@@ -14,12 +14,12 @@
 namespace chasles::io {
 namespace {
 
-/// The numbers of ASCII data: one item a line.
+/// The numbers of ASCII data, with one item per line.
 class AsciiNumbers {
 public:
     AsciiNumbers(std::string_view data, std::size_t header_lines) : lines_(data), header_lines_(header_lines) {}
 
-    // False at the end of the data.
+    // Moves to the next item. Returns false at the end of the data.
     bool begin_item() {
         do {
             if (!lines_.next())
@@ -101,10 +101,10 @@ private:
     std::endian order_;
 };
 
-/// Where an element keeps what we read; others are read over.
+/// The properties of an element that the reader uses.
 struct Wanted {
-    std::vector<int> coordinate; ///< per property: 0, 1, 2 for x, y, z; -1 for others
-    int indices = -1;            ///< which property lists the vertices of a face
+    std::vector<int> coordinate; ///< for each property: 0, 1, 2 for x, y, z; -1 for other properties
+    int indices = -1;            ///< the property that lists the vertices of a face; -1 if none
 };
 
 template <typename Numbers>
@@ -200,8 +200,8 @@ private:
             numbers_.read(property.type);
     }
 
-    // A length that the data cannot fill ends at the end of the data: nothing is reserved for it.
-    // 1 for a property that is no list.
+    // Reads the length of a list. The reader reserves no memory for it: a length beyond the data fails at the end of
+    // the data. A property that is no list has the length 1.
     std::size_t read_length(const PlyProperty& property) {
         if (!property.length_type)
             return 1;
@@ -231,7 +231,7 @@ private:
         return number >= 0 && number <= std::numeric_limits<std::uint32_t>::max() && number == std::floor(number);
     }
 
-    // Faces may come before vertices, so that only now their number is known.
+    // Faces may come before vertices in the file, therefore indices are checked at the end.
     void check_indices() const {
         for (std::size_t i = 0; i < soup_.faces.size(); ++i)
             for (const std::uint32_t vertex : soup_.faces[i])
@@ -247,7 +247,7 @@ private:
         fail("face", face, why);
     }
 
-    // Binary data has no lines: the item is named instead.
+    // Fails with the name of the item: binary data has no lines.
     [[noreturn]] void fail(const std::string& item, std::size_t id, const std::string& why) const {
         numbers_.fail(item + " " + std::to_string(id) + ": " + why);
     }

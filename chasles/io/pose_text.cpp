@@ -1,4 +1,5 @@
-// Poses and points out of text; what a pose may be is decided by chasles/motion/pose.h.
+// Reads poses and points from text. chasles/motion/pose.h checks the numbers of a pose.
+// Every message quotes the invalid word.
 #include "chasles/io/pose_text.h"
 
 #include "chasles/base/invalid_input.h"
@@ -40,7 +41,7 @@ std::vector<double> parse_numbers(std::string_view text) {
         if (comma == std::string_view::npos && (before == 0 || numbers.size() > before))
             return numbers;
         if (numbers.size() == before)
-            throw InvalidInput("a number is missing beside a comma");
+            throw InvalidInput("a number is missing before or after a comma");
         text.remove_prefix(comma + 1);
     }
 }

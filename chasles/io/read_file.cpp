@@ -1,5 +1,5 @@
-// A whole file in memory: readers that know where every byte is can say where it is wrong.
-// Reading to the end (rather than by the stated size) serves pipes as well.
+// Reads a whole file into memory. Readers can then give the position of every error.
+// Reads to the end of the file instead of using its size, therefore pipes work too.
 #include "chasles/io/read_file.h"
 
 #include "chasles/base/invalid_input.h"
@@ -36,7 +36,7 @@ OpenFile open_file(const std::filesystem::path& file) {
     return opened;
 }
 
-// The file's size as a first guess, so that a large file is not copied while it grows.
+// The size of the file as a first capacity. It avoids copies while a large file is read.
 std::size_t expected_size(const std::filesystem::path& file) {
     std::error_code error;
     const auto size = std::filesystem::file_size(file, error);

@@ -1,5 +1,5 @@
-// STL, ASCII and binary. Equal vertices become one, so that ids name the vertices of the merged list in order of
-// first occurrence; the normals in the file are left out.
+// Reads ASCII and binary STL. Equal vertices are merged: vertex ids follow the order of first occurrence.
+// The normals in the file are ignored.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/bytes.h"
 #include "chasles/io/mesh_files.h"
@@ -15,8 +15,8 @@
 namespace chasles::io {
 namespace {
 
-constexpr std::size_t header_size = 84; ///< 80 bytes of anything and the number of triangles
-constexpr std::size_t triangle_size = 50;
+constexpr std::size_t header_size = 84;   ///< bytes: 80 of any content and the number of triangles
+constexpr std::size_t triangle_size = 50; ///< bytes
 
 using Key = std::array<std::uint64_t, 3>;
 
@@ -40,8 +40,8 @@ public:
         return place->second;
     }
 
-    /// A facet that names one place twice gets a vertex of its own there: what is to become of a face that collapses
-    /// when equal vertices are merged is for the mesh to decide (docs/decisions/0011).
+    /// Adds a face. If two of its corners are equal, the second corner becomes a new vertex. The mesh layer then
+    /// decides about faces that collapse when equal vertices are merged (docs/decisions/0011).
     void add_face(std::vector<std::uint32_t> face) {
         for (std::size_t i = 1; i < face.size(); ++i) {
             if (std::find(face.begin(), face.begin() + std::ptrdiff_t(i), face[i]) == face.begin() + std::ptrdiff_t(i))
@@ -62,8 +62,8 @@ private:
     PolygonSoup soup_;
 };
 
-/// solid NAME, then any number of: facet normal X Y Z, outer loop, vertex X Y Z (three times), endloop, endfacet; then
-/// endsolid NAME. Blanks and line ends separate words; a name runs to the end of its line.
+/// Reads "solid NAME", then any number of "facet normal X Y Z, outer loop, vertex X Y Z (three times), endloop,
+/// endfacet", then "endsolid NAME". Blanks and line ends separate words. A name extends to the end of its line.
 class AsciiStlReader {
 public:
     explicit AsciiStlReader(std::string_view text) : lines_(text) {}
@@ -170,10 +170,11 @@ void check_binary_size(std::string_view bytes) {
     const std::size_t present = (bytes.size() - header_size) / triangle_size;
     const std::string counts = std::to_string(announced) + " triangles are announced, but ";
     if (present < announced)
-        throw InvalidInput("is truncated: " + counts + std::to_string(present) + " are there");
+        throw InvalidInput("is truncated: " + counts + std::to_string(present) + " are present");
     if (bytes.size() != header_size + announced * triangle_size)
-        throw InvalidInput(counts + "there are " +
-                           std::to_string(bytes.size() - header_size - announced * triangle_size) + " bytes more");
+        throw InvalidInput(counts + "the file has " +
+                           std::to_string(bytes.size() - header_size - announced * triangle_size) +
+                           " additional bytes");
 }
 
 PolygonSoup read_binary_stl(std::string_view bytes) {
@@ -189,7 +190,7 @@ PolygonSoup read_binary_stl(std::string_view bytes) {
     return triangles.take();
 }
 
-// A binary file may begin with "solid" too: its size or a zero byte gives it away.
+// A binary file may also begin with "solid". Its size or a zero byte in its header identifies it.
 bool is_ascii_stl(std::string_view bytes) {
     const bool has_binary_size =
         bytes.size() >= header_size && bytes.size() == header_size + announced_triangles(bytes) * triangle_size;

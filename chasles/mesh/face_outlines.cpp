@@ -1,4 +1,5 @@
-// Every check looks at one face at a time and names it in its message.
+// Checks vertices and faces one by one and sorts proper faces from collapsed faces.
+// Every message contains the number of the face or vertex.
 #include "chasles/mesh/face_outlines.h"
 
 #include "chasles/base/invalid_input.h"
@@ -15,9 +16,10 @@
 namespace chasles {
 namespace {
 
-using Face = std::span<const std::uint32_t>; ///< as given
+using Face = std::span<const std::uint32_t>; ///< vertex indices as given
 using Outline = std::vector<std::uint32_t>;
 
+// Both in the length unit of the mesh; docs/decisions/0012-range-of-coordinates.md.
 constexpr double largest_coordinate = 1e30;
 constexpr double smallest_size = 1e-30;
 
@@ -38,7 +40,7 @@ void check_vertex(std::size_t index, const Eigen::Vector3d& vertex) {
     }
 }
 
-/// Corners and nodes are numbered with 32 bits.
+/// Refuses meshes whose corners or BVH nodes cannot be numbered with 32 bits.
 void check_counts(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces) {
     if (faces.empty())
         throw InvalidInput("mesh: has no faces");
@@ -65,8 +67,8 @@ std::size_t count_distinct(Outline ids) {
     return static_cast<std::size_t>(std::ranges::unique(ids).begin() - ids.begin());
 }
 
-/// A vertex named twice in a row, or so often that no area can be left. Elsewhere in an outline a vertex may come
-/// back, as it does where a hole is bridged.
+/// Refuses a vertex that is named twice in a row, and faces with fewer than three distinct vertices. A vertex may
+/// otherwise occur several times in an outline: a bridge to a hole needs this.
 void check_repeats(std::size_t index, Face face) {
     for (std::size_t i = 0; i < face.size(); ++i)
         if (face[i] == face[(i + 1) % face.size()])
@@ -75,6 +77,7 @@ void check_repeats(std::size_t index, Face face) {
         refuse_face(index, "has fewer than three distinct vertices");
 }
 
+/// The outline with first equal vertices, without corners that repeat the previous corner.
 void merge_corners(Face face, std::span<const std::uint32_t> first_equal, Outline& outline) {
     outline.clear();
     for (const std::uint32_t vertex : face)

@@ -1,4 +1,5 @@
-// Assembles a body: checks, outlines, edges, ownership and boxes, each made in its own file.
+// Assembles a body from its parts: checks, outlines, edges, ownership and the BVH. Each part has its own file.
+// The steps are in `make_body` at the end.
 #include "chasles/mesh/make_body.h"
 
 #include "chasles/base/flat_lists.h"
@@ -15,6 +16,7 @@ namespace chasles {
 
 namespace {
 
+/// Whether every face keeps its input id and no face is missing.
 bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
     for (std::uint32_t face = 0; face < source.size(); ++face)
         if (source[face] != face)
@@ -22,6 +24,7 @@ bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
     return source.size() == given;
 }
 
+/// The edges that each face owns.
 FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const MeshEdges& edges) {
     FlatLists<std::uint32_t> shares = share_features(outlines.offsets, edges.edge_of_side, edges.edges.size());
     FlatLists<Edge> owned{std::move(shares.offsets), {}};
@@ -46,7 +49,7 @@ std::size_t count_polygons(const FlatLists<std::uint32_t>& outlines) {
     return polygons;
 }
 
-/// Children follow their parent, so one pass from front to back suffices.
+/// The greatest depth of a node; the root has depth 1. Children follow their parent, therefore one pass suffices.
 std::size_t depth_of(std::span<const BvhNode> nodes) {
     std::vector<std::size_t> depths(nodes.size(), 1);
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -55,7 +58,7 @@ std::size_t depth_of(std::span<const BvhNode> nodes) {
     return *std::ranges::max_element(depths);
 }
 
-/// Only of vertices that a face uses.
+/// Adds the bounding box of all vertices that a face uses.
 void add_bounding_box(const BodyParts& parts, MeshReport& report) {
     report.lower = report.upper = parts.vertices[parts.outlines.items.front()];
     for (const std::uint32_t vertex : parts.outlines.items) {

@@ -1,4 +1,5 @@
-// One pass with a hash table of open addressing: linear time and no allocation per vertex.
+// One pass with a hash table with open addressing: expected linear time and no allocation per vertex.
+// Vertices are compared exactly.
 #include "chasles/mesh/merge_vertices.h"
 
 #include <bit>
@@ -12,7 +13,7 @@ std::uint64_t bits_of(double coordinate) {
     return std::bit_cast<std::uint64_t>(coordinate + 0.0); // turns -0 into 0
 }
 
-/// Mixes well enough that coordinates on a grid spread over the table (the finaliser of splitmix64).
+/// The finalizer of splitmix64. It distributes coordinates on a grid evenly over the table.
 std::uint64_t mixed(std::uint64_t value) {
     value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
     value = (value ^ (value >> 27)) * 0x94d049bb133111eb;

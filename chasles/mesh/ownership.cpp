@@ -1,4 +1,5 @@
-// Rounds of taking turns; a face that finds nothing free leaves, so the rounds shrink quickly.
+// The faces take turns and claim one free feature in each round. A face without a free feature leaves the rounds.
+// The number of claimants therefore falls quickly.
 #include "chasles/mesh/ownership.h"
 
 #include <numeric>
@@ -9,12 +10,13 @@ namespace {
 
 constexpr std::uint32_t no_owner = 0xffffffff;
 
+/// A face that still claims features.
 struct Claimant {
     std::uint32_t face;
-    std::uint32_t next; ///< first of its features not looked at yet
+    std::uint32_t next; ///< position of the first of its features that is not tested yet
 };
 
-/// Lets the claimant have its next free feature. False if there is none.
+/// Gives the claimant its next free feature. Returns false if no feature is free.
 bool claim_one(Claimant& claimant, std::uint32_t end, std::span<const std::uint32_t> features,
                std::vector<std::uint32_t>& owner) {
     while (claimant.next < end) {

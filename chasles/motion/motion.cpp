@@ -75,6 +75,10 @@ double ScrewMotion::max_turn() const {
     return trajectory().max_turn();
 }
 
+ScrewMotion ScrewMotion::with_max_turn(double max_turn) const {
+    return ScrewMotion(erased(ScrewTrajectory(trajectory().ends(), max_turn)));
+}
+
 double ScrewMotion::tau_at(double time) const {
     return trajectory().clock().tau_at(time);
 }
@@ -108,9 +112,13 @@ SweepMotion SweepMotion::between(const Pose& start, const Pose& goal, const Eige
 }
 
 SweepMotion SweepMotion::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
-                                  const Pose& fixed_goal, const Eigen::Vector3d& centre) {
+                                  const Pose& fixed_goal) {
     const MotionEnds ends = MotionEnds::relative(moving_start, moving_goal, fixed_start, fixed_goal);
-    return SweepMotion(erased(SweepTrajectory(ends, centre)));
+    return SweepMotion(erased(SweepTrajectory(ends, Eigen::Vector3d::Zero())));
+}
+
+SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const {
+    return SweepMotion(erased(SweepTrajectory(trajectory().ends(), centre)));
 }
 
 const motion::SweepTrajectory& SweepMotion::trajectory() const {

@@ -17,8 +17,8 @@ class ScrewTrajectory;
 class SweepTrajectory;
 } // namespace motion
 
-/// Any motion of one body, or of two bodies in one world, over time in [0, 1]. An opaque value of 16 bytes; copies share
-/// what it describes, less than 300 bytes with the handle for a screw or a sweep.
+/// Any motion of one body, or of two bodies in one world, over time in [0, 1]. An opaque value of 16 bytes; copies
+/// share what it describes, less than 300 bytes with the handle for a screw or a sweep.
 class CHASLES_EXPORT Motion {
 public:
     /// ScrewMotion::between and SweepMotion::between as plain motions.
@@ -61,13 +61,16 @@ public:
     [[nodiscard]] double angle() const;
     /// Signed travel along axis_direction(), mesh unit.
     [[nodiscard]] double slide() const;
-    /// Unit vector in the fixed body's frame: along the axis; along the travel if nothing turns; 0 0 1 if nothing moves.
+    /// Unit vector in the fixed body's frame: along the axis; along the travel if nothing turns; 0 0 1 if nothing
+    /// moves.
     [[nodiscard]] Eigen::Vector3d axis_direction() const;
     /// The axis point nearest to the start position of the body's origin, in the fixed body's frame; the start position
     /// itself if nothing turns.
     [[nodiscard]] Eigen::Vector3d axis_point() const;
     /// Largest turn of one piece, radians.
     [[nodiscard]] double max_turn() const;
+    /// The same screw in pieces of another size. Throws InvalidInput for a max_turn below least_max_turn.
+    [[nodiscard]] ScrewMotion with_max_turn(double max_turn) const;
 
     [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
     [[nodiscard]] double time_at(double tau) const;  ///< its inverse
@@ -91,8 +94,8 @@ private:
 };
 
 /// Straight travel with a normalised linear turn ("nlerp and lerp"): a reference point of the body follows a straight
-/// line while the body turns by the normalised linear interpolation of quaternions. Symmetric in time, regular at a half
-/// turn. Here tau = time. Keeps both end poses exactly. Source: docs/derivations/02-rational-motion.md.
+/// line while the body turns by the normalised linear interpolation of quaternions. Symmetric in time, regular at a
+/// half turn. Here tau = time. Keeps both end poses exactly. Source: docs/derivations/02-rational-motion.md.
 class CHASLES_EXPORT SweepMotion {
 public:
     /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world. `centre`
@@ -103,7 +106,11 @@ public:
 
     /// For two moving bodies: the sweep of the moving body as seen from the fixed body. Poses are in the world.
     static SweepMotion relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
-                                const Pose& fixed_goal, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
+                                const Pose& fixed_goal);
+
+    /// The same sweep with another reference point, in the moving body's frame. Throws InvalidInput for a centre that
+    /// cannot be used.
+    [[nodiscard]] SweepMotion about(const Eigen::Vector3d& centre) const;
 
     [[nodiscard]] double angle() const;                 ///< turn in [0, pi], radians
     [[nodiscard]] Eigen::Vector3d displacement() const; ///< of the reference point in the fixed body's frame

@@ -1,3 +1,5 @@
+// Decomposes a screw into its rotation and its displacement along and across the axis, in double-double.
+// Source: docs/derivations/01-screw-from-two-poses.md.
 #include "chasles/motion/screw_path.h"
 
 #include "chasles/motion/unit_quaternion.h"
@@ -64,8 +66,8 @@ Pose ScrewPath::at(const ScrewProgress& progress) const {
     const Scalar sine(std::sin(half));
     const Scalar cosine(std::cos(half));
     const Quaternion<Scalar> turn{cosine, scale(direction_, sine)};
-    // With k the direction, w and v the whole and the partial half angle: the origin swings by
-    // sin v (sin v, cos v) over (across, k x across) turned by cot w; docs/derivations/01, last section.
+    // The swing of the body's origin, with k the direction and w and v the whole and the partial half angle:
+    // sin v ((cos v cot w + sin v) across + (sin v cot w - cos v) k x across); docs/derivations/01, last section.
     Vector swing;
     if (half_sine_.high() > 0) {
         const Scalar cotangent = turn_.w / half_sine_;
@@ -86,7 +88,7 @@ ScrewNumbers ScrewPath::numbers() const {
     numbers.axis_direction = rounded(direction_);
     if (numbers.axis_direction.isZero())
         numbers.axis_direction = Eigen::Vector3d::UnitZ();
-    Vector centre; // of the swing, relative to the body's origin: (across + k x across cot w) / 2
+    Vector centre; // of the rotation, relative to the body's origin: (across + k x across cot w) / 2
     if (half_sine_.high() > 0) {
         const Scalar cotangent = turn_.w / half_sine_;
         centre = scale(across_ + scale(cross(direction_, across_), cotangent), Scalar(0.5));

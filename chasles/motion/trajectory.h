@@ -17,7 +17,8 @@ namespace chasles::motion {
 struct PathBall {
     Vector3<double> centre;
     double radius = 0;
-    double size = 0; ///< sum of the sizes of everything that enters; with the radius and distances, it bounds roundings (1e-13 of it)
+    double size = 0; ///< sum of the sizes of everything that enters; with the radius and distances, it bounds roundings
+                     ///< (1e-13 of it)
 };
 
 /// One piece of a trajectory: a cubic motion over tau in [0, 1], and how far the true motion may be from it.
@@ -27,8 +28,8 @@ concept TrajectoryPiece = requires(const P& piece, const Ball& ball, double numb
     { piece.cubic() } -> std::same_as<const RationalMotion<algebra::DoubleDouble>&>;
     /// The control maps of the cubic motion without rounding; empty where there are none.
     { piece.exact() } -> std::same_as<std::optional<ExactMotion>>;
-    /// How far any point of either body, seen from the other body, may be from where the cubic motion has it at the same
-    /// tau, at most; mesh unit. 0 if the cubic motion is the true one.
+    /// How far any point of either body, seen from the other body, may be from where the cubic motion has it at the
+    /// same tau, at most; mesh unit. 0 if the cubic motion is the true one.
     { piece.deviation() } -> std::same_as<double>;
     /// How far the cubic paths of points of two balls leave their chords.
     { piece.chord_deviation(ball, ball) } -> std::same_as<ChordDeviation>;

@@ -43,8 +43,7 @@ private:
         bool touches = false;
     };
     [[nodiscard]] HeldLevel held_level(const PieceContext& piece, const PieceResult& start) const;
-    void search_holding(FirstContact& found, PieceContext& first_piece, double level,
-                        const search::HeldContacts& held);
+    void search_holding(FirstContact& found, PieceContext& first_piece, double level, const search::HeldContacts& held);
     bool search_holding_piece(FirstContact& found, PieceContext& piece, const search::SearchOptions& search,
                               const search::HeldContacts& held);
 
@@ -116,8 +115,8 @@ FirstContact PieceByPiece::run_holding() {
     return found;
 }
 
-/// `hold` and a small reserve, which is given up where the bodies are that near by rounding; their distance at the start
-/// where that is less.
+/// `hold` and a small reserve, which is given up where the bodies are that near by rounding; their distance at the
+/// start where that is less.
 PieceByPiece::HeldLevel PieceByPiece::held_level(const PieceContext& piece, const PieceResult& start) const {
     if (start.overlap)
         return {0, true, true};
@@ -176,8 +175,8 @@ bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece
     return true;
 }
 
-/// All feature pairs within the margin at the start, and a little more: a motion that stopped at the margin ended within
-/// it.
+/// All feature pairs within the margin at the start, and a little more: a motion that stopped at the margin ended
+/// within it.
 PieceResult PieceByPiece::contacts_at_start(PieceContext& piece) const {
     search::SearchOptions search = search_of(piece, options_.margin + resting_slack(piece));
     search.find = Find::first_with_all_contacts;

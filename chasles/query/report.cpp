@@ -83,8 +83,8 @@ void report(FirstContact& answer, const search::PieceContext& context, const sea
     const Bracket tau = enclosing(result);
     answer.tau = piece.tau_of(tau);
     answer.time = piece.time_of(tau);
-    answer.certain = piece.deviation() <= 0 &&
-                     (result.overlap ? result.overlap->certain : is_certain(result.candidates, tau));
+    answer.certain =
+        piece.deviation() <= 0 && (result.overlap ? result.overlap->certain : is_certain(result.candidates, tau));
     const bool at_start = scope.is_first_piece && search::may_be_at_start({tau.lower, tau.upper, answer.certain});
     answer.verdict = at_start ? Verdict::contact_at_start : Verdict::contact;
     answer.pose = piece.pose_at(tau.lower);

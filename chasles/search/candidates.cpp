@@ -28,8 +28,8 @@ std::vector<Candidate>::iterator Candidates::first_proven() {
     return std::ranges::min_element(kept_, {}, end_of_proof);
 }
 
-/// Final brackets first, then proven ones that are wide, then uncertain ones: most of what follows turns out to be after
-/// the first contact.
+/// Final brackets first, then proven ones that are wide, then uncertain ones: most of what follows turns out to be
+/// after the first contact.
 std::vector<Candidate> Candidates::in_order_of_proof() {
     std::vector<Candidate> found = std::exchange(kept_, {});
     state_.forget_proven();

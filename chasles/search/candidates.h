@@ -41,8 +41,8 @@ public:
     /// The number of candidates nearly simultaneous with a proven contact, as far as the filter can tell; 0 if the
     /// search lists all contacts.
     [[nodiscard]] std::size_t simultaneous() const { return simultaneous_; }
-    /// Narrows the first proven contact to within the tolerance. Returns a time just before the contact, from which on a
-    /// bracket is narrow enough; empty if that is not possible, or at the start.
+    /// Narrows the first proven contact to within the tolerance. Returns a time just before the contact, from which on
+    /// a bracket is narrow enough; empty if that is not possible, or at the start.
     template <LaterStages Stages>
     std::optional<double> early_enough(Stages& stages);
     /// Lets the answer begin at that time at the latest, and drops candidates that start later.

@@ -30,8 +30,7 @@ double width_of(const FeasibleInterval& tau) {
 DistanceStages::DistanceStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), scale_(context.error_scale(options.margin)),
       filter_({context.moving(), context.fixed(), scale_, options.margin}, context.maps()), next_filter_(filter_),
-      start_tests_(context.moving(), context.fixed(), scale_),
-      candidates_({options.find, options.tolerance, true}) {}
+      start_tests_(context.moving(), context.fixed(), scale_), candidates_({options.find, options.tolerance, true}) {}
 
 void DistanceStages::use(const culling::TimeRange& part) {
     if (part != filter_.part())
@@ -138,7 +137,8 @@ struct DistanceStages::Step {
 /// Where double-double finds no crossing in a part, the filter finds the next one, and the part grows. Where
 /// double-double is uncertain, which may last for the length of the part, it starts over with the shortest part.
 std::optional<FeasibleInterval> DistanceStages::decide(const Candidate& candidate, const SearchState& state) {
-    Step step{{candidate.tau, candidate.leaves}, std::max(4 * options_.tolerance, width_of(candidate.tau)), 0, false, {}};
+    Step step{
+        {candidate.tau, candidate.leaves}, std::max(4 * options_.tolerance, width_of(candidate.tau)), 0, false, {}};
     for (int i = 0; i < most_steps; ++i)
         if (!advance(step, candidate, state))
             return step.found;

@@ -20,9 +20,7 @@ public:
     DistanceStages(PieceContext& context, const SearchOptions& options);
 
     static constexpr bool tests_all_kinds = true;
-    [[nodiscard]] double culling_margin() const {
-        return options_.margin + elementary::parallel_slack * scale_.length;
-    }
+    [[nodiscard]] double culling_margin() const { return options_.margin + elementary::parallel_slack * scale_.length; }
     [[nodiscard]] double best() const { return options_.only_start ? 0 : candidates_.best(); }
     [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
 

@@ -63,23 +63,23 @@ public:
         switch (features.kind) {
         case ContactKind::vertex_face:
             return vertex_face_distance<S>(path_of(moving_path(features.moving)), fixed_face(features.fixed), margin_,
-                                       accuracy_, workspace_, visit);
+                                           accuracy_, workspace_, visit);
         case ContactKind::face_vertex:
             return vertex_face_distance<S>(path_of(fixed_path(features.fixed)), moving_face(features.moving), margin_,
-                                       accuracy_, workspace_, visit);
+                                           accuracy_, workspace_, visit);
         case ContactKind::edge_edge:
             return edge_edge_distance<S>({*maps_, moving_edge(features.moving), fixed_edge(features.fixed)}, margin_,
-                                     accuracy_, workspace_, visit);
+                                         accuracy_, workspace_, visit);
         case ContactKind::vertex_edge:
-            return vertex_edge_distance<S>(path_of(moving_path(features.moving)), resting(fixed_, features.fixed), margin_,
-                                       accuracy_, workspace_, visit);
+            return vertex_edge_distance<S>(path_of(moving_path(features.moving)), resting(fixed_, features.fixed),
+                                           margin_, accuracy_, workspace_, visit);
         case ContactKind::edge_vertex:
-            return vertex_edge_distance<S>(path_of(fixed_path(features.fixed)), resting(moving_, features.moving), margin_,
-                                       accuracy_, workspace_, visit);
+            return vertex_edge_distance<S>(path_of(fixed_path(features.fixed)), resting(moving_, features.moving),
+                                           margin_, accuracy_, workspace_, visit);
         case ContactKind::vertex_vertex:
             return vertex_vertex_distance<S>(path_of(moving_path(features.moving)),
-                                         point_of<S>(fixed_, features.fixed.first), margin_, accuracy_, workspace_,
-                                         visit);
+                                             point_of<S>(fixed_, features.fixed.first), margin_, accuracy_, workspace_,
+                                             visit);
         }
     }
 
@@ -118,7 +118,8 @@ private:
     /// Consecutive pairs of edges share the moving one.
     const elementary::EdgePath<S>& moving_edge(const Feature& edge) {
         if (!path_is_set_ || edge_ != edge) {
-            edge_path_ = elementary::edge_path(*maps_, point_of<S>(moving_, edge.first), point_of<S>(moving_, edge.second));
+            edge_path_ =
+                elementary::edge_path(*maps_, point_of<S>(moving_, edge.first), point_of<S>(moving_, edge.second));
             edge_ = edge;
             path_is_set_ = true;
         }

@@ -27,8 +27,8 @@ public:
     /// The intervals of a traversal in which points within `margin` of each other count as meeting.
     [[nodiscard]] culling::TimeTree time_tree(double margin) const;
 
-    /// Maps over the whole piece in double-double, and without rounding where the piece has such (null if not). Computed
-    /// on the first call: most searches need neither.
+    /// Maps over the whole piece in double-double, and without rounding where the piece has such (null if not).
+    /// Computed on the first call: most searches need neither.
     [[nodiscard]] const motion::ControlMaps<algebra::DoubleDouble>& refined_maps();
     [[nodiscard]] const motion::ControlMaps<algebra::ExactNumber>* exact_maps();
 

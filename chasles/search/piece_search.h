@@ -1,6 +1,6 @@
 // One search of one piece of a motion: the earliest contacts over tau in [0, 1].
-// Source: paper section 5.1 (hierarchies moved by the same motion); docs/derivations/07-swept-boxes.md, 16-margin.md and
-// 17-hold.md.
+// Source: paper section 5.1 (hierarchies moved by the same motion); docs/derivations/07-swept-boxes.md, 16-margin.md
+// and 17-hold.md.
 #pragma once
 
 #include "chasles/search/candidate.h"

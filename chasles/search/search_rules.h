@@ -1,6 +1,6 @@
-// The rules by which a search weighs its candidates: what is final, what may wait, and what no longer matters. They hold
-// for "the features touch" and for "the features come within a distance".
-// Source: docs/derivations/07-swept-boxes.md, "Best", "Second stage" and "Third stage".
+// The rules by which a search weighs its candidates: what is final, what may wait, and what no longer matters. They
+// hold for "the features touch" and for "the features come within a distance". Source:
+// docs/derivations/07-swept-boxes.md, "Best", "Second stage" and "Third stage".
 #pragma once
 
 #include "chasles/algebra/bracket.h"
@@ -35,13 +35,14 @@ public:
 
     /// The bracket proves a contact, is within the tolerance, and tells the verdict.
     [[nodiscard]] bool is_final(const FeasibleInterval& tau) const {
-        return tau.certain && tau.upper - tau.lower <= goal_.tolerance && (goal_.start_is_tested_apart || tau.lower > 0);
+        return tau.certain && tau.upper - tau.lower <= goal_.tolerance &&
+               (goal_.start_is_tested_apart || tau.lower > 0);
     }
     /// The candidate starts after the start of a proven contact whose bracket is final: it changes nothing but the list
     /// of all contacts.
     [[nodiscard]] bool is_after_proven(const FeasibleInterval& tau) const { return final_lower_ <= tau.lower; }
-    /// A proven contact follows within the tolerance: whatever the candidate is, a bracket from its start to that contact
-    /// is narrow enough.
+    /// A proven contact follows within the tolerance: whatever the candidate is, a bracket from its start to that
+    /// contact is narrow enough.
     [[nodiscard]] bool is_within_tolerance_of_proven(const FeasibleInterval& tau) const {
         return proven_upper_ - tau.lower <= goal_.tolerance && (tau.lower > 0 || proven_upper_ <= 0);
     }

@@ -46,8 +46,8 @@ public:
     void test_start(const TwoFaces& faces);
     void test(const FeaturePair& features);
 
-    /// Many features that touch at once: a time just before, until which they may be separated by one plane. Narrows the
-    /// first contact for it; empty if there are few features, or no such time.
+    /// Many features that touch at once: a time just before, until which they may be separated by one plane. Narrows
+    /// the first contact for it; empty if there are few features, or no such time.
     std::optional<double> early_enough();
     void stop_search_at(double tau) { candidates_.stop_search_at(tau); }
 
