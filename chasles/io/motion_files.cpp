@@ -85,6 +85,13 @@ auto read_naming_file(const std::filesystem::path& file, const Read& read) {
     }
 }
 
+// Calls `read` for each row that is left.
+template <typename Read>
+void for_each_row(CsvTable& table, const Read& read) {
+    while (const auto row = table.next())
+        read(*row); // NOLINT(bugprone-unchecked-optional-access): the condition of the loop is the check
+}
+
 } // namespace
 
 std::vector<Pose> read_path(std::string_view text) {
@@ -93,8 +100,7 @@ std::vector<Pose> read_path(std::string_view text) {
     if (!header || !is_header(header->cells, path_header))
         fail_at_line(header ? header->line : 1, "the header must be " + std::string(path_header));
     std::vector<Pose> poses;
-    while (const auto row = table.next())
-        poses.push_back(read_pose(*row));
+    for_each_row(table, [&](const CsvRow& row) { poses.push_back(read_pose(row)); });
     return poses;
 }
 
@@ -102,12 +108,12 @@ std::vector<MotionRow> read_motions(std::string_view text) {
     CsvTable table(text);
     const bool has_id = read_motion_header(table);
     std::vector<MotionRow> motions;
-    while (const auto row = table.next()) {
+    for_each_row(table, [&](const CsvRow& row) {
         MotionRow motion;
-        motion.id = has_id ? row->cells.front() : std::to_string(motions.size());
-        read_motion(*row, has_id, motion);
+        motion.id = has_id ? row.cells.front() : std::to_string(motions.size());
+        read_motion(row, has_id, motion);
         motions.push_back(std::move(motion));
-    }
+    });
     return motions;
 }
 

@@ -195,14 +195,16 @@ private:
     }
 
     void skip(const PlyProperty& property) {
-        const std::size_t count = property.length_type ? read_length(property) : 1;
+        const std::size_t count = read_length(property);
         for (std::size_t i = 0; i < count; ++i)
             numbers_.read(property.type);
     }
 
     // Reads the length of a list. The reader reserves no memory for it: a length beyond the data fails at the end of
-    // the data.
+    // the data. A property that is no list has the length 1.
     std::size_t read_length(const PlyProperty& property) {
+        if (!property.length_type)
+            return 1;
         const double length = numbers_.read(*property.length_type);
         if (!is_index(length))
             numbers_.fail("the length of the list '" + one_line(property.name) + "' is not a count");

@@ -104,9 +104,9 @@ private:
             require_word("normal");
         require("outer");
         require("loop");
-        std::vector<std::uint32_t> face;
-        for (int i = 0; i < 3; ++i)
-            face.push_back(read_vertex());
+        std::vector<std::uint32_t> face(3);
+        for (std::uint32_t& vertex : face)
+            vertex = read_vertex();
         require("endloop");
         require("endfacet");
         triangles_.add_face(std::move(face));
