@@ -11,6 +11,7 @@ using Vector = algebra::Vector3<double>;
 /// The rounding allowance over the sum of all lengths. The actual rounding is at most a tenth of it.
 constexpr double slack = 1e-12;
 
+/// The 1-norm.
 double size_of(const Eigen::Vector3d& v) {
     return norm1(motion::vector_in<double>(v));
 }
@@ -36,6 +37,7 @@ bool are_far_apart(const Body& moving, const Body& fixed, const MotionEnds& ends
     double travel =
         length(to - from); // twice the greatest distance of the ball's centre from the mean of `from` and `to`
     double size = size_of(mover.centre()) + size_of(target.centre());
+    // A sweep moves its centre on a straight line and rotates the rest about the centre.
     if (ends.swept_centre) {
         const Vector reference = motion::vector_in<double>(*ends.swept_centre);
         const Vector straight = position(ends.given_goal, reference) - position(ends.given_start, reference);
@@ -44,6 +46,7 @@ bool are_far_apart(const Body& moving, const Body& fixed, const MotionEnds& ends
     }
     if (ends.fixed)
         size += size_of(ends.fixed->start.translation) + size_of(ends.fixed->goal.translation);
+    // The centre of the moving ball stays within travel / 2 of the mean of its end positions.
     const double distance = length(scale(from + to, 0.5) - motion::vector_in<double>(target.centre()));
     size += distance + travel;
     return distance - (mover.radius() + target.radius()) - travel / 2 - margin > slack * size;

@@ -22,10 +22,12 @@ using Outline = std::vector<std::uint32_t>;
 constexpr double largest_coordinate = 1e30;
 constexpr double smallest_size = 1e-30;
 
+/// Throws "face N: WHY".
 [[noreturn]] void refuse_face(std::size_t face, const std::string& why) {
     throw InvalidInput(fmt::format("face {}: {}", face, why));
 }
 
+/// Refuses a coordinate that is not finite or out of range.
 void check_vertex(std::size_t index, const Eigen::Vector3d& vertex) {
     for (int axis = 0; axis < 3; ++axis) {
         if (!std::isfinite(vertex[axis]))
@@ -49,6 +51,7 @@ void check_counts(std::span<const Eigen::Vector3d> vertices, std::span<const Fac
                                        vertices.size(), corners, most));
 }
 
+/// Refuses a face with fewer than three corners or with an index out of range.
 void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
     if (face.size() < 3)
         refuse_face(index, fmt::format("a face needs at least three vertices and this one has {}", face.size()));
@@ -58,6 +61,7 @@ void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
                 index, fmt::format("vertex index {} is out of range (the mesh has {} vertices)", vertex, vertex_count));
 }
 
+/// The number of distinct ids. Takes a copy, because it sorts.
 std::size_t count_distinct(Outline ids) {
     std::ranges::sort(ids);
     return static_cast<std::size_t>(std::ranges::unique(ids).begin() - ids.begin());
@@ -83,6 +87,7 @@ void merge_corners(Face face, std::span<const std::uint32_t> first_equal, Outlin
         outline.pop_back();
 }
 
+/// Whether all corners lie on one line, decided exactly. Fewer than three corners do.
 bool is_on_one_line(std::span<const Eigen::Vector3d> vertices, const Outline& outline) {
     for (std::size_t i = 2; i < outline.size(); ++i)
         if (!are_collinear(vertices[outline[0]], vertices[outline[1]], vertices[outline[i]]))
