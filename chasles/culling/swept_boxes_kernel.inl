@@ -25,7 +25,7 @@ inline Lanes magnitude(Lanes a) {
 inline Lanes select(Bits mask, Lanes a, Lanes b) {
     return Lanes((Bits(a) & mask) | (Bits(b) & ~mask));
 }
-/// The lesser number; b if a or b is not a number.
+/// The smaller number; b if a or b is not a number.
 inline Lanes min(Lanes a, Lanes b) {
     return select(a < b, a, b);
 }
