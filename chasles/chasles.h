@@ -6,5 +6,6 @@
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
 #include "chasles/motion/pose.h"
+#include "chasles/query/batch.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/query/path.h"

@@ -1,5 +1,5 @@
-// chasles batch: many motions of one pair of bodies, on all cores. Rows are written in order as they are answered, so
-// that an interruption loses only those that were not answered yet.
+// chasles batch: many motions of one pair of bodies, on all cores. The rows of a chunk are written as soon as all its
+// motions are answered. An interruption therefore loses only the rows that are not yet answered.
 #include "chasles/io/motion_files.h"
 #include "cli/batch_rows.h"
 #include "cli/commands.h"
@@ -17,7 +17,7 @@
 namespace chasles::cli {
 namespace {
 
-/// Motions answered between two writings: enough to keep all cores busy, few enough to lose little.
+/// Motions per write to the file: enough to keep all cores busy, few enough that an interruption loses little.
 constexpr std::size_t chunk_size = 1024;
 
 struct BatchOptions {
@@ -27,7 +27,7 @@ struct BatchOptions {
     std::string out;
 };
 
-/// How many rows came out as what.
+/// The number of rows with each outcome.
 struct Tally {
     std::array<std::size_t, 3> verdicts{}; ///< by Verdict
     std::size_t errors = 0;
@@ -56,7 +56,7 @@ void count(Tally& tally, const io::MotionRow& row, const FirstContact* found) {
     ++tally.errors;
 }
 
-// The rows of one chunk; `answers` are those of its readable motions.
+// The rows of one chunk. `answers` belong to its readable motions, in order.
 std::string table_of(Rows rows, std::span<const FirstContact> answers, Tally& tally) {
     std::string table;
     for (const io::MotionRow& row : rows) {
@@ -69,16 +69,16 @@ std::string table_of(Rows rows, std::span<const FirstContact> answers, Tally& ta
     return table;
 }
 
-// Opening the output empties it, which must not happen to an input.
+// Writing replaces the content of the output file, which therefore must not be an input.
 void check_out_is_no_input(const BatchOptions& options) {
     for (const std::string& input : {options.motions, options.bodies.moving, options.bodies.fixed}) {
         std::error_code ignored;
         if (std::filesystem::equivalent(options.out, input, ignored))
-            throw InvalidInput("--out: " + options.out + ": is an input of this very command");
+            throw InvalidInput("--out: " + options.out + ": is an input of this command");
     }
 }
 
-/// Answers chunk after chunk and writes each at once.
+/// Answers the motions in chunks and writes each chunk at once.
 class BatchRun {
 public:
     BatchRun(const BatchOptions& options, Rows rows)
@@ -123,14 +123,14 @@ private:
     double max_turn_;
     Find find_;
     unsigned threads_;
-    OutputFile out_; // last: opened only once everything else is in order
+    OutputFile out_; // last: opened only after all other input has been read
 };
 
 int run_batch(const BatchOptions& options) {
     check_out_is_no_input(options);
     const std::vector<io::MotionRow> rows = io::load_motions(options.motions);
     const Tally tally = BatchRun(options, rows).run();
-    if (std::filesystem::is_regular_file(options.out)) // not where rows went to standard output themselves
+    if (std::filesystem::is_regular_file(options.out)) // otherwise the rows may be on standard output
         print(fmt::format("{} motions: {} clear, {} in contact, {} in contact at the start, {}\n", rows.size(),
                           tally.of(Verdict::clear), tally.of(Verdict::contact), tally.of(Verdict::contact_at_start),
                           counted(tally.errors, "error")));

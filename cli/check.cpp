@@ -27,7 +27,8 @@ int run_check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, Task& task) {
     const auto options = std::make_shared<CheckOptions>();
-    CLI::App& command = *app.add_subcommand("check", "When do two bodies first touch on the way between two poses?");
+    CLI::App& command =
+        *app.add_subcommand("check", "When do two bodies first touch during a motion between two poses?");
     add_one_motion_options(command, options->question);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_check(*options); }; });

@@ -1,10 +1,10 @@
-// One motion between two poses: how it is asked for, read and answered.
+// One motion between two poses: its options, how they are read, and the query.
 #include "cli/one_motion.h"
 
 namespace chasles::cli {
 namespace {
 
-/// The end poses of both bodies; the fixed one stands at the world's origin unless told otherwise.
+/// The end poses of both bodies. By default the fixed body rests at the origin of the world.
 struct EndPoses {
     Pose start;
     Pose goal;
@@ -63,7 +63,7 @@ void add_pose_options(CLI::App& command, OneMotionOptions& options) {
 void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
     add_body_options(command, options.bodies);
     add_pose_options(command, options);
-    command.add_option("--motion", options.motion, "what happens between the poses: screw or sweep")
+    command.add_option("--motion", options.motion, "the motion between the poses: screw or sweep")
         ->check(CLI::IsMember({"screw", "sweep"}))
         ->capture_default_str();
     command.add_option("--centre", options.centre, "point of the moving body that a sweep carries along a line")
@@ -71,11 +71,11 @@ void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
     add_query_options(command, options.query);
     command
         .add_option("--hold", options.hold,
-                    "bodies that start within the margin go on, but never come within this distance")
+                    "bodies that start within the margin continue, and never come within this distance")
         ->type_name("H");
 }
 
-// Braces evaluate in order: poses and numbers are read before large meshes are.
+// A braced list is evaluated in order. An error in a pose or a number is therefore found before large meshes are read.
 OneMotion read_one_motion(const OneMotionOptions& options) {
     return {.motion = read_motion(options),
             .margin = margin_of(options.query),

@@ -1,4 +1,4 @@
-// One motion between two poses, as several subcommands take it: options, the question they make, and its answer.
+// One motion between two poses, shared by several subcommands: the options, the query and its answer.
 #pragma once
 
 #include "cli/options.h"
@@ -19,7 +19,7 @@ struct OneMotionOptions {
     std::string hold; ///< empty: none
 };
 
-/// A query that holds its bodies.
+/// A query that owns its bodies.
 struct OneMotion {
     Motion motion;
     double margin;

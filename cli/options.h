@@ -1,4 +1,4 @@
-// Options that several subcommands share, and what they become.
+// Options that several subcommands share, and their values.
 #pragma once
 
 #include "chasles/chasles.h"
@@ -8,7 +8,7 @@
 
 namespace chasles::cli {
 
-/// Numbers stay text until they are used, so that they are read correctly rounded and with messages of our own.
+/// Numbers stay text until use. Chasles then parses them itself, correctly rounded and with its own messages.
 struct QueryOptions {
     std::string margin = "0";
     std::string max_turn_degrees = "10";
@@ -31,10 +31,10 @@ void add_query_options(CLI::App& command, QueryOptions& options);
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
 void add_body_options(CLI::App& command, BodyOptions& options);
 
-/// Loads both; a file that is named twice is loaded once.
+/// Loads both bodies. If both have the same file name, the file is loaded once.
 Bodies load_bodies(const BodyOptions& options);
 
-/// The number, pose or point that an option was given. Throws InvalidInput "OPTION: WHY".
+/// The number, pose or point given for an option. Throws InvalidInput "OPTION: REASON".
 double number_of(const std::string& option, const std::string& text);
 Pose pose_of(const std::string& option, const std::string& text);
 Eigen::Vector3d point_of(const std::string& option, const std::string& text);

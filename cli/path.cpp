@@ -1,4 +1,4 @@
-// chasles path: a chain of screws through the poses of a file.
+// chasles path: a sequence of screws through the poses of a file.
 #include "chasles/io/motion_files.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -20,7 +20,7 @@ struct PathOptions {
     bool json = false;
 };
 
-// As `check` answers, with the segment that the time and the motion belong to; of a clear path, the last one.
+// The JSON of `check`, with the segment that the time and the motion belong to (for a clear path, the last segment).
 view::Json path_json(const PathContact& found, const view::MotionNumbers& motion) {
     view::Json answer = view::answer_json(found.contact, motion);
     answer["segment"] = found.segment;

@@ -1,7 +1,10 @@
 # What every target of the project has in common.
 
-# Warnings and checks of a target of the project. They never reach those who link to it.
+# Floating-point rules, warnings and checks of a target of the project. They never reach those who link to it.
 function(chasles_strict target)
+  # Error bounds are derived for separately rounded operations, and answers must not depend on the machine. See
+  # docs/decisions/0001-contraction-off.md.
+  target_compile_options(${target} PRIVATE -ffp-contract=off)
   target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Wno-psabi $<$<BOOL:${CHASLES_WERROR}>:-Werror>)
   if(CHASLES_CHECKS)
     # Bounds of the standard containers; assert() itself is switched on by leaving NDEBUG out (see the presets).

@@ -1,19 +1,37 @@
 #!/bin/sh
 # Installs the Debian packages that are missing, and says nothing when none is.
 #
-#   install_dependencies.sh [check] [fuzz] [python] [bench] [tidy]    what `make demo` needs, and what the named targets add
-#   install_dependencies.sh --list [check] ...        prints the packages instead
+#   install_dependencies.sh [GROUP...]           what the make targets of these names need (default: install)
+#   install_dependencies.sh --list [GROUP...]    prints the packages instead
+#
+# Groups: demo, install, check, fuzz, python, bench, tidy, format.
 set -eu
 
 clang_version=$(cat "$(dirname "$0")/clang-tools-version")
 
-# The build: Boost.Multiprecision for the exact stage, oneTBB for batches, Assimp for mesh files of other formats, CLI11,
-# fmt and nlohmann_json for the command line.
-packages="make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libassimp-dev libfmt-dev libcli11-dev nlohmann-json3-dev"
+# Adds each package that is not on the list yet.
+packages=""
+add() {
+    for package in "$@"; do
+        case " $packages " in
+            *" $package "*) ;;
+            *) packages="${packages:+$packages }$package" ;;
+        esac
+    done
+}
 
-# The page of `chasles view` is made by npm packages. A Node.js from elsewhere brings its npm along, and does not go with
-# Debian's.
-command -v npm >/dev/null || packages="$packages nodejs npm"
+# Boost.Multiprecision is for the exact stage, oneTBB for batches; CLI11, fmt and nlohmann_json for the command line.
+add_demo() {
+    add make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+}
+
+# Assimp is for mesh files of other formats. The page of `chasles view` is made by npm packages; a Node.js from elsewhere
+# brings its npm along, and does not go with Debian's.
+add_install() {
+    add_demo
+    add libassimp-dev
+    command -v npm >/dev/null || add nodejs npm
+}
 
 # Debian 12's `cargo` is too old for Parry; the one for web browsers is kept up to date.
 cargo_package() {
@@ -22,32 +40,51 @@ cargo_package() {
     if [ "$VERSION_ID" = 12 ]; then echo cargo-web; else echo cargo; fi
 }
 
-list_only=false
-for group in "$@"; do
-    case $group in
-        --list) list_only=true ;;
+add_group() {
+    case $1 in
+        demo) add_demo ;;
+        install) add_install ;;
         # GMP is the exact arithmetic that the tests compare with, FCL the distances; zlib reads packed test data.
         check)
-            packages="$packages libgtest-dev libgmp-dev libfcl-dev zlib1g-dev python3 clang-format-$clang_version"
+            add_install
+            add libgtest-dev libgmp-dev libfcl-dev zlib1g-dev python3 "clang-format-$clang_version"
             # The page of `chasles view` is tested in a browser.
-            command -v chromium >/dev/null || packages="$packages chromium"
+            command -v chromium >/dev/null || add chromium
             ;;
         # libFuzzer and the sanitizers are in the runtime library.
-        fuzz) packages="$packages clang-$clang_version libclang-rt-$clang_version-dev libgmp-dev" ;;
+        fuzz)
+            add_demo
+            add libassimp-dev "clang-$clang_version" "libclang-rt-$clang_version-dev" libgmp-dev
+            ;;
         # The rest comes from the package index into a virtual environment.
-        python) packages="$packages python3-venv python3-dev" ;;
+        python)
+            add_install
+            add python3-venv python3-dev
+            ;;
         # Highway is what the lanes are compared with, FCL and Bullet what whole queries are; other peers are brought by
         # Python and Rust.
         bench)
-            packages="$packages libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev python3-venv"
-            command -v cargo >/dev/null || packages="$packages $(cargo_package)"
+            add_demo
+            add libassimp-dev libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev python3-venv
+            command -v cargo >/dev/null || add "$(cargo_package)"
             ;;
-        tidy) packages="$packages clang-tidy-$clang_version" ;;
+        tidy) add "clang-tidy-$clang_version" ;;
+        format) add "clang-format-$clang_version" ;;
         *)
-            echo "install_dependencies.sh: unknown group \"$group\" (known: check, fuzz, python, bench, tidy)" >&2
+            echo "install_dependencies.sh: unknown group \"$1\" (known: demo, install, check, fuzz, python, bench, tidy, format)" >&2
             exit 2
             ;;
     esac
+}
+
+list_only=false
+if [ "${1:-}" = --list ]; then
+    list_only=true
+    shift
+fi
+[ $# -gt 0 ] || set -- install
+for group in "$@"; do
+    add_group "$group"
 done
 
 if $list_only; then

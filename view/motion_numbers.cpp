@@ -1,4 +1,4 @@
-// The screw's turn is proportional to time; the sweep's follows the normalised interpolation of quaternions
+// A screw turns in proportion to time. A sweep turns by the normalised interpolation of quaternions
 // (docs/derivations/02-rational-motion.md).
 #include "view/motion_numbers.h"
 

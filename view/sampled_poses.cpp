@@ -1,4 +1,4 @@
-// A screw that was cut runs through its pieces: their slide differs from that of the whole screw.
+// A query cuts a long screw into pieces. The poses follow these pieces, whose slide differs from the uncut screw's.
 #include "view/sampled_poses.h"
 
 #include <algorithm>
@@ -8,12 +8,12 @@ namespace chasles::view {
 namespace {
 
 constexpr std::size_t fewest_poses = 241;
-constexpr std::size_t most_poses = 3841; ///< for a screw that is all but a half turn in one piece, too few
+constexpr std::size_t most_poses = 3841; ///< too few only for a screw of nearly half a turn in one piece
 
-/// Of the way's extent: less than half a pixel where the way fills a screen.
+/// Relative to the extent of the trajectory: less than half a pixel if the trajectory fills a screen.
 constexpr double largest_deviation = 1e-4;
 
-/// The moving body in the world.
+/// The pose of the moving body in the world, along the pieces of the cut motion.
 class CutMotion {
 public:
     CutMotion(const Motion& motion, double max_turn) : motion_(motion) {
@@ -41,8 +41,8 @@ std::vector<Pose> poses_at_equal_times(const CutMotion& motion, std::size_t coun
     return poses;
 }
 
-// How far the odd poses are off the straight step between their neighbours, as a part of the whole way's extent. Turns
-// need no look: between 240 equal steps of a half turn at most they are interpolated to a millionth.
+// The largest distance of an odd pose from the middle of its two neighbours, relative to the extent of the trajectory.
+// Rotations need no test: at most half a turn in 240 equal steps is interpolated to an accuracy of 1e-6.
 double deviation(const std::vector<Pose>& poses) {
     Eigen::AlignedBox3d box;
     double largest = 0;

@@ -1,4 +1,4 @@
-// Numbers of the answer stay decimal text that reads back to the same double; meshes and poses are packed.
+// Numbers of the answer are decimal text that reads back to the same double. Meshes and poses are base64.
 #include "view/scene_json.h"
 
 #include "view/answer_json.h"
@@ -24,7 +24,7 @@ Json mesh_json(const Polyhedron& body) {
             {"creases", packed(mesh.creases)}};
 }
 
-// A body that collides with a copy of itself is written once.
+// If both bodies are the same one, its mesh is written once.
 bool is_same_body(const Scene& scene) {
     return scene.moving.vertices().data() == scene.fixed.vertices().data();
 }
@@ -34,7 +34,8 @@ Pose fixed_pose_at_contact(const Scene& scene) {
     return std::visit(pose, scene.motion);
 }
 
-// In JSON "<" occurs within strings only, where it may be written by its number; then nothing ends a script element.
+// In JSON "<" occurs only inside strings, where an escape sequence may replace it. Without "<" no text can end the
+// script element of the page.
 std::string without_tags(const std::string& json) {
     std::string safe;
     safe.reserve(json.size());

@@ -2,6 +2,8 @@
 // Every layer may include this file.
 #pragma once
 
+#include "chasles/base/export.h"
+
 #include <stdexcept>
 #include <string>
 
@@ -9,7 +11,7 @@ namespace chasles {
 
 /// Wrong input from the caller. `what()` is one line "WHAT: WHERE: WHY" without a line break, for example
 /// "peg.obj: line 12: a vertex needs three finite numbers". The library throws no other type.
-class InvalidInput : public std::invalid_argument {
+class CHASLES_EXPORT InvalidInput : public std::invalid_argument {
 public:
     explicit InvalidInput(const std::string& message) : std::invalid_argument(message) {}
 };

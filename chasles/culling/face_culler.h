@@ -7,6 +7,14 @@
 
 namespace chasles::culling {
 
+/// A part of an interval in which two faces may meet, and which of their corners may come to the other face's plane.
+/// Valid until the next pair is culled.
+struct MeetingFaces {
+    TimeRange part;
+    CornerSides moving;
+    CornerSides fixed;
+};
+
 /// The culler of one search.
 class FaceCuller {
 public:
@@ -15,27 +23,26 @@ public:
                const elementary::ErrorScale& scale, double margin)
         : planes_(moving, fixed, scale, margin), maps_(whole) {}
 
-    /// Calls `visit(part, sides of the moving corners, sides of the fixed corners)` unless a plane proves that the
-    /// faces do not touch up to tau = `best`. `part` is the part of the interval to be tested. Culling changes no
-    /// answer (note 13). Planes are computed once per interval.
-    template <class Visit>
-    void cull(const FacePair& pair, double best, Visit visit) {
+    /// The features of two faces that may meet up to `best`; empty if a plane separates the faces until then. The
+    /// answer of a search does not depend on what is culled (note 13). Planes are computed once for the interval.
+    std::optional<MeetingFaces> cull(const FacePair& pair, double best) {
         const TimeRange& interval = pair.interval;
         const double first = interval.at(pair.when.lower);
         const TimeRange part =
             part_around(interval, {first, std::max(first, std::min(best, interval.at(pair.when.upper)))});
         if (maps_.set(interval))
             planes_.use(maps_.maps());
-        const FacePlanes::Restriction restriction((part.lower - interval.lower) / interval.width(),
+        const FacePlanes::Restriction in_interval((part.lower - interval.lower) / interval.width(),
                                                   (part.upper - interval.lower) / interval.width());
-        if (planes_.are_separated(pair.moving, pair.fixed, restriction, pair.when.lower))
-            return;
-        const CornerSides moving_sides = planes_.sides_of_moving(pair.moving, pair.fixed, restriction);
+        if (planes_.are_separated(pair.moving, pair.fixed, in_interval, pair.when.lower))
+            return std::nullopt;
+        const CornerSides moving_sides = planes_.sides_of_moving(pair.moving, pair.fixed, in_interval);
         if (moving_sides.all_on_one_side())
-            return;
-        const CornerSides fixed_sides = planes_.sides_of_fixed(pair.moving, pair.fixed, restriction);
-        if (!fixed_sides.all_on_one_side())
-            visit(part, moving_sides, fixed_sides);
+            return std::nullopt;
+        const CornerSides fixed_sides = planes_.sides_of_fixed(pair.moving, pair.fixed, in_interval);
+        if (fixed_sides.all_on_one_side())
+            return std::nullopt;
+        return MeetingFaces{part, moving_sides, fixed_sides};
     }
 
 private:

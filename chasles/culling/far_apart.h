@@ -3,12 +3,11 @@
 #pragma once
 
 #include "chasles/mesh/body.h"
-#include "chasles/motion/motion_ends.h"
+#include "chasles/motion/any_trajectory.h"
 
 namespace chasles::culling {
 
-/// Whether the bodies are proven to stay farther apart than the margin during the whole screw or sweep, for any angle
-/// of rotation. False proves nothing.
-bool are_far_apart(const Body& moving, const Body& fixed, const MotionEnds& ends, double margin = 0);
+/// True if the bodies are proven never to come within the margin on the whole trajectory. False proves nothing.
+bool are_far_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory, double margin = 0);
 
 } // namespace chasles::culling

@@ -5,6 +5,7 @@
 #include "chasles/motion/control_maps.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <type_traits>
 
@@ -71,19 +72,36 @@ inline CoefficientNorms coefficient_norms(const motion::ControlMaps<double>& map
     return {std::max(rows, columns) / weight, translation / weight, inverse / weight, moment / weight};
 }
 
-/// The scale for moving points with coordinates up to `moving_extent` in the frame of the moving body and fixed points
-/// up to `fixed_extent`, both in the length unit of the mesh, under maps over [0, 1].
-inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_extent, double fixed_extent) {
-    ErrorScale scale;
-    scale.half_angle_secant = std::sqrt(std::max(1.0, maps.weight[3]));
-    for (int lane = 0; lane <= 3; ++lane) {
-        const CoefficientNorms norms = coefficient_norms(maps, lane);
-        scale.norm_bound = std::max(scale.norm_bound, norms.rotation);
-        scale.length = std::max({scale.length, norms.rotation * moving_extent + norms.translation + fixed_extent,
-                                 norms.rotation * fixed_extent + norms.inverse_translation + moving_extent,
-                                 norms.rotation * (moving_extent + fixed_extent) + norms.moment});
+/// The norms of all coefficients of control maps over [0, 1]: computed once for a piece of motion.
+class MapNorms {
+public:
+    explicit MapNorms(const motion::ControlMaps<double>& maps) : end_weight_(maps.weight[3]) {
+        for (int lane = 0; lane <= 3; ++lane)
+            norms_[std::size_t(lane)] = coefficient_norms(maps, lane);
     }
-    return scale;
+
+    /// The scale for moving points with coordinates up to `moving_extent` in the frame of the moving body and fixed
+    /// points up to `fixed_extent`, both in the length unit of the mesh.
+    [[nodiscard]] ErrorScale error_scale(double moving_extent, double fixed_extent) const {
+        ErrorScale scale;
+        scale.half_angle_secant = std::sqrt(std::max(1.0, end_weight_));
+        for (const CoefficientNorms& norms : norms_) {
+            scale.norm_bound = std::max(scale.norm_bound, norms.rotation);
+            scale.length = std::max({scale.length, norms.rotation * moving_extent + norms.translation + fixed_extent,
+                                     norms.rotation * fixed_extent + norms.inverse_translation + moving_extent,
+                                     norms.rotation * (moving_extent + fixed_extent) + norms.moment});
+        }
+        return scale;
+    }
+
+private:
+    double end_weight_;
+    std::array<CoefficientNorms, 4> norms_;
+};
+
+/// The scale of one set of maps.
+inline ErrorScale error_scale(const motion::ControlMaps<double>& maps, double moving_extent, double fixed_extent) {
+    return MapNorms(maps).error_scale(moving_extent, fixed_extent);
 }
 
 } // namespace chasles::elementary

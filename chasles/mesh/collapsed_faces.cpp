@@ -5,7 +5,7 @@
 #include "chasles/base/invalid_input.h"
 
 #include <algorithm>
-#include <fmt/format.h>
+#include <string>
 #include <tuple>
 
 namespace chasles {
@@ -52,9 +52,9 @@ void check_covered(const FaceOutlines& collapsed, const FlatLists<std::uint32_t>
     for (std::size_t i = 0; i < collapsed.source.size(); ++i) {
         const std::vector<std::uint32_t> corners = corners_along_line(collapsed.outlines[i], vertices);
         if (!is_kept[corners.front()] || !is_covered_by(edges, corners))
-            throw InvalidInput(
-                fmt::format("face {}: has no area ({}) and is no part of other faces' edges", collapsed.source[i],
-                            corners.size() < 3 ? "its vertices coincide" : "its vertices lie on one line"));
+            throw InvalidInput("face " + std::to_string(collapsed.source[i]) + ": has no area (" +
+                               (corners.size() < 3 ? "its vertices coincide" : "its vertices lie on one line") +
+                               ") and is no part of other faces' edges");
     }
 }
 

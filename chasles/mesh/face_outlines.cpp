@@ -3,14 +3,15 @@
 #include "chasles/mesh/face_outlines.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/mesh/exact_orientation.h"
 #include "chasles/mesh/merge_vertices.h"
 
 #include <algorithm>
 #include <cmath>
-#include <fmt/format.h>
 #include <limits>
 #include <optional>
+#include <string>
 
 namespace chasles {
 namespace {
@@ -24,17 +25,20 @@ constexpr double smallest_size = 1e-30;
 
 /// Throws "face N: WHY".
 [[noreturn]] void refuse_face(std::size_t face, const std::string& why) {
-    throw InvalidInput(fmt::format("face {}: {}", face, why));
+    throw InvalidInput("face " + std::to_string(face) + ": " + why);
 }
 
 /// Refuses a coordinate that is not finite or out of range.
 void check_vertex(std::size_t index, const Eigen::Vector3d& vertex) {
     for (int axis = 0; axis < 3; ++axis) {
+        const auto refuse = [&](const std::string& why) {
+            throw InvalidInput("vertex " + std::to_string(index) + ": " + "xyz"[axis] + why);
+        };
         if (!std::isfinite(vertex[axis]))
-            throw InvalidInput(fmt::format("vertex {}: {} is not a finite number", index, "xyz"[axis]));
+            refuse(" is not a finite number");
         if (std::abs(vertex[axis]) > largest_coordinate)
-            throw InvalidInput(fmt::format("vertex {}: {} = {} is out of range (-{} to {})", index, "xyz"[axis],
-                                           vertex[axis], largest_coordinate, largest_coordinate));
+            refuse(" = " + number_text(vertex[axis]) + " is out of range (-" + number_text(largest_coordinate) +
+                   " to " + number_text(largest_coordinate) + ")");
     }
 }
 
@@ -47,18 +51,18 @@ void check_counts(std::span<const Eigen::Vector3d> vertices, std::span<const Fac
     for (const Face face : faces)
         corners += face.size();
     if (vertices.size() > most || corners > most)
-        throw InvalidInput(fmt::format("mesh: {} vertices and {} face corners are too many (at most {} each)",
-                                       vertices.size(), corners, most));
+        throw InvalidInput("mesh: " + std::to_string(vertices.size()) + " vertices and " + std::to_string(corners) +
+                           " face corners are too many (at most " + std::to_string(most) + " each)");
 }
 
 /// Refuses a face with fewer than three corners or with an index out of range.
 void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
     if (face.size() < 3)
-        refuse_face(index, fmt::format("a face needs at least three vertices and this one has {}", face.size()));
+        refuse_face(index, "a face needs at least three vertices and this one has " + std::to_string(face.size()));
     for (const std::uint32_t vertex : face)
         if (vertex >= vertex_count)
-            refuse_face(
-                index, fmt::format("vertex index {} is out of range (the mesh has {} vertices)", vertex, vertex_count));
+            refuse_face(index, "vertex index " + std::to_string(vertex) + " is out of range (the mesh has " +
+                                   std::to_string(vertex_count) + " vertices)");
 }
 
 /// The number of distinct ids. Takes a copy, because it sorts.
@@ -72,7 +76,7 @@ std::size_t count_distinct(Outline ids) {
 void check_repeats(std::size_t index, Face face) {
     for (std::size_t i = 0; i < face.size(); ++i)
         if (face[i] == face[(i + 1) % face.size()])
-            refuse_face(index, fmt::format("names vertex {} twice in a row", face[i]));
+            refuse_face(index, "names vertex " + std::to_string(face[i]) + " twice in a row");
     if (face.size() > 3 && count_distinct({face.begin(), face.end()}) < 3)
         refuse_face(index, "has fewer than three distinct vertices");
 }
@@ -106,9 +110,9 @@ void check_vertices(std::span<const Eigen::Vector3d> vertices) {
         upper = upper.cwiseMax(vertices[i]);
     }
     if (!vertices.empty() && (upper - lower).maxCoeff() < smallest_size)
-        throw InvalidInput(fmt::format("mesh: all vertices lie within {} of each other, which is too small to compute "
-                                       "with (at least {})",
-                                       (upper - lower).maxCoeff(), smallest_size));
+        throw InvalidInput("mesh: all vertices lie within " + number_text((upper - lower).maxCoeff()) +
+                           " of each other, which is too small to compute with (at least " +
+                           number_text(smallest_size) + ")");
 }
 
 SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces,

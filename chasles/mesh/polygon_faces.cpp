@@ -3,14 +3,15 @@
 #include "chasles/mesh/polygon_faces.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/mesh/polygon_plane.h"
 #include "chasles/mesh/triangulate_polygon.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <fmt/format.h>
 #include <limits>
+#include <string>
 
 namespace chasles {
 namespace {
@@ -38,7 +39,7 @@ struct Polygon {
     [[nodiscard]] const Eigen::Vector3d& corner(std::size_t i) const { return vertices[outline[i % outline.size()]]; }
 
     [[noreturn]] void refuse(const std::string& why) const {
-        throw InvalidInput(fmt::format("face {}: {}", source, why));
+        throw InvalidInput("face " + std::to_string(source) + ": " + why);
     }
 };
 
@@ -46,7 +47,7 @@ struct Polygon {
 void check_not_folded(const Polygon& polygon) {
     const std::size_t corner = find_turning_back(polygon.projection.corners);
     if (corner < polygon.outline.size())
-        polygon.refuse(fmt::format("its outline turns back onto itself at vertex {}", polygon.outline[corner]));
+        polygon.refuse("its outline turns back onto itself at vertex " + std::to_string(polygon.outline[corner]));
 }
 
 /// Triangles that cover the polygon exactly once. Refuses an outline that crosses itself.
@@ -122,8 +123,8 @@ void append_polygon(const Polygon& polygon, const PolyhedronOptions& options, Po
     else if (options.triangulate)
         append_cut(polygon, result.faces);
     else
-        polygon.refuse(fmt::format("is not planar (its vertices leave a plane by {:.3g}, and {:.3g} is allowed)",
-                                   polygon.projection.deviation, allowed));
+        polygon.refuse("is not planar (its vertices leave a plane by " + number_text(polygon.projection.deviation, 3) +
+                       ", and " + number_text(allowed, 3) + " is allowed)");
 }
 
 } // namespace

@@ -2,7 +2,8 @@
 // Source: docs/derivations/14-node-pairs.md.
 #pragma once
 
-#include "chasles/motion/motion_ends.h"
+#include "chasles/motion/pose.h"
+#include "chasles/motion/rational_motion.h"
 
 namespace chasles::motion {
 

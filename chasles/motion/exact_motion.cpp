@@ -24,19 +24,19 @@ struct Ends {
     [[nodiscard]] ExactVector shift() const { return goal.translation - start.translation; }
 };
 
-ScaledPose in_fixed_frame(const GivenPose& given) {
-    const GeneralPose<Exact> pose = pose_in<Exact>(given.pose);
-    if (!given.seen_from)
+ScaledPose in_fixed_frame(const Pose& given, const Pose* seen_from) {
+    const GeneralPose<Exact> pose = pose_in<Exact>(given);
+    if (!seen_from)
         return {pose, Exact(1)};
-    const GeneralPose<Exact> frame = pose_in<Exact>(*given.seen_from);
+    const GeneralPose<Exact> frame = pose_in<Exact>(*seen_from);
     const Quaternion<Exact> back = frame.rotation.conjugate();
     return {{scaled_rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation},
             back.squared_norm()};
 }
 
-Ends ends_of(const MotionFrame& frame) {
-    const ScaledPose start = in_fixed_frame(frame.given_start);
-    const ScaledPose goal = in_fixed_frame(frame.given_goal);
+Ends exact_ends(const MotionEnds& ends) {
+    const ScaledPose start = in_fixed_frame(ends.start, ends.start_seen_from());
+    const ScaledPose goal = in_fixed_frame(ends.goal, ends.goal_seen_from());
     return {{scale(start.pose.translation, goal.unit), start.pose.rotation},
             {scale(goal.pose.translation, start.unit), goal.pose.rotation},
             start.unit * goal.unit};
@@ -50,7 +50,7 @@ RationalMotion<Exact> started(const GeneralPose<Exact>& start) {
 }
 
 /// `screw_between`, times 2 |v|^2 of the turn (w, v) in lengths, or 1 where nothing turns.
-RationalMotion<Exact> exact_screw(const Ends& ends) {
+RationalMotion<Exact> scaled_screw(const Ends& ends) {
     const Quaternion<Exact> turn = turn_between(ends.start, ends.goal);
     const Exact square = dot(turn.v, turn.v);
     const ExactVector shift = ends.shift();
@@ -74,8 +74,8 @@ RationalMotion<Exact> exact_screw(const Ends& ends) {
 }
 
 /// `sweep_between`, times the squared norms of both end quaternions in lengths. `norm` is that of the turn.
-RationalMotion<Exact> exact_sweep(const Ends& ends, const Quaternion<Exact>& turn, const Exact& norm,
-                                  const ExactVector& centre) {
+RationalMotion<Exact> scaled_sweep(const Ends& ends, const Quaternion<Exact>& turn, const Exact& norm,
+                                   const ExactVector& centre) {
     const Exact start_square = ends.start.rotation.squared_norm();
     const Exact goal_square = ends.goal.rotation.squared_norm();
     RationalMotion<Exact> motion = started(ends.start);
@@ -93,14 +93,16 @@ RationalMotion<Exact> exact_sweep(const Ends& ends, const Quaternion<Exact>& tur
 
 } // namespace
 
-ExactMotion exact_motion(const MotionFrame& frame) {
-    const Ends ends = ends_of(frame);
-    if (!frame.swept_centre)
-        return {nullptr, control_maps(exact_screw(ends))};
+ExactMotion exact_screw(const MotionEnds& ends) {
+    return {nullptr, control_maps(scaled_screw(exact_ends(ends)))};
+}
+
+ExactMotion exact_sweep(const MotionEnds& given, const Eigen::Vector3d& centre) {
+    const Ends ends = exact_ends(given);
     const Quaternion<Exact> turn = turn_between(ends.start, ends.goal);
     auto radicand = std::make_unique<const algebra::Dyadic>(turn.squared_norm().rational());
     const Exact norm = Exact::root_of(*radicand);
-    auto maps = control_maps(exact_sweep(ends, turn, norm, vector_in<Exact>(*frame.swept_centre)));
+    auto maps = control_maps(scaled_sweep(ends, turn, norm, vector_in<Exact>(centre)));
     return {std::move(radicand), std::move(maps)};
 }
 

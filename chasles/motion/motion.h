@@ -1,14 +1,133 @@
-// Any motion of the family whose elementary equations are cubic.
+// How the moving body moves: the motions that a query takes.
 #pragma once
 
-#include "chasles/motion/screw_motion.h"
-#include "chasles/motion/sweep_motion.h"
+#include "chasles/base/export.h"
+#include "chasles/motion/pose.h"
 
-#include <variant>
+#include <memory>
+#include <numbers>
+#include <span>
+#include <vector>
 
 namespace chasles {
 
-/// What a query moves a body by.
-using Motion = std::variant<ScrewMotion, SweepMotion>;
+namespace motion {
+class AnyTrajectory;
+class ScrewTrajectory;
+class SweepTrajectory;
+} // namespace motion
+
+/// Any motion of one body, or of two bodies in one world, over time in [0, 1]. An opaque value of 16 bytes; copies
+/// share what it describes, less than 300 bytes with the handle for a screw or a sweep.
+class CHASLES_EXPORT Motion {
+public:
+    /// ScrewMotion::between and SweepMotion::between as plain motions.
+    static Motion screw(const Pose& start, const Pose& goal, double max_turn = std::numbers::pi / 18);
+    static Motion sweep(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
+
+    /// The pose of the moving body in the world, and that of the fixed body, at a time in [0, 1].
+    [[nodiscard]] Pose pose_at(double time) const;
+    [[nodiscard]] Pose fixed_pose_at(double time) const;
+
+    /// For the library's own use: the seam between motions and searches. Its type is no part of the public interface.
+    explicit Motion(std::shared_ptr<const motion::AnyTrajectory> trajectory) : trajectory_(std::move(trajectory)) {}
+    [[nodiscard]] const motion::AnyTrajectory& trajectory() const { return *trajectory_; }
+
+private:
+    std::shared_ptr<const motion::AnyTrajectory> trajectory_;
+};
+
+/// The paper's motion between two poses: rotation by angle() * time about a fixed axis while sliding along it by
+/// slide() * tau(time), where tau(time) = tan(angle * time / 2) / tan(angle / 2), and tau = time for a translation.
+/// Keeps both end poses exactly. Source: paper section 1.2; docs/derivations/01-screw-from-two-poses.md.
+///
+/// A query cuts a screw that turns by more than `max_turn` radians into equal turns of at most that; each piece is one
+/// of the paper's motions between poses rounded to double precision. Smaller pieces slide more evenly.
+class CHASLES_EXPORT ScrewMotion {
+public:
+    static constexpr double default_max_turn = std::numbers::pi / 18; ///< radians; 10 degrees
+    static constexpr double least_max_turn = 1e-4; ///< radians; limits the pieces of a screw to some ten thousand
+
+    /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world. Throws
+    /// InvalidInput for a pose that cannot be used and for a max_turn below least_max_turn.
+    static ScrewMotion between(const Pose& start, const Pose& goal, double max_turn = default_max_turn);
+
+    /// The paper's motion for two moving bodies: the screw of the moving body as seen from the fixed body. All four
+    /// poses are in the world. The fixed body itself follows its own screw in the world.
+    static ScrewMotion relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
+                                const Pose& fixed_goal, double max_turn = default_max_turn);
+
+    /// Turn in [0, pi], radians.
+    [[nodiscard]] double angle() const;
+    /// Signed travel along axis_direction(), mesh unit.
+    [[nodiscard]] double slide() const;
+    /// Unit vector in the fixed body's frame: along the axis; along the travel if nothing turns; 0 0 1 if nothing
+    /// moves.
+    [[nodiscard]] Eigen::Vector3d axis_direction() const;
+    /// The axis point nearest to the start position of the body's origin, in the fixed body's frame; the start position
+    /// itself if nothing turns.
+    [[nodiscard]] Eigen::Vector3d axis_point() const;
+    /// Largest turn of one piece, radians.
+    [[nodiscard]] double max_turn() const;
+    /// The same screw in pieces of another size. Throws InvalidInput for a max_turn below least_max_turn.
+    [[nodiscard]] ScrewMotion with_max_turn(double max_turn) const;
+
+    [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
+    [[nodiscard]] double time_at(double tau) const;  ///< its inverse
+    [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at a tau
+    [[nodiscard]] Pose pose_at(double time) const;   ///< of the moving body in the world
+
+    /// The screw in equal turns of at most max_turn(), in order. A screw that turns by pi, or by so nearly pi that its
+    /// half-angle tangent would exceed 1000, is cut in two whatever max_turn().
+    [[nodiscard]] std::vector<ScrewMotion> pieces() const;
+    /// The number of those pieces.
+    [[nodiscard]] std::size_t piece_count() const;
+
+    operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
+
+    /// For the library's own use.
+    [[nodiscard]] const motion::ScrewTrajectory& trajectory() const;
+
+private:
+    explicit ScrewMotion(Motion motion) : motion_(std::move(motion)) {}
+    Motion motion_;
+};
+
+/// Straight travel with a normalised linear turn ("nlerp and lerp"): a reference point of the body follows a straight
+/// line while the body turns by the normalised linear interpolation of quaternions. Symmetric in time, regular at a
+/// half turn. Here tau = time. Keeps both end poses exactly. Source: docs/derivations/02-rational-motion.md.
+class CHASLES_EXPORT SweepMotion {
+public:
+    /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world. `centre`
+    /// is the reference point in the moving body's frame (default its origin). Throws InvalidInput for a pose or a
+    /// centre that cannot be used.
+    static SweepMotion between(const Pose& start, const Pose& goal,
+                               const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
+
+    /// For two moving bodies: the sweep of the moving body as seen from the fixed body. Poses are in the world.
+    static SweepMotion relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
+                                const Pose& fixed_goal);
+
+    /// The same sweep with another reference point, in the moving body's frame. Throws InvalidInput for a centre that
+    /// cannot be used.
+    [[nodiscard]] SweepMotion about(const Eigen::Vector3d& centre) const;
+
+    [[nodiscard]] double angle() const;                 ///< turn in [0, pi], radians
+    [[nodiscard]] Eigen::Vector3d displacement() const; ///< of the reference point in the fixed body's frame
+    [[nodiscard]] Pose pose_at(double time) const;      ///< of the moving body in the world
+
+    operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
+
+    /// For the library's own use.
+    [[nodiscard]] const motion::SweepTrajectory& trajectory() const;
+
+private:
+    explicit SweepMotion(Motion motion) : motion_(std::move(motion)) {}
+    Motion motion_;
+};
+
+/// The screws from each pose of a path to the next. Throws InvalidInput for fewer than two poses.
+CHASLES_EXPORT std::vector<Motion> screws_along(std::span<const Pose> poses,
+                                                double max_turn = ScrewMotion::default_max_turn);
 
 } // namespace chasles

@@ -3,13 +3,13 @@
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/base/invalid_input.h"
 
-namespace chasles {
+namespace chasles::motion {
 
 namespace {
 
-/// The members of a pose are open to everyone: what its constructor refuses is refused here again.
+/// The members of a pose are public: poses that its constructor would refuse are refused here.
 Pose checked(const Pose& pose) {
-    return motion::is_ordinary(pose) ? pose : Pose(pose.translation, Eigen::Quaterniond(pose.rotation));
+    return is_ordinary(pose) ? pose : Pose(pose.translation, Eigen::Quaterniond(pose.rotation));
 }
 
 void require_rounding_to_nearest() {
@@ -21,9 +21,9 @@ void require_rounding_to_nearest() {
 
 MotionEnds MotionEnds::between(const Pose& start, const Pose& goal) {
     require_rounding_to_nearest();
-    MotionEnds ends; // as one list, all of it would be cleared first, with the room for what there is none of
-    ends.given_start.pose = checked(start);
-    ends.given_goal.pose = checked(goal);
+    MotionEnds ends; // member by member: an initializer list would clear the room for `fixed` first
+    ends.start = checked(start);
+    ends.goal = checked(goal);
     return ends;
 }
 
@@ -31,32 +31,28 @@ MotionEnds MotionEnds::relative(const Pose& moving_start, const Pose& moving_goa
                                 const Pose& fixed_goal) {
     MotionEnds ends = between(moving_start, moving_goal);
     ends.fixed = {checked(fixed_start), checked(fixed_goal)};
-    ends.given_start.seen_from = ends.fixed->start;
-    ends.given_goal.seen_from = ends.fixed->goal;
+    ends.start_is_in_world = ends.goal_is_in_world = true;
     return ends;
 }
 
 Pose MotionEnds::fixed_pose_at(double time) const {
     if (!fixed)
         return {};
-    return motion::screw_pose(motion::exact(fixed->start), motion::exact(fixed->goal), {time, time});
+    return screw_pose(exact(fixed->start), exact(fixed->goal), {time, time});
 }
 
 Pose MotionEnds::pose_at_end(double time) const {
-    const GivenPose& given = time <= 0 ? given_start : given_goal;
-    if (!fixed && !given.seen_from)
-        return motion::normalized(given.pose);
-    return in_world(motion::rounded(motion::in_fixed_frame<algebra::DoubleDouble>(given)), time);
+    const Pose& pose = time <= 0 ? start : goal;
+    if (!fixed)
+        return normalized(pose);
+    const Pose* frame = time <= 0 ? start_seen_from() : goal_seen_from();
+    return in_world(rounded(seen_from<algebra::DoubleDouble>(pose, frame)), time);
 }
 
 Pose MotionEnds::in_world(const Pose& pose, double time) const {
     if (!fixed)
         return pose;
-    return motion::rounded(motion::composed(motion::exact(fixed_pose_at(time)), motion::exact(pose)));
+    return rounded(composed(exact(fixed_pose_at(time)), exact(pose)));
 }
 
-MotionFrame::MotionFrame(const MotionEnds& ends)
-    : MotionEnds(ends), start(motion::in_fixed_frame<Scalar>(given_start)),
-      goal(motion::in_fixed_frame<Scalar>(given_goal)) {}
-
-} // namespace chasles
+} // namespace chasles::motion

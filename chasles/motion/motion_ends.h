@@ -1,4 +1,4 @@
-// What a motion is made of once two poses are given: exact end poses, and the frame results are reported in.
+// The end poses that a motion is made from, and the world frame that results are reported in.
 #pragma once
 
 #include "chasles/motion/pose.h"
@@ -6,45 +6,34 @@
 
 #include <optional>
 
-namespace chasles {
+namespace chasles::motion {
 
-/// An end pose of the moving body as it was given: in the frame of the fixed body, or in the world that `seen_from`
-/// stands in.
-struct GivenPose {
-    Pose pose;
-    std::optional<Pose> seen_from;
-};
-
-namespace motion {
-
-/// In another scalar, which must hold every double.
-template <class S>
-GeneralPose<S> in_fixed_frame(const GivenPose& given) {
-    const GeneralPose<S> pose = pose_in<S>(given.pose);
-    return given.seen_from ? seen_from(pose_in<S>(*given.seen_from), pose) : pose;
-}
-
-} // namespace motion
-
-/// Where a fixed body that moves too starts and ends in the world.
+/// The poses of a fixed body that moves too, in the world.
 struct FixedEnds {
     Pose start;
     Pose goal;
 };
 
-/// A motion as it was given: end poses of the moving body, and the fixed body's own in the world.
+/// The end poses of a motion as they were given. Each pose of the moving body is in the frame of the fixed body, or in
+/// the world and then seen from the fixed body at that end.
 struct MotionEnds {
-    GivenPose given_start;
-    GivenPose given_goal;
-    std::optional<FixedEnds> fixed;              ///< if there are none, the fixed body's frame is the world
-    std::optional<Eigen::Vector3d> swept_centre; ///< of a sweep, in the moving body's frame; a screw has none
+    Pose start;
+    Pose goal;
+    std::optional<FixedEnds> fixed; ///< empty if the fixed body's frame is the world
+    bool start_is_in_world = false; ///< both only with `fixed`
+    bool goal_is_in_world = false;
 
-    /// For a moving body seen from a fixed one that stands still at the origin of the world.
+    /// For a moving body and a fixed body that stands still at the origin of the world. Throws InvalidInput for a pose
+    /// that cannot be used.
     static MotionEnds between(const Pose& start, const Pose& goal);
 
-    /// For two moving bodies; all poses in the world.
+    /// For two moving bodies; all poses are in the world.
     static MotionEnds relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                const Pose& fixed_goal);
+
+    /// The pose of the fixed body from which an end pose is seen; null if the end pose is in its frame already.
+    [[nodiscard]] const Pose* start_seen_from() const { return start_is_in_world ? &fixed->start : nullptr; }
+    [[nodiscard]] const Pose* goal_seen_from() const { return goal_is_in_world ? &fixed->goal : nullptr; }
 
     /// The fixed body in the world, along its own screw with uniform turn and slide.
     [[nodiscard]] Pose fixed_pose_at(double time) const;
@@ -56,15 +45,22 @@ struct MotionEnds {
     [[nodiscard]] Pose in_world(const Pose& pose, double time) const;
 };
 
-/// The same with the end poses in the frame of the fixed body, and the motion of the family between them.
-struct MotionFrame : MotionEnds {
-    using Scalar = algebra::DoubleDouble;
-    motion::GeneralPose<Scalar> start;
-    motion::GeneralPose<Scalar> goal;
-    motion::RationalMotion<Scalar> motion; ///< to be made from start and goal
+/// An end pose in the fixed body's frame, in a scalar that holds every double.
+template <class S>
+GeneralPose<S> seen_from(const Pose& pose, const Pose* frame) {
+    const GeneralPose<S> result = pose_in<S>(pose);
+    return frame ? seen_from(pose_in<S>(*frame), result) : result;
+}
 
-    MotionFrame() = default;
-    explicit MotionFrame(const MotionEnds& ends);
+/// Both end poses in the fixed body's frame, in double-double.
+struct RelativeEnds {
+    using Scalar = algebra::DoubleDouble;
+    GeneralPose<Scalar> start;
+    GeneralPose<Scalar> goal;
+
+    explicit RelativeEnds(const MotionEnds& ends)
+        : start(seen_from<Scalar>(ends.start, ends.start_seen_from())),
+          goal(seen_from<Scalar>(ends.goal, ends.goal_seen_from())) {}
 };
 
-} // namespace chasles
+} // namespace chasles::motion

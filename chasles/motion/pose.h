@@ -2,6 +2,8 @@
 // Source: docs/derivations/10-error-bounds.md gives the range of numbers.
 #pragma once
 
+#include "chasles/base/export.h"
+
 #include <Eigen/Geometry>
 
 namespace chasles {
@@ -10,7 +12,7 @@ namespace chasles {
 ///
 /// The quaternion (qw, qx, qy, qz) may have any non-zero length. The library normalizes it exactly or with a counted
 /// error, never in plain double precision. Two poses whose quaternions differ by a positive factor are the same pose.
-struct Pose {
+struct CHASLES_EXPORT Pose {
     Eigen::Vector3d translation = Eigen::Vector3d::Zero(); ///< in the length unit of the mesh
     /// The quaternion. It is not aligned for vector instructions, therefore the
     /// layout does not depend on the instruction set that a user compiles for.

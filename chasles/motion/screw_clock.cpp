@@ -2,9 +2,6 @@
 // Source: docs/derivations/01-screw-from-two-poses.md.
 #include "chasles/motion/screw_clock.h"
 
-#include "chasles/base/invalid_input.h"
-#include "chasles/motion/screw_motion.h"
-
 #include <cmath>
 #include <numbers>
 
@@ -38,8 +35,6 @@ double ScrewClock::tau_rate(double tau) const {
 }
 
 std::size_t ScrewClock::piece_count(double max_turn) const {
-    if (!(max_turn >= ScrewMotion::least_max_turn))
-        throw InvalidInput("motion: max_turn: must be at least 1e-4 radians");
     const double count = std::ceil(turn_.angle / std::min(max_turn, largest_turn) * (1 - turn_slack));
     return std::max<std::size_t>(1, static_cast<std::size_t>(count));
 }

@@ -21,8 +21,7 @@ public:
     [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at this tau
 
     /// The number of equal pieces with a rotation of at most `max_turn` radians each. Every piece also stays far enough
-    /// below a half turn for a half-angle tangent of at most 1000. Throws InvalidInput if max_turn is less than
-    /// ScrewMotion::least_max_turn.
+    /// below a half turn for a half-angle tangent of at most 1000.
     [[nodiscard]] std::size_t piece_count(double max_turn) const;
     /// Whether one piece suffices without a limit by `max_turn`, up to rounding.
     [[nodiscard]] bool is_short() const;

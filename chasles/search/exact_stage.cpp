@@ -1,20 +1,15 @@
 #include "chasles/search/exact_stage.h"
 
-#include "chasles/algebra/exact_feasible.h"
-
 namespace chasles::search {
 
-ExactStage::ExactStage(const Body& moving, const Body& fixed, const MotionFrame& frame)
-    : motion_(motion::exact_motion(frame)), pairs_(moving, fixed, {}) {}
-
-std::optional<FeasibleInterval> ExactStage::first_contact_of(const Candidate& candidate, double tolerance) {
-    pairs_.use(motion_.maps, {tolerance, tolerance});
-    return search::first_contact_of(pairs_, candidate);
+std::optional<FeasibleInterval> ExactStage::first_contact_of(const FeaturePair& features, double tolerance) {
+    tests_.use(maps_, {tolerance, tolerance});
+    return tests_.touch(features);
 }
 
 bool ExactStage::passes(const Overlap& overlap) {
-    pairs_.use(motion_.maps, {});
-    return passage_of(pairs_, overlap, elementary::Ends::proven_opposite).has_value();
+    tests_.use(maps_, {});
+    return tests_.passage(overlap, elementary::Ends::proven_opposite).has_value();
 }
 
 } // namespace chasles::search

@@ -1,29 +1,36 @@
-// Edges of one body that pass through faces of the other at the start of a motion.
+// Edges of one body that pass through faces of the other body at the start of a motion.
 // Source: docs/derivations/05-being-inside.md, last section.
 #pragma once
 
-#include "chasles/motion/motion_ends.h"
-#include "chasles/search/candidate.h"
+#include "chasles/search/feature_tests.h"
 
 namespace chasles::search {
 
-/// Calls `found` for every owned edge of either face that the filter cannot tell from one that passes through the
-/// other.
-template <class Found>
-void look_for_overlaps(FeaturePairs<double>& filter, const Body& moving, std::uint32_t moving_face, const Body& fixed,
-                       std::uint32_t fixed_face, Found found) {
-    using elementary::Ends;
-    for (const Edge& edge : moving.owned_edges(moving_face))
-        if (filter.moving_edge_passage(edge, fixed_face, Ends::not_proven_on_one_side))
-            found(Overlap{true, {edge.from, edge.to}, {fixed_face, fixed_face}, {}, false});
-    for (const Edge& edge : fixed.owned_edges(fixed_face))
-        if (filter.fixed_edge_passage(edge, moving_face, Ends::not_proven_on_one_side))
-            found(Overlap{false, {edge.from, edge.to}, {moving_face, moving_face}, {}, false});
+/// Two faces, one of each body.
+struct TwoFaces {
+    std::uint32_t moving;
+    std::uint32_t fixed;
+};
+
+/// Calls `visit(overlap)` for every owned edge of either face that the filter cannot separate from an edge that passes
+/// through the other face.
+template <class Visit>
+void for_each_possible_overlap(FeatureTests<double>& filter, const Body& moving, const Body& fixed,
+                               const TwoFaces& faces, Visit visit) {
+    const auto test = [&](const Overlap& overlap) {
+        if (filter.passage(overlap, elementary::Ends::not_proven_on_one_side))
+            visit(overlap);
+    };
+    for (const Edge& edge : moving.owned_edges(faces.moving))
+        test({true, {edge.from, edge.to}, {faces.fixed, faces.fixed}, Eigen::Vector3d::Zero(), false});
+    for (const Edge& edge : fixed.owned_edges(faces.fixed))
+        test({false, {edge.from, edge.to}, {faces.moving, faces.moving}, Eigen::Vector3d::Zero(), false});
 }
 
-/// What double-double makes of it: its point, in the fixed body's frame, and whether it is certain. None if there is no
-/// passage. Doubt is left where an end of the edge is hardly off the face's plane, or the edge hardly within its rim.
-std::optional<Overlap> refined(const Overlap& overlap, FeaturePairs<algebra::DoubleDouble>& pairs,
-                               const MotionFrame& frame);
+/// The overlap as double-double decides it: its point, in the fixed body's frame, and whether it is certain. Empty if
+/// the edge does not pass. Uncertain where an end of the edge is barely off the face's plane, or the edge barely within
+/// the face's rim. `cubic` is the motion of the piece.
+std::optional<Overlap> refined(const Overlap& overlap, FeatureTests<algebra::DoubleDouble>& tests,
+                               const motion::RationalMotion<algebra::DoubleDouble>& cubic);
 
 } // namespace chasles::search

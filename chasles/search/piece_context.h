@@ -1,20 +1,46 @@
-// What every search of one piece of a motion is made of in double precision.
+// What every search of one piece of a motion uses, computed once for the piece.
 #pragma once
 
 #include "chasles/culling/time_tree.h"
-#include "chasles/search/piece_search.h"
+#include "chasles/elementary/error_scale.h"
+#include "chasles/mesh/body.h"
+#include "chasles/motion/any_trajectory.h"
+
+#include <memory>
+#include <optional>
 
 namespace chasles::search {
 
-/// Maps over the whole piece, the bound of their errors, and the intervals to come. The search is not kept.
-struct PieceContext {
-    explicit PieceContext(const PieceSearch& search);
-    PieceContext(const PieceContext&) = delete;
-    PieceContext& operator=(const PieceContext&) = delete;
+/// Two bodies and one piece of motion. Bodies are kept by reference. For one thread.
+class PieceContext {
+public:
+    PieceContext(const Body& moving, const Body& fixed, std::unique_ptr<const motion::AnyPiece> piece);
 
-    const motion::ControlMaps<double> maps;
-    const elementary::ErrorScale scale;
-    const culling::TimeTree times;
+    [[nodiscard]] const Body& moving() const { return moving_; }
+    [[nodiscard]] const Body& fixed() const { return fixed_; }
+    [[nodiscard]] const motion::AnyPiece& piece() const { return *piece_; }
+
+    /// Maps over the whole piece, in double.
+    [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
+    /// The bound of rounding errors, for distances up to `margin`.
+    [[nodiscard]] elementary::ErrorScale error_scale(double margin) const;
+    /// The intervals of a traversal in which points within `margin` of each other count as meeting.
+    [[nodiscard]] culling::TimeTree time_tree(double margin) const;
+
+    /// Maps over the whole piece in double-double, and without rounding where the piece has such (null if not).
+    /// Computed on the first call: most searches need neither.
+    [[nodiscard]] const motion::ControlMaps<algebra::DoubleDouble>& refined_maps();
+    [[nodiscard]] const motion::ControlMaps<algebra::ExactNumber>* exact_maps();
+
+private:
+    const Body& moving_;
+    const Body& fixed_;
+    std::unique_ptr<const motion::AnyPiece> piece_;
+    motion::ControlMaps<double> maps_;
+    elementary::MapNorms norms_;
+    std::unique_ptr<const motion::ControlMaps<algebra::DoubleDouble>> refined_maps_;
+    std::optional<motion::ExactMotion> exact_;
+    bool exact_is_computed_ = false;
 };
 
 } // namespace chasles::search

@@ -1,4 +1,4 @@
-// chasles batch: one row a motion in the order of the input, whatever is wrong with some of them.
+// chasles batch: one row per motion in the order of the input, also where some rows are wrong.
 #include "tests/cli/cli_test_files.h"
 
 #include "chasles/io/csv_table.h"
@@ -85,12 +85,12 @@ TEST_F(Batch, DoesNotDependOnThreads) {
 TEST_F(Batch, FindsOutBeforeTheWorkThatItCannotWrite) {
     write("motions.csv", columns + misses);
     const std::string batch = "batch cube.obj cube.obj --motions motions.csv --out ";
-    EXPECT_EQ(complaint(batch + "no/out.csv"), "chasles: no/out.csv: cannot be written: No such file or directory");
-    EXPECT_TRUE(complaint(batch + ".").starts_with("chasles: .: cannot be written: "));
-    EXPECT_EQ(complaint(batch + "motions.csv"), "chasles: --out: motions.csv: is an input of this very command");
-    EXPECT_EQ(complaint(batch + "./cube.obj"), "chasles: --out: ./cube.obj: is an input of this very command");
+    EXPECT_EQ(error_line(batch + "no/out.csv"), "chasles: no/out.csv: cannot be written: No such file or directory");
+    EXPECT_TRUE(error_line(batch + ".").starts_with("chasles: .: cannot be written: "));
+    EXPECT_EQ(error_line(batch + "motions.csv"), "chasles: --out: motions.csv: is an input of this command");
+    EXPECT_EQ(error_line(batch + "./cube.obj"), "chasles: --out: ./cube.obj: is an input of this command");
     if (std::filesystem::exists("/dev/full")) {
-        EXPECT_EQ(complaint(batch + "/dev/full"), "chasles: /dev/full: cannot be written: No space left on device");
+        EXPECT_EQ(error_line(batch + "/dev/full"), "chasles: /dev/full: cannot be written: No space left on device");
     }
 }
 

@@ -1,4 +1,4 @@
-// CSV files of poses and motions: a path is all or nothing, a bad row of motions costs only itself.
+// CSV (comma-separated values) files of poses and motions: a bad row makes a whole path invalid, but only one motion.
 #include "chasles/io/csv_table.h"
 #include "chasles/io/motion_files.h"
 #include "tests/io/message_of.h"

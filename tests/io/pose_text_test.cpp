@@ -1,4 +1,4 @@
-// Poses as people write them: 3, 7 or 16 numbers, blanks or commas; anything else is refused with a reason.
+// Poses as text: 3, 7 or 16 numbers, separated by blanks or commas. Any other text is refused with a reason.
 #include "chasles/io/pose_text.h"
 #include "tests/io/message_of.h"
 

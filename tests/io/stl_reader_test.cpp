@@ -1,4 +1,5 @@
-// STL: ASCII and binary are told apart whatever their first bytes; equal vertices become one; nothing is lost silently.
+// STL: the reader distinguishes ASCII from binary for any first bytes, merges equal vertices, and loses no data
+// silently.
 #include "chasles/io/mesh_files.h"
 #include "chasles/mesh/polyhedron.h"
 #include "tests/io/message_of.h"
@@ -20,7 +21,7 @@ std::string message(const std::string& bytes) {
     return message_of([&] { (void)read_stl(bytes); });
 }
 
-// Little-endian like the format, on every machine that the tests run on.
+// STL is little-endian, as is every machine that the tests run on.
 template <typename Number>
 std::string bytes_of(Number number) {
     const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What tools/docstrings.py finds in a header, and what it leaves alone."""
+"""The texts that tools/docstrings.py finds in a header, and the lines that it ignores."""
 
 import pathlib
 import sys
@@ -12,7 +12,7 @@ HEADER = """
 /// A body.
 ///
 /// It has faces; see Other::name().
-class Body {
+class CHASLES_EXPORT Body {
 public:
     /// Makes it. Throws InvalidInput
     /// for none.
@@ -29,7 +29,7 @@ private:
     int count_ = 0;
 };
 
-struct Answer {
+struct [[nodiscard]] LIBRARY_EXPORT Answer {
     double time = 0; ///< first line
                      ///< and second
     std::optional<double> hold = {}; ///< perhaps
@@ -46,7 +46,7 @@ enum class Kind { a, b };
 
 /// Free.
 /// And
-Answer ask(const Question& question);
+CHASLES_EXPORT Answer ask(const Question& question);
 """
 
 EXPECTED = {

@@ -1,5 +1,5 @@
 #!/bin/sh
-# install_dependencies.sh against a pretended system: commands in an own folder record what they are asked for.
+# install_dependencies.sh on a simulated system: replacements of system commands record their arguments.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -7,13 +7,13 @@ script=$here/../../tools/install_dependencies.sh
 set -- cat dirname env
 . "$here/pretended.sh"
 
-# run ARGUMENTS: the script; leaves besides what it asked for.
+# run ARGUMENTS: runs the script, and sets `asked` to its calls of apt-get and sudo.
 run() {
     run_pretended "$script" "$@"
     asked=$(grep -E '^(apt-get|sudo)' "$folder/log" || true)
 }
 
-run --list check fuzz python bench tidy
+run --list check fuzz python bench tidy format
 everything=$(printf 'echo installed %s\n' $output)
 
 run --list check
@@ -26,6 +26,18 @@ pretend chromium ''
 run --list check
 expect "those from elsewhere will do" 'case $output in *npm*|*chromium*) false ;; esac'
 rm "$folder/bin/npm" "$folder/bin/chromium"
+
+run --list demo
+expect "the demo needs neither npm nor Assimp" \
+    'case $output in *npm*|*assimp*) false ;; *g++*libeigen3-dev*) ;; *) false ;; esac'
+
+run --list format
+expect "the layout needs its tool and nothing else" 'case $output in clang-format-[0-9]*\ *) false ;; clang-format-*) ;; *) false ;; esac'
+
+run --list
+default=$output
+run --list install
+expect "without a group, everything that is installed" '[ "$output" = "$default" ] && case $output in *libassimp-dev*npm*) ;; *) false ;; esac'
 
 run --list fuzz
 expect "fuzzing needs the compiler and its runtime" 'case $output in *clang-*libclang-rt-*) ;; *) false ;; esac'
@@ -48,7 +60,7 @@ expect "elsewhere than on Debian: one line, no failure" \
 pretend apt-get ''
 pretend id 'echo 0'
 pretend dpkg-query "$everything"
-run check fuzz python bench tidy
+run check fuzz python bench tidy format
 expect "nothing missing: silent, and the package lists are left alone" '[ $status -eq 0 ] && [ -z "$output$asked" ]'
 
 pretend dpkg-query "$(printf '%s\n' "$everything" | grep -v -e 'installed libfmt-dev$')

@@ -1,0 +1,112 @@
+// Any trajectory behind one type, so that searches are compiled once. The only virtual functions of the library.
+#pragma once
+
+#include "chasles/motion/trajectory.h"
+
+#include <memory>
+
+namespace chasles::motion {
+
+/// A piece of any trajectory.
+class AnyPiece {
+public:
+    virtual ~AnyPiece() = default;
+
+    [[nodiscard]] virtual const RationalMotion<algebra::DoubleDouble>& cubic() const = 0;
+    [[nodiscard]] virtual std::optional<ExactMotion> exact() const = 0;
+    [[nodiscard]] virtual double deviation() const = 0;
+    [[nodiscard]] virtual ChordDeviation chord_deviation(const Ball& moving, const Ball& fixed) const = 0;
+    [[nodiscard]] virtual Bracket time_of(const Bracket& tau) const = 0;
+    [[nodiscard]] virtual Bracket tau_of(const Bracket& tau) const = 0;
+    [[nodiscard]] virtual double tau_rate(double tau) const = 0;
+    [[nodiscard]] virtual double tau_tolerance(double time_tolerance) const = 0;
+    [[nodiscard]] virtual Pose pose_at(double tau) const = 0;
+    [[nodiscard]] virtual Pose fixed_pose_at(double tau) const = 0;
+
+protected:
+    AnyPiece() = default;
+    AnyPiece(const AnyPiece&) = default;
+    AnyPiece(AnyPiece&&) = default;
+    AnyPiece& operator=(const AnyPiece&) = delete;
+    AnyPiece& operator=(AnyPiece&&) = delete;
+};
+
+/// The pieces of any trajectory, in order of time.
+class AnyPieces {
+public:
+    virtual ~AnyPieces() = default;
+    [[nodiscard]] virtual std::size_t size() const = 0;
+    [[nodiscard]] virtual std::unique_ptr<const AnyPiece> at(std::size_t index) const = 0;
+};
+
+class AnyTrajectory {
+public:
+    virtual ~AnyTrajectory() = default;
+    [[nodiscard]] virtual std::unique_ptr<const AnyPieces> pieces() const = 0;
+    [[nodiscard]] virtual PathBall ball_around_path(const Vector3<double>& point) const = 0;
+    [[nodiscard]] virtual Pose pose_at(double time) const = 0;
+    [[nodiscard]] virtual Pose fixed_pose_at(double time) const = 0;
+};
+
+/// A piece of a known type as AnyPiece.
+template <TrajectoryPiece P>
+class ErasedPiece final : public AnyPiece {
+public:
+    explicit ErasedPiece(P piece) : piece_(std::move(piece)) {}
+
+    [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const override { return piece_.cubic(); }
+    [[nodiscard]] std::optional<ExactMotion> exact() const override { return piece_.exact(); }
+    [[nodiscard]] double deviation() const override { return piece_.deviation(); }
+    [[nodiscard]] ChordDeviation chord_deviation(const Ball& moving, const Ball& fixed) const override {
+        return piece_.chord_deviation(moving, fixed);
+    }
+    [[nodiscard]] Bracket time_of(const Bracket& tau) const override { return piece_.time_of(tau); }
+    [[nodiscard]] Bracket tau_of(const Bracket& tau) const override { return piece_.tau_of(tau); }
+    [[nodiscard]] double tau_rate(double tau) const override { return piece_.tau_rate(tau); }
+    [[nodiscard]] double tau_tolerance(double time_tolerance) const override {
+        return piece_.tau_tolerance(time_tolerance);
+    }
+    [[nodiscard]] Pose pose_at(double tau) const override { return piece_.pose_at(tau); }
+    [[nodiscard]] Pose fixed_pose_at(double tau) const override { return piece_.fixed_pose_at(tau); }
+
+private:
+    P piece_;
+};
+
+/// A trajectory of a known type as AnyTrajectory. To be held by a shared pointer: `Motion` does.
+template <Trajectory T>
+class ErasedTrajectory : public AnyTrajectory {
+public:
+    explicit ErasedTrajectory(T trajectory) : trajectory_(std::move(trajectory)) {}
+
+    [[nodiscard]] const T& get() const { return trajectory_; }
+
+    [[nodiscard]] std::unique_ptr<const AnyPieces> pieces() const override {
+        return std::make_unique<Pieces>(trajectory_.pieces());
+    }
+    [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const override {
+        return trajectory_.ball_around_path(point);
+    }
+    [[nodiscard]] Pose pose_at(double time) const override { return trajectory_.pose_at(time); }
+    [[nodiscard]] Pose fixed_pose_at(double time) const override { return trajectory_.fixed_pose_at(time); }
+
+private:
+    using TypedPieces = decltype(std::declval<const T&>().pieces());
+    using TypedPiece = decltype(std::declval<const TypedPieces&>()[0]);
+
+    class Pieces final : public AnyPieces {
+    public:
+        explicit Pieces(TypedPieces pieces) : pieces_(std::move(pieces)) {}
+        [[nodiscard]] std::size_t size() const override { return pieces_.size(); }
+        [[nodiscard]] std::unique_ptr<const AnyPiece> at(std::size_t index) const override {
+            return std::make_unique<ErasedPiece<TypedPiece>>(pieces_[index]);
+        }
+
+    private:
+        TypedPieces pieces_;
+    };
+
+    T trajectory_;
+};
+
+} // namespace chasles::motion

@@ -1,0 +1,151 @@
+// The public motions: handles of trajectories.
+#include "chasles/motion/motion.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/motion/screw_trajectory.h"
+#include "chasles/motion/sweep_trajectory.h"
+
+namespace chasles {
+
+namespace {
+
+using motion::MotionEnds;
+using motion::ScrewTrajectory;
+using motion::SweepTrajectory;
+
+template <class Trajectory>
+Motion erased(Trajectory trajectory) {
+    return Motion(std::make_shared<const motion::ErasedTrajectory<Trajectory>>(std::move(trajectory)));
+}
+
+template <class Trajectory>
+const Trajectory& typed(const Motion& motion) {
+    return static_cast<const motion::ErasedTrajectory<Trajectory>&>(motion.trajectory()).get();
+}
+
+} // namespace
+
+Motion Motion::screw(const Pose& start, const Pose& goal, double max_turn) {
+    return ScrewMotion::between(start, goal, max_turn);
+}
+
+Motion Motion::sweep(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
+    return SweepMotion::between(start, goal, centre);
+}
+
+Pose Motion::pose_at(double time) const {
+    return trajectory_->pose_at(time);
+}
+
+Pose Motion::fixed_pose_at(double time) const {
+    return trajectory_->fixed_pose_at(time);
+}
+
+ScrewMotion ScrewMotion::between(const Pose& start, const Pose& goal, double max_turn) {
+    return ScrewMotion(erased(ScrewTrajectory(MotionEnds::between(start, goal), max_turn)));
+}
+
+ScrewMotion ScrewMotion::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
+                                  const Pose& fixed_goal, double max_turn) {
+    const MotionEnds ends = MotionEnds::relative(moving_start, moving_goal, fixed_start, fixed_goal);
+    return ScrewMotion(erased(ScrewTrajectory(ends, max_turn)));
+}
+
+const motion::ScrewTrajectory& ScrewMotion::trajectory() const {
+    return typed<ScrewTrajectory>(motion_);
+}
+
+double ScrewMotion::angle() const {
+    return trajectory().clock().angle();
+}
+
+double ScrewMotion::slide() const {
+    return trajectory().numbers().slide;
+}
+
+Eigen::Vector3d ScrewMotion::axis_direction() const {
+    return trajectory().numbers().axis_direction;
+}
+
+Eigen::Vector3d ScrewMotion::axis_point() const {
+    return trajectory().numbers().axis_point;
+}
+
+double ScrewMotion::max_turn() const {
+    return trajectory().max_turn();
+}
+
+ScrewMotion ScrewMotion::with_max_turn(double max_turn) const {
+    return ScrewMotion(erased(ScrewTrajectory(trajectory().ends(), max_turn)));
+}
+
+double ScrewMotion::tau_at(double time) const {
+    return trajectory().clock().tau_at(time);
+}
+
+double ScrewMotion::time_at(double tau) const {
+    return trajectory().clock().time_at(tau);
+}
+
+double ScrewMotion::tau_rate(double tau) const {
+    return trajectory().clock().tau_rate(tau);
+}
+
+Pose ScrewMotion::pose_at(double time) const {
+    return trajectory().pose_at(time);
+}
+
+std::vector<ScrewMotion> ScrewMotion::pieces() const {
+    const motion::ScrewPieces all = trajectory().pieces();
+    std::vector<ScrewMotion> pieces;
+    for (std::size_t i = 0; i < all.size(); ++i)
+        pieces.push_back(ScrewMotion(erased(ScrewTrajectory(all[i].ends(), max_turn()))));
+    return pieces;
+}
+
+std::size_t ScrewMotion::piece_count() const {
+    return trajectory().clock().piece_count(max_turn());
+}
+
+SweepMotion SweepMotion::between(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
+    return SweepMotion(erased(SweepTrajectory(MotionEnds::between(start, goal), centre)));
+}
+
+SweepMotion SweepMotion::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
+                                  const Pose& fixed_goal) {
+    const MotionEnds ends = MotionEnds::relative(moving_start, moving_goal, fixed_start, fixed_goal);
+    return SweepMotion(erased(SweepTrajectory(ends, Eigen::Vector3d::Zero())));
+}
+
+SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const {
+    return SweepMotion(erased(SweepTrajectory(trajectory().ends(), centre)));
+}
+
+const motion::SweepTrajectory& SweepMotion::trajectory() const {
+    return typed<SweepTrajectory>(motion_);
+}
+
+double SweepMotion::angle() const {
+    const motion::RelativeEnds ends(trajectory().ends());
+    return motion::turn_angle(ends.start, ends.goal).angle;
+}
+
+Eigen::Vector3d SweepMotion::displacement() const {
+    return motion::rounded(trajectory().piece().cubic().displacement);
+}
+
+Pose SweepMotion::pose_at(double time) const {
+    return trajectory().pose_at(time);
+}
+
+std::vector<Motion> screws_along(std::span<const Pose> poses, double max_turn) {
+    if (poses.size() < 2)
+        throw InvalidInput("path: poses: at least two are needed");
+    std::vector<Motion> motions;
+    motions.reserve(poses.size() - 1);
+    for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+        motions.push_back(ScrewMotion::between(poses[i], poses[i + 1], max_turn));
+    return motions;
+}
+
+} // namespace chasles

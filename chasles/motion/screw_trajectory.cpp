@@ -1,0 +1,90 @@
+#include "chasles/motion/screw_trajectory.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/motion/motion.h"
+#include "chasles/motion/path_ends.h"
+
+#include <algorithm>
+
+namespace chasles::motion {
+
+static_assert(Trajectory<ScrewTrajectory>);
+
+ScrewPiece::ScrewPiece(const MotionEnds& ends, const PieceClock& clock)
+    : ends_(ends), relative_(ends), screw_clock_(relative_.start, relative_.goal), clock_(clock) {
+    if (screw_clock_.is_short())
+        cubic_ = screw_between(relative_.start, relative_.goal);
+}
+
+Bracket ScrewPiece::time_of(const Bracket& tau) const {
+    return clock_.whole({screw_clock_.time_at(tau.lower), screw_clock_.time_at(tau.upper)});
+}
+
+double ScrewPiece::tau_rate(double tau) const {
+    return screw_clock_.tau_rate(tau) * double(clock_.count);
+}
+
+double ScrewPiece::tau_tolerance(double time_tolerance) const {
+    // tau as a function of time is convex: dtime/dtau is largest at tau = 0.
+    const double largest_rate = std::max(1.0, 1 / screw_clock_.tau_rate(0));
+    return std::min(time_tolerance * double(clock_.count) / largest_rate, 1.0);
+}
+
+Pose ScrewPiece::pose_at_time(double time) const {
+    return ends_.in_world(screw_pose(relative_.start, relative_.goal, {time, screw_clock_.tau_at(time)}), time);
+}
+
+ScrewPieces::ScrewPieces(const MotionEnds& ends, double max_turn)
+    : whole_(ends), count_(whole_.screw_clock().piece_count(max_turn)) {
+    if (count_ > 1)
+        path_.emplace(whole_.relative_ends().start, whole_.relative_ends().goal);
+}
+
+ScrewPiece ScrewPieces::operator[](std::size_t index) const {
+    return count_ == 1 ? whole_ : ScrewPiece(ends_of(index), {index, count_});
+}
+
+MotionEnds ScrewPieces::ends_of(std::size_t index) const {
+    const auto time_of = [&](std::size_t i) { return double(i) / double(count_); };
+    const auto pose_of = [&](std::size_t i) { return path_->at({time_of(i), time_of(i)}); }; // the same bits each time
+    MotionEnds piece = whole_.ends();
+    if (index > 0) {
+        piece.start = pose_of(index);
+        piece.start_is_in_world = false;
+        if (piece.fixed)
+            piece.fixed->start = whole_.ends().fixed_pose_at(time_of(index));
+    }
+    if (index + 1 < count_) {
+        piece.goal = pose_of(index + 1);
+        piece.goal_is_in_world = false;
+        if (piece.fixed)
+            piece.fixed->goal = whole_.ends().fixed_pose_at(time_of(index + 1));
+    }
+    return piece;
+}
+
+ScrewTrajectory::ScrewTrajectory(const MotionEnds& ends, double max_turn) : ends_(ends), max_turn_(max_turn) {
+    if (!(max_turn >= ScrewMotion::least_max_turn))
+        throw InvalidInput("motion: max_turn: must be at least 1e-4 radians (0.00573 degrees)");
+}
+
+PathBall ScrewTrajectory::ball_around_path(const Vector3<double>& point) const {
+    const PathEnds path(ends_, point); // the arc stays within the ball over its chord
+    return {path.middle(), length(path.chord()) / 2, size_of_fixed_ends(ends_)};
+}
+
+Pose ScrewTrajectory::pose_at(double time) const {
+    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ScrewPiece(ends_).pose_at_time(time);
+}
+
+ScrewNumbers ScrewTrajectory::numbers() const {
+    const RelativeEnds ends(ends_);
+    return ScrewPath(ends.start, ends.goal).numbers();
+}
+
+ScrewClock ScrewTrajectory::clock() const {
+    const RelativeEnds ends(ends_);
+    return {ends.start, ends.goal};
+}
+
+} // namespace chasles::motion

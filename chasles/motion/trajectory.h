@@ -1,0 +1,60 @@
+// The seam between motions and searches: what a trajectory states, checked by the compiler. A search sees no motion
+// but through these two concepts. Source: docs/decisions/0032-one-seam-for-motions.md.
+#pragma once
+
+#include "chasles/algebra/bracket.h"
+#include "chasles/motion/chord_deviation.h"
+#include "chasles/motion/exact_motion.h"
+#include "chasles/motion/rational_motion.h"
+
+#include <concepts>
+#include <cstddef>
+#include <optional>
+
+namespace chasles::motion {
+
+/// A ball that a point of the moving body never leaves, in the frame of the fixed body.
+struct PathBall {
+    Vector3<double> centre;
+    double radius = 0;
+    double size = 0; ///< sum of the sizes of everything that enters; with the radius and distances, it bounds roundings
+                     ///< (1e-13 of it)
+};
+
+/// One piece of a trajectory: a cubic motion over tau in [0, 1], and how far the true motion may be from it.
+template <class P>
+concept TrajectoryPiece = requires(const P& piece, const Ball& ball, double number, const Bracket& bracket) {
+    /// The cubic motion. The control maps in double and in double-double are made from it.
+    { piece.cubic() } -> std::same_as<const RationalMotion<algebra::DoubleDouble>&>;
+    /// The control maps of the cubic motion without rounding; empty where there are none.
+    { piece.exact() } -> std::same_as<std::optional<ExactMotion>>;
+    /// How far any point of either body, seen from the other body, may be from where the cubic motion has it at the
+    /// same tau, at most; mesh unit. 0 if the cubic motion is the true one.
+    { piece.deviation() } -> std::same_as<double>;
+    /// How far the cubic paths of points of two balls leave their chords.
+    { piece.chord_deviation(ball, ball) } -> std::same_as<ChordDeviation>;
+
+    /// The piece's own clock: brackets of tau within the piece as brackets of the trajectory's time and of its tau,
+    /// rounded outward; dtau/dtime at a tau; and the width in tau that is no wider than a width in time anywhere.
+    { piece.time_of(bracket) } -> std::same_as<Bracket>;
+    { piece.tau_of(bracket) } -> std::same_as<Bracket>;
+    { piece.tau_rate(number) } -> std::same_as<double>;
+    { piece.tau_tolerance(number) } -> std::same_as<double>;
+
+    /// The bodies in the world at a tau.
+    { piece.pose_at(number) } -> std::same_as<Pose>;
+    { piece.fixed_pose_at(number) } -> std::same_as<Pose>;
+};
+
+/// A motion over time in [0, 1]: its pieces in order of time, and what is known without them.
+template <class T>
+concept Trajectory = requires(const T& trajectory, std::size_t index, double time, const Vector3<double>& point) {
+    { trajectory.pieces().size() } -> std::convertible_to<std::size_t>;
+    { trajectory.pieces()[index] } -> TrajectoryPiece;
+    /// For the test that bodies stay far apart. Encloses the true path, deviation included.
+    { trajectory.ball_around_path(point) } -> std::same_as<PathBall>;
+    { trajectory.pose_at(time) } -> std::same_as<Pose>;
+    { trajectory.fixed_pose_at(time) } -> std::same_as<Pose>;
+};
+
+} // namespace chasles::motion

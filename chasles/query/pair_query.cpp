@@ -1,0 +1,236 @@
+#include "chasles/query/pair_query.h"
+
+#include "chasles/algebra/rounding_mode.h"
+#include "chasles/base/invalid_input.h"
+#include "chasles/contact/relative_configuration.h"
+#include "chasles/culling/far_apart.h"
+#include "chasles/query/report.h"
+
+#include <algorithm>
+#include <string>
+
+namespace chasles::query {
+
+namespace {
+
+using search::PieceContext;
+using search::PieceResult;
+
+/// The largest coordinate of a scene (docs/decisions/0012-range-of-coordinates.md).
+constexpr double largest_margin = 1e30;
+
+void require(bool holds, const char* option, const char* why) {
+    if (!holds)
+        throw InvalidInput(std::string("query: ") + option + ": " + why);
+}
+
+/// One question, piece by piece.
+class PieceByPiece {
+public:
+    explicit PieceByPiece(const PairQuery& query)
+        : query_(query), options_(query.options), pieces_(query.trajectory.pieces()) {}
+
+    FirstContact run() { return options_.hold ? run_holding() : run_within(options_.margin); }
+
+private:
+    FirstContact run_within(double margin);
+    FirstContact run_holding();
+
+    /// The margin that bodies which start within the margin keep.
+    struct HeldLevel {
+        double distance = 0;
+        bool is_reached = false; ///< the bodies are as near as they may be
+        bool touches = false;
+    };
+    [[nodiscard]] HeldLevel held_level(const PieceContext& piece, const PieceResult& start) const;
+    void search_holding(FirstContact& found, PieceContext& first_piece, double level, const search::HeldContacts& held);
+    bool search_holding_piece(FirstContact& found, PieceContext& piece, const search::SearchOptions& search,
+                              const search::HeldContacts& held);
+
+    [[nodiscard]] PieceContext piece(std::size_t index) const {
+        return {query_.moving, query_.fixed, pieces_->at(index)};
+    }
+    /// The surfaces of the true motion are within the margin only where those of the piece are within it and the
+    /// deviation.
+    [[nodiscard]] search::SearchOptions search_of(const PieceContext& piece, double margin) const {
+        search::SearchOptions search;
+        search.tolerance = piece.piece().tau_tolerance(options_.time_tolerance);
+        search.find = options_.find;
+        search.margin = margin + piece.piece().deviation();
+        return search;
+    }
+    [[nodiscard]] PieceResult contacts_at_start(PieceContext& piece) const;
+    [[nodiscard]] double resting_slack(const PieceContext& piece) const;
+    [[nodiscard]] double least_distance(const PieceContext& piece, const PieceResult& start) const;
+    static void end_clear(FirstContact& found, const motion::AnyPiece& last);
+
+    const PairQuery& query_;
+    const QueryOptions& options_;
+    std::unique_ptr<const motion::AnyPieces> pieces_;
+};
+
+FirstContact PieceByPiece::run_within(double margin) {
+    FirstContact found;
+    for (std::size_t i = 0; i < pieces_->size(); ++i) {
+        PieceContext context = piece(i);
+        search::SearchOptions search = search_of(context, margin);
+        search.check_start = i == 0;
+        const PieceResult result = search_piece(context, search);
+        found.work += result.work;
+        if (has_contact(result)) {
+            report(found, context, result, {options_, i == 0, search.margin});
+            found.clear_until = options_.find == Find::any ? context.piece().time_of({0, 0}).lower : found.time.lower;
+            return found;
+        }
+        if (i + 1 == pieces_->size())
+            end_clear(found, context.piece());
+    }
+    return found;
+}
+
+/// Bodies that start within the margin may move on; their contacts count where they come within a smaller distance. New
+/// contacts, which are local minima of the distance, count at the margin. Source: docs/derivations/17-hold.md.
+FirstContact PieceByPiece::run_holding() {
+    PieceContext first_piece = piece(0);
+    require(first_piece.piece().deviation() <= 0, "hold", "is not supported for motions with a deviation");
+    FirstContact found;
+    const PieceResult start = contacts_at_start(first_piece);
+    if (!has_contact(start)) {
+        found = run_within(options_.margin);
+        found.work += start.work;
+        return found;
+    }
+    found.work += start.work;
+    const HeldLevel level = held_level(first_piece, start);
+    const ReportScope scope{options_, true, options_.margin};
+    if (level.touches) {
+        report(found, first_piece, start, scope);
+        return found;
+    }
+    found.held = contacts_of(first_piece, start.candidates, {{0, 0}, true}, scope);
+    search_holding(found, first_piece, level.distance,
+                   search::HeldContacts({start.candidates.begin(), start.candidates.end()}));
+    if (level.is_reached && found.clear_until < 1)
+        found.clear_until = 0;
+    return found;
+}
+
+/// `hold` and a small reserve, which is given up where the bodies are that near by rounding; their distance at the
+/// start where that is less.
+PieceByPiece::HeldLevel PieceByPiece::held_level(const PieceContext& piece, const PieceResult& start) const {
+    if (start.overlap)
+        return {0, true, true};
+    const double rounding = resting_slack(piece);
+    const double distance = least_distance(piece, start);
+    if (distance <= rounding)
+        return {0, true, true};
+    if (*options_.hold == 0)
+        return {0, false, false};
+    for (const int reserve : {2, 1, 0})
+        if (const double level = *options_.hold + reserve * rounding; level <= distance - rounding / 2)
+            return {level, reserve < 2, false};
+    return {distance - rounding, true, false};
+}
+
+/// The first event, and how long nothing comes within `level`, which may be later than the event.
+void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece, double level,
+                                  const search::HeldContacts& held) {
+    for (std::size_t i = 0; i < pieces_->size(); ++i) {
+        std::optional<PieceContext> later;
+        PieceContext& context = i == 0 ? first_piece : later.emplace(query_.moving, query_.fixed, pieces_->at(i));
+        search::SearchOptions search = search_of(context, level);
+        search.check_start = false;
+        if (search_holding_piece(found, context, search, held))
+            return;
+        if (i + 1 == pieces_->size() && found.verdict == Verdict::unknown)
+            end_clear(found, context.piece());
+    }
+    found.clear_until = 1;
+}
+
+/// True when something comes within the level of `search`.
+bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece, const search::SearchOptions& search,
+                                        const search::HeldContacts& held) {
+    search::SearchOptions near = search;
+    near.find = options_.find == Find::any ? Find::first : options_.find; // `clear_until` needs the first
+    const PieceResult at_level = search_piece(piece, near);
+    found.work += at_level.work;
+    if (found.verdict == Verdict::unknown) {
+        search::SearchOptions far = near;
+        far.margin = options_.margin;
+        far.held = &held;
+        const PieceResult fresh = search_piece(piece, far);
+        found.work += fresh.work;
+        const bool is_new =
+            has_contact(fresh) && (!has_contact(at_level) || enclosing(fresh).upper < enclosing(at_level).upper);
+        if (is_new || has_contact(at_level))
+            report(found, piece, is_new ? fresh : at_level, {options_, false, is_new ? far.margin : near.margin});
+    }
+    if (!has_contact(at_level))
+        return false;
+    const Bracket tau = enclosing(at_level); // where both events are at once, the answer begins with the earlier one
+    found.clear_until = piece.piece().time_of(tau).lower;
+    found.time.lower = std::min(found.time.lower, found.clear_until);
+    found.tau.lower = std::min(found.tau.lower, piece.piece().tau_of(tau).lower);
+    return true;
+}
+
+/// All feature pairs within the margin at the start, and a little more: a motion that stopped at the margin ended
+/// within it.
+PieceResult PieceByPiece::contacts_at_start(PieceContext& piece) const {
+    search::SearchOptions search = search_of(piece, options_.margin + resting_slack(piece));
+    search.find = Find::first_with_all_contacts;
+    search.only_start = true;
+    return search_piece(piece, search);
+}
+
+/// A hundred times as much as the rounding of poses to doubles moves bodies.
+double PieceByPiece::resting_slack(const PieceContext& piece) const {
+    constexpr double rounding_of_poses = 0x1p-44;
+    return rounding_of_poses * piece.error_scale(options_.margin).length;
+}
+
+/// The least distance at the start.
+double PieceByPiece::least_distance(const PieceContext& piece, const PieceResult& start) const {
+    const contact::RelativeConfiguration bodies(query_.moving, query_.fixed, piece.maps(), 0);
+    double least = options_.margin;
+    for (const search::Candidate& candidate : start.candidates)
+        least = std::min(least, bodies.nearest(candidate).apart().norm());
+    return least;
+}
+
+void PieceByPiece::end_clear(FirstContact& found, const motion::AnyPiece& last) {
+    found.verdict = Verdict::clear;
+    found.certain = true;
+    found.clear_until = 1;
+    found.pose = last.pose_at(1);
+    found.fixed_pose = last.fixed_pose_at(1);
+}
+
+FirstContact clear_to_the_goal(const motion::AnyTrajectory& trajectory) {
+    FirstContact clear;
+    clear.verdict = Verdict::clear;
+    clear.certain = true;
+    clear.clear_until = 1;
+    clear.pose = trajectory.pose_at(1);
+    clear.fixed_pose = trajectory.fixed_pose_at(1);
+    return clear;
+}
+
+} // namespace
+
+void check_options(const QueryOptions& options) {
+    require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");
+    require(options.margin >= 0 && options.margin <= largest_margin, "margin", "must be in [0, 1e30]");
+    require(!options.hold || (*options.hold >= 0 && *options.hold < options.margin), "hold",
+            "must be at least 0 and less than the margin");
+    require(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
+}
+
+FirstContact answer(const PairQuery& query) {
+    if (culling::are_far_apart(query.moving, query.fixed, query.trajectory, query.options.margin))
+        return clear_to_the_goal(query.trajectory);
+    return PieceByPiece(query).run();
+}
+
+} // namespace chasles::query

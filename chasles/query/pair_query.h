@@ -1,0 +1,24 @@
+// One question about one pair of bodies, piece by piece of the motion.
+#pragma once
+
+#include "chasles/mesh/body.h"
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/query/first_contact.h"
+
+namespace chasles::query {
+
+/// A question by reference: batches answer many of them without copying bodies.
+struct PairQuery {
+    const Body& moving;
+    const Body& fixed;
+    const motion::AnyTrajectory& trajectory;
+    const QueryOptions& options;
+};
+
+/// Throws InvalidInput for an option out of its range.
+void check_options(const QueryOptions& options);
+
+/// The answer, for options that have been checked.
+FirstContact answer(const PairQuery& query);
+
+} // namespace chasles::query

@@ -1,0 +1,202 @@
+#include "chasles/search/distance_stages.h"
+
+#include "chasles/search/touch_stages.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chasles::search {
+
+static_assert(LaterStages<DistanceStages>);
+
+namespace {
+
+/// Far above the rounding of a bracket to the whole piece.
+constexpr double rim = 0x1p-45;
+/// A pair has six crossings at most; the remaining steps test uncertain crossings in ever longer parts.
+constexpr int most_steps = 60;
+
+/// A part of the piece with a rim on either side.
+culling::TimeRange part_from(double lower, double width) {
+    return {std::max(0.0, lower - rim), std::min(1.0, lower + width + rim)};
+}
+
+double width_of(const FeasibleInterval& tau) {
+    return tau.upper - tau.lower;
+}
+
+} // namespace
+
+DistanceStages::DistanceStages(PieceContext& context, const SearchOptions& options)
+    : context_(context), options_(options), scale_(context.error_scale(options.margin)),
+      filter_({context.moving(), context.fixed(), scale_, options.margin}, context.maps()), next_filter_(filter_),
+      start_tests_(context.moving(), context.fixed(), scale_), candidates_({options.find, options.tolerance, true}) {}
+
+void DistanceStages::use(const culling::TimeRange& part) {
+    if (part != filter_.part())
+        filter_.use(part);
+    is_at_start_ = options_.check_start && part.lower <= 0;
+}
+
+void DistanceStages::test_start(const TwoFaces& faces) {
+    if (!is_at_start_)
+        return;
+    start_tests_.use(context_.maps(), {});
+    for_each_possible_overlap(start_tests_, context_.moving(), context_.fixed(), faces,
+                              [&](const Overlap& overlap) { add(overlap); });
+}
+
+void DistanceStages::test(const FeaturePair& features) {
+    FirstCrossing crossing(filter_tolerance(options_.tolerance / filter_.part().width()));
+    WithinAtStart at_start;
+    filter_.tests().distance(features, [&](const auto& problem) {
+        if (is_at_start_)
+            at_start(problem);
+        if (!options_.only_start)
+            crossing(problem);
+    });
+    test_at_start(features, at_start.answer());
+    if (options_.held && options_.held->has(features))
+        return;
+    if (const auto found = filter_.in_piece(crossing.first()))
+        candidates_.add({features, found->tau, found->leaves}, *this);
+}
+
+void DistanceStages::test_at_start(const FeaturePair& features, WithinAtStart::Answer answer) {
+    using enum WithinAtStart::Answer;
+    if (is_over() || answer == no)
+        return;
+    if (answer == uncertain) {
+        PartTests<algebra::DoubleDouble>& stage = refinement();
+        stage.use({0, rim}); // over a short part, bounds follow the numbers
+        WithinAtStart collect;
+        stage.tests().distance(features, [&](const auto& problem) { collect(problem); });
+        ++work_.refined;
+        answer = collect.answer();
+    }
+    if (answer != no)
+        candidates_.keep({features, {0, 0, answer == yes}});
+}
+
+/// An edge that barely passes is within the margin of what it barely passes: an uncertain overlap is left to distances.
+void DistanceStages::add(const Overlap& found) {
+    if (is_over())
+        return;
+    refinement().use({});
+    ++work_.refined;
+    const auto overlap = search::refined(found, refinement().tests(), context_.piece().cubic());
+    if (!overlap || !overlap->certain)
+        return;
+    overlap_ = overlap;
+    candidates_.end_at_start(options_.find != Find::first_with_all_contacts);
+}
+
+PieceResult DistanceStages::take() {
+    candidates_.settle(*this);
+    work_.elementary_tests += filter_.tests().workspace().elementary_tests;
+    work_.root_brackets += filter_.tests().workspace().root_brackets;
+    return {candidates_.take(), candidates_.searched_until(), overlap_, work_};
+}
+
+std::optional<FeasibleInterval> DistanceStages::narrow(const Candidate& candidate, const SearchState&) {
+    const auto narrow = refined(candidate, part_from(candidate.tau.lower, width_of(candidate.tau)));
+    return narrow && narrow->tau.certain ? narrow->tau : candidate.tau;
+}
+
+/// The time until which a crossing does not count; empty if it counts. Without held contacts every crossing counts.
+/// Otherwise a crossing that leaves the margin does not count, and neither does one that is no local minimum of the
+/// distance: it belongs to a contact that spreads or slides, and stays so for as long as directions take to change.
+std::optional<double> DistanceStages::passed_until(const Crossing& crossing, const FeaturePair& features) const {
+    if (!options_.held)
+        return std::nullopt;
+    const FeasibleInterval& tau = crossing.tau;
+    if (crossing.leaves)
+        return tau.upper;
+    const contact::RelativeConfiguration bodies(context_.moving(), context_.fixed(), context_.maps(), tau.lower);
+    const contact::NearestPoints nearest = bodies.nearest(features);
+    const double speed = bodies.velocity_at(nearest.on_moving).norm();
+    const double error = elementary::error_unit<double> * scale_.length + speed * width_of(tau);
+    const double excess = bodies.descent(features, nearest) - 4 * error / options_.margin;
+    if (excess <= 0)
+        return std::nullopt;
+    // Rates at most double within a steady while.
+    const double steady = 0x1p-4 / std::sqrt(std::max(1.0, context_.maps().weight[3]));
+    const double turning = 4 * (2 * speed / options_.margin + bodies.turn_rate());
+    return std::max(tau.upper, tau.lower + std::min(steady, excess / turning));
+}
+
+/// The search for the first crossing that counts, from a crossing of the filter on.
+struct DistanceStages::Step {
+    Crossing next;    ///< the crossing to refine
+    double width = 0; ///< of the part in which it is refined
+    double after = 0; ///< no crossing before this time counts
+    bool was_uncertain = false;
+    std::optional<FeasibleInterval> found; ///< the crossing that counts
+};
+
+/// Where double-double finds no crossing in a part, the filter finds the next one, and the part grows. Where
+/// double-double is uncertain, which may last for the length of the part, it starts over with the shortest part.
+std::optional<FeasibleInterval> DistanceStages::decide(const Candidate& candidate, const SearchState& state) {
+    Step step{
+        {candidate.tau, candidate.leaves}, std::max(4 * options_.tolerance, width_of(candidate.tau)), 0, false, {}};
+    for (int i = 0; i < most_steps; ++i)
+        if (!advance(step, candidate, state))
+            return step.found;
+    return FeasibleInterval{step.next.tau.lower, step.next.tau.upper, false};
+}
+
+/// False when the search is over: with a crossing that counts, or without.
+bool DistanceStages::advance(Step& step, const FeaturePair& features, const SearchState& state) {
+    constexpr double shortest = 4 * rim;
+    constexpr double growth = 64;
+    culling::TimeRange where = part_from(step.next.tau.lower, step.width);
+    where.lower = std::max(where.lower, step.after);
+    const auto crossing = state.is_final(step.next.tau) ? std::optional(step.next) : refined(features, where);
+    if (crossing && crossing->tau.lower > state.best())
+        return false;
+    if (crossing && !crossing->tau.certain && step.width > shortest) {
+        step.width = shortest;
+        step.was_uncertain = true;
+        step.next = *crossing;
+        return true;
+    }
+    const auto passed = crossing ? passed_until(*crossing, features) : std::optional(where.upper);
+    if (!passed) {
+        step.found = crossing->tau;
+        return false;
+    }
+    step.after = std::max(*passed, step.next.tau.lower + rim);
+    if (step.after >= state.best())
+        return false;
+    next_filter_.use({step.after, 1});
+    const auto next =
+        next_filter_.first_crossing(features, filter_tolerance(std::min(1.0, options_.tolerance / (1 - step.after))));
+    if (!next || next->tau.lower > state.best())
+        return false;
+    step.next = *next;
+    // Where double-double was uncertain, the filter is uncertain for longer.
+    step.width = std::max(growth * step.width, step.was_uncertain ? 0.0 : width_of(next->tau));
+    return true;
+}
+
+/// The first crossing in a part as double-double finds it.
+std::optional<Crossing> DistanceStages::refined(const FeaturePair& features, const culling::TimeRange& where) {
+    constexpr double finest = 0x1p-90;
+    constexpr int restrictions = 600; // ordinary crossings take ten
+    ++work_.refined;
+    PartTests<algebra::DoubleDouble>& stage = refinement();
+    stage.use(where);
+    const double width = where.width();
+    return stage.first_crossing(
+        features, {std::min(1.0, 0.5 * options_.tolerance / width), std::min(1.0, finest / width), restrictions});
+}
+
+PartTests<algebra::DoubleDouble>& DistanceStages::refinement() {
+    if (!refinement_)
+        refinement_ = std::make_unique<PartTests<algebra::DoubleDouble>>(
+            FeatureTests<algebra::DoubleDouble>(context_.moving(), context_.fixed(), scale_, options_.margin),
+            context_.refined_maps());
+    return *refinement_;
+}
+
+} // namespace chasles::search

@@ -1,0 +1,67 @@
+// When do features come within a distance? The two stages: a filter in double and a refinement in double-double, each
+// over a part of the piece. Distances have no exact stage (docs/decisions/0050-margin-in-double-double.md).
+// Source: docs/derivations/16-margin.md, "Stages", and 17-hold.md.
+#pragma once
+
+#include "chasles/contact/relative_configuration.h"
+#include "chasles/search/candidates.h"
+#include "chasles/search/distance_crossing.h"
+#include "chasles/search/overlaps.h"
+#include "chasles/search/piece_search.h"
+
+#include <memory>
+
+namespace chasles::search {
+
+/// The stages of one search with a margin.
+class DistanceStages {
+public:
+    /// Both are kept by reference.
+    DistanceStages(PieceContext& context, const SearchOptions& options);
+
+    static constexpr bool tests_all_kinds = true;
+    [[nodiscard]] double culling_margin() const { return options_.margin + elementary::parallel_slack * scale_.length; }
+    [[nodiscard]] double best() const { return options_.only_start ? 0 : candidates_.best(); }
+    [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
+
+    void use(const culling::TimeRange& part);
+    void test_start(const TwoFaces& faces);
+    void test(const FeaturePair& features);
+
+    /// Flat contacts within a distance are not separated by a plane.
+    static std::optional<double> early_enough() { return std::nullopt; }
+    void stop_search_at(double tau) { candidates_.stop_search_at(tau); }
+
+    /// Once, and last.
+    PieceResult take();
+
+    // What Candidates requires of the later stages.
+    [[nodiscard]] bool is_proven(const Candidate& candidate) const { return candidate.tau.certain && !options_.held; }
+    [[nodiscard]] static bool is_settled(const Candidate&) { return false; }
+    std::optional<FeasibleInterval> decide(const Candidate& candidate, const SearchState& state);
+    std::optional<FeasibleInterval> narrow(const Candidate& candidate, const SearchState& state);
+
+private:
+    struct Step;
+
+    void test_at_start(const FeaturePair& features, WithinAtStart::Answer answer);
+    void add(const Overlap& overlap);
+    [[nodiscard]] std::optional<double> passed_until(const Crossing& crossing, const FeaturePair& features) const;
+    bool advance(Step& step, const FeaturePair& features, const SearchState& state);
+    std::optional<Crossing> refined(const FeaturePair& features, const culling::TimeRange& where);
+    PartTests<algebra::DoubleDouble>& refinement();
+
+    PieceContext& context_;
+    const SearchOptions& options_;
+    elementary::ErrorScale scale_;
+    PartTests<double> filter_;
+    PartTests<double> next_filter_; ///< for the time after a crossing that does not count
+    FeatureTests<double> start_tests_;
+    std::unique_ptr<PartTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
+    Candidates candidates_;
+    std::optional<Overlap> overlap_;
+    bool is_at_start_ = false;
+    Work work_;
+};
+
+} // namespace chasles::search

@@ -1,0 +1,107 @@
+// The leaves of a traversal: culls a pair of faces and tests the features that are left.
+// Source: docs/derivations/13-face-sides.md and 15-flat-on-flat.md.
+#pragma once
+
+#include "chasles/culling/bvh_traversal.h"
+#include "chasles/culling/face_culler.h"
+#include "chasles/culling/separating_plane.h"
+#include "chasles/search/overlaps.h"
+#include "chasles/search/piece_search.h"
+
+namespace chasles::search {
+
+/// The leaf tests of one search, for the stages of "touch" or of "within a distance".
+template <class Stages>
+class LeafSearch {
+public:
+    /// Both are kept by reference.
+    LeafSearch(PieceContext& context, const SearchOptions& options)
+        : context_(context), scale_(context.error_scale(options.margin)), stages_(context, options),
+          culler_(context.moving(), context.fixed(), context.maps(), scale_, stages_.culling_margin()) {}
+
+    // What a traversal requires of its leaves.
+    [[nodiscard]] double best() const { return stages_.best(); }
+    [[nodiscard]] bool is_over() const { return stages_.is_over(); }
+    /// By the plane that was found, if there is one, from `first` on.
+    bool is_kept_apart(const culling::NodePair& pair, double first) {
+        return plane_ && plane_->range().lower <= first && plane_->keeps_apart(pair.moving, pair.fixed);
+    }
+    void test(const culling::FacePair& pair) {
+        ++face_pairs_;
+        if (const auto faces = culler_.cull(pair, stages_.best()))
+            test_features(pair, *faces);
+        if (const auto until = stages_.early_enough())
+            search_plane(pair, *until);
+    }
+
+    /// Once, and last.
+    PieceResult take() {
+        PieceResult result = stages_.take();
+        result.work.face_pairs += face_pairs_;
+        return result;
+    }
+
+private:
+    using Sides = culling::CornerSides;
+
+    /// Every pair of features that the two faces own and that may come to each other's planes.
+    void test_features(const culling::FacePair& pair, const culling::MeetingFaces& faces) {
+        using enum ContactKind;
+        const Body& moving = context_.moving();
+        stages_.use(faces.part);
+        stages_.test_start({pair.moving, pair.fixed});
+        for (const std::uint32_t vertex : moving.owned_vertices(pair.moving)) {
+            if (!faces.moving.may_meet(vertex))
+                continue;
+            stages_.test({vertex_face, {vertex, vertex}, {pair.fixed, pair.fixed}});
+            if constexpr (Stages::tests_all_kinds) {
+                test_edges({vertex_edge, {vertex, vertex}, {}}, pair.fixed, faces.fixed);
+                test_vertices({vertex_vertex, {vertex, vertex}, {}}, pair.fixed, faces.fixed);
+            }
+        }
+        test_vertices({face_vertex, {pair.moving, pair.moving}, {}}, pair.fixed, faces.fixed);
+        for (const Edge& edge : moving.owned_edges(pair.moving)) {
+            if (!faces.moving.may_meet(edge))
+                continue;
+            if constexpr (Stages::tests_all_kinds)
+                test_vertices({edge_vertex, {edge.from, edge.to}, {}}, pair.fixed, faces.fixed);
+            test_edges({edge_edge, {edge.from, edge.to}, {}}, pair.fixed, faces.fixed);
+        }
+    }
+
+    /// The moving feature of `features` against the vertices of a fixed face, or against its edges.
+    void test_vertices(FeaturePair features, std::uint32_t fixed_face, const Sides& sides) {
+        for (const std::uint32_t vertex : context_.fixed().owned_vertices(fixed_face))
+            if (sides.may_meet(vertex)) {
+                features.fixed = {vertex, vertex};
+                stages_.test(features);
+            }
+    }
+    void test_edges(FeaturePair features, std::uint32_t fixed_face, const Sides& sides) {
+        for (const Edge& edge : context_.fixed().owned_edges(fixed_face))
+            if (sides.may_meet(edge)) {
+                features.fixed = {edge.from, edge.to};
+                stages_.test(features);
+            }
+    }
+
+    /// Many faces touch at the same time: a plane that separates these two until just before may separate all of them.
+    void search_plane(const culling::FacePair& pair, double until) {
+        if (until <= pair.first_left)
+            return;
+        plane_ = culling::SeparatingPlane::faces(
+            {context_.moving(), context_.fixed(), context_.refined_maps(), scale_, {pair.first_left, until}},
+            pair.moving, pair.fixed);
+        if (plane_)
+            stages_.stop_search_at(until);
+    }
+
+    PieceContext& context_;
+    elementary::ErrorScale scale_;
+    Stages stages_;
+    culling::FaceCuller culler_;
+    std::optional<culling::SeparatingPlane> plane_;
+    std::uint64_t face_pairs_ = 0;
+};
+
+} // namespace chasles::search
