@@ -1,4 +1,4 @@
-// Bounds the distance of both balls from below by the distance of their centres half way and the travel of the centre.
+// Compares the ball around the path of the moving body's centre with the ball around the fixed body.
 // Source: docs/derivations/07-swept-boxes.md, "Far apart".
 #include "chasles/culling/far_apart.h"
 
