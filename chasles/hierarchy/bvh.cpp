@@ -98,6 +98,7 @@ struct Subtree {
     }
 };
 
+/// Sets the box of a node.
 void set_box(BvhNode& node, const PackedBox& box) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         node.lower[axis] = box.lower[static_cast<Eigen::Index>(axis)];
@@ -105,6 +106,7 @@ void set_box(BvhNode& node, const PackedBox& box) {
     }
 }
 
+/// Sets the box of a node to the box around both children.
 void set_box(BvhNode& node, const BvhNode& left, const BvhNode& right) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
         node.lower[axis] = std::min(left.lower[axis], right.lower[axis]);
@@ -112,6 +114,7 @@ void set_box(BvhNode& node, const BvhNode& left, const BvhNode& right) {
     }
 }
 
+/// Sets the face of a leaf or the left child of an inner node, in 31 bits.
 void set_first(BvhNode& node, std::size_t face_or_child) {
     node.first = static_cast<std::uint32_t>(face_or_child) & 0x7fffffffU;
 }
@@ -122,6 +125,7 @@ public:
     GroupBuilder(const RoundedFaces& faces, float size, std::span<BvhNode> nodes)
         : faces_(faces), slabs_(faces, size), nodes_(nodes) {}
 
+    /// Builds the subtree of a group of faces.
     void build(const Subtree& subtree, std::span<const std::uint32_t> group) {
         boxes_.clear();
         boxes_.reserve(group.size());
@@ -134,6 +138,7 @@ public:
     }
 
 private:
+    /// Divides boxes down to patches. Slabs exist only within patches.
     void build(const Subtree& subtree, const GroupBounds& bounds) {
         if (subtree.count <= PatchSlabs::largest_patch) {
             build_patch(subtree, bounds);
@@ -145,6 +150,7 @@ private:
         build(subtree.right(division.first), division.bounds[1]);
     }
 
+    /// Divides the boxes of a patch down to single faces.
     void build_patch(const Subtree& subtree, const GroupBounds& bounds) {
         if (subtree.count == 1) {
             BvhNode& leaf = nodes_[subtree.node];
@@ -158,6 +164,7 @@ private:
         build_patch(subtree.right(division.first), division.bounds[1]);
     }
 
+    /// Makes an inner node and divides its boxes.
     Division divide(const Subtree& subtree, const GroupBounds& bounds) {
         BvhNode& node = nodes_[subtree.node];
         set_box(node, bounds.boxes);
@@ -169,6 +176,7 @@ private:
         return may_be_uneven ? chasles::divide(boxes, bounds) : halve(boxes);
     }
 
+    /// The boxes of a subtree.
     std::span<PackedBox> boxes_of(const Subtree& subtree) {
         return std::span(boxes_).subspan(subtree.begin, subtree.count);
     }
@@ -200,6 +208,7 @@ public:
     }
 
 private:
+    /// Assigns node indices from the root down. Counts of faces determine all indices, independently of threads.
     void place(PlaneTree::Place place_in_planes, const Subtree& subtree) {
         const PlaneTree& planes = groups_.planes;
         if (PlaneTree::is_group(place_in_planes)) {
@@ -221,6 +230,7 @@ private:
     std::vector<Subtree> above_;    ///< parents come first
 };
 
+/// Builds all nodes. Threads build different groups; the nodes above the groups follow at the end.
 void build_tree(const RoundedFaces& faces, float size, unsigned threads, std::span<BvhNode> nodes) {
     const FaceGroups groups = group_faces(faces, threads);
     GroupPlaces places(groups, nodes);
@@ -243,11 +253,13 @@ double radius_of(const BvhNode& root) {
 } // namespace
 
 Bvh::Bvh(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices, unsigned threads) {
+    // Small bodies are built faster than other threads wake.
     if (outlines.size() < fewest_to_group)
         threads = 1;
     const Eigen::AlignedBox3d extent = extent_of(outlines.items, vertices, threads);
     centre_ = 0.5 * extent.min() + 0.5 * extent.max();
     const std::vector<PackedBox> rounded = round_outward(vertices, centre_, threads);
+    // The size must be positive and representable, because normals are divided by it.
     const auto size = std::max(static_cast<float>(extent.sizes().maxCoeff()), std::numeric_limits<float>::min());
     nodes_.resize(2 * outlines.size());
     build_tree({outlines, rounded}, size, threads, std::span(nodes_).subspan(1));

@@ -37,6 +37,7 @@ public:
     Sorting(std::size_t faces, std::size_t groups)
         : group_of_(faces), groups_(groups), next_((faces + many_faces - 1) / many_faces * groups) {}
 
+    /// Finds the group of each face and counts the faces of each group in each chunk.
     void count(const RoundedFaces& faces, const PlaneTree& planes, unsigned threads) {
         parallel_chunks(threads, group_of_.size(), many_faces,
                         [&](std::size_t index, std::size_t begin, std::size_t end) {
@@ -62,6 +63,7 @@ public:
         return begin;
     }
 
+    /// Writes each face to the next position of its group. Within a group the faces stay in ascending order.
     void move(std::span<std::uint32_t> sorted, unsigned threads) {
         parallel_chunks(threads, group_of_.size(), many_faces,
                         [&](std::size_t index, std::size_t begin, std::size_t end) {
@@ -72,6 +74,7 @@ public:
     }
 
 private:
+    /// The counts or positions of one chunk.
     std::span<std::uint32_t> next_of(std::size_t index) { return std::span(next_).subspan(index * groups_, groups_); }
 
     std::vector<std::uint32_t> group_of_;
@@ -88,6 +91,7 @@ PlaneTree::Place PlaneTree::grow(std::span<PackedBox> sample, const GroupBounds&
         if (const std::optional<Plane> plane = best_plane(sample, bounds)) {
             const Division division = divide_by(*plane, sample);
             if (division.first > 0 && division.first < sample.size()) {
+                // The node gets its place before its children, because both children append nodes.
                 const auto place = static_cast<Place>(nodes_.size());
                 nodes_.push_back({*plane, {}});
                 const Place first = grow(sample.first(division.first), division.bounds[0], depth + 1);

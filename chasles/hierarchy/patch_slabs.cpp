@@ -16,6 +16,7 @@ Eigen::Vector3f aligned_sum(const Eigen::Vector3f& a, const Eigen::Vector3f& b) 
 
 } // namespace
 
+/// Gathers the corners and normals of all faces, then descends from the root.
 void PatchSlabs::add(std::span<BvhNode> nodes, std::size_t root, std::span<const PackedBox> boxes) {
     corners_.clear();
     gathered_.clear();
@@ -27,6 +28,7 @@ void PatchSlabs::add(std::span<BvhNode> nodes, std::size_t root, std::span<const
     add_below(nodes, root);
 }
 
+/// Stores the corners of a face in groups of four, and its normal by Newell's method.
 void PatchSlabs::gather(std::size_t face) {
     const std::span<const std::uint32_t> outline = faces_.outlines[face];
     const auto corner = [&](std::size_t i) -> const Eigen::Array4f& {
@@ -62,6 +64,7 @@ Eigen::Vector3f PatchSlabs::add_below(std::span<BvhNode> nodes, std::size_t root
     return along;
 }
 
+/// Encloses the corners between two planes normal to `along`, with heights relative to the box centre.
 PackedSlab PatchSlabs::around(std::span<const FourCorners> corners, const Eigen::Vector3f& along,
                               const BoxMiddle& box) const {
     PackedSlab slab(along);

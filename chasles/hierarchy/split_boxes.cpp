@@ -47,15 +47,18 @@ struct Binning {
         scale = (extent > 1e-36F).select(0.999F * static_cast<float>(bin_count) / extent, 0.0F);
     }
 
+    /// The bins of a box along all axes.
     [[nodiscard]] Eigen::Array4i bins_of(const PackedBox& box) const {
         return ((box.lower + box.upper - origin) * scale).cast<int>();
     }
 
+    /// The plane at the lower end of a bin.
     [[nodiscard]] Plane plane_before(std::size_t bin, int axis) const {
         return {axis, origin[axis] + static_cast<float>(bin) / scale[axis]};
     }
 };
 
+/// Counts the boxes and encloses them in each bin along all three axes.
 template <std::size_t bin_count>
 std::array<Bins<bin_count>, 3> fill_bins(const Binning& binning, std::span<const PackedBox> boxes) {
     std::array<Bins<bin_count>, 3> bins;
@@ -98,6 +101,7 @@ void improve(Choice& best, const Bins<bin_count>& bins, int axis, const Cost& co
     }
 }
 
+/// The best plane between bins of any axis. Empty if all centres are in one bin along each axis.
 template <std::size_t bin_count>
 std::optional<Plane> best_plane_of(std::span<const PackedBox> group, const GroupBounds& bounds) {
     const Binning binning(bounds.centres, bin_count);
@@ -123,6 +127,7 @@ void sort_by_centre(std::span<PackedBox> group, Eigen::Index axis) {
     }
 }
 
+/// The division after the first `first` boxes.
 Division divide_at(std::size_t first, std::span<const PackedBox> group) {
     return {first, {GroupBounds(group.first(first)), GroupBounds(group.subspan(first))}};
 }
@@ -135,12 +140,14 @@ Division divide_few(std::span<PackedBox> group, const GroupBounds& bounds) {
     (bounds.centres.upper - bounds.centres.lower).head<3>().maxCoeff(&axis);
     sort_by_centre(group, axis);
     const Cost cost(bounds.boxes);
+    // From the back: the cost of all boxes from each place on.
     std::array<float, few> cost_from{};
     PackedBox last = PackedBox::empty();
     for (std::size_t i = group.size() - 1; i > 0; --i) {
         last.extend(group[i]);
         cost_from[i] = cost(last, group.size() - i);
     }
+    // From the front: the cost of the boxes before each place. Infinite costs leave the division in the middle.
     std::size_t best = group.size() / 2;
     float best_cost = infinite;
     PackedBox first = PackedBox::empty();

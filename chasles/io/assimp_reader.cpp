@@ -13,6 +13,7 @@
 namespace chasles::io {
 namespace {
 
+// The transform of a node relative to its parent, in double.
 Eigen::Affine3d transform_of(const aiNode& node) {
     Eigen::Matrix4d matrix;
     for (unsigned row = 0; row < 4; ++row)
@@ -21,11 +22,13 @@ Eigen::Affine3d transform_of(const aiNode& node) {
     return Eigen::Affine3d(matrix);
 }
 
+// Refuses meshes whose vertices cannot be numbered with 32 bits.
 void check_size(std::size_t vertices) {
     if (vertices >= std::numeric_limits<std::uint32_t>::max())
         throw InvalidInput("more than 4,294,967,294 vertices");
 }
 
+// Appends the vertices of a mesh in world coordinates.
 void add_vertices(PolygonSoup& soup, const aiMesh& mesh, const Eigen::Affine3d& to_world) {
     check_size(soup.vertices.size() + mesh.mNumVertices);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
@@ -56,6 +59,7 @@ void add_faces(PolygonSoup& soup, const aiMesh& mesh, std::uint32_t first_vertex
 
 // The depth limit of Assimp bounds the recursion: recursive readers build its tree.
 void add_node(PolygonSoup& soup, const aiScene& scene, const aiNode& node, const Eigen::Affine3d& parent) {
+    // Meshes are in the frame of their node. A mesh that several nodes use is added once for each node.
     const Eigen::Affine3d to_world = parent * transform_of(node);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
@@ -70,6 +74,7 @@ void add_node(PolygonSoup& soup, const aiScene& scene, const aiNode& node, const
 } // namespace
 
 PolygonSoup read_with_assimp(const std::filesystem::path& file) {
+    // The flags are 0: Assimp does no post-processing, which could merge, reorder or triangulate faces.
     Assimp::Importer importer;
     const std::string extension = file.extension().string();
     if (extension.empty() || !importer.IsExtensionSupported(extension))

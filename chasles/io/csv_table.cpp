@@ -7,6 +7,7 @@
 namespace chasles::io {
 namespace {
 
+// Spreadsheet programs write this mark at the start of UTF-8 files.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
 // The text without blanks at its ends.
@@ -20,6 +21,7 @@ std::string_view trimmed(std::string_view text) {
 
 // The end of the first cell of `text`: the first comma outside quotes, or the end of the text.
 std::size_t cell_end(std::string_view text) {
+    // A doubled quote inside quotes toggles twice and therefore has no effect here.
     bool is_inside_quotes = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '"')

@@ -48,6 +48,7 @@ std::string with_line(const std::string& why, const PolygonSoup& soup) {
     return has_line ? "line " + std::to_string(soup.face_lines[static_cast<std::size_t>(*face)]) + ": " + why : why;
 }
 
+// Makes the body; messages of the mesh layer get line numbers.
 Polyhedron make_polyhedron(const PolygonSoup& soup, const PolyhedronOptions& options) {
     try {
         return Polyhedron::from_polygons(soup.vertices, soup.faces, options);
@@ -71,6 +72,7 @@ auto naming_file(const std::filesystem::path& file, const Work& work) {
 } // namespace
 
 PolygonSoup load_polygons(const std::filesystem::path& file) {
+    // `read_file` adds the file name to its own messages.
     const std::string bytes = read_file(file);
     return naming_file(file, [&] { return read_polygons(file, bytes); });
 }

@@ -13,20 +13,24 @@
 namespace chasles::io {
 namespace {
 
+// The exact headers. Quaternions have the order w, x, y, z.
 constexpr std::string_view path_header = "x,y,z,qw,qx,qy,qz";
 constexpr std::string_view motion_header = "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1";
 
 using Cells = std::span<const std::string>;
 
+// The cells without the first cell, the id.
 Cells without_first(Cells cells) {
     return cells.subspan(1);
 }
 
+// Whether the cells are exactly the names of a header.
 bool is_header(Cells cells, std::string_view header) {
     const std::vector<std::string> names = split_csv(header);
     return std::equal(cells.begin(), cells.end(), names.begin(), names.end());
 }
 
+// The numbers of a row. The header gives their count and the names for messages.
 std::vector<double> numbers_in(Cells cells, std::string_view header) {
     const std::vector<std::string> names = split_csv(header);
     if (cells.size() != names.size())
@@ -42,6 +46,7 @@ std::vector<double> numbers_in(Cells cells, std::string_view header) {
     return numbers;
 }
 
+// Reads one row of a path. Messages start with the line number.
 Pose read_pose(const CsvRow& row) {
     try {
         return pose_from_numbers(numbers_in(row.cells, path_header));
@@ -50,6 +55,7 @@ Pose read_pose(const CsvRow& row) {
     }
 }
 
+// Reads one row of a list of motions. An invalid row sets `motion.error` and throws nothing.
 void read_motion(const CsvRow& row, bool has_id, MotionRow& motion) {
     try {
         const Cells cells = has_id ? without_first(row.cells) : Cells(row.cells);

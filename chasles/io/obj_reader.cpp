@@ -19,14 +19,17 @@ constexpr auto ignored_keywords = std::to_array<std::string_view>(
      "trace_obj", "c_interp", "d_interp", "ctech",  "stech",  "cstype", "deg", "step",
      "bmat",      "parm",     "trim",     "hole",   "scrv",   "sp",     "con", "end"});
 
+// Statements that define a curved surface or curve. Ignoring them would lose a part of the surface.
 constexpr auto curved_keywords =
     std::to_array<std::string_view>({"surf", "curv", "curv2", "bsp", "bzp", "cdc", "cdp", "res"});
 
+// Whether a list of keywords contains a name.
 template <typename Names>
 bool contains(const Names& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// Reads one statement after another. Statements may extend over several lines.
 class ObjReader {
 public:
     explicit ObjReader(std::string_view text) : lines_(text) {}
@@ -89,6 +92,7 @@ private:
         soup_.vertices.push_back(vertex);
     }
 
+    // Reads the corners of a face in any of the OBJ forms.
     void read_face(Words words) {
         std::vector<std::uint32_t> face;
         face.reserve(4);
@@ -109,12 +113,14 @@ private:
             fail("not a vertex of a face: " + in_quotes(word) + " in " + in_quotes(statement_));
         if (*index == 0)
             fail("vertex index 0 in " + in_quotes(statement_) + "; OBJ counts from 1");
+        // Positive indices are checked at the end, negative indices now.
         const auto from_zero = *index > 0 ? *index - 1 : *index + static_cast<std::int64_t>(soup_.vertices.size());
         if (from_zero < 0 || from_zero >= std::numeric_limits<std::uint32_t>::max())
             fail_index(*index);
         return static_cast<std::uint32_t>(from_zero);
     }
 
+    // Refuses unknown statements and curved surfaces. A typing error in a keyword must not lose a face.
     void check_ignored(std::string_view keyword) const {
         const bool has_nothing_read = soup_.vertices.empty() && soup_.faces.empty();
         if (has_nothing_read && parse_integer(keyword))

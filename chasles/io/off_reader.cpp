@@ -11,6 +11,7 @@
 namespace chasles::io {
 namespace {
 
+// Reads header, vertices and faces in the order of the file.
 class OffReader {
 public:
     explicit OffReader(std::string_view text) : lines_(text), text_size_(text.size()) {}
@@ -39,6 +40,7 @@ private:
         return false;
     }
 
+    // Moves to the next line with content, or fails with the missing part.
     void require_content(const std::string& wanted) {
         if (!next_content())
             fail("the file ends before " + wanted);
@@ -62,6 +64,7 @@ private:
         face_count_ = read_count(words.next());
     }
 
+    // Refuses the variants with more or fewer than three dimensions, and binary files.
     void check_variant(std::string_view keyword, Words words) const {
         const bool is_known = keyword == "OFF" || keyword == "COFF" || keyword == "NOFF" || keyword == "CNOFF" ||
                               keyword == "STOFF" || keyword == "STCOFF" || keyword == "STNOFF" || keyword == "STCNOFF";
@@ -71,6 +74,7 @@ private:
             fail("binary OFF cannot be read; convert it to ASCII");
     }
 
+    // Reads a count below 2^32 - 1.
     std::size_t read_count(std::string_view word) const {
         const auto count = parse_integer(word);
         const bool is_valid = count && *count >= 0 && *count < std::numeric_limits<std::uint32_t>::max();
@@ -82,6 +86,7 @@ private:
     // Limits a count of the header: every vertex or face takes at least two bytes.
     std::size_t bounded(std::size_t count) const { return std::min(count, text_size_ / 2); }
 
+    // Reads three coordinates and checks the attributes after them.
     void read_vertex(std::size_t index) {
         require_content("vertex " + std::to_string(index) + " of the " + std::to_string(vertex_count_) + " announced");
         Words words(content_);
@@ -96,6 +101,7 @@ private:
         soup_.vertices.push_back(vertex);
     }
 
+    // Reads the number of corners, the corners, and the attributes after them.
     void read_face(std::size_t index) {
         require_content("face " + std::to_string(index) + " of the " + std::to_string(face_count_) + " announced");
         Words words(content_);
@@ -110,6 +116,7 @@ private:
         soup_.face_lines.push_back(lines_.number());
     }
 
+    // Reads one vertex index, which must be below the number of vertices.
     std::uint32_t read_index(std::string_view word) const {
         if (word.empty())
             fail("a face has fewer vertices than it announces: " + in_quotes(content_));

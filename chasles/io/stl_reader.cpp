@@ -18,6 +18,7 @@ namespace {
 constexpr std::size_t header_size = 84;   ///< bytes: 80 of any content and the number of triangles
 constexpr std::size_t triangle_size = 50; ///< bytes
 
+// The bits of a vertex, for comparison and hashing.
 using Key = std::array<std::uint64_t, 3>;
 
 struct HashKey {
@@ -32,6 +33,7 @@ struct HashKey {
 /// Collects triangles and gives equal vertices one number.
 class MergedTriangles {
 public:
+    // The id of a vertex. Equal coordinates give one id.
     std::uint32_t add_vertex(const Eigen::Vector3d& vertex) {
         const Key key = {bits(vertex.x()), bits(vertex.y()), bits(vertex.z())};
         const auto [place, is_new] = ids_.try_emplace(key, static_cast<std::uint32_t>(soup_.vertices.size()));
@@ -56,6 +58,7 @@ public:
     PolygonSoup take() { return std::move(soup_); }
 
 private:
+    // Equal numbers have equal bits: adding 0 turns -0 into 0.
     static std::uint64_t bits(double number) { return std::bit_cast<std::uint64_t>(number + 0.0); } // -0 equals 0
 
     std::unordered_map<Key, std::uint32_t, HashKey> ids_;
@@ -68,6 +71,7 @@ class AsciiStlReader {
 public:
     explicit AsciiStlReader(std::string_view text) : lines_(text) {}
 
+    // Reads all solids of the file.
     PolygonSoup read() {
         while (next_word()) {
             expect("solid");
@@ -78,6 +82,7 @@ public:
     }
 
 private:
+    // Moves to the next word of the file. Returns false at the end.
     bool next_word() {
         word_ = words_.next();
         while (word_.empty()) {
@@ -89,6 +94,7 @@ private:
         return true;
     }
 
+    // Reads all facets of a solid, to the end of its line "endsolid NAME".
     void read_solid() {
         for (require_word("endsolid"); lower_case(word_) != "endsolid"; require_word("endsolid")) {
             expect("facet");
@@ -97,6 +103,7 @@ private:
         words_ = Words("");
     }
 
+    // Reads one facet and skips its normal.
     void read_facet() {
         const std::size_t line = lines_.number();
         require("normal");
@@ -113,6 +120,7 @@ private:
         triangles_.add_line(line);
     }
 
+    // Reads "vertex X Y Z".
     std::uint32_t read_vertex() {
         require("vertex");
         Eigen::Vector3d vertex;
@@ -126,16 +134,19 @@ private:
         return triangles_.add_vertex(vertex);
     }
 
+    // Reads a word that must be the given keyword.
     void require(std::string_view keyword) {
         require_word(keyword);
         expect(keyword);
     }
 
+    // Moves to the next word, or fails with the missing keyword.
     void require_word(std::string_view wanted) {
         if (!next_word())
             fail("the file ends before its '" + std::string(wanted) + "'");
     }
 
+    // Fails unless the current word is the keyword. Case does not matter.
     void expect(std::string_view keyword) const {
         if (lower_case(word_) != keyword)
             fail("expected '" + std::string(keyword) + "', found " + in_quotes(lines_.line()));
@@ -149,10 +160,12 @@ private:
     MergedTriangles triangles_;
 };
 
+// The number of triangles in the header of a binary file.
 std::size_t announced_triangles(std::string_view bytes) {
     return load<std::uint32_t>(bytes.substr(80), std::endian::little);
 }
 
+// Reads three floats, which must be finite.
 Eigen::Vector3d read_binary_vertex(std::string_view bytes, std::size_t triangle) {
     Eigen::Vector3d vertex;
     for (int axis = 0; axis < 3; ++axis) {
@@ -163,6 +176,7 @@ Eigen::Vector3d read_binary_vertex(std::string_view bytes, std::size_t triangle)
     return vertex;
 }
 
+// Refuses a binary file whose size does not match its number of triangles.
 void check_binary_size(std::string_view bytes) {
     if (bytes.size() < header_size)
         throw InvalidInput("too short for an STL file");
@@ -177,6 +191,7 @@ void check_binary_size(std::string_view bytes) {
                            " additional bytes");
 }
 
+// Reads all triangles of a binary file.
 PolygonSoup read_binary_stl(std::string_view bytes) {
     check_binary_size(bytes);
     MergedTriangles triangles;

@@ -14,10 +14,12 @@ namespace {
 constexpr std::string_view blanks = " \t\r\n\v\f";
 constexpr std::size_t longest_quote = 60;
 
+// Whether a character separates words: blank, tab, or a line break.
 bool is_blank(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+// The word without a leading plus sign, which from_chars does not accept.
 std::string_view without_plus(std::string_view word) {
     const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
     return has_plus ? word.substr(1) : word;
@@ -49,6 +51,7 @@ double beyond_range(std::string_view word) {
 
 } // namespace
 
+// The whole word must be used: "1.5x" is not a number.
 std::optional<double> parse_number(std::string_view word) {
     word = without_plus(word);
     double number = 0;
@@ -104,6 +107,7 @@ void fail_at_line(std::size_t line, const std::string& why) {
     throw InvalidInput("line " + std::to_string(line) + ": " + why);
 }
 
+// Blanks separate words; a word extends to the next blank.
 std::string_view Words::next() {
     std::size_t start = 0;
     while (start < rest_.size() && is_blank(rest_[start]))
@@ -116,6 +120,7 @@ std::string_view Words::next() {
     return word;
 }
 
+// The last line may have no line end.
 bool Lines::next() {
     if (position_ >= text_.size())
         return false;

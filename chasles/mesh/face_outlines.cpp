@@ -23,10 +23,12 @@ using Outline = std::vector<std::uint32_t>;
 constexpr double largest_coordinate = 1e30;
 constexpr double smallest_size = 1e-30;
 
+/// Throws "face N: WHY".
 [[noreturn]] void refuse_face(std::size_t face, const std::string& why) {
     throw InvalidInput("face " + std::to_string(face) + ": " + why);
 }
 
+/// Refuses a coordinate that is not finite or out of range.
 void check_vertex(std::size_t index, const Eigen::Vector3d& vertex) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto refuse = [&](const std::string& why) {
@@ -53,6 +55,7 @@ void check_counts(std::span<const Eigen::Vector3d> vertices, std::span<const Fac
                            " face corners are too many (at most " + std::to_string(most) + " each)");
 }
 
+/// Refuses a face with fewer than three corners or with an index out of range.
 void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
     if (face.size() < 3)
         refuse_face(index, "a face needs at least three vertices and this one has " + std::to_string(face.size()));
@@ -62,6 +65,7 @@ void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
                                    std::to_string(vertex_count) + " vertices)");
 }
 
+/// The number of distinct ids. Takes a copy, because it sorts.
 std::size_t count_distinct(Outline ids) {
     std::ranges::sort(ids);
     return static_cast<std::size_t>(std::ranges::unique(ids).begin() - ids.begin());
@@ -87,6 +91,7 @@ void merge_corners(Face face, std::span<const std::uint32_t> first_equal, Outlin
         outline.pop_back();
 }
 
+/// Whether all corners lie on one line, decided exactly. Fewer than three corners do.
 bool is_on_one_line(std::span<const Eigen::Vector3d> vertices, const Outline& outline) {
     for (std::size_t i = 2; i < outline.size(); ++i)
         if (!are_collinear(vertices[outline[0]], vertices[outline[1]], vertices[outline[i]]))

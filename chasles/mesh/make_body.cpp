@@ -34,6 +34,7 @@ FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const Mesh
     return owned;
 }
 
+/// The number of triangles if every polygon is cut.
 std::size_t count_triangles(const PolygonFaces& polygons) {
     std::size_t triangles = polygons.triangles.items.size() / 3;
     for (std::size_t face = 0; face < polygons.faces.source.size(); ++face)
@@ -42,6 +43,7 @@ std::size_t count_triangles(const PolygonFaces& polygons) {
     return triangles;
 }
 
+/// The number of faces with more than three corners.
 std::size_t count_polygons(const FlatLists<std::uint32_t>& outlines) {
     std::size_t polygons = 0;
     for (std::size_t face = 0; face < outlines.size(); ++face)
@@ -67,12 +69,14 @@ void add_bounding_box(const BodyParts& parts, MeshReport& report) {
     }
 }
 
+/// Adds nodes, depth and bytes of the BVH.
 void add_bvh(const Bvh& bvh, MeshReport& report) {
     report.bvh_nodes = bvh.nodes().size();
     report.bvh_depth = depth_of(bvh.nodes());
     report.bvh_bytes = bvh.memory();
 }
 
+/// The counts of faces and edges.
 MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
     MeshReport report;
     report.faces = polygons.faces.source.size();

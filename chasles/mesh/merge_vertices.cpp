@@ -7,8 +7,10 @@
 namespace chasles {
 namespace {
 
+/// Marks an empty slot of the table.
 constexpr std::uint32_t no_vertex = 0xffffffff;
 
+/// Equal coordinates have equal bits.
 std::uint64_t bits_of(double coordinate) {
     return std::bit_cast<std::uint64_t>(coordinate + 0.0); // turns -0 into 0
 }
@@ -20,6 +22,7 @@ std::uint64_t mixed(std::uint64_t value) {
     return value ^ (value >> 31);
 }
 
+/// A hash of the three coordinates; the order of the coordinates matters.
 std::uint64_t hash(const Eigen::Vector3d& point) {
     return mixed(mixed(mixed(bits_of(point.x())) + bits_of(point.y())) + bits_of(point.z()));
 }

@@ -68,6 +68,7 @@ void add_edge(std::uint32_t from, std::span<const Side> sides, MeshEdges& result
     result.nonmanifold += faces > 2 ? 1 : 0;
 }
 
+/// The order of edges: by the lower, then by the higher vertex.
 bool comes_before(const Edge& a, const Edge& b) {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
 }

@@ -8,6 +8,7 @@
 namespace chasles {
 namespace {
 
+/// Marks a free feature.
 constexpr std::uint32_t no_owner = 0xffffffff;
 
 /// A face that still claims features.
@@ -29,6 +30,7 @@ bool claim_one(Claimant& claimant, std::uint32_t end, std::span<const std::uint3
     return false;
 }
 
+/// The features of each owner in ascending order, by a counting sort.
 FlatLists<std::uint32_t> lists_by_owner(const std::vector<std::uint32_t>& owner, std::size_t face_count) {
     FlatLists<std::uint32_t> lists;
     lists.offsets.assign(face_count + 1, 0);

@@ -43,12 +43,14 @@ struct Polygon {
     }
 };
 
+/// Refuses an outline that turns back onto the previous side.
 void check_not_folded(const Polygon& polygon) {
     const std::size_t corner = find_turning_back(polygon.projection.corners);
     if (corner < polygon.outline.size())
         polygon.refuse("its outline turns back onto itself at vertex " + std::to_string(polygon.outline[corner]));
 }
 
+/// Triangles that cover the polygon exactly once. Refuses an outline that crosses itself.
 std::vector<std::uint32_t> triangles_of(const Polygon& polygon) {
     auto triangles = triangulate_polygon(polygon.projection.corners);
     if (!triangles)
@@ -111,6 +113,7 @@ void append_whole(const Polygon& polygon, PolygonFaces& result) {
     triangles.append(convex ? fan(polygon.outline.size()) : triangles_of(polygon));
 }
 
+/// Checks a polygon and appends it whole or cut.
 void append_polygon(const Polygon& polygon, const PolyhedronOptions& options, PolygonFaces& result) {
     if (polygon.projection.is_flat)
         polygon.refuse("has no area beyond rounding (its outline crosses itself, turns back or is too thin)");

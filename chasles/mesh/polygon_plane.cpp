@@ -50,6 +50,7 @@ std::vector<Eigen::Vector2d> projected_along(const Eigen::Vector3d& normal, std:
     return corners;
 }
 
+/// Whether b follows a in the order by x, then by y.
 bool is_ascending(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }

@@ -54,14 +54,12 @@ class Body;
 class CHASLES_EXPORT Polyhedron {
 public:
     /// Makes a body from `vertices` (n points, in any length unit) and `faces` (m lists of at least three vertex
-    /// indices from 0). Throws InvalidInput with the number of the face or vertex for:
-    /// - a mesh without faces, or an index out of range.
-    /// - a coordinate that is NaN, infinite, or beyond 1e30 in magnitude.
-    /// - a body smaller than 1e-30.
-    /// - a face without area, or with fewer than three distinct vertices, that cannot be dropped.
-    /// - an outline that crosses itself or turns back onto itself.
-    /// - a polygon that is not planar, unless options.triangulate. The tolerance is 1e-5 of the greater of the size and
-    ///   the coordinates (docs/decisions/0010-polygon-planarity.md).
+    /// indices from 0). Throws InvalidInput with the number of the face or vertex. It refuses a mesh without faces, and
+    /// an index out of range. It refuses a coordinate that is NaN, infinite, or beyond 1e30 in magnitude, and a body
+    /// smaller than 1e-30. It refuses a face without area, or with fewer than three distinct vertices, that cannot be
+    /// dropped. It refuses an outline that crosses itself or turns back onto itself. It refuses a polygon that is not
+    /// planar, unless options.triangulate. The tolerance for planar polygons is 1e-5 of the greater of the size and the
+    /// coordinates (docs/decisions/0010-polygon-planarity.md).
     static Polyhedron from_polygons(std::span<const Eigen::Vector3d> vertices,
                                     std::span<const std::vector<std::uint32_t>> faces,
                                     const PolyhedronOptions& options = {});

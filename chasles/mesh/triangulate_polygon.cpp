@@ -37,11 +37,13 @@ struct Triangle {
         return false;
     }
 
+    /// Whether the bounding boxes have no common interior point.
     [[nodiscard]] bool boxes_are_apart(const Point& other_lower, const Point& other_upper) const {
         return (other_upper.array() <= lower.array()).any() || (other_lower.array() >= upper.array()).any();
     }
 };
 
+/// Whether two triangles have a common interior point: no side of either triangle separates them.
 bool overlap(const Triangle& first, const Triangle& second) {
     return !first.boxes_are_apart(second.lower, second.upper) && !first.has_beyond_a_side(second.corners) &&
            !second.has_beyond_a_side(first.corners);
@@ -172,6 +174,7 @@ private:
         return is_at_neighbour || (lies_beyond(a, b, c) && orientation(a, b, c) == 0);
     }
 
+    /// Removes a corner from the ring only.
     void unlink(std::uint32_t corner) {
         next_[previous_[corner]] = next_[corner];
         previous_[next_[corner]] = previous_[corner];

@@ -43,6 +43,7 @@ auto multiply(const std::array<A, 2>& a, const Power<B>& b, Product times) {
                     times(a[1], b[2])};
 }
 
+/// The sum of two polynomials.
 template <class T>
 Power<T> sum(const Power<T>& a, const Power<T>& b) {
     return {a[0] + b[0], a[1] + b[1], a[2] + b[2], a[3] + b[3]};
@@ -69,6 +70,7 @@ Bernstein<3, S> polynomial(const S& p0, const S& p1, const S& p2, const S& p3) {
     return result;
 }
 
+/// The Bernstein form of a vector polynomial.
 template <class S>
 Vector3<Bernstein<3, S>> vector_polynomial(const Power<Vector3<S>>& p) {
     Vector3<Bernstein<3, S>> result;
@@ -77,6 +79,7 @@ Vector3<Bernstein<3, S>> vector_polynomial(const Power<Vector3<S>>& p) {
     return result;
 }
 
+/// The Bernstein form of a matrix polynomial.
 template <class S>
 Matrix3<Bernstein<3, S>> matrix_polynomial(const Power<Matrix3<S>>& p) {
     Matrix3<Bernstein<3, S>> result;
@@ -85,6 +88,7 @@ Matrix3<Bernstein<3, S>> matrix_polynomial(const Power<Matrix3<S>>& p) {
     return result;
 }
 
+/// The transposed matrix polynomial.
 template <class S>
 Power<Matrix3<S>> transposed(const Power<Matrix3<S>>& p) {
     return {p[0].transposed(), p[1].transposed(), p[2].transposed(), p[3].transposed()};

@@ -21,6 +21,7 @@ constexpr double rounding_tolerance = 1e-12;
 constexpr double least_size = 1e-3;
 constexpr double largest_size = 1e3;
 
+/// Refuses a translation that is not finite or out of range.
 void require_usable(const Eigen::Vector3d& translation) {
     if (!translation.allFinite())
         throw InvalidInput("pose: translation: a number is NaN or infinite");
@@ -44,6 +45,7 @@ Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
     return scaled;
 }
 
+/// The nearest rotation in the Frobenius norm, by a singular value decomposition.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
     const double deviation = (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(deviation <= orthogonality_tolerance)) {

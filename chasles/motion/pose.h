@@ -22,7 +22,6 @@ struct CHASLES_EXPORT Pose {
     /// of meshes (docs/derivations/10-error-bounds.md).
     static constexpr double largest_length = 1e30;
 
-    /// The identity.
     Pose() = default;
 
     /// From a translation (3 numbers, in the length unit) and a quaternion of any non-zero length. Throws InvalidInput

@@ -13,6 +13,7 @@ namespace {
 using Scalar = algebra::DoubleDouble;
 using Vector = Vector3<Scalar>;
 
+/// The quaternion of unit length, in double-double.
 Quaternion<Scalar> normalized(const Quaternion<Scalar>& q) {
     const Scalar inverse = Scalar(1.0) / sqrt(q.squared_norm());
     return {q.w * inverse, scale(q.v, inverse)};
@@ -25,6 +26,7 @@ Pose rounded(const GeneralPose<Scalar>& pose) {
     return Pose(rounded(pose.translation), Eigen::Quaterniond(q.w.high(), q.v.x.high(), q.v.y.high(), q.v.z.high()));
 }
 
+/// Tries the fast normalization first. Both ways return the same bits.
 Pose normalized(const Pose& pose) {
     FourNumbers numbers;
     for (int i = 0; i < 4; ++i)
@@ -42,12 +44,14 @@ GeneralPose<Scalar> composed(const GeneralPose<Scalar>& outer, const GeneralPose
     return {rotation_matrix(outer.rotation) * inner.translation + outer.translation, outer.rotation * inner.rotation};
 }
 
+/// The arc tangent of sine and cosine is accurate for all angles, also next to 0 and to a half turn.
 TurnAngle turn_angle(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal) {
     const Quaternion<Scalar> turn = turn_between(start, goal);
     const Scalar sine = length(turn.v);
     return {2 * std::atan2(sine.high(), turn.w.high()), (sine / turn.w).high()};
 }
 
+/// For a pure translation the direction is the direction of the displacement.
 ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal)
     : start_(start), turn_(normalized(turn_between(start, goal))), half_sine_(length(turn_.v)) {
     const Vector shift = goal.translation - start.translation;
