@@ -2,6 +2,7 @@
 // bolt, and the loading of a body. Every answer is checked before it is timed.
 #include "bench/motion_cases.h"
 #include "bench/run_benchmarks.h"
+#include "chasles/mesh/body.h"
 
 #include <benchmark/benchmark.h>
 #include <cstdio>

@@ -13,10 +13,10 @@ using algebra::Vector3;
 /// Control maps, packed as in a query.
 template <class Pack>
 struct PackedMaps {
-    Matrix3<Pack> turn;
-    Matrix3<Pack> turn_size; ///< magnitudes
-    Vector3<Pack> shift;
-    Vector3<Pack> inverse_shift;
+    Matrix3<Pack> rotation;
+    Matrix3<Pack> rotation_size; ///< magnitudes
+    Vector3<Pack> translation;
+    Vector3<Pack> inverse_translation;
     Pack weight;
     Pack slack;
 };
@@ -52,7 +52,7 @@ PackedMaps<Pack> packed(const motion::ControlMaps<double>& maps, double slack) {
         result.inverse_translation[i] = load_lanes<Pack>(maps.inverse_translation[i]);
         for (int j = 0; j < 3; ++j) {
             result.rotation.row[i][j] = load_lanes<Pack>(maps.rotation.row[i][j]);
-            result.turn_size.row[i][j] = magnitude(result.rotation.row[i][j]);
+            result.rotation_size.row[i][j] = magnitude(result.rotation.row[i][j]);
         }
     }
     return result;
@@ -93,12 +93,13 @@ bool is_rejected(const PackedMaps<Pack>& maps, const BoxPair& pair) {
         return is_apart(combined(row, turned) + offset - maps.weight * Pack::all(still), half_extent);
     };
     for (int i = 0; i < 3; ++i)
-        if (separates(maps.rotation.row[i], maps.turn_size.row[i], maps.translation[i], pair.moving_centre,
+        if (separates(maps.rotation.row[i], maps.rotation_size.row[i], maps.translation[i], pair.moving_centre,
                       pair.moving_half, pair.fixed_centre[i], pair.fixed_half[i]))
             return true;
     for (int i = 0; i < 3; ++i) {
         const Vector3<Pack> column{maps.rotation.row[0][i], maps.rotation.row[1][i], maps.rotation.row[2][i]};
-        const Vector3<Pack> size{maps.turn_size.row[0][i], maps.turn_size.row[1][i], maps.turn_size.row[2][i]};
+        const Vector3<Pack> size{maps.rotation_size.row[0][i], maps.rotation_size.row[1][i],
+                                 maps.rotation_size.row[2][i]};
         if (separates(column, size, Pack::all(0) - maps.inverse_translation[i], pair.fixed_centre, pair.fixed_half,
                       pair.moving_centre[i], pair.moving_half[i]))
             return true;

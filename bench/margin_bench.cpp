@@ -3,6 +3,7 @@
 #include "bench/bodies.h"
 #include "bench/run_benchmarks.h"
 #include "chasles/chasles.h"
+#include "chasles/mesh/body.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>

@@ -4,6 +4,7 @@
 #include "bench/draw.h"
 #include "bench/run_benchmarks.h"
 #include "chasles/base/flat_lists.h"
+#include "chasles/mesh/body.h"
 #include "chasles/query/path.h"
 
 #include <Eigen/Geometry>
