@@ -5,6 +5,7 @@
 #include "tests/support/exact_reference_motion.h"
 
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace chasles::attack {
@@ -28,6 +29,8 @@ struct PosedMotion {
     double max_turn = std::numbers::pi;
 
     [[nodiscard]] Motion motion() const;
+    /// Empty for a sweep.
+    [[nodiscard]] std::optional<ScrewMotion> screw() const;
 
     /// The motion in the frame of the fixed body, exactly. A screw that the library cuts is, by its documentation, the
     /// motions between poses rounded to double precision; these poses are taken from the library.

@@ -94,7 +94,7 @@ std::vector<Named<S>> edge_polynomials(const motion::ControlMaps<S>& maps, const
     const auto p = points_in<S>(ends);
     const EdgePath<S> moving = edge_path(maps, p[0], p[1]);
     const FixedEdge<S> fixed = elementary::fixed_edge(p[2], p[3]);
-    const elementary::detail::EdgePair<S> pair(maps, moving, fixed, accuracy.scale);
+    const elementary::detail::EdgePair<S> pair({maps, moving, fixed}, accuracy.scale);
     std::vector<Named<S>> result{{"volume", pair.volume()}};
     elementary::Constraints<S> constraints;
     const auto add_all = [&](const char* name) {

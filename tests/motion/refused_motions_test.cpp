@@ -1,6 +1,5 @@
 // What no motion can be made from is refused by name, however it comes in.
-#include "chasles/motion/screw_motion.h"
-#include "chasles/motion/sweep_motion.h"
+#include "chasles/motion/motion.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
 

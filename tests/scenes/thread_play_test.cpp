@@ -1,5 +1,5 @@
 // The play of the nut on its thread, found without any collision code: by projection of facets and by sampled poses.
-#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/motion.h"
 #include "scenes/nut_motions.h"
 #include "scenes/threaded_fastener.h"
 #include "tests/scenes/axial_way.h"
