@@ -103,11 +103,14 @@ TEST(SweepMotion, CentreRunsStraightAndAnotherCentreGivesAnotherPath) {
 TEST(SweepMotion, TauIsTime) {
     const auto sweep = SweepMotion::between(Pose(), Pose({1, 0, 0}, Eigen::Quaterniond(1, 1, 0, 0)));
     const motion::SweepPiece piece = sweep.trajectory().piece();
-    EXPECT_EQ(piece.tau_of({0.3, 0.3}).lower, 0.3);
-    EXPECT_EQ(piece.tau_of({0.3, 0.3}).upper, 0.3);
-    EXPECT_EQ(piece.time_of({0.3, 0.3}).lower, 0.3);
-    EXPECT_EQ(piece.time_of({0.3, 0.3}).upper, 0.3);
+    for (const Bracket& whole : {piece.tau_of({0.3, 0.3}), piece.time_of({0.3, 0.3})}) {
+        EXPECT_LE(whole.lower, 0.3);
+        EXPECT_GE(whole.upper, 0.3);
+        EXPECT_LT(whole.upper - whole.lower, 1e-15);
+    }
     EXPECT_EQ(piece.tau_rate(0.3), 1);
+    EXPECT_EQ(piece.tau_tolerance(1e-12), 1e-12);
+    EXPECT_EQ(piece.pose_at(0.3).translation, sweep.pose_at(0.3).translation);
 }
 
 TEST(SweepMotion, CentreThatIsNotFiniteIsRefused) {
