@@ -3,10 +3,19 @@ JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 10
 
-.PHONY: help demo quick check python-check facts attack install bench asan tsan fuzz tidy format clean
+# `make quick` runs the unit tests of these layers, `make asan-core` what they decide an answer with, `make tidy-core` those
+# without findings.
+QUICK = algebra motion elementary hierarchy mesh culling contact search query
+CORE = algebra elementary culling contact search query
+TIDY = algebra base hierarchy io mesh
+empty :=
+one_of = ^($(subst $(empty) ,|,$(strip $(1))))$$
+
+.PHONY: help demo quick check python-check facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
+	@echo "make quick    build and run the unit tests of the layers, without the slow ones: a minute where little has changed"
 	@echo "make check    install what is missing, build with checks, and run every test"
 	@echo "make python-check  install the Python package into a fresh environment and run its tests"
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
@@ -14,9 +23,12 @@ help:
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
 	@echo "make bench    install what is compared with, build and run the benchmarks, and plot them"
 	@echo "make asan     every test but the largest nuts under the address and undefined-behaviour sanitizers"
+	@echo "make asan-core     the same for the layers that an answer is computed in, without the nuts"
 	@echo "make tsan     the tests that share bodies between threads, under the thread sanitizer"
 	@echo "make fuzz     run each fuzzer for FUZZ_SECONDS (default $(FUZZ_SECONDS))"
+	@echo "make clang    build the library and the command line by Clang, with warnings as errors"
 	@echo "make tidy     clang-tidy over the library, the scenes and the command line"
+	@echo "make tidy-core     clang-tidy over the layers that have no findings"
 	@echo "make format   lay out every source file"
 
 demo:
@@ -32,6 +44,12 @@ check:
 	ctest --preset dev -j $(JOBS)
 	tools/python_check.sh build/dev
 	tools/fuzz.sh $(FUZZ_SECONDS) $(JOBS)
+
+quick:
+	@tools/install_dependencies.sh check
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS) --target $(QUICK:%=chasles_%_tests)
+	ctest --preset quick -j $(JOBS) -L '$(call one_of,$(QUICK))'
 
 python-check:
 	@tools/install_dependencies.sh python
@@ -68,6 +86,12 @@ asan:
 	cmake --build --preset asan -j $(JOBS)
 	ctest --preset asan -j $(JOBS)
 
+asan-core:
+	@tools/install_dependencies.sh check
+	cmake --preset asan
+	cmake --build --preset asan -j $(JOBS) --target $(CORE:%=chasles_%_tests)
+	ctest --preset asan -j $(JOBS) -L '$(call one_of,$(CORE))' -E 'Nut'
+
 tsan:
 	@tools/install_dependencies.sh check
 	cmake --preset tsan
@@ -78,10 +102,21 @@ fuzz:
 	@tools/install_dependencies.sh fuzz
 	tools/fuzz.sh $(FUZZ_SECONDS) $(JOBS)
 
+clang:
+	@tools/install_dependencies.sh install fuzz
+	cmake --preset clang
+	cmake --build --preset clang -j $(JOBS)
+	build/clang/bin/chasles demo
+
 tidy:
-	@tools/install_dependencies.sh check tidy
-	cmake --preset dev
-	tools/tidy.sh build/dev
+	@tools/install_dependencies.sh install fuzz tidy
+	cmake --preset clang
+	tools/tidy.sh build/clang
+
+tidy-core:
+	@tools/install_dependencies.sh install fuzz tidy
+	cmake --preset clang
+	tools/tidy.sh build/clang 'chasles/$(patsubst ^%$$,%,$(call one_of,$(TIDY)))/'
 
 format:
 	@tools/install_dependencies.sh format

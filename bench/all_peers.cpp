@@ -37,7 +37,7 @@ AllPeers all_peers() {
     all.absent.insert(all.absent.end(), registry.absent.begin(), registry.absent.end());
     for (const ProcessPeer& peer : registry.to_start)
         add(all, peer);
-    // docs/decisions/0040-peers.md; for single feature pairs it is in translations_bench.
+    // docs/decisions/0040-peers.md gives the reason. translations_bench compares single feature pairs.
     all.absent.push_back({"IPC Toolkit", "no whole rigid bodies from Python"});
     return all;
 }

@@ -1,4 +1,4 @@
-// Who is compared, and who is not there.
+// The libraries of the comparison, and the libraries that are not installed.
 #pragma once
 
 #include "bench/peer.h"
@@ -8,7 +8,7 @@
 namespace chasles::bench {
 
 struct AllPeers {
-    std::vector<Peer> present; ///< the first one is what the others are compared with
+    std::vector<Peer> present; ///< the first peer is the reference of all ratios
     std::vector<AbsentPeer> absent;
 };
 

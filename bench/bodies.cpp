@@ -61,7 +61,7 @@ std::optional<NutAndBolt> m16_nut_and_bolt() {
     const auto nut = data_file("assembly-factory/factory_nut_m16_loose_subdiv_3x.obj");
     const auto bolt = data_file("assembly-factory/factory_bolt_m16_loose.obj");
     if (!nut || !bolt) {
-        std::printf("skipped: the M16 nut and bolt of assembly-factory are not there\n");
+        std::printf("skipped: the M16 nut and bolt of assembly-factory are missing\n");
         return std::nullopt;
     }
     const PolyhedronOptions options{.drop_degenerate = true}; // the nut has 32 collapsed faces
@@ -71,7 +71,7 @@ std::optional<NutAndBolt> m16_nut_and_bolt() {
 std::optional<Polyhedron> small_gear() {
     const auto file = data_file("assembly-factory/factory_gear_small_space_5e-4.obj");
     if (!file) {
-        std::printf("skipped: the gear of assembly-factory is not there\n");
+        std::printf("skipped: the gear of assembly-factory is missing\n");
         return std::nullopt;
     }
     return Polyhedron::load(*file, {.drop_degenerate = true});

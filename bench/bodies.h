@@ -1,4 +1,4 @@
-// The bodies that the queries are timed on: real meshes where the data is, generated ones of the same size where not.
+// The bodies of the benchmarks: real meshes if the data is present, otherwise generated bodies of the same size.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -11,33 +11,35 @@
 
 namespace chasles::bench {
 
-/// A torus with bumps, closed, of outer radius 1 about z; `rings` times `sides` quadrangles, each cut in two.
+/// A closed torus with bumps and outer radius 1 about z: `rings` times `sides` quadrangles, each cut into two
+/// triangles.
 Polyhedron bumpy_torus(std::size_t rings, std::size_t sides);
 
-/// Its faces, cut into fans: three vertex indices each.
+/// The faces of a body, cut into fans of triangles: three vertex indices per triangle.
 std::vector<std::array<std::uint32_t, 3>> triangles_of(const Polyhedron& body);
 
-/// A file of the data from outside the project; empty if it is not there.
+/// A file of the external data; empty if the file does not exist.
 std::optional<std::filesystem::path> data_file(const std::string& path);
 
-/// A body and where it comes from.
+/// A body and its source.
 struct NamedBody {
     std::string name;
     Polyhedron body;
 };
 
-/// The Stanford bunny, 69,451 triangles, or a bumpy torus of as many. Says what is skipped on standard output.
+/// The Stanford bunny (69,451 triangles), or a bumpy torus with nearly as many triangles. Prints a line if the bunny is
+/// missing.
 NamedBody large_body();
 
-/// A nut on its bolt; see assembly-factory/README.md in the data. Empty, and said on standard output, if not there.
+/// A nut on its bolt; see assembly-factory/README.md in the data. Empty, with a printed line, if the data is missing.
 struct NutAndBolt {
     Polyhedron nut;
     Polyhedron bolt;
 };
 std::optional<NutAndBolt> m16_nut_and_bolt();
 
-/// The small gear of assembly-factory: 20 teeth of module 1 mm about the upright through (0.0505, 0, 0), a tooth along
-/// x. Empty, and said on standard output, if not there.
+/// The small gear of assembly-factory: 20 teeth of module 1 mm about the vertical line through (0.0505, 0, 0). One
+/// tooth points along x. Empty, with a printed line, if the data is missing.
 std::optional<Polyhedron> small_gear();
 
 } // namespace chasles::bench

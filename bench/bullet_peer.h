@@ -7,9 +7,9 @@ namespace chasles::bench {
 
 /// `btContinuousConvexCollision` on convex hulls without a margin.
 ///
-/// Bullet carries the body's origin along a straight line and turns the body at a constant rate, by no more than 45
-/// degrees: beyond that its motion does not reach the goal. This is the screw where the axis runs through the origin
-/// and the turn is less. Bodies nearer than 0.001, whatever their size, count as touching.
+/// Bullet moves the body's origin along a straight line and turns the body at a constant rate by at most 45 degrees.
+/// With a larger turn its motion does not end at the goal. Its motion is the screw if the axis passes through the
+/// origin and the turn is at most 45 degrees. Bodies closer than 0.001 count as touching, independent of their size.
 Peer bullet_peer();
 
 } // namespace chasles::bench

@@ -1,14 +1,14 @@
-// Chasles, asked as the others are: from two poses, with the hierarchies built.
+// Chasles as a peer: queries between two poses, with the hierarchies already built.
 #pragma once
 
 #include "bench/peer.h"
 
 namespace chasles::bench {
 
-/// What all others are compared with: the time of the first contact.
+/// The reference of the comparison: the time of the first contact.
 Peer chasles_first();
 
-/// Whether there is a contact at all.
+/// Yes or no: whether there is any contact.
 Peer chasles_any();
 
 } // namespace chasles::bench

@@ -23,7 +23,7 @@ Clock::time_point deadline_of(ChildProcess::Limit limit) {
     return Clock::now() + std::chrono::duration_cast<Clock::duration>(limit);
 }
 
-/// With `socket` as standard input and output; answers the error, 0 for none.
+/// Starts a command with `socket` as its standard input and output. Returns the error number, or 0.
 int spawn(const std::vector<std::string>& command, int socket, pid_t& id) {
     std::vector<char*> arguments;
     for (const std::string& text : command)
@@ -118,7 +118,7 @@ void ChildProcess::fail(const std::string& reason) {
 }
 
 std::string ChildProcess::ending() {
-    for (int wait = 0; wait < 100; ++wait) { // its end may be a moment behind that of its output
+    for (int wait = 0; wait < 100; ++wait) { // the process may end shortly after its output
         int status = 0;
         if (waitpid(id_, &status, WNOHANG) == id_) {
             id_ = -1;

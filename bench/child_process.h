@@ -1,5 +1,5 @@
-// A program that runs beside this one and is asked line by line. However it fails, the asker goes on with one line of
-// reason: it waits no longer than it says, and a child that is gone is no signal.
+// A child process that answers lines of text. Every failure becomes an exception with a reason of one line: each wait
+// has a limit, and writing to a child that has ended raises no signal.
 #pragma once
 
 #include <chrono>
@@ -10,40 +10,41 @@
 
 namespace chasles::bench {
 
-/// Why there is no answer, in one line.
+/// The reason of a failure, in one line.
 struct ChildFailed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Lines go to its standard input and come from its standard output; its standard error is ours. It is killed when it
-/// fails, and in the end. Any method throws ChildFailed, after which there is nothing to be asked any more.
+/// Lines are written to the child's standard input and read from its standard output. The child shares our standard
+/// error. The destructor kills the child, and so does every failure. Each method may throw ChildFailed; after this
+/// exception the object is unusable.
 class ChildProcess {
 public:
     using Limit = std::chrono::duration<double>;
 
-    /// The program, looked up in PATH, and its arguments.
+    /// Starts the program, which is searched in PATH, with its arguments.
     explicit ChildProcess(const std::vector<std::string>& command);
     ~ChildProcess();
     ChildProcess(const ChildProcess&) = delete;
     ChildProcess& operator=(const ChildProcess&) = delete;
 
     void write_line(const std::string& line, Limit limit);
-    /// Without its end.
+    /// The next line, without the line end.
     std::string read_line(Limit limit);
-    /// Both within the limit each.
+    /// Writes a line and reads the reply. Each step has the limit.
     std::string ask(const std::string& line, Limit limit);
 
 private:
-    /// Until the socket is ready for `event`; throws at the deadline.
+    /// Waits until the socket is ready for `event`. Throws ChildFailed at the deadline.
     void wait_for(short event, std::chrono::steady_clock::time_point deadline, Limit limit);
     [[noreturn]] void fail(const std::string& reason);
-    /// How the child ended, if it has.
+    /// Describes how the child ended, if it has ended.
     std::string ending();
     void kill();
 
     pid_t id_ = -1;
     int socket_ = -1;
-    std::string received_; ///< beyond the last line that was read
+    std::string received_; ///< bytes after the last line that was read
 };
 
 } // namespace chasles::bench

@@ -29,7 +29,7 @@ std::vector<PlacedTriangle> placed(const Polyhedron& body, const Eigen::Isometry
     return triangles;
 }
 
-/// Only triangles that reach into the other body's box, by their lowest x.
+/// Keeps the triangles that intersect the other body's box, sorted by their lowest x.
 void keep_near(std::vector<PlacedTriangle>& triangles, const Eigen::AlignedBox3d& box) {
     std::erase_if(triangles, [&](const PlacedTriangle& triangle) { return !triangle.box.intersects(box); });
     std::sort(triangles.begin(), triangles.end(),
@@ -47,7 +47,7 @@ double volume(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::V
     return (b - a).cross(c - a).dot(d - a);
 }
 
-/// The segment passes strictly through the triangle.
+/// Whether the segment passes strictly through the triangle.
 bool pierces(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const std::array<Eigen::Vector3d, 3>& triangle) {
     const auto& [a, b, c] = triangle;
     if (volume(a, b, c, from) * volume(a, b, c, to) >= 0)
@@ -75,7 +75,7 @@ bool is_overlapping(const Polyhedron& moving, const Polyhedron& fixed, const Eig
     const Eigen::AlignedBox3d a_box = box_of(a);
     keep_near(a, box_of(b));
     keep_near(b, a_box);
-    std::vector<const PlacedTriangle*> active; // of b: those that may still reach the x of the next of a
+    std::vector<const PlacedTriangle*> active; // triangles of b that may overlap the x range of the next triangle of a
     std::size_t next = 0;
     for (const PlacedTriangle& triangle : a) {
         while (next < b.size() && b[next].box.min().x() <= triangle.box.max().x())
@@ -83,7 +83,7 @@ bool is_overlapping(const Polyhedron& moving, const Polyhedron& fixed, const Eig
         for (const PlacedTriangle* other : active)
             if (other->box.intersects(triangle.box) && cross_each_other(triangle, *other))
                 return true;
-        // Later triangles of `a` begin at this one's lowest x or beyond.
+        // Later triangles of `a` do not begin before the lowest x of this triangle.
         std::erase_if(active, [&](const auto* other) { return other->box.max().x() < triangle.box.min().x(); });
     }
     return false;

@@ -1,5 +1,5 @@
-// Do two surfaces of triangles pass through each other at one pose? Independent of the library's own detections and
-// hierarchies, in plain double precision: a check, not a proof.
+// A discrete test: whether two triangle surfaces pass through each other at one pose. It is independent of the
+// library's detections and hierarchies, and computes in plain double precision. It is a check, not a proof.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -8,7 +8,7 @@
 
 namespace chasles::bench {
 
-/// `pose` takes the moving body into the frame of the fixed one. Convex faces only.
+/// `pose` is the pose of the moving body in the frame of the fixed body. All faces must be convex.
 bool is_overlapping(const Polyhedron& moving, const Polyhedron& fixed, const Eigen::Isometry3d& pose);
 
 } // namespace chasles::bench

@@ -1,4 +1,4 @@
-// Random numbers, directions and turns for the cases of benchmarks.
+// Random numbers, directions and rotations for benchmark cases.
 #pragma once
 
 #include <Eigen/Geometry>

@@ -1,6 +1,7 @@
-// Nanoseconds of one elementary detection: rejected by signs, solved in double, refined in double-double precision,
-// with paths and shapes made anew from the points of the features each time; "ready": with those made before. Each
-// problem is timed by itself, so that the spread over the problems is seen; answers are checked first.
+// Nanoseconds of one elementary detection: rejected by signs, solved in double precision, or refined in double-double
+// precision. Each detection computes paths and shapes from the points of its features; rows with "ready" reuse paths
+// and shapes computed in advance. Each problem is timed separately to show the spread. Answers are checked before
+// timing.
 #include "bench/elementary_detector.h"
 #include "bench/run_benchmarks.h"
 #include "chasles/search/found_contacts.h"
@@ -15,7 +16,7 @@ using algebra::DoubleDouble;
 using algebra::FeasibleInterval;
 using Answer = std::optional<FeasibleInterval>;
 
-/// A problem with what the filter says of it, as the refinement is asked.
+/// A problem with its answer from the filter, the input of the refinement.
 template <class Problem>
 struct Found : Problem {
     FeasibleInterval found;
@@ -51,13 +52,13 @@ std::vector<Ready> made_ready(const Detector<double>& detector, const std::vecto
     return all;
 }
 
-/// What a query asks of a vertex first (docs/derivations/13-face-sides.md).
+/// The first test of a query for a vertex (docs/derivations/13-face-sides.md).
 struct SideOfPlane {
     int operator()(const ReadyVertexFace& ready) const { return ready.plane.side_of(ready.vertex); }
 };
 
-/// Built from a contact: nothing later than it may be the first, up to the rounding of the problem itself. Brackets
-/// are far narrower than demanded here but for edges that hardly cross.
+/// The problem is built from a known contact. The answer must not be later than this contact, up to the rounding of the
+/// problem. Brackets are far narrower than this test demands, except for edges that barely cross.
 template <class Detect, class Problem>
 bool finds_contacts(Detect detect, const std::vector<Problem>& problems) {
     return std::all_of(problems.begin(), problems.end(), [&](const Problem& problem) {
@@ -66,7 +67,7 @@ bool finds_contacts(Detect detect, const std::vector<Problem>& problems) {
     });
 }
 
-/// Without looking for a root.
+/// Rejects a pair without a search for roots.
 template <class Problem>
 bool rejects(Detector<double> detect, const std::vector<Problem>& problems) {
     const bool all = std::none_of(problems.begin(), problems.end(),

@@ -35,7 +35,7 @@ public:
         return problem;
     }
 
-    /// The plane's side does not change: the face is put where the vertex never comes to.
+    /// The vertex stays on one side of the plane, because the face lies where the vertex never arrives.
     VertexFaceProblem vertex_face_rejection() {
         VertexFaceProblem problem = vertex_face_contact();
         const Point normal = cross(problem.face[1] - problem.face[0], problem.face[2] - problem.face[0]);
@@ -56,7 +56,7 @@ public:
         return problem;
     }
 
-    /// The lines stay apart: far from parallel, and further from each other than the moving one goes.
+    /// The lines stay apart: they are far from parallel, and their distance exceeds the travel of the moving line.
     EdgeEdgeProblem edge_edge_rejection() {
         for (;;) {
             EdgeEdgeProblem problem = edge_edge_contact();

@@ -1,5 +1,5 @@
-// Seeded elementary problems under a screw of ten degrees: feature pairs that are rejected by signs, and pairs built
-// backwards from a contact at a chosen tau.
+// Seeded elementary problems under a screw of ten degrees: feature pairs that are rejected by signs, and pairs that are
+// built backwards from a contact at a chosen tau.
 #pragma once
 
 #include "chasles/elementary/edge_edge.h"
@@ -13,9 +13,9 @@ using Point = algebra::Vector3<double>;
 
 inline constexpr unsigned elementary_seed = 20000424;
 inline constexpr std::size_t elementary_problems = 256;
-inline constexpr double elementary_reach = 4; ///< no coordinate of any problem is larger
+inline constexpr double elementary_extent = 4; ///< no coordinate of any problem is larger
 
-/// Moving feature and fixed feature; `tau` is that of a contact, and meaningless where there is none.
+/// Moving feature and fixed feature. `tau` is the tau of their contact; it has no meaning if there is no contact.
 struct VertexFaceProblem {
     Point vertex;
     std::array<Point, 3> face;
@@ -27,7 +27,7 @@ struct EdgeEdgeProblem {
     double tau = 0;
 };
 
-/// A set of each kind.
+/// One set of problems of each kind.
 struct ElementaryCases {
     motion::ControlMaps<algebra::DoubleDouble> exact_maps;
     motion::ControlMaps<double> maps;

@@ -1,4 +1,4 @@
-// What a query does for one feature pair, in any scalar.
+// The work of a query for one feature pair, in any scalar.
 #pragma once
 
 #include "bench/elementary_cases.h"
@@ -11,13 +11,13 @@
 
 namespace chasles::bench {
 
-/// Features with what a query makes of them once for all features that they may meet. Not to be moved: the shape of
-/// the face refers to the corners.
+/// Two features with the data that a query computes once per feature. Not movable: the shape of the face refers to the
+/// corners.
 struct ReadyVertexFace {
     algebra::Vector3<algebra::Bernstein<3, double>> position;
     std::array<Point, 3> corners;
     elementary::FaceShape<double> face;
-    elementary::RelativePlane<double> plane; ///< of the face
+    elementary::RelativePlane<double> plane; ///< the plane of the face
     Point vertex;
 };
 struct ReadyEdgeEdge {
@@ -33,7 +33,7 @@ public:
 
     Detector(const motion::ControlMaps<S>& maps, const motion::ControlMaps<double>& rounded,
              const algebra::Tolerance& tolerance)
-        : maps_(maps), accuracy_{elementary::error_scale(rounded, elementary_reach, elementary_reach), tolerance} {}
+        : maps_(maps), accuracy_{elementary::error_scale(rounded, elementary_extent, elementary_extent), tolerance} {}
 
     Answer operator()(const VertexFaceProblem& problem) {
         const Vector corners[] = {in_scalar(problem.face[0]), in_scalar(problem.face[1]), in_scalar(problem.face[2])};
@@ -67,7 +67,7 @@ public:
         ready.fixed = elementary::fixed_edge(problem.fixed[0], problem.fixed[1]);
     }
 
-    /// Asks with another tolerance from now on.
+    /// Changes the tolerance of later detections.
     void use(const algebra::Tolerance& tolerance) { accuracy_.tolerance = tolerance; }
 
     [[nodiscard]] std::uint64_t root_brackets() const { return workspace_.root_brackets; }
@@ -80,7 +80,7 @@ private:
     elementary::Workspace<S> workspace_;
 };
 
-/// The least of a few timings: the machine is shared.
+/// The minimum of several timings, because other work on the machine only adds time.
 template <class Work>
 double nanoseconds_of(int timings, int repeats, Work work) {
     using Clock = std::chrono::steady_clock;

@@ -33,7 +33,7 @@ Model<BoundingVolume> model_of(const Polyhedron& body) {
     return model;
 }
 
-/// One model of a body for all who hold it: those of large bodies take a hundred megabytes.
+/// Models of bodies, shared by all their users: a model of a large body takes a hundred megabytes.
 template <class BoundingVolume>
 class Models {
 public:
@@ -52,8 +52,8 @@ private:
 template <class BoundingVolume>
 using SharedModels = std::shared_ptr<Models<BoundingVolume>>;
 
-/// FCL's screw goes wrong where nothing turns: it takes the travel for the axis without normalising it, so that the
-/// body goes d |d| instead of d. Who knows that asks for a translation then.
+/// FCL's screw is wrong for a motion without rotation: FCL uses the displacement d as the axis without normalising it,
+/// and the body moves by d |d| instead of d. FCL's translation is correct, so it is used instead.
 fcl::CCDMotionType motion_type(const Displacement& motion) {
     const double turn =
         Eigen::Quaterniond(motion.start.rotation).angularDistance(Eigen::Quaterniond(motion.goal.rotation));
@@ -104,14 +104,14 @@ Peer advancement(const SharedModels<fcl::OBBRSSd>& models) {
     return continuous("FCL, conservative advancement", models, request);
 }
 
-/// A millionth of the way before the bodies touch, or the goal: where a discrete test takes longest.
+/// The pose at which a discrete test takes longest: a millionth of the motion before the contact, or the goal if clear.
 Eigen::Isometry3d hardest_pose(const Polyhedron& moving, const Polyhedron& fixed, const Displacement& motion) {
     const chasles::ScrewMotion screw = chasles::ScrewMotion::between(motion.start, motion.goal);
     const FirstContact found = first_contact({.moving = moving, .fixed = fixed, .motion = screw});
     return screw.pose_at(found.verdict == Verdict::clear ? 1 : found.time.lower * (1 - 1e-6)).isometry();
 }
 
-/// The poses of a pair's questions, each found once: what it takes to find them is not the peer's.
+/// The hardest poses of the queries of a pair, each computed once. This computation is not part of the peer's time.
 class HardestPoses {
 public:
     HardestPoses(const Polyhedron& moving, const Polyhedron& fixed) : moving_(moving), fixed_(fixed) {}
@@ -141,7 +141,7 @@ private:
     std::vector<Known> known_;
 };
 
-/// One contact is enough, and nobody asks where it is.
+/// Stops at one contact and does not compute its position.
 PeerAnswer answer_at(const Eigen::Isometry3d& pose, const Model<fcl::OBBd>& moving, const Model<fcl::OBBd>& fixed) {
     const fcl::CollisionRequestd request(1, false);
     fcl::CollisionResultd found;
@@ -149,7 +149,7 @@ PeerAnswer answer_at(const Eigen::Isometry3d& pose, const Model<fcl::OBBd>& movi
     return {.touches = found.isCollision(), .time = {}};
 }
 
-/// One test at one pose: what yes or no costs whoever does not ask about the motion.
+/// One discrete test at the start pose: the cost of a yes or no that ignores the motion.
 Peer at_the_start(const SharedModels<fcl::OBBd>& models) {
     const auto prepare = [=](const Polyhedron& moving, const Polyhedron& fixed) {
         const auto ask = [moving = models->of(moving), fixed = models->of(fixed)](const Displacement& motion) {
@@ -160,7 +160,7 @@ Peer at_the_start(const SharedModels<fcl::OBBd>& models) {
     return {.name = "FCL, start pose only", .prepare = prepare};
 }
 
-/// The same for whoever knows where to look: what one sample of a motion costs at most.
+/// One discrete test at the hardest pose: the largest cost of one sample of a motion.
 Peer before_the_contact(const SharedModels<fcl::OBBd>& models) {
     const auto prepare = [=](const Polyhedron& moving, const Polyhedron& fixed) {
         const auto poses = std::make_shared<HardestPoses>(moving, fixed);
@@ -180,7 +180,7 @@ Peer before_the_contact(const SharedModels<fcl::OBBd>& models) {
 
 std::vector<Peer> fcl_peers() {
     const auto boxes = std::make_shared<Models<fcl::OBBd>>();
-    const auto boxes_and_swept_spheres = std::make_shared<Models<fcl::OBBRSSd>>(); // for distances
+    const auto boxes_and_swept_spheres = std::make_shared<Models<fcl::OBBRSSd>>(); // for distance queries
     return {at_the_start(boxes), before_the_contact(boxes), sampled(boxes, 10), sampled(boxes, 100),
             advancement(boxes_and_swept_spheres)};
 }

@@ -1,7 +1,8 @@
-// Whole queries: two bodies of 69k triangles over half a body length into contact, one step of a nut on its bolt, and
-// what it takes to load a body. Every answer is checked before it is timed.
+// Whole queries: two bodies of 69,000 triangles that move half a body length into contact, one step of a nut on its
+// bolt, and the loading of a body. Every answer is checked before it is timed.
 #include "bench/motion_cases.h"
 #include "bench/run_benchmarks.h"
+#include "chasles/mesh/body.h"
 
 #include <benchmark/benchmark.h>
 #include <cstdio>
@@ -23,7 +24,7 @@ void time_query(benchmark::State& state, const MotionCase& test, Find find) {
     state.counters["bracket"] = found.time.upper - found.time.lower;
 }
 
-/// False, with a line on standard output, if the answer cannot be right.
+/// Returns false and prints a line if the answer is wrong.
 bool add(const MotionCase& test) {
     const std::string reason = contradiction(test);
     std::printf("%-14s %s\n", test.name.c_str(), reason.empty() ? "checked" : reason.c_str());

@@ -16,7 +16,7 @@ struct Mesh {
     std::vector<std::vector<std::uint32_t>> faces;
 };
 
-/// Each triangle in four, corners of neighbours shared.
+/// Cuts each triangle into four. Neighbours share the new corners.
 Mesh cut_in_four(const Mesh& mesh) {
     Mesh finer{mesh.vertices, {}};
     std::map<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t> middles;
@@ -54,7 +54,7 @@ Mesh icosahedron() {
              {3, 8, 9},   {4, 9, 5},  {2, 4, 11}, {6, 2, 10}, {8, 6, 7},   {9, 8, 1}}};
 }
 
-/// Adds a regular polygon and answers its vertex ids, counter-clockwise seen from above.
+/// Adds a regular polygon. Returns its vertex ids, counter-clockwise when viewed from above.
 std::vector<std::uint32_t> add_ring(Mesh& mesh, std::size_t sides, double radius, double height) {
     std::vector<std::uint32_t> ring;
     for (std::size_t i = 0; i < sides; ++i) {
@@ -65,7 +65,8 @@ std::vector<std::uint32_t> add_ring(Mesh& mesh, std::size_t sides, double radius
     return ring;
 }
 
-/// The strip of triangles between two rings, seen from the side where `from` runs counter-clockwise below `to`.
+/// Adds the strip of triangles between two rings. Its front is the side from which `from` runs counter-clockwise below
+/// `to`.
 void join(Mesh& mesh, const std::vector<std::uint32_t>& from, const std::vector<std::uint32_t>& to) {
     for (std::size_t i = 0; i < from.size(); ++i) {
         const std::size_t next = (i + 1) % from.size();
@@ -74,7 +75,7 @@ void join(Mesh& mesh, const std::vector<std::uint32_t>& from, const std::vector<
     }
 }
 
-/// Where half a tooth ends at a radius, as an angle from its middle.
+/// The angle between the middle of a tooth and its flank, at a radius.
 double half_tooth(const Gear& gear, double radius) {
     const double pitch_radius = gear.pitch_radius();
     const double pressure = 20 * std::numbers::pi / 180;
@@ -86,7 +87,7 @@ double half_tooth(const Gear& gear, double radius) {
     return 0.5 * thickness / pitch_radius + involute(pitch_radius) - involute(radius);
 }
 
-/// Half a tooth from the root to the tip: radius and angle from the tooth's middle.
+/// The flank of a tooth from the root to the tip: radius, and angle from the tooth's middle.
 std::vector<std::pair<double, double>> flank(const Gear& gear) {
     constexpr int chords = 8;
     const double base = gear.pitch_radius() * std::cos(20 * std::numbers::pi / 180);
@@ -100,7 +101,8 @@ std::vector<std::pair<double, double>> flank(const Gear& gear) {
     return points;
 }
 
-/// Adds the outline of a gear, or the hole of a given radius at the same angles, counter-clockwise seen from above.
+/// Adds the outline of a gear, or a hole of the given radius with corners at the same angles. Both run
+/// counter-clockwise when viewed from above.
 std::vector<std::uint32_t> add_outline(Mesh& mesh, const Gear& gear, std::optional<double> hole, double height) {
     const auto half = flank(gear);
     std::vector<std::uint32_t> ring;
@@ -119,7 +121,7 @@ std::vector<std::uint32_t> add_outline(Mesh& mesh, const Gear& gear, std::option
     return ring;
 }
 
-/// The prism between two outlines and two holes.
+/// Adds the prism between two outlines and two holes.
 void join_all(Mesh& mesh, const std::array<std::vector<std::uint32_t>, 4>& rings) {
     for (std::size_t i = 0; i < 4; ++i)
         join(mesh, rings[i], rings[(i + 1) % 4]);

@@ -1,6 +1,6 @@
-// Four lanes of doubles as compiler vectors (what the library does), through Google Highway, and as a plain array:
-// the same kernels, checked for equal answers, then timed in turns. Built for x86-64 as it is (SSE2) and with AVX2.
-// Decision: docs/decisions/0030-lanes.md.
+// Four lanes of doubles as compiler vectors (the form of the library), through Google Highway, and as a plain array.
+// All forms run the same kernels, are checked for equal answers, and are then timed in turns. The benchmark is built
+// for plain x86-64 (SSE2) and for AVX2. Decision: docs/decisions/0030-lanes.md.
 #include "bench/lanes_cases.h"
 #include "bench/lanes_forms.h"
 #include "bench/ratio_reporter.h"
@@ -21,7 +21,7 @@ struct Family {
     std::vector<Pair> pairs;
 };
 
-/// Everything is inlined, so that forms are compared and not the compiler's guesses about them.
+/// Everything is inlined, so that inlining decisions of the compiler do not affect the comparison.
 template <class Form, class Pair>
 [[gnu::flatten]] std::size_t count_rejected(const PackedMaps<Form>& maps, const std::vector<Pair>& pairs) {
     std::size_t count = 0;
@@ -30,7 +30,7 @@ template <class Form, class Pair>
     return count;
 }
 
-/// Equal answers pair by pair, and equal bits of what vertex/face rejects by.
+/// Compares the answers of all pairs, and the bits of the heights by which vertex/face pairs are rejected.
 template <class Form, class Pair>
 bool answers_like_library(const motion::ControlMaps<double>& maps, const Family<Pair>& family) {
     const auto expected_maps = packed<LibraryForm>(maps, box_slack);
@@ -51,7 +51,7 @@ bool answers_like_library(const motion::ControlMaps<double>& maps, const Family<
 template <class Form, class Pair>
 bool add(const motion::ControlMaps<double>& maps, const Family<Pair>& family) {
     if (!answers_like_library<Form>(maps, family)) {
-        std::printf("%s: %s answers unlike library\n", family.name, Form::name);
+        std::printf("%s: %s and library give different answers\n", family.name, Form::name);
         return false;
     }
     const auto form_maps = packed<Form>(maps, box_slack);

@@ -1,4 +1,4 @@
-// Seeded inputs for lanes_bench.cpp: a screw of ten degrees, and pairs that it does and does not separate.
+// Seeded inputs for lanes_bench.cpp: a screw of ten degrees, and pairs that can and cannot be rejected.
 #pragma once
 
 #include "bench/lanes_kernels.h"
@@ -33,7 +33,7 @@ public:
         return pair;
     }
 
-    /// Two boxes of sides up to `size` whose middles are up to `distance` apart in each direction.
+    /// Two boxes with sides up to `size`, whose centres are up to `distance` apart along each axis.
     BoxPair boxes(double size, double distance) {
         BoxPair pair;
         for (int i = 0; i < 3; ++i) {
@@ -60,17 +60,17 @@ auto many(Make make) {
     return all;
 }
 
-/// Rejected or not as it comes.
+/// Random pairs, some rejected and some not.
 inline std::vector<VertexAndPlane> vertices_and_planes() {
     LaneCases cases;
     return many([&] { return cases.vertex_and_plane(); });
 }
-/// Separated by one of the six axes or by none, as in a traversal.
+/// Pairs that one of the six axes separates, and pairs that no axis separates, as in a traversal.
 inline std::vector<BoxPair> mixed_boxes() {
     LaneCases cases;
     return many([&] { return cases.boxes(0.4, 0.6); });
 }
-/// Never separated: every axis is tested, and no branch is mispredicted.
+/// Pairs that no axis separates: every axis is tested, and no branch is mispredicted.
 inline std::vector<BoxPair> overlapping_boxes() {
     LaneCases cases;
     return many([&] { return cases.boxes(3.0, 0.05); });

@@ -1,4 +1,4 @@
-// Four doubles side by side, in the forms that lanes_bench.cpp compares.
+// Four lanes of doubles, in the forms that lanes_bench.cpp compares.
 #pragma once
 
 #include "chasles/algebra/lanes.h"
@@ -14,7 +14,7 @@ namespace chasles::bench {
 
 using FourDoubles = std::array<double, 4>;
 
-/// What the library uses.
+/// The form of the library.
 struct LibraryForm {
     static constexpr const char* name = "library";
     using Lanes = algebra::Lanes<4, double>;
@@ -36,7 +36,7 @@ struct LibraryForm {
     friend bool all_above(const LibraryForm& a, const LibraryForm& b) { return all_above(a.lanes, b.lanes); }
 };
 
-/// An array and loops, left to the compiler.
+/// A plain array with loops, vectorised by the compiler.
 struct ArrayForm {
     static constexpr const char* name = "array";
     FourDoubles lanes{};
@@ -73,7 +73,7 @@ struct ArrayForm {
 };
 
 #if CHASLES_BENCH_HIGHWAY
-/// Google Highway, dispatched at compile time: one register of four, two of two, or whatever the target has.
+/// Google Highway with compile-time dispatch: one register of four doubles, two of two, or the registers of the target.
 class HighwayForm {
     using Tag = hwy::HWY_NAMESPACE::CappedTag<double, 4>;
     static constexpr std::size_t width = hwy::HWY_NAMESPACE::MaxLanes(Tag());

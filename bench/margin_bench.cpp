@@ -1,8 +1,9 @@
-// What a margin costs: the same motions without one and with margins of a millionth to a tenth of the body, each answer
-// checked against the others before it is timed.
+// The cost of a margin: the same motions without a margin, and with margins from a millionth to a tenth of the body's
+// size. The answers are compared with each other before they are timed.
 #include "bench/bodies.h"
 #include "bench/run_benchmarks.h"
 #include "chasles/chasles.h"
+#include "chasles/mesh/body.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -13,11 +14,11 @@
 namespace chasles::bench {
 namespace {
 
-/// A body against itself: motions that bring it from aside half through, turning by 17 degrees.
+/// A body and a copy of it: motions that start beside the body, move half through it, and turn by 17 degrees.
 struct MarginCase {
     NamedBody body;
     std::vector<Motion> motions;
-    double size; ///< of the body, its largest distance
+    double size; ///< diameter of the body
 };
 
 MarginCase case_of(NamedBody body) {
@@ -55,7 +56,7 @@ FirstContact answer(const MarginCase& test, const Motion& motion, double share, 
 
 constexpr double margins[] = {0, 1e-6, 1e-4, 1e-3, 1e-2, 1e-1};
 
-/// A larger margin is reached no later.
+/// Whether every larger margin is reached at the same time or earlier.
 bool is_in_order(const MarginCase& test) {
     for (const Motion& motion : test.motions) {
         double last = 1;
@@ -89,7 +90,7 @@ int run(int argc, char** argv) {
     cases.push_back(case_of(large_body()));
     for (const MarginCase& test : cases) {
         if (!is_in_order(test)) {
-            std::printf("%s: a larger margin is reached later, or in doubt\n", test.body.name.c_str());
+            std::printf("%s: a larger margin is reached later, or an answer is uncertain\n", test.body.name.c_str());
             return 1;
         }
         std::printf("%s: checked\n", test.body.name.c_str());

@@ -29,7 +29,7 @@ ScrewMotion straight(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
     return ScrewMotion::between(Pose(from, still), Pose(to, still));
 }
 
-/// Turned about the body's own middle, which is at `centre` in the body's frame.
+/// A pose that turns the body about its middle, the point `centre` of the body's frame.
 Pose turned_about(const Eigen::Vector3d& centre, const Eigen::Vector3d& offset, const Eigen::Quaterniond& turn) {
     return {Eigen::Vector3d(centre + offset - turn * centre), turn};
 }

@@ -1,4 +1,4 @@
-// What every library of the comparison is asked, and what it answers.
+// The queries that every library of the comparison runs, and their answers.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -12,41 +12,40 @@
 
 namespace chasles::bench {
 
-/// Where the moving body starts and where it ends, in the frame of the fixed one. What it does in between is the
-/// peer's.
+/// The start and the goal of the moving body in the frame of the fixed body. Each peer has its own motion in between.
 struct Displacement {
     Pose start;
     Pose goal;
 };
 
-/// Do the bodies touch on the way, and when?
+/// Whether and when the bodies touch during the motion.
 struct PeerAnswer {
     bool touches = false;
-    std::optional<double> time;      ///< of the first contact, in [0, 1], from peers that tell it
-    std::optional<double> seconds{}; ///< what the question took, from peers that know better than whoever asks them
+    std::optional<double> time;      ///< time of the first contact in [0, 1], if the peer reports it
+    std::optional<double> seconds{}; ///< duration of the query by the peer's own clock, if it has one
 };
 
-/// Why a peer gives no answer, in one line.
+/// The reason why a peer gives no answer, in one line.
 struct PeerFailed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-/// Two bodies as a peer holds them, with all that it prepares once. Asking may throw PeerFailed.
+/// Two bodies with all data that a peer prepares once. ask() may throw PeerFailed.
 struct PeerPair {
     std::function<PeerAnswer(const Displacement&)> ask;
-    /// Where the peer's own motion has the moving body at a time.
+    /// The pose of the moving body at a time of the peer's own motion.
     std::function<Eigen::Isometry3d(const Displacement&, double time)> pose_at;
 };
 
-/// A library, and a way to ask it.
+/// A library and one of its queries.
 struct Peer {
     std::string name;
-    /// The bodies have to outlive the pair. May throw PeerFailed.
+    /// The bodies must outlive the pair. May throw PeerFailed.
     std::function<PeerPair(const Polyhedron& moving, const Polyhedron& fixed)> prepare;
     bool is_for_convex_bodies_only = false;
 };
 
-/// A library that cannot be asked here. It is named all the same, so that nobody thinks that it was beaten.
+/// A library that is not available. The table lists it, to show that it was not compared.
 struct AbsentPeer {
     std::string name;
     std::string reason;

@@ -24,7 +24,7 @@ using std::numbers::pi;
 
 constexpr double degree = pi / 180;
 
-/// A ball around a body.
+/// A bounding sphere of a body.
 struct Ball {
     Vector3d centre;
     double radius = 0;
@@ -41,13 +41,13 @@ Ball ball_around(const Polyhedron& body) {
     return ball;
 }
 
-/// Two copies of a body, the fixed one as it is.
+/// Two copies of a body. The fixed copy is in its own frame.
 class CopiesOf {
 public:
     CopiesOf(const Polyhedron& body, std::uint64_t seed) : body_(body), ball_(ball_around(body)), draw_(seed) {}
 
-    /// Over 2 % of the body and with a turn of up to 0.02, more or less towards the other one, from a gap of up to 3 %.
-    /// About half of them get there.
+    /// A motion by 2 % of the body with a turn of up to 0.02 rad, roughly towards the other body, from a gap of up to 3
+    /// %. About half of these motions end in contact.
     Displacement short_and_near() {
         const double step = 0.02 * ball_.length;
         const Approach approach = draw_approach();
@@ -56,15 +56,16 @@ public:
         return displacement(approach.orientation, start, way, draw_.turn(0, 0.02));
     }
 
-    /// Half a body length and up to 60 degrees; straight on, the bodies would touch after three fifths of the way.
+    /// Half a body length and up to 60 degrees. Without the turn the bodies would touch after three fifths of the
+    /// motion.
     Displacement into_contact() {
         const Approach approach = draw_approach();
         const Vector3d way = -0.5 * ball_.length * approach.from;
         return displacement(approach.orientation, approach.touching - 0.6 * way, way, draw_.turn(0, 60 * degree));
     }
 
-    /// Past the other body, up to 60 degrees on the way: in the middle it dips into it or misses it by up to 2 % of the
-    /// body, and at the ends it is free.
+    /// A motion past the other body with a turn of up to 60 degrees. In the middle of the motion the bodies overlap or
+    /// miss each other by up to 2 % of the body. At both ends they are free.
     Displacement passing_by() {
         for (;;) {
             const Approach approach = draw_approach();
@@ -78,7 +79,7 @@ public:
         }
     }
 
-    /// Half a body length and up to 60 degrees, so far off that the balls around the bodies stay apart.
+    /// Half a body length and up to 60 degrees, at a distance at which the bounding spheres stay apart.
     Displacement far_off() {
         const double distance = 2 * ball_.radius + draw_.between(0.7, 2) * ball_.length;
         const Vector3d way = 0.5 * ball_.length * draw_.direction();
@@ -88,8 +89,8 @@ public:
 private:
     struct Approach {
         Quaterniond orientation;
-        Vector3d from;     ///< unit
-        Vector3d touching; ///< where the centre of the moving body is when the bodies touch
+        Vector3d from;     ///< unit vector
+        Vector3d touching; ///< centre of the moving body when the bodies touch
     };
 
     Approach draw_approach() {
@@ -105,7 +106,7 @@ private:
         }
     }
 
-    /// `offset` is from centre to centre; the body turns about its centre.
+    /// `offset` is the vector from centre to centre. The body turns about its centre.
     [[nodiscard]] Displacement displacement(const Quaterniond& orientation, const Vector3d& offset, const Vector3d& way,
                                             const Quaterniond& turn) const {
         const auto pose = [&](const Quaterniond& rotation, const Vector3d& centre) {
@@ -152,7 +153,7 @@ void add_meshes(std::vector<PeerCase>& cases) {
         const Polyhedron fine = subdivided(body, 2);
         cases.push_back(copies("near: spot " + in_thousands(fine), fine, 64, &CopiesOf::short_and_near));
     } else {
-        std::printf("skipped: meshes/spot.obj is not there; a bumpy torus of as many triangles is used instead\n");
+        std::printf("skipped: meshes/spot.obj is missing; a bumpy torus of as many triangles is used instead\n");
     }
     cases.push_back(copies("large: " + name + " " + in_thousands(body), body, 100, &CopiesOf::into_contact));
     cases.push_back(copies("passing: " + name + " " + in_thousands(body), body, 100, &CopiesOf::passing_by));
@@ -165,7 +166,7 @@ void add_meshes(std::vector<PeerCase>& cases) {
     cases.push_back(std::move(far));
 }
 
-/// The screw about an axis through the body's origin that has the body in `middle` at `time`.
+/// The screw about an axis through the body's origin with the pose `middle` at `time`.
 Displacement screw_through(const Pose& middle, double time, const Vector3d& slide, double angle) {
     const Vector3d axis = slide.normalized();
     const auto pose_at = [&](double at) {
@@ -175,7 +176,7 @@ Displacement screw_through(const Pose& middle, double time, const Vector3d& slid
     return {pose_at(0), pose_at(1)};
 }
 
-/// Of the corners of a turned body.
+/// The lowest corner of a turned body along `up`.
 Vector3d lowest_along(const Vector3d& up, const Polyhedron& body, const Quaterniond& orientation) {
     const auto is_lower = [&](const Vector3d& a, const Vector3d& b) {
         return up.dot(orientation * a) < up.dot(orientation * b);
@@ -183,11 +184,12 @@ Vector3d lowest_along(const Vector3d& up, const Polyhedron& body, const Quaterni
     return orientation * *std::min_element(body.vertices().begin(), body.vertices().end(), is_lower);
 }
 
-/// A corner of the moving body comes down on the middle of a face of the fixed one, along the face's normal and turning
-/// about it: the plane of the face keeps the bodies apart until then. Or they stay apart, by 1e-5 to 0.1.
+/// A corner of the moving body moves onto the middle of a face of the fixed body, along the face's normal and turning
+/// about this normal. The plane of the face separates the bodies until the contact. In other motions the bodies stay
+/// apart by 1e-5 to 0.1.
 ///
-/// Turns are between 30 and 40 degrees, so that Chasles cuts them in four, and contacts are at quarters, where its
-/// motion meets the uniform screw of all others.
+/// Turns are between 30 and 40 degrees. Chasles cuts them into four pieces. Contacts are at quarters of the time, where
+/// the motion of Chasles agrees with the uniform screw of the other libraries.
 PeerCase convex_case() {
     const Polyhedron moving = ellipsoid({0.5, 0.8, 0.6}, 2);
     const Polyhedron fixed = ellipsoid({1, 0.7, 0.9}, 2);
@@ -212,8 +214,9 @@ PeerCase convex_case() {
     return made;
 }
 
-/// A round peg comes down, turning, into a hole that is 1 % wider: clear, as its corners run within the hole's flats.
-/// Or it is off the axis by more than the play and stands on the rim when its flat end comes to the plate.
+/// A round peg turns and moves down into a hole that is 1 % wider. The motion is clear, because the peg's corners stay
+/// inside the hole's flats. If `is_off`, the peg is off the axis by more than the clearance, and its flat end touches
+/// the plate.
 PeerCase peg_case(bool is_off) {
     const std::size_t sides = 48;
     const Prism size{sides, 1, 2};
@@ -236,7 +239,7 @@ PeerCase peg_case(bool is_off) {
     return made;
 }
 
-/// A box comes down flat on a table, straight but slanting: thousands of pairs of triangles touch at the same time.
+/// A box moves along an oblique line and lands flat on a table: thousands of pairs of triangles touch at the same time.
 PeerCase table_case() {
     const Prism size{4, 1, 1};
     const Prism table{4, 3, 0.5};
@@ -253,7 +256,8 @@ PeerCase table_case() {
     return made;
 }
 
-/// Five degrees up the thread of the M16 pair, which is free for two turns from 0.97 pitch above its assembled pose.
+/// Steps of five degrees up the thread of the M16 pair, which is clear for two turns from 0.97 pitch above its
+/// assembled pose.
 void add_m16_steps(std::vector<PeerCase>& cases) {
     const auto pair = m16_nut_and_bolt();
     if (!pair)
@@ -262,15 +266,15 @@ void add_m16_steps(std::vector<PeerCase>& cases) {
     Draw draw(5);
     const scenes::NutTurn thread{.height = 0.97 * 0.002, .slide_per_turn = 0.002};
     for (int i = 0; i < 12; ++i) {
-        const double turns = i == 0 ? 0 : draw.between(0, 1.9); // the first is what first_contact_bench asks
+        const double turns = i == 0 ? 0 : draw.between(0, 1.9); // the first one is the motion of first_contact_bench
         made.questions.push_back(
             {{nut_pose(thread, turns), nut_pose(thread, turns + 5.0 / 360)}, PeerAnswer{.touches = false, .time = {}}});
     }
     cases.push_back(std::move(made));
 }
 
-/// Our own nut, whose thread has its play by construction (docs/derivations/09-threaded-fastener.md): five degrees up
-/// are clear; with a pull of more than the play besides, the flanks meet.
+/// The nut of scenes/, whose axial clearance is known by construction (docs/derivations/09-threaded-fastener.md). Five
+/// degrees up the thread are clear. If `is_pulled`, a pull by more than the clearance is added, and the flanks touch.
 PeerCase own_nut_case(bool is_pulled) {
     const scenes::ThreadedFastener fastener;
     PeerCase made{is_pulled ? "conforming: own nut pulled" : "conforming: own nut", nut(fastener), bolt(fastener), {}};
@@ -286,18 +290,18 @@ PeerCase own_nut_case(bool is_pulled) {
     return made;
 }
 
-/// Two copies of a gear in mesh, whose axes are upright.
+/// Two copies of a gear in mesh, with vertical axes.
 struct GearPair {
     Polyhedron gear;
     Vector3d centre;
-    double distance; ///< of the axes
+    double distance; ///< distance between the axes
     double tooth;    ///< angle of a tooth and its gap
-    double play;     ///< angle, to both sides together
-    double offset;   ///< of the moving gear along its axis; 0: end faces are in the same planes
+    double play;     ///< total backlash, as an angle
+    double offset;   ///< offset of the moving gear along its axis; 0: end faces are in the same planes
 };
 
-/// The moving gear in the frame of the fixed one, when each has turned by `turn`, against each other, and the moving
-/// one by `more` besides.
+/// The pose of the moving gear in the frame of the fixed gear after both have turned by `turn` in opposite directions,
+/// and the moving gear by `more` in addition.
 Pose meshing(const GearPair& pair, double turn, double more) {
     const Quaterniond back(AngleAxisd(-turn, Vector3d::UnitZ()));
     const Quaterniond orientation(AngleAxisd(0.5 * pair.tooth - 2 * turn + more, Vector3d::UnitZ()));
@@ -305,9 +309,9 @@ Pose meshing(const GearPair& pair, double turn, double more) {
     return {Vector3d(centre - orientation * pair.centre), orientation};
 }
 
-/// Both turn by five degrees, somewhere within their play: clear, as involutes roll on each other. The screw sways by a
-/// thousandth of the distance from rolling, which is little beside the play. Or the fixed one is held: five degrees are
-/// more than the play.
+/// Both gears turn by five degrees at a random position within their backlash. The motion is clear, because involutes
+/// roll on each other. The screw differs from the rolling motion by a thousandth of the distance, which is small
+/// relative to the backlash. If `is_held`, the fixed gear does not turn, and five degrees exceed the backlash.
 PeerCase gear_case(const std::string& name, const GearPair& pair, bool is_held) {
     PeerCase made{name, pair.gear, pair.gear, {}};
     Draw draw(9);
@@ -334,20 +338,20 @@ void add_gears(std::vector<PeerCase>& cases) {
               {gear(size), Vector3d::Zero(), 2 * size.pitch_radius(), 2 * pi / double(size.teeth),
                size.play / size.pitch_radius(), 0});
     if (const auto small = small_gear()) {
-        // Half a millimetre further apart than they have to be, as the shafts of their base are.
+        // The axes are half a millimetre farther apart than necessary, as are the shafts of their base.
         const double space = 5e-4;
         const double play = 2 * space * std::tan(20 * degree) / 0.01;
         add_gears(cases, "small gears", {*small, {0.0505, 0, 0}, 0.02 + space, 18 * degree, play, 0});
     }
 }
 
-/// FCL's own pair: a robot of open sheets somewhere in a room of loose triangles, a quarter of the room's length on its
-/// way and up to 60 degrees. Where it starts it is free.
+/// FCL's own pair: a robot of open sheets in a room of loose triangles. The robot moves a quarter of the room's length,
+/// turns by up to 60 degrees, and is free at the start.
 void add_soup(std::vector<PeerCase>& cases) {
     const auto robot = data_file("fcl-pianomover/rob.obj");
     const auto room = data_file("fcl-pianomover/env.obj");
     if (!robot || !room) {
-        std::printf("skipped: fcl-pianomover is not there\n");
+        std::printf("skipped: fcl-pianomover is missing\n");
         return;
     }
     PeerCase made{"soup: pianomover 2.2k", Polyhedron::load(*robot), Polyhedron::load(*room), {}};

@@ -1,4 +1,4 @@
-// What the peers are asked: bodies, motions, and what is known about the answers without asking anybody.
+// The cases of the comparison: bodies, motions, and the answers that are known by construction.
 #pragma once
 
 #include "bench/peer.h"
@@ -8,7 +8,7 @@
 
 namespace chasles::bench {
 
-/// One question. What is known by construction holds for every peer's motion; the time may not be known.
+/// One query. An answer that is known by construction holds for every peer's motion; its time may be unknown.
 struct PeerQuestion {
     Displacement motion;
     std::optional<PeerAnswer> known;
@@ -22,7 +22,7 @@ struct PeerCase {
     bool is_convex = false;
 };
 
-/// The same questions on every run. A case whose data is absent is left out, and said to be on standard output.
+/// The cases, which are the same in every run. A case without its data is omitted, with a line on standard output.
 std::vector<PeerCase> peer_cases();
 
 } // namespace chasles::bench

@@ -34,7 +34,7 @@ bool is_false_alarm(const Trial& test) {
     return !test.answer.time || !is_overlapping_on_own_motion(test, *test.answer.time);
 }
 
-/// A contact that the peer reports before the first one is either wrong, or the truth is.
+/// Whether a peer's contact before the reference's first contact is real, which refutes the reference.
 bool refutes_truth(const Trial& test) {
     const auto& [pair, peer, motion, truth, answer] = test;
     if (!answer.touches || !answer.time || (truth.touches && *answer.time >= truth.time.lower - 1e-9))
@@ -44,7 +44,7 @@ bool refutes_truth(const Trial& test) {
     return is_overlapping(pair.moving, pair.fixed, poses.at(*answer.time));
 }
 
-/// The first contact may be anywhere in the bracket.
+/// The error up to the far end of the bracket, because the first contact may be anywhere inside.
 double time_error(const Trial& test) {
     const double time = *test.answer.time;
     return std::max(std::abs(time - test.truth.time.lower), std::abs(time - test.truth.time.upper));

@@ -29,7 +29,7 @@ std::string number(const char* format, double value) {
 }
 
 std::string milliseconds(double seconds) {
-    return seconds > 0 ? number("%.3g", 1e3 * seconds) : "-"; // nothing was timed if the command line said so
+    return seconds > 0 ? number("%.3g", 1e3 * seconds) : "-"; // not timed, by an option of the command line
 }
 
 Cells without_numbers(const std::string& case_name, const std::string& peer) {
@@ -120,7 +120,7 @@ void print_csv(std::ostream& out, const PeerTable& table) {
     out << joined(heads, ",") << '\n';
     for (Cells cells : lines_of(table)) {
         std::replace(cells.begin(), cells.end(), std::string("-"), std::string());
-        cells[0] = '"' + cells[0] + '"'; // names have commas
+        cells[0] = '"' + cells[0] + '"'; // names contain commas
         cells[1] = '"' + cells[1] + '"';
         out << joined(cells, ",") << '\n';
     }

@@ -1,4 +1,4 @@
-// The comparison as a table: to read, as Markdown, and as CSV.
+// The comparison as a plain table, as Markdown, and as CSV (comma-separated values).
 #pragma once
 
 #include "bench/peer_judge.h"
@@ -7,7 +7,7 @@
 
 namespace chasles::bench {
 
-/// Seconds over the queries of a case, one number a query.
+/// Seconds per query over the queries of a case.
 struct Spread {
     double mean = 0;
     double median = 0;
@@ -15,16 +15,16 @@ struct Spread {
     double worst = 0;
 };
 
-/// All zeros if there is nothing.
+/// All members are zero if `seconds` is empty.
 Spread spread_of(std::vector<double> seconds);
 
-/// Without queries, a row is that of a peer without an answer.
+/// The row of one peer on one case. Zero queries mean that the peer gave no answer.
 struct PeerRow {
     std::string case_name;
-    std::string peer; ///< its name, and why there is no answer
+    std::string peer; ///< its name, with the reason if it gave no answer
     Judgement judged;
     Spread time;
-    double ratio = 0; ///< of the median to that of Chasles' first contact on the same queries
+    double ratio = 0; ///< of its median to the median of Chasles' first contact on the same queries
 };
 
 struct PeerTable {
@@ -32,7 +32,7 @@ struct PeerTable {
     std::vector<AbsentPeer> absent;
 };
 
-/// The tables to read say below what their columns are.
+/// The plain table and the Markdown table end with a legend of their columns.
 void print(std::ostream& out, const PeerTable& table);
 void print_markdown(std::ostream& out, const PeerTable& table);
 void print_csv(std::ostream& out, const PeerTable& table);

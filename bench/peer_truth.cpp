@@ -9,14 +9,14 @@ namespace chasles::bench {
 
 namespace {
 
-/// Poses that are given as rounded numbers miss a construction by this much at most, as a part of the motion.
+/// Upper bound on the error in time of a construction whose poses are rounded.
 constexpr double rounding_of_constructions = 1e-9;
 
 std::string against_construction(const Truth& truth, const PeerAnswer& known) {
     if (known.touches != truth.touches)
-        return "the verdict is not the one by construction";
+        return "the verdict differs from the construction";
     if (known.time && std::abs(*known.time - truth.time.lower) > rounding_of_constructions)
-        return "the time is not the one by construction";
+        return "the time differs from the construction";
     return {};
 }
 
@@ -44,7 +44,7 @@ Truth truth_of(const PeerCase& pair, const PeerQuestion& question) {
     if (first.verdict == Verdict::contact_at_start)
         truth.contradiction = "the bodies touch at the start";
     else if (any.verdict != first.verdict || (truth.touches && any.time.upper < first.time.lower))
-        truth.contradiction = "yes or no does not fit the first contact";
+        truth.contradiction = "the answer with Find::any contradicts the first contact";
     else if (question.known)
         truth.contradiction = against_construction(truth, *question.known);
     if (truth.contradiction.empty())

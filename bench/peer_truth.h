@@ -1,4 +1,4 @@
-// The answer that all peers are held against, and why it is not only Chasles' word.
+// The reference answers of the comparison, and their checks, which are independent of Chasles.
 #pragma once
 
 #include "bench/peer_cases.h"
@@ -8,12 +8,12 @@ namespace chasles::bench {
 
 struct Truth {
     bool touches = false;
-    Bracket time;              ///< holds the first contact; an exact time where that is known by construction
-    std::string contradiction; ///< empty, or why it cannot be the truth
+    Bracket time;              ///< contains the first contact; an exact time if known by construction
+    std::string contradiction; ///< empty, or the reason why this answer is wrong
 };
 
-/// Chasles' proof, held against what is known by construction and against a discrete test of its own at sampled times:
-/// the bodies are apart before the contact and pass through each other a millionth of the motion after it.
+/// The answer of Chasles, compared with the construction and with discrete tests at sampled times: the bodies are apart
+/// before the contact, and overlap a millionth of the motion after the contact.
 Truth truth_of(const PeerCase& pair, const PeerQuestion& question);
 
 } // namespace chasles::bench

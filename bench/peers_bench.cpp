@@ -1,6 +1,6 @@
-// Chasles beside other libraries: who is right how often, and for what price. Answers come first: what is true is
-// established without the peers, each of them is held against it, and then all take turns to be timed on the same
-// questions. The table goes to standard output and to bench/results/.
+// Chasles and other libraries: correctness and time. First the reference answers are computed without the peers, and
+// the answers of each peer are compared with them. Then all peers are timed in turns on the same queries. The table is
+// written to standard output and to bench/results/.
 #include "bench/all_peers.h"
 #include "bench/peer_judge.h"
 #include "bench/peer_table.h"
@@ -17,7 +17,7 @@
 namespace chasles::bench {
 namespace {
 
-/// What a row may cost while the answers are judged, and again while they are timed: slow peers get fewer queries.
+/// Time limits per row for judging and for timing. Slow peers run fewer queries.
 constexpr double judging_seconds = 1.2;
 constexpr double timing_seconds = 0.5;
 
@@ -27,8 +27,8 @@ struct Contest {
     std::string peer;
     PeerPair asked;
     Judgement judged;
-    std::vector<std::vector<double>> seconds; ///< by query, one number a repetition
-    std::string failure;                      ///< empty, or why there is no answer
+    std::vector<std::vector<double>> seconds; ///< by query, one number per repetition
+    std::string failure;                      ///< empty, or the reason why there is no answer
 };
 
 void time_queries(benchmark::State& state, Contest& contest) {
@@ -45,7 +45,7 @@ void time_queries(benchmark::State& state, Contest& contest) {
     state.counters["false_alarms"] = double(contest.judged.false_alarms);
 }
 
-/// One repetition asks every query once; repetitions of all contests take turns.
+/// One repetition runs every query once. The repetitions of all contests take turns.
 void add_benchmark(Contest& contest) {
     const double repetitions = std::clamp(timing_seconds / contest.judged.seconds, 1.0, 15.0);
     benchmark::RegisterBenchmark((contest.pair.name + "/" + contest.peer).c_str(),
@@ -74,7 +74,7 @@ Contest judged(const PeerCase& pair, const Peer& peer, const std::vector<Truth>&
     return contest;
 }
 
-/// Every query of a case by every peer that takes it.
+/// The contests of one case: all peers that accept its bodies.
 std::vector<Contest> judged(const PeerCase& pair, const std::vector<Peer>& peers, const std::vector<Truth>& truths) {
     std::vector<Contest> contests;
     for (const Peer& peer : peers)
@@ -83,7 +83,7 @@ std::vector<Contest> judged(const PeerCase& pair, const std::vector<Peer>& peers
     return contests;
 }
 
-/// Empty, or what cannot be: between Chasles, a construction and the discrete test, or a peer and all of them.
+/// Empty, or a contradiction between Chasles, the construction, the discrete test and the peers.
 std::string contradiction(const std::vector<Truth>& truths, const std::vector<Contest>& contests) {
     for (std::size_t query = 0; query < truths.size(); ++query)
         if (!truths[query].contradiction.empty())
@@ -94,7 +94,7 @@ std::string contradiction(const std::vector<Truth>& truths, const std::vector<Co
     return {};
 }
 
-/// The contests of all cases; empty, with a line on standard output, if what is held to be true is not.
+/// The contests of all cases. Empty, with a line on standard output, if a reference answer is wrong.
 std::vector<Contest> judged(const std::vector<PeerCase>& cases, const std::vector<Peer>& peers) {
     std::vector<Contest> all;
     bool is_right = true;
@@ -112,7 +112,7 @@ std::vector<Contest> judged(const std::vector<PeerCase>& cases, const std::vecto
     return is_right ? std::move(all) : std::vector<Contest>();
 }
 
-/// Of the medians of the first `count` queries; of none if they were not timed.
+/// The spread of the medians of the first `count` queries, omitting queries that were not timed.
 Spread time_of(const Contest& contest, std::size_t count) {
     std::vector<double> medians;
     for (std::size_t query = 0; query < std::min(count, contest.seconds.size()); ++query)
@@ -140,7 +140,7 @@ PeerTable table_of(const std::vector<Contest>& contests, const AllPeers& peers) 
     return table;
 }
 
-/// The table says it all.
+/// Prints nothing, because the table has all results.
 class SilentReporter : public benchmark::ConsoleReporter {
 public:
     void ReportRuns(const std::vector<Run>& /*runs*/) override {}

@@ -1,4 +1,4 @@
-// Where a query has the moving body at a time.
+// The pose of the moving body at a time of a query.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -8,7 +8,7 @@
 
 namespace chasles::bench {
 
-/// The poses of a screw that is cut by the query's `max_turn`: each piece is a motion of its own.
+/// The poses of a screw that the query cuts by its `max_turn`. Each piece is a separate motion.
 class PiecewisePoses {
 public:
     explicit PiecewisePoses(const FirstContactQuery& query);

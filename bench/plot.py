@@ -1,12 +1,13 @@
 #!/usr/bin/env python3
-"""Pictures of what the benchmarks measured.
+"""Plots of the benchmark results.
 
-Usage: plot.py RESULTS. Reads peers_bench.csv and scaling_bench.json in that folder, and writes beside them
+Usage: plot.py RESULTS. Reads peers_bench.csv and scaling_bench.json in this folder and writes into the same folder
 
-    peers.png     median time by case, one mark a peer; hollow where it missed contacts or reported some that are none
-    growth.png    time against triangles: of Chasles alone, and of all peers in the cases that differ in size only
+    peers.png     median time by case, one mark per peer; hollow if the peer missed contacts or reported false ones
+    growth.png    time against triangles: for Chasles alone, and for all peers in cases that differ only in size
 
-What was not measured is left out. Colours (M. Okabe, K. Ito, 2002) tell libraries apart, shapes how they are asked.
+Missing measurements are omitted. Colours (M. Okabe, K. Ito, 2002) distinguish libraries, shapes distinguish their
+queries.
 """
 
 import csv
@@ -50,7 +51,7 @@ def in_order(names) -> list[str]:
 
 
 def styles(rows: list[dict]) -> dict[str, tuple[str, str]]:
-    """Colour and shape of each peer: the shape counts the peers of a library."""
+    """The colour (by library) and the shape (by query) of each peer."""
     found: dict[str, tuple[str, str]] = {}
     for peer in in_order(row["peer"] for row in rows):
         brothers = sum(library(other) == library(peer) for other in found)
@@ -59,7 +60,7 @@ def styles(rows: list[dict]) -> dict[str, tuple[str, str]]:
 
 
 def read_unanswered(folder: pathlib.Path) -> list[tuple[str, str, float]]:
-    """Case, peer and the milliseconds after which it was waited for no longer."""
+    """Case, peer and time limit in milliseconds of each query that reached the limit."""
     path = folder / "peers_bench.csv"
     if not path.exists():
         return []
@@ -70,7 +71,7 @@ def read_unanswered(folder: pathlib.Path) -> list[tuple[str, str, float]]:
 
 
 def fills(rows: list[dict]) -> None:
-    """Colours the inside of each mark: a peer so slow that it was asked no contact has not been right yet."""
+    """Sets the fill of each mark: white for wrong answers, grey if a slow peer ran no query with a contact."""
     with_contacts = {row["case"] for row in rows if int(row["contacts"])}
     for row in rows:
         is_wrong = int(row["missed"]) + int(row["false alarms"]) > 0
@@ -92,9 +93,9 @@ def legend_of(style: dict[str, tuple[str, str]], has_unanswered: bool) -> list[L
         Line2D([], [], color=colour, marker=shape, linestyle="", markersize=7, label=peer)
         for peer, (colour, shape) in style.items()
     ]
-    notes = {"hollow: misses or false alarms": ("o", "white"), "grey: too slow to be asked a contact": ("o", "#cccccc")}
+    notes = {"hollow: misses or false alarms": ("o", "white"), "grey: too slow for a query with a contact": ("o", "#cccccc")}
     if has_unanswered:
-        notes["cross: no answer by then"] = ("x", "white")
+        notes["cross: no answer within this time"] = ("x", "white")
     marks += [
         Line2D([], [], color="#555555", marker=shape, linestyle="", markersize=7, markerfacecolor=fill, label=label)
         for label, (shape, fill) in notes.items()
@@ -124,8 +125,8 @@ def plot_peers(rows: list[dict], unanswered: list[tuple[str, str, float]], targe
     axis.tick_params(axis="y", length=0)
     milliseconds_axis(axis, "x")
     axis.grid(axis="x", color="#cccccc", linewidth=0.6, zorder=1)
-    axis.set_xlabel("time of a query: median, and a line to the worst")
-    axis.set_title("One query by case, library and way to ask", loc="left")
+    axis.set_xlabel("time per query: median, and a line to the worst")
+    axis.set_title("Time per query by case, library and kind of query", loc="left")
     for side in ("top", "right", "left"):
         axis.spines[side].set_visible(False)
     figure.legend(handles=legend_of(style, bool(unanswered)), loc="outside right upper", frameon=False, fontsize=9)
@@ -134,7 +135,7 @@ def plot_peers(rows: list[dict], unanswered: list[tuple[str, str, float]], targe
 
 
 def read_growth(folder: pathlib.Path) -> dict[str, list[tuple[int, float]]]:
-    """Triangles of a body and milliseconds, by what is asked; the medians of the repetitions."""
+    """Triangles of a body and milliseconds (medians of the repetitions), by kind of query."""
     path = folder / "scaling_bench.json"
     if not path.exists():
         return {}
@@ -149,7 +150,7 @@ def read_growth(folder: pathlib.Path) -> dict[str, list[tuple[int, float]]]:
 
 
 def growth_of_peers(rows: list[dict]) -> dict[str, list[tuple[float, dict]]]:
-    """Triangles of a body and rows, by peer, in the cases of one shape in several sizes."""
+    """Triangles of a body and rows, by peer, for the cases of one shape in several sizes."""
     found: dict[str, list[tuple[float, dict]]] = {}
     for row in rows:
         if size := re.fullmatch(r"near: torus ([\d.]+)k", row["case"]):
@@ -180,13 +181,13 @@ def plot_alone(axis, growth: dict[str, list[tuple[int, float]]]) -> None:
     if points := sorted(growth.get("first", [])):
         (least, time), most = points[0], points[-1][0]
         ends = [time, time * (most / least) ** 0.5]
-        axis.plot([least, most], ends, "--", color="#999999", linewidth=1, label="square root, to compare")
+        axis.plot([least, most], ends, "--", color="#999999", linewidth=1, label="square root, for comparison")
     axis.legend(frameon=False, fontsize=9)
     finish_growth(axis, "Chasles: the same relative motion at every size")
 
 
 def plot_beside(axis, rows: list[dict]) -> list[str]:
-    """The peers that are in it."""
+    """The peers that occur in the points."""
     style = styles(rows)
     series = growth_of_peers(rows)
     for peer, points in series.items():

@@ -39,13 +39,13 @@ std::string line_of(const Polyhedron& body) {
     return line;
 }
 
-/// After the word for it, a child says why there is no answer.
+/// Throws PeerFailed with the reason that follows `word_for_it` in the child's line.
 [[noreturn]] void refuse(const std::string& line, const std::string& word_for_it) {
     const bool says_why = line.starts_with(word_for_it);
     throw PeerFailed(says_why ? line.substr(word_for_it.size()) : "it talks nonsense: " + line.substr(0, 60));
 }
 
-/// The library in its process, which is started again after a failure.
+/// A library in its own process, which is restarted after a failure.
 class Library {
 public:
     explicit Library(ProcessPeer peer) : peer_(std::move(peer)) { start(); }
@@ -64,7 +64,7 @@ public:
     }
 
 private:
-    /// A child that has failed once is not asked again.
+    /// A child that has failed once is not used again.
     template <class Work>
     std::invoke_result_t<Work> guarded(Work work) {
         if (!child_)
@@ -98,7 +98,7 @@ private:
 
     ProcessPeer peer_;
     std::unique_ptr<ChildProcess> child_;
-    std::map<const void*, std::size_t> numbers_; ///< of the bodies that this child has
+    std::map<const void*, std::size_t> numbers_; ///< numbers of the bodies that this child has
 };
 
 } // namespace

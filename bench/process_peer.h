@@ -1,16 +1,16 @@
-// A library that is asked in a process of its own, because it is not one of C++ or not one of Debian's.
+// A library that runs in its own process, because it is not a C++ library or has no Debian package.
 //
-// The protocol is one line a message, words and decimal numbers between blanks:
+// The protocol has one line per message, with words and decimal numbers separated by blanks:
 //
 //   peer                                     child
 //                                            ready, or: absent WHY
 //   body V T x y z ... a b c ...             done           V vertices, T triangles; numbered from 0 as they come
 //   ask MOVING FIXED x y z w x y z  x ...    answer TOUCHES TIME SECONDS
 //
-// A question has the numbers of two bodies and two poses, of start and goal: a translation and a unit quaternion, w
-// first. TOUCHES is 0 or 1; TIME, in [0, 1], is that of the first contact, or - where it is not told; SECONDS is what
-// the library took, by the child's own clock, so that the way there and back is not timed. Instead of any answer a
-// child may say: failed WHY.
+// `ask` has the numbers of two bodies, and the poses of start and goal: a translation and a unit quaternion, w first.
+// TOUCHES is 0 or 1. TIME in [0, 1] is the time of the first contact, or - if the library does not report it. SECONDS
+// is the time of the library by the child's own clock, which excludes the communication. Any reply may instead be:
+// failed WHY.
 #pragma once
 
 #include "bench/child_process.h"
@@ -18,7 +18,7 @@
 
 namespace chasles::bench {
 
-/// How to start a library, and what it does.
+/// The command that starts a library, and the library's motion.
 struct ProcessPeer {
     struct Limits {
         ChildProcess::Limit start{60};
@@ -33,14 +33,14 @@ struct ProcessPeer {
     Limits limits{};
 };
 
-/// Throws PeerFailed if a child's first line is another one.
+/// Throws PeerFailed unless the child's first line is `ready`.
 void expect_ready(ChildProcess& child, ChildProcess::Limit limit);
 
-/// What an answer's line says. Throws PeerFailed if it says that there is none, or is none.
+/// The answer of a line. Throws PeerFailed if the line reports a failure or is not an answer.
 PeerAnswer answer_in(const std::string& line);
 
-/// Throws PeerFailed if it does not start. So does every question that is not answered; the next one, and the next
-/// pair of bodies, get a new child. Bodies are told apart by where their vertices are, and have to stay there.
+/// Throws PeerFailed if the child does not start, and for every query without an answer. The next query and the next
+/// pair of bodies then start a new child. A body is identified by the address of its vertices, which must not change.
 Peer process_peer(const ProcessPeer& peer);
 
 } // namespace chasles::bench

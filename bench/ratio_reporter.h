@@ -1,4 +1,5 @@
-// Medians of repetitions that take turns, and their ratios to one form: single times say little on a shared machine.
+// Medians of interleaved repetitions, and their ratios to one form. Ratios of one run are more reliable than single
+// times on a shared machine.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -10,7 +11,7 @@
 
 namespace chasles::bench {
 
-/// Remembers the median nanoseconds per item of benchmarks that are named "<family>/<form>".
+/// Collects the median nanoseconds per item of benchmarks with names "<family>/<form>".
 class RatioReporter : public benchmark::ConsoleReporter {
 public:
     explicit RatioReporter(std::string reference) : ConsoleReporter(OO_None), reference_(std::move(reference)) {}
@@ -20,7 +21,7 @@ public:
 
 private:
     std::string reference_;
-    std::vector<std::string> families_;                                     ///< as they came
+    std::vector<std::string> families_;                                     ///< in the order of the benchmarks
     std::map<std::string, std::vector<std::pair<std::string, double>>> of_; ///< family -> form, nanoseconds
 };
 

@@ -9,10 +9,10 @@ namespace chasles::bench {
 
 namespace {
 
-/// Where install.sh puts what it brings, and why it did not.
+/// The folder in which install.sh installs the peers and writes the reasons of failures.
 const std::filesystem::path installed = CHASLES_BENCH_REGISTRY;
 
-/// Empty if the program is there.
+/// Empty if the program exists, otherwise the reason why it does not.
 std::string why_absent(const std::filesystem::path& program, const std::string& reason_file) {
     std::string reason;
     if (std::ifstream file(installed / reason_file); std::getline(file, reason))

@@ -1,5 +1,5 @@
-// Libraries of the Python Package Index and of crates.io, each in a process of its own. bench/registry/install.sh
-// brings them.
+// Libraries of the Python Package Index and of crates.io, each in its own process. bench/registry/install.sh installs
+// them.
 #pragma once
 
 #include "bench/process_peer.h"
@@ -8,7 +8,7 @@
 
 namespace chasles::bench {
 
-/// A virtual environment's interpreter and the scripts that it is given; empty, with the reason, if there is none.
+/// The interpreter of the virtual environment and its scripts. Empty, with the reason, if there is no environment.
 struct PythonPeers {
     std::string interpreter;
     std::string scripts;
@@ -16,15 +16,14 @@ struct PythonPeers {
 };
 PythonPeers python_peers();
 
-/// What Parry is asked by, likewise.
+/// The programs that run Parry. Empty, with the reason, if they are not built.
 struct RustPeers {
     std::string program;
     std::string absent_because;
 };
 RustPeers rust_peers();
 
-/// All that there may be. Whether they start is seen when they are started; those that are known not to are in
-/// `absent`.
+/// All peers of the registries. `to_start` may still fail to start; `absent` are the peers that are not installed.
 struct RegistryPeers {
     std::vector<ProcessPeer> to_start;
     std::vector<AbsentPeer> absent;

@@ -8,7 +8,7 @@ namespace chasles::bench {
 
 int run_benchmarks(int argc, char** argv, benchmark::BenchmarkReporter* reporter) {
     const std::filesystem::path results = CHASLES_BENCH_RESULTS;
-    std::error_code ignored; // without the folder, Google Benchmark says what it cannot write
+    std::error_code ignored; // without the folder, Google Benchmark prints the error
     std::filesystem::create_directories(results, ignored);
     const std::string name = std::filesystem::path(argv[0]).filename().string();
     std::vector<std::string> defaults{"--benchmark_out=" + (results / (name + ".json")).string(),

@@ -1,9 +1,10 @@
-// How time and memory grow: with the triangles of both bodies at the same relative motion, and with threads over many
-// motions. Answers are checked before they are timed.
+// Growth of time and memory with the number of triangles of both bodies (for one relative motion), and of the
+// throughput with the number of threads (for many motions). Answers are checked before they are timed.
 #include "bench/bodies.h"
 #include "bench/draw.h"
 #include "bench/run_benchmarks.h"
 #include "chasles/base/flat_lists.h"
+#include "chasles/mesh/body.h"
 #include "chasles/query/path.h"
 
 #include <Eigen/Geometry>
@@ -20,8 +21,8 @@ using Eigen::AngleAxisd;
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
-/// Two bumpy tori, one upright: the moving one comes along x, from one hundredth before the bodies touch to one
-/// hundredth further, with a small turn. Or it turns back half way to the contact.
+/// Two bumpy tori, one of them upright. The moving torus moves along x with a small turn, from 0.02 before the contact
+/// to 0.02 after it (contact) or to 0.01 before it (clear).
 struct Approach {
     Polyhedron body;
     Vector3d touching;
@@ -48,7 +49,7 @@ struct Approach {
     static Quaterniond upright() { return Quaterniond(AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX())); }
 };
 
-/// Made when first asked for; 2 * sides^2 triangles each.
+/// Made at the first call for each size. Each torus has 2 * sides^2 triangles.
 const Approach& approach(std::int64_t triangles) {
     static std::map<std::int64_t, Approach> made;
     const auto sides = std::size_t(std::lround(std::sqrt(double(triangles) / 2)));
@@ -110,7 +111,7 @@ void add_growth() {
         ->Unit(benchmark::kMillisecond);
 }
 
-/// FCL's robot in its room, or two tori of 5,800 triangles where the data is not there.
+/// FCL's robot in its room, or two tori of 5,800 triangles if the data is missing.
 struct ManyMotions {
     Polyhedron moving = bumpy_torus(54, 54);
     Polyhedron fixed = moving;
@@ -125,7 +126,7 @@ struct ManyMotions {
             fixed = Polyhedron::load(*walls);
             room = 3000;
         } else {
-            std::printf("skipped: fcl-pianomover is not there; two bumpy tori are used instead\n");
+            std::printf("skipped: fcl-pianomover is missing; two bumpy tori are used instead\n");
         }
         Draw draw(8);
         const auto place = [&] {
@@ -150,7 +151,7 @@ bool is_right(const ManyMotions& many) {
     const auto two = many.ask(2);
     for (std::size_t i = 0; i < one.size(); ++i)
         if (one[i].verdict != two[i].verdict || one[i].time.lower != two[i].time.lower) {
-            std::printf("motion %zu: one thread and two disagree\n", i);
+            std::printf("motion %zu: one thread and two threads disagree\n", i);
             return false;
         }
     return true;

@@ -20,8 +20,8 @@ class Maker {
 public:
     explicit Maker(Course course) : course_(course) {}
 
-    /// The plane is crossed once, at `time`, at a point with weights over 16 inside of the face, or on an edge of it
-    /// and from there away from the third corner by a part of that distance.
+    /// The vertex crosses the plane once, at `time`. The crossing is inside the face, with weights in sixteenths. Or it
+    /// lies beyond an edge: a point of the edge, moved away from the third corner by a part of their distance.
     VertexFaceProblem vertex_face() {
         for (;;) {
             const Vector3d a = vector();
@@ -42,7 +42,7 @@ public:
         }
     }
 
-    /// The lines meet once, at `time`, at shares over 16 of both edges, or before the start of the moving one.
+    /// The lines intersect once, at `time`, at sixteenths of both edges, or before the start of the moving edge.
     EdgeEdgeProblem edge_edge() {
         for (;;) {
             const Vector3d along = vector();

@@ -1,6 +1,6 @@
-// One feature pair under one translation, where vertices run along straight lines: Chasles' elementary detections
-// beside Tight-Inclusion as the IPC Toolkit offers it. What is true is known by construction without rounding. A call
-// from Python has a price of its own, which is measured and subtracted.
+// One feature pair under one translation, where vertices move along straight lines: the elementary detections of
+// Chasles, and Tight-Inclusion from the IPC Toolkit. The true answers are known exactly, by construction. The overhead
+// of a call from Python is measured; the ratio of the times excludes it.
 #include "bench/child_process.h"
 #include "bench/elementary_detector.h"
 #include "bench/peer_table.h"
@@ -23,7 +23,7 @@ namespace {
 using algebra::DoubleDouble;
 using algebra::FeasibleInterval;
 
-/// As a query does it: in double precision, and again in double-double what that leaves in doubt.
+/// The detection of a query: in double precision, and in double-double precision for an uncertain answer.
 class Chasles {
 public:
     std::optional<FeasibleInterval> operator()(const auto& problem) {
@@ -69,7 +69,7 @@ std::string line_of(const EdgeEdgeProblem& problem) {
            words_of(problem.fixed[1]);
 }
 
-/// The IPC Toolkit in its process.
+/// The IPC Toolkit in its own process.
 class TightInclusion {
 public:
     TightInclusion(const PythonPeers& python, const std::string& rescaling)
@@ -82,7 +82,7 @@ public:
         return answer_in(child_.ask(line_of(problem) + way_words, limit));
     }
 
-    /// Seconds of a call of this kind, a problem's first word, with next to nothing to do.
+    /// Seconds of a nearly empty call of this kind (the first word of a problem).
     double seconds_of_a_call(const std::string& kind) { return *answer_in(child_.ask("call " + kind, limit)).seconds; }
 
 private:
@@ -90,15 +90,15 @@ private:
     ChildProcess child_;
 };
 
-/// One asker on one case.
+/// One detector on one case.
 struct Row {
     std::string case_name;
-    std::string asker;
+    std::string detector;
     std::size_t missed = 0;
     std::size_t false_alarms = 0;
     double worst_time_error = 0;
     std::vector<double> seconds;
-    double seconds_of_a_call = 0; ///< what each of them has besides
+    double seconds_of_a_call = 0; ///< overhead included in each of the seconds
 
     void add(const PeerAnswer& answer, bool touches, double time) {
         missed += touches && !answer.touches ? 1 : 0;
@@ -109,39 +109,39 @@ struct Row {
     }
 };
 
-struct Askers {
+struct Detectors {
     Chasles chasles;
     std::vector<std::pair<std::string, std::unique_ptr<TightInclusion>>> others;
 };
 
-Askers all_askers(std::string& absent_because) {
-    Askers askers;
+Detectors all_detectors(std::string& absent_because) {
+    Detectors detectors;
     const PythonPeers python = python_peers();
     absent_because = python.absent_because;
     if (!absent_because.empty())
-        return askers;
+        return detectors;
     try {
-        askers.others.emplace_back("Tight-Inclusion", std::make_unique<TightInclusion>(python, "1"));
-        askers.others.emplace_back("Tight-Inclusion, default rescaling",
-                                   std::make_unique<TightInclusion>(python, "0.8"));
+        detectors.others.emplace_back("Tight-Inclusion", std::make_unique<TightInclusion>(python, "1"));
+        detectors.others.emplace_back("Tight-Inclusion, default rescaling",
+                                      std::make_unique<TightInclusion>(python, "0.8"));
     } catch (const std::runtime_error& failure) {
         absent_because = failure.what();
-        askers.others.clear();
+        detectors.others.clear();
     }
-    return askers;
+    return detectors;
 }
 
-/// All askers take turns, a problem at a time.
+/// All detectors take turns, one problem at a time.
 template <class Problem>
-std::vector<Row> rows_of(const TranslationCase<Problem>& asked, Askers& askers) {
-    std::vector<Row> rows{{asked.name, "Chasles", 0, 0, 0, {}, 0}};
-    const std::string line = line_of(asked.problems.front());
-    for (auto& [name, ask] : askers.others)
-        rows.push_back({asked.name, name, 0, 0, 0, {}, ask->seconds_of_a_call(line.substr(0, line.find(' ')))});
-    for (const Problem& problem : asked.problems) {
-        rows[0].add(answer_of(askers.chasles, problem), asked.touches, problem.tau);
-        for (std::size_t i = 0; i < askers.others.size(); ++i)
-            rows[i + 1].add((*askers.others[i].second)(problem), asked.touches, problem.tau);
+std::vector<Row> rows_of(const TranslationCase<Problem>& test_case, Detectors& detectors) {
+    std::vector<Row> rows{{test_case.name, "Chasles", 0, 0, 0, {}, 0}};
+    const std::string line = line_of(test_case.problems.front());
+    for (auto& [name, ask] : detectors.others)
+        rows.push_back({test_case.name, name, 0, 0, 0, {}, ask->seconds_of_a_call(line.substr(0, line.find(' ')))});
+    for (const Problem& problem : test_case.problems) {
+        rows[0].add(answer_of(detectors.chasles, problem), test_case.touches, problem.tau);
+        for (std::size_t i = 0; i < detectors.others.size(); ++i)
+            rows[i + 1].add((*detectors.others[i].second)(problem), test_case.touches, problem.tau);
     }
     return rows;
 }
@@ -154,16 +154,17 @@ std::string cell(const char* format, double value) {
 
 using Cells = std::vector<std::string>;
 
-const Cells heads{"case",      "asker",   "problems", "missed",  "false alarms", "time error",
-                  "median ns", "99 % ns", "worst ns", "call ns", "ratio"};
+const Cells heads{"case",      "detector", "problems", "missed",  "false alarms", "time error",
+                  "median ns", "99 % ns",  "worst ns", "call ns", "ratio"};
 
-/// Times without the call; the ratio is of medians. A median that is not twice the call says nothing of what is in it.
+/// Times include the overhead of a call; the ratio of the medians excludes it. A row whose median is at most twice the
+/// overhead has no ratio.
 Cells cells_of(const Row& row, double unit) {
     const Spread all = spread_of(row.seconds);
     const auto own = [&](double seconds) { return std::max(0.0, seconds - row.seconds_of_a_call); };
     const bool is_seen = all.median > 2 * row.seconds_of_a_call;
     return {row.case_name,
-            row.asker,
+            row.detector,
             std::to_string(row.seconds.size()),
             std::to_string(row.missed),
             std::to_string(row.false_alarms),
@@ -179,7 +180,7 @@ std::vector<Cells> lines_of(const std::vector<Row>& rows) {
     std::vector<Cells> lines{heads};
     double unit = 1;
     for (const Row& row : rows) {
-        if (row.asker == "Chasles")
+        if (row.detector == "Chasles")
             unit = spread_of(row.seconds).median;
         lines.push_back(cells_of(row, unit));
     }
@@ -196,8 +197,9 @@ void print(std::ostream& out, const std::vector<Cells>& lines) {
                       cells[8].c_str(), cells[9].c_str(), cells[10].c_str());
         out << text;
     }
-    out << "\nTimes are of one question. Call: how much of it is the price of a call from Python. Ratio: of medians, "
-           "without it.\n";
+    out << "\nTimes are per problem and include the overhead of a call from Python (call). Ratio: between medians, "
+           "without "
+           "the overhead.\n";
 }
 
 void print_csv(std::ostream& out, const std::vector<Cells>& lines) {
@@ -208,25 +210,25 @@ void print_csv(std::ostream& out, const std::vector<Cells>& lines) {
 
 bool is_right(const std::vector<Row>& rows) {
     return std::none_of(rows.begin(), rows.end(), [](const Row& row) {
-        return row.asker == "Chasles" && (row.missed + row.false_alarms > 0 || row.worst_time_error > 1e-11);
+        return row.detector == "Chasles" && (row.missed + row.false_alarms > 0 || row.worst_time_error > 1e-11);
     });
 }
 
 int run() {
     std::string absent_because;
-    Askers askers = all_askers(absent_because);
+    Detectors detectors = all_detectors(absent_because);
     std::vector<Row> rows;
     const auto add = [&](const auto& cases) {
-        for (const auto& asked : cases)
-            for (Row& row : rows_of(asked, askers))
+        for (const auto& test_case : cases)
+            for (Row& row : rows_of(test_case, detectors))
                 rows.push_back(std::move(row));
     };
     try {
         add(vertex_face_translations());
         add(edge_edge_translations());
-    } catch (const std::runtime_error& failure) { // without the peer then
+    } catch (const std::runtime_error& failure) { // runs without the peer
         absent_because = failure.what();
-        askers.others.clear();
+        detectors.others.clear();
         rows.clear();
         add(vertex_face_translations());
         add(edge_edge_translations());

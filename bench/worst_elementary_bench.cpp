@@ -1,6 +1,6 @@
-// The slowest elementary detection that a search finds, as an attacker would look for it, beside the median of ordinary
-// ones. A detection is what a query does for a pair: in double, and in double-double where that leaves doubt; the exact
-// stage, which a query asks about one pair as a rule, is timed by itself.
+// The slowest elementary detection that an adversarial search finds, and the median of ordinary detections. A detection
+// is the work of a query for one pair: in double precision, and in double-double precision for an uncertain answer. The
+// exact stage, which usually runs for one pair per query, is timed separately.
 #include "bench/elementary_detector.h"
 #include "bench/run_benchmarks.h"
 #include "chasles/algebra/exact_feasible.h"
@@ -20,7 +20,7 @@ namespace {
 using algebra::DoubleDouble;
 using algebra::ExactNumber;
 
-/// One motion as all stages see it.
+/// One motion in the form of each stage.
 struct Stages {
     explicit Stages(const MotionFrame& frame)
         : exact(motion::exact_motion(frame)), fine(motion::control_maps(frame.motion)), rounded(motion::rounded(fine)),
@@ -48,7 +48,7 @@ bool detect(Stages& stages, const Problem& problem) {
     return is_decided(stages.refinement(problem));
 }
 
-/// All numbers of a problem, to be changed one by one.
+/// All numbers of a problem. The search changes them one by one.
 std::array<double*, 12> numbers_of(VertexFaceProblem& p) {
     return {&p.vertex.x,  &p.vertex.y,  &p.vertex.z,  &p.face[0].x, &p.face[0].y, &p.face[0].z,
             &p.face[1].x, &p.face[1].y, &p.face[1].z, &p.face[2].x, &p.face[2].y, &p.face[2].z};
@@ -65,7 +65,7 @@ struct Found {
     double nanoseconds = 0;
 };
 
-/// Hill climbing from many beginnings, by changes that make coincidences and near coincidences.
+/// Hill climbing from many starting points, by changes that create coincidences and near coincidences.
 template <class Problem>
 class WorstSearch {
 public:
@@ -126,7 +126,7 @@ private:
             found.motion = random_() % motions_.size();
             break;
         }
-        number = std::clamp(number, -elementary_reach, elementary_reach);
+        number = std::clamp(number, -elementary_extent, elementary_extent);
     }
 
     std::deque<Stages>& motions_;

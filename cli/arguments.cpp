@@ -1,4 +1,4 @@
-// Joins options with the numbers behind them before CLI11 sees them, because to CLI11 "-.5" looks like an option.
+// Joins each option with the numbers that follow it. CLI11 would otherwise parse "-.5" as an option.
 #include "cli/arguments.h"
 
 #include "chasles/io/text_scan.h"
@@ -20,7 +20,7 @@ bool contains(const Names& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
-// Whether blanks and commas separate nothing but numbers in it, and at least one.
+// Whether the argument is one or more numbers, separated by blanks or commas.
 bool holds_numbers(std::string argument) {
     std::replace(argument.begin(), argument.end(), ',', ' ');
     io::Words words(argument);

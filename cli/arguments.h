@@ -1,4 +1,4 @@
-// Makes negative numbers and several numbers in a row safe from being taken for options and files.
+// Prevents the parser from reading negative numbers as options, and numbers in a row as file names.
 #pragma once
 
 #include <string>
@@ -6,8 +6,9 @@
 
 namespace chasles::cli {
 
-/// `--start -1 0 0` and `--start "-.5 0 0"` become `--start=-1 0 0` and `--start=-.5 0 0`: an option that takes numbers
-/// gets the word behind it, and an option that takes several gets the numbers that follow as well.
+/// `--start -1 0 0` and `--start "-.5 0 0"` become `--start=-1 0 0` and `--start=-.5 0 0`. An option that takes one
+/// number is joined with the next argument. An option that takes several numbers is also joined with all further
+/// arguments that are numbers.
 std::vector<std::string> join_numbers(const std::vector<std::string>& arguments);
 
 } // namespace chasles::cli

@@ -1,5 +1,5 @@
-// chasles batch: many motions of one pair of bodies, on all cores. Rows are written in order as they are answered, so
-// that an interruption loses only those that were not answered yet.
+// chasles batch: many motions of one pair of bodies, on all cores. The rows of a chunk are written as soon as all its
+// motions are answered. An interruption therefore loses only the rows that are not yet answered.
 #include "chasles/io/motion_files.h"
 #include "cli/batch_rows.h"
 #include "cli/commands.h"
@@ -17,19 +17,19 @@
 namespace chasles::cli {
 namespace {
 
-/// Motions answered between two writings: enough to keep all cores busy, few enough to lose little.
+/// Motions per write to the file: enough to keep all cores busy, few enough that an interruption loses little.
 constexpr std::size_t chunk_size = 1024;
 
 struct BatchOptions {
     BodyOptions bodies;
-    QueryOptions query;
+    QuestionOptions query;
     std::string motions;
     std::string out;
 };
 
-/// How many rows came out as what.
+/// The number of rows with each outcome.
 struct Tally {
-    std::array<std::size_t, 3> verdicts{}; ///< by Verdict
+    std::array<std::size_t, 4> verdicts{}; ///< by Verdict
     std::size_t errors = 0;
     std::string first_error;
 
@@ -38,11 +38,11 @@ struct Tally {
 
 using Rows = std::span<const io::MotionRow>;
 
-std::vector<Motion> readable_motions(Rows rows) {
+std::vector<Motion> readable_motions(Rows rows, double max_turn) {
     std::vector<Motion> motions;
     for (const io::MotionRow& row : rows)
         if (row.error.empty())
-            motions.emplace_back(ScrewMotion::between(row.start, row.goal));
+            motions.emplace_back(ScrewMotion::between(row.start, row.goal, max_turn));
     return motions;
 }
 
@@ -56,7 +56,7 @@ void count(Tally& tally, const io::MotionRow& row, const FirstContact* found) {
     ++tally.errors;
 }
 
-// The rows of one chunk; `answers` are those of its readable motions.
+// The rows of one chunk. `answers` belong to its readable motions, in order.
 std::string table_of(Rows rows, std::span<const FirstContact> answers, Tally& tally) {
     std::string table;
     for (const io::MotionRow& row : rows) {
@@ -69,23 +69,21 @@ std::string table_of(Rows rows, std::span<const FirstContact> answers, Tally& ta
     return table;
 }
 
-// Opening the output empties it, which must not happen to an input.
+// Writing replaces the content of the output file, which therefore must not be an input.
 void check_out_is_no_input(const BatchOptions& options) {
     for (const std::string& input : {options.motions, options.bodies.moving, options.bodies.fixed}) {
         std::error_code ignored;
         if (std::filesystem::equivalent(options.out, input, ignored))
-            throw InvalidInput("--out: " + options.out + ": is an input of this very command");
+            throw InvalidInput("--out: " + options.out + ": is an input of this command");
     }
 }
 
-/// Answers chunk after chunk and writes each at once.
+/// Answers the motions in chunks and writes each chunk at once.
 class BatchRun {
 public:
     BatchRun(const BatchOptions& options, Rows rows)
-        : rows_(rows), bodies_(load_bodies(options.bodies)), margin_(margin_of(options.query)),
-          time_tolerance_(time_tolerance_of(options.query)), max_turn_(max_turn_of(options.query)),
-          find_(options.query.any ? Find::any : Find::first), threads_(options.bodies.polyhedron.threads),
-          out_(options.out) {}
+        : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
+          max_turn_(max_turn_of(options.query)), threads_(options.bodies.polyhedron.threads), out_(options.out) {}
 
     Tally run() {
         Tally tally;
@@ -93,7 +91,7 @@ public:
         std::string table = batch_header();
         for (std::size_t done = 0; done < rows_.size(); done += chunk_size) {
             const Rows chunk = rows_.subspan(done, std::min(chunk_size, rows_.size() - done));
-            const auto answers = answer(readable_motions(chunk), [&](std::size_t n) { bar.show(done + n); });
+            const auto answers = answer(readable_motions(chunk, max_turn_), [&](std::size_t n) { bar.show(done + n); });
             out_.write(table + table_of(chunk, answers, tally));
             table.clear();
         }
@@ -108,29 +106,23 @@ private:
         return first_contact_batch({.moving = bodies_.moving,
                                     .fixed = bodies_.fixed,
                                     .motions = motions,
-                                    .margin = margin_,
-                                    .time_tolerance = time_tolerance_,
-                                    .max_turn = max_turn_,
-                                    .find = find_,
-                                    .threads = threads_,
-                                    .progress = std::move(progress)});
+                                    .options = query_,
+                                    .batch = {.threads = threads_, .progress = std::move(progress)}});
     }
 
     Rows rows_;
     Bodies bodies_;
-    double margin_;
-    double time_tolerance_;
-    double max_turn_;
-    Find find_;
+    QueryOptions query_;
+    double max_turn_; ///< radians
     unsigned threads_;
-    OutputFile out_; // last: opened only once everything else is in order
+    OutputFile out_; // last: opened only after all other input has been read
 };
 
 int run_batch(const BatchOptions& options) {
     check_out_is_no_input(options);
     const std::vector<io::MotionRow> rows = io::load_motions(options.motions);
     const Tally tally = BatchRun(options, rows).run();
-    if (std::filesystem::is_regular_file(options.out)) // not where rows went to standard output themselves
+    if (std::filesystem::is_regular_file(options.out)) // otherwise the rows may be on standard output
         print(fmt::format("{} motions: {} clear, {} in contact, {} in contact at the start, {}\n", rows.size(),
                           tally.of(Verdict::clear), tally.of(Verdict::contact), tally.of(Verdict::contact_at_start),
                           counted(tally.errors, "error")));
@@ -152,7 +144,7 @@ void add_batch(CLI::App& app, Task& task) {
     command.add_option("--out", options->out, "CSV file to write, one answer a row")->required()->type_name("FILE");
     command.add_option("--threads", options->bodies.polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();
-    add_query_options(command, options->query);
+    add_batch_query_options(command, options->query);
     command.callback([options, &task] { task = [options] { return run_batch(*options); }; });
 }
 

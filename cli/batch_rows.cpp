@@ -1,4 +1,4 @@
-// Rows of CSV; numbers are the shortest that read back to the same double.
+// Rows of CSV (comma-separated values). Each number is the shortest text that reads back to the same double.
 #include "cli/batch_rows.h"
 
 #include "chasles/io/csv_table.h"
@@ -25,14 +25,14 @@ std::string contact_cells(const Contact& contact) {
                        text_of(contact.point), text_of(contact.normal));
 }
 
-// An overlap has features and a point, but neither kind nor normal.
+// An overlap has features and a point, but no kind and no normal.
 std::string overlap_cells(const Overlap& overlap) {
     const Feature& moving = overlap.edge_is_moving ? overlap.edge : overlap.face;
     const Feature& fixed = overlap.edge_is_moving ? overlap.face : overlap.edge;
     return fmt::format(",{},{},{},,,", text_of(moving), text_of(fixed), text_of(overlap.point));
 }
 
-std::string place_cells(const FirstContact& found) {
+std::string geometry_cells(const FirstContact& found) {
     if (!found.contacts.empty())
         return contact_cells(found.contacts.front());
     return found.overlap ? overlap_cells(*found.overlap) : std::string(contact_columns - 1, ',');
@@ -49,7 +49,7 @@ std::string batch_row(const std::string& id, const FirstContact& found) {
     if (found.verdict == Verdict::clear)
         return start + ",,,,," + std::string(contact_columns - 1, ',') + "\n";
     return start + fmt::format("{},{},{},{},{},{}\n", found.time.lower, found.time.upper, found.tau.lower,
-                               found.tau.upper, found.certain, place_cells(found));
+                               found.tau.upper, found.certain, geometry_cells(found));
 }
 
 std::string batch_error_row(const std::string& id, const std::string& why) {

@@ -7,10 +7,10 @@
 
 namespace chasles::cli {
 
-/// The header, with its line end.
+/// The header, including the line end.
 std::string batch_header();
 
-/// The row of a motion that was answered. With several contacts the row shows the first one.
+/// The row of an answered motion. It shows the first of several contacts.
 std::string batch_row(const std::string& id, const FirstContact& found);
 
 /// The row of a motion that could not be read.

@@ -18,8 +18,8 @@ struct CheckOptions {
 int run_check(const CheckOptions& options) {
     const OneMotion question = read_one_motion(options.question);
     const FirstContact found = first_contact(question);
-    const view::MotionNumbers motion = view::numbers_of(question.motion);
-    print(options.json ? view::answer_json(found, motion).dump() + "\n" : report(found, motion, question.margin));
+    print(options.json ? view::answer_json(found, question.numbers).dump() + "\n"
+                       : report(found, question.numbers, question.options.margin));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 
@@ -27,7 +27,8 @@ int run_check(const CheckOptions& options) {
 
 void add_check(CLI::App& app, Task& task) {
     const auto options = std::make_shared<CheckOptions>();
-    CLI::App& command = *app.add_subcommand("check", "When do two bodies first touch on the way between two poses?");
+    CLI::App& command =
+        *app.add_subcommand("check", "When do two bodies first touch during a motion between two poses?");
     add_one_motion_options(command, options->question);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_check(*options); }; });

@@ -1,4 +1,4 @@
-// The subcommands of `chasles`; each is one file that declares its options and does its work.
+// The subcommands of `chasles`. Each is one file, which declares the options and runs the subcommand.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -6,17 +6,17 @@
 
 namespace chasles::cli {
 
-/// What `chasles` answers to the shell.
+/// The exit status of `chasles`.
 enum ExitStatus : int {
     is_clear = 0,
     is_contact = 1, ///< also at the start
-    is_wrong = 2,   ///< input or usage; one line on standard error says what, where and why
+    is_wrong = 2,   ///< wrong input or usage; one line on standard error names the input, the place and the reason
 };
 
-/// The work of a subcommand, to be done once all arguments are read; answers the exit status.
+/// Runs a subcommand after all arguments are parsed. Returns the exit status.
 using Task = std::function<int()>;
 
-// Each adds one subcommand to `app`; if it is chosen, `task` becomes its work.
+// Each function adds one subcommand to `app`. Parsing that subcommand sets `task`.
 void add_check(CLI::App& app, Task& task);
 void add_view(CLI::App& app, Task& task);
 void add_path(CLI::App& app, Task& task);

@@ -42,7 +42,7 @@ std::size_t width_of(const std::vector<Row>& rows, std::size_t column) {
 } // namespace
 
 std::vector<std::string> contact_table(const std::vector<Contact>& contacts, bool shows_gaps) {
-    std::vector<Row> rows = {{"moving on fixed", "point", "normal", "closing speed", "gap"}};
+    std::vector<Row> rows = {{"moving on fixed", "point", "normal", "approach speed", "gap"}};
     for (std::size_t i = 0; i < std::min(contacts.size(), most_contacts); ++i)
         rows.push_back(row_of(contacts[i]));
     std::vector<std::string> lines;
@@ -64,7 +64,7 @@ std::string face_name(const Feature& face) {
     return fmt::format("face {}", face.first);
 }
 
-// Adding zero turns -0 into 0, which is easier on the eye.
+// Adding zero turns -0 into 0.
 std::string vector_text(const Eigen::Vector3d& vector) {
     return fmt::format("({:.9g}, {:.9g}, {:.9g})", vector.x() + 0.0, vector.y() + 0.0, vector.z() + 0.0);
 }

@@ -1,4 +1,4 @@
-// The contacts of an answer as aligned columns: which features touch, where, along which normal, how fast.
+// The contacts of an answer as aligned columns: features, point, normal, approach speed and gap.
 #pragma once
 
 #include "chasles/chasles.h"
@@ -8,14 +8,15 @@
 
 namespace chasles::cli {
 
-/// A head and one line a contact, without line ends; after the first ten a line that says how many more there are.
+/// A header line and one line per contact, without line ends. After the first ten contacts, one line gives the number
+/// of further contacts.
 std::vector<std::string> contact_table(const std::vector<Contact>& contacts, bool shows_gaps);
 
 /// "edge 3-9", "face 7".
 std::string edge_name(const Feature& edge);
 std::string face_name(const Feature& face);
 
-/// "(1, 2, 3)" with nine digits at most.
+/// "(1, 2, 3)" with at most nine digits.
 std::string vector_text(const Eigen::Vector3d& vector);
 
 } // namespace chasles::cli

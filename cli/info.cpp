@@ -1,4 +1,4 @@
-// chasles info: what a mesh file holds, and how its surface hangs together.
+// chasles info: the content of a mesh file and the topology of its surface.
 #include "cli/commands.h"
 #include "cli/contact_table.h"
 #include "cli/options.h"
@@ -37,7 +37,7 @@ view::Json body_json(const Polyhedron& body) {
 
 std::string body_report(const std::string& name, const Polyhedron& body) {
     const MeshReport mesh = body.report();
-    std::string text = name + ": " + (mesh.closed ? "closed\n" : "open: a surface without inside\n");
+    std::string text = name + ": " + (mesh.closed ? "closed\n" : "open: the surface encloses no volume\n");
     text += labelled("faces", fmt::format("{}, {} of them polygons of more than three sides; {} triangles in all",
                                           mesh.faces, mesh.polygons, mesh.triangles));
     if (mesh.dropped_faces > 0)
@@ -61,7 +61,8 @@ int run_info(const InfoOptions& options) {
 
 void add_info(CLI::App& app, Task& task) {
     const auto options = std::make_shared<InfoOptions>();
-    CLI::App& command = *app.add_subcommand("info", "What a mesh file holds, and how its surface hangs together.");
+    CLI::App& command =
+        *app.add_subcommand("info", "Describes the content of a mesh file and the topology of its surface.");
     command.add_option("MESH", options->mesh, "mesh file")->required()->type_name("FILE");
     add_mesh_options(command, options->polyhedron);
     command.add_flag("--json", options->json, "print one JSON object");

@@ -1,4 +1,5 @@
-// The command line of Chasles. Exit status: 0 clear, 1 contact, 2 wrong input or usage, with one line that says why.
+// The command line of Chasles. Exit status: 0 clear, 1 contact, 2 wrong input or usage, with one line that gives the
+// reason.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 #include "cli/arguments.h"
@@ -18,21 +19,21 @@ namespace {
 #define CHASLES_VERSION "unknown"
 #endif
 
-int complain_of_usage(const std::string& command, const std::string& why) {
+int report_usage_error(const std::string& command, const std::string& why) {
     std::fputs((command + ": " + io::one_line(why) + " (see " + command + " --help)\n").c_str(), stderr);
     return is_wrong;
 }
 
-// CLI11 itself does not say which subcommand the complaint is about, nor that there is none of that name.
-int complain_of_usage(const CLI::App& app, const std::string& first_argument, const CLI::ParseError& error) {
+// CLI11 names neither the subcommand that an error belongs to nor an unknown subcommand.
+int report_usage_error(const CLI::App& app, const std::string& first_argument, const CLI::ParseError& error) {
     for (const CLI::App* const command : app.get_subcommands([](const CLI::App*) { return true; }))
         if (first_argument == command->get_name())
-            return complain_of_usage("chasles " + first_argument, error.what());
+            return report_usage_error("chasles " + first_argument, error.what());
     const bool is_name = !first_argument.empty() && !first_argument.starts_with('-');
-    return complain_of_usage("chasles", is_name ? "no subcommand " + io::in_quotes(first_argument) : error.what());
+    return report_usage_error("chasles", is_name ? "no subcommand " + io::in_quotes(first_argument) : error.what());
 }
 
-int complain(const std::string& why) {
+int report_error(const std::string& why) {
     std::fputs(("chasles: " + io::one_line(why) + "\n").c_str(), stderr);
     return is_wrong;
 }
@@ -49,7 +50,7 @@ void add_commands(CLI::App& app, Task& task) {
     add_demo(app, task);
 }
 
-// Help and version: what CLI11 would print, but checked to arrive.
+// Prints the help or the version as CLI11 would, and checks that the output is written.
 int show_help(const CLI::App& app, const CLI::ParseError& error) {
     std::ostringstream text;
     app.exit(error, text, text);
@@ -57,7 +58,7 @@ int show_help(const CLI::App& app, const CLI::ParseError& error) {
     return is_clear;
 }
 
-// Parses in the order that CLI11 wants: the last argument first.
+// CLI11 requires the arguments in reverse order.
 void parse(CLI::App& app, const std::vector<std::string>& arguments) {
     std::vector<std::string> reversed = join_numbers(arguments);
     std::reverse(reversed.begin(), reversed.end());
@@ -70,7 +71,7 @@ int parse_and_work(CLI::App& app, const Task& task, const std::vector<std::strin
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0)
             return show_help(app, error);
-        return complain_of_usage(app, arguments.empty() ? "" : arguments.front(), error);
+        return report_usage_error(app, arguments.empty() ? "" : arguments.front(), error);
     }
     return task();
 }
@@ -82,9 +83,9 @@ int run(const std::vector<std::string>& arguments) {
     try {
         return parse_and_work(app, task, arguments);
     } catch (const InvalidInput& error) {
-        return complain(error.what());
+        return report_error(error.what());
     } catch (const std::bad_alloc&) {
-        return complain("not enough memory");
+        return report_error("not enough memory");
     }
 }
 
@@ -92,6 +93,6 @@ int run(const std::vector<std::string>& arguments) {
 } // namespace chasles::cli
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN); // a reader that went away is an error to report, not a reason to vanish
+    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is then a write error, which is reported
     return chasles::cli::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
 }

@@ -1,10 +1,10 @@
-// One motion between two poses: how it is asked for, read and answered.
+// One motion between two poses: its options, how they are read, and the query.
 #include "cli/one_motion.h"
 
 namespace chasles::cli {
 namespace {
 
-/// The end poses of both bodies; the fixed one stands at the world's origin unless told otherwise.
+/// The end poses of both bodies. By default the fixed body rests at the origin of the world.
 struct EndPoses {
     Pose start;
     Pose goal;
@@ -25,9 +25,10 @@ EndPoses read_poses(const OneMotionOptions& options) {
     return poses;
 }
 
-ScrewMotion screw_between(const EndPoses& poses) {
-    return poses.is_fixed_moving ? ScrewMotion::relative(poses.start, poses.goal, poses.fixed_start, poses.fixed_goal)
-                                 : ScrewMotion::between(poses.start, poses.goal);
+ScrewMotion screw_between(const EndPoses& poses, double max_turn) {
+    return poses.is_fixed_moving
+               ? ScrewMotion::relative(poses.start, poses.goal, poses.fixed_start, poses.fixed_goal, max_turn)
+               : ScrewMotion::between(poses.start, poses.goal, max_turn);
 }
 
 SweepMotion sweep_between(const EndPoses& poses, const Eigen::Vector3d& centre) {
@@ -36,11 +37,19 @@ SweepMotion sweep_between(const EndPoses& poses, const Eigen::Vector3d& centre) 
                : SweepMotion::between(poses.start, poses.goal, centre);
 }
 
-Motion read_motion(const OneMotionOptions& options) {
+struct NamedMotion {
+    Motion motion;
+    view::MotionNumbers numbers;
+};
+
+NamedMotion read_motion(const OneMotionOptions& options) {
     const EndPoses poses = read_poses(options);
-    if (options.motion == "screw")
-        return screw_between(poses);
-    return sweep_between(poses, point_of("--centre", options.centre));
+    if (options.motion == "screw") {
+        const ScrewMotion screw = screw_between(poses, max_turn_of(options.query));
+        return {screw, view::numbers_of(screw)};
+    }
+    const SweepMotion sweep = sweep_between(poses, point_of("--centre", options.centre));
+    return {sweep, view::numbers_of(sweep)};
 }
 
 void add_pose_options(CLI::App& command, OneMotionOptions& options) {
@@ -63,38 +72,26 @@ void add_pose_options(CLI::App& command, OneMotionOptions& options) {
 void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
     add_body_options(command, options.bodies);
     add_pose_options(command, options);
-    command.add_option("--motion", options.motion, "what happens between the poses: screw or sweep")
+    command.add_option("--motion", options.motion, "the motion between the poses: screw or sweep")
         ->check(CLI::IsMember({"screw", "sweep"}))
         ->capture_default_str();
     command.add_option("--centre", options.centre, "point of the moving body that a sweep carries along a line")
         ->type_name("\"X Y Z\"");
     add_query_options(command, options.query);
-    command
-        .add_option("--hold", options.hold,
-                    "bodies that start within the margin go on, but never come within this distance")
-        ->type_name("H");
 }
 
-// Braces evaluate in order: poses and numbers are read before large meshes are.
+// Poses and numbers are read before meshes, which may be large.
 OneMotion read_one_motion(const OneMotionOptions& options) {
-    return {.motion = read_motion(options),
-            .margin = margin_of(options.query),
-            .hold = options.hold.empty() ? std::nullopt : std::optional(number_of("--hold", options.hold)),
-            .time_tolerance = time_tolerance_of(options.query),
-            .max_turn = max_turn_of(options.query),
-            .find = options.query.any ? Find::any : Find::first_with_all_contacts,
-            .bodies = load_bodies(options.bodies)};
+    const NamedMotion motion = read_motion(options);
+    const QueryOptions query = options_of(options.query);
+    return {motion.motion, motion.numbers, query, load_bodies(options.bodies)};
 }
 
 FirstContact first_contact(const OneMotion& question) {
     return chasles::first_contact({.moving = question.bodies.moving,
                                    .fixed = question.bodies.fixed,
                                    .motion = question.motion,
-                                   .margin = question.margin,
-                                   .hold = question.hold,
-                                   .time_tolerance = question.time_tolerance,
-                                   .max_turn = question.max_turn,
-                                   .find = question.find});
+                                   .options = question.options});
 }
 
 } // namespace chasles::cli

@@ -1,7 +1,8 @@
-// One motion between two poses, as several subcommands take it: options, the question they make, and its answer.
+// One motion between two poses, shared by several subcommands: the options, the query and its answer.
 #pragma once
 
 #include "cli/options.h"
+#include "view/motion_numbers.h"
 
 #include <optional>
 
@@ -9,24 +10,20 @@ namespace chasles::cli {
 
 struct OneMotionOptions {
     BodyOptions bodies;
-    QueryOptions query;
+    QuestionOptions query;
     std::string start;
     std::string goal;
     std::string fixed_start;
     std::string fixed_goal;
     std::string motion = "screw";
     std::string centre = "0 0 0";
-    std::string hold; ///< empty: none
 };
 
-/// A query that holds its bodies.
+/// A query that owns its bodies.
 struct OneMotion {
     Motion motion;
-    double margin;
-    std::optional<double> hold;
-    double time_tolerance;
-    double max_turn; ///< radians
-    Find find;
+    view::MotionNumbers numbers; ///< of the motion
+    QueryOptions options;
     Bodies bodies;
 };
 

@@ -1,4 +1,4 @@
-// Shared options: how they are declared, and how their text becomes numbers, poses and bodies.
+// Shared options: their declaration, and the conversion of their text to numbers, poses and bodies.
 #include "cli/options.h"
 
 #include "chasles/io/pose_text.h"
@@ -19,25 +19,35 @@ auto naming_option(const std::string& option, const Read& read) {
 
 } // namespace
 
-void add_query_options(CLI::App& command, QueryOptions& options) {
+void add_batch_query_options(CLI::App& command, QuestionOptions& options) {
     command.add_option("--margin", options.margin, "distance of the surfaces that counts as contact")
         ->type_name("D")
         ->capture_default_str();
     command
         .add_option("--max-turn-deg", options.max_turn_degrees,
-                    "a screw that turns further is cut into equal turns; 180 for one screw in one piece")
+                    "a screw that turns by more is cut into equal turns; 180: one screw in one piece")
         ->type_name("DEGREES")
         ->capture_default_str();
     command.add_option("--time-tolerance", options.time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();
-    command.add_flag("--any", options.any, "stop at any contact, not the first one");
+    command.add_flag("--any", options.any, "stop at any contact, which need not be the first one");
+}
+
+void add_query_options(CLI::App& command, QuestionOptions& options) {
+    add_batch_query_options(command, options);
+    command.add_flag("--all-contacts", options.all_contacts, "list every contact at the time of the first one")
+        ->excludes("--any");
+    command
+        .add_option("--hold", options.hold,
+                    "bodies that start within the margin may move on, but never come within this distance")
+        ->type_name("H");
 }
 
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options) {
     command.add_flag("--triangulate", options.triangulate, "cut polygons that are not planar into triangles");
     command.add_flag("--drop-degenerate", options.drop_degenerate,
-                     "drop faces without area where that does not change the surface");
+                     "drop faces without area where this does not change the surface");
 }
 
 void add_body_options(CLI::App& command, BodyOptions& options) {
@@ -68,16 +78,17 @@ Eigen::Vector3d point_of(const std::string& option, const std::string& text) {
     return naming_option(option, [&] { return io::parse_point(text); });
 }
 
-double margin_of(const QueryOptions& options) {
-    return number_of("--margin", options.margin);
+QueryOptions options_of(const QuestionOptions& options) {
+    return {.margin = number_of("--margin", options.margin),
+            .hold = options.hold.empty() ? std::nullopt : std::optional(number_of("--hold", options.hold)),
+            .time_tolerance = number_of("--time-tolerance", options.time_tolerance),
+            .find = options.any            ? Find::any
+                    : options.all_contacts ? Find::first_with_all_contacts
+                                           : Find::first};
 }
 
-double time_tolerance_of(const QueryOptions& options) {
-    return number_of("--time-tolerance", options.time_tolerance);
-}
-
-// Divided first, so that 180 degrees are exactly the double nearest to pi.
-double max_turn_of(const QueryOptions& options) {
+// Dividing first makes 180 degrees exactly the double nearest to pi.
+double max_turn_of(const QuestionOptions& options) {
     return number_of("--max-turn-deg", options.max_turn_degrees) / 180 * std::numbers::pi;
 }
 

@@ -1,4 +1,4 @@
-// Options that several subcommands share, and what they become.
+// Options that several subcommands share, and their values.
 #pragma once
 
 #include "chasles/chasles.h"
@@ -8,12 +8,14 @@
 
 namespace chasles::cli {
 
-/// Numbers stay text until they are used, so that they are read correctly rounded and with messages of our own.
-struct QueryOptions {
+/// Numbers stay text until use. Chasles then parses them itself, correctly rounded and with its own messages.
+struct QuestionOptions {
     std::string margin = "0";
     std::string max_turn_degrees = "10";
     std::string time_tolerance = "1e-12";
+    std::string hold; ///< empty: none
     bool any = false;
+    bool all_contacts = false;
 };
 
 struct BodyOptions {
@@ -27,20 +29,21 @@ struct Bodies {
     Polyhedron fixed;
 };
 
-void add_query_options(CLI::App& command, QueryOptions& options);
+/// The options of every question, or without --hold those of a batch.
+void add_query_options(CLI::App& command, QuestionOptions& options);
+void add_batch_query_options(CLI::App& command, QuestionOptions& options);
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
 void add_body_options(CLI::App& command, BodyOptions& options);
 
-/// Loads both; a file that is named twice is loaded once.
+/// Loads both bodies. If both have the same file name, the file is loaded once.
 Bodies load_bodies(const BodyOptions& options);
 
-/// The number, pose or point that an option was given. Throws InvalidInput "OPTION: WHY".
+/// The number, pose or point given for an option. Throws InvalidInput "OPTION: REASON".
 double number_of(const std::string& option, const std::string& text);
 Pose pose_of(const std::string& option, const std::string& text);
 Eigen::Vector3d point_of(const std::string& option, const std::string& text);
 
-double margin_of(const QueryOptions& options);
-double time_tolerance_of(const QueryOptions& options);
-double max_turn_of(const QueryOptions& options); ///< radians
+QueryOptions options_of(const QuestionOptions& options);
+double max_turn_of(const QuestionOptions& options); ///< radians
 
 } // namespace chasles::cli

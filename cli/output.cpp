@@ -1,4 +1,4 @@
-// Output through C streams, because they say why they fail (errno).
+// Output through C streams, because they report the reason of a failure (errno).
 #include "cli/output.h"
 
 #include "chasles/base/invalid_input.h"
@@ -11,7 +11,7 @@
 namespace chasles::cli {
 namespace {
 
-// 0 if all went well, otherwise the error of the system.
+// Returns 0 on success, otherwise the system's error number.
 int write_all(std::FILE* file, const std::string& text) {
     errno = 0;
     const bool is_written = std::fwrite(text.data(), 1, text.size(), file) == text.size() && std::fflush(file) == 0;
@@ -34,7 +34,7 @@ OutputFile::OutputFile(const std::string& name) : name_(name), file_(std::fopen(
         fail(errno);
 }
 
-// Appending goes on at the new end. What is no regular file, a pipe or a device, cannot be emptied and need not be.
+// The file is open for appending, so writing continues at the new end. A pipe or a device cannot be truncated.
 void OutputFile::empty() {
     std::error_code error;
     if (std::filesystem::is_regular_file(name_))

@@ -1,4 +1,4 @@
-// What goes out, with a check that it arrived: a full disk or a closed pipe is an error, not a success.
+// Output with a check of every write: a full disk or a closed pipe is an error.
 #pragma once
 
 #include <cstdio>
@@ -7,20 +7,20 @@
 
 namespace chasles::cli {
 
-/// Writes to standard output. Throws InvalidInput if it cannot be written.
+/// Writes to standard output. Throws InvalidInput if the write fails.
 void print(const std::string& text);
 
-/// A file for output. Opening it shows whether it can be written; what it held before is lost only with the first
-/// writing, so that a mistake found in between costs nothing. Throws InvalidInput "FILE: WHY" if it cannot be opened or
-/// written.
+/// A file for output. The constructor checks that the file can be written. The first write replaces the former content:
+/// an error that is found before the first write leaves the file unchanged. Throws InvalidInput "FILE: REASON" if the
+/// file cannot be opened or written.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& name);
 
-    /// Writes and hands over to the system at once, so that what was written survives an interruption.
+    /// Writes and flushes, so that the text survives an interruption of the program.
     void write(const std::string& text);
 
-    /// Closes the file: some errors show only now.
+    /// Closes the file. Some write errors are reported only here.
     void close();
 
 private:

@@ -1,4 +1,4 @@
-// chasles path: a chain of screws through the poses of a file.
+// chasles path: a sequence of screws through the poses of a file.
 #include "chasles/io/motion_files.h"
 #include "cli/commands.h"
 #include "cli/options.h"
@@ -15,12 +15,12 @@ namespace {
 
 struct PathOptions {
     BodyOptions bodies;
-    QueryOptions query;
+    QuestionOptions query;
     std::string poses;
     bool json = false;
 };
 
-// As `check` answers, with the segment that the time and the motion belong to; of a clear path, the last one.
+// The JSON of `check`, with the segment that the time and the motion belong to (for a clear path, the last segment).
 view::Json path_json(const PathContact& found, const view::MotionNumbers& motion) {
     view::Json answer = view::answer_json(found.contact, motion);
     answer["segment"] = found.segment;
@@ -38,18 +38,14 @@ std::string path_report(const PathContact& found, const view::MotionNumbers& mot
 }
 
 PathContact answer_path(const PathOptions& options, const std::vector<Pose>& poses) {
-    const double margin = margin_of(options.query);
-    const double time_tolerance = time_tolerance_of(options.query);
-    const double max_turn = max_turn_of(options.query);
+    const QueryOptions query = options_of(options.query);
+    std::vector<Motion> motions = screws_along(poses, max_turn_of(options.query));
     const Bodies bodies = load_bodies(options.bodies);
-    ProgressBar bar("segments", poses.empty() ? 0 : poses.size() - 1);
+    ProgressBar bar("segments", motions.size());
     return first_contact_on_path({.moving = bodies.moving,
                                   .fixed = bodies.fixed,
-                                  .poses = poses,
-                                  .margin = margin,
-                                  .time_tolerance = time_tolerance,
-                                  .max_turn = max_turn,
-                                  .find = options.query.any ? Find::any : Find::first_with_all_contacts,
+                                  .motions = std::move(motions),
+                                  .options = query,
                                   .progress = [&](std::size_t done) { bar.show(done); }});
 }
 
@@ -59,7 +55,7 @@ int run_path(const PathOptions& options) {
     const view::MotionNumbers motion =
         view::numbers_of(ScrewMotion::between(poses[found.segment], poses[found.segment + 1]));
     print(options.json ? path_json(found, motion).dump() + "\n"
-                       : path_report(found, motion, poses.size(), margin_of(options.query)));
+                       : path_report(found, motion, poses.size(), options_of(options.query).margin));
     return found.contact.verdict == Verdict::clear ? is_clear : is_contact;
 }
 

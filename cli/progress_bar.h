@@ -1,4 +1,4 @@
-// A bar on standard error, if that is a terminal; otherwise nothing.
+// A progress bar on standard error. It is drawn only if standard error is a terminal.
 #pragma once
 
 #include <chrono>
@@ -7,7 +7,7 @@
 
 namespace chasles::cli {
 
-/// Redrawn ten times a second at most, and wiped away at the end.
+/// The bar is redrawn at most ten times per second and erased by the destructor.
 class ProgressBar {
 public:
     ProgressBar(std::string unit, std::size_t total);

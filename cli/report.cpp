@@ -1,4 +1,4 @@
-// Answers for people. Digits are those that mean something: all of the bracket around the time, nine of the rest.
+// Answers for people. The bracket of the time is printed with all its digits, other numbers with nine.
 #include "cli/report.h"
 
 #include "cli/contact_table.h"
@@ -19,7 +19,7 @@ std::string text_of(const Bracket& bracket) {
     return fmt::format("{:.16g} to {:.16g}", bracket.lower, bracket.upper);
 }
 
-/// With a margin features are apart, and it is told how far.
+/// With a margin the features are apart, and the table shows the gaps.
 std::string report(const std::vector<Contact>& contacts, std::string label, bool shows_gaps) {
     std::string text;
     for (const std::string& line : contact_table(contacts, shows_gaps)) {
@@ -53,9 +53,10 @@ std::string progress_of(const view::MotionNumbers& motion, const FirstContact& f
 }
 
 std::string report_contact(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
-    std::string text = labelled("so far", progress_of(motion, found)) + labelled("time", text_of(found.time)) +
-                       labelled("tau", text_of(found.tau)) +
-                       labelled("certain", found.certain ? "yes" : "no: they may miss each other by a rounding error");
+    std::string text =
+        labelled("so far", progress_of(motion, found)) + labelled("time", text_of(found.time)) +
+        labelled("tau", text_of(found.tau)) +
+        labelled("certain", found.certain ? "yes" : "no: the bodies may miss each other by a rounding error");
     if (!found.contacts.empty())
         text += report(found.contacts, margin > 0 ? "within" : "touching", margin > 0);
     if (found.overlap)
@@ -66,20 +67,21 @@ std::string report_contact(const FirstContact& found, const view::MotionNumbers&
 } // namespace
 
 std::string headline(const FirstContact& found, double margin) {
-    const bool is_as_near_as_held = !found.held.empty() && found.clear_until <= found.time.lower;
-    const std::string within = is_as_near_as_held ? " at the distance that is held,"
-                               : margin > 0       ? fmt::format(" within {:.9g}", margin)
-                                                  : "";
+    const bool is_at_hold_distance = !found.held.empty() && found.clear_until <= found.time.lower;
+    const std::string within = is_at_hold_distance ? " at the hold distance,"
+                               : margin > 0        ? fmt::format(" within {:.9g}", margin)
+                                                   : "";
     switch (found.verdict) {
     case Verdict::clear:
         if (!found.held.empty())
-            return fmt::format("CLEAR: what is held keeps its distance, and nothing else comes within {:.9g}\n",
+            return fmt::format("CLEAR: held contacts keep the hold distance, and no new contact comes within {:.9g}\n",
                                margin);
-        return fmt::format("CLEAR: proven that nothing {} on the whole way\n",
+        return fmt::format("CLEAR: proven that nothing {} during the whole motion\n",
                            margin > 0 ? "comes" + within : "touches");
     case Verdict::contact:
         return fmt::format("CONTACT{} at time {:.12g}\n", within, found.time.lower);
     case Verdict::contact_at_start:
+    case Verdict::unknown: // no query returns it
         break;
     }
     return fmt::format("CONTACT{} AT THE START{}\n", within,
@@ -95,7 +97,7 @@ std::string counted(std::size_t count, const std::string& noun) {
 }
 
 std::string report(const Work& work) {
-    return labelled("work", fmt::format("{}, {}, {}: {} looked for roots, {} refined, {} exact",
+    return labelled("work", fmt::format("{}, {}, {}: {} searched for roots, {} refined, {} exact",
                                         counted(work.node_pairs, "box pair"), counted(work.face_pairs, "face pair"),
                                         counted(work.elementary_tests, "elementary test"), work.root_brackets,
                                         work.refined, work.exact));

@@ -1,4 +1,4 @@
-// Answers for people: the verdict first, then when, how far along the motion, where and what touches.
+// Answers for people: the verdict first, then the motion, the time and the contacts.
 #pragma once
 
 #include "view/motion_numbers.h"
@@ -7,14 +7,15 @@
 
 namespace chasles::cli {
 
-/// The answer of `check` as a short text of several lines. With the margin that was asked for, gaps are told.
+/// The answer of `check` as a short text of several lines. `margin` is the margin of the query; if it is positive, the
+/// report shows the gaps.
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
-/// Its two parts: the verdict in one line, and all the rest.
+/// The two parts of report(): the verdict in one line, and the details.
 std::string headline(const FirstContact& found, double margin);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
-/// One line "  label     text", aligned with the others.
+/// One line "  label     text". All lines are aligned.
 std::string labelled(const std::string& label, const std::string& text);
 
 /// The line of work counters.

@@ -1,4 +1,4 @@
-// chasles view: one motion between two poses, as a page to look at.
+// chasles view: one motion between two poses, as a page of HTML.
 #include "cli/commands.h"
 #include "cli/one_motion.h"
 #include "cli/output.h"
@@ -22,7 +22,7 @@ std::string file_name(const std::string& path) {
 }
 
 int run_view(const ViewOptions& options) {
-    view::require_page_template(); // what cannot be shown need not be answered
+    view::require_page_template(); // fails before the query runs
     const OneMotion question = read_one_motion(options.question);
     OutputFile file(options.out);
     const FirstContact found = first_contact(question);
@@ -31,14 +31,14 @@ int run_view(const ViewOptions& options) {
     file.write(view::page({.moving = question.bodies.moving,
                            .fixed = question.bodies.fixed,
                            .motion = question.motion,
+                           .numbers = question.numbers,
                            .found = found,
-                           .max_turn = question.max_turn,
-                           .margin = question.margin,
+                           .margin = question.options.margin,
                            .title = options.title.empty() ? moving_name + " and " + fixed_name : options.title,
                            .moving_name = moving_name,
                            .fixed_name = fixed_name}));
     file.close();
-    print(headline(found, question.margin) + labelled("page", options.out));
+    print(headline(found, question.options.margin) + labelled("page", options.out));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 
@@ -46,10 +46,11 @@ int run_view(const ViewOptions& options) {
 
 void add_view(CLI::App& app, Task& task) {
     const auto options = std::make_shared<ViewOptions>();
-    CLI::App& command = *app.add_subcommand("view", "Answers as check does, and writes a page that shows it.");
+    CLI::App& command =
+        *app.add_subcommand("view", "Runs the query of check and writes a page of HTML that shows the answer.");
     add_one_motion_options(command, options->question);
     command.add_option("--out", options->out, "page to write (HTML)")->required()->type_name("FILE");
-    command.add_option("--title", options->title, "head of the page; default: the names of both files")
+    command.add_option("--title", options->title, "title of the page; default: the names of both files")
         ->type_name("TEXT");
     command.callback([options, &task] { task = [options] { return run_view(*options); }; });
 }

@@ -1,5 +1,6 @@
-// A crate is dropped on a floor and pushed along it until it meets a wall, and then along the wall. Each step asks
-// Chasles how far it may go; contacts tell what is left free. Only the public interface is used.
+// A crate falls on a floor, slides along the floor to a wall, and then slides along the wall. In each step a query
+// returns how far the crate can move, and the contacts give the remaining free velocities. Only the public interface is
+// used.
 #include <chasles/chasles.h>
 
 #include <Eigen/Dense>
@@ -7,11 +8,11 @@
 
 namespace {
 
-constexpr double margin = 0.01;    // what counts as contact, in metres
-constexpr double hold = 0.002;     // what rests on something comes no nearer than this
+constexpr double margin = 0.01;    // metres; a smaller distance counts as contact
+constexpr double hold = 0.002;     // metres; bodies in contact never come closer than this
 constexpr double time_step = 0.02; // seconds
 
-using Twist = Eigen::Matrix<double, 6, 1>; // of the crate's centre: linear, then angular
+using Twist = Eigen::Matrix<double, 6, 1>; // velocity of the crate's centre: linear, then angular
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
 chasles::Polyhedron box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper) {
@@ -23,23 +24,22 @@ chasles::Polyhedron box(const Eigen::Vector3d& lower, const Eigen::Vector3d& upp
     return chasles::Polyhedron::from_polygons(corners, sides);
 }
 
-/// A floor in z = 0 and a wall in x = 2, open surfaces.
+/// A floor in z = 0 and a wall in x = 2, as one open surface.
 chasles::Polyhedron floor_and_wall() {
     const std::vector<Eigen::Vector3d> corners{{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}, {2, -2, 2}, {2, 2, 2}};
     const std::vector<std::vector<std::uint32_t>> faces{{0, 1, 2}, {0, 2, 3}, {1, 4, 5, 2}};
     return chasles::Polyhedron::from_polygons(corners, faces);
 }
 
-/// The rows for twists of another point than the world's origin.
+/// Converts rows for twists of the world's origin to rows for twists of `point`.
 Rows about(const Eigen::Vector3d& point, Rows rows) {
     for (Eigen::Index i = 0; i < rows.rows(); ++i)
         rows.row(i).tail<3>() -= point.cross(rows.row(i).head<3>().transpose()).transpose();
     return rows;
 }
 
-/// The nearest twist that uses up no more of any gap than there is to half the margin, by Hildreth's method: rows push
-/// as far as they have to.
-Twist within(const Rows& rows, const std::vector<chasles::Contact>& contacts, Twist twist) {
+/// The twist nearest to `twist` that reduces no gap below half the margin during one time step, by Hildreth's method.
+Twist restricted(const Rows& rows, const std::vector<chasles::Contact>& contacts, Twist twist) {
     Eigen::VectorXd pushes = Eigen::VectorXd::Zero(rows.rows());
     for (int sweep = 0; sweep < 200; ++sweep)
         for (Eigen::Index i = 0; i < rows.rows(); ++i) {
@@ -61,7 +61,7 @@ Eigen::Isometry3d moved(const Eigen::Isometry3d& pose, const Twist& twist, doubl
     return goal;
 }
 
-void tell(int step, const Eigen::Isometry3d& pose, const std::vector<chasles::Contact>& held) {
+void print_step(int step, const Eigen::Isometry3d& pose, const std::vector<chasles::Contact>& held) {
     const Eigen::Vector3d& place = pose.translation();
     std::printf("step %3d  at (%.3f, %.3f, %.3f)  %zu contacts:", step, place.x(), place.y(), place.z(), held.size());
     for (const chasles::Contact& contact : held)
@@ -81,24 +81,26 @@ int main() {
         return chasles::first_contact({.moving = crate,
                                        .fixed = room,
                                        .motion = chasles::ScrewMotion::between(pose, goal),
-                                       .margin = margin,
-                                       .hold = hold,
-                                       .find = chasles::Find::first_with_all_contacts});
+                                       .options = {.margin = margin,
+                                                   .hold = hold,
+                                                   .find = chasles::Find::first_with_all_contacts}});
     };
-    Twist wish; // forward and a little sideways, and down
+    Twist wish; // forward, slightly sideways, and down
     wish << 0.8, 0.3, -0.5, 0, 0, 0;
     std::size_t held = 0;
     for (int step = 0; step < 250; ++step) {
-        const chasles::FirstContact here = ask(pose); // what it rests on
+        const chasles::FirstContact here =
+            ask(pose); // a motion that stays in place: finds the contacts within the margin
         if (here.verdict == chasles::Verdict::contact_at_start)
-            return std::printf("step %d: they touch\n", step), 1;
+            return std::printf("step %d: the bodies touch\n", step), 1;
         if (here.held.size() != held)
-            tell(step, pose, here.held);
+            print_step(step, pose, here.held);
         held = here.held.size();
-        const Twist twist = within(about(pose.translation(), chasles::constraint_rows(here.held)), here.held, wish);
+        const Twist twist = restricted(about(pose.translation(), chasles::constraint_rows(here.held)), here.held, wish);
         const Eigen::Isometry3d goal = moved(pose, twist, time_step);
         const chasles::FirstContact found = ask(goal);
-        // A new contact is at the margin: to go on to the upper end is safe, and holds it from there on.
+        // A new contact is at the margin. Moving to the upper end of its bracket is safe; the next query then holds the
+        // contact.
         const double reached =
             found.verdict == chasles::Verdict::clear ? 1 : std::min(found.time.upper, found.clear_until);
         pose = chasles::ScrewMotion::between(pose, goal).pose_at(reached).isometry();

@@ -17,9 +17,9 @@ namespace chasles::scenes {
 
 namespace {
 
-constexpr double max_turn = std::numbers::pi / 18; // 10 degrees, as the queries have it by default
+constexpr double max_turn = std::numbers::pi / 18; // 10 degrees, the default of the queries
 
-// The nut stands on the bolt in phase, its top just below the tip.
+// The nut is on the bolt with the threads in phase. Its top is less than one pitch below the bolt's tip.
 struct Stage {
     ThreadedFastener size;
     Polyhedron bolt;
@@ -36,16 +36,15 @@ Stage built(const ThreadedFastener& size) {
     return {size, bolt(size), nut(size), std::max(0.0, pitches) * size.pitch};
 }
 
-// --- What is asked ---------------------------------------------------------------------------------------------------
+// --- Queries ---------------------------------------------------------------------------------------------------------
 
-// The steps of a turn, asked at the same time on all cores. Clear if every step is; else the first contact.
+// Answers all steps of a turn at the same time on all cores. The result is clear if every step is clear, otherwise the
+// first contact.
 FirstContact answer_for_turn(const Stage& stage, const NutTurn& motion) {
     const std::vector<Pose> poses = nut_path(motion);
-    std::vector<Motion> steps;
-    for (std::size_t i = 0; i + 1 < poses.size(); ++i)
-        steps.emplace_back(ScrewMotion::between(poses[i], poses[i + 1]));
+    const std::vector<Motion> steps = screws_along(poses, max_turn);
     const std::vector<FirstContact> answers =
-        first_contact_batch({.moving = stage.nut, .fixed = stage.bolt, .motions = steps, .max_turn = max_turn});
+        first_contact_batch({.moving = stage.nut, .fixed = stage.bolt, .motions = steps});
     const auto touching = std::ranges::find_if_not(answers, &is_clear);
     FirstContact found = touching == answers.end() ? answers.back() : *touching;
     found.work = {};
@@ -56,7 +55,7 @@ FirstContact answer_for_turn(const Stage& stage, const NutTurn& motion) {
 
 PathContact answer_for_path(const Stage& stage, const NutTurn& motion) {
     const std::vector<Pose> poses = nut_path(motion);
-    return first_contact_on_path({.moving = stage.nut, .fixed = stage.bolt, .poses = poses, .max_turn = max_turn});
+    return first_contact_on_path({.moving = stage.nut, .fixed = stage.bolt, .motions = screws_along(poses, max_turn)});
 }
 
 FirstContact answer_for_pull(const Stage& stage) {
@@ -65,14 +64,14 @@ FirstContact answer_for_pull(const Stage& stage) {
     return first_contact({.moving = stage.nut, .fixed = stage.bolt, .motion = ScrewMotion::between(start, goal)});
 }
 
-// What the facets and the pieces' uneven slide can take of the play between the flanks.
+// An upper bound on how much the facets and the uneven slide of the pieces reduce the play between the flanks.
 double play_lost(const Stage& stage, double slide_per_turn) {
     return axial_facet_error(stage.size) + slide_deviation(slide_per_turn, max_turn);
 }
 
-// --- How it is told --------------------------------------------------------------------------------------------------
+// --- Output ----------------------------------------------------------------------------------------------------------
 
-void line(std::ostream& out, std::string_view name, const std::string& text) {
+void print_line(std::ostream& out, std::string_view name, const std::string& text) {
     out << fmt::format("   {:<11}{}\n", name, text);
 }
 
@@ -108,41 +107,42 @@ std::string printed(const Eigen::Vector3d& vector) {
     return fmt::format("({:.6f}, {:.6f}, {:.6f})", vector.x(), vector.y(), vector.z());
 }
 
-void tell_contact(std::ostream& out, const FirstContact& found) {
+void print_contacts(std::ostream& out, const FirstContact& found) {
     for (const Contact& contact : found.contacts) {
-        line(out, "features", named(contact));
-        line(out, "at",
-             fmt::format("{} mm, {:.4f} mm from the axis", printed(contact.point), contact.point.head<2>().norm()));
-        line(out, "normal", printed(contact.normal));
+        print_line(out, "features", named(contact));
+        print_line(
+            out, "at",
+            fmt::format("{} mm, {:.4f} mm from the axis", printed(contact.point), contact.point.head<2>().norm()));
+        print_line(out, "normal", printed(contact.normal));
     }
 }
 
-void tell_cost(std::ostream& out, const Work& work, const Stopwatch& watch) {
-    line(out, "cost",
-         fmt::format("{} elementary tests, {} node pairs, {:.3f} s", grouped(work.elementary_tests),
-                     grouped(work.node_pairs), watch.seconds()));
+void print_cost(std::ostream& out, const Work& work, const Stopwatch& watch) {
+    print_line(out, "cost",
+               fmt::format("{} elementary tests, {} node pairs, {:.3f} s", grouped(work.elementary_tests),
+                           grouped(work.node_pairs), watch.seconds()));
 }
 
-bool told(std::ostream& out, bool is_as_expected) {
-    line(out, is_as_expected ? "right" : "WRONG", is_as_expected ? "as expected" : "this is not as it must be");
+bool report_outcome(std::ostream& out, bool is_as_expected) {
+    print_line(out, is_as_expected ? "right" : "WRONG", is_as_expected ? "as expected" : "not as expected");
     out << '\n';
     return is_as_expected;
 }
 
-// --- The story -------------------------------------------------------------------------------------------------------
+// --- The three motions -----------------------------------------------------------------------------------------------
 
-void tell_stage(std::ostream& out, const Stage& stage) {
+void print_stage(std::ostream& out, const Stage& stage) {
     const ThreadedFastener& size = stage.size;
     out << fmt::format("A nut on its bolt: M{:g} x {:g}, {} facets a turn; lengths in millimetres\n\n",
                        size.nominal_diameter, size.pitch, size.segments);
-    line(out, "bolt",
-         fmt::format("{} triangles, {:g} mm of thread", grouped(stage.bolt.face_count()), size.bolt_length));
-    line(out, "nut",
-         fmt::format("{} triangles, {:g} mm high, standing {:g} mm above the bolt's head",
-                     grouped(stage.nut.face_count()), size.nut_height, stage.nut_height));
-    line(out, "play",
-         fmt::format("{:.6f} mm along the axis either way; facets take at most {:.6f} mm of it", axial_clearance(size),
-                     play_lost(stage, size.pitch)));
+    print_line(out, "bolt",
+               fmt::format("{} triangles, {:g} mm of thread", grouped(stage.bolt.face_count()), size.bolt_length));
+    print_line(out, "nut",
+               fmt::format("{} triangles, {:g} mm high, standing {:g} mm above the bolt's head",
+                           grouped(stage.nut.face_count()), size.nut_height, stage.nut_height));
+    print_line(out, "play",
+               fmt::format("{:.6f} mm along the axis either way; facets take at most {:.6f} mm of it",
+                           axial_clearance(size), play_lost(stage, size.pitch)));
     out << '\n';
 }
 
@@ -160,15 +160,15 @@ bool unscrew(std::ostream& out, const Stage& stage) {
                            grouped(found.work.elementary_tests), grouped(found.work.node_pairs), watch.seconds())
             << std::flush;
         is_free = is_clear(found);
-        tell_contact(out, found);
+        print_contacts(out, found);
     }
     out << '\n';
     if (is_free)
-        line(out, "result", fmt::format("the nut is off the bolt after {} turns and touched nothing", turns));
-    return told(out, is_free);
+        print_line(out, "result", fmt::format("the nut is off the bolt after {} turns and touched nothing", turns));
+    return report_outcome(out, is_free);
 }
 
-// In phase the nut has exactly the axial clearance to go, whatever the facets (derivation 09).
+// In phase the nut can move by exactly the axial clearance, independent of the facets (derivation 09).
 bool pull(std::ostream& out, const Stage& stage) {
     const Stopwatch watch;
     const FirstContact found = answer_for_pull(stage);
@@ -176,16 +176,18 @@ bool pull(std::ostream& out, const Stage& stage) {
     const double travel = found.time.lower * way;
     const double expected = axial_clearance(stage.size);
     out << fmt::format("2. Pull it straight off, {:g} mm along the axis\n\n", way);
-    line(out, "verdict", named(found));
-    line(out, "travel", fmt::format("{:.12f} mm, time {:.15g} .. {:.15g}", travel, found.time.lower, found.time.upper));
-    line(out, "expected", fmt::format("{:.12f} mm, the play between the flanks", expected));
-    tell_contact(out, found);
-    tell_cost(out, found.work, watch);
-    return told(out, found.verdict == Verdict::contact && std::abs(travel - expected) < 1e-9);
+    print_line(out, "verdict", named(found));
+    print_line(out, "travel",
+               fmt::format("{:.12f} mm, time {:.15g} .. {:.15g}", travel, found.time.lower, found.time.upper));
+    print_line(out, "expected", fmt::format("{:.12f} mm, the play between the flanks", expected));
+    print_contacts(out, found);
+    print_cost(out, found.work, watch);
+    return report_outcome(out, found.verdict == Verdict::contact && std::abs(travel - expected) < 1e-9);
 }
 
-// The nut strays from the thread by the difference of the pitches. It must touch before it is in phase again after
-// having strayed by all of the play, and cannot touch before it has strayed by what the facets leave of it.
+// Per turn the nut strays from the thread by the difference of the pitches. It cannot touch before it has strayed by
+// the play that the facets leave. Once it has strayed by the whole play, it must touch before its facets are in phase
+// with the bolt's facets again.
 bool screw_wrongly(std::ostream& out, const Stage& stage) {
     const double pitch = stage.size.pitch;
     const double wrong = 0.875 * pitch;
@@ -198,13 +200,13 @@ bool screw_wrongly(std::ostream& out, const Stage& stage) {
     const double slide = found.pose.translation.z() - stage.nut_height;
     const double strayed = turns * pitch - slide;
     out << fmt::format("3. Unscrew it by the wrong pitch: {:g} mm a turn instead of {:g}\n\n", wrong, pitch);
-    line(out, "verdict", named(found));
-    line(out, "turn", fmt::format("{:.6f} degrees, with a slide of {:.6f} mm", 360 * turns, slide));
-    line(out, "strayed", fmt::format("{:.6f} mm from the thread", strayed));
-    line(out, "expected", fmt::format("{:.6f} to {:.6f} mm", first, last));
-    tell_contact(out, found);
-    tell_cost(out, found.work, watch);
-    return told(out, found.verdict == Verdict::contact && strayed >= first && strayed <= last);
+    print_line(out, "verdict", named(found));
+    print_line(out, "turn", fmt::format("{:.6f} degrees, with a slide of {:.6f} mm", 360 * turns, slide));
+    print_line(out, "strayed", fmt::format("{:.6f} mm from the thread", strayed));
+    print_line(out, "expected", fmt::format("{:.6f} to {:.6f} mm", first, last));
+    print_contacts(out, found);
+    print_cost(out, found.work, watch);
+    return report_outcome(out, found.verdict == Verdict::contact && strayed >= first && strayed <= last);
 }
 
 } // namespace
@@ -220,7 +222,7 @@ int run_demo(std::ostream& out, const ThreadedFastener& fastener, const std::fil
         save_obj(stage.bolt, save_to / "bolt.obj");
         save_obj(stage.nut, save_to / "nut.obj");
     }
-    tell_stage(out, stage);
+    print_stage(out, stage);
     const bool is_unscrewed = unscrew(out, stage);
     const bool is_held = pull(out, stage);
     const bool is_jammed = screw_wrongly(out, stage);

@@ -1,4 +1,5 @@
-// The demonstration: a nut is unscrewed, pulled and screwed wrongly, and every answer is held against what must be.
+// The demonstration: a nut is unscrewed, pulled, and unscrewed by a wrong pitch. Every answer is compared with the
+// geometry of the thread.
 #pragma once
 
 #include "scenes/threaded_fastener.h"
@@ -8,13 +9,13 @@
 
 namespace chasles::scenes {
 
-/// Answers the three questions on a bolt and a nut and writes a short report: unscrewing with the right screw (proven
-/// clear, turn by turn), a straight pull along the axis, and a screw of the wrong pitch (where each first touches).
-/// Returns 0 if all three come out as the geometry of the thread says, 1 otherwise.
-/// If `save_to` is given, both bodies are written there as bolt.obj and nut.obj; throws InvalidInput if they cannot be.
+/// Runs three queries for a nut on a bolt and writes a short report. The first proves, turn by turn, that the right
+/// screw is clear. The second finds the first contact of a straight pull along the axis, the third the first contact of
+/// a screw with a wrong pitch. Returns 0 if all three results agree with the geometry of the thread, otherwise 1. If
+/// `save_to` is given, writes the bodies to this folder as bolt.obj and nut.obj. Throws InvalidInput if this fails.
 int run_demo(std::ostream& out, const std::filesystem::path& save_to = {});
 
-/// The same on a fastener of any size.
+/// The same for a fastener of any size.
 int run_demo(std::ostream& out, const ThreadedFastener& fastener, const std::filesystem::path& save_to = {});
 
 } // namespace chasles::scenes

@@ -7,10 +7,10 @@ namespace chasles::scenes {
 
 namespace {
 
-constexpr double crest_end = 1.0 / 16;  // in pitches from the middle of the crest
+constexpr double crest_end = 1.0 / 16;  // pitches from the middle of the crest
 constexpr double root_start = 6.0 / 16; // crest_end plus a flank of 5/16
 
-// The mean of r^2 where r runs linearly from `a` to `b`.
+// The mean of r^2 when r varies linearly from `a` to `b`.
 double mean_square(double a, double b) {
     return (a * a + a * b + b * b) / 3;
 }

@@ -22,7 +22,7 @@ std::vector<Pose> nut_path(const NutTurn& motion) {
     return poses;
 }
 
-// With h half the turn, time - tan(h time) / tan(h) is largest where its derivative vanishes: cos(h time)^2 = h /
+// Let h be half the turn. time - tan(h time) / tan(h) is largest where its derivative vanishes: cos(h time)^2 = h /
 // tan(h).
 double slide_deviation(double slide_per_turn, double max_turn) {
     const double half = max_turn / 2;

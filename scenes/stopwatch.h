@@ -5,7 +5,7 @@
 
 namespace chasles::scenes {
 
-/// Since it was made.
+/// Measures the wall-clock time since its construction.
 class Stopwatch {
 public:
     [[nodiscard]] double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }

@@ -28,11 +28,11 @@ void require_usable(const ThreadedFastener& size) {
     require(size.bolt_thread().root_radius() > 0, "pitch", "too coarse for the diameter");
     require(size.width_across_flats > 1.2 * size.nominal_diameter, "width across flats", "too small for the thread");
     require(radial_facet_error(size) < size.radial_clearance && axial_facet_error(size) < axial_clearance(size),
-            "segments", "the facets would take all of the clearance");
+            "segments", "too few: the facets would use up the clearance");
 }
 
-// The lines that the corners of the profile run on, numbered along the axis: line k + 4 is line k one pitch higher,
-// and the end of line k after a full turn is the start of line k + 4.
+// The helices of the profile's corners, numbered along the axis. Line k + 4 is line k raised by one pitch. Line k ends
+// after a full turn at the start of line k + 4.
 class ThreadLines {
 public:
     ThreadLines(const MetricThread& thread, int segments)
@@ -51,8 +51,8 @@ private:
     int segments_;
 };
 
-// Where the material is. A facet of a flank is cut into triangles along the diagonal by which the body loses material:
-// (k, j + 1) to (k + 1, j) for the bolt and the other one for the nut, on both flanks (derivation 09).
+// The side of the material. Each facet of a flank is split into two triangles along the diagonal that removes material:
+// (k, j + 1) to (k + 1, j) for the bolt, the opposite diagonal for the nut, on both flanks (derivation 09).
 enum class Material : std::uint8_t { inside, outside };
 
 void add_facet(TriangleMesh& mesh, const std::array<Index, 4>& corner, bool is_cut_upward) {
@@ -66,7 +66,8 @@ void add_facet(TriangleMesh& mesh, const std::array<Index, 4>& corner, bool is_c
     }
 }
 
-// The whole thread between lines that run outside of [0, height] all the way, seen from outside.
+// The thread surface with its triangles counter-clockwise when viewed from outside. Its first and last lines lie
+// entirely outside [0, height].
 TriangleMesh endless_thread(const MetricThread& thread, const ThreadedFastener& size, double height,
                             Material material) {
     const ThreadLines lines(thread, size.segments);
@@ -92,7 +93,7 @@ TriangleMesh endless_thread(const MetricThread& thread, const ThreadedFastener& 
     return mesh;
 }
 
-// The thread cut off at z = 0 and z = height.
+// The thread, cut off at z = 0 and z = height.
 TriangleMesh thread_between_planes(const MetricThread& thread, const ThreadedFastener& size, double height,
                                    Material material) {
     const double snap = 1e-9 * size.pitch; // far above rounding, far below any clearance
@@ -100,7 +101,7 @@ TriangleMesh thread_between_planes(const MetricThread& thread, const ThreadedFas
     return cut_off(cut_off(endless, Side::above, 0, snap), Side::below, height, snap);
 }
 
-// A regular hexagon about the axis, counter-clockwise seen from +z, with two flats normal to y.
+// A regular hexagon about the axis, counter-clockwise when viewed from +z, with two flats normal to y.
 std::vector<Index> add_hexagon(TriangleMesh& mesh, double width_across_flats, double height) {
     const double half = width_across_flats / 2;
     const double corner = width_across_flats / std::numbers::sqrt3;

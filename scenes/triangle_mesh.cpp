@@ -13,7 +13,7 @@ namespace chasles::scenes {
 
 namespace {
 
-// The rim's edges: those of a triangle whose reverse belongs to no other one, by their first vertex.
+// The edges of the rim, keyed by their first vertex. An edge belongs to the rim if no triangle has the reverse edge.
 std::multimap<Index, Index> open_edges(const TriangleMesh& mesh, double height) {
     std::map<std::pair<Index, Index>, int> balance;
     for (const Triangle& corner : mesh.triangles) {
@@ -30,7 +30,7 @@ std::multimap<Index, Index> open_edges(const TriangleMesh& mesh, double height) 
     return open;
 }
 
-// Cuts triangle by triangle; an edge that crosses the plane gets one vertex for both of its triangles.
+// Cuts each triangle at the plane. Both triangles of an edge that crosses the plane share one new vertex.
 class Cutter {
 public:
     Cutter(const TriangleMesh& mesh, Side kept, double height, double snap)
@@ -66,12 +66,12 @@ private:
             return;
         std::vector<Index> outline;
         for (int i = 0; i < 3; ++i) {
-            const Index here = triangle[i];
+            const Index corner = triangle[i];
             const Index next = triangle[(i + 1) % 3];
-            if (depth(here) >= 0)
-                outline.push_back(here);
-            if (depth(here) * depth(next) < 0)
-                outline.push_back(crossing(here, next));
+            if (depth(corner) >= 0)
+                outline.push_back(corner);
+            if (depth(corner) * depth(next) < 0)
+                outline.push_back(crossing(corner, next));
         }
         for (std::size_t i = 2; i < outline.size(); ++i) {
             result_.triangles.push_back({outline[0], outline[i - 1], outline[i]});
@@ -84,7 +84,8 @@ private:
     double height_;
 };
 
-// `loop` from its vertex nearest to `direction` (all stand equally far from the axis) and back to it.
+// `loop`, rotated to start at the vertex nearest to `direction` and closed by repeating this vertex. All vertices are
+// equally far from the axis.
 std::vector<Index> started_at(const Eigen::Vector3d& direction, const TriangleMesh& mesh, std::vector<Index> loop) {
     const auto along = [&](Index corner) { return mesh.vertices[corner].head<2>().dot(direction.head<2>()); };
     std::ranges::rotate(loop, std::ranges::max_element(loop, {}, along));
@@ -132,7 +133,7 @@ std::vector<Index> rim(const TriangleMesh& mesh, double height) {
         if (is_round)
             break;
     }
-    throw InvalidInput(fmt::format("surface: rim at z = {}: it is not one closed loop", height));
+    throw InvalidInput(fmt::format("surface: rim at z = {}: is not one closed loop", height));
 }
 
 void close_with_fan(TriangleMesh& mesh, const std::vector<Index>& rim) {
@@ -144,20 +145,20 @@ void close_with_fan(TriangleMesh& mesh, const std::vector<Index>& rim) {
 void close_with_ring(TriangleMesh& mesh, const std::vector<Index>& rim, const std::vector<Index>& outer) {
     const std::vector<Index> corners = started_at(mesh.vertices[rim.front()], mesh, outer);
     std::size_t at = 0;
-    const auto step_outward = [&](Index here) {
-        mesh.triangles.push_back({corners[at], corners[at + 1], here});
+    const auto join_outer_edge = [&](Index vertex) {
+        mesh.triangles.push_back({corners[at], corners[at + 1], vertex});
         ++at;
     };
-    const auto next_corner_is_nearer = [&](Index here) {
-        return (mesh.vertices[corners[at + 1]] - mesh.vertices[corners[at]]).dot(mesh.vertices[here]) > 0;
+    const auto next_corner_is_nearer = [&](Index vertex) {
+        return (mesh.vertices[corners[at + 1]] - mesh.vertices[corners[at]]).dot(mesh.vertices[vertex]) > 0;
     };
     for (std::size_t i = 0; i < rim.size(); ++i) {
         while (i > 0 && at + 1 < corners.size() && next_corner_is_nearer(rim[i]))
-            step_outward(rim[i]);
+            join_outer_edge(rim[i]);
         mesh.triangles.push_back({rim[(i + 1) % rim.size()], rim[i], corners[at]});
     }
     while (at + 1 < corners.size())
-        step_outward(rim.front());
+        join_outer_edge(rim.front());
 }
 
 void flip(TriangleMesh& mesh) {

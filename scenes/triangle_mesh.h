@@ -1,4 +1,4 @@
-// A triangle mesh under construction: parts are added, cut off at planes and joined without a gap.
+// A triangle mesh under construction. Parts are added, cut off at planes, and joined without gaps.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -12,7 +12,7 @@
 namespace chasles::scenes {
 
 using Index = std::uint32_t;
-using Triangle = std::array<Index, 3>; ///< counter-clockwise seen from outside
+using Triangle = std::array<Index, 3>; ///< counter-clockwise when viewed from outside
 
 struct TriangleMesh {
     std::vector<Eigen::Vector3d> vertices;
@@ -20,33 +20,34 @@ struct TriangleMesh {
 
     Index add(const Eigen::Vector3d& vertex);
 
-    /// Vertices that no triangle uses are left out. Throws InvalidInput as Polyhedron::from_polygons().
+    /// Omits the vertices that no triangle uses. Throws InvalidInput if Polyhedron::from_polygons() does.
     [[nodiscard]] Polyhedron polyhedron() const;
 };
 
 /// The sides of a plane z = height.
 enum class Side : std::uint8_t { below, above };
 
-/// The part of a surface on one side of the plane z = height. New vertices lie exactly on the plane, and a vertex
-/// nearer to it than `snap` is moved onto it, so that no sliver thinner than that is left.
+/// The part of a surface on one side of the plane z = height. New vertices lie exactly on the plane. A vertex closer to
+/// the plane than `snap` is moved onto the plane, which prevents slivers thinner than `snap`.
 TriangleMesh cut_off(const TriangleMesh& mesh, Side kept, double height, double snap);
 
-/// The open rim of a surface on the plane z = height, as one loop in the direction of the surface's own edges.
+/// The open rim of a surface on the plane z = height, as one loop in the direction of the edges of its triangles.
 /// Throws InvalidInput if the rim is not exactly one closed loop.
 std::vector<Index> rim(const TriangleMesh& mesh, double height);
 
-/// Closes a rim that is star-shaped about the point (0, 0, z) of its plane by a fan from there.
+/// Closes a rim by a fan of triangles around the point (0, 0, z) of its plane. The rim must be star-shaped about this
+/// point.
 void close_with_fan(TriangleMesh& mesh, const std::vector<Index>& rim);
 
-/// Fills the flat ring between a rim that is star-shaped about the z axis and the regular polygon `outer` about the
-/// same axis, which stands clear of it and runs the same way round. Each rim edge is joined to the corner nearest to
-/// where it starts.
+/// Fills the flat ring between a rim and the regular polygon `outer`. Both are star-shaped about the z axis and have
+/// the same direction of rotation, and `outer` lies strictly outside the rim. Each rim edge is joined to the corner of
+/// `outer` nearest to the start of the edge.
 void close_with_ring(TriangleMesh& mesh, const std::vector<Index>& rim, const std::vector<Index>& outer);
 
 /// Turns the surface inside out.
 void flip(TriangleMesh& mesh);
 
-/// Writes a body as Wavefront OBJ, each number so that it reads back to the same double.
+/// Writes a body as Wavefront OBJ. Each number reads back to the same double.
 /// Throws InvalidInput if the file cannot be written.
 void save_obj(const Polyhedron& body, const std::filesystem::path& file);
 

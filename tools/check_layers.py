@@ -21,7 +21,7 @@ MAY_INCLUDE = {
     "contact": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh"],
     "search": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact"],
     "query": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search"],
-    "io": ["base", "motion", "mesh"],
+    "io": ["base", "algebra", "motion", "hierarchy", "mesh"],
     "scenes": [],
     "view": [],
     "cli": ["base", "io", "scenes", "view"],

@@ -1,9 +1,9 @@
 #!/usr/bin/env python3
-"""Takes the documentation of the public headers for another language.
+"""Extracts the documentation of the public headers for another language.
 
 Usage: docstrings.py OUT HEADER... writes one C++ initialiser {"Scope.name", "text"} for each documented declaration of
-the headers: what `///` says above it or `///<` behind it. Names are as users of another language write them, with a dot
-for `::`. Of overloads the first documented one counts.
+the headers. The text is the `///` comment above the declaration or the `///<` comment after it. Names have a dot instead
+of `::`. For overloads, the first documented one counts.
 """
 
 import pathlib
@@ -22,7 +22,7 @@ FIELD = re.compile(r"(\w+)\s*(?:=[^=].*|\{.*\}|,)?\s*[;,]?\s*$")
 
 
 def declared_name(code: str) -> str:
-    """The name that a line of a declaration introduces; empty if there is none to be seen."""
+    """The name that a line of a declaration introduces; empty if the line has no name."""
     code = code.split("//")[0].strip()
     head = code.split("=")[0] if "(" not in code.split("=")[0] else code
     match = FUNCTION.search(head) or FIELD.search(head)
@@ -30,7 +30,7 @@ def declared_name(code: str) -> str:
 
 
 def text_of(lines: list[str]) -> str:
-    """Paragraphs, laid out anew; indented lines stay as they are."""
+    """The paragraphs, wrapped again. Indented lines stay unchanged."""
     paragraphs: list[str] = []
     open_paragraph = False
     for line in lines:
@@ -55,10 +55,10 @@ class Reader:
 
     def __init__(self, found: dict[str, str]):
         self.found = found
-        self.scopes: list[tuple[str, int]] = []  # name and the depth of braces in front of it
+        self.scopes: list[tuple[str, int]] = []  # name, and the depth of braces before it
         self.depth = 0
         self.above: list[str] = []
-        self.behind = ""  # the name whose comment behind it may go on
+        self.behind = ""  # the name whose trailing comment may continue on the next line
 
     def keep(self, name: str, lines: list[str]) -> str:
         full = ".".join([scope for scope, _ in self.scopes] + [name])
@@ -103,7 +103,7 @@ class Reader:
 
 
 def docstrings(headers: list[str]) -> dict[str, str]:
-    """Text by name, for all headers (given as their texts)."""
+    """The text of each name. `headers` are the contents of the headers."""
     found: dict[str, str] = {}
     for header in headers:
         reader = Reader(found)

@@ -1,5 +1,5 @@
 #!/bin/sh
-# Lays out every source file by .clang-format; with --check only says which ones would change.
+# Formats every source file by .clang-format. With --check, only lists the files that would change.
 # Exit status 77 means that the pinned clang-format is not installed (ctest reports the test as skipped).
 set -eu
 cd "$(dirname "$0")/.."

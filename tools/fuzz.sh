@@ -1,6 +1,6 @@
 #!/bin/sh
-# fuzz.sh [SECONDS [JOBS]]: builds the fuzzers and runs each one for SECONDS (default 60; 0: until stopped), JOBS at a time (default: one
-# a core). What breaks a promise is kept in build/fuzz/tests/fuzz/<name>/.
+# fuzz.sh [SECONDS [JOBS]]: builds the fuzzers and runs each one for SECONDS (default 60; 0: until stopped), JOBS at a
+# time (default: one per core). Inputs that break a promise are kept in build/fuzz/tests/fuzz/<name>/.
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,7 +1,7 @@
 #!/bin/sh
-# The tests of the Python package, with bindings and library under the address and undefined-behaviour sanitizers. Uses
-# the environment of python_check.sh, which has to be there. (The library has to be under them as well: Eigen allocates
-# in another way then.)
+# Runs the tests of the Python package, with bindings and library under the address and undefined-behaviour sanitizers.
+# Uses the environment that python_check.sh has made. (The library needs the sanitizers too, because Eigen then allocates
+# differently.)
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -18,7 +18,7 @@ rm -rf "$build/package"
 mkdir "$build/package"
 cp -r python/chasles "$build/package/"
 cp "$build"/python/_core* "$build/package/chasles/"
-# Python itself frees little at its end, which is no leak of ours.
+# Python does not free all its memory at exit. This is not a leak of Chasles.
 LD_PRELOAD="$(c++ -print-file-name=libasan.so) $(c++ -print-file-name=libubsan.so)" \
     ASAN_OPTIONS=detect_leaks=0 PYTHONPATH="$build/package" \
     "$python" -m pytest -q -p no:cacheprovider tests/python -k "not distributed"

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Installs the Python package with pip into a virtual environment made anew, and runs its tests there.
+# Installs the Python package with pip into a new virtual environment, and runs its tests there.
 #
-#   python_check.sh [BUILD]    with BUILD, links to the library that is built there instead of building another one
+#   python_check.sh [BUILD]    with BUILD: links to the library in this build folder instead of building the library again
 set -eu
 cd "$(dirname "$0")/.."
 
@@ -17,5 +17,5 @@ if [ $# -eq 1 ]; then
         --config-settings=build-dir=build/python/check
 fi
 "$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$@" ".[test]"
-cd tests/python # away from python/chasles, so that what is tested is what was installed
+cd tests/python # outside python/chasles, so that the tests import the installed package
 "$environment/bin/python" -m pytest -q -p no:cacheprovider

@@ -1,6 +1,6 @@
 #!/bin/sh
-# Runs clang-tidy, as set up in .clang-tidy, over the sources that the build in BUILD (default build/dev) knows.
-# Further arguments are patterns of files: tools/tidy.sh build/dev chasles/mesh
+# Runs clang-tidy with the settings of .clang-tidy on the sources of the build in BUILD (default build/dev).
+# Further arguments are patterns of file names: tools/tidy.sh build/dev chasles/mesh
 set -eu
 cd "$(dirname "$0")/.."
 

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Builds what the library links to from vcpkg, for wheels that run on machines without it.
+# Builds the dependencies of the library with vcpkg, for wheels that run on machines without them.
 #
-#   wheel_dependencies.sh FOLDER    where vcpkg goes; what is there already is used
+#   wheel_dependencies.sh FOLDER    the folder for vcpkg; an existing checkout is used
 set -eu
 
 [ -d "$1" ] || git clone --depth 1 https://github.com/microsoft/vcpkg "$1"

@@ -1,4 +1,4 @@
-// Answers as JSON; the keys are those of docs/command-line.md.
+// Answers as JSON. docs/command-line.md describes the keys.
 #include "view/answer_json.h"
 
 #include "view/names.h"
@@ -6,7 +6,7 @@
 namespace chasles::view {
 namespace {
 
-// A vertex is a number, a face a list of one, an edge a list of its two vertices.
+// A vertex is a number, a face a list of one number, an edge a list of its two vertices.
 Json vertex(const Feature& feature) {
     return feature.first;
 }

@@ -1,4 +1,4 @@
-// Answers as JSON. Every number reads back to the very same double.
+// Answers as JSON. Every number reads back to the identical double.
 #pragma once
 
 #include "view/motion_numbers.h"
@@ -9,11 +9,12 @@ namespace chasles::view {
 
 using Json = nlohmann::ordered_json;
 
-/// The answer of `check`: verdict; time, tau, certain, pose, contacts and overlap unless clear; motion; work.
+/// The answer of `check`. Every answer has verdict, clear_until, motion and work. An answer with contact also has time,
+/// tau, certain, pose and contacts, and overlap if the surfaces overlap at the start. `held` is present if not empty.
 Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 
 Json vector_json(const Eigen::Vector3d& vector);
-/// x, y, z, qw, qx, qy, qz, with a quaternion of length one.
+/// x, y, z, qw, qx, qy, qz. The quaternion has length one.
 Json pose_json(const Pose& pose);
 
 } // namespace chasles::view

@@ -1,4 +1,4 @@
-// Three bytes become four letters; what is missing in the last three is filled up with '='.
+// Three bytes become four letters. If the last group has fewer than three bytes, '=' pads its four letters.
 #include "view/base64.h"
 
 #include <algorithm>

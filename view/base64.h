@@ -1,4 +1,4 @@
-// Arrays of numbers as text: their bytes, little end first, in base64 (RFC 4648).
+// Arrays of numbers as text: the bytes in little-endian order, in base64 (RFC 4648).
 #pragma once
 
 #include <cstddef>

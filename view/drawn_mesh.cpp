@@ -1,4 +1,4 @@
-// Faces become triangles; their inner diagonals are never lines, because lines come from the edges of the body alone.
+// The surface is drawn as triangles. Lines are drawn only along edges of the body, never along the diagonals of a face.
 #include "view/drawn_mesh.h"
 
 #include <algorithm>
@@ -9,11 +9,11 @@ namespace {
 
 using Triangle = std::array<std::uint32_t, 3>;
 
-/// An edge as one face has it.
+/// An edge of one face.
 struct FaceEdge {
     std::array<std::uint32_t, 2> ends;
     std::uint32_t face;
-    bool is_upward; ///< the face's outline runs from the lesser vertex to the greater
+    bool is_upward; ///< whether the face's outline runs from the lower vertex id to the higher one
 };
 
 void add_triangles(const Polyhedron& body, std::size_t face, std::vector<Triangle>& triangles) {
@@ -21,12 +21,12 @@ void add_triangles(const Polyhedron& body, std::size_t face, std::vector<Triangl
     const auto corners = body.face_triangles(face);
     for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
         triangles.push_back({outline[corners[i]], outline[corners[i + 1]], outline[corners[i + 2]]});
-    if (corners.empty()) // convex: a fan covers it
+    if (corners.empty()) // a convex face: a fan of triangles covers it
         for (std::size_t i = 1; i + 1 < outline.size(); ++i)
             triangles.push_back({outline[0], outline[i], outline[i + 1]});
 }
 
-// Newell's sum over the outline, which also averages a polygon that is planar only nearly.
+// Newell's sum over the outline. For a polygon that is only nearly planar, this sum is an average normal.
 Eigen::Vector3d unit_normal(const Polyhedron& body, std::size_t face) {
     const auto outline = body.face(face);
     const Eigen::Vector3d first = body.vertices()[outline[0]];
@@ -50,8 +50,8 @@ std::vector<FaceEdge> sorted_edges(const Polyhedron& body) {
     return edges;
 }
 
-// Two faces that meet smoothly hide their edge; one face alone, three or more, or a bend show it. Where two faces run
-// along their edge the same way, one of them is wound backwards and its normal points inside.
+// An edge is a crease unless exactly two faces share it and turn by less than least_crease there. If both outlines run
+// along the edge in the same direction, one face has the opposite orientation and its normal points inward.
 bool is_crease(const Polyhedron& body, std::span<const FaceEdge> sharing) {
     if (sharing.size() != 2)
         return true;

@@ -1,12 +1,10 @@
-// The screw's turn is proportional to time; the sweep's follows the normalised interpolation of quaternions
+// A screw turns in proportion to time. A sweep turns by the normalised interpolation of quaternions
 // (docs/derivations/02-rational-motion.md).
 #include "view/motion_numbers.h"
 
 #include <cmath>
 
 namespace chasles::view {
-
-namespace {
 
 MotionNumbers numbers_of(const ScrewMotion& screw) {
     return {.angle = screw.angle(),
@@ -15,24 +13,11 @@ MotionNumbers numbers_of(const ScrewMotion& screw) {
             .axis_direction = screw.axis_direction()};
 }
 
-ScrewMotion screw_of_same_poses(const MotionEnds& ends) {
-    const Pose& start = ends.given_start.pose;
-    const Pose& goal = ends.given_goal.pose;
-    return ends.fixed ? ScrewMotion::relative(start, goal, ends.fixed->start, ends.fixed->goal)
-                      : ScrewMotion::between(start, goal);
-}
-
 MotionNumbers numbers_of(const SweepMotion& sweep) {
-    MotionNumbers numbers = numbers_of(screw_of_same_poses(sweep.ends()));
+    MotionNumbers numbers = numbers_of(sweep.screw_of_same_poses());
     numbers.is_sweep = true;
     numbers.travel = sweep.displacement().norm();
     return numbers;
-}
-
-} // namespace
-
-MotionNumbers numbers_of(const Motion& motion) {
-    return std::visit([](const auto& any) { return numbers_of(any); }, motion);
 }
 
 double turned_so_far(const MotionNumbers& motion, const FirstContact& found) {

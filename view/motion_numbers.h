@@ -1,23 +1,24 @@
-// The numbers of a motion that an answer shows: the screw between its end poses, and how far along it a contact lies.
+// The numbers of a motion that an answer shows: the screw between the end poses, and the turn until the contact.
 #pragma once
 
 #include "chasles/chasles.h"
 
 namespace chasles::view {
 
-/// Of a sweep these are the numbers of the screw with the same end poses; the sweep itself runs another way between.
+/// For a sweep these are the numbers of the screw with equal end poses. The sweep itself follows another path.
 struct MotionNumbers {
     double angle = 0; ///< radians
     double slide = 0; ///< mesh unit
     Eigen::Vector3d axis_point = Eigen::Vector3d::Zero();
     Eigen::Vector3d axis_direction = Eigen::Vector3d::UnitZ();
     bool is_sweep = false;
-    double travel = 0; ///< of the sweep's reference point, mesh unit
+    double travel = 0; ///< path length of the sweep's reference point, mesh unit
 };
 
-MotionNumbers numbers_of(const Motion& motion);
+MotionNumbers numbers_of(const ScrewMotion& screw);
+MotionNumbers numbers_of(const SweepMotion& sweep);
 
-/// Radians turned when `found` says that contact begins.
+/// The angle turned until the time of `found` (the lower end of its bracket), in radians.
 double turned_so_far(const MotionNumbers& motion, const FirstContact& found);
 
 } // namespace chasles::view

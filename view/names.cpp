@@ -4,6 +4,8 @@ namespace chasles::view {
 
 std::string_view name_of(Verdict verdict) {
     switch (verdict) {
+    case Verdict::unknown:
+        return "unknown";
     case Verdict::clear:
         return "clear";
     case Verdict::contact:

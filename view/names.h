@@ -1,4 +1,4 @@
-// The words that users read, in files and in Python.
+// Names of the enumerators in files and in Python.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -7,7 +7,7 @@
 
 namespace chasles::view {
 
-/// As in C++: "contact_at_start".
+/// The name of the C++ enumerator, for example "contact_at_start".
 std::string_view name_of(Verdict verdict);
 std::string_view name_of(ContactKind kind);
 

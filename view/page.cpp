@@ -1,4 +1,4 @@
-// The template with the scene in the place of its marker.
+// The page is the template with its marker replaced by the scene.
 #include "view/page.h"
 
 #include "chasles/base/invalid_input.h"
@@ -18,7 +18,7 @@ std::string page(const Scene& scene) {
         text += piece;
     const std::size_t place = text.find(scene_marker);
     if (place == std::string::npos)
-        throw InvalidInput("view: template: has no place for the scene");
+        throw InvalidInput("view: template: has no marker for the scene");
     return text.replace(place, scene_marker.size(), scene_json(scene));
 }
 

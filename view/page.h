@@ -1,14 +1,14 @@
-// One page of HTML that shows an answered query and needs nothing else: no network, no other file.
+// One page of HTML that shows an answered query. It needs no network and no other file.
 #pragma once
 
 #include "view/scene_json.h"
 
 namespace chasles::view {
 
-/// The page. Throws InvalidInput as require_page_template() does.
+/// The page. Throws InvalidInput if require_page_template() does.
 std::string page(const Scene& scene);
 
-/// Throws InvalidInput, with the reason, if the library was built without the viewer.
+/// Throws InvalidInput with the reason if the library was built without the viewer.
 void require_page_template();
 
 } // namespace chasles::view

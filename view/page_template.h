@@ -1,4 +1,4 @@
-// The page without a scene, made from viewer/ while the project is built.
+// The page without a scene. The build makes it from viewer/.
 #pragma once
 
 #include <span>
@@ -6,13 +6,13 @@
 
 namespace chasles::view {
 
-/// In pieces, because compilers need not take long texts in one; no piece if the viewer was not built.
+/// The template in parts, because compilers limit the length of a string literal. Empty if the viewer was not built.
 std::span<const std::string_view> page_template();
 
-/// Why there is no piece; empty if there is.
+/// The reason why the template is empty. Empty if the template exists.
 std::string_view why_no_page_template();
 
-/// Stands in the template once, where the scene goes.
+/// Occurs once in the template, at the position of the scene.
 inline constexpr std::string_view scene_marker = "@CHASLES_SCENE@";
 
 } // namespace chasles::view

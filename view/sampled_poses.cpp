@@ -1,4 +1,4 @@
-// A screw that was cut runs through its pieces: their slide differs from that of the whole screw.
+// Poses of a motion follow the pieces of a long screw, whose slide differs from the uncut screw's.
 #include "view/sampled_poses.h"
 
 #include <algorithm>
@@ -8,41 +8,21 @@ namespace chasles::view {
 namespace {
 
 constexpr std::size_t fewest_poses = 241;
-constexpr std::size_t most_poses = 3841; ///< for a screw that is all but a half turn in one piece, too few
+constexpr std::size_t most_poses = 3841; ///< too few only for a screw of nearly half a turn in one piece
 
-/// Of the way's extent: less than half a pixel where the way fills a screen.
+/// Relative to the extent of the trajectory: less than half a pixel if the trajectory fills a screen.
 constexpr double largest_deviation = 1e-4;
 
-/// The moving body in the world.
-class CutMotion {
-public:
-    CutMotion(const Motion& motion, double max_turn) : motion_(motion) {
-        if (const auto* const screw = std::get_if<ScrewMotion>(&motion))
-            pieces_ = screw->cut(max_turn);
-    }
-
-    [[nodiscard]] Pose pose_at(double time) const {
-        if (pieces_.size() < 2)
-            return std::visit([&](const auto& any) { return any.pose_at(time); }, motion_);
-        const double place = time * static_cast<double>(pieces_.size());
-        const std::size_t index = std::min(static_cast<std::size_t>(place), pieces_.size() - 1);
-        return pieces_[index].pose_at(place - static_cast<double>(index));
-    }
-
-private:
-    const Motion& motion_;
-    std::vector<ScrewMotion> pieces_;
-};
-
-std::vector<Pose> poses_at_equal_times(const CutMotion& motion, std::size_t count) {
+template <class PoseAt>
+std::vector<Pose> poses_at_equal_times(std::size_t count, PoseAt pose_at) {
     std::vector<Pose> poses;
     for (std::size_t i = 0; i < count; ++i)
-        poses.push_back(motion.pose_at(static_cast<double>(i) / static_cast<double>(count - 1)));
+        poses.push_back(pose_at(static_cast<double>(i) / static_cast<double>(count - 1)));
     return poses;
 }
 
-// How far the odd poses are off the straight step between their neighbours, as a part of the whole way's extent. Turns
-// need no look: between 240 equal steps of a half turn at most they are interpolated to a millionth.
+// The largest distance of an odd pose from the middle of its two neighbours, relative to the extent of the trajectory.
+// Rotations need no test: at most half a turn in 240 equal steps is interpolated to an accuracy of 1e-6.
 double deviation(const std::vector<Pose>& poses) {
     Eigen::AlignedBox3d box;
     double largest = 0;
@@ -71,24 +51,21 @@ std::vector<PoseRow> rows_of(const std::vector<Pose>& poses) {
     return rows;
 }
 
-std::vector<Pose> fixed_poses(const MotionEnds& ends, std::size_t count) {
-    if (!ends.fixed)
-        return {Pose()};
-    std::vector<Pose> poses;
-    for (std::size_t i = 0; i < count; ++i)
-        poses.push_back(ends.fixed_pose_at(static_cast<double>(i) / static_cast<double>(count - 1)));
-    return poses;
+bool are_same(const Pose& a, const Pose& b) {
+    return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
 }
 
 } // namespace
 
-SampledPoses sampled_poses(const Motion& motion, double max_turn) {
-    const CutMotion cut(motion, max_turn);
-    std::vector<Pose> poses = poses_at_equal_times(cut, fewest_poses);
+SampledPoses sampled_poses(const Motion& motion) {
+    const auto pose_at = [&](double time) { return motion.pose_at(time); };
+    std::vector<Pose> poses = poses_at_equal_times(fewest_poses, pose_at);
     while (deviation(poses) > largest_deviation && poses.size() < most_poses)
-        poses = poses_at_equal_times(cut, 2 * poses.size() - 1);
-    const MotionEnds& ends = std::visit([](const auto& any) -> const MotionEnds& { return any.ends(); }, motion);
-    return {rows_of(poses), rows_of(fixed_poses(ends, poses.size()))};
+        poses = poses_at_equal_times(2 * poses.size() - 1, pose_at);
+    std::vector<Pose> fixed = poses_at_equal_times(poses.size(), [&](double time) { return motion.fixed_pose_at(time); });
+    if (std::ranges::all_of(fixed, [&](const Pose& pose) { return are_same(pose, fixed.front()); }))
+        fixed.resize(1);
+    return {rows_of(poses), rows_of(fixed)};
 }
 
 } // namespace chasles::view

@@ -1,4 +1,4 @@
-// A motion as poses in a row, close enough that a straight step from one to the next cannot be told from it.
+// A motion as a sequence of poses, dense enough that linear interpolation between them looks like the motion.
 #pragma once
 
 #include "chasles/chasles.h"
@@ -7,15 +7,15 @@
 
 namespace chasles::view {
 
-/// x, y, z, qw, qx, qy, qz; the quaternion has length one and keeps to the side of the one before.
+/// x, y, z, qw, qx, qy, qz. The quaternion has length one, and its dot product with its predecessor is not negative.
 using PoseRow = std::array<double, 7>;
 
-/// At equal times from 0 to 1. Of the very motion that a query with this `max_turn` answers for.
+/// The poses at equal time steps from 0 to 1.
 struct SampledPoses {
     std::vector<PoseRow> moving;
-    std::vector<PoseRow> fixed; ///< one row if it stands still
+    std::vector<PoseRow> fixed; ///< one row if the fixed body does not move
 };
 
-SampledPoses sampled_poses(const Motion& motion, double max_turn);
+SampledPoses sampled_poses(const Motion& motion);
 
 } // namespace chasles::view

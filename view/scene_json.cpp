@@ -1,4 +1,4 @@
-// Numbers of the answer stay decimal text that reads back to the same double; meshes and poses are packed.
+// Numbers of the answer are decimal text that reads back to the same double. Meshes and poses are base64.
 #include "view/scene_json.h"
 
 #include "view/answer_json.h"
@@ -24,17 +24,13 @@ Json mesh_json(const Polyhedron& body) {
             {"creases", packed(mesh.creases)}};
 }
 
-// A body that collides with a copy of itself is written once.
+// If both bodies are the same one, its mesh is written once.
 bool is_same_body(const Scene& scene) {
     return scene.moving.vertices().data() == scene.fixed.vertices().data();
 }
 
-Pose fixed_pose_at_contact(const Scene& scene) {
-    const auto pose = [&](const auto& motion) { return motion.ends().fixed_pose_at(scene.found.time.lower); };
-    return std::visit(pose, scene.motion);
-}
-
-// In JSON "<" occurs within strings only, where it may be written by its number; then nothing ends a script element.
+// In JSON "<" occurs only inside strings, where an escape sequence may replace it. Without "<" no text can end the
+// script element of the page.
 std::string without_tags(const std::string& json) {
     std::string safe;
     safe.reserve(json.size());
@@ -53,15 +49,15 @@ std::string scene_json(const Scene& scene) {
     json["format"] = scene_format;
     json["title"] = scene.title;
     json["margin"] = scene.margin;
-    json["is_sweep"] = std::holds_alternative<SweepMotion>(scene.motion);
+    json["is_sweep"] = scene.numbers.is_sweep;
     json["meshes"] = Json::array({mesh_json(scene.moving)});
     if (!is_same_body(scene))
         json["meshes"].push_back(mesh_json(scene.fixed));
-    const SampledPoses poses = sampled_poses(scene.motion, scene.max_turn);
+    const SampledPoses poses = sampled_poses(scene.motion);
     json["moving"] = {{"name", scene.moving_name}, {"mesh", 0}, {"poses", packed(poses.moving)}};
     json["fixed"] = {{"name", scene.fixed_name}, {"mesh", is_same_body(scene) ? 0 : 1}, {"poses", packed(poses.fixed)}};
-    json["fixed_pose"] = pose_json(fixed_pose_at_contact(scene));
-    json["answer"] = answer_json(scene.found, numbers_of(scene.motion));
+    json["fixed_pose"] = pose_json(scene.motion.fixed_pose_at(scene.found.time.lower));
+    json["answer"] = answer_json(scene.found, scene.numbers);
     return without_tags(json.dump(-1, ' ', true, Json::error_handler_t::replace));
 }
 

@@ -1,27 +1,27 @@
-// Everything that a page shows, as JSON: the one source for the command line and for Python.
+// All data of a page as JSON, shared by the command line and Python.
 #pragma once
 
-#include "chasles/chasles.h"
+#include "view/motion_numbers.h"
 
 #include <string>
 
 namespace chasles::view {
 
-/// An answered query and how to name it. Holds references: for passing on, not for keeping.
+/// An answered query and its names. A Scene holds references: bodies, motion, numbers and answer must outlive it.
 struct Scene {
     const Polyhedron& moving;
     const Polyhedron& fixed;
     const Motion& motion;
+    const MotionNumbers& numbers; ///< of the motion
     const FirstContact& found;
-    double max_turn = std::numbers::pi / 18; ///< of the query; radians
-    double margin = 0;                       ///< of the query; mesh unit
-    std::string title = "Chasles";           ///< UTF-8; what is not is replaced
+    double margin = 0;             ///< margin of the query, mesh unit
+    std::string title = "Chasles"; ///< UTF-8; invalid bytes are replaced
     std::string moving_name = "moving";
     std::string fixed_name = "fixed";
 };
 
-/// One object in ASCII without "<", safe inside a script element of a page. docs/decisions/0070-viewer.md lists its
-/// keys.
+/// One JSON object in ASCII without "<", safe inside a script element of a page. docs/decisions/0070-viewer.md lists
+/// the keys.
 std::string scene_json(const Scene& scene);
 
 } // namespace chasles::view

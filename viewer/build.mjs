@@ -1,4 +1,5 @@
-// Makes the page without a scene: page_template.html, and the same as C++ (view/page_template.h) in page_template.cpp.
+// Makes the page without a scene: page_template.html, and page_template.cpp with the same text in C++
+// (view/page_template.h).
 import { build, transform } from "esbuild";
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
@@ -14,7 +15,7 @@ async function bundledScript() {
     format: "iife",
     target: "es2022",
     charset: "ascii",
-    legalComments: "none", // three.js's whole licence stands in the page instead
+    legalComments: "none", // the page contains the whole licence of three.js instead
     write: false,
   });
   return result.outputFiles[0].text;
@@ -30,7 +31,7 @@ async function page() {
   return text("src/page.html").replace(/@(LICENCES|STYLE|SCRIPT)@/g, (_, name) => parts[name].trim());
 }
 
-// Pieces that every compiler takes. A question mark is escaped for fear of trigraphs.
+// String literals of at most 8,000 characters, which every compiler accepts. The escape of "?" prevents trigraphs.
 function literals(content) {
   const pieces = [];
   for (let at = 0; at < content.length; at += 8000) {
@@ -65,9 +66,9 @@ std::string_view why_no_page_template() {
 
 function check(content) {
   const problems = [
-    [/[^\t\n\x20-\x7e\u00a9]/.test(content), "a character that it was not made for"],
-    [content.split("@CHASLES_SCENE@").length !== 2, "not exactly one place for the scene"],
-    [content.split("</script>").length !== 3, "a script that ends itself"],
+    [/[^\t\n\x20-\x7e\u00a9]/.test(content), "a character outside the supported set"],
+    [content.split("@CHASLES_SCENE@").length !== 2, "not exactly one marker for the scene"],
+    [content.split("</script>").length !== 3, "a script that contains </script>"],
   ];
   for (const [isWrong, what] of problems) if (isWrong) throw new Error(`page_template.html: ${what}`);
 }

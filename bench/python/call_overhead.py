@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
-"""What a call from Python costs beyond the C++ query, and a batch beyond the C++ batch.
+"""The overhead of a query from Python over the C++ query, and of a batch from Python over the C++ batch.
 
-Usage: call_overhead.py. Calls and batches of Python and C++ take turns; the least of the times counts, as noise
-only adds to them. Not a test: it depends on the machine and on what else runs there.
+Usage: call_overhead.py. Python and C++ take turns. The minimum of the times counts, because noise only adds time. This
+is not a test: the times depend on the machine and on its other work.
 """
 
 import time
@@ -37,7 +37,7 @@ def call(name: str, cube: chasles.Polyhedron, start: np.ndarray, goal: np.ndarra
         cpp.append(_core._query_seconds(cube, cube, start, goal, find, times) / times)
     overhead = min(python) - min(cpp)
     print(
-        f"{name:36} C++ {min(cpp) * 1e6:7.3f} us, Python {min(python) * 1e6:7.3f} us, beyond {overhead * 1e6:6.3f} us"
+        f"{name:36} C++ {min(cpp) * 1e6:7.3f} us, Python {min(python) * 1e6:7.3f} us, overhead {overhead * 1e6:6.3f} us"
     )
 
 

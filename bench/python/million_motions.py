@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
-"""A million motions over a cluster of two workers, one of which is killed, against the same in one process.
+"""A million motions on a cluster of two workers, with one worker killed, compared with one process.
 
 Usage: million_motions.py MOVING FIXED [--motions N] [--folder FOLDER]
 
-Writes random motions of the pair to Parquet, answers them on two worker processes of one thread each, kills one of them
-with SIGKILL when a third of the partitions is there, answers them again without a cluster, and compares the results row
-for row. Prints what it did and what it took; exits with 1 if a row differs.
+Writes random motions of the pair to Parquet and answers them on two worker processes of one thread each. Kills one
+worker with SIGKILL when a third of the partitions is done. Answers the motions again without a cluster and compares the
+results row by row. Prints the steps and their times. The exit status is 1 if a row differs.
 """
 
 import argparse
@@ -30,7 +30,7 @@ ROWS_IN_PARTITION = 10_000
 
 
 def write_motions(file: pathlib.Path, fixed: chasles.Polyhedron, count: int) -> None:
-    """Starts anywhere in the box of the fixed body, goals a tenth of its size away and turned by some 20 degrees."""
+    """Starts are random in the box of the fixed body. Goals are a tenth of its size away and turn by about 20 degrees."""
     random = np.random.default_rng(2000)
     lower, upper = fixed.vertices.min(axis=0), fixed.vertices.max(axis=0)
     starts = np.hstack([random.uniform(lower, upper, (count, 3)), random.normal(size=(count, 4))])
@@ -50,7 +50,7 @@ def kill_after(pid: int, out: pathlib.Path, results: int) -> None:
     while len(results_in(out)) < results:
         time.sleep(0.01)
     os.kill(pid, signal.SIGKILL)
-    print(f"killed worker {pid} when {len(results_in(out))} partitions were there", flush=True)
+    print(f"killed worker {pid} when {len(results_in(out))} partitions were done", flush=True)
 
 
 def on_cluster(bodies: tuple, motions: pathlib.Path, out: pathlib.Path, kill_at: int) -> None:
@@ -62,14 +62,14 @@ def on_cluster(bodies: tuple, motions: pathlib.Path, out: pathlib.Path, kill_at:
         print(f"two workers, one killed: {time.perf_counter() - begin:.1f} s", flush=True)
 
 
-def here(bodies: tuple, motions: pathlib.Path, out: pathlib.Path) -> None:
+def in_one_process(bodies: tuple, motions: pathlib.Path, out: pathlib.Path) -> None:
     begin = time.perf_counter()
     run = first_contact_parquet(*bodies, motions, out)
     print(f"one process, all cores:  {time.perf_counter() - begin:.1f} s; {run.verdicts()}", flush=True)
 
 
 def differing(one: pathlib.Path, other: pathlib.Path) -> int:
-    """How many partitions differ in any row."""
+    """The number of partitions that differ in any row."""
     pairs = zip(results_in(one), results_in(other), strict=True)
     return sum(not pq.read_table(first).equals(pq.read_table(second)) for first, second in pairs)
 
@@ -79,7 +79,7 @@ def main() -> int:
     parser.add_argument("moving")
     parser.add_argument("fixed")
     parser.add_argument("--motions", type=int, default=1_000_000)
-    parser.add_argument("--folder", type=pathlib.Path, help="for the files (default: one that is removed)")
+    parser.add_argument("--folder", type=pathlib.Path, help="folder for the files (default: a temporary folder)")
     arguments = parser.parse_args()
     bodies = chasles.load(arguments.moving), chasles.load(arguments.fixed)
     with tempfile.TemporaryDirectory(dir=arguments.folder) as name:
@@ -87,8 +87,8 @@ def main() -> int:
         write_motions(folder / "motions.parquet", bodies[1], arguments.motions)
         partitions = -(-arguments.motions // ROWS_IN_PARTITION)
         on_cluster(bodies, folder / "motions.parquet", folder / "cluster", max(1, partitions // 3))
-        here(bodies, folder / "motions.parquet", folder / "here")
-        different = differing(folder / "cluster", folder / "here")
+        in_one_process(bodies, folder / "motions.parquet", folder / "process")
+        different = differing(folder / "cluster", folder / "process")
         print(f"{arguments.motions:,} motions in {partitions} partitions; {different} partitions differ")
     return 1 if different else 0
 

@@ -1,7 +1,7 @@
 #!/bin/sh
-# Brings the peers that Debian does not have into a folder: a virtual environment with requirements.txt, and the
-# program that asks Parry. What cannot be brought is said in FOLDER/<which>-is-absent.txt and is no failure; what is
-# there already is left alone.
+# Installs the peers that have no Debian package into a folder: a virtual environment with requirements.txt, and the
+# program that runs Parry. If a peer cannot be installed, FOLDER/<which>-is-absent.txt has the reason, and the script goes
+# on. Peers that are installed already stay unchanged.
 #
 #   install.sh FOLDER
 set -eu
@@ -10,7 +10,7 @@ here=$(cd "$(dirname "$0")" && pwd)
 mkdir -p "$1"
 folder=$(cd "$1" && pwd)
 
-# attempt NAME COMMAND: the command's own output goes to a log, its last line is the reason if it fails.
+# attempt NAME COMMAND: writes the command's output to a log. If the command fails, the log's last line is the reason.
 attempt() {
     log=$folder/$1.log
     reason=$folder/$1-is-absent.txt
@@ -29,7 +29,7 @@ python() {
     cp "$here/requirements.txt" "$folder/venv/"
 }
 
-# --locked: the versions of Cargo.lock and no others.
+# --locked: uses exactly the versions of Cargo.lock.
 parry() {
     command -v cargo >/dev/null || { echo "no cargo"; return 1; }
     cargo build --quiet --release --locked --manifest-path "$here/parry/Cargo.toml" --target-dir "$folder/parry"

@@ -3,7 +3,7 @@
 
 Usage: peers.py coal-start | coal-distance | coal-samples | fcl-default | fcl-screw
 
-Only the library's own call is timed: poses, requests and results are made before.
+Only the library's own call is timed. Poses, requests and results are made before the call.
 """
 
 import sys
@@ -21,7 +21,7 @@ except ImportError as error:
 
 
 def product(a: np.ndarray, b: np.ndarray) -> np.ndarray:
-    """Of two quaternions, w first."""
+    """The product of two quaternions, w first."""
     w = a[0] * b[0] - a[1:] @ b[1:]
     return np.array([w, *(a[0] * b[1:] + b[0] * a[1:] + np.cross(a[1:], b[1:]))])
 
@@ -38,7 +38,7 @@ def matrix(q: np.ndarray) -> np.ndarray:
 
 
 def on_uniform_screw(start: np.ndarray, goal: np.ndarray, times: list[float]) -> list[tuple[np.ndarray, np.ndarray]]:
-    """Rotation matrices and translations; poses are a translation and a quaternion."""
+    """Rotation matrices and translations at the times. `start` and `goal` are a translation and a quaternion each."""
     turn = product(goal[3:], start[3:] * [1, -1, -1, -1])
     turn = -turn if turn[0] < 0 else turn
     sine = np.linalg.norm(turn[1:])
@@ -60,7 +60,7 @@ def on_uniform_screw(start: np.ndarray, goal: np.ndarray, times: list[float]) ->
 
 
 class CoalStart:
-    """`collide` at the start pose, one contact wanted."""
+    """`collide` at the start pose, for at most one contact."""
 
     Model = coal.BVHModelOBB
     times = [0.0]
@@ -77,7 +77,7 @@ class CoalStart:
         poses = [coal.Transform3s(*pose) for pose in on_uniform_screw(start, goal, self.times)]
         still = coal.Transform3s.Identity()
         request = coal.CollisionRequest(coal.CollisionRequestFlag.NO_REQUEST, 1)
-        request.break_distance = 0  # its default, 1e-3 of whatever unit, costs the M16 nut in metres a factor of forty
+        request.break_distance = 0  # the default of 1e-3 makes the M16 nut in metres 40 times slower
         results = [coal.CollisionResult() for _ in poses]
 
         def first_hit():
@@ -91,7 +91,7 @@ class CoalStart:
 
 
 class CoalSamples(CoalStart):
-    """`collide` at a hundred poses one after another, until there is a contact."""
+    """`collide` at a hundred poses in order of time, until the first contact."""
 
     times = [i / 99 for i in range(100)]
 
@@ -111,7 +111,7 @@ class CoalDistance(CoalStart):
 
 
 class FclDefault:
-    """`continuousCollide` with what its request has by default: conservative advancement, and no turning."""
+    """`continuousCollide` with the defaults of its request: conservative advancement without rotation."""
 
     def request(self):
         return fcl.ContinuousCollisionRequest()
@@ -135,7 +135,7 @@ class FclDefault:
 
 
 class FclScrew(FclDefault):
-    """The same on a screw, which has to be asked for."""
+    """The same with a screw motion, which is not the default."""
 
     def request(self):
         return fcl.ContinuousCollisionRequest(ccd_motion_type=fcl.CCDMotionType.CCDM_SCREW)
@@ -154,7 +154,7 @@ def main() -> None:
     peer = PEERS[sys.argv[1]]()
     bodies = []
 
-    def learn(text: str) -> str:
+    def add_body(text: str) -> str:
         vertices, triangles, numbers = text.split(" ", 2)
         end = 3 * int(vertices)
         values = np.array(numbers.split(), dtype=float)
@@ -166,7 +166,7 @@ def main() -> None:
         poses = np.array(numbers, dtype=float)
         return peer.ask(bodies[int(moving)], bodies[int(fixed)], poses[:7], poses[7:])
 
-    protocol.serve({"body": learn, "ask": ask})
+    protocol.serve({"body": add_body, "ask": ask})
 
 
 if __name__ == "__main__":

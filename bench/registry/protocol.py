@@ -7,15 +7,15 @@ from collections.abc import Callable
 
 
 def serve(handlers: dict[str, Callable[[str], str]]) -> None:
-    """Answers each line by the handler that its first word names, until there are no more."""
+    """Answers each input line by the handler named by its first word, until the input ends."""
     replies = os.fdopen(os.dup(1), "w", buffering=1, encoding="ascii", errors="replace")
-    os.dup2(2, 1)  # what a library prints is no answer
+    os.dup2(2, 1)  # keeps output of the library out of the replies
     print("ready", file=replies)
     for line in sys.stdin:
         word, _, rest = line.rstrip("\n").partition(" ")
         try:
             reply = handlers[word](rest)
-        except Exception as error:  # whatever it is, whoever asked has to know
+        except Exception as error:  # every failure is reported to the parent
             reply = "failed " + f"{type(error).__name__}: {error}".splitlines()[0]
         print(reply, file=replies)
 
@@ -25,7 +25,7 @@ def absent(why: str) -> None:
 
 
 def timed(work: Callable):
-    """What it answers, and the seconds that it took."""
+    """The result of `work` and its duration in seconds."""
     start = time.perf_counter()
     answer = work()
     return answer, time.perf_counter() - start

@@ -3,11 +3,12 @@
 
 Usage: translations.py CONSERVATIVE_RESCALING
 
-By lines as in bench/process_peer.h; the numbers are points, and last the way of the moving feature:
+The protocol has lines as in bench/process_peer.h. The numbers are points; the last one is the translation of the moving
+feature:
 
     vertex_face VERTEX A B C WAY             answer TOUCHES TIME SECONDS
     edge_edge MOVING_A MOVING_B A B WAY      answer TOUCHES TIME SECONDS
-    call vertex_face | edge_edge             answer 0 - SECONDS, of a call that has next to nothing to do
+    call vertex_face | edge_edge             answer 0 - SECONDS, the time of a nearly empty call
 """
 
 import sys
@@ -22,12 +23,12 @@ except ImportError as error:
     protocol.absent(str(error))
     sys.exit(0)
 
-BUDGET = 4e-3  # seconds a problem
+BUDGET = 4e-3  # seconds per problem
 TIMINGS = 5
 
 
 def least_seconds(call, *arguments):
-    """Of a few timings, each of as many calls as the budget allows; and what the call answers."""
+    """The minimum of several timings, each of as many calls as the budget allows, and the result of the call."""
     start = time.perf_counter()
     answer = call(*arguments)
     first = time.perf_counter() - start

@@ -60,10 +60,12 @@ WordPair<Word> exact_product(const Word& a, const Word& b) {
     return {product, ((x.high * y.high - product) + x.high * y.low + x.low * y.high) + x.low * y.low};
 }
 
+/// -a, exactly.
 template <class Word>
 WordPair<Word> operator-(const WordPair<Word>& a) {
     return {-a.high, -a.low};
 }
+/// The sum, algorithm 6: relative error at most 3 u^2 + 13 u^3 with u = 2^-53.
 template <class Word>
 WordPair<Word> operator+(const WordPair<Word>& a, const WordPair<Word>& b) { // algorithm 6
     const WordPair<Word> high = exact_sum(a.high, b.high);
@@ -71,6 +73,7 @@ WordPair<Word> operator+(const WordPair<Word>& a, const WordPair<Word>& b) { // 
     const WordPair<Word> partial = ordered_sum(high.high, Word(high.low + low.high));
     return ordered_sum(partial.high, Word(low.low + partial.low));
 }
+/// The product, algorithm 10: relative error at most 7 u^2.
 template <class Word>
 WordPair<Word> operator*(const WordPair<Word>& a, const WordPair<Word>& b) { // algorithm 10
     const WordPair<Word> high = exact_product(a.high, b.high);
@@ -85,7 +88,9 @@ public:
     constexpr DoubleDouble() = default;
     constexpr DoubleDouble(double value) : words_{value, 0} {} // NOLINT(google-explicit-constructor): widening is exact
 
+    /// The number rounded to nearest.
     [[nodiscard]] constexpr double high() const { return words_.high; }
+    /// The number minus high(), exactly.
     [[nodiscard]] constexpr double low() const { return words_.low; }
     constexpr explicit operator double() const { return high(); }
 
@@ -102,6 +107,7 @@ public:
     friend DoubleDouble operator*(const DoubleDouble& a, const DoubleDouble& b) {
         return DoubleDouble(a.words_ * b.words_);
     }
+    /// The quotient. The additional step covers the rounding of the first two.
     friend DoubleDouble operator/(const DoubleDouble& a,
                                   const DoubleDouble& b) { // algorithm 18 with one additional step
         const double first = a.high() / b.high();
@@ -150,6 +156,7 @@ struct Lanes<4, DoubleDouble> {
     using Word = detail::WordPair<detail::Register>;
     std::array<Word, detail::registers> words{};
 
+    /// The same number in all lanes.
     static Lanes broadcast(const DoubleDouble& value) {
         const Lanes<4, double> high = Lanes<4, double>::broadcast(value.high());
         const Lanes<4, double> low = Lanes<4, double>::broadcast(value.low());
@@ -178,6 +185,7 @@ struct Lanes<4, DoubleDouble> {
     friend Lanes operator*(const Lanes& a, const Lanes& b) {
         return {detail::zip(a.words, b.words, [](const Word& x, const Word& y) { return x * y; })};
     }
+    /// The greater number in each lane.
     friend Lanes maximum(const Lanes& a, const Lanes& b) {
         return {
             detail::zip(a.words, b.words, [](const Word& x, const Word& y) { return select(is_below(y, x), x, y); })};

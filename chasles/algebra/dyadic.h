@@ -35,15 +35,19 @@ public:
         mantissa_ = digits;
     }
 
+    /// The number mantissa * 2^exponent. The mantissa may be even.
     Dyadic(Integer mantissa, int exponent) : mantissa_(std::move(mantissa)), exponent_(exponent) {}
 
     [[nodiscard]] const Integer& mantissa() const { return mantissa_; }
     [[nodiscard]] int exponent() const { return exponent_; }
+    /// -1, 0 or 1.
     [[nodiscard]] int sign() const { return mantissa_.sign(); }
     /// The number of binary digits of the mantissa.
     [[nodiscard]] unsigned digits() const { return sign() == 0 ? 0 : unsigned(msb(Integer(abs(mantissa_)))) + 1; }
+    /// The exact product with 2^power.
     [[nodiscard]] Dyadic times_power_of_two(int power) const { return Dyadic(mantissa_, exponent_ + power); }
 
+    /// Shifts the mantissa with the greater exponent to the smaller exponent and adds both.
     Dyadic& operator+=(const Dyadic& b) {
         if (b.sign() == 0)
             return *this;
@@ -59,6 +63,7 @@ public:
             mantissa_ += b.mantissa_ << unsigned(b.exponent_ - exponent_);
         return *this;
     }
+    /// Changes the sign in place, without a copy of the mantissa.
     void negate() { mantissa_.backend().negate(); }
 
     friend Dyadic operator+(Dyadic a, const Dyadic& b) { return std::move(a += b); }

@@ -35,6 +35,7 @@ public:
         function_ = Polynomial();
     }
 
+    /// The answer: tests the roots of F, or the candidates if F is zero, in ascending order.
     std::optional<FeasibleInterval> run() const {
         if (is_too_long())
             return FeasibleInterval{0, 1, false};
@@ -64,6 +65,7 @@ private:
         return {std::min(a.lower, b.lower), std::min(a.upper, b.upper), a.certain};
     }
 
+    /// Whether a coefficient has more digits than `max_digits`.
     [[nodiscard]] bool is_too_long() const {
         const auto is_long = [](const Polynomial& p) {
             for (int i = 0; i <= Degree; ++i)
@@ -106,6 +108,7 @@ private:
                            [&](const OneConstraint& constraint) { return holds_at(root, constraint); });
     }
 
+    /// Whether one constraint holds at a root. Narrows the root as far as the signs need it.
     [[nodiscard]] bool holds_at(Root& root, const OneConstraint& constraint) const {
         const Polynomial& first = constraint.first.polynomial;
         const Polynomial& second = constraint.second.polynomial;
@@ -117,6 +120,7 @@ private:
         });
     }
 
+    /// An interval around the root, rounded outward to doubles.
     [[nodiscard]] FeasibleInterval answer(Root root) const {
         root.narrow_to(level_);
         root.separate_from_zero();

@@ -51,6 +51,7 @@ Bernstein<Degree, ExactNumber> bernstein_form(const PowerForm& p) {
     return result;
 }
 
+/// The derivative with respect to tau.
 inline PowerForm derivative(const PowerForm& p) {
     PowerForm result;
     for (std::size_t j = 1; j < p.size(); ++j)
@@ -64,6 +65,7 @@ struct PseudoDivision {
     PowerForm remainder;
 };
 
+/// Divides without division of coefficients: multiplies a by the leading coefficient of b before each step.
 inline PseudoDivision pseudo_division(PowerForm a, const PowerForm& b) {
     PowerForm quotient(a.size() < b.size() ? 0 : a.size() - b.size() + 1);
     while (a.size() >= b.size()) {

@@ -6,6 +6,7 @@
 
 namespace chasles {
 
+// fma gives the exact error of the product of the mantissas, which cannot underflow.
 void ExactSum::add_product(double a, double b) {
     int exponent_a = 0;
     int exponent_b = 0;
@@ -18,6 +19,7 @@ void ExactSum::add_product(double a, double b) {
 }
 
 int ExactSum::sign() const {
+    // Propagates carries from the lowest digit. The final carry is negative if and only if the sum is negative.
     std::int64_t carry = 0;
     bool is_zero = true;
     for (const std::int64_t digit : digits_) {
@@ -30,6 +32,7 @@ int ExactSum::sign() const {
     return is_zero && carry == 0 ? 0 : 1;
 }
 
+// Splits the mantissa of 53 bits into two words of 32 bits.
 void ExactSum::add_scaled(double value, int exponent) {
     if (value == 0.0)
         return;
@@ -41,6 +44,7 @@ void ExactSum::add_scaled(double value, int exponent) {
     add_at(bits >> 32, position + 32, value < 0.0);
 }
 
+// Splits a shifted word over two neighbouring digits. The digits have room for 2^28 products.
 void ExactSum::add_at(std::uint64_t bits, int position, bool negative) {
     const std::uint64_t shifted = bits << (position % 32);
     const auto low = static_cast<std::int64_t>(shifted & 0xffffffff);

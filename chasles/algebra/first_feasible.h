@@ -25,6 +25,7 @@ public:
 
     FeasibilitySearch(const Problem& problem, const Tolerance& tolerance) : problem_(problem), tolerance_(tolerance) {}
 
+    /// The answer of `first_feasible`.
     std::optional<FeasibleInterval> run() {
         if (const auto around = around_first_crossing()) {
             switch (decide_first_crossing(*around)) {
@@ -55,6 +56,7 @@ private:
                 part = later[--waiting];
                 continue;
             }
+            // Clips that remove less than half are slow to converge. Halving separates several roots.
             const Interval smaller = clipped(part, bounds.clip);
             const bool halves = smaller.width() > Scalar(0.5) * part.width();
             const bool out_of_steps = restrictions_ >= tolerance_.restrictions || waiting == later.size();
@@ -155,6 +157,7 @@ private:
         return Decision::open;
     }
 
+    /// Whether the focus is the whole of [0, 1].
     static bool is_all(const Focus& focus) { return focus.lower <= 0 && focus.upper >= 1; }
 
     /// Whether F is proven to keep its sign on a part next to the crossing. `end_value` is F at the end of the crossing
@@ -211,6 +214,7 @@ private:
                part.width() <= Scalar(4 * unit_roundoff<Scalar>) * part.upper;
     }
 
+    /// An answer without a proven root: no feasible tau lies before its lower end.
     static FeasibleInterval uncertain(const Interval& part) {
         return {rounded_down(part.lower), rounded_up(part.upper), false};
     }
@@ -223,13 +227,16 @@ private:
               restriction_(part.lower, part.upper), weight_((*this)(problem.weight)) {}
 
         [[nodiscard]] bool is_whole() const { return is_whole_; }
+        /// A polynomial of the problem on the part.
         Polynomial operator()(const Polynomial& p) {
             if (is_whole_)
                 return p;
             ++count_;
             return restriction_(p);
         }
+        /// The weight on the part.
         [[nodiscard]] const Polynomial& weight() const { return weight_; }
+        /// The error bounds of the coefficients on the part.
         [[nodiscard]] Polynomial error_of(const Bounded<Degree, Scalar>& p) const { return weight_ * p.error; }
         /// The second polynomial of a constraint, or zero for a constraint without an alternative.
         Polynomial second_of(const Constraint<Degree, Scalar>& constraint) {

@@ -17,14 +17,17 @@ template <std::size_t N, class Scalar>
 struct Lanes {
     std::array<Scalar, N> values{};
 
+    /// The same number in all lanes.
     static Lanes broadcast(const Scalar& value) {
         Lanes lanes;
         lanes.values.fill(value);
         return lanes;
     }
+    /// Lane i.
     const Scalar& operator[](std::size_t i) const { return values[i]; }
     void set(std::size_t i, const Scalar& value) { values[i] = value; }
 
+    /// Applies an operation to each pair of lanes.
     template <class Operation>
     static Lanes zip(const Lanes& a, const Lanes& b, Operation operation) {
         Lanes result;
@@ -41,9 +44,11 @@ struct Lanes {
     friend Lanes operator*(const Lanes& a, const Lanes& b) {
         return zip(a, b, [](const Scalar& x, const Scalar& y) -> Scalar { return x * y; });
     }
+    /// The greater number in each lane; the lane of a if both are equal or one is not a number.
     friend Lanes maximum(const Lanes& a, const Lanes& b) {
         return zip(a, b, [](const Scalar& x, const Scalar& y) -> Scalar { return x < y ? y : x; });
     }
+    /// The absolute value of each lane.
     friend Lanes magnitude(const Lanes& a) {
         return zip(a, a, [](const Scalar& x, const Scalar&) -> Scalar { return x < Scalar(0) ? Scalar(-x) : x; });
     }
@@ -65,6 +70,7 @@ inline constexpr std::size_t register_doubles = 4;
 #else
 inline constexpr std::size_t register_doubles = 2;
 #endif
+/// One register of doubles, and the number of registers for four doubles.
 typedef double Register __attribute__((vector_size(8 * register_doubles)));
 inline constexpr std::size_t registers = 4 / register_doubles;
 
@@ -99,8 +105,10 @@ struct Lanes<4, double> {
     using Words = std::array<detail::Register, detail::registers>;
     Words words{};
 
+    /// The same number in all lanes.
     static Lanes broadcast(double value) {
         Lanes lanes;
+        // A scalar minus a zero vector: the compiler broadcasts the scalar, and x - 0 is x, also for -0.
         lanes.words.fill(value - detail::Register{});
         return lanes;
     }

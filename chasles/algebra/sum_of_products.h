@@ -39,6 +39,7 @@ public:
         size_ = size_ + a.size * b.size;
     }
 
+    /// The product with a factor >= 0.
     [[nodiscard]] SumOfProducts scaled(const Scalar& factor) const {
         SumOfProducts result;
         result.sum_ = sum_ * factor;
@@ -46,6 +47,7 @@ public:
         result.size_ = size_ * factor;
         return result;
     }
+    /// The difference. The error bounds of both sums add up.
     [[nodiscard]] SumOfProducts minus(const SumOfProducts& other) const {
         SumOfProducts result;
         result.sum_ = sum_ - other.sum_;

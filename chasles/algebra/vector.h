@@ -34,6 +34,7 @@ template <class A, class B>
     return Product(a.x * b.x + a.y * b.y + a.z * b.z);
 }
 
+/// The vector product.
 template <class A, class B>
 auto cross(const Vector3<A>& a, const Vector3<B>& b) {
     using Product = decltype(a.x * b.x);
@@ -67,17 +68,20 @@ struct Matrix3 {
     friend Matrix3 operator+(const Matrix3& a, const Matrix3& b) {
         return {a.row[0] + b.row[0], a.row[1] + b.row[1], a.row[2] + b.row[2]};
     }
+    /// The transposed matrix.
     [[nodiscard]] Matrix3 transposed() const {
         return {{{row[0].x, row[1].x, row[2].x}, {row[0].y, row[1].y, row[2].y}, {row[0].z, row[1].z, row[2].z}}};
     }
 };
 
+/// The product of a matrix and a vector.
 template <class T, class V>
 auto operator*(const Matrix3<T>& m, const Vector3<V>& v) {
     using Product = decltype(m.row[0].x * v.x);
     return Vector3<Product>{dot(m.row[0], v), dot(m.row[1], v), dot(m.row[2], v)};
 }
 
+/// The product of two matrices.
 template <class A, class B>
 auto operator*(const Matrix3<A>& a, const Matrix3<B>& b) {
     using Product = decltype(a.row[0].x * b.row[0].x);
@@ -85,6 +89,7 @@ auto operator*(const Matrix3<A>& a, const Matrix3<B>& b) {
     return Matrix3<Product>{{columns * a.row[0], columns * a.row[1], columns * a.row[2]}};
 }
 
+/// Every entry times a factor of any type.
 template <class T, class S>
 auto scale(const Matrix3<T>& m, const S& s) {
     using Product = decltype(m.row[0].x * s);
@@ -104,6 +109,7 @@ Matrix3<T> outer(const Vector3<T>& a, const Vector3<T>& b) {
     return {{scale(b, a.x), scale(b, a.y), scale(b, a.z)}};
 }
 
+/// The identity.
 template <class T>
 Matrix3<T> identity_matrix() {
     const T zero(0);

@@ -1,4 +1,5 @@
-// Marks the symbols that a shared library of chasles exports; all others are hidden.
+// The macro for symbols that a shared library of Chasles exports. All other symbols are hidden.
+// On Windows it depends on CHASLES_BUILDS_SHARED and CHASLES_USES_SHARED.
 #pragma once
 
 #if defined(_WIN32)

@@ -1,4 +1,5 @@
-// Lists of varying length behind one another in one array: a list costs four bytes and no allocation.
+// Lists of varying length, stored one after another in one array.
+// A list costs four bytes and no allocation.
 #pragma once
 
 #include <cstddef>
@@ -8,9 +9,10 @@
 
 namespace chasles {
 
+/// List i consists of items[offsets[i]] to items[offsets[i + 1] - 1].
 template <typename T>
 struct FlatLists {
-    std::vector<std::uint32_t> offsets; ///< n + 1 of them; none at all means that every list is empty
+    std::vector<std::uint32_t> offsets; ///< n + 1 offsets for n lists; without offsets every list is empty
     std::vector<T> items;
 
     [[nodiscard]] std::size_t size() const { return offsets.empty() ? 0 : offsets.size() - 1; }
@@ -28,11 +30,13 @@ struct FlatLists {
         offsets.push_back(static_cast<std::uint32_t>(items.size()));
     }
 
+    /// Releases unused memory.
     void shrink() {
         offsets.shrink_to_fit();
         items.shrink_to_fit();
     }
 
+    /// Bytes held.
     [[nodiscard]] std::size_t memory() const {
         return offsets.capacity() * sizeof(std::uint32_t) + items.capacity() * sizeof(T);
     }

@@ -1,4 +1,4 @@
-// The one exception of the library: input that cannot be used.
+// The only exception type that the library throws: for input that cannot be used.
 // Every layer may include this file.
 #pragma once
 
@@ -10,7 +10,7 @@
 namespace chasles {
 
 /// Wrong input from the caller. `what()` is one line "WHAT: WHERE: WHY" without a line break, for example
-/// "peg.obj: line 12: a vertex needs three finite numbers". Nothing else is thrown by the library.
+/// "peg.obj: line 12: a vertex needs three finite numbers". The library throws no other type.
 class CHASLES_EXPORT InvalidInput : public std::invalid_argument {
 public:
     explicit InvalidInput(const std::string& message) : std::invalid_argument(message) {}

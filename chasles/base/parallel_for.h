@@ -1,4 +1,5 @@
-// Independent pieces of work on several threads. Not part of the stable surface.
+// Runs independent pieces of work on several threads. The results do not depend on the number of threads.
+// This file is not part of the public interface.
 #pragma once
 
 #include <algorithm>
@@ -10,8 +11,8 @@
 
 namespace chasles {
 
-/// Calls work(begin, end) for ranges that make up [0, count), at the same time on at most `threads` threads (0: all
-/// cores). A single piece is done by the calling thread.
+/// Calls work(begin, end) for ranges that together make up [0, count), concurrently on at most `threads` threads (0:
+/// all cores). If count is 1, the calling thread does the work.
 template <typename Work>
 void parallel_for(unsigned threads, std::size_t count, const Work& work) {
     if (count < 2) {
@@ -19,7 +20,7 @@ void parallel_for(unsigned threads, std::size_t count, const Work& work) {
             work(std::size_t{0}, count);
         return;
     }
-    // More threads than cores gain nothing, and oneTBB would warn on standard error.
+    // More threads than cores save no time, and oneTBB would print a warning on standard error.
     const auto cores = static_cast<unsigned>(oneapi::tbb::info::default_concurrency());
     oneapi::tbb::task_arena arena(int(threads == 0 ? cores : std::min(threads, cores)));
     arena.execute([&] {
@@ -28,8 +29,8 @@ void parallel_for(unsigned threads, std::size_t count, const Work& work) {
     });
 }
 
-/// Calls work(index, begin, end) for pieces of [0, count) of so many each, which do not depend on the number of
-/// threads.
+/// Calls work(index, begin, end) for consecutive chunks of [0, count) with `piece` elements each. The chunks do not
+/// depend on the number of threads.
 template <typename Work>
 void parallel_chunks(unsigned threads, std::size_t count, std::size_t piece, const Work& work) {
     parallel_for(threads, (count + piece - 1) / piece, [&](std::size_t first, std::size_t last) {

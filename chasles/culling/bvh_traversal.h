@@ -69,6 +69,7 @@ private:
         while (!queue_.is_empty() && !leaves_.is_over()) {
             const NodePair pair = queue_.pop();
             const double first = range.at(pair.when.lower);
+            // No pair that starts after the best answer can improve the answer.
             if (first > leaves_.best() || leaves_.is_kept_apart(pair, first))
                 continue;
             if (!deferred.empty() && pair.when.lower >= 0.5F)
@@ -140,6 +141,7 @@ private:
         const NodeRange b = fixed_splits ? NodeRange{fixed.first, 2} : NodeRange{pair.fixed, 1};
         const auto when = interval.boxes.overlap_windows(a.of(moving_nodes_), b.of(fixed_nodes_), pair.when);
         node_pairs_ += a.count * b.count;
+        // The queue is a stack within one step of time: the pair that is pushed last is visited first.
         std::array<NodePair, 4> remaining;
         std::size_t count = 0;
         for (std::uint32_t i = 0; i < a.count; ++i)

@@ -1,4 +1,4 @@
-// Bounds the distance of both balls from below by the distance of their centres half way and the travel of the centre.
+// Compares the ball around the path of the moving body's centre with the ball around the fixed body.
 // Source: docs/derivations/07-swept-boxes.md, "Far apart".
 #include "chasles/culling/far_apart.h"
 
@@ -8,9 +8,10 @@ namespace chasles::culling {
 
 namespace {
 
-/// Times the sizes of everything that enters: ten times the roundings.
+/// The rounding allowance over the sum of all lengths. The actual rounding is at most a tenth of it.
 constexpr double slack = 1e-12;
 
+/// The 1-norm.
 double size_of(const Eigen::Vector3d& v) {
     return norm1(motion::vector_in<double>(v));
 }
@@ -21,9 +22,9 @@ bool are_far_apart(const Body& moving, const Body& fixed, const motion::AnyTraje
     const Bvh& mover = moving.bvh();
     const Bvh& target = fixed.bvh();
     const motion::PathBall path = trajectory.ball_around_path(motion::vector_in<double>(mover.centre()));
-    const double away = length(path.centre - motion::vector_in<double>(target.centre()));
-    const double size = size_of(mover.centre()) + size_of(target.centre()) + path.size + away + 2 * path.radius;
-    return away - (mover.radius() + target.radius()) - path.radius - margin > slack * size;
+    const double distance = length(path.centre - motion::vector_in<double>(target.centre()));
+    const double size = size_of(mover.centre()) + size_of(target.centre()) + path.size + distance + 2 * path.radius;
+    return distance - (mover.radius() + target.radius()) - path.radius - margin > slack * size;
 }
 
 } // namespace chasles::culling

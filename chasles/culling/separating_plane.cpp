@@ -13,11 +13,13 @@ using WidePolynomial = algebra::Bernstein<3, Wide>;
 using WideRestriction = algebra::Restriction<3, Wide>;
 using WidePlane = elementary::RelativePlane<Wide>;
 
+/// The plane during a part of the motion.
 WidePlane restricted(const WidePlane& plane, const WideRestriction& part) {
     const Vector3<WidePolynomial>& n = plane.normal;
     return {{part(n.x), part(n.y), part(n.z)}, part(plane.offset), part(plane.band)};
 }
 
+/// The same plane with the opposite normal. The band stays.
 WidePlane flipped(const WidePlane& plane) {
     return {Vector3<WidePolynomial>() - plane.normal, WidePolynomial() - plane.offset, plane.band};
 }
@@ -48,12 +50,14 @@ public:
         : bodies_(bodies), part_(Wide(bodies.range.lower), Wide(bodies.range.upper)),
           weight_(part_(bodies.maps.weight)) {}
 
+    /// The sides of a plane parallel to a fixed face.
     std::optional<Sides> parallel_to_fixed(std::uint32_t fixed_face, std::uint32_t moving_face) {
         const auto& face = shape_.shape_of(bodies_.fixed, fixed_face);
         return half_way({plane_of_own_face(face, bodies_.scale),
                          restricted(plane_of_fixed_face(bodies_.maps, face, bodies_.scale), part_), face.size},
                         bodies_.moving, moving_face);
     }
+    /// The sides of a plane parallel to a moving face.
     std::optional<Sides> parallel_to_moving(std::uint32_t moving_face, std::uint32_t fixed_face) {
         const auto& face = shape_.shape_of(bodies_.moving, moving_face);
         return half_way({plane_of_own_face(face, bodies_.scale),
@@ -80,6 +84,7 @@ private:
                      side_of(raised(by_other, weight_, half), weight_, plane.size)};
     }
 
+    /// The height of a point over the plane at the end of the range, times |normal|.
     [[nodiscard]] Wide end_height(const WidePlane& plane, const Vector3<Wide>& point) const {
         return (dot(plane.normal, point) + plane.offset)[3] / weight_[3];
     }
@@ -107,6 +112,7 @@ bool PlaneSide::contains(const Vector3<double>& point) const {
     return contains_roughly(point) || plane.side_of({Wide(point.x), Wide(point.y), Wide(point.z)}) > 0;
 }
 
+/// Computes a result on the first request.
 template <class Test>
 bool HalfSpaceCache::memoize(Result& result, Test test) {
     if (result == Result::unknown)
@@ -132,6 +138,7 @@ bool HalfSpaceCache::contains_node(std::uint32_t index) {
     });
 }
 
+/// Whether the half-space contains all corners of the box. Uses only the test in double.
 bool HalfSpaceCache::contains_box(const BvhNode& node) const {
     const Eigen::Vector3d& centre = body_->bvh().centre();
     for (unsigned corner = 0; corner < 8; ++corner) {
@@ -154,6 +161,7 @@ std::optional<SeparatingPlane> SeparatingPlane::faces(const BodiesInRange& bodie
             plane.reset();
         return plane;
     };
+    // The plane parallel to the fixed face is tried first, then the plane parallel to the moving face.
     PlaneFinder finder(bodies);
     std::optional<SeparatingPlane> plane;
     if (const auto sides = finder.parallel_to_fixed(fixed_face, moving_face))

@@ -1,4 +1,4 @@
-// One plane that separates many faces of both bodies during a part of the motion, for flat faces that meet flat faces.
+// One plane that separates many faces of both bodies during a part of the motion, for flat faces on flat faces.
 // Source: docs/derivations/15-flat-on-flat.md.
 #pragma once
 

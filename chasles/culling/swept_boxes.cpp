@@ -61,6 +61,7 @@ void set(SweptBoxes::BothEnds& ends, int end, double value) {
     std::fill_n(ends.lanes.begin() + 4 * end, 4, float(value));
 }
 
+/// Sets the map of a view at one end.
 void place(SweptBoxes::View& view, int end, const Placement& placed) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
@@ -69,6 +70,7 @@ void place(SweptBoxes::View& view, int end, const Placement& placed) {
     }
 }
 
+/// The placement of the fixed hierarchy in the frame of the moving hierarchy.
 Placement inverse(const Placement& placed) {
     return {placed.rotation.transpose(), -(placed.rotation.transpose() * placed.offset)};
 }

@@ -9,6 +9,7 @@
 typedef float Lanes __attribute__((vector_size(32)));
 typedef std::int32_t Bits __attribute__((vector_size(32)));
 
+/// The same number in all lanes.
 inline Lanes broadcast(float value) {
     return Lanes{value, value, value, value, value, value, value, value};
 }
@@ -20,10 +21,11 @@ inline Lanes loaded(const SweptBoxes::BothEnds& ends) {
 inline Lanes magnitude(Lanes a) {
     return Lanes(Bits(a) & 0x7fffffff);
 }
+/// a where the mask is set, otherwise b.
 inline Lanes select(Bits mask, Lanes a, Lanes b) {
     return Lanes((Bits(a) & mask) | (Bits(b) & ~mask));
 }
-/// The lesser number; b if a or b is not a number.
+/// The smaller number; b if a or b is not a number.
 inline Lanes min(Lanes a, Lanes b) {
     return select(a < b, a, b);
 }
@@ -39,6 +41,7 @@ inline Lanes starts(Lanes a, Lanes b) {
 inline Lanes ends(Lanes a, Lanes b) {
     return __builtin_shufflevector(a, b, 4, 5, 6, 7, 12, 13, 14, 15);
 }
+/// The lanes with start and end exchanged.
 inline Lanes halves_swapped(Lanes a) {
     return __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
 }
@@ -132,6 +135,7 @@ struct Boxes {
     Vectors half; ///< half of the side lengths
 };
 
+/// Centres and half sides. Halving before the sum is exact.
 template <class Order>
 Boxes boxes_of(const TwoNodes& nodes) {
     const auto& [a, b] = nodes;
@@ -197,6 +201,7 @@ public:
     /// Whether each pair has a gap that is open during the whole interval.
     [[nodiscard]] bool are_apart() const { return open_pairs() == 0xf; }
 
+    /// The windows of the four pairs. The intersection of the lanes of gap a and gap b gives each window.
     [[nodiscard]] SweptBoxes::Windows windows() const {
         const Lanes lower = max(lower_, halves_swapped(lower_));
         const Lanes upper = min(upper_, halves_swapped(upper_));
@@ -208,6 +213,7 @@ public:
     }
 
 private:
+    /// One bit for each pair that is separated during the whole interval.
     [[nodiscard]] unsigned open_pairs() const {
         const unsigned bits = bits_of(open_);
         return (bits | bits >> 4) & 0xf;

@@ -24,6 +24,7 @@ TimeTree::TimeTree(const motion::ControlMaps<double>& whole, const motion::Chord
     : whole_(whole), deviation_(deviation), moving_(moving), fixed_(fixed), margin_(margin),
       rounding_(elementary::error_unit<double> * scale.length + flushed) {}
 
+/// Boxes are widened by the chord deviation and by all roundings, at both ends of the interval.
 TimeInterval TimeTree::interval(const TimeRange& range) const {
     const Placement start = placement(range.lower);
     const Placement end = placement(range.upper);

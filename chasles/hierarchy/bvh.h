@@ -1,4 +1,5 @@
-// A binary tree of axis-aligned boxes over the faces of a body, in the body's own frame.
+// A bounding volume hierarchy (BVH) over the faces of a body, in the body's frame: boxes and slabs.
+// Every box and slab encloses its faces; the result does not depend on the number of threads.
 #pragma once
 
 #include "chasles/base/flat_lists.h"
@@ -18,14 +19,14 @@ namespace chasles {
 struct BvhNode {
     std::array<float, 3> lower;
     std::array<float, 3> upper;
-    std::uint32_t first : 31; ///< leaf: the face; otherwise the left child, with the right one behind it
+    std::uint32_t first : 31; ///< leaf: the face; otherwise the left child, followed by the right child
     std::uint32_t leaf : 1;
-    PackedSlab slab; ///< around the vertices of its faces
+    PackedSlab slab; ///< encloses the vertices of the faces below the node
 
     [[nodiscard]] bool is_leaf() const { return leaf != 0; }
 };
 
-/// The middle of a node's box and half its sides, in single precision.
+/// The centre and half the sides of a node's box, in single precision.
 struct BoxMiddle {
     Eigen::Vector3f centre;
     Eigen::Vector3f half;
@@ -41,34 +42,35 @@ inline BoxMiddle middle_of(const BvhNode& node) {
     return box;
 }
 
-/// Built once by a binned surface-area heuristic. Node 0 is the root; there are 2 n - 1 nodes for n faces, one face
-/// a leaf. Every box encloses the boxes of its children and all vertices of its faces.
+/// A BVH, built once by a binned surface area heuristic. Node 0 is the root. There are 2 n - 1 nodes for n faces, with
+/// one face per leaf. Every box encloses the boxes of its children and all vertices of its faces.
 class Bvh {
 public:
-    /// No node lies deeper below the root, whatever the boxes: a stack of this size suffices.
+    /// The greatest depth of a node below the root, for any boxes. A stack of this size suffices for a traversal.
     static constexpr std::size_t max_depth = 96;
 
     Bvh() = default;
 
-    /// From the outlines of the faces (lists of vertices; at least one), on at most `threads` threads (0: all cores),
-    /// which change nothing of the result.
+    /// Builds the tree over faces given by their outlines (lists of vertices; at least one face) on at most `threads`
+    /// threads (0: all cores). The result does not depend on the number of threads.
     Bvh(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices, unsigned threads = 1);
 
     [[nodiscard]] std::span<const BvhNode> nodes() const {
         return nodes_.empty() ? std::span<const BvhNode>() : std::span(nodes_).subspan(1);
     }
 
-    /// The point of the body's frame that the boxes are relative to: the middle of the whole body, so that single
-    /// precision is spent on the body and not on its distance from the origin.
+    /// The point of the body's frame that the boxes are relative to: the centre of the body's bounding box. Single
+    /// precision then represents the body and not its distance from the origin.
     [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }
 
-    /// Of a ball around centre() that holds the body.
+    /// The radius of a ball around centre() that encloses the body.
     [[nodiscard]] double radius() const { return radius_; }
 
+    /// Bytes held.
     [[nodiscard]] std::size_t memory() const { return nodes_.capacity() * sizeof(BvhNode); }
 
 private:
-    /// The first one is not used, so that the two children of each node are in one cache line.
+    /// The first entry is unused. Therefore the two children of each node share a cache line.
     std::vector<BvhNode, CacheLineAllocator<BvhNode>> nodes_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     double radius_ = 0;

@@ -1,4 +1,5 @@
-// Memory that begins with a cache line.
+// An allocator for memory that starts at a cache line.
+// Pairs of sibling nodes of a BVH then share one cache line.
 #pragma once
 
 #include <cstddef>
@@ -6,16 +7,17 @@
 
 namespace chasles {
 
-inline constexpr std::size_t cache_line = 64;
+inline constexpr std::size_t cache_line = 64; ///< bytes
 
-/// For containers of the standard library.
+/// An allocator for containers of the standard library.
 template <class T>
 struct CacheLineAllocator {
     using value_type = T;
 
     CacheLineAllocator() = default;
     template <class Other>
-    CacheLineAllocator(const CacheLineAllocator<Other>&) {} // NOLINT(google-explicit-constructor): as containers ask
+    CacheLineAllocator(const CacheLineAllocator<Other>&) {
+    } // NOLINT(google-explicit-constructor): required by containers
 
     T* allocate(std::size_t count) {
         return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t(cache_line)));

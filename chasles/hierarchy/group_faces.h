@@ -1,4 +1,5 @@
-// Sorts the faces of a large body into groups of some thousands: each fits a cache, and all can be divided at once.
+// Sorts the faces of a large body into groups of some thousand faces. One group fits a cache, and threads can build the
+// subtrees of different groups at the same time.
 #pragma once
 
 #include "chasles/hierarchy/rounded_faces.h"
@@ -12,22 +13,24 @@
 
 namespace chasles {
 
-/// Bodies of fewer faces are one group: they fit a cache, and other threads would take longer to wake than they save.
+/// Bodies with fewer faces are one group. They fit a cache, and waking other threads would cost more time than it
+/// saves.
 inline constexpr std::size_t fewest_to_group = 1U << 15U;
 
 /// A binary tree of planes. Its leaves are groups, numbered from left to right.
 class PlaneTree {
 public:
-    /// A place in the tree: a number below `group_bit` is a node, beyond it a group.
+    /// A place in the tree: a node, or a group if `group_bit` is set.
     using Place = std::uint32_t;
     static constexpr Place group_bit = 0x80000000;
 
     struct Node {
         Plane plane;
-        std::array<Place, 2> parts; ///< what the plane puts first, and the rest
+        std::array<Place, 2> parts; ///< the part that the plane puts first, and the rest
     };
 
-    /// Divides a sample of the boxes, which may be empty, while it is large. Every group holds a part of it.
+    /// Divides a sample of the boxes until each part is small. The sample may be empty. Every group contains a part of
+    /// a non-empty sample.
     explicit PlaneTree(std::vector<PackedBox> sample);
 
     [[nodiscard]] std::size_t group_count() const { return group_count_; }
@@ -35,10 +38,11 @@ public:
     [[nodiscard]] const Node& node(Place place) const { return nodes_[place]; }
     [[nodiscard]] static bool is_group(Place place) { return (place & group_bit) != 0; }
 
+    /// The group of a box.
     [[nodiscard]] std::uint32_t group_of(const PackedBox& box) const {
         Place place = root_;
         while (!is_group(place)) {
-            // A jump, as it can be foreseen: faces side by side go the same way.
+            // A branch is faster than a select: it is well predicted, because adjacent faces take the same branches.
             if (nodes_[place].plane.puts_first(box)) [[likely]]
                 place = nodes_[place].parts[0];
             else
@@ -47,7 +51,7 @@ public:
         return place & ~group_bit;
     }
 
-    /// The leftmost at or below a place.
+    /// The leftmost group at or below a place.
     [[nodiscard]] std::uint32_t first_group(Place place) const {
         while (!is_group(place))
             place = nodes_[place].parts[0];
@@ -62,13 +66,13 @@ private:
     Place root_;
 };
 
-/// All faces of a body, in groups.
+/// All faces of a body, sorted into groups.
 struct FaceGroups {
     PlaneTree planes;
-    FlatLists<std::uint32_t> faces; ///< of each group, in ascending order
+    FlatLists<std::uint32_t> faces; ///< the faces of each group, in ascending order
 };
 
-/// On at most `threads` threads (0: all cores), which change nothing of the result. Few faces are one group.
+/// Sorts the faces on at most `threads` threads (0: all cores). The result does not depend on the number of threads.
 [[nodiscard]] FaceGroups group_faces(const RoundedFaces& faces, unsigned threads);
 
 } // namespace chasles

@@ -1,4 +1,5 @@
-// Corners are gathered first, in the order of the leaves: a node's stand in a row then.
+// Gathers the corners in the order of the leaves first. The corners of each node are then contiguous.
+// Then computes the slab of each node along the sum of its face normals.
 #include "chasles/hierarchy/patch_slabs.h"
 
 #include <Eigen/Geometry>
@@ -8,13 +9,14 @@
 namespace chasles {
 namespace {
 
-/// The two sides of a thin plate do not cancel.
+/// a + b or a - b, whichever is longer: the normals of the two sides of a thin plate must not cancel.
 Eigen::Vector3f aligned_sum(const Eigen::Vector3f& a, const Eigen::Vector3f& b) {
     return a.dot(b) < 0 ? Eigen::Vector3f(a - b) : Eigen::Vector3f(a + b);
 }
 
 } // namespace
 
+/// Gathers the corners and normals of all faces, then descends from the root.
 void PatchSlabs::add(std::span<BvhNode> nodes, std::size_t root, std::span<const PackedBox> boxes) {
     corners_.clear();
     gathered_.clear();
@@ -26,6 +28,7 @@ void PatchSlabs::add(std::span<BvhNode> nodes, std::size_t root, std::span<const
     add_below(nodes, root);
 }
 
+/// Stores the corners of a face in groups of four, and its normal by Newell's method.
 void PatchSlabs::gather(std::size_t face) {
     const std::span<const std::uint32_t> outline = faces_.outlines[face];
     const auto corner = [&](std::size_t i) -> const Eigen::Array4f& {
@@ -45,7 +48,7 @@ void PatchSlabs::gather(std::size_t face) {
     gathered_.push_back({normal, static_cast<std::uint32_t>(corners_.size())});
 }
 
-/// Answers what the normals add up to.
+/// Sets the slabs of all nodes of a subtree. Returns the aligned sum of the face normals.
 Eigen::Vector3f PatchSlabs::add_below(std::span<BvhNode> nodes, std::size_t root) {
     BvhNode& node = nodes[root];
     const std::size_t begin = used_ == 0 ? 0 : gathered_[used_ - 1].end;
@@ -61,6 +64,7 @@ Eigen::Vector3f PatchSlabs::add_below(std::span<BvhNode> nodes, std::size_t root
     return along;
 }
 
+/// Encloses the corners between two planes normal to `along`, with heights relative to the box centre.
 PackedSlab PatchSlabs::around(std::span<const FourCorners> corners, const Eigen::Vector3f& along,
                               const BoxMiddle& box) const {
     PackedSlab slab(along);

@@ -1,4 +1,5 @@
-// Slabs for all nodes of a patch: a subtree of so few faces that they may be nearly flat.
+// The slabs of all nodes of a patch. A patch is a subtree with so few faces that their surface may be nearly flat.
+// Each slab encloses the corners of all faces below its node.
 #pragma once
 
 #include "chasles/hierarchy/bvh.h"
@@ -12,30 +13,32 @@
 
 namespace chasles {
 
-/// Makes the slabs of one patch after another; keeps its memory for the next one.
+/// Computes the slabs of patches, one patch after another. It reuses its memory.
 class PatchSlabs {
 public:
-    /// Nodes of more faces have their box for a slab: hardly a surface is flat over so many. That changes the pairs of
-    /// nodes in the cases of peers_bench by a few per cent, and halves the work for bodies of a million faces.
+    /// A node with more faces has its box as slab, because almost no surface is flat over so many faces. In the cases
+    /// of peers_bench this limit changes the number of node pairs by a few per cent. It halves the work for bodies of a
+    /// million faces.
     static constexpr std::size_t largest_patch = 1024;
 
-    /// Normals are in terms of the body's size (greater than 0), so that they neither overflow nor vanish.
+    /// `size` is the size of the body and greater than 0. Normals are computed relative to it: they neither overflow
+    /// nor vanish.
     PatchSlabs(const RoundedFaces& faces, float size) : faces_(faces), unit_(1 / size) {}
 
-    /// To the node `root` and all below, whose leaves have the faces of `boxes` from left to right: around the corners
-    /// of all faces of a node, along what their normals add up to.
+    /// Sets the slabs of the node `root` and of all nodes below it. Its leaves have the faces of `boxes` from left to
+    /// right. The slab of a node is normal to the sum of the face normals.
     void add(std::span<BvhNode> nodes, std::size_t root, std::span<const PackedBox> boxes);
 
 private:
-    /// Corners of a face on SIMD lanes; the last one fills up.
+    /// Four corners of a face on SIMD lanes. The last corner fills unused lanes.
     struct FourCorners {
         Eigen::Array4f x;
         Eigen::Array4f y;
         Eigen::Array4f z;
     };
     struct Face {
-        Eigen::Vector3f normal; ///< as long as twice the area
-        std::uint32_t end;      ///< of its corners
+        Eigen::Vector3f normal; ///< its length is twice the area, relative to the size of the body
+        std::uint32_t end;      ///< end of its corners in `corners_`
     };
 
     void gather(std::size_t face);
@@ -47,7 +50,7 @@ private:
     float unit_;
     std::vector<FourCorners> corners_;
     std::vector<Face> gathered_;
-    std::size_t used_ = 0; ///< faces whose leaves have been seen
+    std::size_t used_ = 0; ///< number of leaves visited
 };
 
 } // namespace chasles

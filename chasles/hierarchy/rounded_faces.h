@@ -1,4 +1,5 @@
-// Faces relative to the middle of their body, in single precision and rounded outward.
+// The faces of a body in single precision, relative to the centre of the body and rounded outward.
+// The boxes of the faces enclose the faces.
 #pragma once
 
 #include "chasles/base/flat_lists.h"
@@ -10,7 +11,7 @@
 
 namespace chasles {
 
-/// Lists of vertices, and what encloses each vertex.
+/// The outlines of faces as lists of vertices, and a box around each vertex.
 struct RoundedFaces {
     const FlatLists<std::uint32_t>& outlines;
     std::span<const PackedBox> vertices;

@@ -1,4 +1,5 @@
-// Centres are counted into bins along each axis; the best plane between two bins divides the boxes.
+// Sorts box centres into bins along each axis and divides the boxes by the best plane between two bins.
+// Small groups are sorted along one axis instead, and every division is tried.
 #include "chasles/hierarchy/split_boxes.h"
 
 #include <algorithm>
@@ -6,12 +7,12 @@
 namespace chasles {
 namespace {
 
-constexpr std::size_t few = 12;
-constexpr std::size_t many = 100;
+constexpr std::size_t few = 12;   ///< up to this many boxes, every division along one axis is tried
+constexpr std::size_t many = 100; ///< from this many boxes on, 16 bins are used instead of 8
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
-/// From boxes and their number to the cost of testing them, in terms of the whole's size, so that areas neither
-/// overflow nor vanish.
+/// The expected cost of testing boxes: half the surface area of their bounding box times their number. Areas are
+/// relative to the size of the whole; they neither overflow nor vanish.
 class Cost {
 public:
     explicit Cost(const PackedBox& whole) : unit_(1.0F / (whole.upper - whole.lower).head<3>().maxCoeff()) {}
@@ -25,7 +26,7 @@ private:
     float unit_;
 };
 
-/// Along one axis: what encloses the boxes in each bin, and how many they are.
+/// The bins along one axis: the bounding box of the boxes in each bin, and their number.
 template <std::size_t bin_count>
 struct Bins {
     std::array<PackedBox, bin_count> boxes;
@@ -34,27 +35,30 @@ struct Bins {
     Bins() { boxes.fill(PackedBox::empty()); }
 };
 
-/// From doubled centres to numbers of bins.
+/// The map from doubled box centres to bins.
 struct Binning {
     Eigen::Array4f origin;
     Eigen::Array4f scale;
 
     Binning(const PackedBox& centres, std::size_t bin_count) : origin(centres.lower) {
         const Eigen::Array4f extent = centres.upper - centres.lower;
-        // Less than the number of bins, so that the last centre falls into the last bin. One bin where it would
-        // overflow.
+        // The factor is below the number of bins: the last centre is in the last bin. All centres are in one bin if the
+        // quotient would overflow.
         scale = (extent > 1e-36F).select(0.999F * static_cast<float>(bin_count) / extent, 0.0F);
     }
 
+    /// The bins of a box along all axes.
     [[nodiscard]] Eigen::Array4i bins_of(const PackedBox& box) const {
         return ((box.lower + box.upper - origin) * scale).cast<int>();
     }
 
+    /// The plane at the lower end of a bin.
     [[nodiscard]] Plane plane_before(std::size_t bin, int axis) const {
         return {axis, origin[axis] + static_cast<float>(bin) / scale[axis]};
     }
 };
 
+/// Counts the boxes and encloses them in each bin along all three axes.
 template <std::size_t bin_count>
 std::array<Bins<bin_count>, 3> fill_bins(const Binning& binning, std::span<const PackedBox> boxes) {
     std::array<Bins<bin_count>, 3> bins;
@@ -68,16 +72,17 @@ std::array<Bins<bin_count>, 3> fill_bins(const Binning& binning, std::span<const
     return bins;
 }
 
-/// Boxes in bins before `bin` along `axis` come first.
+/// A division: boxes in bins before `bin` along `axis` come first.
 struct Choice {
     float cost = infinite;
     int axis = 0;
     std::size_t bin = 0;
 };
 
+/// Replaces the best choice if a division along this axis costs less.
 template <std::size_t bin_count>
 void improve(Choice& best, const Bins<bin_count>& bins, int axis, const Cost& cost) {
-    std::array<float, bin_count> cost_from{}; // of all bins from here on
+    std::array<float, bin_count> cost_from{}; // the cost of all bins from this bin on
     PackedBox box = PackedBox::empty();
     std::uint32_t count = 0;
     for (std::size_t bin = bin_count - 1; bin > 0; --bin) {
@@ -96,6 +101,7 @@ void improve(Choice& best, const Bins<bin_count>& bins, int axis, const Cost& co
     }
 }
 
+/// The best plane between bins of any axis. Empty if all centres are in one bin along each axis.
 template <std::size_t bin_count>
 std::optional<Plane> best_plane_of(std::span<const PackedBox> group, const GroupBounds& bounds) {
     const Binning binning(bounds.centres, bin_count);
@@ -109,7 +115,7 @@ std::optional<Plane> best_plane_of(std::span<const PackedBox> group, const Group
     return binning.plane_before(best.bin, best.axis);
 }
 
-/// By insertion.
+/// Sorts by insertion.
 void sort_by_centre(std::span<PackedBox> group, Eigen::Index axis) {
     for (std::size_t i = 1; i < group.size(); ++i) {
         const PackedBox moved = group[i];
@@ -121,11 +127,12 @@ void sort_by_centre(std::span<PackedBox> group, Eigen::Index axis) {
     }
 }
 
+/// The division after the first `first` boxes.
 Division divide_at(std::size_t first, std::span<const PackedBox> group) {
     return {first, {GroupBounds(group.first(first)), GroupBounds(group.subspan(first))}};
 }
 
-/// Tries every place along the axis on which the centres spread most; bins would cost more than the boxes.
+/// Tries every division along the axis with the greatest extent of the centres. Bins would cost more time.
 Division divide_few(std::span<PackedBox> group, const GroupBounds& bounds) {
     if (group.size() == 2)
         return divide_at(1, group);
@@ -133,12 +140,14 @@ Division divide_few(std::span<PackedBox> group, const GroupBounds& bounds) {
     (bounds.centres.upper - bounds.centres.lower).head<3>().maxCoeff(&axis);
     sort_by_centre(group, axis);
     const Cost cost(bounds.boxes);
+    // From the back: the cost of all boxes from each place on.
     std::array<float, few> cost_from{};
     PackedBox last = PackedBox::empty();
     for (std::size_t i = group.size() - 1; i > 0; --i) {
         last.extend(group[i]);
         cost_from[i] = cost(last, group.size() - i);
     }
+    // From the front: the cost of the boxes before each place. Infinite costs leave the division in the middle.
     std::size_t best = group.size() / 2;
     float best_cost = infinite;
     PackedBox first = PackedBox::empty();
@@ -162,7 +171,7 @@ std::optional<Plane> best_plane(std::span<const PackedBox> group, const GroupBou
 Division divide_by(const Plane& plane, std::span<PackedBox> group) {
     Division division{0, {}};
     std::size_t first = 0;
-    for (PackedBox& box : group) { // swaps without asking, as nobody could guess the answers
+    for (PackedBox& box : group) { // swaps without a branch, which the processor could not predict
         const PackedBox moved = box;
         const std::size_t part = plane.puts_first(moved) ? 0 : 1;
         box = group[first];
@@ -184,7 +193,7 @@ Division divide(std::span<PackedBox> group, const GroupBounds& bounds) {
     const std::optional<Plane> plane = best_plane(group, bounds);
     if (!plane)
         return halve(group);
-    // A plane is rounded, and boxes next to it may end on its other side: all of a part, at worst.
+    // The plane is rounded: boxes next to it may change sides, and one part may become empty.
     const Division division = divide_by(*plane, group);
     return division.first == 0 || division.first == group.size() ? halve(group) : division;
 }

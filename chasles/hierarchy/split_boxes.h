@@ -1,4 +1,5 @@
-// Divides boxes into two groups so that tests descending into the groups are expected to be few.
+// Divides boxes into two parts with a low expected number of tests in a traversal (surface area heuristic).
+// Source: I. Wald, "On fast construction of SAH-based bounding volume hierarchies", 2007.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,8 +12,9 @@
 
 namespace chasles {
 
-/// A face's box in single precision on SIMD lanes. The fourth lanes are the halves of the face's number, so that both
-/// move as one; as whole numbers they do not slow down arithmetic on all lanes, whose result there means nothing.
+/// The box of a face in single precision on SIMD lanes. The fourth lanes hold the two halves of the face's number,
+/// which therefore moves with the box. They are stored as whole numbers, which do not slow down arithmetic. The fourth
+/// lane of an arithmetic result is meaningless.
 struct PackedBox {
     Eigen::Array4f lower;
     Eigen::Array4f upper;
@@ -36,7 +38,7 @@ struct PackedBox {
     }
 };
 
-/// What encloses a group, and what encloses the centres of its boxes (doubled: the sum of both corners).
+/// The bounding boxes of a group: of its boxes, and of the doubled centres (lower + upper) of its boxes.
 struct GroupBounds {
     PackedBox boxes = PackedBox::empty();
     PackedBox centres = PackedBox::empty();
@@ -54,7 +56,7 @@ struct GroupBounds {
     }
 };
 
-/// Boxes come first whose doubled centre is below `bound` along `axis`.
+/// A dividing plane. Boxes with a doubled centre below `bound` along `axis` come first.
 struct Plane {
     int axis;
     float bound;
@@ -62,8 +64,8 @@ struct Plane {
     [[nodiscard]] bool puts_first(const PackedBox& box) const { return box.lower[axis] + box.upper[axis] < bound; }
 };
 
-/// The plane for which the surface area of each part's box times its number of boxes is least (I. Wald, "On fast
-/// construction of SAH-based bounding volume hierarchies", 2007), of some planes; none if none divides the group.
+/// The best of some planes by the surface area heuristic: the sum over both parts of the surface area of the part's box
+/// times its number of boxes is least. Empty if no plane divides the group.
 [[nodiscard]] std::optional<Plane> best_plane(std::span<const PackedBox> group, const GroupBounds& bounds);
 
 /// A group in two parts.
@@ -72,13 +74,13 @@ struct Division {
     std::array<GroupBounds, 2> bounds;
 };
 
-/// Reorders the boxes. A part can be empty.
+/// Reorders the boxes by a plane. One part can be empty.
 [[nodiscard]] Division divide_by(const Plane& plane, std::span<PackedBox> group);
 
-/// At least two boxes, in the order as it is.
+/// Divides at least two boxes in the middle and keeps their order.
 [[nodiscard]] Division halve(std::span<const PackedBox> group);
 
-/// Reorders at least two boxes into parts of little cost, neither of them empty. Halves where no plane divides them.
+/// Reorders at least two boxes into two non-empty parts of low cost. Halves them if no plane divides them.
 [[nodiscard]] Division divide(std::span<PackedBox> group, const GroupBounds& bounds);
 
 } // namespace chasles

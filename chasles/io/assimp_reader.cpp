@@ -1,5 +1,5 @@
-// What Assimp reads: glTF, COLLADA, 3MF and others. No post-processing is asked for, so polygons and coordinates stay
-// as they are; the transforms of the nodes are applied here, in double precision.
+// Reads glTF, COLLADA, 3MF and other formats through Assimp. Assimp does no post-processing, therefore polygons and
+// coordinates stay unchanged. This file applies the node transforms in double.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
@@ -13,6 +13,7 @@
 namespace chasles::io {
 namespace {
 
+// The transform of a node relative to its parent, in double.
 Eigen::Affine3d transform_of(const aiNode& node) {
     Eigen::Matrix4d matrix;
     for (unsigned row = 0; row < 4; ++row)
@@ -21,11 +22,13 @@ Eigen::Affine3d transform_of(const aiNode& node) {
     return Eigen::Affine3d(matrix);
 }
 
+// Refuses meshes whose vertices cannot be numbered with 32 bits.
 void check_size(std::size_t vertices) {
     if (vertices >= std::numeric_limits<std::uint32_t>::max())
         throw InvalidInput("more than 4,294,967,294 vertices");
 }
 
+// Appends the vertices of a mesh in world coordinates.
 void add_vertices(PolygonSoup& soup, const aiMesh& mesh, const Eigen::Affine3d& to_world) {
     check_size(soup.vertices.size() + mesh.mNumVertices);
     for (unsigned i = 0; i < mesh.mNumVertices; ++i) {
@@ -37,7 +40,7 @@ void add_vertices(PolygonSoup& soup, const aiMesh& mesh, const Eigen::Affine3d& 
     }
 }
 
-// Points and lines (faces of one or two vertices for Assimp) have no area and are left out.
+// Skips points and lines, which Assimp represents as faces with one or two vertices. They have no area.
 void add_faces(PolygonSoup& soup, const aiMesh& mesh, std::uint32_t first_vertex) {
     for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
         const aiFace& face = mesh.mFaces[i];
@@ -54,8 +57,9 @@ void add_faces(PolygonSoup& soup, const aiMesh& mesh, std::uint32_t first_vertex
     }
 }
 
-// Assimp's own depth limit bounds the recursion: its tree is built by recursive readers.
+// The depth limit of Assimp bounds the recursion: recursive readers build its tree.
 void add_node(PolygonSoup& soup, const aiScene& scene, const aiNode& node, const Eigen::Affine3d& parent) {
+    // Meshes are in the frame of their node. A mesh that several nodes use is added once for each node.
     const Eigen::Affine3d to_world = parent * transform_of(node);
     for (unsigned i = 0; i < node.mNumMeshes; ++i) {
         const aiMesh& mesh = *scene.mMeshes[node.mMeshes[i]];
@@ -70,12 +74,13 @@ void add_node(PolygonSoup& soup, const aiScene& scene, const aiNode& node, const
 } // namespace
 
 PolygonSoup read_with_assimp(const std::filesystem::path& file) {
+    // The flags are 0: Assimp does no post-processing, which could merge, reorder or triangulate faces.
     Assimp::Importer importer;
     const std::string extension = file.extension().string();
     if (extension.empty() || !importer.IsExtensionSupported(extension))
         throw InvalidInput("no reader for the extension " + in_quotes(extension) +
-                           "; known are .obj, .off, .ply, .stl, " +
-                           ".gltf, .glb, .dae, .3mf and what else Assimp reads");
+                           "; supported are .obj, .off, .ply, .stl, " +
+                           ".gltf, .glb, .dae, .3mf and other formats of Assimp");
     const aiScene* const scene = importer.ReadFile(file.string(), 0);
     if (scene == nullptr || scene->mRootNode == nullptr)
         throw InvalidInput("cannot be read: " + one_line(importer.GetErrorString()));

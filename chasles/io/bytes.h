@@ -1,4 +1,5 @@
-// Numbers out of raw bytes of either byte order.
+// Reads numbers from raw bytes in either byte order.
+// The bytes need no alignment.
 #pragma once
 
 #include <algorithm>
@@ -9,7 +10,7 @@
 
 namespace chasles::io {
 
-/// The number whose bytes stand at the start of `bytes`, which must hold at least sizeof(Number) of them.
+/// The number at the start of `bytes`. There must be at least sizeof(Number) bytes.
 template <typename Number>
 Number load(std::string_view bytes, std::endian order) {
     std::array<char, sizeof(Number)> raw;

@@ -1,4 +1,5 @@
-// Comma-separated values, read and written. Why not a library: docs/decisions/0021-csv.md.
+// Reads and writes comma-separated values.
+// Source: docs/decisions/0021-csv.md explains why no library is used.
 #include "chasles/io/csv_table.h"
 
 #include <algorithm>
@@ -6,8 +7,10 @@
 namespace chasles::io {
 namespace {
 
+// Spreadsheet programs write this mark at the start of UTF-8 files.
 constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
 
+// The text without blanks at its ends.
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
         text.remove_prefix(1);
@@ -16,8 +19,9 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-// Where the cell that starts `text` ends: at the first comma outside quotes.
+// The end of the first cell of `text`: the first comma outside quotes, or the end of the text.
 std::size_t cell_end(std::string_view text) {
+    // A doubled quote inside quotes toggles twice and therefore has no effect here.
     bool is_inside_quotes = false;
     for (std::size_t i = 0; i < text.size(); ++i) {
         if (text[i] == '"')
@@ -28,6 +32,7 @@ std::size_t cell_end(std::string_view text) {
     return text.size();
 }
 
+// The content of a cell without surrounding blanks and quotes.
 std::string unquoted(std::string_view cell) {
     cell = trimmed(cell);
     if (cell.size() < 2 || cell.front() != '"' || cell.back() != '"')

@@ -1,4 +1,5 @@
-// Rows of comma-separated values (RFC 4180, one row a line), taken one at a time so that a bad row costs only itself.
+// Rows of comma-separated values (RFC 4180, one row per line), read one at a time.
+// A caller can therefore report an invalid row and continue with the next row.
 #pragma once
 
 #include "chasles/io/text_scan.h"
@@ -10,28 +11,28 @@
 
 namespace chasles::io {
 
-/// One row: its cells without surrounding blanks and quotes.
+/// One row: the cells without surrounding blanks and quotes.
 struct CsvRow {
-    std::size_t line = 0; ///< from 1
+    std::size_t line = 0; ///< line number, from 1
     std::vector<std::string> cells;
 };
 
-/// Walks through the rows of a text; blank lines are passed over, and so is a byte order mark at the start.
+/// Reads the rows of a text. It skips blank lines and a byte order mark at the start.
 class CsvTable {
 public:
     explicit CsvTable(std::string_view text);
 
-    /// The next row; nothing at the end.
+    /// The next row, or empty at the end of the text.
     std::optional<CsvRow> next();
 
 private:
     Lines lines_;
 };
 
-/// The cells of one line. A cell within double quotes may hold commas, and doubled quotes stand for one.
+/// The cells of one line. A cell in double quotes may contain commas, and two double quotes stand for one.
 std::vector<std::string> split_csv(std::string_view line);
 
-/// `text` as one cell: in double quotes where it holds a comma, a quote, or blanks at its ends.
+/// `text` as one cell. It is quoted if it contains a comma, a quote, a line break, or blanks at its ends.
 std::string csv_cell(std::string_view text);
 
 } // namespace chasles::io

@@ -1,4 +1,5 @@
-// Chooses the reader of a mesh file by its extension, and gives every message the name of the file.
+// Chooses the reader of a mesh file by its extension and adds the file name to every message.
+// `Polyhedron::load` is defined here.
 #include "chasles/io/mesh_files.h"
 
 #include "chasles/base/invalid_input.h"
@@ -14,7 +15,7 @@ namespace {
 
 using Reader = PolygonSoup (*)(std::string_view);
 
-// Null for what Assimp has to read.
+// The reader for an extension; null if Assimp must read the file.
 Reader reader_for(const std::string& extension) {
     if (extension == ".obj")
         return read_obj;
@@ -27,7 +28,7 @@ Reader reader_for(const std::string& extension) {
     return nullptr;
 }
 
-// Assimp reads the file once more, because it follows references to other files.
+// Assimp reads the file again by name, because it follows references to other files.
 PolygonSoup read_polygons(const std::filesystem::path& file, std::string_view bytes) {
     const Reader reader = reader_for(lower_case(file.extension().string()));
     PolygonSoup soup = reader ? reader(bytes) : read_with_assimp(file);
@@ -47,6 +48,7 @@ std::string with_line(const std::string& why, const PolygonSoup& soup) {
     return has_line ? "line " + std::to_string(soup.face_lines[static_cast<std::size_t>(*face)]) + ": " + why : why;
 }
 
+// Makes the body; messages of the mesh layer get line numbers.
 Polyhedron make_polyhedron(const PolygonSoup& soup, const PolyhedronOptions& options) {
     try {
         return Polyhedron::from_polygons(soup.vertices, soup.faces, options);
@@ -55,7 +57,7 @@ Polyhedron make_polyhedron(const PolygonSoup& soup, const PolyhedronOptions& opt
     }
 }
 
-// Runs `work` so that whatever goes wrong is InvalidInput with the name of the file in front.
+// Runs `work` and turns every failure into InvalidInput with the file name at the start of the message.
 template <typename Work>
 auto naming_file(const std::filesystem::path& file, const Work& work) {
     try {
@@ -70,6 +72,7 @@ auto naming_file(const std::filesystem::path& file, const Work& work) {
 } // namespace
 
 PolygonSoup load_polygons(const std::filesystem::path& file) {
+    // `read_file` adds the file name to its own messages.
     const std::string bytes = read_file(file);
     return naming_file(file, [&] { return read_polygons(file, bytes); });
 }

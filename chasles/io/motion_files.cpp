@@ -1,4 +1,5 @@
-// Paths and lists of motions: headers are compared to the letter, so that no column is ever taken for another one.
+// Reads paths and lists of motions from CSV files. Headers must match exactly, therefore columns cannot be confused.
+// Every message contains the file name and the line number.
 #include "chasles/io/motion_files.h"
 
 #include "chasles/base/invalid_input.h"
@@ -12,25 +13,29 @@
 namespace chasles::io {
 namespace {
 
+// The exact headers. Quaternions have the order w, x, y, z.
 constexpr std::string_view path_header = "x,y,z,qw,qx,qy,qz";
 constexpr std::string_view motion_header = "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1";
 
 using Cells = std::span<const std::string>;
 
+// The cells without the first cell, the id.
 Cells without_first(Cells cells) {
     return cells.subspan(1);
 }
 
+// Whether the cells are exactly the names of a header.
 bool is_header(Cells cells, std::string_view header) {
     const std::vector<std::string> names = split_csv(header);
     return std::equal(cells.begin(), cells.end(), names.begin(), names.end());
 }
 
+// The numbers of a row. The header gives their count and the names for messages.
 std::vector<double> numbers_in(Cells cells, std::string_view header) {
     const std::vector<std::string> names = split_csv(header);
     if (cells.size() != names.size())
         throw InvalidInput(std::to_string(cells.size()) + " columns found, " + std::to_string(names.size()) +
-                           " wanted");
+                           " expected");
     std::vector<double> numbers;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto number = parse_finite(cells[i]);
@@ -41,6 +46,7 @@ std::vector<double> numbers_in(Cells cells, std::string_view header) {
     return numbers;
 }
 
+// Reads one row of a path. Messages start with the line number.
 Pose read_pose(const CsvRow& row) {
     try {
         return pose_from_numbers(numbers_in(row.cells, path_header));
@@ -49,6 +55,7 @@ Pose read_pose(const CsvRow& row) {
     }
 }
 
+// Reads one row of a list of motions. An invalid row sets `motion.error` and throws nothing.
 void read_motion(const CsvRow& row, bool has_id, MotionRow& motion) {
     try {
         const Cells cells = has_id ? without_first(row.cells) : Cells(row.cells);
@@ -60,7 +67,7 @@ void read_motion(const CsvRow& row, bool has_id, MotionRow& motion) {
     }
 }
 
-// Whether the first column is "id".
+// Checks the header. Returns whether the first column is "id".
 bool read_motion_header(CsvTable& table) {
     const auto header = table.next();
     if (header && is_header(header->cells, motion_header))
@@ -73,7 +80,7 @@ bool read_motion_header(CsvTable& table) {
     return true;
 }
 
-// Runs a reader over the file's content and puts its name in front of what goes wrong.
+// Runs a reader on the content of a file and puts the file name at the start of every message.
 template <typename Read>
 auto read_naming_file(const std::filesystem::path& file, const Read& read) {
     const std::string text = read_file(file);
@@ -84,6 +91,13 @@ auto read_naming_file(const std::filesystem::path& file, const Read& read) {
     }
 }
 
+// Calls `read` for each row that is left.
+template <typename Read>
+void for_each_row(CsvTable& table, const Read& read) {
+    while (const auto row = table.next())
+        read(*row); // NOLINT(bugprone-unchecked-optional-access): the condition of the loop is the check
+}
+
 } // namespace
 
 std::vector<Pose> read_path(std::string_view text) {
@@ -92,8 +106,7 @@ std::vector<Pose> read_path(std::string_view text) {
     if (!header || !is_header(header->cells, path_header))
         fail_at_line(header ? header->line : 1, "the header must be " + std::string(path_header));
     std::vector<Pose> poses;
-    while (const auto row = table.next())
-        poses.push_back(read_pose(*row));
+    for_each_row(table, [&](const CsvRow& row) { poses.push_back(read_pose(row)); });
     return poses;
 }
 
@@ -101,12 +114,12 @@ std::vector<MotionRow> read_motions(std::string_view text) {
     CsvTable table(text);
     const bool has_id = read_motion_header(table);
     std::vector<MotionRow> motions;
-    while (const auto row = table.next()) {
+    for_each_row(table, [&](const CsvRow& row) {
         MotionRow motion;
-        motion.id = has_id ? row->cells.front() : std::to_string(motions.size());
-        read_motion(*row, has_id, motion);
+        motion.id = has_id ? row.cells.front() : std::to_string(motions.size());
+        read_motion(row, has_id, motion);
         motions.push_back(std::move(motion));
-    }
+    });
     return motions;
 }
 

@@ -1,4 +1,5 @@
-// Paths and lists of motions from CSV files.
+// Reads paths and lists of motions from CSV files.
+// The formats are in docs/command-line.md.
 #pragma once
 
 #include "chasles/motion/pose.h"
@@ -10,23 +11,24 @@
 
 namespace chasles::io {
 
-/// The poses of a path, one a row, under the header "x,y,z,qw,qx,qy,qz".
-/// Throws InvalidInput that names the file, the line and the reason.
+/// Reads the poses of a path, one pose per row, with the header "x,y,z,qw,qx,qy,qz". Lengths are in the length unit of
+/// the meshes. Throws InvalidInput with the file name, the line number and the reason.
 std::vector<Pose> load_path(const std::filesystem::path& file);
 
-/// One row of a list of motions: two poses, or why they could not be read.
+/// One row of a list of motions: two poses, or the reason why they could not be read.
 struct MotionRow {
-    std::string id; ///< as given; the number of the row, from 0, if there is no column "id"
+    std::string id; ///< the cell of the column "id"; without this column the row number, from 0
     Pose start;
     Pose goal;
     std::string error; ///< "line N: WHY"; empty if both poses were read
 };
 
-/// Motions, one a row, under the header "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1", with an optional first
-/// column "id". A row that cannot be read costs only itself; throws InvalidInput if the file or its header cannot.
+/// Reads motions, one motion per row, with the header "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1" and an
+/// optional first column "id". An invalid row is returned with its error. Throws InvalidInput if the file or its header
+/// is invalid.
 std::vector<MotionRow> load_motions(const std::filesystem::path& file);
 
-/// The same from the content of a file; what they throw does not name it.
+/// The same readers for the content of a file. Their messages do not contain the file name.
 std::vector<Pose> read_path(std::string_view text);
 std::vector<MotionRow> read_motions(std::string_view text);
 

@@ -1,5 +1,5 @@
-// Wavefront OBJ: vertices and polygons; groups, materials, normals, textures, points and lines are left out.
-// Anything that would be a part of the surface and cannot be read is refused, with its line.
+// Reads vertices and polygons from Wavefront OBJ. Groups, materials, normals, textures, points and lines are ignored.
+// Parts of the surface that cannot be read are refused with the line number.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
@@ -12,21 +12,24 @@
 namespace chasles::io {
 namespace {
 
-// Attributes, groups, points, lines, and statements that only matter together with a curved one.
+// Attributes, groups, points, lines, and statements that have an effect only together with curved surfaces.
 constexpr auto ignored_keywords = std::to_array<std::string_view>(
     {"vt",        "vn",       "vp",       "p",      "l",      "o",      "g",   "s",
      "mg",        "usemtl",   "mtllib",   "usemap", "maplib", "bevel",  "lod", "shadow_obj",
      "trace_obj", "c_interp", "d_interp", "ctech",  "stech",  "cstype", "deg", "step",
      "bmat",      "parm",     "trim",     "hole",   "scrv",   "sp",     "con", "end"});
 
+// Statements that define a curved surface or curve. Ignoring them would lose a part of the surface.
 constexpr auto curved_keywords =
     std::to_array<std::string_view>({"surf", "curv", "curv2", "bsp", "bzp", "cdc", "cdp", "res"});
 
+// Whether a list of keywords contains a name.
 template <typename Names>
 bool contains(const Names& names, std::string_view name) {
     return std::find(names.begin(), names.end(), name) != names.end();
 }
 
+// Reads one statement after another. Statements may extend over several lines.
 class ObjReader {
 public:
     explicit ObjReader(std::string_view text) : lines_(text) {}
@@ -39,7 +42,7 @@ public:
     }
 
 private:
-    // The next line without its comment; lines that end in a backslash are joined with the following ones.
+    // Moves to the next line and removes its comment. A line that ends with a backslash is joined with the next line.
     bool next_statement() {
         if (!lines_.next())
             return false;
@@ -82,13 +85,14 @@ private:
                 fail("a vertex needs three finite numbers: " + in_quotes(statement_));
             coordinate = *number;
         }
-        // A weight or a colour may follow; anything else means that the coordinates were not what they seemed.
+        // A weight or a colour may follow. Any other text indicates that the line does not hold coordinates.
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
             if (!parse_number(word))
                 fail("not a number: " + in_quotes(word) + " in " + in_quotes(statement_));
         soup_.vertices.push_back(vertex);
     }
 
+    // Reads the corners of a face in any of the OBJ forms.
     void read_face(Words words) {
         std::vector<std::uint32_t> face;
         face.reserve(4);
@@ -100,7 +104,7 @@ private:
         soup_.face_lines.push_back(line_);
     }
 
-    // "7", "7/1", "7//2" or "7/1/2"; a negative index counts back from the last vertex so far.
+    // Reads "7", "7/1", "7//2" or "7/1/2". A negative index counts back from the last vertex read.
     std::uint32_t read_corner(std::string_view word) const {
         const std::size_t slash = std::min(word.find('/'), word.size());
         const auto index = parse_integer(word.substr(0, slash));
@@ -109,23 +113,25 @@ private:
             fail("not a vertex of a face: " + in_quotes(word) + " in " + in_quotes(statement_));
         if (*index == 0)
             fail("vertex index 0 in " + in_quotes(statement_) + "; OBJ counts from 1");
+        // Positive indices are checked at the end, negative indices now.
         const auto from_zero = *index > 0 ? *index - 1 : *index + static_cast<std::int64_t>(soup_.vertices.size());
         if (from_zero < 0 || from_zero >= std::numeric_limits<std::uint32_t>::max())
             fail_index(*index);
         return static_cast<std::uint32_t>(from_zero);
     }
 
+    // Refuses unknown statements and curved surfaces. A typing error in a keyword must not lose a face.
     void check_ignored(std::string_view keyword) const {
         const bool has_nothing_read = soup_.vertices.empty() && soup_.faces.empty();
         if (has_nothing_read && parse_integer(keyword))
-            return; // some files begin with a line of counts
+            return; // some files start with a line of counts
         if (contains(curved_keywords, keyword))
             fail("curved surfaces cannot be read, only polygons: " + in_quotes(statement_));
         if (!contains(ignored_keywords, keyword))
             fail("not an OBJ statement: " + in_quotes(statement_));
     }
 
-    // Only now is the number of vertices known: a face may come before its vertices.
+    // Checks indices at the end, because a face may come before its vertices.
     void check_indices() {
         for (std::size_t i = 0; i < soup_.faces.size(); ++i)
             for (const std::uint32_t vertex : soup_.faces[i])

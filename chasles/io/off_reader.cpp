@@ -1,5 +1,5 @@
-// OFF: a header line, the counts, one vertex a line, one polygon a line. ASCII; also COFF, NOFF and STOFF, whose
-// colours, normals and textures are left out. The counts must agree with what follows.
+// Reads ASCII OFF: a header line, the counts, one vertex per line, one polygon per line. The counts must be correct.
+// The variants COFF, NOFF and STOFF are accepted; their colours, normals and texture coordinates are ignored.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
@@ -11,6 +11,7 @@
 namespace chasles::io {
 namespace {
 
+// Reads header, vertices and faces in the order of the file.
 class OffReader {
 public:
     explicit OffReader(std::string_view text) : lines_(text), text_size_(text.size()) {}
@@ -29,7 +30,7 @@ public:
     }
 
 private:
-    // The next line that is not blank once its comment is gone.
+    // Moves to the next line that is not blank after its comment is removed. Returns false at the end of the text.
     bool next_content() {
         while (lines_.next()) {
             content_ = lines_.line().substr(0, lines_.line().find('#'));
@@ -39,12 +40,13 @@ private:
         return false;
     }
 
+    // Moves to the next line with content, or fails with the missing part.
     void require_content(const std::string& wanted) {
         if (!next_content())
             fail("the file ends before " + wanted);
     }
 
-    // "OFF" may stand alone, share its line with the counts, or be absent.
+    // The keyword "OFF" may be on a separate line, on the line of the counts, or missing.
     void read_header() {
         require_content("its header");
         Words words(content_);
@@ -62,6 +64,7 @@ private:
         face_count_ = read_count(words.next());
     }
 
+    // Refuses the variants with more or fewer than three dimensions, and binary files.
     void check_variant(std::string_view keyword, Words words) const {
         const bool is_known = keyword == "OFF" || keyword == "COFF" || keyword == "NOFF" || keyword == "CNOFF" ||
                               keyword == "STOFF" || keyword == "STCOFF" || keyword == "STNOFF" || keyword == "STCNOFF";
@@ -71,6 +74,7 @@ private:
             fail("binary OFF cannot be read; convert it to ASCII");
     }
 
+    // Reads a count below 2^32 - 1.
     std::size_t read_count(std::string_view word) const {
         const auto count = parse_integer(word);
         const bool is_valid = count && *count >= 0 && *count < std::numeric_limits<std::uint32_t>::max();
@@ -79,9 +83,10 @@ private:
         return static_cast<std::size_t>(*count);
     }
 
-    // Every vertex or face takes two bytes at least, whatever the header claims.
+    // Limits a count of the header: every vertex or face takes at least two bytes.
     std::size_t bounded(std::size_t count) const { return std::min(count, text_size_ / 2); }
 
+    // Reads three coordinates and checks the attributes after them.
     void read_vertex(std::size_t index) {
         require_content("vertex " + std::to_string(index) + " of the " + std::to_string(vertex_count_) + " announced");
         Words words(content_);
@@ -96,6 +101,7 @@ private:
         soup_.vertices.push_back(vertex);
     }
 
+    // Reads the number of corners, the corners, and the attributes after them.
     void read_face(std::size_t index) {
         require_content("face " + std::to_string(index) + " of the " + std::to_string(face_count_) + " announced");
         Words words(content_);
@@ -110,6 +116,7 @@ private:
         soup_.face_lines.push_back(lines_.number());
     }
 
+    // Reads one vertex index, which must be below the number of vertices.
     std::uint32_t read_index(std::string_view word) const {
         if (word.empty())
             fail("a face has fewer vertices than it announces: " + in_quotes(content_));
@@ -122,7 +129,7 @@ private:
         return static_cast<std::uint32_t>(*index);
     }
 
-    // Colours and the like: numbers that do not matter here.
+    // Checks that the remaining words of a line, for example colours, are numbers.
     void check_attributes(Words words) const {
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
             if (!parse_number(word))

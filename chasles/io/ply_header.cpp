@@ -1,5 +1,5 @@
-// The header of a PLY file. Source: Greg Turk, "The PLY Polygon File Format", 1994, with the sized type names
-// (int8 ... float64) that came into use later.
+// Reads the header of a PLY file. Source: Greg Turk, "The PLY Polygon File Format", 1994, and the later type names with
+// sizes (int8 to float64).
 #include "chasles/io/ply_header.h"
 
 #include "chasles/io/text_scan.h"
@@ -10,11 +10,13 @@
 namespace chasles::io {
 namespace {
 
+// A name of a number type.
 struct TypeName {
     std::string_view name;
     PlyType type;
 };
 
+// Each type has an old name and a name with its size in bits.
 constexpr std::array<TypeName, 16> type_names = {{{"char", PlyType::int8},
                                                   {"int8", PlyType::int8},
                                                   {"uchar", PlyType::uint8},
@@ -32,10 +34,12 @@ constexpr std::array<TypeName, 16> type_names = {{{"char", PlyType::int8},
                                                   {"double", PlyType::float64},
                                                   {"float64", PlyType::float64}}};
 
+// Reads the header line by line. It keeps statements in the order of the file, which is the order of the data.
 class PlyHeaderReader {
 public:
     explicit PlyHeaderReader(std::string_view text) : lines_(text) {}
 
+    // Reads all lines from "ply" to "end_header".
     PlyHeader read() {
         if (!lines_.next() || lines_.line() != "ply")
             fail_at_line(1, "a PLY file begins with the line 'ply'");
@@ -51,7 +55,7 @@ public:
     }
 
 private:
-    // False at the end of the header.
+    // Reads one line. Returns false at the end of the header.
     bool read_statement() {
         Words words(lines_.line());
         const std::string_view keyword = words.next();
@@ -68,6 +72,7 @@ private:
         return true;
     }
 
+    // Reads "format NAME 1.0".
     void read_format(Words words) {
         const std::string_view name = words.next();
         if (name == "ascii")
@@ -79,10 +84,11 @@ private:
         else
             fail("not a PLY format: " + in_quotes(lines_.line()));
         if (words.next() != "1.0")
-            fail("only version 1.0 of PLY is known: " + in_quotes(lines_.line()));
+            fail("only version 1.0 of PLY is supported: " + in_quotes(lines_.line()));
         has_format_ = true;
     }
 
+    // Reads "element NAME COUNT". Names must be unique.
     void read_element(Words words) {
         const std::string_view name = words.next();
         const auto count = parse_integer(words.next());
@@ -90,10 +96,11 @@ private:
             fail("an element needs a name and a count: " + in_quotes(lines_.line()));
         for (const PlyElement& other : header_.elements)
             if (other.name == name)
-                fail("a second element of that name: " + in_quotes(lines_.line()));
+                fail("a second element with the same name: " + in_quotes(lines_.line()));
         header_.elements.push_back({std::string(name), static_cast<std::size_t>(*count), {}});
     }
 
+    // Reads "property TYPE NAME" or "property list LENGTH_TYPE TYPE NAME", for the last element.
     void read_property(Words words) {
         if (header_.elements.empty())
             fail("a property before the first element: " + in_quotes(lines_.line()));
@@ -110,6 +117,7 @@ private:
         header_.elements.back().properties.push_back(std::move(property));
     }
 
+    // Reads the name of a number type.
     PlyType read_type(std::string_view name) const {
         const auto* const found = std::find_if(type_names.begin(), type_names.end(),
                                                [&](const TypeName& candidate) { return candidate.name == name; });

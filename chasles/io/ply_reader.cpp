@@ -1,5 +1,5 @@
-// PLY: ASCII and binary of either byte order, with any number types. Reads x, y, z of the element "vertex" and the list
-// vertex_indices (or vertex_index) of the element "face"; everything else is read over.
+// Reads PLY: ASCII, and binary in either byte order, with any number types. It uses x, y, z of the element "vertex" and
+// the list vertex_indices (or vertex_index) of the element "face", and skips all other data.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/bytes.h"
 #include "chasles/io/mesh_files.h"
@@ -14,12 +14,12 @@
 namespace chasles::io {
 namespace {
 
-/// The numbers of ASCII data: one item a line.
+/// The numbers of ASCII data, with one item per line.
 class AsciiNumbers {
 public:
     AsciiNumbers(std::string_view data, std::size_t header_lines) : lines_(data), header_lines_(header_lines) {}
 
-    // False at the end of the data.
+    // Moves to the next item. Returns false at the end of the data.
     bool begin_item() {
         do {
             if (!lines_.next())
@@ -29,6 +29,7 @@ public:
         return true;
     }
 
+    // Reads the next number. ASCII data needs no type.
     double read(PlyType /*type*/) {
         const std::string_view word = words_.next();
         const auto number = parse_number(word);
@@ -39,12 +40,14 @@ public:
         return *number;
     }
 
+    // Fails if the line has more numbers.
     void end_item() {
         if (!words_.next().empty())
             fail("has more numbers than the header announces: " + in_quotes(lines_.line()));
     }
 
     [[noreturn]] void fail(const std::string& why) const { fail_at_line(line(), why); }
+    // The line in the file, from 1.
     [[nodiscard]] std::size_t line() const { return header_lines_ + lines_.number(); }
 
 private:
@@ -60,6 +63,7 @@ public:
 
     [[nodiscard]] bool begin_item() const { return !data_.empty(); }
 
+    // Reads the next number. Every PLY number fits a double exactly.
     double read(PlyType type) {
         switch (type) {
         case PlyType::int8:
@@ -85,9 +89,11 @@ public:
     void end_item() const {}
 
     [[noreturn]] void fail(const std::string& why) const { throw InvalidInput(why); }
+    // Binary data has no lines.
     [[nodiscard]] std::size_t line() const { return 0; }
 
 private:
+    // Takes the bytes of one number, or fails at the end of the file.
     template <typename Number>
     Number take() {
         if (data_.size() < sizeof(Number))
@@ -101,17 +107,19 @@ private:
     std::endian order_;
 };
 
-/// Where an element keeps what we read; others are read over.
+/// The properties of an element that the reader uses.
 struct Wanted {
-    std::vector<int> coordinate; ///< per property: 0, 1, 2 for x, y, z; -1 for others
-    int indices = -1;            ///< which property lists the vertices of a face
+    std::vector<int> coordinate; ///< for each property: 0, 1, 2 for x, y, z; -1 for other properties
+    int indices = -1;            ///< the property that lists the vertices of a face; -1 if none
 };
 
+// Reads the elements in the order of the header, from ASCII or binary numbers.
 template <typename Numbers>
 class PlyReader {
 public:
     PlyReader(const PlyHeader& header, Numbers numbers) : header_(header), numbers_(numbers) {}
 
+    // Reads all elements. Data after the last element is an error.
     PolygonSoup read() {
         for (const PlyElement& element : header_.elements)
             read_element(element);
@@ -122,9 +130,11 @@ public:
     }
 
 private:
+    // Reads all items of an element.
     void read_element(const PlyElement& element) {
         if (element.name == "tristrips")
             throw InvalidInput("triangle strips cannot be read, only faces");
+        // An element without properties takes no bytes: a huge count would loop without end.
         if (element.properties.empty() && element.count > 0)
             throw InvalidInput("the element '" + one_line(element.name) + "' has no properties");
         const bool is_vertex = element.name == "vertex";
@@ -141,11 +151,13 @@ private:
         }
     }
 
+    // Fails with the number of items that the file has.
     [[noreturn]] void fail_short(const PlyElement& element, std::size_t found) const {
         throw InvalidInput("is truncated: the header announces " + std::to_string(element.count) + " of the element '" +
                            one_line(element.name) + "', but there are " + std::to_string(found));
     }
 
+    // Finds x, y and z. Each must occur once and not as a list.
     static Wanted find_coordinates(const PlyElement& element) {
         Wanted wanted;
         for (const PlyProperty& property : element.properties) {
@@ -159,6 +171,7 @@ private:
         return wanted;
     }
 
+    // Finds the list of vertex indices.
     static Wanted find_indices(const PlyElement& element) {
         Wanted wanted;
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -172,6 +185,7 @@ private:
         return wanted;
     }
 
+    // Reads one vertex, which must be finite.
     void read_vertex(const PlyElement& element, const Wanted& wanted) {
         Eigen::Vector3d vertex;
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
@@ -185,6 +199,7 @@ private:
         soup_.vertices.push_back(vertex);
     }
 
+    // Reads one item of the element "face", or skips an item of another element.
     void read_item(const PlyElement& element, const Wanted& wanted) {
         for (std::size_t i = 0; i < element.properties.size(); ++i) {
             if (static_cast<int>(i) == wanted.indices)
@@ -194,20 +209,25 @@ private:
         }
     }
 
+    // Skips a number or a list.
     void skip(const PlyProperty& property) {
-        const std::size_t count = property.length_type ? read_length(property) : 1;
+        const std::size_t count = read_length(property);
         for (std::size_t i = 0; i < count; ++i)
             numbers_.read(property.type);
     }
 
-    // A length that the data cannot fill ends at the end of the data: nothing is reserved for it.
+    // Reads the length of a list. The reader reserves no memory for it: a length beyond the data fails at the end of
+    // the data. A property that is no list has the length 1.
     std::size_t read_length(const PlyProperty& property) {
+        if (!property.length_type)
+            return 1;
         const double length = numbers_.read(*property.length_type);
         if (!is_index(length))
             numbers_.fail("the length of the list '" + one_line(property.name) + "' is not a count");
         return static_cast<std::size_t>(length);
     }
 
+    // Reads the vertex indices of one face.
     void read_face(const PlyProperty& property) {
         const std::size_t length = read_length(property);
         if (length < 3)
@@ -224,11 +244,12 @@ private:
             soup_.face_lines.push_back(numbers_.line());
     }
 
+    // Whether a number is a whole number that fits 32 bits.
     static bool is_index(double number) {
         return number >= 0 && number <= std::numeric_limits<std::uint32_t>::max() && number == std::floor(number);
     }
 
-    // Faces may come before vertices, so that only now their number is known.
+    // Faces may come before vertices in the file, therefore indices are checked at the end.
     void check_indices() const {
         for (std::size_t i = 0; i < soup_.faces.size(); ++i)
             for (const std::uint32_t vertex : soup_.faces[i])
@@ -236,6 +257,7 @@ private:
                     fail_index(i, vertex);
     }
 
+    // Fails with the line number if the format has lines, otherwise with the number of the face.
     [[noreturn]] void fail_index(std::size_t face, std::uint32_t vertex) const {
         const std::string why = "vertex index " + std::to_string(vertex) + " is out of range; there are " +
                                 std::to_string(soup_.vertices.size()) + " vertices, counted from 0";
@@ -244,7 +266,7 @@ private:
         fail("face", face, why);
     }
 
-    // Binary data has no lines: the item is named instead.
+    // Fails with the name of the item: binary data has no lines.
     [[noreturn]] void fail(const std::string& item, std::size_t id, const std::string& why) const {
         numbers_.fail(item + " " + std::to_string(id) + ": " + why);
     }

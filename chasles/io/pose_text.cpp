@@ -1,4 +1,5 @@
-// Poses and points out of text; what a pose may be is decided by chasles/motion/pose.h.
+// Reads poses and points from text. chasles/motion/pose.h checks the numbers of a pose.
+// Every message quotes the invalid word.
 #include "chasles/io/pose_text.h"
 
 #include "chasles/base/invalid_input.h"
@@ -10,6 +11,7 @@
 namespace chasles::io {
 namespace {
 
+// The number in a word, or InvalidInput.
 double finite_number(std::string_view word) {
     const auto number = parse_number(word);
     if (!number)
@@ -19,18 +21,21 @@ double finite_number(std::string_view word) {
     return *number;
 }
 
+// Appends the numbers of a text without commas.
 void add_words(std::string_view text, std::vector<double>& numbers) {
     Words words(text);
     for (std::string_view word = words.next(); !word.empty(); word = words.next())
         numbers.push_back(finite_number(word));
 }
 
+// "1 number" or "N numbers".
 std::string count_of(std::size_t numbers) {
     return std::to_string(numbers) + (numbers == 1 ? " number" : " numbers");
 }
 
 } // namespace
 
+// Each part between two commas must contain a number. A text without commas may be empty.
 std::vector<double> parse_numbers(std::string_view text) {
     std::vector<double> numbers;
     while (true) {
@@ -40,11 +45,12 @@ std::vector<double> parse_numbers(std::string_view text) {
         if (comma == std::string_view::npos && (before == 0 || numbers.size() > before))
             return numbers;
         if (numbers.size() == before)
-            throw InvalidInput("a number is missing beside a comma");
+            throw InvalidInput("a number is missing before or after a comma");
         text.remove_prefix(comma + 1);
     }
 }
 
+// The number of values determines the form of the pose.
 Pose pose_from_numbers(std::span<const double> n) {
     if (n.size() == 3)
         return {{n[0], n[1], n[2]}, Eigen::Quaterniond::Identity()};

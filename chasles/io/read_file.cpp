@@ -1,5 +1,5 @@
-// A whole file in memory: readers that know where every byte is can say where it is wrong.
-// Reading to the end (rather than by the stated size) serves pipes as well.
+// Reads a whole file into memory. Readers can then give the position of every error.
+// Reads to the end of the file instead of using its size, therefore pipes work too.
 #include "chasles/io/read_file.h"
 
 #include "chasles/base/invalid_input.h"
@@ -13,15 +13,18 @@
 namespace chasles::io {
 namespace {
 
+// Closes the file at the end of its scope.
 struct CloseFile {
     void operator()(std::FILE* file) const { std::fclose(file); }
 };
 using OpenFile = std::unique_ptr<std::FILE, CloseFile>;
 
+// The message for an error of the operating system.
 std::string reason(int error) {
     return std::string("cannot be read: ") + std::strerror(error);
 }
 
+// Opens a file for reading. Missing files and directories get their own messages.
 OpenFile open_file(const std::filesystem::path& file) {
     std::error_code error;
     if (!std::filesystem::exists(file, error)) {
@@ -36,7 +39,7 @@ OpenFile open_file(const std::filesystem::path& file) {
     return opened;
 }
 
-// The file's size as a first guess, so that a large file is not copied while it grows.
+// The size of the file as a first capacity. It avoids copies while a large file is read.
 std::size_t expected_size(const std::filesystem::path& file) {
     std::error_code error;
     const auto size = std::filesystem::file_size(file, error);
@@ -55,6 +58,7 @@ void fail_in_file(const std::filesystem::path& file, const std::string& why) {
 
 std::string read_file(const std::filesystem::path& file) {
     const OpenFile opened = open_file(file);
+    // The free capacity is always at least one step, therefore a full buffer never looks like the end of the file.
     constexpr std::size_t step = 1 << 16;
     std::string bytes(expected_size(file) + step, '\0');
     std::size_t size = 0;

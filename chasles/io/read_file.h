@@ -1,4 +1,5 @@
-// A whole file in memory, and messages that start with its name.
+// Reads a whole file into memory and makes messages that start with its name.
+// Every failure is an InvalidInput.
 #pragma once
 
 #include <filesystem>
@@ -9,7 +10,7 @@ namespace chasles::io {
 /// The bytes of a file. Throws InvalidInput if it does not exist, is a directory, is empty, or cannot be read.
 std::string read_file(const std::filesystem::path& file);
 
-/// The name of a file as messages show it: as given, in one line.
+/// The name of a file for messages: as given, in one line.
 std::string shown_name(const std::filesystem::path& file);
 
 /// Throws InvalidInput "FILE: WHY".

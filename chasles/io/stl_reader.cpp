@@ -1,5 +1,5 @@
-// STL, ASCII and binary. Equal vertices become one, so that ids name the vertices of the merged list in order of
-// first occurrence; the normals in the file are left out.
+// Reads ASCII and binary STL. Equal vertices are merged: vertex ids follow the order of first occurrence.
+// The normals in the file are ignored.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/bytes.h"
 #include "chasles/io/mesh_files.h"
@@ -15,9 +15,10 @@
 namespace chasles::io {
 namespace {
 
-constexpr std::size_t header_size = 84; ///< 80 bytes of anything and the number of triangles
-constexpr std::size_t triangle_size = 50;
+constexpr std::size_t header_size = 84;   ///< bytes: 80 of any content and the number of triangles
+constexpr std::size_t triangle_size = 50; ///< bytes
 
+// The bits of a vertex, for comparison and hashing.
 using Key = std::array<std::uint64_t, 3>;
 
 struct HashKey {
@@ -32,6 +33,7 @@ struct HashKey {
 /// Collects triangles and gives equal vertices one number.
 class MergedTriangles {
 public:
+    // The id of a vertex. Equal coordinates give one id.
     std::uint32_t add_vertex(const Eigen::Vector3d& vertex) {
         const Key key = {bits(vertex.x()), bits(vertex.y()), bits(vertex.z())};
         const auto [place, is_new] = ids_.try_emplace(key, static_cast<std::uint32_t>(soup_.vertices.size()));
@@ -40,8 +42,8 @@ public:
         return place->second;
     }
 
-    /// A facet that names one place twice gets a vertex of its own there: what is to become of a face that collapses
-    /// when equal vertices are merged is for the mesh to decide (docs/decisions/0011).
+    /// Adds a face. If two of its corners are equal, the second corner becomes a new vertex. The mesh layer then
+    /// decides about faces that collapse when equal vertices are merged (docs/decisions/0011).
     void add_face(std::vector<std::uint32_t> face) {
         for (std::size_t i = 1; i < face.size(); ++i) {
             if (std::find(face.begin(), face.begin() + std::ptrdiff_t(i), face[i]) == face.begin() + std::ptrdiff_t(i))
@@ -56,18 +58,20 @@ public:
     PolygonSoup take() { return std::move(soup_); }
 
 private:
+    // Equal numbers have equal bits: adding 0 turns -0 into 0.
     static std::uint64_t bits(double number) { return std::bit_cast<std::uint64_t>(number + 0.0); } // -0 equals 0
 
     std::unordered_map<Key, std::uint32_t, HashKey> ids_;
     PolygonSoup soup_;
 };
 
-/// solid NAME, then any number of: facet normal X Y Z, outer loop, vertex X Y Z (three times), endloop, endfacet; then
-/// endsolid NAME. Blanks and line ends separate words; a name runs to the end of its line.
+/// Reads "solid NAME", then any number of "facet normal X Y Z, outer loop, vertex X Y Z (three times), endloop,
+/// endfacet", then "endsolid NAME". Blanks and line ends separate words. A name extends to the end of its line.
 class AsciiStlReader {
 public:
     explicit AsciiStlReader(std::string_view text) : lines_(text) {}
 
+    // Reads all solids of the file.
     PolygonSoup read() {
         while (next_word()) {
             expect("solid");
@@ -78,6 +82,7 @@ public:
     }
 
 private:
+    // Moves to the next word of the file. Returns false at the end.
     bool next_word() {
         word_ = words_.next();
         while (word_.empty()) {
@@ -89,6 +94,7 @@ private:
         return true;
     }
 
+    // Reads all facets of a solid, to the end of its line "endsolid NAME".
     void read_solid() {
         for (require_word("endsolid"); lower_case(word_) != "endsolid"; require_word("endsolid")) {
             expect("facet");
@@ -97,6 +103,7 @@ private:
         words_ = Words("");
     }
 
+    // Reads one facet and skips its normal.
     void read_facet() {
         const std::size_t line = lines_.number();
         require("normal");
@@ -104,15 +111,16 @@ private:
             require_word("normal");
         require("outer");
         require("loop");
-        std::vector<std::uint32_t> face;
-        for (int i = 0; i < 3; ++i)
-            face.push_back(read_vertex());
+        std::vector<std::uint32_t> face(3);
+        for (std::uint32_t& vertex : face)
+            vertex = read_vertex();
         require("endloop");
         require("endfacet");
         triangles_.add_face(std::move(face));
         triangles_.add_line(line);
     }
 
+    // Reads "vertex X Y Z".
     std::uint32_t read_vertex() {
         require("vertex");
         Eigen::Vector3d vertex;
@@ -126,16 +134,19 @@ private:
         return triangles_.add_vertex(vertex);
     }
 
+    // Reads a word that must be the given keyword.
     void require(std::string_view keyword) {
         require_word(keyword);
         expect(keyword);
     }
 
+    // Moves to the next word, or fails with the missing keyword.
     void require_word(std::string_view wanted) {
         if (!next_word())
             fail("the file ends before its '" + std::string(wanted) + "'");
     }
 
+    // Fails unless the current word is the keyword. Case does not matter.
     void expect(std::string_view keyword) const {
         if (lower_case(word_) != keyword)
             fail("expected '" + std::string(keyword) + "', found " + in_quotes(lines_.line()));
@@ -149,10 +160,12 @@ private:
     MergedTriangles triangles_;
 };
 
+// The number of triangles in the header of a binary file.
 std::size_t announced_triangles(std::string_view bytes) {
     return load<std::uint32_t>(bytes.substr(80), std::endian::little);
 }
 
+// Reads three floats, which must be finite.
 Eigen::Vector3d read_binary_vertex(std::string_view bytes, std::size_t triangle) {
     Eigen::Vector3d vertex;
     for (int axis = 0; axis < 3; ++axis) {
@@ -163,6 +176,7 @@ Eigen::Vector3d read_binary_vertex(std::string_view bytes, std::size_t triangle)
     return vertex;
 }
 
+// Refuses a binary file whose size does not match its number of triangles.
 void check_binary_size(std::string_view bytes) {
     if (bytes.size() < header_size)
         throw InvalidInput("too short for an STL file");
@@ -170,12 +184,14 @@ void check_binary_size(std::string_view bytes) {
     const std::size_t present = (bytes.size() - header_size) / triangle_size;
     const std::string counts = std::to_string(announced) + " triangles are announced, but ";
     if (present < announced)
-        throw InvalidInput("is truncated: " + counts + std::to_string(present) + " are there");
+        throw InvalidInput("is truncated: " + counts + std::to_string(present) + " are present");
     if (bytes.size() != header_size + announced * triangle_size)
-        throw InvalidInput(counts + "there are " +
-                           std::to_string(bytes.size() - header_size - announced * triangle_size) + " bytes more");
+        throw InvalidInput(counts + "the file has " +
+                           std::to_string(bytes.size() - header_size - announced * triangle_size) +
+                           " additional bytes");
 }
 
+// Reads all triangles of a binary file.
 PolygonSoup read_binary_stl(std::string_view bytes) {
     check_binary_size(bytes);
     MergedTriangles triangles;
@@ -189,7 +205,7 @@ PolygonSoup read_binary_stl(std::string_view bytes) {
     return triangles.take();
 }
 
-// A binary file may begin with "solid" too: its size or a zero byte gives it away.
+// A binary file may also begin with "solid". Its size or a zero byte in its header identifies it.
 bool is_ascii_stl(std::string_view bytes) {
     const bool has_binary_size =
         bytes.size() >= header_size && bytes.size() == header_size + announced_triangles(bytes) * triangle_size;

@@ -1,5 +1,5 @@
-// Lines, words and numbers out of text.
-// std::from_chars does the rounding; strtod and streams are out because they follow the locale.
+// Reads lines, words and numbers from text.
+// std::from_chars does the rounding; strtod and streams depend on the locale.
 #include "chasles/io/text_scan.h"
 
 #include "chasles/base/invalid_input.h"
@@ -14,10 +14,12 @@ namespace {
 constexpr std::string_view blanks = " \t\r\n\v\f";
 constexpr std::size_t longest_quote = 60;
 
+// Whether a character separates words: blank, tab, or a line break.
 bool is_blank(char c) {
     return c == ' ' || (c >= '\t' && c <= '\r');
 }
 
+// The word without a leading plus sign, which from_chars does not accept.
 std::string_view without_plus(std::string_view word) {
     const bool has_plus = word.size() > 1 && word[0] == '+' && word[1] != '-' && word[1] != '+';
     return has_plus ? word.substr(1) : word;
@@ -28,7 +30,7 @@ std::from_chars_result scan(std::string_view word, Number& number) {
     return std::from_chars(word.data(), word.data() + word.size(), number);
 }
 
-// The decimal exponent; one too large for any number counts as the largest.
+// The decimal exponent, clamped to a range beyond all doubles.
 std::int64_t exponent_of(std::string_view digits) {
     if (digits.empty())
         return 0;
@@ -36,7 +38,8 @@ std::int64_t exponent_of(std::string_view digits) {
     return parse_integer(digits).value_or(digits.front() == '-' ? -beyond_all : beyond_all);
 }
 
-// from_chars does not say which end of the range was left: the place of the first digit does, zero or infinity.
+// Zero or infinity for a number out of range. from_chars does not distinguish both, but the place of the first digit
+// does.
 double beyond_range(std::string_view word) {
     const std::size_t mantissa_end = std::min(word.find_first_of("eE"), word.size());
     const auto point = static_cast<std::int64_t>(std::min(word.find('.'), mantissa_end));
@@ -48,6 +51,7 @@ double beyond_range(std::string_view word) {
 
 } // namespace
 
+// The whole word must be used: "1.5x" is not a number.
 std::optional<double> parse_number(std::string_view word) {
     word = without_plus(word);
     double number = 0;
@@ -87,7 +91,7 @@ std::string in_quotes(std::string_view text) {
     std::string shown = one_line(text.substr(0, longest_quote));
     for (char& c : shown)
         if (static_cast<unsigned char>(c) >= 0x80)
-            c = '?'; // perhaps UTF-8, perhaps binary: readable either way
+            c = '?'; // UTF-8 or binary data
     return "'" + shown + (is_long ? "...'" : "'");
 }
 
@@ -103,6 +107,7 @@ void fail_at_line(std::size_t line, const std::string& why) {
     throw InvalidInput("line " + std::to_string(line) + ": " + why);
 }
 
+// Blanks separate words; a word extends to the next blank.
 std::string_view Words::next() {
     std::size_t start = 0;
     while (start < rest_.size() && is_blank(rest_[start]))
@@ -115,6 +120,7 @@ std::string_view Words::next() {
     return word;
 }
 
+// The last line may have no line end.
 bool Lines::next() {
     if (position_ >= text_.size())
         return false;

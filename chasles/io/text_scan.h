@@ -1,4 +1,5 @@
-// Lines, words and numbers out of text. Numbers are correctly rounded and do not depend on the locale.
+// Reads lines, words and numbers from text. Numbers are correctly rounded and do not depend on the locale.
+// Functions that quote text in messages are also here.
 #pragma once
 
 #include <cstdint>
@@ -8,20 +9,20 @@
 
 namespace chasles::io {
 
-/// The number that the whole word spells, correctly rounded to double; nothing if it spells none. It may be NaN or
-/// infinite: "nan", "inf", or a number beyond the range of double. A leading plus sign is allowed.
+/// The number in a word, correctly rounded to double. Empty if the whole word is not a number. The result may be NaN or
+/// infinite, for "nan", "inf", or a number beyond the range of double. A leading plus sign is allowed.
 std::optional<double> parse_number(std::string_view word);
 
-/// As parse_number, but only for finite numbers.
+/// Like parse_number, but empty for NaN and infinity.
 std::optional<double> parse_finite(std::string_view word);
 
-/// The integer that the whole word spells, if it fits.
+/// The integer in a word. Empty if the whole word is not an integer or does not fit 64 bits.
 std::optional<std::int64_t> parse_integer(std::string_view word);
 
-/// Text for a message: within quotes, printable, in one line, shortened to a few words.
+/// Text for a message: in quotes, printable, in one line, at most 60 characters.
 std::string in_quotes(std::string_view text);
 
-/// The same text with line breaks and other control characters replaced, so that it fits one line.
+/// The text in one line: line breaks and other control characters are replaced.
 std::string one_line(std::string_view text);
 
 /// `text` in lower case (ASCII letters only).
@@ -30,32 +31,32 @@ std::string lower_case(std::string_view text);
 /// Throws InvalidInput "line N: WHY".
 [[noreturn]] void fail_at_line(std::size_t line, const std::string& why);
 
-/// Takes a text apart into words that blanks separate.
+/// Splits a text into words at blanks.
 class Words {
 public:
     explicit Words(std::string_view text) : rest_(text) {}
 
-    /// The next word; empty at the end.
+    /// The next word, or an empty word at the end of the text.
     std::string_view next();
 
-    /// What has not been taken yet.
+    /// The text after the last word.
     [[nodiscard]] std::string_view rest() const { return rest_; }
 
 private:
     std::string_view rest_;
 };
 
-/// Takes a text apart into lines, without their line ends (LF or CR LF).
+/// Splits a text into lines without line ends (LF or CR LF).
 class Lines {
 public:
     explicit Lines(std::string_view text) : text_(text) {}
 
-    /// Moves on to the next line; false at the end of the text.
+    /// Moves to the next line. Returns false at the end of the text.
     bool next();
 
     [[nodiscard]] std::string_view line() const { return line_; }
     [[nodiscard]] std::size_t number() const { return number_; }     ///< of the current line, from 1
-    [[nodiscard]] std::size_t position() const { return position_; } ///< where the next line starts, in bytes
+    [[nodiscard]] std::size_t position() const { return position_; } ///< start of the next line in bytes
 
 private:
     std::string_view text_;

@@ -1,3 +1,5 @@
+// Computes the faces around vertices on the first request, and counts memory.
+// Several threads may request them at the same time.
 #include "chasles/mesh/body.h"
 
 #include <numeric>
@@ -7,10 +9,11 @@ namespace chasles {
 
 namespace {
 
-/// For each corner that occurs, the lists that have it, each once.
+/// For each corner, the lists that contain it, each once and in ascending order.
 FlatLists<std::uint32_t> lists_with(const FlatLists<std::uint32_t>& outlines, std::size_t corner_count) {
     const auto for_each = [&](auto visit) {
-        std::vector<std::uint32_t> last(corner_count, 0); // number of the last list that had it, plus one
+        std::vector<std::uint32_t> last(corner_count,
+                                        0); // for each corner: number of the last list that contains it, plus one
         for (std::uint32_t list = 0; list < outlines.size(); ++list)
             for (const std::uint32_t corner : outlines[list])
                 if (std::exchange(last[corner], list + 1) != list + 1)

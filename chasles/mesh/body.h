@@ -1,5 +1,5 @@
-// An immutable body as the library works on it: vertices, polygon faces, unique edges, feature ownership and the
-// bounding volume hierarchy (BVH) over its faces. Polyhedron is the public handle of one.
+// The internal representation of a body: vertices, polygon faces, unique edges, feature ownership and the bounding
+// volume hierarchy (BVH). A body never changes. `Polyhedron` is the public handle of a body.
 #pragma once
 
 #include "chasles/base/flat_lists.h"
@@ -11,12 +11,12 @@
 
 namespace chasles {
 
-/// Everything that makes up a body. Each vertex and each edge is owned by exactly one of its faces, so a traversal over
-/// pairs of faces tests it once.
+/// The data of a body. Exactly one face owns each vertex and each edge. Therefore a traversal of face pairs tests each
+/// pair of features once.
 struct BodyParts {
     std::vector<Eigen::Vector3d> vertices;
     FlatLists<std::uint32_t> outlines;
-    std::vector<std::uint32_t> source; ///< input ids of the faces; empty where every face keeps its input id
+    std::vector<std::uint32_t> source; ///< input ids of the faces; empty if every face keeps its input id
     FlatLists<std::uint32_t> triangles;
     FlatLists<std::uint32_t> owned_vertices;
     FlatLists<Edge> owned_edges;
@@ -24,45 +24,45 @@ struct BodyParts {
     MeshReport report;
 };
 
+/// An immutable body. Threads may share it.
 class Body {
 public:
     explicit Body(BodyParts parts) : parts_(std::move(parts)) {}
 
     [[nodiscard]] std::size_t face_count() const { return parts_.outlines.size(); }
 
-    /// The vertices, n points in the body's frame.
+    /// The vertices: n points in the body's frame and length unit.
     [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const { return parts_.vertices; }
 
-    /// The outline of a face: its vertex ids in order, at least three.
+    /// The outline of a face: at least three vertex ids in order.
     [[nodiscard]] std::span<const std::uint32_t> face(std::size_t face) const { return parts_.outlines[face]; }
 
-    /// The id that a face had in the input. It differs from `face` only where collapsed faces were dropped or
-    /// polygons were cut.
+    /// The id of a face in the input. It differs from `face` only if collapsed faces were dropped or polygons were cut.
     [[nodiscard]] std::uint32_t source_face(std::size_t face) const {
         return parts_.source.empty() ? static_cast<std::uint32_t>(face) : parts_.source[face];
     }
 
-    /// Triangles that cover a face, as corner positions within the outline, three by three. Empty for a convex face,
-    /// which covers itself. The inner diagonals are not edges of the body.
+    /// Triangles that cover a face that is not convex: positions of corners in the outline, three for each triangle.
+    /// Empty for a convex face. The inner diagonals are not edges of the body.
     [[nodiscard]] std::span<const std::uint32_t> face_triangles(std::size_t face) const {
         return parts_.triangles[face];
     }
 
-    /// Vertices and edges owned by a face. Each vertex of the surface and each edge occurs for exactly one face.
+    /// The vertices and edges that a face owns. Exactly one face owns each vertex of the surface and each edge.
     [[nodiscard]] std::span<const std::uint32_t> owned_vertices(std::size_t face) const {
         return parts_.owned_vertices[face];
     }
     [[nodiscard]] std::span<const Edge> owned_edges(std::size_t face) const { return parts_.owned_edges[face]; }
 
-    /// The faces that have a vertex as a corner, in ascending order. The first call computes the lists of all vertices.
+    /// The faces with a vertex as corner, in ascending order. The first call computes the lists of all vertices.
     [[nodiscard]] std::span<const std::uint32_t> faces_around(std::size_t vertex) const;
 
-    /// Boxes over the faces, in the body's frame.
+    /// The hierarchy of boxes over the faces, in the body's frame.
     [[nodiscard]] const Bvh& bvh() const { return parts_.bvh; }
 
     [[nodiscard]] const MeshReport& report() const { return parts_.report; }
 
-    /// Bytes held, without the vertices.
+    /// Bytes held, not counting the vertices.
     [[nodiscard]] std::size_t memory() const;
 
 private:

@@ -1,4 +1,5 @@
-// The distinct corners in order along the line cut it into pieces; edges of the faces kept between corners cover them.
+// The distinct corners of a collapsed face divide its line into segments. Edges of other faces must cover all segments.
+// Corners are compared exactly.
 #include "chasles/mesh/collapsed_faces.h"
 
 #include "chasles/base/invalid_input.h"
@@ -10,7 +11,7 @@
 namespace chasles {
 namespace {
 
-/// Ordered by coordinates, which for points of one line is the order along it.
+/// The distinct corners, ordered by coordinates. For points of one line this is the order along the line.
 std::vector<std::uint32_t> corners_along_line(std::span<const std::uint32_t> outline,
                                               std::span<const Eigen::Vector3d> vertices) {
     std::vector<std::uint32_t> corners(outline.begin(), outline.end());
@@ -23,16 +24,17 @@ std::vector<std::uint32_t> corners_along_line(std::span<const std::uint32_t> out
     return corners;
 }
 
-/// Walks along the line as far as edges reach that begin where it has already been.
+/// Whether edges cover the line from the first to the last corner. Extends the covered part by edges that begin in it.
 bool is_covered_by(const MeshEdges& edges, std::span<const std::uint32_t> corners) {
-    std::size_t reached = 0;
-    for (std::size_t begin = 0; begin <= reached && begin < corners.size(); ++begin)
-        for (std::size_t end = corners.size() - 1; end > reached; --end)
+    std::size_t covered = 0;
+    for (std::size_t begin = 0; begin <= covered && begin < corners.size(); ++begin)
+        for (std::size_t end = corners.size() - 1; end > covered; --end)
             if (edges.contains(corners[begin], corners[end]))
-                reached = end;
-    return reached + 1 == corners.size();
+                covered = end;
+    return covered + 1 == corners.size();
 }
 
+/// A flag for each vertex: whether an outline contains it.
 std::vector<bool> vertices_of(const FlatLists<std::uint32_t>& outlines, std::size_t vertex_count) {
     std::vector<bool> is_used(vertex_count, false);
     for (const std::uint32_t vertex : outlines.items)

@@ -1,4 +1,5 @@
-// A face whose corners lie on one line may go only where other faces hold every point of it.
+// The check that collapsed faces, whose corners lie on one line, can be dropped without changing the surface.
+// Source: docs/decisions/0011-equal-vertices-and-collapsed-faces.md.
 #pragma once
 
 #include "chasles/mesh/face_outlines.h"
@@ -9,9 +10,9 @@
 
 namespace chasles {
 
-/// Throws InvalidInput, naming the face, unless each collapsed face is covered by the edges of the faces kept (or,
-/// shrunk to a point, is a vertex of one). So leaving them out doesn't change the surface as a set of points. Why:
-/// docs/decisions/0011-equal-vertices-and-collapsed-faces.md.
+/// Checks that edges of the kept faces cover each collapsed face. A face that is collapsed to a point must be a vertex
+/// of a kept face. Then dropping the collapsed faces does not change the surface as a set of points. Throws
+/// InvalidInput with the number of the face.
 void check_covered(const FaceOutlines& collapsed, const FlatLists<std::uint32_t>& kept, const MeshEdges& edges,
                    std::span<const Eigen::Vector3d> vertices);
 

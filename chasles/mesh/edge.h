@@ -1,4 +1,5 @@
-// An edge of a body.
+// An edge of a body, named by the ids of its vertices.
+// Each edge of a body is stored once.
 #pragma once
 
 #include <cstdint>

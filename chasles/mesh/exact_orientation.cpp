@@ -1,4 +1,5 @@
-// The filter is Shewchuk's first one for orient2d; the exact value is the determinant multiplied out.
+// Tests with Shewchuk's first filter for orient2d; an exact sum of products decides the remaining cases.
+// Source: J. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997.
 #include "chasles/mesh/exact_orientation.h"
 
 #include "chasles/algebra/exact_sum.h"
@@ -9,6 +10,7 @@
 namespace chasles {
 namespace {
 
+/// The sign of the expanded determinant.
 int exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     ExactSum sum;
     sum.add_product(a.x(), b.y());
@@ -20,6 +22,7 @@ int exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
     return sum.sign();
 }
 
+/// The point without one coordinate.
 Eigen::Vector2d without(int axis, const Eigen::Vector3d& point) {
     return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
 }
@@ -29,14 +32,15 @@ Eigen::Vector2d without(int axis, const Eigen::Vector3d& point) {
 int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
     const Eigen::Vector2d ca = a - c;
     const Eigen::Vector2d cb = b - c;
-    // A difference is zero only for equal numbers, so products of zeros are exact: points on an axis-parallel line.
+    // A computed difference is zero only for equal numbers. Products with zero are therefore exact. This case decides
+    // points on a line parallel to an axis.
     if ((ca.x() == 0.0 || cb.y() == 0.0) && (ca.y() == 0.0 || cb.x() == 0.0))
         return 0;
     const double left = ca.x() * cb.y();
     const double right = ca.y() * cb.x();
     constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
     constexpr double relative = (3.0 + 16.0 * unit) * unit; // ccwerrboundA in Shewchuk's predicates.c
-    // The smallest normal number covers products that underflow.
+    // The least normal number covers the underflow of products.
     const double bound = relative * (std::abs(left) + std::abs(right)) + std::numeric_limits<double>::min();
     const double determinant = left - right;
     if (std::abs(determinant) > bound)

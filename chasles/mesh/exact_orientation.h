@@ -1,5 +1,6 @@
-// On which side a point lies, and whether points lie on one line: always the answer for the very doubles given.
-// A rounded value decides where it is beyond its error bound (J. Shewchuk, 1997), exact arithmetic elsewhere.
+// Exact predicates of points: the orientation of three points and collinearity. Results are exact for the given
+// doubles. A rounded value decides if it exceeds its error bound (J. Shewchuk, 1997); otherwise exact arithmetic
+// decides.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,8 +14,7 @@ namespace chasles {
 /// Whether a, b, c lie on one line.
 [[nodiscard]] bool are_collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c);
 
-/// Whether the point b of the line through a and c lies outside the closed segment between them. Only for points of
-/// one line.
+/// Whether b lies outside the closed segment from a to c. The three points must lie on one line.
 [[nodiscard]] bool lies_beyond(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
 
 } // namespace chasles

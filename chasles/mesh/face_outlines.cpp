@@ -1,4 +1,5 @@
-// Every check looks at one face at a time and names it in its message.
+// Checks vertices and faces one by one and sorts proper faces from collapsed faces.
+// Every message contains the number of the face or vertex.
 #include "chasles/mesh/face_outlines.h"
 
 #include "chasles/base/invalid_input.h"
@@ -15,16 +16,19 @@
 namespace chasles {
 namespace {
 
-using Face = std::span<const std::uint32_t>; ///< as given
+using Face = std::span<const std::uint32_t>; ///< vertex indices as given
 using Outline = std::vector<std::uint32_t>;
 
+// Both in the length unit of the mesh; docs/decisions/0012-range-of-coordinates.md.
 constexpr double largest_coordinate = 1e30;
 constexpr double smallest_size = 1e-30;
 
+/// Throws "face N: WHY".
 [[noreturn]] void refuse_face(std::size_t face, const std::string& why) {
     throw InvalidInput("face " + std::to_string(face) + ": " + why);
 }
 
+/// Refuses a coordinate that is not finite or out of range.
 void check_vertex(std::size_t index, const Eigen::Vector3d& vertex) {
     for (int axis = 0; axis < 3; ++axis) {
         const auto refuse = [&](const std::string& why) {
@@ -38,7 +42,7 @@ void check_vertex(std::size_t index, const Eigen::Vector3d& vertex) {
     }
 }
 
-/// Corners and nodes are numbered with 32 bits.
+/// Refuses meshes whose corners or BVH nodes cannot be numbered with 32 bits.
 void check_counts(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces) {
     if (faces.empty())
         throw InvalidInput("mesh: has no faces");
@@ -51,6 +55,7 @@ void check_counts(std::span<const Eigen::Vector3d> vertices, std::span<const Fac
                            " face corners are too many (at most " + std::to_string(most) + " each)");
 }
 
+/// Refuses a face with fewer than three corners or with an index out of range.
 void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
     if (face.size() < 3)
         refuse_face(index, "a face needs at least three vertices and this one has " + std::to_string(face.size()));
@@ -60,13 +65,14 @@ void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
                                    std::to_string(vertex_count) + " vertices)");
 }
 
+/// The number of distinct ids. Takes a copy, because it sorts.
 std::size_t count_distinct(Outline ids) {
     std::ranges::sort(ids);
     return static_cast<std::size_t>(std::ranges::unique(ids).begin() - ids.begin());
 }
 
-/// A vertex named twice in a row, or so often that no area can be left. Elsewhere in an outline a vertex may come
-/// back, as it does where a hole is bridged.
+/// Refuses a vertex that is named twice in a row, and faces with fewer than three distinct vertices. A vertex may
+/// otherwise occur several times in an outline: a bridge to a hole needs this.
 void check_repeats(std::size_t index, Face face) {
     for (std::size_t i = 0; i < face.size(); ++i)
         if (face[i] == face[(i + 1) % face.size()])
@@ -75,6 +81,7 @@ void check_repeats(std::size_t index, Face face) {
         refuse_face(index, "has fewer than three distinct vertices");
 }
 
+/// The outline with first equal vertices, without corners that repeat the previous corner.
 void merge_corners(Face face, std::span<const std::uint32_t> first_equal, Outline& outline) {
     outline.clear();
     for (const std::uint32_t vertex : face)
@@ -84,6 +91,7 @@ void merge_corners(Face face, std::span<const std::uint32_t> first_equal, Outlin
         outline.pop_back();
 }
 
+/// Whether all corners lie on one line, decided exactly. Fewer than three corners do.
 bool is_on_one_line(std::span<const Eigen::Vector3d> vertices, const Outline& outline) {
     for (std::size_t i = 2; i < outline.size(); ++i)
         if (!are_collinear(vertices[outline[0]], vertices[outline[1]], vertices[outline[i]]))

@@ -1,4 +1,5 @@
-// The faces as given become outlines of distinct vertices; what can't be a face is refused with its reason.
+// Turns the given faces into outlines of distinct vertices. Refuses invalid faces with the reason.
+// Source: docs/decisions/0011-equal-vertices-and-collapsed-faces.md.
 #pragma once
 
 #include "chasles/base/flat_lists.h"
@@ -11,7 +12,7 @@
 
 namespace chasles {
 
-/// Outlines, each with the number of the given face it comes from.
+/// Outlines, each with the number of its given face.
 struct FaceOutlines {
     FlatLists<std::uint32_t> outlines;
     std::vector<std::uint32_t> source;
@@ -22,19 +23,20 @@ struct FaceOutlines {
     }
 };
 
+/// The given faces, sorted by whether they have an area.
 struct SortedFaces {
     FaceOutlines proper;    ///< not all corners on one line
-    FaceOutlines collapsed; ///< all corners on one line; allowed so far by the options
+    FaceOutlines collapsed; ///< all corners on one line; the options allow these faces
     std::size_t distinct_vertices = 0;
 };
 
-/// Throws InvalidInput unless the coordinates are finite and neither the body nor its distance from the origin is of a
-/// size at which arithmetic fails (docs/decisions/0012-range-of-coordinates.md).
+/// Throws InvalidInput if a coordinate is not finite or exceeds 1e30, or if the body is smaller than 1e-30 in the
+/// length unit. Arithmetic would overflow or underflow there (docs/decisions/0012-range-of-coordinates.md).
 void check_vertices(std::span<const Eigen::Vector3d> vertices);
 
-/// Replaces each index by that of the first equal vertex, removes corners that repeat the one before, and tells proper
-/// faces from collapsed ones, exactly. Throws InvalidInput for indices out of range, repeated vertices and faces
-/// without area that the options don't allow.
+/// Replaces each index by the index of the first equal vertex, removes corners that repeat the previous corner, and
+/// sorts proper faces from collapsed faces by exact tests. Throws InvalidInput for an index out of range, and for
+/// repeated vertices and faces without area if the options do not allow them.
 [[nodiscard]] SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::span<const std::uint32_t>> faces,
                                      const PolyhedronOptions& options);

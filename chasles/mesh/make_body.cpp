@@ -1,4 +1,5 @@
-// Assembles a body: checks, outlines, edges, ownership and boxes, each made in its own file.
+// Assembles a body from its parts: checks, outlines, edges, ownership and the BVH. Each part has its own file.
+// The steps are in `make_body` at the end.
 #include "chasles/mesh/make_body.h"
 
 #include "chasles/base/flat_lists.h"
@@ -15,6 +16,7 @@ namespace chasles {
 
 namespace {
 
+/// Whether every face keeps its input id and no face is missing.
 bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
     for (std::uint32_t face = 0; face < source.size(); ++face)
         if (source[face] != face)
@@ -22,6 +24,7 @@ bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
     return source.size() == given;
 }
 
+/// The edges that each face owns.
 FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const MeshEdges& edges) {
     FlatLists<std::uint32_t> shares = share_features(outlines.offsets, edges.edge_of_side, edges.edges.size());
     FlatLists<Edge> owned{std::move(shares.offsets), {}};
@@ -31,6 +34,7 @@ FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const Mesh
     return owned;
 }
 
+/// The number of triangles if every polygon is cut.
 std::size_t count_triangles(const PolygonFaces& polygons) {
     std::size_t triangles = polygons.triangles.items.size() / 3;
     for (std::size_t face = 0; face < polygons.faces.source.size(); ++face)
@@ -39,6 +43,7 @@ std::size_t count_triangles(const PolygonFaces& polygons) {
     return triangles;
 }
 
+/// The number of faces with more than three corners.
 std::size_t count_polygons(const FlatLists<std::uint32_t>& outlines) {
     std::size_t polygons = 0;
     for (std::size_t face = 0; face < outlines.size(); ++face)
@@ -46,7 +51,7 @@ std::size_t count_polygons(const FlatLists<std::uint32_t>& outlines) {
     return polygons;
 }
 
-/// Children follow their parent, so one pass from front to back suffices.
+/// The greatest depth of a node; the root has depth 1. Children follow their parent, therefore one pass suffices.
 std::size_t depth_of(std::span<const BvhNode> nodes) {
     std::vector<std::size_t> depths(nodes.size(), 1);
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -55,7 +60,7 @@ std::size_t depth_of(std::span<const BvhNode> nodes) {
     return *std::ranges::max_element(depths);
 }
 
-/// Only of vertices that a face uses.
+/// Adds the bounding box of all vertices that a face uses.
 void add_bounding_box(const BodyParts& parts, MeshReport& report) {
     report.lower = report.upper = parts.vertices[parts.outlines.items.front()];
     for (const std::uint32_t vertex : parts.outlines.items) {
@@ -64,12 +69,14 @@ void add_bounding_box(const BodyParts& parts, MeshReport& report) {
     }
 }
 
+/// Adds nodes, depth and bytes of the BVH.
 void add_bvh(const Bvh& bvh, MeshReport& report) {
     report.bvh_nodes = bvh.nodes().size();
     report.bvh_depth = depth_of(bvh.nodes());
     report.bvh_bytes = bvh.memory();
 }
 
+/// The counts of faces and edges.
 MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
     MeshReport report;
     report.faces = polygons.faces.source.size();

@@ -1,11 +1,12 @@
-// Makes a body of vertices and faces, or refuses them by name.
+// Makes a body from vertices and faces.
+// Invalid input throws InvalidInput with the number of the face or vertex.
 #pragma once
 
 #include "chasles/mesh/body.h"
 
 namespace chasles {
 
-/// Source of what is refused: Polyhedron::from_polygons.
+/// `Polyhedron::from_polygons` lists the refused input.
 [[nodiscard]] BodyParts make_body(std::span<const Eigen::Vector3d> vertices,
                                   std::span<const std::span<const std::uint32_t>> faces,
                                   const PolyhedronOptions& options);

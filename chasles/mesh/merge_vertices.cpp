@@ -1,4 +1,5 @@
-// One pass with a hash table of open addressing: linear time and no allocation per vertex.
+// One pass with a hash table with open addressing: expected linear time and no allocation per vertex.
+// Vertices are compared exactly.
 #include "chasles/mesh/merge_vertices.h"
 
 #include <bit>
@@ -6,19 +7,22 @@
 namespace chasles {
 namespace {
 
+/// Marks an empty slot of the table.
 constexpr std::uint32_t no_vertex = 0xffffffff;
 
+/// Equal coordinates have equal bits.
 std::uint64_t bits_of(double coordinate) {
     return std::bit_cast<std::uint64_t>(coordinate + 0.0); // turns -0 into 0
 }
 
-/// Mixes well enough that coordinates on a grid spread over the table (the finaliser of splitmix64).
+/// The finalizer of splitmix64. It distributes coordinates on a grid evenly over the table.
 std::uint64_t mixed(std::uint64_t value) {
     value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9;
     value = (value ^ (value >> 27)) * 0x94d049bb133111eb;
     return value ^ (value >> 31);
 }
 
+/// A hash of the three coordinates; the order of the coordinates matters.
 std::uint64_t hash(const Eigen::Vector3d& point) {
     return mixed(mixed(mixed(bits_of(point.x())) + bits_of(point.y())) + bits_of(point.z()));
 }

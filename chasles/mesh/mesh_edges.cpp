@@ -1,4 +1,5 @@
-// Sides are put into buckets by their lower vertex and sorted within: linear time for meshes of bounded valence.
+// Sorts the sides of faces into buckets by their lower vertex, then sorts each bucket by the higher vertex.
+// This takes linear time for meshes of bounded valence.
 #include "chasles/mesh/mesh_edges.h"
 
 #include <algorithm>
@@ -7,10 +8,10 @@
 namespace chasles {
 namespace {
 
-/// A side of a face, seen from its lower vertex.
+/// A side of a face, stored at its lower vertex.
 struct Side {
     std::uint32_t to;     ///< the higher vertex
-    std::uint32_t corner; ///< where it starts in the outlines
+    std::uint32_t corner; ///< index of its first corner in all outlines
     std::uint32_t face;
     bool is_upward; ///< runs from the lower to the higher vertex
 };
@@ -26,6 +27,7 @@ void for_each_side(const FlatLists<std::uint32_t>& outlines, Visit visit) {
     }
 }
 
+/// The sides at each vertex, by a counting sort.
 FlatLists<Side> sides_by_lower_vertex(const FlatLists<std::uint32_t>& outlines, std::size_t vertex_count) {
     FlatLists<Side> sides;
     sides.offsets.assign(vertex_count + 1, 0);
@@ -41,7 +43,8 @@ FlatLists<Side> sides_by_lower_vertex(const FlatLists<std::uint32_t>& outlines, 
     return sides;
 }
 
-/// Faces that have the edge of these sides, which are sorted by face.
+/// The number of faces that have the edge of these sides. The sides are sorted by face. Opposite sides of one face
+/// cancel.
 std::size_t count_faces(std::span<const Side> sides) {
     std::size_t faces = 0;
     for (std::size_t begin = 0, end = 0; begin < sides.size(); begin = end) {
@@ -53,6 +56,7 @@ std::size_t count_faces(std::span<const Side> sides) {
     return faces;
 }
 
+/// Adds the edge of these sides, if a face has it.
 void add_edge(std::uint32_t from, std::span<const Side> sides, MeshEdges& result) {
     const std::size_t faces = count_faces(sides);
     const bool is_edge = faces > 0;
@@ -64,6 +68,7 @@ void add_edge(std::uint32_t from, std::span<const Side> sides, MeshEdges& result
     result.nonmanifold += faces > 2 ? 1 : 0;
 }
 
+/// The order of edges: by the lower, then by the higher vertex.
 bool comes_before(const Edge& a, const Edge& b) {
     return a.from != b.from ? a.from < b.from : a.to < b.to;
 }

@@ -1,4 +1,5 @@
-// The distinct edges of a set of faces, and which edge each side of each face is.
+// The distinct edges of a set of faces, and the edge of each side of each face.
+// The edges do not depend on the order of the faces.
 #pragma once
 
 #include "chasles/base/flat_lists.h"
@@ -10,19 +11,21 @@
 
 namespace chasles {
 
+/// The edges of a mesh. A side is the part of an outline between two consecutive corners.
 struct MeshEdges {
     static constexpr std::uint32_t none = 0xffffffff;
 
     std::vector<Edge> edges;                 ///< in ascending order
-    std::vector<std::uint32_t> edge_of_side; ///< for corner i of all outlines: the edge from it to the next, or none
+    std::vector<std::uint32_t> edge_of_side; ///< for corner i of all outlines: the edge to the next corner, or none
     std::size_t boundary = 0;                ///< edges with one face
     std::size_t nonmanifold = 0;             ///< edges with three faces or more
 
+    /// Whether a and b are the ends of an edge.
     [[nodiscard]] bool contains(std::uint32_t a, std::uint32_t b) const;
 };
 
-/// A side that one outline uses to and fro (the bridge between an outline and its hole) is a cut inside the face and
-/// no edge, unless another face has it.
+/// Collects all edges. If one outline uses a side in both directions, as the bridge between an outline and its hole,
+/// the side is a cut inside the face. It is an edge only if another face has it.
 [[nodiscard]] MeshEdges collect_edges(const FlatLists<std::uint32_t>& outlines, std::size_t vertex_count);
 
 } // namespace chasles

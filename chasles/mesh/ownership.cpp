@@ -1,4 +1,5 @@
-// Rounds of taking turns; a face that finds nothing free leaves, so the rounds shrink quickly.
+// The faces take turns and claim one free feature in each round. A face without a free feature leaves the rounds.
+// The number of claimants therefore falls quickly.
 #include "chasles/mesh/ownership.h"
 
 #include <numeric>
@@ -7,14 +8,16 @@
 namespace chasles {
 namespace {
 
+/// Marks a free feature.
 constexpr std::uint32_t no_owner = 0xffffffff;
 
+/// A face that still claims features.
 struct Claimant {
     std::uint32_t face;
-    std::uint32_t next; ///< first of its features not looked at yet
+    std::uint32_t next; ///< position of the first of its features that is not tested yet
 };
 
-/// Lets the claimant have its next free feature. False if there is none.
+/// Gives the claimant its next free feature. Returns false if no feature is free.
 bool claim_one(Claimant& claimant, std::uint32_t end, std::span<const std::uint32_t> features,
                std::vector<std::uint32_t>& owner) {
     while (claimant.next < end) {
@@ -27,6 +30,7 @@ bool claim_one(Claimant& claimant, std::uint32_t end, std::span<const std::uint3
     return false;
 }
 
+/// The features of each owner in ascending order, by a counting sort.
 FlatLists<std::uint32_t> lists_by_owner(const std::vector<std::uint32_t>& owner, std::size_t face_count) {
     FlatLists<std::uint32_t> lists;
     lists.offsets.assign(face_count + 1, 0);

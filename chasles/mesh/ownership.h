@@ -1,4 +1,5 @@
-// Gives each vertex or edge to exactly one of the faces that have it, so that no pair of features is met twice.
+// Assigns each vertex or edge to exactly one of its faces.
+// A search over pairs of faces then tests each pair of features once.
 #pragma once
 
 #include "chasles/base/flat_lists.h"
@@ -10,9 +11,9 @@ namespace chasles {
 
 inline constexpr std::uint32_t no_feature = 0xffffffff;
 
-/// `features[offsets[f] .. offsets[f + 1]]` are the features of face f (ids below `feature_count`, or no_feature).
-/// Answers which features each face owns. Each feature that occurs is owned once, and the shares are even: faces take
-/// one feature each, turn by turn.
+/// Returns the features that each face owns. `features[offsets[f]]` to `features[offsets[f + 1] - 1]` are the features
+/// of face f: ids below `feature_count`, or no_feature. Exactly one face owns each feature that occurs. The shares are
+/// even, because the faces take turns.
 [[nodiscard]] FlatLists<std::uint32_t> share_features(std::span<const std::uint32_t> offsets,
                                                       std::span<const std::uint32_t> features,
                                                       std::size_t feature_count);

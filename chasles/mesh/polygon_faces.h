@@ -1,4 +1,5 @@
-// What becomes of each face of more than three corners: kept whole, kept with triangles to cover it, or cut up.
+// The treatment of each face with more than three corners: kept, kept with covering triangles, cut into faces, or
+// refused. Source: docs/decisions/0010-polygon-planarity.md.
 #pragma once
 
 #include "chasles/base/flat_lists.h"
@@ -10,15 +11,17 @@
 
 namespace chasles {
 
+/// The faces of a body after all checks.
 struct PolygonFaces {
     FaceOutlines faces;
-    /// For each face that isn't convex: the triangles covering it, as corner positions. Empty where all are convex.
+    /// For each face that is not convex: the triangles that cover it, as positions of corners. Empty if all faces are
+    /// convex.
     FlatLists<std::uint32_t> triangles;
 };
 
-/// Planar polygons stay whole; others are cut into triangles (options.triangulate) or refused. How far from planar is
-/// still planar: docs/decisions/0010-polygon-planarity.md. Throws InvalidInput, naming the given face, also for an
-/// outline that crosses itself or turns back onto itself.
+/// Keeps planar polygons. Cuts other polygons into triangles (options.triangulate) or refuses them. The tolerance for
+/// planar polygons is in docs/decisions/0010-polygon-planarity.md. Throws InvalidInput with the number of the given
+/// face, also for an outline that crosses itself or turns back onto itself.
 [[nodiscard]] PolygonFaces examine_polygons(FaceOutlines given, std::span<const Eigen::Vector3d> vertices,
                                             const PolyhedronOptions& options);
 

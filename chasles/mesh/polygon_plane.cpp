@@ -1,4 +1,5 @@
-// The normal is the sum of cross products of successive corners (M. Newell): the best one for a nearly planar outline.
+// Computes the normal as a sum of cross products of successive corners (M. Newell) and projects the outline.
+// The predicates of the outline are exact.
 #include "chasles/mesh/polygon_plane.h"
 
 #include "chasles/mesh/exact_orientation.h"
@@ -10,7 +11,8 @@
 namespace chasles {
 namespace {
 
-/// Not of unit length. Relative to the first corner, so that the distance from the origin costs no digits.
+/// A normal of any length. Corners are taken relative to the first corner, therefore the distance from the origin costs
+/// no digits.
 Eigen::Vector3d newell_normal(std::span<const Eigen::Vector3d> vertices, std::span<const std::uint32_t> outline) {
     const Eigen::Vector3d& origin = vertices[outline.front()];
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
@@ -19,6 +21,7 @@ Eigen::Vector3d newell_normal(std::span<const Eigen::Vector3d> vertices, std::sp
     return sum;
 }
 
+/// Half the distance of the two planes along the normal that enclose the polygon.
 double half_thickness(std::span<const Eigen::Vector3d> vertices, std::span<const std::uint32_t> outline,
                       const Eigen::Vector3d& normal) {
     const Eigen::Vector3d& origin = vertices[outline.front()];
@@ -32,13 +35,14 @@ double half_thickness(std::span<const Eigen::Vector3d> vertices, std::span<const
     return (greatest - least) / 2;
 }
 
-std::vector<Eigen::Vector2d> seen_along(const Eigen::Vector3d& normal, std::span<const Eigen::Vector3d> vertices,
-                                        std::span<const std::uint32_t> outline) {
-    Eigen::Index left_out = 0;
-    normal.cwiseAbs().maxCoeff(&left_out);
-    const bool is_from_above = normal[left_out] > 0.0;
-    const Eigen::Index right = (left_out + (is_from_above ? 1 : 2)) % 3;
-    const Eigen::Index up = (left_out + (is_from_above ? 2 : 1)) % 3;
+/// The corners without the coordinate in which the normal is greatest, oriented to the left.
+std::vector<Eigen::Vector2d> projected_along(const Eigen::Vector3d& normal, std::span<const Eigen::Vector3d> vertices,
+                                             std::span<const std::uint32_t> outline) {
+    Eigen::Index dropped = 0;
+    normal.cwiseAbs().maxCoeff(&dropped);
+    const bool is_from_above = normal[dropped] > 0.0;
+    const Eigen::Index right = (dropped + (is_from_above ? 1 : 2)) % 3;
+    const Eigen::Index up = (dropped + (is_from_above ? 2 : 1)) % 3;
     std::vector<Eigen::Vector2d> corners;
     corners.reserve(outline.size());
     for (const std::uint32_t vertex : outline)
@@ -46,6 +50,7 @@ std::vector<Eigen::Vector2d> seen_along(const Eigen::Vector3d& normal, std::span
     return corners;
 }
 
+/// Whether b follows a in the order by x, then by y.
 bool is_ascending(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     return a.x() != b.x() ? a.x() < b.x() : a.y() < b.y();
 }
@@ -62,9 +67,9 @@ PolygonProjection project_polygon(std::span<const Eigen::Vector3d> vertices, std
         upper = upper.cwiseMax(vertices[vertex]);
     }
     const double size = (upper - lower).norm();
-    // Each of n cross products and n additions errs by a few units of at most the square of the size.
+    // The error of each of n cross products and n additions is a few unit roundoffs of the squared size.
     const double rounding = 8 * std::numeric_limits<double>::epsilon() * static_cast<double>(outline.size());
-    return {.corners = seen_along(normal, vertices, outline),
+    return {.corners = projected_along(normal, vertices, outline),
             .deviation = half_thickness(vertices, outline, normal),
             .size = size,
             .magnitude = lower.cwiseAbs().cwiseMax(upper.cwiseAbs()).maxCoeff(),
@@ -73,7 +78,7 @@ PolygonProjection project_polygon(std::span<const Eigen::Vector3d> vertices, std
 
 bool is_convex(std::span<const Eigen::Vector2d> outline) {
     const std::size_t count = outline.size();
-    std::size_t direction_changes = 0; // of the sweep along x; an outline that goes around once has two
+    std::size_t direction_changes = 0; // of the direction along x; an outline with one revolution has two
     for (std::size_t i = 0; i < count; ++i) {
         const Eigen::Vector2d& a = outline[i];
         const Eigen::Vector2d& b = outline[(i + 1) % count];

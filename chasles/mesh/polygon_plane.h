@@ -1,4 +1,5 @@
-// The plane of a polygon, how far its corners leave it, and the polygon seen along its normal.
+// The plane of a polygon, the deviation of its corners from the plane, and its projection to two coordinates.
+// The projection does not round.
 #pragma once
 
 #include <Eigen/Core>
@@ -8,22 +9,23 @@
 
 namespace chasles {
 
-/// Seen so that the polygon turns to the left, with one coordinate left out: the remaining ones are not rounded.
+/// A polygon without one coordinate, oriented to the left. The remaining coordinates are not rounded. Lengths are in
+/// the length unit.
 struct PolygonProjection {
     std::vector<Eigen::Vector2d> corners;
-    double deviation; ///< greatest distance of a corner from the middle plane along the normal
+    double deviation; ///< greatest distance of a corner from the middle plane
     double size;      ///< diagonal of the bounding box
-    double magnitude; ///< largest coordinate without sign
-    bool is_flat;     ///< the area is zero, or smaller than its own rounding; then the rest means nothing
+    double magnitude; ///< greatest magnitude of a coordinate
+    bool is_flat;     ///< the area is zero or below its rounding error; the other members are then meaningless
 };
 
 [[nodiscard]] PolygonProjection project_polygon(std::span<const Eigen::Vector3d> vertices,
                                                 std::span<const std::uint32_t> outline);
 
-/// Whether the outline is convex: it turns to the left or goes straight at each corner, once around in all.
+/// Whether the outline is convex: it turns left or is straight at each corner, with one revolution in total.
 [[nodiscard]] bool is_convex(std::span<const Eigen::Vector2d> outline);
 
-/// The first corner where the outline turns back onto the side it came along, or the number of corners.
+/// The first corner at which the outline turns back onto the previous side, or the number of corners if there is none.
 [[nodiscard]] std::size_t find_turning_back(std::span<const Eigen::Vector2d> outline);
 
 } // namespace chasles

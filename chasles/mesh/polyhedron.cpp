@@ -1,4 +1,5 @@
-// The public handle of a body; its body is made in make_body.cpp.
+// The public handle of a body. make_body.cpp makes the body.
+// `Polyhedron::load` is in chasles/io/mesh_files.cpp.
 #include "chasles/mesh/polyhedron.h"
 
 #include "chasles/mesh/make_body.h"

@@ -1,4 +1,5 @@
-// An immutable rigid body with polygon faces: what a query moves.
+// An immutable rigid body with polygon faces. Queries move two of them against each other.
+// All lengths are in the unit of the mesh; no unit is preferred.
 #pragma once
 
 #include "chasles/base/export.h"
@@ -13,83 +14,88 @@
 
 namespace chasles {
 
-/// What to do with faces that are not as they should be, and how a body is made.
+/// Options for making a body: the treatment of unusual faces, and the number of threads.
 struct PolyhedronOptions {
-    /// Cut polygons that are not planar into triangles instead of refusing them.
+    /// Cut polygons that are not planar into triangles. Otherwise they are refused.
     bool triangulate = false;
-    /// Drop faces without area whose edges belong to other faces too instead of refusing them.
+    /// Drop faces without area if edges of other faces cover them. Otherwise they are refused.
     bool drop_degenerate = false;
-    /// Build the hierarchy on at most so many threads (0: all cores). The body is the same to the last bit. Others than
-    /// the calling thread are asked only for 32,768 faces or more.
+    /// Build the hierarchy on at most this many threads (0: all cores). The body is the same bit by bit for any number
+    /// of threads. Bodies with fewer than 32,768 faces use only the calling thread.
     unsigned threads = 0;
 };
 
-/// How a mesh hangs together; see Polyhedron::report().
+/// Counts and dimensions of a mesh; see Polyhedron::report().
 struct MeshReport {
     std::size_t vertices = 0;          ///< as given
-    std::size_t distinct_vertices = 0; ///< after merging vertices with the very same coordinates
+    std::size_t distinct_vertices = 0; ///< after merging vertices with equal coordinates
     std::size_t faces = 0;             ///< kept
-    std::size_t triangles = 0;         ///< after cutting every polygon into triangles
-    std::size_t polygons = 0;          ///< faces of more than three vertices
-    std::size_t edges = 0;             ///< distinct, each shared by any number of faces
-    std::size_t boundary_edges = 0;    ///< with one face
-    std::size_t nonmanifold_edges = 0; ///< with three faces or more
-    std::size_t dropped_faces = 0;     ///< collapsed faces left out because they add nothing to the surface
+    std::size_t triangles = 0;         ///< triangles if every polygon were cut
+    std::size_t polygons = 0;          ///< faces with more than three vertices
+    std::size_t edges = 0;             ///< distinct edges
+    std::size_t boundary_edges = 0;    ///< edges with one face
+    std::size_t nonmanifold_edges = 0; ///< edges with three faces or more
+    std::size_t dropped_faces = 0;     ///< faces without area that edges of other faces cover
     bool closed = false;               ///< no boundary edge
-    Eigen::Vector3d lower = Eigen::Vector3d::Zero(); ///< corners of the axis-aligned bounding box, mesh unit
-    Eigen::Vector3d upper = Eigen::Vector3d::Zero();
-    std::size_t bvh_nodes = 0; ///< nodes, depth and bytes of the bounding volume hierarchy
-    std::size_t bvh_depth = 0;
-    std::size_t bvh_bytes = 0;
+    Eigen::Vector3d lower =
+        Eigen::Vector3d::Zero(); ///< lower corner of the bounding box of all used vertices, in the length unit
+    Eigen::Vector3d upper = Eigen::Vector3d::Zero(); ///< upper corner
+    std::size_t bvh_nodes = 0;                       ///< nodes of the bounding volume hierarchy (BVH)
+    std::size_t bvh_depth = 0;                       ///< levels of the BVH
+    std::size_t bvh_bytes = 0;                       ///< memory of the BVH in bytes
 };
 
 class Body;
 
-/// A polyhedral surface that never changes once made; copies share it. It need not be closed.
+/// A polyhedral surface. It never changes after construction. Copies share the same data, and threads may share a copy.
+/// The surface need not be closed.
 ///
-/// Vertices with the very same coordinates are one vertex: feature ids name the first of them.
+/// Vertices with equal coordinates count as one vertex. Its feature id is the index of the first of them.
 class CHASLES_EXPORT Polyhedron {
 public:
-    /// From `vertices` (n points, the mesh's unit) and `faces` (m lists of at least three vertex indices from 0).
-    /// Throws InvalidInput, naming the face or the vertex, for: no face, an index out of range, a coordinate that is
-    /// NaN or infinite, a face with fewer than 3 distinct vertices, without area, or whose outline crosses itself,
-    /// and a polygon that is not planar (unless options.triangulate).
+    /// Makes a body from `vertices` (n points, in any length unit) and `faces` (m lists of at least three vertex
+    /// indices from 0). Throws InvalidInput with the number of the face or vertex. It refuses a mesh without faces, and
+    /// an index out of range. It refuses a coordinate that is NaN, infinite, or beyond 1e30 in magnitude, and a body
+    /// smaller than 1e-30. It refuses a face without area, or with fewer than three distinct vertices, that cannot be
+    /// dropped. It refuses an outline that crosses itself or turns back onto itself. It refuses a polygon that is not
+    /// planar, unless options.triangulate. The tolerance for planar polygons is 1e-5 of the greater of the size and the
+    /// coordinates (docs/decisions/0010-polygon-planarity.md).
     static Polyhedron from_polygons(std::span<const Eigen::Vector3d> vertices,
                                     std::span<const std::vector<std::uint32_t>> faces,
                                     const PolyhedronOptions& options = {});
 
-    /// `from_polygons` for faces that lie anywhere, say behind one another in one array.
+    /// Like `from_polygons`, for faces stored anywhere in memory, for example one after another in one array.
     static Polyhedron from_outlines(std::span<const Eigen::Vector3d> vertices,
                                     std::span<const std::span<const std::uint32_t>> outlines,
                                     const PolyhedronOptions& options = {});
 
-    /// From a file: OBJ, OFF, PLY, STL and what Assimp reads. Defined in chasles/io/mesh_files.cpp.
-    /// Throws InvalidInput that names the file, the line where there is one, and the reason.
+    /// Reads a body from a file: OBJ, OFF, PLY, STL, or another format through Assimp. Throws InvalidInput with the
+    /// file name, the line number if the format has lines, and the reason. Defined in chasles/io/mesh_files.cpp.
     static Polyhedron load(const std::filesystem::path& file, const PolyhedronOptions& options = {});
 
     [[nodiscard]] std::size_t vertex_count() const;
     [[nodiscard]] std::size_t face_count() const;
 
-    /// The vertices, n points in the body's frame.
+    /// The vertices: n points in the body's frame, in the length unit.
     [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const;
 
-    /// The outline of a face: its vertex ids in order, at least three.
+    /// The outline of a face: at least three vertex ids in order. `face` is below face_count().
     [[nodiscard]] std::span<const std::uint32_t> face(std::size_t face) const;
 
-    /// The id that a face had in the input. It differs from `face` only where collapsed faces were dropped or
-    /// polygons were cut.
+    /// The id of a face in the input. It differs from `face` only if collapsed faces were dropped or polygons were cut.
     [[nodiscard]] std::uint32_t source_face(std::size_t face) const;
 
-    /// Triangles (as corner positions within the outline, three by three) that cover a face; empty for a convex face,
-    /// which is covered as it stands. The inner diagonals are not edges of the body.
+    /// Triangles that cover a face that is not convex: positions of corners in the outline, three for each triangle.
+    /// Empty for a convex face. The inner diagonals are not edges of the body.
     [[nodiscard]] std::span<const std::uint32_t> face_triangles(std::size_t face) const;
 
+    /// Counts and dimensions of the mesh.
     [[nodiscard]] MeshReport report() const;
 
-    /// Bytes held beyond the vertices.
+    /// Bytes held, not counting the vertices.
     [[nodiscard]] std::size_t memory() const;
 
-    /// The body itself, for the library's own use: its type is no part of the public interface.
+    /// The internal body, for use by the library. Its type is not part of the public interface.
     [[nodiscard]] const Body& body() const { return *body_; }
 
 private:

@@ -1,6 +1,7 @@
-// Why the answer can be trusted: cutting off triangles that turn to the left lowers the winding number inside each by
-// one and changes it nowhere else. When nothing is left and no two triangles overlap, the outline winds once around
-// the triangles and around nothing else. So the ears need no proof of their own, and a bad outline can't pass.
+// Ear clipping with exact predicates, and a proof of the result: the triangles cover the polygon exactly once.
+// Proof: cutting off a triangle that turns left lowers the winding number by one inside the triangle and changes it
+// nowhere else. If nothing remains and no two triangles overlap, the outline winds once around the triangles and around
+// nothing else. The choice of the ears therefore needs no proof, and an invalid outline is always refused.
 #include "chasles/mesh/triangulate_polygon.h"
 
 #include "chasles/mesh/exact_orientation.h"
@@ -14,7 +15,7 @@ namespace {
 
 using Point = Eigen::Vector2d;
 
-/// A triangle that turns to the left, with its bounding box; "inside" means its interior.
+/// A triangle that turns left, with its bounding box. "Inside" means in its interior.
 struct Triangle {
     std::array<Point, 3> corners;
     Point lower;
@@ -23,7 +24,7 @@ struct Triangle {
     Triangle(const Point& a, const Point& b, const Point& c)
         : corners{a, b, c}, lower(a.cwiseMin(b).cwiseMin(c)), upper(a.cwiseMax(b).cwiseMax(c)) {}
 
-    /// Whether one side of the triangle has all the points on its outer side or on it.
+    /// Whether all points are on or beyond one side of the triangle.
     template <std::size_t Count>
     [[nodiscard]] bool has_beyond_a_side(const std::array<Point, Count>& points) const {
         for (std::size_t side = 0; side < 3; ++side) {
@@ -36,17 +37,19 @@ struct Triangle {
         return false;
     }
 
+    /// Whether the bounding boxes have no common interior point.
     [[nodiscard]] bool boxes_are_apart(const Point& other_lower, const Point& other_upper) const {
         return (other_upper.array() <= lower.array()).any() || (other_lower.array() >= upper.array()).any();
     }
 };
 
+/// Whether two triangles have a common interior point: no side of either triangle separates them.
 bool overlap(const Triangle& first, const Triangle& second) {
     return !first.boxes_are_apart(second.lower, second.upper) && !first.has_beyond_a_side(second.corners) &&
            !second.has_beyond_a_side(first.corners);
 }
 
-/// Whether the line through p and q, different points, has the triangle on one side.
+/// Whether the triangle is on one side of the line through p and q. p and q must differ.
 bool is_on_one_side(const Triangle& triangle, const Point& p, const Point& q) {
     int least = 1;
     int greatest = -1;
@@ -58,15 +61,15 @@ bool is_on_one_side(const Triangle& triangle, const Point& p, const Point& q) {
     return least >= 0 || greatest <= 0;
 }
 
-/// Whether the segment has a point inside the triangle: for convex sets in the plane the lines along the sides of the
-/// triangle and along the segment are all the separating lines there can be.
+/// Whether the segment has a point inside the triangle. Only the lines along the sides of the triangle and along the
+/// segment can separate them (separating axes of convex sets in the plane).
 bool enters(const Point& p, const Point& q, const Triangle& triangle) {
     if (triangle.boxes_are_apart(p.cwiseMin(q), p.cwiseMax(q)))
         return false;
     return !triangle.has_beyond_a_side(std::array{p, q}) && (p == q || !is_on_one_side(triangle, p, q));
 }
 
-/// The part of the outline that has not been cut off yet, as a ring.
+/// The remaining part of the outline as a ring of corners.
 class EarClipping {
 public:
     explicit EarClipping(std::span<const Point> points)
@@ -78,7 +81,7 @@ public:
         }
     }
 
-    /// False if something is left that has no ear.
+    /// Cuts ears until at most two corners remain. Returns false if the remaining ring has no ear.
     bool run() {
         while (left_ >= 3)
             if (!cut_first(&EarClipping::cut_ear) && !cut_first(&EarClipping::cut_flat_corner))
@@ -91,7 +94,7 @@ public:
 private:
     using Cut = bool (EarClipping::*)(std::uint32_t);
 
-    /// Tries the corners in turn, beginning behind the last cut.
+    /// Tries all corners, beginning after the last cut.
     bool cut_first(Cut cut) {
         std::uint32_t corner = current_;
         for (std::size_t tried = 0; tried < left_; ++tried, corner = next_[corner])
@@ -100,23 +103,24 @@ private:
         return false;
     }
 
+    /// Cuts off the triangle at a corner, if the corner is an ear.
     bool cut_ear(std::uint32_t corner) {
         if (!is_ear(corner) || touches_diagonal(corner))
             return false;
         triangles_.insert(triangles_.end(), {previous_[corner], corner, next_[corner]});
-        leave_out(corner);
+        remove_corner(corner);
         return true;
     }
 
-    /// Without area; it stays where holes are bridged.
+    /// Removes a straight corner. Straight corners remain, for example, where holes are bridged.
     bool cut_flat_corner(std::uint32_t corner) {
         if (orientation(points_[previous_[corner]], points_[corner], points_[next_[corner]]) != 0)
             return false;
-        leave_out(corner);
+        remove_corner(corner);
         return true;
     }
 
-    /// Turns to the left, and no side of the ring comes inside.
+    /// Whether the corner turns left and no side of the ring has a point inside its triangle.
     [[nodiscard]] bool is_ear(std::uint32_t corner) const {
         const Point& a = points_[previous_[corner]];
         const Point& b = points_[corner];
@@ -130,7 +134,7 @@ private:
         return true;
     }
 
-    /// Whether another corner lies on the new side strictly between its ends.
+    /// Whether another corner lies on the new side, strictly between its ends.
     [[nodiscard]] bool touches_diagonal(std::uint32_t corner) const {
         const Point& a = points_[previous_[corner]];
         const Point& c = points_[next_[corner]];
@@ -141,27 +145,27 @@ private:
         return false;
     }
 
-    /// Takes the corner out of the ring, and with it what then only runs to and fro: next to such a side a corner
-    /// that turns to the left need not have the polygon on its left.
-    void leave_out(std::uint32_t corner) {
+    /// Removes a corner from the ring, then removes folded corners next to it. Next to a folded side, a corner that
+    /// turns left need not have the polygon on its left.
+    void remove_corner(std::uint32_t corner) {
         std::uint32_t before = previous_[corner];
-        std::uint32_t behind = next_[corner];
+        std::uint32_t after = next_[corner];
         unlink(corner);
         while (left_ >= 3) {
             if (is_folded(before)) {
                 unlink(before);
                 before = previous_[before];
-            } else if (is_folded(behind)) {
-                unlink(behind);
-                behind = next_[behind];
+            } else if (is_folded(after)) {
+                unlink(after);
+                after = next_[after];
             } else {
                 break;
             }
         }
-        current_ = next_[behind]; // cutting neighbours in a row would make slivers
+        current_ = next_[after]; // cutting adjacent corners one after another would make slivers
     }
 
-    /// Turns back onto the side it came along, or lies where a neighbour lies.
+    /// Whether the ring turns back onto the previous side, or the corner coincides with a neighbour.
     [[nodiscard]] bool is_folded(std::uint32_t corner) const {
         const Point& a = points_[previous_[corner]];
         const Point& b = points_[corner];
@@ -170,6 +174,7 @@ private:
         return is_at_neighbour || (lies_beyond(a, b, c) && orientation(a, b, c) == 0);
     }
 
+    /// Removes a corner from the ring only.
     void unlink(std::uint32_t corner) {
         next_[previous_[corner]] = next_[corner];
         previous_[next_[corner]] = previous_[corner];
@@ -184,7 +189,8 @@ private:
     std::uint32_t current_ = 0;
 };
 
-/// Sorted by their lower ends along x, triangles need comparing only while the next one begins before this one ends.
+/// Whether two triangles overlap. The triangles are sorted by their lower end along x, and a triangle is compared only
+/// with triangles that begin before its upper end.
 bool any_overlap(std::span<const Point> points, std::span<const std::uint32_t> corners) {
     std::vector<Triangle> triangles;
     triangles.reserve(corners.size() / 3);

@@ -1,4 +1,5 @@
-// Cuts a polygon into triangles by its ears, with exact decisions, and proves that they cover it once.
+// Cuts a polygon into triangles by ear clipping with exact predicates.
+// The result is proven to cover the polygon exactly once.
 #pragma once
 
 #include <Eigen/Core>
@@ -9,11 +10,11 @@
 
 namespace chasles {
 
-/// Positions within `outline`, three by three, of triangles that turn to the left and cover the polygon exactly once;
-/// nothing if the outline crosses itself or turns to the right.
+/// Triangles that turn left and cover the polygon exactly once: positions in `outline`, three for each triangle. Empty
+/// if the outline crosses itself or turns right.
 ///
-/// The outline may touch itself and may use a side to and fro, as the bridge to a hole does, but must turn back onto
-/// itself at no corner. Where it touches itself nowhere every corner is used: n - 2 triangles.
+/// The outline may touch itself, and it may use a side in both directions as a bridge to a hole. It must not turn back
+/// onto itself at a corner. If the outline does not touch itself, the result has n - 2 triangles and uses every corner.
 [[nodiscard]] std::optional<std::vector<std::uint32_t>> triangulate_polygon(std::span<const Eigen::Vector2d> outline);
 
 } // namespace chasles

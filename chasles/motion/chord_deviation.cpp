@@ -1,3 +1,5 @@
+// Bounds the second derivative of paths; the chord deviation is at most step^2 / 8 times this bound.
+// Source: docs/derivations/14-node-pairs.md, "Chords".
 #include "chasles/motion/chord_deviation.h"
 
 #include "chasles/motion/screw_path.h"
@@ -9,7 +11,7 @@ namespace chasles::motion {
 
 namespace {
 
-/// Some twenty roundings, and as many again.
+/// The relative allowance for about twenty roundings, with a safety factor.
 constexpr double rounding = 1e-14;
 
 } // namespace
@@ -47,7 +49,7 @@ double ChordDeviation::of_fixed(double from, double to) const {
            (1 + rounding);
 }
 
-/// W = 1 + 2 (e1 - 1) tau + |z|^2 tau^2 is least at its vertex or at the end that is next to it.
+/// The least W = 1 + 2 (e1 - 1) tau + |z|^2 tau^2 on [from, to]: at the vertex, or at the end next to the vertex.
 double ChordDeviation::least_weight(double from, double to) const {
     const double vertex = square_ > 0 ? std::clamp(-cosine_rate_ / square_, from, to) : from;
     return 1 + vertex * (2 * cosine_rate_ + square_ * vertex);

@@ -1,4 +1,4 @@
-// How far the paths of points bend away from their chords: what it takes to see a part of a motion as straight.
+// The chord deviation: an upper bound of the distance between the paths of points and their chords.
 // Source: docs/derivations/14-node-pairs.md.
 #pragma once
 
@@ -7,20 +7,22 @@
 
 namespace chasles::motion {
 
-/// A ball around a body, in its own frame.
+/// A ball around a body, in the frame of the body.
 struct Ball {
     Eigen::Vector3d centre;
     double radius = 0;
 };
 
-/// Let a point of the moving ball and one of the fixed ball meet in the part [from, to] of tau. In the frame of the
-/// fixed body the former is then, all along the part, no further than of_moving(from, to) from the point that runs
-/// straight and evenly from where it is at `from` to where it is at `to`; and so is the latter, seen from the moving
-/// body, within of_fixed(from, to). Points that do not meet may be further off, which matters to nobody.
+/// Let a point of the moving ball and a point of the fixed ball touch at some tau in [from, to]. The chord of a point
+/// runs straight and at constant speed between its positions at `from` and at `to`. During the whole part, the moving
+/// point stays within of_moving(from, to) of its chord in the frame of the fixed body. The fixed point stays within
+/// of_fixed(from, to) of its chord in the frame of the moving body. The bounds do not hold for points that do not
+/// touch.
 class ChordDeviation {
 public:
     ChordDeviation(const RationalMotion<algebra::DoubleDouble>& motion, const Ball& moving, const Ball& fixed);
 
+    /// Both in the length unit, for 0 <= from <= to <= 1.
     [[nodiscard]] double of_moving(double from, double to) const;
     [[nodiscard]] double of_fixed(double from, double to) const;
 
@@ -30,8 +32,8 @@ private:
     double cosine_rate_;      ///< e1 - 1
     double square_;           ///< |z|^2 = (e1 - 1)^2 + |a|^2
     double turn_;             ///< |z|
-    double moving_swing_ = 0; ///< |a x y + m| at most, of moving points that meet fixed ones
-    double fixed_swing_ = 0;  ///< the same of fixed points, at any time
+    double moving_swing_ = 0; ///< upper bound of |a x y + m| for moving points that touch fixed points
+    double fixed_swing_ = 0;  ///< upper bound of the same for fixed points, at any time
     double cross_travel_ = 0; ///< |a x d|
 };
 

@@ -92,7 +92,7 @@ double ScrewMotion::tau_rate(double tau) const {
 }
 
 Pose ScrewMotion::pose_at(double time) const {
-    return trajectory().pose_at(time);
+    return trajectory().uncut_pose_at(time);
 }
 
 std::vector<ScrewMotion> ScrewMotion::pieces() const {
@@ -123,6 +123,10 @@ SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const {
 
 const motion::SweepTrajectory& SweepMotion::trajectory() const {
     return typed<SweepTrajectory>(motion_);
+}
+
+ScrewMotion SweepMotion::screw_of_same_poses() const {
+    return ScrewMotion(erased(ScrewTrajectory(trajectory().ends(), ScrewMotion::default_max_turn)));
 }
 
 double SweepMotion::angle() const {

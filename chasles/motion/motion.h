@@ -25,7 +25,8 @@ public:
     static Motion screw(const Pose& start, const Pose& goal, double max_turn = std::numbers::pi / 18);
     static Motion sweep(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
-    /// The pose of the moving body in the world, and that of the fixed body, at a time in [0, 1].
+    /// The pose of the moving body in the world, and that of the fixed body, at a time in [0, 1]. A screw is followed
+    /// piece by piece, as a query does.
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
@@ -75,7 +76,7 @@ public:
     [[nodiscard]] double tau_at(double time) const;  ///< the paper's parameter, [0, 1] -> [0, 1]
     [[nodiscard]] double time_at(double tau) const;  ///< its inverse
     [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at a tau
-    [[nodiscard]] Pose pose_at(double time) const;   ///< of the moving body in the world
+    [[nodiscard]] Pose pose_at(double time) const;   ///< of the moving body in the world, along the uncut screw
 
     /// The screw in equal turns of at most max_turn(), in order. A screw that turns by pi, or by so nearly pi that its
     /// half-angle tangent would exceed 1000, is cut in two whatever max_turn().
@@ -89,6 +90,7 @@ public:
     [[nodiscard]] const motion::ScrewTrajectory& trajectory() const;
 
 private:
+    friend class SweepMotion;
     explicit ScrewMotion(Motion motion) : motion_(std::move(motion)) {}
     Motion motion_;
 };
@@ -111,6 +113,9 @@ public:
     /// The same sweep with another reference point, in the moving body's frame. Throws InvalidInput for a centre that
     /// cannot be used.
     [[nodiscard]] SweepMotion about(const Eigen::Vector3d& centre) const;
+
+    /// The screw between the same poses.
+    [[nodiscard]] ScrewMotion screw_of_same_poses() const;
 
     [[nodiscard]] double angle() const;                 ///< turn in [0, pi], radians
     [[nodiscard]] Eigen::Vector3d displacement() const; ///< of the reference point in the fixed body's frame

@@ -1,3 +1,5 @@
+// Checks the numbers of a pose, scales its quaternion into a safe range, and projects matrices to rotations.
+// Every refusal is an InvalidInput with the reason.
 #include "chasles/motion/pose.h"
 
 #include "chasles/base/invalid_input.h"
@@ -11,14 +13,15 @@ namespace chasles {
 
 namespace {
 
-/// How far R^T R may be from the identity: admits matrices printed with six digits.
+/// The greatest deviation of an entry of R^T R from the identity. It admits matrices printed with six digits.
 constexpr double orthogonality_tolerance = 1e-5;
-/// Below this a matrix is a rotation up to rounding, and projecting it would only add rounding.
+/// A matrix with a smaller deviation is a rotation up to rounding; a projection would only add rounding errors.
 constexpr double rounding_tolerance = 1e-12;
-/// Of the largest number of a quaternion that is used as it is.
+/// A quaternion whose largest magnitude is in this range is used unchanged.
 constexpr double least_size = 1e-3;
 constexpr double largest_size = 1e3;
 
+/// Refuses a translation that is not finite or out of range.
 void require_usable(const Eigen::Vector3d& translation) {
     if (!translation.allFinite())
         throw InvalidInput("pose: translation: a number is NaN or infinite");
@@ -26,7 +29,7 @@ void require_usable(const Eigen::Vector3d& translation) {
         throw InvalidInput("pose: translation: a number is larger than 1e30");
 }
 
-/// Scales by a power of two, which is exact, so that squares of the numbers neither overflow nor underflow.
+/// The quaternion scaled by a power of two, which is exact. Squares of the result neither overflow nor underflow.
 Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
     if (!rotation.coeffs().allFinite())
         throw InvalidInput("pose: quaternion: a number is NaN or infinite");
@@ -42,6 +45,7 @@ Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
     return scaled;
 }
 
+/// The nearest rotation in the Frobenius norm, by a singular value decomposition.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
     const double deviation = (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(deviation <= orthogonality_tolerance)) {
@@ -64,8 +68,9 @@ bool motion::is_ordinary(const Pose& pose) {
     const auto size = [](double a, double b, double c) { return std::abs(a) + std::abs(b) + std::abs(c); };
     const Eigen::Vector3d& t = pose.translation;
     const auto& q = pose.rotation;
-    const double turn = std::abs(q.w()) + size(q.x(), q.y(), q.z()); // its largest number is a quarter of it or more
-    return size(t.x(), t.y(), t.z()) <= Pose::largest_length && turn >= 4 * least_size && turn <= largest_size;
+    const double sum =
+        std::abs(q.w()) + size(q.x(), q.y(), q.z()); // the largest number is at least a quarter of the sum
+    return size(t.x(), t.y(), t.z()) <= Pose::largest_length && sum >= 4 * least_size && sum <= largest_size;
 }
 
 Pose::Pose(const Eigen::Vector3d& translation_, const Eigen::Quaterniond& rotation_)
@@ -86,11 +91,11 @@ Pose Pose::from_matrix(const Eigen::Matrix4d& matrix) {
 
 Eigen::Isometry3d Pose::isometry() const {
     Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
-    // Not by Eigen, whose packets fuse operations where the compiler may.
-    const auto turn = motion::rotation_matrix<double>({rotation.w(), {rotation.x(), rotation.y(), rotation.z()}});
+    // Eigen's conversion is not used: its packet operations may be fused.
+    const auto matrix = motion::rotation_matrix<double>({rotation.w(), {rotation.x(), rotation.y(), rotation.z()}});
     for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
-            result(i, j) = turn.row[i][j];
+            result(i, j) = matrix.row[i][j];
     result.translation() = translation;
     return result;
 }

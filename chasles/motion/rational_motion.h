@@ -1,6 +1,6 @@
-// The family of motions with cubic elementary equations, in any scalar: the paper's screw and the sweep.
-// Legend (design and docs/derivations/02-rational-motion.md): quaternion q(tau) = e(tau) + tau a with
-// e(tau) = 1 + tau (e1 - 1); weight W = |q|^2; moment m, perpendicular to a; displacement d.
+// Rational motions, in any scalar: the paper's screw and the sweep. All their elementary equations are cubic.
+// Legend (docs/derivations/02-rational-motion.md): quaternion q(tau) = e(tau) + tau a with e(tau) = 1 + tau (e1 - 1);
+// weight W = |q|^2; moment m, perpendicular to a; displacement d.
 #pragma once
 
 #include "chasles/algebra/double_double.h"
@@ -38,55 +38,55 @@ Matrix3<S> rotation_matrix(const Quaternion<S>& q) {
     return scale(scaled_rotation_matrix(q), S(S(1) / q.squared_norm()));
 }
 
-/// A vector turned by a quaternion of any non-zero length.
+/// The vector rotated by a quaternion of any non-zero length.
 template <class S>
 [[gnu::always_inline]] inline Vector3<S> rotated(const Quaternion<S>& q, const Vector3<S>& vector) {
     const Vector3<S> across = cross(q.v, vector);
     return vector + scale(scale(across, q.w) + cross(q.v, across), S(S(2) / q.squared_norm()));
 }
 
-/// A pose with the quaternion as given.
+/// A pose with a quaternion of any non-zero length.
 template <class S>
 struct GeneralPose {
     Vector3<S> translation;
     Quaternion<S> rotation;
 };
 
-/// `pose` as seen from `frame`; both are given in one frame.
+/// `pose` relative to `frame`. Both are given in one common frame.
 template <class S>
 GeneralPose<S> seen_from(const GeneralPose<S>& frame, const GeneralPose<S>& pose) {
     const Quaternion<S> back = frame.rotation.conjugate();
     return {rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation};
 }
 
-/// One motion of the family, for units of 1. Body points b start at y = `orientation` * b, relative to `origin`; at tau
-/// they are at origin + (W y + 2 tau e (a x y + m) + 2 tau^2 a x (a x y + m)) / W + tau d. Other units save exact
-/// scalars every division: e1 and a are multiples of 1 / turn_unit, origin and d of 1 / length_unit, m of 1 /
-/// (turn_unit length_unit) and the orientation of 1 / orientation_unit.
+/// One rational motion. If all units are 1, a body point b starts at y = `orientation` * b relative to `origin`. At tau
+/// it is at origin + (W y + 2 tau e (a x y + m) + 2 tau^2 a x (a x y + m)) / W + tau d. Other units let exact scalars
+/// avoid division: e1 and a are then multiples of 1 / turn_unit, origin and d of 1 / length_unit, m of 1 / (turn_unit
+/// length_unit), and the orientation of 1 / orientation_unit.
 template <class S>
 struct RationalMotion {
     S end_cosine{};          ///< e1
-    Vector3<S> axis;         ///< a; half-angle tangent times the axis direction for a screw
+    Vector3<S> axis;         ///< a; for a screw the half-angle tangent times the axis direction
     Vector3<S> moment;       ///< m, a length
     Vector3<S> displacement; ///< d, a length
-    Vector3<S> origin;       ///< start position of the body's origin, in the frame of the fixed body
+    Vector3<S> origin;       ///< position of the body's origin at the start, in the frame of the fixed body
     Matrix3<S> orientation;  ///< at the start
-    double reference_extent =
-        0; ///< 1-norm of a sweep's reference point in the body's frame, in the length unit; 0 for a screw
+    /// 1-norm of a sweep's reference point in the body's frame, in the length unit; 0 for a screw.
+    double reference_extent = 0;
     S turn_unit = S(1);
     S length_unit = S(1);
     S orientation_unit = S(1);
 };
 
-/// The rotation from one pose's frame to the other's, with non-negative scalar part.
+/// The rotation from the start orientation to the goal orientation, with non-negative scalar part.
 template <class S>
 Quaternion<S> turn_between(const GeneralPose<S>& start, const GeneralPose<S>& goal) {
     const Quaternion<S> turn = goal.rotation * start.rotation.conjugate();
     return turn.w < S(0) ? Quaternion<S>{S(S(0) - turn.w), Vector3<S>() - turn.v} : turn;
 }
 
-/// The screw between two poses, which must not be a half turn apart. Exact where S is: no root is taken.
-/// Source: docs/derivations/01-screw-from-two-poses.md.
+/// The screw between two poses, which must not be a half turn apart. The result is exact if S is exact: the formulas
+/// need no square root. Source: docs/derivations/01-screw-from-two-poses.md.
 template <class S>
 RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S>& goal) {
     const Quaternion<S> turn = turn_between(start, goal);
@@ -100,8 +100,7 @@ RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S
     return {S(1), axis, moment, along, start.translation, rotation_matrix(start.rotation)};
 }
 
-/// The sweep about the point that is at `reference` = orientation * centre, relative to the body's origin, at the
-/// start. `unit_turn` is the turn with length one.
+/// The sweep about the body point `centre`. `unit_turn` is the rotation from start to goal as a unit quaternion.
 template <class S>
 RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S>& goal, const Quaternion<S>& unit_turn,
                                 const Vector3<S>& centre) {
@@ -113,7 +112,7 @@ RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S
             start.translation, orientation, static_cast<double>(norm1(centre))};
 }
 
-/// A motion with every number rounded to double precision.
+/// The motion with every number rounded to double.
 inline RationalMotion<double> rounded(const RationalMotion<algebra::DoubleDouble>& motion) {
     const auto vector = [](const Vector3<algebra::DoubleDouble>& v) {
         return Vector3<double>{double(v.x), double(v.y), double(v.z)};

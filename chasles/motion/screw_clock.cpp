@@ -1,3 +1,5 @@
+// Converts between time and tau by tangents of half angles. Both ends are exact.
+// Source: docs/derivations/01-screw-from-two-poses.md.
 #include "chasles/motion/screw_clock.h"
 
 #include <cmath>
@@ -7,23 +9,23 @@ namespace chasles::motion {
 
 namespace {
 
-/// The half-angle tangent of a longer turn exceeds 1000, and the error bounds grow with it.
+/// In radians. The half-angle tangent of a longer turn exceeds 1000, and the error bounds grow with the tangent.
 constexpr double largest_turn = std::numbers::pi - 2e-3;
-/// Turns that exceed a whole number of pieces by this part, which is rounding, get no further piece.
+/// A turn that exceeds a whole number of pieces by at most this fraction, which is rounding, gets no additional piece.
 constexpr double turn_slack = 1e-9;
-/// Below this turn, tau and time differ by less than half an ulp (their ratio is 1 + O(angle^2)).
+/// Below this angle in radians, tau and time differ by less than half an ulp: their ratio is 1 + O(angle^2).
 constexpr double uniform_turn = 1e-9;
 
 } // namespace
 
 double ScrewClock::tau_at(double time) const {
-    if (time <= 0 || time >= 1) // the ends to the last bit
+    if (time <= 0 || time >= 1) // both ends are exact
         return time <= 0 ? 0 : 1;
     return turn_.angle < uniform_turn ? time : std::tan(turn_.angle / 2 * time) / turn_.half_tangent;
 }
 
 double ScrewClock::time_at(double tau) const {
-    const double tangent = turn_.half_tangent; // itself to the last bit: the arc tangents then lose none
+    const double tangent = turn_.half_tangent; // the same bits in both arc tangents: tau = 1 gives time 1
     return turn_.angle < uniform_turn ? tau : std::atan(tau * tangent) / std::atan(tangent);
 }
 

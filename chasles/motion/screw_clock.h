@@ -1,4 +1,5 @@
-// The paper's parameter of a screw, and time. Source: docs/derivations/01-screw-from-two-poses.md.
+// The relation between the paper's parameter tau of a screw and time, for one pair of poses.
+// Source: docs/derivations/01-screw-from-two-poses.md.
 #pragma once
 
 #include "chasles/motion/screw_path.h"
@@ -7,21 +8,22 @@
 
 namespace chasles::motion {
 
-/// tau(time) = tan(angle * time / 2) / tan(angle / 2); the same as time for a translation.
+/// tau(time) = tan(angle * time / 2) / tan(angle / 2). For a translation tau equals time.
 class ScrewClock {
 public:
     using Scalar = algebra::DoubleDouble;
     ScrewClock(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal) : turn_(turn_angle(start, goal)) {}
 
-    [[nodiscard]] double angle() const { return turn_.angle; } ///< in [0, pi]
+    [[nodiscard]] double angle() const { return turn_.angle; } ///< in radians, in [0, pi]
 
     [[nodiscard]] double tau_at(double time) const;  ///< [0, 1] -> [0, 1]
-    [[nodiscard]] double time_at(double tau) const;  ///< its inverse
-    [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at a tau
+    [[nodiscard]] double time_at(double tau) const;  ///< the inverse of tau_at
+    [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at this tau
 
-    /// Equal turns of at most `max_turn` radians, none of them too near to a half turn for its half-angle tangent.
+    /// The number of equal pieces with a rotation of at most `max_turn` radians each. Every piece also stays far enough
+    /// below a half turn for a half-angle tangent of at most 1000.
     [[nodiscard]] std::size_t piece_count(double max_turn) const;
-    /// Whether the screw may be left whole, up to rounding.
+    /// Whether one piece suffices without a limit by `max_turn`, up to rounding.
     [[nodiscard]] bool is_short() const;
 
 private:

@@ -1,3 +1,5 @@
+// Decomposes a screw into its rotation and its displacement along and across the axis, in double-double.
+// Source: docs/derivations/01-screw-from-two-poses.md.
 #include "chasles/motion/screw_path.h"
 
 #include "chasles/motion/unit_quaternion.h"
@@ -11,6 +13,7 @@ namespace {
 using Scalar = algebra::DoubleDouble;
 using Vector = Vector3<Scalar>;
 
+/// The quaternion of unit length, in double-double.
 Quaternion<Scalar> normalized(const Quaternion<Scalar>& q) {
     const Scalar inverse = Scalar(1.0) / sqrt(q.squared_norm());
     return {q.w * inverse, scale(q.v, inverse)};
@@ -23,6 +26,7 @@ Pose rounded(const GeneralPose<Scalar>& pose) {
     return Pose(rounded(pose.translation), Eigen::Quaterniond(q.w.high(), q.v.x.high(), q.v.y.high(), q.v.z.high()));
 }
 
+/// Tries the fast normalization first. Both ways return the same bits.
 Pose normalized(const Pose& pose) {
     FourNumbers numbers;
     for (int i = 0; i < 4; ++i)
@@ -40,12 +44,14 @@ GeneralPose<Scalar> composed(const GeneralPose<Scalar>& outer, const GeneralPose
     return {rotation_matrix(outer.rotation) * inner.translation + outer.translation, outer.rotation * inner.rotation};
 }
 
+/// The arc tangent of sine and cosine is accurate for all angles, also next to 0 and to a half turn.
 TurnAngle turn_angle(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal) {
     const Quaternion<Scalar> turn = turn_between(start, goal);
     const Scalar sine = length(turn.v);
     return {2 * std::atan2(sine.high(), turn.w.high()), (sine / turn.w).high()};
 }
 
+/// For a pure translation the direction is the direction of the displacement.
 ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal)
     : start_(start), turn_(normalized(turn_between(start, goal))), half_sine_(length(turn_.v)) {
     const Vector shift = goal.translation - start.translation;
@@ -64,8 +70,8 @@ Pose ScrewPath::at(const ScrewProgress& progress) const {
     const Scalar sine(std::sin(half));
     const Scalar cosine(std::cos(half));
     const Quaternion<Scalar> turn{cosine, scale(direction_, sine)};
-    // With k the direction, w and v the whole and the partial half angle: the origin swings by
-    // sin v (sin v, cos v) over (across, k x across) turned by cot w; docs/derivations/01, last section.
+    // The swing of the body's origin, with k the direction and w and v the whole and the partial half angle:
+    // sin v ((cos v cot w + sin v) across + (sin v cot w - cos v) k x across); docs/derivations/01, last section.
     Vector swing;
     if (half_sine_.high() > 0) {
         const Scalar cotangent = turn_.w / half_sine_;
@@ -86,7 +92,7 @@ ScrewNumbers ScrewPath::numbers() const {
     numbers.axis_direction = rounded(direction_);
     if (numbers.axis_direction.isZero())
         numbers.axis_direction = Eigen::Vector3d::UnitZ();
-    Vector centre; // of the swing, relative to the body's origin: (across + k x across cot w) / 2
+    Vector centre; // of the rotation, relative to the body's origin: (across + k x across cot w) / 2
     if (half_sine_.high() > 0) {
         const Scalar cotangent = turn_.w / half_sine_;
         centre = scale(across_ + scale(cross(direction_, across_), cotangent), Scalar(0.5));

@@ -74,6 +74,15 @@ PathBall ScrewTrajectory::ball_around_path(const Vector3<double>& point) const {
 }
 
 Pose ScrewTrajectory::pose_at(double time) const {
+    if (time <= 0 || time >= 1)
+        return ends_.pose_at_end(time);
+    const ScrewPieces pieces(ends_, max_turn_);
+    const double place = time * double(pieces.size());
+    const std::size_t index = std::min(static_cast<std::size_t>(place), pieces.size() - 1);
+    return pieces[index].pose_at_time(place - double(index));
+}
+
+Pose ScrewTrajectory::uncut_pose_at(double time) const {
     return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ScrewPiece(ends_).pose_at_time(time);
 }
 

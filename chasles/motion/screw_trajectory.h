@@ -68,7 +68,9 @@ public:
 
     [[nodiscard]] ScrewPieces pieces() const { return {ends_, max_turn_}; }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
+    /// Along the pieces.
     [[nodiscard]] Pose pose_at(double time) const;
+    [[nodiscard]] Pose uncut_pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const { return ends_.fixed_pose_at(time); }
 
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }

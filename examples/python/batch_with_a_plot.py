@@ -1,7 +1,7 @@
 # %% [markdown]
-# # A batch, and a picture of it
-# A parcel is sent through a gap between two walls again and again, a little turned each time. When does it touch?
-# Run with a file name to save the picture.
+# # A batch and a plot
+# A parcel moves through a gap between two walls, with a different offset and turn each time. When does it first touch?
+# Pass a file name to save the plot.
 
 # %%
 import sys
@@ -21,7 +21,7 @@ walls = chasles.Polyhedron(
 
 # %% [markdown]
 # ## Ten thousand motions
-# Straight through the gap, off its middle by some distance, and turned about z by some angle on the way.
+# Each motion goes straight through the gap, at an offset from its middle, and turns about z by an angle.
 
 # %%
 COUNT = 10_000
@@ -37,7 +37,7 @@ print(f"{touched.sum()} of {COUNT} touch; first contacts from {first:.3f} to {la
 assert touched.any() and not touched.all() and table["certain"].all()
 
 # %% [markdown]
-# ## The picture
+# ## The plot
 
 # %%
 import matplotlib
@@ -49,7 +49,7 @@ figure, (left, right) = plt.subplots(1, 2, figsize=(10, 4), layout="constrained"
 left.scatter(offsets[~touched], turns[~touched], s=2, color="lightgrey", label="clear")
 points = left.scatter(offsets[touched], turns[touched], s=2, c=table["time"][touched])
 figure.colorbar(points, ax=left, label="time of the first contact")
-left.set(xlabel="off the middle", ylabel="turn on the way, rad")
+left.set(xlabel="offset from the middle", ylabel="turn, rad")
 left.legend(loc="upper right")
 right.hist(table["time"][touched], bins=60)
 right.set(xlabel="time of the first contact", ylabel="motions")

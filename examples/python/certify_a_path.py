@@ -1,7 +1,7 @@
 # %% [markdown]
 # # Certify a path of poses
-# A planner hands over poses. Between them the robot moves; if it moves by screws, "clear" is a proof for the whole
-# path, not for samples of it.
+# A planner returns poses, and the robot moves between them. If the robot moves by screws, the verdict "clear" is a proof
+# for the whole path, not only for samples.
 
 # %%
 import numpy as np
@@ -15,7 +15,7 @@ pillar = chasles.Polyhedron((vertices - 0.5) * [1, 1, 8], faces)
 
 # %% [markdown]
 # ## A path around the pillar
-# Poses are x y z qw qx qy qz; here the parcel is carried around a circle without being turned.
+# Poses are x y z qw qx qy qz. Here the parcel moves on a circle without rotation.
 
 
 # %%
@@ -31,8 +31,8 @@ print(wide)
 assert wide.verdict == chasles.Verdict.clear
 
 # %% [markdown]
-# ## Where a tight path fails
-# Each pose of the next path is free of collisions. The way from one to another is not.
+# ## A tight path fails
+# Each pose of the next path is free of collisions. The motion between two of these poses is not.
 
 # %%
 tight = around(1.5, 4)
@@ -46,8 +46,9 @@ for contact in found.contacts:
     print("  ", contact)
 
 # %% [markdown]
-# ## What the contacts leave free
-# One row a contact; `rows @ (v, w) >= 0` are the velocities that do not close a gap. Along the motion they close.
+# ## The velocities that the contacts allow
+# There is one row per contact. `rows @ (v, w) >= 0` are the velocities that close no gap. The motion itself closes all
+# gaps.
 
 # %%
 rows = chasles.constraint_rows(found.contacts)

@@ -1,7 +1,7 @@
 # %% [markdown]
 # # A nut on a bolt
-# A thread is a screw, and so is the motion between two poses: the nut comes off if it turns and slides together by the
-# pitch, and not otherwise. The bodies are made here, as stacks of rings; with `chasles.load` they could be files.
+# A thread is a screw, and the motion between two poses is a screw too. The nut comes off only if it slides by one pitch
+# per turn. This example generates the bodies; `chasles.load` reads bodies from files.
 
 # %%
 import math
@@ -38,7 +38,7 @@ print(bolt, nut)
 
 # %% [markdown]
 # ## The right screw
-# Twelve poses a turn: a screw between two poses turns by less than half a turn.
+# A screw between two poses turns by less than half a turn. The path therefore has twelve poses per turn.
 
 
 # %%
@@ -61,7 +61,7 @@ assert right.verdict == chasles.Verdict.clear
 
 # %% [markdown]
 # ## The wrong pitch, and a straight pull
-# Both jam, after the play between the flanks is used up.
+# Both motions jam once the play between the flanks is used up.
 
 # %%
 wrong = unscrew(1.1 * PITCH)

@@ -1,4 +1,4 @@
-"""When do two moving polyhedra first touch, where, and how? Answered exactly.
+"""Exact continuous collision detection of rigid polyhedra: when, where and how two moving bodies first touch.
 
     import chasles
 
@@ -64,14 +64,14 @@ __all__ = [
     "view",
 ]
 
-for _name in __all__:  # the module that users know
+for _name in __all__:  # names of the public module, not of chasles._core
     if getattr(globals()[_name], "__module__", "") == "chasles._core" and isinstance(globals()[_name], type):
         globals()[_name].__module__ = "chasles"
 
 
 def _plot(found: FirstContact, *arguments: Any, **options: Any) -> Any:
-    """A picture of the answer with matplotlib: see `chasles.plot.plot`."""
-    from .plot import plot  # matplotlib and what it brings are no dependency
+    """Draw the answer with matplotlib: see `chasles.plot.plot`."""
+    from .plot import plot  # imported here, because matplotlib is an optional dependency
 
     return plot(found, *arguments, **options)
 

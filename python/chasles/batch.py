@@ -1,4 +1,4 @@
-"""Many motions, or many paths, of one pair of bodies, on all cores."""
+"""Batches: many motions or many paths of one pair of bodies, on all cores."""
 
 import math
 from collections.abc import Callable, Iterator, Sequence
@@ -20,18 +20,18 @@ Errors = Literal["raise", "mark"]
 
 
 class BatchInterrupted(KeyboardInterrupt):
-    """Ctrl-C in a batch. Nothing is lost: ``table`` has the rows that were answered, the others say "not_done".
+    """Ctrl-C interrupted a batch. ``table`` has all finished rows; the verdict of an unfinished row is "not_done".
 
-    In a session ``sys.last_value.table`` is the same; hand it back to the batch as ``table=`` to go on.
+    To continue, pass this table to the batch as ``table=``. In an interactive session it is ``sys.last_value.table``.
     """
 
     def __init__(self, table: Table):
         done = int(np.count_nonzero(table["verdict"] != NOT_DONE))
-        super().__init__(f"{done} of {len(table)} rows are answered; go on with table=error.table")
+        super().__init__(f"{done} of {len(table)} rows are answered; continue with table=error.table")
         self.table = table
 
     def __reduce__(self) -> tuple[type, tuple[Table]]:
-        return type(self), (self.table,)  # to get out of a pool's process
+        return type(self), (self.table,)  # so that a process pool can pickle the exception
 
 
 def first_contact_batch(
@@ -52,26 +52,26 @@ def first_contact_batch(
 ) -> Table:
     """The first contact of many motions of one pair of bodies.
 
-    Each motion is the screw from its start to its goal. The GIL is released while they are answered, and the answers
-    are the same for any number of threads.
+    Each motion is the screw from its start to its goal. The batch runs without the GIL (Python's global interpreter
+    lock). The answers do not depend on the number of threads.
 
     Parameters
     ----------
     moving, fixed : Polyhedron
     starts, goals : array (n, 4, 4) or (n, 7)
-        Poses of the moving body in the frame of the fixed one, as `first_contact` takes them.
+        Poses of the moving body in the frame of the fixed body, in the form that `first_contact` takes.
     margin, hold, time_tolerance, max_turn, find
-        As for `first_contact`, but for `find`: a row has room for one contact.
+        As for `first_contact`. The default of `find` is "first", because a row holds one contact.
     threads : int
-        At most so many; 0 for all cores.
+        The maximal number of threads; 0 for all cores.
     errors : "raise" or "mark"
-        What a pose does that cannot be used: raise InvalidInput that names it before anything is answered, or make
-        the verdict of its row "error".
+        How to treat an invalid pose: "raise" raises InvalidInput with its index before any motion is answered, "mark"
+        sets the verdict of its row to "error".
     progress : bool
-        Show a bar; needs tqdm.
+        Show a progress bar; requires tqdm.
     table : structured array, optional
-        The table of a batch that was interrupted: rows that are not "not_done" are left alone, the others are answered
-        in place.
+        The table of an interrupted batch. Rows with the verdict "not_done" are answered in place; other rows stay
+        unchanged.
 
     Returns
     -------
@@ -81,16 +81,16 @@ def first_contact_batch(
     Raises
     ------
     InvalidInput
-        A ValueError that says what, where and why.
+        A ValueError. Its message names the input, the place and the reason.
     BatchInterrupted
-        A KeyboardInterrupt that carries the answers so far. It comes within a tenth of a second and the time of the
-        longest query.
+        A KeyboardInterrupt with the finished rows. After Ctrl-C it is raised within 0.1 seconds plus the time of the
+        longest running query.
     """
     starts, goals = _array(starts, "starts"), _array(goals, "goals")
     table = _table_for(table, len(starts) if starts.ndim else 0, motion_dtype)
-    ask = partial(_core._first_contact_batch, moving, fixed, starts, goals, table, hold=hold)
+    answer_rows = partial(_core._first_contact_batch, moving, fixed, starts, goals, table, hold=hold)
     options = {"margin": margin, "time_tolerance": time_tolerance, "max_turn": max_turn, "find": find}
-    return _run(ask, table, options, threads, errors, progress, "motions")
+    return _run(answer_rows, table, options, threads, errors, progress, "motions")
 
 
 def path_is_clear_batch(
@@ -107,16 +107,16 @@ def path_is_clear_batch(
     progress: bool = False,
     table: Table | None = None,
 ) -> Table:
-    """Which of many paths are clear: no contact on any of their segments.
+    """Which paths are clear, that is, have no contact on any segment.
 
-    Each segment between two poses is one screw. With `find` "any", the default, the answer is yes or no, and the time of
-    a contact is that of some contact of its segment; ask with "first" for the first contact of each path.
+    Each segment between two poses is one screw. With the default `find` "any" the answer is yes or no, and the time of
+    a contact is the time of any contact on its segment. With `find` "first" it is the first contact of the path.
 
     Parameters
     ----------
     moving, fixed : Polyhedron
     paths : array (p, n, 4, 4) or (p, n, 7), or a sequence of p arrays (n, 4, 4) or (n, 7)
-        Poses of the moving body in the frame of the fixed one; at least two a path.
+        Poses of the moving body in the frame of the fixed body. Each path has at least two poses.
     margin, time_tolerance, max_turn, find
         As for `first_contact_on_path`.
     threads, errors, progress, table
@@ -125,17 +125,17 @@ def path_is_clear_batch(
     Returns
     -------
     structured array of p rows
-        With the columns of `chasles.table`; `table["verdict"] == "clear"` are the paths that are proven clear.
+        With the columns of `chasles.table`. `table["verdict"] == "clear"` selects the paths that are proven clear.
     """
     poses, offsets = _joined(paths)
     table = _table_for(table, len(offsets) - 1, path_dtype)
-    ask = partial(_core._path_is_clear_batch, moving, fixed, poses, offsets, table)
+    answer_rows = partial(_core._path_is_clear_batch, moving, fixed, poses, offsets, table)
     options = {"margin": margin, "time_tolerance": time_tolerance, "max_turn": max_turn, "find": find}
-    return _run(ask, table, options, threads, errors, progress, "paths")
+    return _run(answer_rows, table, options, threads, errors, progress, "paths")
 
 
 def _run(
-    ask: Callable[..., None],
+    answer_rows: Callable[..., None],
     table: Table,
     options: dict[str, Any],
     threads: int,
@@ -147,7 +147,7 @@ def _run(
     with _bar(progress, len(table), unit) as bar:
         report = None if bar is None else lambda done: bar.update(done - bar.n)
         try:
-            ask(**options, report=report)
+            answer_rows(**options, report=report)
         except KeyboardInterrupt:
             raise BatchInterrupted(table) from None
     return table
@@ -169,10 +169,10 @@ def _marks(errors: Errors) -> bool:
 
 def _thread_count(threads: int) -> int:
     if not isinstance(threads, SupportsIndex):
-        raise TypeError(f"threads: {threads!r} is no whole number")
+        raise TypeError(f"threads: {threads!r} is not a whole number")
     if index(threads) < 0:
-        raise InvalidInput(f"threads: {threads} is negative; 0 is for all cores")
-    return min(index(threads), 1 << 16)  # no machine has more
+        raise InvalidInput(f"threads: {threads} is negative; 0 means all cores")
+    return min(index(threads), 1 << 16)  # more threads than any machine has
 
 
 def _array(argument: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
@@ -186,7 +186,7 @@ def _table_for(table: Table | None, rows: int, dtype: np.dtype) -> Table:
     if table is None:
         return empty_table(rows, dtype)
     if not isinstance(table, np.ndarray) or table.dtype != dtype or table.shape != (rows,):
-        raise InvalidInput(f"table: must be one of {rows} rows that an earlier batch of the same kind left")
+        raise InvalidInput(f"table: must have {rows} rows and come from an earlier batch of the same function")
     return table
 
 
@@ -198,7 +198,7 @@ def _each(paths: Any) -> Iterator[Any]:
 
 
 def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray[Any], npt.NDArray[np.int64]]:
-    """All poses behind one another, and where each path begins and the last one ends."""
+    """The poses of all paths in one array, and the index of each path's first pose, followed by the total number."""
     if isinstance(paths, np.ndarray) and paths.dtype != object and paths.ndim > 0:
         return _joined_alike(paths)
     arrays = [_array(path, f"paths[{i}]") for i, path in enumerate(_each(paths))]
@@ -208,7 +208,7 @@ def _joined(paths: npt.ArrayLike | Sequence[npt.ArrayLike]) -> tuple[npt.NDArray
         _check_path(path, i)
         if path.shape[1:] != arrays[0].shape[1:]:
             raise InvalidInput(
-                f"paths[{i}]: poses are of shape {path.shape[1:]}, those before of {arrays[0].shape[1:]}"
+                f"paths[{i}]: its poses have the shape {path.shape[1:]}, but the first path has {arrays[0].shape[1:]}"
             )
     return np.concatenate(arrays), np.cumsum([0, *map(len, arrays)], dtype=np.int64)
 

@@ -1,7 +1,7 @@
-"""Batches beyond one machine: motions from Parquet files, results to Parquet files, over a Dask cluster.
+"""Batches on a Dask cluster: motions from Parquet files, results to Parquet files.
 
-Needs pyarrow, and Dask for a cluster: ``pip install "chasles[distributed]"``. Workers read the motions and write the
-results themselves, so both have to be on a file system that all of them see.
+This module requires pyarrow, and Dask for a cluster: ``pip install "chasles[distributed]"``. The workers read the
+motions and write the results. Both must therefore be on a file system that all workers share.
 """
 
 import json
@@ -24,15 +24,15 @@ from .partitions import Partition, answer_partition, manifest_of, motion_files, 
 
 @dataclass(frozen=True)
 class ParquetRun:
-    """What first_contact_parquet did."""
+    """The outcome of first_contact_parquet."""
 
     out: pathlib.Path
-    partitions: int  #: of the motions
-    already_done: int  #: by earlier runs
-    rows: int  #: motions in all partitions
+    partitions: int  #: number of partitions of the motions
+    already_done: int  #: number of partitions that earlier runs finished
+    rows: int  #: number of motions in all partitions
 
     def verdicts(self) -> dict[str, int]:
-        """How many motions have which verdict; reads that column of the results."""
+        """The number of motions for each verdict. Reads the column "verdict" of the results."""
         counts: Counter[str] = Counter()
         for file in sorted(self.out.glob("part-*.parquet")):
             column = pq.read_table(file, columns=["verdict"])["verdict"]
@@ -59,31 +59,33 @@ def first_contact_parquet(
 ) -> ParquetRun:
     """The first contact of many motions of one pair of bodies, from Parquet to Parquet.
 
-    Each row group of the motions is a partition, answered as by `first_contact_batch` with ``errors="mark"`` and
-    written to a file of its own in `out`. Partitions that are there from an earlier run are not done again, so that a run that
-    was interrupted, or lost its cluster, goes on where it was; results of another question are refused. A worker that
-    is killed loses at most the partitions that it was at, which other workers do again.
+    Each row group of the motions is a partition. `first_contact_batch` answers it with ``errors="mark"``, and its
+    results become one file in `out`. A run skips the partitions that an earlier run finished, so it resumes a run that
+    was interrupted or lost its cluster. A folder with results for other bodies, motions or options is refused. If a
+    worker is killed, other workers repeat the partitions that it was working on.
 
     Parameters
     ----------
     moving, fixed : Polyhedron
     motions : file or folder
-        Parquet with the columns x0 y0 z0 qw0 qx0 qy0 qz0 x1 y1 z1 qw1 qx1 qy1 qz1, start and goal, and perhaps id.
+        Parquet with the columns x0 y0 z0 qw0 qx0 qy0 qz0 (the start), x1 y1 z1 qw1 qx1 qy1 qz1 (the goal), and
+        optionally id.
     out : folder
-        Where the results go: the columns of `chasles.table`, with null for what an answer does not have. The id is that
-        of the motion, or else the number of its row. ``pyarrow.dataset.dataset(out)`` reads them in the order of the
-        motions.
+        The folder for the results. They have the columns of `chasles.table`; a missing value is null. The id is the
+        motion's id if the motions have one, otherwise the number of the row. ``pyarrow.dataset.dataset(out)`` reads the
+        results in the order of the motions.
     client : dask.distributed.Client, optional
-        The cluster; without one, this process does all.
+        The cluster. Without a client, this process answers all partitions.
     margin, hold, time_tolerance, max_turn, find
         As for `first_contact_batch`.
     threads : int, optional
-        For one partition. By default 1 on a cluster, whose workers have threads of their own, else all cores.
+        Threads per partition. The default is 1 on a cluster, because its workers have several threads, otherwise all
+        cores.
     retries : int
-        How often a partition that fails is tried again on a cluster. (A partition whose worker was killed is done again
-        in any case, unless it takes more workers down than Dask allows.)
+        How often a cluster retries a partition that fails. (Dask also repeats a partition whose worker was killed, up
+        to Dask's own limit.)
     progress : bool
-        Show a bar; needs tqdm.
+        Show a progress bar; requires tqdm.
     """
     options = {
         "margin": margin,
@@ -102,35 +104,35 @@ def first_contact_parquet(
     digest = json.dumps(manifest)
     with _bar(progress, sum(partition.rows for partition in waiting)) as bar:
         if client is None:
-            done = _here(waiting, (folder, digest, options, threads or 0))
+            done = _in_this_process(waiting, (folder, digest, options, threads or 0))
         else:
             done = _on_cluster(client, waiting, (folder, digest, options, threads or 1), retries)
         for rows in done:
             if bar is not None:
                 bar.update(rows)
-    for unfinished in folder.glob(".part-*"):  # of workers that were killed
+    for unfinished in folder.glob(".part-*"):  # left by workers that were killed
         unfinished.unlink(missing_ok=True)
     return ParquetRun(folder, len(partitions), len(partitions) - len(waiting), sum(p.rows for p in partitions))
 
 
 def _check(moving: Polyhedron, fixed: Polyhedron, options: dict[str, Any]) -> None:
-    """Options out of their range are refused here, not by every worker."""
+    """Refuses invalid options before any worker starts, by one query with them."""
     for body in (moving, fixed):
         if not isinstance(body, Polyhedron):
-            raise TypeError(f"a {type(body).__name__} is no chasles.Polyhedron")
-    nowhere = [1e20, 0, 0, 1, 0, 0, 0]
-    first_contact(moving, fixed, nowhere, nowhere, **options)
+            raise TypeError(f"a {type(body).__name__} is not a chasles.Polyhedron")
+    far_away = [1e20, 0, 0, 1, 0, 0, 0]
+    first_contact(moving, fixed, far_away, far_away, **options)
 
 
-def _here(partitions: list[Partition], how: tuple[Any, ...]) -> Iterator[int]:
+def _in_this_process(partitions: list[Partition], arguments: tuple[Any, ...]) -> Iterator[int]:
     for partition in partitions:
-        yield answer_partition(partition, *how)
+        yield answer_partition(partition, *arguments)
 
 
-def _on_cluster(client: Any, partitions: list[Partition], how: tuple[Any, ...], retries: int) -> Iterator[int]:
+def _on_cluster(client: Any, partitions: list[Partition], arguments: tuple[Any, ...], retries: int) -> Iterator[int]:
     from dask.distributed import as_completed
 
-    folder, digest, options, threads = how
+    folder, digest, options, threads = arguments
     futures = client.map(
         answer_partition,
         partitions,
@@ -144,9 +146,9 @@ def _on_cluster(client: Any, partitions: list[Partition], how: tuple[Any, ...], 
     try:
         for future in as_completed(futures):
             yield future.result()
-            future.release()  # the cluster need not remember that it is done: the file does
+            future.release()  # frees memory of the cluster; the file records that the partition is done
     finally:
-        client.cancel(futures)  # nothing to cancel once all are done
+        client.cancel(futures)  # has no effect if all futures are done
 
 
 def _bar(progress: bool, rows: int) -> AbstractContextManager[Any]:

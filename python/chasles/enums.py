@@ -1,4 +1,4 @@
-"""Words that answers and questions are made of. Members are strings: ``found.verdict == "clear"`` holds as well."""
+"""Enumerations of queries and answers. Their members are strings: ``found.verdict == "clear"`` works."""
 
 from enum import Enum
 
@@ -9,7 +9,7 @@ class _Word(str, Enum):
 
 
 class Verdict(_Word):
-    """What is proven. It has no truth value: "could not tell" must not be mistaken for "clear"."""
+    """The proven result. A verdict has no truth value, so that no verdict can be mistaken for "clear"."""
 
     clear = "clear"  #: no contact on [0, 1]
     contact = "contact"  #: first contact inside the bracket of time, none before its lower end
@@ -20,18 +20,18 @@ class Verdict(_Word):
 
 
 class Find(_Word):
-    """Where a query may stop."""
+    """The answer that a query has to find."""
 
     first = "first"  #: the first contact and one feature pair at it
-    any = "any"  #: yes or no: stops at the first contact that it meets, which need not be the earliest
+    any = "any"  #: yes or no: the query stops at any contact, which need not be the earliest
     first_with_all_contacts = "first_with_all_contacts"  #: and every feature pair in contact within the bracket
 
 
 class ContactKind(_Word):
-    """First named feature: of the moving body. Second: of the fixed body.
+    """The two features in contact. The first belongs to the moving body, the second to the fixed body.
 
-    The last three are met at the rims of faces and at the ends of edges: there the normal is one of many that the
-    features allow.
+    The last three kinds occur at the rims of faces and at the ends of edges. The features then allow many normals, and
+    the contact has one of them.
     """
 
     vertex_face = "vertex_face"

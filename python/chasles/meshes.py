@@ -8,9 +8,9 @@ from ._core import InvalidInput, Polyhedron
 def from_trimesh(
     mesh: Any, *, triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0
 ) -> Polyhedron:
-    """A polyhedron from a ``trimesh.Trimesh``, with the ids of its vertices and faces.
+    """A polyhedron from a ``trimesh.Trimesh``. It keeps the ids of the vertices and faces.
 
-    Scenes and other geometry are refused; ``scene.to_mesh()`` makes a Trimesh of a scene.
+    Scenes and other geometry raise InvalidInput; ``scene.to_mesh()`` converts a scene to a Trimesh.
     """
     vertices, faces = getattr(mesh, "vertices", None), getattr(mesh, "faces", None)
     if vertices is None or faces is None:

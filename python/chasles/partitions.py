@@ -1,7 +1,7 @@
-"""Motions in Parquet files, partition by partition: what is to be done, and one partition of it.
+"""Motions in Parquet files: the list of partitions, and the answers of one partition.
 
-A partition is a row group of a file. Its results become one file, written under another name first and then renamed, so
-that a file that is there is complete; whatever happens, the others are done again or still to do.
+A partition is a row group of a file. Its results become one file, which is written under a temporary name and then
+renamed. A file of results is therefore always complete, and a partition without such a file has yet to be answered.
 """
 
 import functools
@@ -25,13 +25,13 @@ from .batch import first_contact_batch
 _POSE = ("x", "y", "z", "qw", "qx", "qy", "qz")
 START_COLUMNS = [name + "0" for name in _POSE]
 GOAL_COLUMNS = [name + "1" for name in _POSE]
-MANIFEST = "_manifest.json"  # readers of data sets leave out names that begin with an underscore
+MANIFEST = "_manifest.json"  # readers of data sets ignore names that begin with an underscore
 BODIES = "_bodies.pickle"
 
 
 @dataclass(frozen=True)
 class Partition:
-    """The rows of one row group."""
+    """One row group of one file."""
 
     index: int
     file: str
@@ -45,7 +45,7 @@ class Partition:
 
 
 def motion_files(motions: str | os.PathLike[str]) -> list[pathlib.Path]:
-    """The file itself, or the Parquet files of a folder, by name."""
+    """The file, or the Parquet files of a folder, sorted by name."""
     path = pathlib.Path(motions).resolve()
     if path.is_file():
         return [path]
@@ -56,7 +56,7 @@ def motion_files(motions: str | os.PathLike[str]) -> list[pathlib.Path]:
 
 
 def partitions_of(files: list[pathlib.Path]) -> list[Partition]:
-    """Every row group of every file, in order."""
+    """All row groups of all files, in order."""
     found: list[Partition] = []
     row = 0
     for file in files:
@@ -88,7 +88,7 @@ def digest_of(body: Polyhedron) -> str:
 def manifest_of(
     moving: Polyhedron, fixed: Polyhedron, files: list[pathlib.Path], options: dict[str, Any]
 ) -> dict[str, Any]:
-    """All that the results depend on. Files are told apart by their sizes and their metadata, not read whole."""
+    """All inputs of the results. A file is identified by its size and its metadata, so it is not read whole."""
     return {
         "chasles": __version__,
         "moving": digest_of(moving),
@@ -105,25 +105,25 @@ def manifest_of(
 
 
 def prepare(out: pathlib.Path, moving: Polyhedron, fixed: Polyhedron, manifest: dict[str, Any]) -> None:
-    """Makes the folder of the results, or finds that it is one of the same question."""
+    """Makes the folder of the results. Refuses a folder whose results have other inputs."""
     out.mkdir(parents=True, exist_ok=True)
     file = out / MANIFEST
     if file.exists():
         _check_same(out, json.loads(file.read_text("utf-8")), manifest)
     elif any(out.iterdir()):
-        raise InvalidInput(f"out: {out}: is not empty, and holds no results of an earlier run")
+        raise InvalidInput(f"out: {out}: is not empty and has no results of an earlier run")
     write_whole(out / BODIES, pickle.dumps((moving, fixed)))
     write_whole(file, json.dumps(manifest, indent=1).encode())
 
 
-def _check_same(out: pathlib.Path, there: dict[str, Any], wanted: dict[str, Any]) -> None:
-    different = [key for key in wanted if there.get(key) != wanted[key]]
+def _check_same(out: pathlib.Path, earlier: dict[str, Any], wanted: dict[str, Any]) -> None:
+    different = [key for key in wanted if earlier.get(key) != wanted[key]]
     if different:
-        raise InvalidInput(f"out: {out}: holds results for other {' and '.join(different)}")
+        raise InvalidInput(f"out: {out}: has results for other {' and '.join(different)}")
 
 
 def write_whole(file: pathlib.Path, content: bytes) -> None:
-    """Either all of it is there afterwards or nothing, also if this process is killed."""
+    """Writes a file completely or not at all, even if this process is killed."""
     unfinished = file.with_name(f".{file.name}.{uuid.uuid4().hex}")
     try:
         unfinished.write_bytes(content)
@@ -134,14 +134,14 @@ def write_whole(file: pathlib.Path, content: bytes) -> None:
 
 @functools.lru_cache(maxsize=4)
 def _bodies(out: pathlib.Path, digest: str) -> tuple[Polyhedron, Polyhedron]:
-    """Once a process and question; `digest` tells questions in one folder apart."""
+    """Both bodies, loaded once per process and run; `digest` identifies the run in its folder."""
     return pickle.loads((out / BODIES).read_bytes())
 
 
 def answer_partition(
     partition: Partition, out: pathlib.Path, digest: str, options: dict[str, Any], threads: int
 ) -> int:
-    """Answers the motions of a partition, unless that was done, and returns their number."""
+    """Answers the motions of a partition, unless its file exists, and returns their number."""
     file = out / partition.name
     if not file.exists():
         moving, fixed = _bodies(out, digest)
@@ -153,7 +153,7 @@ def answer_partition(
 
 
 def _poses(motions: pa.Table, names: list[str]) -> npt.NDArray[np.float64]:
-    """Missing numbers become NaN, which marks the row."""
+    """The poses in these columns. A missing number becomes NaN, which makes the pose invalid."""
     return np.stack([motions[name].to_numpy().astype(np.float64) for name in names], axis=1)
 
 
@@ -164,7 +164,7 @@ def _ids(motions: pa.Table, partition: Partition) -> pa.Array | pa.ChunkedArray:
 
 
 def results_of(table: npt.NDArray[np.void], ids: pa.Array | pa.ChunkedArray) -> pa.Table:
-    """The table of a batch with the ids of its motions; what an answer does not have is null."""
+    """The table of a batch with the ids of its motions. Missing values are null."""
     columns: dict[str, Any] = {"id": ids}
     for name in table.dtype.names[1:]:  # type: ignore[index]
         values = np.ascontiguousarray(table[name])
@@ -173,12 +173,12 @@ def results_of(table: npt.NDArray[np.void], ids: pa.Array | pa.ChunkedArray) -> 
         elif values.dtype.kind == "U":
             columns[name] = pa.array(values).dictionary_encode()
         else:
-            columns[name] = pa.array(values, from_pandas=True)  # NaN is null
+            columns[name] = pa.array(values, from_pandas=True)  # NaN becomes null
     return pa.table(columns)
 
 
 def _pairs(values: npt.NDArray[np.int64]) -> pa.ListArray:
-    """Lists of two; null for -1."""
+    """Lists of two numbers; a row of -1 becomes null."""
     has = values[:, 0] >= 0
     ends = np.concatenate([[0], np.cumsum(2 * has)]).astype(np.int32)
     return pa.ListArray.from_arrays(pa.array(ends), pa.array(values[has].ravel()), mask=pa.array(~has))

@@ -1,4 +1,4 @@
-"""A picture of an answer with matplotlib: both bodies, the way, and what touches where."""
+"""A plot of an answer with matplotlib: both bodies, the path of the moving body, and the contacts."""
 
 from __future__ import annotations
 
@@ -18,8 +18,8 @@ Array = npt.NDArray[np.float64]
 # Colours of Okabe and Ito, as on the page that view() writes.
 MOVING, FIXED, CONTACT = "#e69f00", "#3f8fc8", "#d4147f"
 
-MOST_OUTLINED = 1500  # faces; more make a black body
-MOST_TRIANGLES = 8000  # matplotlib sorts them all for every picture
+MOST_OUTLINED = 1500  # faces; with more outlines a body is black
+MOST_TRIANGLES = 8000  # matplotlib sorts all triangles for every drawing
 SAMPLES = 121
 
 
@@ -29,26 +29,26 @@ def plot(
     *,
     ghosts: int = 3,
 ) -> Axes3D:
-    """Draw the bodies at the contact (at the goal, if clear), the start as a ghost, and the way of the moving body.
+    """Draw the bodies at the contact (or at the goal, if clear), earlier poses as ghosts, and the moving body's path.
 
-    Contact points are dots, and normals are arrows from the fixed body to the moving one. They are drawn in front of
-    everything, since a contact mostly hides between the bodies. Large meshes are drawn coarsely; `view` draws them as
-    they are.
+    Contact points are dots, and normals are arrows from the fixed body to the moving body. They are drawn in front of
+    the bodies, because most contacts lie hidden between the bodies. Large meshes are simplified; `view` draws them in
+    full.
 
     Parameters
     ----------
     found : FirstContact
     axes : Axes3D, optional
-        Where to draw; new ones in a new figure if none are given.
+        The axes to draw on. By default, new axes in a new figure.
     ghosts : int
-        So many faint bodies along the way, the start among them.
+        The number of transparent bodies along the motion, including the start.
 
     Returns
     -------
     Axes3D
     """
     axes = axes or _new_axes()
-    axes.computed_zorder = False  # bodies are sorted below; marks come on top
+    axes.computed_zorder = False  # fixed order: contacts are drawn in front of the bodies
     is_clear = found.verdict == Verdict.clear
     end = 1.0 if is_clear else found.time
     motion = _poses(found.motion, found.max_turn)
@@ -57,7 +57,7 @@ def plot(
     bodies = [(_moved(fixed, found.motion.fixed_pose_at(end)), FIXED), (_moved(moving, moving_pose), MOVING)]
     _draw_ghosts(axes, [_moved(moving, motion(time)) for time in _ghost_times(end, ghosts)])
     _draw_solid(axes, bodies)
-    _draw_way(axes, found.moving, motion)
+    _draw_path(axes, found.moving, motion)
     _draw_contacts(axes, found, _extent([polygons for polygons, _ in bodies]))
     _label(axes, found)
     axes.autoscale_view()
@@ -72,7 +72,7 @@ def _new_axes() -> Axes3D:
 
 
 def _poses(motion: ScrewMotion | SweepMotion, max_turn: float) -> Any:
-    """The poses of the moving body by time. A screw runs through its cuts, as the query had it."""
+    """The pose of the moving body as a function of time. A screw is cut into pieces, as in the query."""
     if isinstance(motion, SweepMotion):
         return motion.pose_at
     pieces = motion.cut(max_turn)
@@ -90,7 +90,7 @@ def _ghost_times(end: float, count: int) -> Array:
 
 
 def _polygons(body: Polyhedron) -> list[Array]:
-    """The faces, or, if they are many, coarse triangles."""
+    """The faces, or, if there are too many, triangles of a simplified mesh."""
     vertices = np.asarray(body.vertices)
     if len(body.faces) <= MOST_OUTLINED:
         return [vertices[list(face)] for face in body.faces]
@@ -98,7 +98,7 @@ def _polygons(body: Polyhedron) -> list[Array]:
 
 
 def _coarse(vertices: Array, triangles: npt.NDArray[np.uint32]) -> npt.NDArray[np.uint32]:
-    """Triangles between fewer vertices: of those in one cell of a grid, one stands for all."""
+    """Triangles of a simplified mesh: one vertex per cell of a grid replaces all vertices of the cell."""
     low, size = vertices.min(axis=0), np.ptp(vertices, axis=0).max()
     cells = 256
     kept = triangles
@@ -137,7 +137,7 @@ def _shaded(polygons: list[Array], colour: str) -> Array:
 
 
 def _draw_solid(axes: Axes3D, bodies: list[tuple[list[Array], str]]) -> None:
-    # One collection for both, so that their faces are sorted among each other.
+    # Both bodies are one collection, because matplotlib sorts faces only within a collection.
     from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
     polygons = [polygon for body, _ in bodies for polygon in body]
@@ -146,7 +146,7 @@ def _draw_solid(axes: Axes3D, bodies: list[tuple[list[Array], str]]) -> None:
     edges = 0.45 * colours if is_outlined else colours
     solid = Poly3DCollection(polygons, facecolors=colours, edgecolors=edges, linewidths=0.5, zorder=2)
     axes.add_collection3d(solid)
-    _reach(axes, polygons)
+    _widen_limits(axes, polygons)
 
 
 def _draw_ghosts(axes: Axes3D, bodies: list[list[Array]]) -> None:
@@ -154,20 +154,20 @@ def _draw_ghosts(axes: Axes3D, bodies: list[list[Array]]) -> None:
 
     for polygons in bodies:
         axes.add_collection3d(Poly3DCollection(polygons, facecolors=MOVING, linewidths=0, alpha=0.12, zorder=1))
-        _reach(axes, polygons)
+        _widen_limits(axes, polygons)
 
 
-def _reach(axes: Axes3D, polygons: list[Array]) -> None:
-    """Collections do not widen the limits by themselves."""
+def _widen_limits(axes: Axes3D, polygons: list[Array]) -> None:
+    """Extends the limits of the axes to the polygons, which matplotlib does not do for collections."""
     points = np.concatenate(polygons)
     axes.auto_scale_xyz(*np.stack([points.min(axis=0), points.max(axis=0)], axis=1))
 
 
-def _draw_way(axes: Axes3D, moving: Polyhedron, motion: Any) -> None:
+def _draw_path(axes: Axes3D, moving: Polyhedron, motion: Any) -> None:
     vertices = np.asarray(moving.vertices)
     middle = np.append((vertices.min(axis=0) + vertices.max(axis=0)) / 2, 1)
-    way = np.array([(motion(time) @ middle)[:3] for time in np.linspace(0, 1, SAMPLES)])
-    axes.plot(*way.T, color=MOVING, linewidth=0.9, alpha=0.6, zorder=1.5)
+    path = np.array([(motion(time) @ middle)[:3] for time in np.linspace(0, 1, SAMPLES)])
+    axes.plot(*path.T, color=MOVING, linewidth=0.9, alpha=0.6, zorder=1.5)
 
 
 def _draw_contacts(axes: Axes3D, found: FirstContact, extent: float) -> None:
@@ -188,8 +188,8 @@ def _title(found: FirstContact) -> str:
     if found.verdict == Verdict.contact_at_start:
         return f"contact{within} at the start"
     if found.held:
-        return "clear: what is held keeps its distance"
-    return f"clear: nothing {'comes' + within if within else 'touches'} on the whole way"
+        return "clear: held contacts keep the hold distance"
+    return f"clear: nothing {'comes' + within if within else 'touches'} during the whole motion"
 
 
 def _label(axes: Axes3D, found: FirstContact) -> None:

@@ -1,21 +1,24 @@
-"""The structured arrays that batches answer with; the columns are those of ``chasles batch``.
+"""The structured arrays that batches return.
+
+They have the columns of ``chasles batch``, ``clear_until``, and for paths ``segment``:
 
 ==================  =====================================================================================
 ``id``              number of the row
-``verdict``         "clear", "contact" or "contact_at_start"; "not_done" where nobody has asked yet, and
-                    "error" for a pose that cannot be used (only with ``errors="mark"``)
-``time``            lower end of the bracket around the first contact; NaN without contact
-``time_upper``      its upper end
-``tau``             the same in the paper's parameter
-``tau_upper``       its upper end
-``certain``         False where contact could not be told from a miss
-``kind``            of the first feature pair in contact, "" if there is none
-``moving_feature``  its feature of the moving body: two vertices of an edge, else one id twice; -1 for none
-``fixed_feature``   its feature of the fixed body
-``px py pz``        the point of contact in the world; NaN for none
-``nx ny nz``        the normal there, from the fixed body to the moving one
-``clear_until``     before this time the bodies are proven to be farther apart than the margin
-``segment``         (paths only) where the first contact is, from pose ``segment`` to the next; -1 if clear
+``verdict``         "clear", "contact" or "contact_at_start"; "not_done" for a row that is not yet answered;
+                    "error" for an invalid pose (only with ``errors="mark"``)
+``time``            lower end of the bracket around the first contact; NaN if there is no contact
+``time_upper``      upper end of this bracket
+``tau``             lower end of the same bracket in the paper's parameter
+``tau_upper``       upper end of the bracket in this parameter
+``certain``         False if a contact could not be separated from a miss
+``kind``            kind of the first feature pair in contact; "" if there is none
+``moving_feature``  the moving body's feature: two vertices of an edge, otherwise one id twice; -1 if none
+``fixed_feature``   the fixed body's feature, in the same form
+``px py pz``        contact point in the world; NaN if there is none
+``nx ny nz``        contact normal, from the fixed body to the moving body
+``clear_until``     the bodies are proven to stay farther apart than the margin (with ``hold``: than the hold
+                    distance) before this time
+``segment``         (paths only) the contact is between pose ``segment`` and the next one; -1 if clear
 ==================  =====================================================================================
 """
 
@@ -24,7 +27,7 @@ import numpy.typing as npt
 
 NOT_DONE = "not_done"
 
-#: One row of a batch of motions; python/src/table.h has the same.
+#: One row of a batch of motions. `Row` in python/src/table.h has the same layout.
 motion_dtype = np.dtype(
     [
         ("id", np.int64),
@@ -61,8 +64,8 @@ def _blank_row(dtype: np.dtype) -> npt.NDArray[np.void]:
 
 
 def empty_table(rows: int, dtype: np.dtype = motion_dtype) -> npt.NDArray[np.void]:
-    """A table in which nothing is done yet."""
-    bytes_of_a_row = np.dtype((np.void, dtype.itemsize))  # copied as they are, ten times as fast as field by field
+    """A table whose rows all have the verdict "not_done"."""
+    bytes_of_a_row = np.dtype((np.void, dtype.itemsize))  # copying bytes is ten times as fast as copying fields
     table = np.full(rows, _blank_row(dtype).view(bytes_of_a_row)).view(dtype)
     table["id"] = np.arange(rows)
     return table

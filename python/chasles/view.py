@@ -1,4 +1,4 @@
-"""An answer as a page of HTML to look at: both bodies, a slider for the time, the contact and its numbers."""
+"""An answer as a page of HTML: both bodies, a slider for the time, the contacts and all numbers."""
 
 import os
 import pathlib
@@ -21,22 +21,22 @@ def view(
     names: tuple[str, str] = ("moving", "fixed"),
     **options: Any,
 ) -> FirstContact:
-    """Answer as `first_contact` does, and write a page that shows it.
+    """Run the query of `first_contact` and write a page of HTML that shows the answer.
 
-    The page is one file that needs no network; any browser with WebGL shows it.
+    The page is one file and needs no network. Any browser with WebGL can open it.
 
     Parameters
     ----------
     moving, fixed, start, goal
         As for `first_contact`.
     out : path
-        The page to write.
+        The file to write.
     title : str
-        The head of the page.
+        The title of the page.
     names : (str, str)
-        What to call the moving and the fixed body.
+        The names of the moving body and the fixed body.
     **options
-        All others of `first_contact`.
+        All other arguments of `first_contact`.
 
     Returns
     -------
@@ -45,7 +45,7 @@ def view(
     Raises
     ------
     InvalidInput
-        As `first_contact`, or if the package was built without the viewer.
+        If `first_contact` raises it, or if the package was built without the viewer.
     """
     found = _core.first_contact(moving, fixed, start, goal, **options)
     write_page(found, out, title=title, names=names)
@@ -59,7 +59,7 @@ def write_page(
     title: str = "Chasles",
     names: tuple[str, str] = ("moving", "fixed"),
 ) -> pathlib.Path:
-    """Write a page that shows an answer; `found.view(out)` is the same. Returns the path of the page."""
+    """Write a page of HTML that shows an answer, and return its path. `found.view(out)` is the same."""
     page = _core.view_page(found, title, *names)
     path = pathlib.Path(out)
     path.write_text(page, encoding="utf-8")

@@ -1,4 +1,4 @@
-// Answers as Python holds them: what the library said, and what it was asked.
+// Answers as Python objects: the library's answer with the bodies and the motion of its query.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -11,7 +11,7 @@ namespace chasles::python {
 
 struct Answer {
     FirstContact found;
-    nanobind::object moving; ///< the bodies that were asked about, which live as long as the answer
+    nanobind::object moving; ///< the bodies of the query, kept alive by the answer
     nanobind::object fixed;
     Motion motion;
     double margin;

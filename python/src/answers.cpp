@@ -36,15 +36,15 @@ nb::class_<Answer> bind_first_contact(nb::module_& module) {
             nb::sig("def verdict(self) -> chasles.enums.Verdict"), doc("Verdict"))
         .def_prop_ro(
             "time", [](const Answer& a) { return a.found.time.lower; },
-            "Lower end of the bracket around the time of the first contact (with find='any', of some "
+            "Lower end of the bracket around the time of the first contact (with find='any': of any "
             "contact), in [0, 1]; 0 if clear.")
         .def_prop_ro(
-            "time_upper", [](const Answer& a) { return a.found.time.upper; }, "Its upper end.")
+            "time_upper", [](const Answer& a) { return a.found.time.upper; }, "Upper end of the bracket of the time.")
         .def_prop_ro(
             "tau", [](const Answer& a) { return a.found.tau.lower; },
             "Lower end of the same bracket in the paper's parameter.")
         .def_prop_ro(
-            "tau_upper", [](const Answer& a) { return a.found.tau.upper; }, "Its upper end.")
+            "tau_upper", [](const Answer& a) { return a.found.tau.upper; }, "Upper end of the bracket of tau.")
         .def_prop_ro(
             "certain", [](const Answer& a) { return a.found.certain; }, doc("FirstContact.certain"))
         .def_prop_ro(
@@ -72,16 +72,16 @@ void bind_answers(nb::module_& module) {
     bind_first_contact(module)
         .def_prop_ro(
             "moving", [](const Answer& a) { return a.moving; }, nb::sig("def moving(self) -> Polyhedron"),
-            "The moving body that was asked about.")
+            "The moving body of the query.")
         .def_prop_ro(
             "fixed", [](const Answer& a) { return a.fixed; }, nb::sig("def fixed(self) -> Polyhedron"),
-            "The fixed body that was asked about.")
+            "The fixed body of the query.")
         .def_prop_ro(
             "motion", [](const Answer& a) { return a.motion; },
             nb::sig("def motion(self) -> ScrewMotion | SweepMotion"),
-            "The motion that was asked about; of a path, the `segment`.")
-        .def_ro("margin", &Answer::margin, "The margin that was asked for.")
-        .def_ro("max_turn", &Answer::max_turn, "By how much a screw turned at most before it was cut; radians.")
+            "The motion of the query; for a path, the motion of `segment`.")
+        .def_ro("margin", &Answer::margin, "The margin of the query.")
+        .def_ro("max_turn", &Answer::max_turn, "The query cut a screw that turns by more than this angle, in radians.")
         .def("__repr__", [](const Answer& a) { return "<chasles.FirstContact: " + summary(a.found) + ">"; });
     nb::class_<PathAnswer, Answer>(module, "PathContact", doc("PathContact"))
         .def_ro("segment", &PathAnswer::segment, doc("PathContact.segment"))

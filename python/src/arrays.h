@@ -1,4 +1,4 @@
-// Arrays that Python hands over, as contiguous numbers, and arrays that it is given.
+// Arrays as arguments from Python, read as contiguous numbers, and arrays returned to Python.
 #pragma once
 
 #include <Eigen/Core>
@@ -14,13 +14,14 @@ namespace chasles::python {
 
 namespace nb = nanobind;
 
-/// What an array of real numbers is in signatures.
+/// The type of an array of real numbers in signatures.
 #define CHASLES_ARRAY "numpy.typing.NDArray[numpy.float64]"
 
 using OwnArray = nb::ndarray<nb::numpy, double>;
 
-/// An argument that NumPy can make an array of real numbers from, of any type and strides, as contiguous numbers of one
-/// type: in place if it is that already, otherwise converted, once. Throws InvalidInput "NAME: WHY".
+/// An argument that NumPy can convert to an array of numbers, of any type and strides, as contiguous numbers of one
+/// type. An argument that has this form is used in place; any other argument is converted once. Throws InvalidInput
+/// "NAME: REASON".
 template <typename Number>
 class ArrayArgument {
 public:
@@ -35,10 +36,10 @@ public:
     [[nodiscard]] std::string shape_text() const;
 
 private:
-    /// Whether the numbers of the view could be had.
-    bool take_view();
+    /// Reads the numbers of view_ in place or converts them. Returns false if their type is not supported.
+    bool use_view();
 
-    Py_buffer view_{}; ///< holds the array
+    Py_buffer view_{}; ///< keeps the array alive
     std::vector<Number> converted_;
     std::span<const Number> numbers_;
 };
@@ -49,13 +50,13 @@ using IndexArray = ArrayArgument<std::int64_t>;
 /// "(4, 3)", as Python writes a shape.
 std::string text_of_shape(std::span<const Py_ssize_t> shape);
 
-/// "(0.5, 1, -2)", six digits each.
+/// "(0.5, 1, -2)", with six digits per number.
 std::string text_of(const Eigen::Vector3d& vector);
 
-/// A point or vector from three numbers. Throws InvalidInput "NAME: WHY".
+/// A point or vector from three numbers. Throws InvalidInput "NAME: REASON".
 Eigen::Vector3d vector_from(nb::handle argument, const std::string& name);
 
-/// Copies as arrays of their own.
+/// New arrays with copies of the numbers.
 nb::object array_of(const Eigen::Vector3d& vector);
 nb::object array_of(std::span<const double> numbers, std::initializer_list<std::size_t> shape);
 

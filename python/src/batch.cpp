@@ -1,4 +1,4 @@
-// chasles.first_contact_batch and chasles.path_is_clear_batch, below python/chasles/batch.py.
+// The compiled part of chasles.first_contact_batch and chasles.path_is_clear_batch (python/chasles/batch.py).
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/parallel_for.h"
 #include "python/src/bind.h"
@@ -19,14 +19,14 @@ namespace {
 
 using namespace nb::literals;
 
-/// How to answer, besides the bodies and the motions.
+/// The options of a batch.
 struct BatchOptions {
     QueryOptions query;
     unsigned threads;
-    bool marks_errors; ///< a pose that cannot be used costs its row, not the batch
+    bool marks_errors; ///< whether an invalid pose marks its row instead of ending the batch
 };
 
-/// Refuses options that no query takes before any is answered: by asking about two triangles.
+/// Refuses invalid options before any row is answered, by one query about two triangles.
 void check(const QueryOptions& options) {
     const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<std::vector<std::uint32_t>> face{{0, 1, 2}};
@@ -35,7 +35,7 @@ void check(const QueryOptions& options) {
     static_cast<void>(options.ask(triangle, triangle, ScrewMotion::between(beside, beside)));
 }
 
-/// Calls answer(i) for each row that has no answer yet, until the batch is to stop.
+/// Calls answer(i) for each unanswered row until the batch ends or is stopped.
 template <typename AnyRow, typename AnswerRow>
 void answer_rows(const Table<AnyRow>& table, const BatchOptions& options, Progress& progress, const AnswerRow& answer) {
     parallel_for(options.threads, table.size(), [&](std::size_t begin, std::size_t end) {
@@ -53,10 +53,10 @@ void answer_rows(const Table<AnyRow>& table, const BatchOptions& options, Progre
     });
 }
 
-/// Poses that are read, or why they cannot be, before any question is asked.
+/// All poses of a batch, read and checked before the first query.
 class ReadPoses {
 public:
-    /// `name_of` a pose is for messages.
+    /// `name_of(index)` is the name of a pose in messages.
     template <typename NameOf>
     ReadPoses(const PoseArray& array, const BatchOptions& options, const Progress& progress, const NameOf& name_of)
         : poses_(array.size()), is_bad_(array.size()) {
@@ -70,7 +70,7 @@ public:
         });
         const auto bad = std::ranges::find(is_bad_, 1);
         if (bad != is_bad_.end() && !options.marks_errors)
-            explain(array, std::size_t(bad - is_bad_.begin()), name_of);
+            throw_reason(array, std::size_t(bad - is_bad_.begin()), name_of);
     }
 
     const Pose& operator[](std::size_t i) const {
@@ -79,7 +79,7 @@ public:
         return poses_[i];
     }
 
-    /// Throws as operator[] would for any of them.
+    /// Throws InvalidInput if operator[] throws for any pose of the range.
     std::span<const Pose> range(std::size_t begin, std::size_t end) const {
         const auto bad = std::span(is_bad_).subspan(begin, end - begin);
         if (const auto first = std::ranges::find(bad, 1); first != bad.end())
@@ -89,21 +89,21 @@ public:
 
 private:
     template <typename NameOf>
-    [[noreturn]] static void explain(const PoseArray& array, std::size_t index, const NameOf& name_of) {
+    [[noreturn]] static void throw_reason(const PoseArray& array, std::size_t index, const NameOf& name_of) {
         try {
             static_cast<void>(array[index]);
         } catch (const InvalidInput& error) {
             throw InvalidInput(name_of(index) + ": " + error.what());
         }
-        throw InvalidInput(name_of(index) + ": was changed while it was read");
+        throw InvalidInput(name_of(index) + ": changed while the batch read it");
     }
 
     std::vector<Pose> poses_;
     std::vector<std::uint8_t> is_bad_;
 };
 
-void first_contact_rows(const Polyhedron& moving, const Polyhedron& fixed, nb::handle starts, nb::handle goals,
-                        nb::handle array, const BatchOptions& options, nb::handle report) {
+void first_contact_rows(const BodyPair& bodies, nb::handle starts, nb::handle goals, nb::handle array,
+                        const BatchOptions& options, nb::handle report) {
     const PoseArray start_array(starts, "starts"), goal_array(goals, "goals");
     const Table<Row> table(array);
     if (goal_array.size() != start_array.size())
@@ -119,7 +119,7 @@ void first_contact_rows(const Polyhedron& moving, const Polyhedron& fixed, nb::h
             to(goal_array, options, progress, named("goals"));
         answer_rows(table, options, progress, [&](std::size_t i) {
             const Motion motion = ScrewMotion::between(from[i], to[i]);
-            write(options.query.ask(moving, fixed, motion), table[i]);
+            write(options.query.ask(bodies.moving, bodies.fixed, motion), table[i]);
         });
     };
     run_interruptibly(work, report);
@@ -131,12 +131,12 @@ std::string name_in_paths(std::span<const std::int64_t> offsets, std::size_t pos
     return fmt::format("paths[{}][{}]", end - offsets.begin() - 1, std::int64_t(pose) - end[-1]);
 }
 
-/// Ends a path that is being asked about.
+/// Thrown to end the query of a path.
 struct Stopped {};
 
 /// The poses of path i are those from offsets[i] to offsets[i + 1].
-void path_rows(const Polyhedron& moving, const Polyhedron& fixed, nb::handle poses, nb::handle offset_array,
-               nb::handle array, const BatchOptions& options, nb::handle report) {
+void path_rows(const BodyPair& bodies, nb::handle poses, nb::handle offset_array, nb::handle array,
+               const BatchOptions& options, nb::handle report) {
     const PoseArray pose_array(poses, "paths");
     const IndexArray offsets(offset_array, "offsets");
     const Table<PathRow> table(array);
@@ -144,14 +144,15 @@ void path_rows(const Polyhedron& moving, const Polyhedron& fixed, nb::handle pos
     const auto work = [&](Progress& progress) {
         const ReadPoses path(pose_array, options, progress,
                              [&](std::size_t i) { return name_in_paths(offsets.numbers(), i); });
-        const auto stop_if_asked_to = [&](std::size_t) {
+        const auto stop_if_interrupted = [&](std::size_t) {
             if (progress.is_stopping)
                 throw Stopped();
         };
         answer_rows(table, options, progress, [&](std::size_t i) {
             const auto begin = std::size_t(offsets.numbers()[i]), end = std::size_t(offsets.numbers()[i + 1]);
             try {
-                write(options.query.ask_path(moving, fixed, path.range(begin, end), stop_if_asked_to), table[i]);
+                write(options.query.ask_path(bodies.moving, bodies.fixed, path.range(begin, end), stop_if_interrupted),
+                      table[i]);
             } catch (const Stopped&) {
             }
         });
@@ -167,7 +168,7 @@ void bind_batches(nb::module_& module) {
         [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle table, double margin,
            std::optional<double> hold, double time_tolerance, double max_turn, nb::handle find, unsigned threads,
            bool marks_errors, nb::handle report) {
-            first_contact_rows(polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed"), starts, goals, table,
+            first_contact_rows({polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")}, starts, goals, table,
                                {{margin, hold, time_tolerance, max_turn, find_from(find)}, threads, marks_errors},
                                report);
         },
@@ -179,7 +180,7 @@ void bind_batches(nb::module_& module) {
         [](nb::handle moving, nb::handle fixed, nb::handle poses, nb::handle offsets, nb::handle table, double margin,
            double time_tolerance, double max_turn, nb::handle find, unsigned threads, bool marks_errors,
            nb::handle report) {
-            path_rows(polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed"), poses, offsets, table,
+            path_rows({polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")}, poses, offsets, table,
                       {{margin, {}, time_tolerance, max_turn, find_from(find)}, threads, marks_errors}, report);
         },
         "moving"_a.none(), "fixed"_a.none(), "poses"_a, "offsets"_a, "table"_a, nb::kw_only(), "margin"_a,

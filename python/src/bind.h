@@ -1,4 +1,4 @@
-// The parts of the module, each in the source of its name.
+// The parts of the module. Each function is in the source file of its name.
 #pragma once
 
 #include <nanobind/nanobind.h>

@@ -1,4 +1,4 @@
-// A polyhedron as Python holds it.
+// A polyhedron as a Python object.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -14,12 +14,18 @@ using Faces = std::vector<std::vector<std::uint32_t>>;
 
 struct Body {
     Polyhedron polyhedron;
-    /// What it was made from, where that cannot be told from the polyhedron: faces were dropped or cut.
+    /// The faces that the polyhedron was made from. Null unless faces were dropped or cut.
     std::shared_ptr<const Faces> given_faces;
     PolyhedronOptions options;
 };
 
-/// Of an argument. Throws Python's TypeError if it is another thing.
+/// The two bodies of a query.
+struct BodyPair {
+    const Polyhedron& moving;
+    const Polyhedron& fixed;
+};
+
+/// The polyhedron of an argument. Throws Python's TypeError if the argument is not a chasles.Polyhedron.
 inline const Polyhedron& polyhedron_of(nanobind::handle argument, const char* name) {
     const Body* body = nullptr;
     if (!nanobind::try_cast(argument, body) || !body)

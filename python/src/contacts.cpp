@@ -58,7 +58,7 @@ void bind_contact(nb::module_& module) {
             "The feature of the moving body: the id of a vertex or a face, or the two vertices of an edge.")
         .def_prop_ro(
             "fixed", [](const Contact& c) { return tuple_of(fixed_feature_kind(c.kind), c.fixed); },
-            nb::sig("def fixed(self) -> tuple[int, ...]"), "The feature of the fixed body, likewise.")
+            nb::sig("def fixed(self) -> tuple[int, ...]"), "The feature of the fixed body, in the same form.")
         .def_prop_ro(
             "point", [](const Contact& c) { return array_of(c.point); }, nb::sig("def point(self) -> " CHASLES_ARRAY),
             doc("Contact.point"))
@@ -75,7 +75,7 @@ void bind_overlap(nb::module_& module) {
         .def_ro("edge_is_moving", &Overlap::edge_is_moving, doc("Overlap.edge_is_moving"))
         .def_prop_ro(
             "edge", [](const Overlap& o) { return tuple_of(FeatureKind::edge, o.edge); },
-            nb::sig("def edge(self) -> tuple[int, int]"), "Its two vertices.")
+            nb::sig("def edge(self) -> tuple[int, int]"), "The two vertices of the edge.")
         .def_prop_ro(
             "face", [](const Overlap& o) { return o.face.first; }, "The id of the face.")
         .def_prop_ro(

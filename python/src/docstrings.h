@@ -1,5 +1,5 @@
-// The comments of the public headers as docstrings (tools/docstrings.py). A name that no header documents does not
-// compile.
+// The comments of the public headers as docstrings (tools/docstrings.py). doc() of an undocumented name is a compile
+// error.
 #pragma once
 
 #include <string_view>

@@ -14,14 +14,14 @@ std::uint32_t index_from(std::int64_t index, std::size_t face) {
     return static_cast<std::uint32_t>(index);
 }
 
-/// Lists of one length are as good as an array, and faster as one.
+/// Whether all lists have one length. They can then be converted as one array, which is faster.
 bool has_one_length(const nb::sequence& lists) {
     std::size_t length = 0;
     for (const nb::handle list : lists) {
         const Py_ssize_t size = PyObject_Length(list.ptr());
         if (size < 0) {
             PyErr_Clear();
-            return true; // no list of lists at all: the array will say what is wrong
+            return true; // not a list of lists: the conversion to an array throws the error message
         }
         if (length != 0 && std::size_t(size) != length)
             return false;
@@ -37,7 +37,7 @@ FaceLists::FaceLists(nb::handle argument) {
     const bool is_list = PyList_Check(argument.ptr()) || PyTuple_Check(argument.ptr());
     if (is_list && nb::try_cast(argument, lists) && !has_one_length(lists))
         convert_lists(lists);
-    else if (!look_at(argument))
+    else if (!use_in_place(argument))
         convert_array(argument);
 }
 
@@ -48,18 +48,18 @@ Faces FaceLists::copies() const {
     return faces;
 }
 
-void FaceLists::cut(const std::uint32_t* indices, std::size_t rows, std::size_t corners) {
+void FaceLists::add_rows(const std::uint32_t* indices, std::size_t rows, std::size_t corners) {
     lists_.reserve(rows);
     for (std::size_t row = 0; row < rows; ++row)
         lists_.emplace_back(indices + row * corners, corners);
 }
 
-bool FaceLists::look_at(nb::handle argument) {
+bool FaceLists::use_in_place(nb::handle argument) {
     nb::ndarray<const std::uint32_t, nb::ndim<2>, nb::c_contig, nb::device::cpu> array;
     if (!nb::isinstance<nb::ndarray<>>(argument) || !nb::try_cast(argument, array, false))
         return false;
     held_ = nb::borrow(argument);
-    cut(array.data(), array.shape(0), array.shape(1));
+    add_rows(array.data(), array.shape(0), array.shape(1));
     return true;
 }
 
@@ -72,7 +72,7 @@ void FaceLists::convert_array(nb::handle argument) {
     converted_.reserve(array.numbers().size());
     for (const std::int64_t index : array.numbers())
         converted_.push_back(index_from(index, converted_.size() / corners));
-    cut(converted_.data(), std::size_t(array.shape()[0]), corners);
+    add_rows(converted_.data(), std::size_t(array.shape()[0]), corners);
 }
 
 void FaceLists::convert_lists(const nb::sequence& lists) {

@@ -1,4 +1,4 @@
-// Faces as Python hands them over: an array, or lists of any lengths.
+// Faces as an argument from Python: an array, or lists of any lengths.
 #pragma once
 
 #include "python/src/body.h"
@@ -10,8 +10,8 @@
 
 namespace chasles::python {
 
-/// From an array of shape (m, k), or a sequence of m sequences of vertex indices. An array of 32-bit numbers is looked
-/// at in place, anything else is converted, once. Throws InvalidInput "faces: WHY".
+/// Faces from an array of shape (m, k), or from a sequence of m sequences of vertex indices. A contiguous array of
+/// uint32 is used in place; any other argument is converted once. Throws InvalidInput "faces: REASON".
 class FaceLists {
 public:
     explicit FaceLists(nanobind::handle argument);
@@ -20,13 +20,13 @@ public:
     [[nodiscard]] Faces copies() const;
 
 private:
-    bool look_at(nanobind::handle argument);
+    bool use_in_place(nanobind::handle argument);
     void convert_array(nanobind::handle argument);
     void convert_lists(const nanobind::sequence& lists);
-    /// Rows of so many indices each, behind one another.
-    void cut(const std::uint32_t* indices, std::size_t rows, std::size_t corners);
+    /// Adds `rows` faces of `corners` consecutive indices each.
+    void add_rows(const std::uint32_t* indices, std::size_t rows, std::size_t corners);
 
-    nanobind::object held_; ///< what is looked at in place
+    nanobind::object held_; ///< the array that is used in place
     std::vector<std::uint32_t> converted_;
     std::vector<std::span<const std::uint32_t>> lists_;
 };

@@ -10,7 +10,7 @@
 namespace chasles::python {
 namespace {
 
-/// Work on another thread, which is joined at the latest when this ends.
+/// Work on another thread, which the destructor joins.
 class Background {
 public:
     Background(const std::function<void(Progress&)>& work, Progress& progress)
@@ -28,7 +28,7 @@ public:
     Background(const Background&) = delete;
     Background& operator=(const Background&) = delete;
 
-    /// Whether it is over by then.
+    /// Waits for one interval. Returns whether the work is over.
     bool wait() {
         std::unique_lock lock(mutex_);
         return over_.wait_for(lock, SignalCheck::interval, [this] { return is_over_; });
@@ -49,10 +49,10 @@ private:
     std::condition_variable over_;
     bool is_over_ = false;
     std::exception_ptr error_;
-    std::thread thread_; ///< last: it uses the others
+    std::thread thread_; ///< last: the thread uses the other members
 };
 
-void look_up(nanobind::handle report, std::size_t done) {
+void check_signals_and_report(nanobind::handle report, std::size_t done) {
     const nanobind::gil_scoped_acquire acquire;
     if (PyErr_CheckSignals() != 0)
         throw nanobind::python_error();
@@ -68,12 +68,12 @@ void run_interruptibly(const std::function<void(Progress&)>& work, nanobind::han
     Background background(work, progress);
     try {
         while (!background.wait())
-            look_up(report, progress.done);
+            check_signals_and_report(report, progress.done);
         background.join();
-        look_up(report, progress.done);
+        check_signals_and_report(report, progress.done);
     } catch (...) {
         progress.is_stopping = true;
-        throw; // once the background has been joined
+        throw; // the destructor of `background` joins its thread first
     }
     background.rethrow();
 }

@@ -1,4 +1,4 @@
-// Many independent pieces of work that Ctrl-C ends: those begun are finished, the others are left.
+// Work in many independent parts that Ctrl-C can stop: started parts are finished, all other parts are skipped.
 #pragma once
 
 #include <atomic>
@@ -8,15 +8,16 @@
 
 namespace chasles::python {
 
-/// What all pieces share.
+/// The state that all parts share.
 struct Progress {
     std::atomic<std::size_t> done = 0;
     std::atomic<bool> is_stopping = false;
 };
 
-/// Calls `work(progress)`, which spreads over threads as it likes, on a thread of its own, and waits for it without the
-/// GIL. Twenty times a second signals are looked at, and `report(done)` is called unless it is None; if either raises,
-/// `is_stopping` is set and what was raised is raised here once the work is back. So is what the work throws.
+/// Calls `work(progress)` on a new thread and waits for it without the GIL (Python's global interpreter lock). The work
+/// may use further threads. Twenty times per second this function checks for signals and calls `report(done)` unless
+/// `report` is None. If either raises an exception, the function sets `is_stopping`, waits for the work, and rethrows
+/// the exception. Exceptions of the work are rethrown too.
 void run_interruptibly(const std::function<void(Progress&)>& work, nanobind::handle report);
 
 } // namespace chasles::python

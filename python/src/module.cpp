@@ -1,4 +1,4 @@
-// The extension module chasles._core. The package chasles is what users import.
+// The extension module chasles._core. Users import the package chasles.
 #include "chasles/base/invalid_input.h"
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
@@ -8,7 +8,7 @@
 
 namespace {
 
-/// Messages name files, and names of files are bytes of any kind.
+/// Messages contain file names, whose bytes need not be UTF-8.
 void raise_invalid_input(const std::exception_ptr& error, void* type) {
     try {
         std::rethrow_exception(error);
@@ -25,7 +25,7 @@ void raise_invalid_input(const std::exception_ptr& error, void* type) {
 NB_MODULE(_core, module) {
     namespace python = chasles::python;
     module.attr("__version__") = CHASLES_VERSION;
-    module.doc() = "The compiled part of chasles: import chasles instead.";
+    module.doc() = "The compiled part of chasles. Import chasles instead.";
     auto invalid_input = nanobind::exception<chasles::InvalidInput>(module, "InvalidInput", PyExc_ValueError);
     invalid_input.attr("__doc__") = python::doc("InvalidInput");
     nanobind::register_exception_translator(raise_invalid_input, invalid_input.ptr());

@@ -40,7 +40,7 @@ M relative(nb::handle moving_start, nb::handle moving_goal, nb::handle fixed_sta
                        pose_from(fixed_start, "fixed_start"), pose_from(fixed_goal, "fixed_goal"));
 }
 
-/// The poses that the motion was made from, for pickle.
+/// The poses and the centre that the motion was made from, for pickle.
 template <typename M>
 nb::tuple state(const M& motion) {
     const MotionEnds& ends = motion.ends();
@@ -53,7 +53,7 @@ nb::tuple state(const M& motion) {
 template <typename M>
 M made_from(const nb::tuple& state) {
     if (state.size() != 5)
-        throw InvalidInput(fmt::format("state: a motion has 5 parts, and this is {}", state.size()));
+        throw InvalidInput(fmt::format("state: a motion has 5 parts, not {}", state.size()));
     M motion = state[2].is_none() ? M::between(pose_from(state[0], "start"), pose_from(state[1], "goal"))
                                   : relative<M>(state[0], state[1], state[2], state[3]);
     if constexpr (std::is_same_v<M, SweepMotion>)
@@ -61,13 +61,13 @@ M made_from(const nb::tuple& state) {
     return motion;
 }
 
-/// What both kinds of motion have.
+/// Binds the members that both kinds of motion have.
 template <typename M>
 void bind_common(nb::class_<M>& type) {
     type.def_static("relative", relative<M>, "moving_start"_a, "moving_goal"_a, "fixed_start"_a, "fixed_goal"_a,
                     nb::sig(relative_signature<M>),
-                    "For two moving bodies: the motion of the one as seen from the other, which is called fixed. All "
-                    "four poses are in the world, (4, 4) or (7,).")
+                    "For two moving bodies: the motion of one body in the frame of the other, which is called fixed. "
+                    "All four poses are in the world, (4, 4) or (7,).")
         .def("pose_at", pose_at<M>, "time"_a, nb::sig("def pose_at(self, time: float) -> " CHASLES_ARRAY),
              "The pose (4, 4) of the moving body in the world at a time in [0, 1].")
         .def(
@@ -91,7 +91,7 @@ void bind_common(nb::class_<M>& type) {
                 require_in_unit_interval(tau, "tau");
                 return motion.time_at(tau);
             },
-            "tau"_a, "The time of a tau: the inverse of tau_at().")
+            "tau"_a, "The time that belongs to a tau: the inverse of tau_at().")
         .def_prop_ro("angle", &M::angle, doc("ScrewMotion.angle"))
         .def("__getstate__", state<M>)
         .def("__setstate__", [](M& motion, const nb::tuple& state) { new (&motion) M(made_from<M>(state)); });
@@ -171,7 +171,7 @@ Motion given_motion(nb::handle motion) {
 Motion motion_from(const MotionArguments& a) {
     if (!a.motion.is_none()) {
         if (!none_of({a.start, a.goal, a.fixed_start, a.fixed_goal}))
-            throw InvalidInput("motion: is given besides poses; give the one or the other");
+            throw InvalidInput("motion: both a motion and poses are given; only one of them is allowed");
         return given_motion(a.motion);
     }
     if (a.start.is_none() || a.goal.is_none())

@@ -1,4 +1,4 @@
-// Motions out of what Python hands over.
+// Motions from arguments from Python.
 #pragma once
 
 #include "chasles/motion/motion.h"
@@ -6,7 +6,7 @@
 
 namespace chasles::python {
 
-/// The arguments of a query that say how the moving body moves; None where one is left out.
+/// The arguments of a query that describe the motion. Omitted arguments are None.
 struct MotionArguments {
     nb::handle start;
     nb::handle goal;
@@ -15,8 +15,8 @@ struct MotionArguments {
     nb::handle fixed_goal;
 };
 
-/// The motion if one is given; else the screw from start to goal, of two moving bodies if the fixed one has poses too.
-/// Throws InvalidInput where arguments are missing or are too many.
+/// The motion if one is given, otherwise the screw from start to goal. If the fixed body has poses too, it is the screw
+/// of the relative motion. Throws InvalidInput if arguments are missing or contradict each other.
 Motion motion_from(const MotionArguments& arguments);
 
 } // namespace chasles::python

@@ -13,8 +13,8 @@ namespace {
 
 constexpr std::array<std::string_view, 3> finds{"first", "any", "first_with_all_contacts"};
 
-/// The members of one enumeration in the order of the library's, looked up once. Never destroyed: Python may be gone by
-/// then.
+/// The members of a Python enumeration in the order of the library's enumerators. They are never destroyed, because
+/// Python may have ended before static objects are destroyed.
 template <typename Enumeration, std::size_t count>
 const std::array<nb::object, count>& members(const char* type) {
     auto* const found = new std::array<nb::object, count>;

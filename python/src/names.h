@@ -1,4 +1,4 @@
-// The members of chasles.enums that carry the names of the library's enumerators.
+// Conversion between the library's enumerators and the members of chasles.enums.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -13,7 +13,7 @@ namespace nb = nanobind;
 nb::object member_of(Verdict verdict);
 nb::object member_of(ContactKind kind);
 
-/// By its member or its name. Throws InvalidInput that lists the names.
+/// The enumerator of a member or of a name. Throws InvalidInput with a list of the names.
 Find find_from(nb::handle argument);
 
 } // namespace chasles::python

@@ -18,7 +18,7 @@ namespace {
 
 using namespace nb::literals;
 
-static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double)); // points are looked at where NumPy has them
+static_assert(sizeof(Eigen::Vector3d) == 3 * sizeof(double)); // the rows of a NumPy array are used as points
 
 /// Whether no face was dropped or cut.
 bool has_given_ids(const Polyhedron& polyhedron) {
@@ -100,7 +100,7 @@ nb::object source_faces(const Body& body) {
     return index_array(sources, {sources.size()});
 }
 
-/// Faces as the constructor takes them fastest.
+/// The faces in the form that the constructor reads fastest.
 nb::object packed_faces(const Body& body) {
     const std::size_t corners = body.polyhedron.face(0).size();
     std::vector<std::uint32_t> indices;
@@ -113,7 +113,7 @@ nb::object packed_faces(const Body& body) {
     return index_array(indices, {body.polyhedron.face_count(), corners});
 }
 
-/// The same body from its numbers, with the same ids.
+/// The constructor and its arguments for pickle. The new body has the same ids.
 nb::tuple reduce(nb::handle self) {
     const Body& body = nb::cast<const Body&>(self);
     const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
@@ -149,7 +149,7 @@ void bind_report(nb::module_& module) {
 
 const std::string& constructor_doc() {
     static const std::string text =
-        std::string("From arrays.\n\n") + doc("Polyhedron.from_polygons") +
+        std::string("Makes a body from arrays.\n\n") + doc("Polyhedron.from_polygons") +
         "\n\nParameters\n----------\nvertices : array (n, 3)\n    Points, in the mesh's unit.\n"
         "faces : array (m, k), or a list of m lists\n    Vertex indices from 0.\n"
         "triangulate : bool\n" +

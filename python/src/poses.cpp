@@ -1,4 +1,4 @@
-// What a pose may be is decided where poses are read from text, chasles/io/pose_text.h.
+// chasles/io/pose_text.h defines which numbers are a pose.
 #include "python/src/poses.h"
 
 #include "chasles/base/invalid_input.h"
@@ -7,7 +7,7 @@
 namespace chasles::python {
 namespace {
 
-/// How many numbers the last dimensions hold if they are those of a pose; 0 if they are not.
+/// The number of numbers of a pose with this shape; 0 if no pose has this shape.
 std::size_t pose_size(std::span<const Py_ssize_t> shape) {
     if (shape.size() == 1 && shape[0] == 7)
         return 7;
@@ -30,8 +30,8 @@ Pose pose_from(nb::handle argument, const char* name) {
 
 PoseArray::PoseArray(nb::handle argument, const std::string& name) : array_(argument, name) {
     const auto shape = array_.shape();
-    const bool is_nothing = shape.size() == 1 && shape[0] == 0; // what NumPy makes of []
-    numbers_ = is_nothing ? 7 : shape.size() > 1 ? pose_size(shape.subspan(1)) : 0;
+    const bool is_empty = shape.size() == 1 && shape[0] == 0; // NumPy's shape of []
+    numbers_ = is_empty ? 7 : shape.size() > 1 ? pose_size(shape.subspan(1)) : 0;
     if (numbers_ == 0)
         throw InvalidInput(name + ": the shape is " + array_.shape_text() +
                            "; poses have (n, 4, 4), or (n, 7) for x y z qw qx qy qz");

@@ -13,7 +13,7 @@ namespace {
 
 using namespace nb::literals;
 
-constexpr const char* all_contacts = "first_with_all_contacts"; ///< as the command line
+constexpr const char* all_contacts = "first_with_all_contacts"; ///< the default, also on the command line
 
 Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goal, nb::handle motion,
            nb::handle fixed_start, nb::handle fixed_goal, double margin, std::optional<double> hold,
@@ -42,7 +42,7 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
     {
         const nb::gil_scoped_release release;
         SignalCheck signals;
-        answer = options.ask_path(moving_body, fixed_body, path, [&](std::size_t) { signals.raise_now_and_then(); });
+        answer = options.ask_path(moving_body, fixed_body, path, [&](std::size_t) { signals.raise_if_due(); });
     }
     const Motion segment = ScrewMotion::between(path[answer.segment], path[answer.segment + 1]);
     return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin, max_turn},
@@ -51,7 +51,7 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
 
 std::string first_contact_doc() {
     return "When do two polyhedra first touch, where, and how?\n\n"
-           "The moving body goes from `start` to `goal` by one screw in the frame of the fixed\none, or by "
+           "The moving body moves from `start` to `goal` by one screw in the frame of the fixed\nbody, or by "
            "`motion`.\n\n"
            "Parameters\n----------\nmoving, fixed : Polyhedron\nstart, goal : array (4, 4) or (7,)\n"
            "    Poses of the moving body: matrices, or x y z qw qx qy qz with a quaternion of any length.\n"
@@ -59,16 +59,17 @@ std::string first_contact_doc() {
            "fixed_start, fixed_goal : array (4, 4) or (7,)\n"
            "    Poses of the fixed body, if it moves too; all poses are then in the world.\n" +
            option_docs() +
-           "\nReturns\n-------\nFirstContact\n    Its verdict says what is proven.\n\n"
-           "Raises\n------\nInvalidInput\n    A ValueError that says what, where and why.";
+           "\nReturns\n-------\nFirstContact\n    Its verdict states the proven result.\n\n"
+           "Raises\n------\nInvalidInput\n    A ValueError. Its message names the input, the place and the reason.";
 }
 
 std::string path_doc() {
-    return "The first contact on a path of poses, each segment of which is one screw.\n\n"
+    return "The first contact on a path of poses. Each segment between two poses is one screw.\n\n"
            "Parameters\n----------\nmoving, fixed : Polyhedron\nposes : array (n, 4, 4) or (n, 7)\n"
-           "    Of the moving body in the frame of the fixed one; at least two.\n" +
+           "    At least two poses of the moving body in the frame of the fixed body.\n" +
            option_docs(false) +
-           "\nReturns\n-------\nPathContact\n    Its time counts within its segment; its work is that of the whole "
+           "\nReturns\n-------\nPathContact\n    Its time runs from 0 to 1 within its segment. Its work covers the "
+           "whole "
            "path.";
 }
 

@@ -1,4 +1,4 @@
-// Options that several queries share, as Python hands them over.
+// Options that several queries share, with their docstrings.
 #pragma once
 
 #include "chasles/query/path.h"
@@ -49,14 +49,14 @@ inline constexpr double default_max_turn = std::numbers::pi / 18;
     "margin: float = 0.0, hold: float | None = None, time_tolerance: float = 1e-12, "                                  \
     "max_turn: float = math.pi / 18, find: chasles.enums.Find | str = "
 
-/// A paragraph below the name of a parameter.
+/// A paragraph, indented as the description of a parameter.
 inline std::string indented(std::string text) {
     for (std::size_t line = text.find('\n'); line != std::string::npos; line = text.find('\n', line + 5))
         text.insert(line + 1, "    ");
     return "    " + text + "\n";
 }
 
-/// Their part of a docstring.
+/// The descriptions of the shared options for a docstring.
 inline std::string option_docs(bool with_hold = true) {
     const std::string hold = "hold : float, optional\n" + indented(doc("FirstContactQuery.hold"));
     return "margin : float\n" + indented(doc("FirstContactQuery.margin")) + (with_hold ? hold : "") +

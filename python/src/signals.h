@@ -1,4 +1,4 @@
-// Ctrl-C while the library works.
+// Ctrl-C during a query.
 #pragma once
 
 #include <chrono>
@@ -6,14 +6,15 @@
 
 namespace chasles::python {
 
-/// Asks Python now and then whether a signal has come.
+/// Checks at regular intervals whether Python has received a signal.
 class SignalCheck {
 public:
-    /// Twenty times a second at most, so that work loses nothing by it.
+    /// At most twenty checks per second, whose cost is negligible.
     static constexpr std::chrono::milliseconds interval{50};
 
-    /// Without the GIL. Throws Python's exception (KeyboardInterrupt, unless a handler raises another one).
-    void raise_now_and_then() {
+    /// Checks for signals if the interval is over. Must be called without the GIL (Python's global interpreter lock).
+    /// Throws the exception that Python's signal handler raises, by default KeyboardInterrupt.
+    void raise_if_due() {
         const auto now = std::chrono::steady_clock::now();
         if (now < next_)
             return;

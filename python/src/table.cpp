@@ -9,12 +9,12 @@
 namespace chasles::python {
 namespace {
 
-constexpr double nothing = std::numeric_limits<double>::quiet_NaN();
-constexpr std::string_view not_done = "not_done"; ///< as table.py fills new tables
+constexpr double no_number = std::numeric_limits<double>::quiet_NaN();
+constexpr std::string_view not_done = "not_done"; ///< the verdict of a new row (python/chasles/table.py)
 
 template <std::size_t size>
 void write_text(std::string_view text, char32_t (&cell)[size]) {
-    static_assert(sizeof(char32_t) == 4); // as NumPy's
+    static_assert(sizeof(char32_t) == 4); // the size of NumPy's characters
     const auto end = std::ranges::copy(text.substr(0, size), cell).out;
     std::fill(end, cell + size, U'\0');
 }
@@ -30,23 +30,23 @@ void write_vector(const Eigen::Vector3d& vector, double (&cells)[3]) {
 
 void write_times(const FirstContact& found, Row& row) {
     const bool is_clear = found.verdict == Verdict::clear;
-    row.time = is_clear ? nothing : found.time.lower;
-    row.time_upper = is_clear ? nothing : found.time.upper;
-    row.tau = is_clear ? nothing : found.tau.lower;
-    row.tau_upper = is_clear ? nothing : found.tau.upper;
+    row.time = is_clear ? no_number : found.time.lower;
+    row.time_upper = is_clear ? no_number : found.time.upper;
+    row.tau = is_clear ? no_number : found.tau.lower;
+    row.tau_upper = is_clear ? no_number : found.tau.upper;
     row.certain = found.certain;
     row.clear_until = found.clear_until;
 }
 
-void write_nowhere(Row& row) {
+void clear_geometry(Row& row) {
     write_text("", row.kind);
     for (auto* const feature : {row.moving_feature, row.fixed_feature})
         std::fill_n(feature, 2, -1);
     for (auto* const vector : {row.point, row.normal})
-        std::fill_n(vector, 3, nothing);
+        std::fill_n(vector, 3, no_number);
 }
 
-void write_place(const Contact& contact, Row& row) {
+void write_geometry(const Contact& contact, Row& row) {
     write_text(view::name_of(contact.kind), row.kind);
     write_feature(contact.moving, row.moving_feature);
     write_feature(contact.fixed, row.fixed_feature);
@@ -54,8 +54,8 @@ void write_place(const Contact& contact, Row& row) {
     write_vector(contact.normal, row.normal);
 }
 
-/// An overlap has features and a point, but neither kind nor normal.
-void write_place(const Overlap& overlap, Row& row) {
+/// An overlap has features and a point, but no kind and no normal.
+void write_geometry(const Overlap& overlap, Row& row) {
     write_feature(overlap.edge_is_moving ? overlap.edge : overlap.face, row.moving_feature);
     write_feature(overlap.edge_is_moving ? overlap.face : overlap.edge, row.fixed_feature);
     write_vector(overlap.point, row.point);
@@ -65,12 +65,12 @@ void write_place(const Overlap& overlap, Row& row) {
 
 void write(const FirstContact& found, Row& row) {
     write_times(found, row);
-    write_nowhere(row);
+    clear_geometry(row);
     if (!found.contacts.empty())
-        write_place(found.contacts.front(), row);
+        write_geometry(found.contacts.front(), row);
     else if (found.overlap)
-        write_place(*found.overlap, row);
-    write_text(view::name_of(found.verdict), row.verdict); // last: now it is answered
+        write_geometry(*found.overlap, row);
+    write_text(view::name_of(found.verdict), row.verdict); // last, because the verdict marks the row as answered
 }
 
 void write(const PathContact& found, PathRow& row) {
@@ -96,7 +96,7 @@ Table<AnyRow>::Table(nanobind::handle array) {
                       reinterpret_cast<std::uintptr_t>(view_.buf) % alignof(AnyRow) == 0;
     if (!fits) {
         PyBuffer_Release(&view_);
-        throw InvalidInput("table: must be one that an earlier batch of the same kind left");
+        throw InvalidInput("table: must come from an earlier batch of the same function");
     }
 }
 

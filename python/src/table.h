@@ -1,5 +1,5 @@
-// The rows of the structured arrays that batches answer with. The columns are those of `chasles batch`
-// (docs/command-line.md); python/chasles/table.py has the same as NumPy's types.
+// The rows of the structured arrays that batches return. python/chasles/table.py describes the columns and has the same
+// layout as a NumPy type.
 #pragma once
 
 #include "chasles/query/path.h"
@@ -10,7 +10,7 @@
 
 namespace chasles::python {
 
-/// NaN, -1 and "" stand for what an answer does not have.
+/// Missing values are NaN, -1 or "".
 struct Row {
     std::int64_t id;
     char32_t verdict[16];
@@ -33,12 +33,12 @@ struct PathRow : Row {
 
 void write(const FirstContact& found, Row& row);
 void write(const PathContact& found, PathRow& row);
-/// For what cannot be asked.
+/// Marks a row whose input is invalid.
 void write_error(Row& row);
-/// Whether an earlier batch has answered it.
+/// Whether an earlier batch has answered the row.
 bool is_answered(const Row& row);
 
-/// The rows of a structured array, in place. Throws InvalidInput if it is not of the type of these rows.
+/// The rows of a structured array, in place. Throws InvalidInput if the array does not have rows of this type.
 template <typename AnyRow>
 class Table {
 public:

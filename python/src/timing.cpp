@@ -1,4 +1,4 @@
-// What the library takes without Python, for bench/python. Not for users.
+// Times of the library without the Python layer, for bench/python. Not part of the public interface.
 #include "chasles/query/path.h"
 #include "python/src/bind.h"
 #include "python/src/body.h"
@@ -19,7 +19,7 @@ double seconds_of(const auto& work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-/// Of the same question asked again and again, motion made from its poses each time.
+/// The time of `times` identical queries. Each query includes making the motion from its poses.
 double query_seconds(const Body& moving, const Body& fixed, nb::handle start, nb::handle goal, nb::handle find,
                      std::size_t times) {
     const QueryOptions options{0, {}, default_time_tolerance, default_max_turn, find_from(find)};

@@ -1,4 +1,4 @@
-// chasles._core.view_page: the page of an answer; chasles/view.py writes it.
+// chasles._core.view_page: the page of an answer. python/chasles/view.py writes it to a file.
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/query_options.h"
@@ -33,7 +33,7 @@ std::string view_page(const Answer& answer, const std::string& title, const std:
 
 void bind_view(nb::module_& module) {
     module.def("view_page", view_page, "found"_a, "title"_a, "moving_name"_a, "fixed_name"_a,
-               "A page of HTML, in UTF-8, that shows the answer; needs no network.");
+               "A page of HTML in UTF-8 that shows the answer. The page needs no network.");
 }
 
 } // namespace chasles::python

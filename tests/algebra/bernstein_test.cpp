@@ -1,4 +1,4 @@
-// Bernstein forms hold the polynomials they claim to, exactly in rationals and to within the stated error elsewhere.
+// Bernstein forms represent their polynomials exactly in rationals, and within the stated error in other scalars.
 #include "chasles/algebra/bernstein.h"
 
 #include "chasles/algebra/unit_roundoff.h"
@@ -110,7 +110,7 @@ TEST(Bernstein, BinomialsAreThoseOfPascalsTriangle) {
     EXPECT_EQ(binomial(6, 3), 20);
 }
 
-/// The largest error of value_at and restricted over the bound that their comments state.
+/// The largest ratio of the error of value_at and restricted to the bound stated in their comments.
 template <int Degree, class S>
 double rounding_ratio(Random& random) {
     const auto p = random_doubles<Degree>(random);
@@ -139,7 +139,7 @@ TEST(Bernstein, RoundingStaysWithinItsBounds) {
     });
     std::cout << "largest error over bound " << largest << "\n";
     EXPECT_LE(largest, 1);
-    EXPECT_GT(largest, 0.05) << "the bound is so wide that this test shows nothing";
+    EXPECT_GT(largest, 0.05) << "the bound is too wide for this test to show anything";
 }
 
 TEST(Bernstein, ValuesLieBetweenTheSmallestAndTheLargestCoefficient) {

@@ -1,4 +1,4 @@
-// A guess promises nothing, but it is useless where it is not good on plain problems.
+// A guess has no guarantee, but it must be accurate on simple problems to be useful.
 #include "chasles/algebra/crossing_guess.h"
 
 #include "tests/support/exact_feasible.h"

@@ -21,7 +21,7 @@ DoubleDouble random_number(Random& random, int largest_exponent) {
     return DoubleDouble(sign * high) + DoubleDouble(std::ldexp(random.uniform(-high, high), -gap));
 }
 
-/// Agrees with `a` in about `bits` leading bits.
+/// A number that agrees with `a` in about `bits` leading bits.
 DoubleDouble close_to(const DoubleDouble& a, int bits, Random& random) {
     return a + DoubleDouble(std::ldexp(a.high() * random.uniform(0.5, 1), -bits));
 }

@@ -1,4 +1,4 @@
-// The exact form of first_feasible against Sturm's theorem: nothing is left undecided.
+// The exact form of first_feasible against Sturm's theorem: every case is decided.
 #include "chasles/algebra/exact_feasible.h"
 
 #include "tests/support/exact_numbers.h"
@@ -60,7 +60,8 @@ TEST(ExactFeasible, ATouchWithoutCrossingIsCertain) {
     EXPECT_GE(Rational(found->upper), ratio(1, 3));
 }
 
-/// F vanishes, and the two sides of a constraint open at next to the same tau, named in either order.
+/// F vanishes identically. The two sides of a constraint become feasible at nearly the same tau, listed in either
+/// order.
 TEST(ExactFeasible, TheFirstOfTwoPlacesNextToEachOtherIsFound) {
     using Integer = boost::multiprecision::mpz_int;
     const Rational tiny(Integer(1), Integer(1) << 130);

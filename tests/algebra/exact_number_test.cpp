@@ -9,7 +9,7 @@ namespace {
 using test::Random;
 using test::Rational;
 
-/// p / q runs through the best approximations of the root of 2, in turn below and above it.
+/// p / q runs through the best approximations of the square root of 2, alternately below and above the root.
 TEST(ExactNumber, SignsOfTheBestApproximationsOfARoot) {
     const Dyadic two(2);
     const ExactNumber root = ExactNumber::root_of(two);
@@ -39,7 +39,7 @@ TEST(ExactNumber, ARootThatIsRationalIsThatNumber) {
     EXPECT_EQ(ExactNumber::root_of(nothing).sign(), 0);
 }
 
-/// With the root of 49/16 in place of 7/4, every number is also a rational.
+/// The root of 49/16 is 7/4, so every number is also a rational.
 TEST(ExactNumber, ArithmeticAgreesWithRationals) {
     Random random(711);
     const Dyadic radicand(49.0 / 16);

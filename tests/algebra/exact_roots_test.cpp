@@ -82,7 +82,7 @@ TEST(ExactRoots, SignsOfOtherPolynomialsAgreeWithSturm) {
         EXPECT_GT(count, 60);
 }
 
-/// tau^2 - 1/2 and (tau^2 - 1/2) (tau + 1) + 2^-400: a root shared, and one missed by next to nothing.
+/// tau^2 - 1/2 and (tau^2 - 1/2) (tau + 1) + 2^-400: one root is shared, the other is missed by a tiny amount.
 TEST(ExactRoots, TellARootFromItsNeighbour) {
     auto root = ExactRoot<3>::roots_of(whole<3>({ratio(-1, 2), 0, 1}));
     ASSERT_EQ(root.size(), 1u);

@@ -1,4 +1,4 @@
-// The cost of first_feasible has a ceiling, counted in operations of a scalar that counts.
+// The cost of first_feasible has a ceiling, in operations of a counting scalar.
 #include "chasles/algebra/first_feasible.h"
 
 #include "tests/support/random.h"
@@ -10,7 +10,7 @@ namespace {
 
 using test::Random;
 
-/// A double that counts its arithmetic.
+/// A double that counts arithmetic operations.
 struct Counted {
     double value = 0;
     static inline std::int64_t operations = 0;
@@ -39,7 +39,7 @@ inline constexpr double unit_roundoff<Counted> = 0x1p-53;
 
 namespace {
 
-/// Of restrictions.
+/// The largest number of restrictions.
 constexpr int ceiling = 100;
 
 using Cubic = Bernstein<3, Counted>;
@@ -68,7 +68,7 @@ std::int64_t cost(const Cubic& function, const std::vector<Constraint<3, Counted
     return Counted::operations;
 }
 
-/// One look at one part: everything restricted and clipped, and the last constraint ends it.
+/// The cost of one step: all polynomials are restricted and clipped, and the last constraint rejects the part.
 std::int64_t one_step(std::size_t constraints) {
     std::vector<Constraint<3, Counted>> all(constraints, {bounded(cubic(1, 1, 1, 1)), {}, false});
     if (all.empty())
@@ -123,7 +123,7 @@ TEST(FirstFeasibleCost, AdversarialProblemsStopAtTheCeiling) {
         largest = std::max(largest, cost(function, constraints));
     }
     std::cout << "largest cost " << double(largest) / double(one_step(3)) << " steps\n";
-    // A step restricts the weight and F at least; the last one looks twice, at three sides more.
+    // A step restricts at least the weight and F. The last step tests twice, with three more constraint sides.
     EXPECT_LT(largest, ceiling / 2 * one_step(0) + 2 * one_step(3));
     EXPECT_GT(largest, ceiling / 5 * one_step(3) / 2) << "the ceiling is not reached";
 }

@@ -1,4 +1,4 @@
-// first_feasible against Sturm's theorem in exact rationals, on random problems that lean to corners.
+// first_feasible against Sturm's theorem in exact rationals, on random problems with many corner cases.
 #include "chasles/algebra/first_feasible.h"
 
 #include "chasles/algebra/double_double.h"
@@ -14,7 +14,7 @@ struct Tally {
     int problems = 0;
     int contacts = 0;
     int certain = 0;
-    int doubtful = 0; ///< reported where there is none
+    int doubtful = 0; ///< uncertain contacts where there is no contact
 
     void expect_hit_rates() const {
         std::cout << contacts << " contacts of " << problems << ", " << certain << " certain, " << doubtful
@@ -26,7 +26,7 @@ struct Tally {
     }
 };
 
-/// A bracket may be wide only because F is within a few error bounds of zero there.
+/// A bracket may be wide only if F is within a few error bounds of zero in the bracket.
 template <int Degree, class S>
 void expect_blurred(const OwnedProblem<Degree, S>& problem, const FeasibleInterval& found) {
     const Rational at_lower = value_at(test::exact(problem.function.polynomial), Rational(found.lower));
@@ -34,20 +34,20 @@ void expect_blurred(const OwnedProblem<Degree, S>& problem, const FeasibleInterv
         << "wide for no reason: " << found.lower << " to " << found.upper;
 }
 
-/// Any focus that says nothing false.
+/// Any valid focus.
 Focus random_focus(const std::optional<AlgebraicRoot>& truth, Random& random) {
     const double last = truth ? std::max(0.0, detail::rounded_down(truth->lower)) : 1;
     const double lower = random.chance(0.3) ? last : random.uniform(0, last);
     return {lower, random.chance(0.3) ? lower : random.uniform(lower, 1)};
 }
 
-/// Never late, certain only if true, tight if certain.
+/// An answer is never late; a certain answer is true and its bracket is narrow.
 template <int Degree, class S>
 void expect_promises(const OwnedProblem<Degree, S>& problem, const std::optional<AlgebraicRoot>& truth,
                      const std::optional<FeasibleInterval>& found, Tally& tally) {
     ++tally.problems;
     if (!truth) {
-        EXPECT_FALSE(found && found->certain) << "certain of a contact that is none";
+        EXPECT_FALSE(found && found->certain) << "certain, but there is no contact";
         tally.doubtful += found ? 1 : 0;
         return;
     }
@@ -57,12 +57,12 @@ void expect_promises(const OwnedProblem<Degree, S>& problem, const std::optional
     if (!found->certain)
         return;
     ++tally.certain;
-    EXPECT_GE(Rational(found->upper), truth->lower) << "the first contact is later than the bracket says";
+    EXPECT_GE(Rational(found->upper), truth->lower) << "the first contact is after the bracket";
     if (found->upper - found->lower > 1.001e-12)
         expect_blurred(problem, *found);
 }
 
-/// Polynomials with rational coefficients are taken as they stand; rounded ones are judged as rounded.
+/// Rational coefficients are used exactly. Rounded coefficients define the problem after rounding.
 template <class S>
 void expect_promises_for_random_problems(std::uint64_t seed, int trials, bool next_to_an_end = false) {
     Random random(seed);
@@ -87,7 +87,7 @@ TEST(FirstFeasibleRandom, DoublesKeepThePromises) {
 TEST(FirstFeasibleRandom, DoubleDoublesKeepThePromises) {
     expect_promises_for_random_problems<DoubleDouble>(502, 120);
 }
-/// Where a guess is worth little: slopes change within a part of [0, 1] that is far smaller than its steps.
+/// Problems with poor guesses: slopes change within a part of [0, 1] that is far smaller than the steps of the guess.
 TEST(FirstFeasibleRandom, DoublesKeepThePromisesNextToTheEnds) {
     expect_promises_for_random_problems<double>(506, 250, true);
 }
@@ -98,7 +98,7 @@ TEST(FirstFeasibleRandom, RationalsKeepThePromises) {
     expect_promises_for_random_problems<Rational>(503, 60);
 }
 
-/// Rationals have no bands: wherever they report something, it is there or the constraints are open by next to nothing.
+/// Rationals have no error bands: a reported contact exists, or the constraints are violated by a tiny amount.
 TEST(FirstFeasibleRandom, RationalBracketsEncloseTheFirstContactEvenWhenUncertain) {
     Random random(504);
     int uncertain = 0;
@@ -115,7 +115,7 @@ TEST(FirstFeasibleRandom, RationalBracketsEncloseTheFirstContactEvenWhenUncertai
     EXPECT_GT(uncertain, 10);
 }
 
-/// A polynomial somewhere within the band of `p`.
+/// A random polynomial within the error band of `p`.
 template <int Degree>
 Bernstein<Degree, Rational> perturbed(const Bounded<Degree, double>& p, Random& random) {
     Bernstein<Degree, Rational> result = test::exact(p.polynomial);

@@ -1,4 +1,4 @@
-// first_feasible on problems whose answer is known because they were built from it.
+// first_feasible on problems that are built from a known answer.
 #include "chasles/algebra/first_feasible.h"
 
 #include "chasles/algebra/double_double.h"
@@ -41,7 +41,7 @@ PowerPolynomial before(const Rational& root) {
     return {root, Rational(-1)};
 }
 
-/// `slack`: how far rounded coefficients may move the root.
+/// `slack`: bound on how far rounded coefficients move the root.
 template <class S, int Degree>
 void expect_first_in(const Problem<Degree>& exactly, const Rational& tau, double slack) {
     const auto found = in_scalar<S>(exactly).solve();
@@ -123,7 +123,7 @@ TEST(FirstFeasible, RootsOutsideAreNone) {
 }
 
 TEST(FirstFeasible, ComplexRootsAreNone) {
-    // (2 tau - 1)^2 + 1e-6: clear of zero by a millionth.
+    // (2 tau - 1)^2 + 1e-6: at least a millionth above zero.
     expect_none(problem<2>({Rational(1) + ratio(1, 1000000), Rational(-4), Rational(4)}));
 }
 
@@ -174,7 +174,7 @@ TEST(FirstFeasible, DoubleDoubleTellsMissesThatDoublesCannot) {
     const Rational tiny(1e-20);
     const auto miss = problem<1>(after(ratio(1, 4)), {at_least_zero<1>(before(ratio(1, 4) - tiny))});
     const auto in_doubles = in_scalar<double>(miss).solve({1e-12, 1e-12});
-    ASSERT_TRUE(in_doubles) << "a double cannot tell, so it must report";
+    ASSERT_TRUE(in_doubles) << "doubles cannot decide, so a contact must be reported";
     EXPECT_FALSE(in_doubles->certain);
     EXPECT_FALSE(in_scalar<DoubleDouble>(miss).solve({1e-12, 0x1p-90}));
 }
@@ -283,7 +283,7 @@ TEST(FirstFeasibleGuess, TheLargestWeightCountsWhereverItIs) {
     EXPECT_LE(found->lower, 0.5);
 }
 
-/// The step in double-double leads out of [0, 1] from a guess that has not settled.
+/// From a guess that has not converged, the step in double-double leaves [0, 1].
 TEST(FirstFeasibleGuess, AStepOutsideIsNoGuess) {
     const auto found = [](const std::array<double, 4>& coefficients, const Focus& focus) {
         OwnedProblem<3, DoubleDouble> problem;

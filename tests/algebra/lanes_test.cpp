@@ -1,4 +1,4 @@
-// The vector register and the plain array are the same four numbers.
+// The vector register and the plain array give the same four numbers.
 #include "chasles/algebra/lanes.h"
 
 #include "chasles/algebra/double_double.h"
@@ -60,7 +60,7 @@ DoubleDouble random_double_double(Random& random) {
     return random.chance(0.5) ? DoubleDouble(high) : DoubleDouble::exact_sum(high, random.uniform(-0x1p-54, 0x1p-54));
 }
 
-/// Bit by bit, the low words too.
+/// Compares all bits, including the low words.
 void expect_same(const Lanes<4, DoubleDouble>& lanes, const std::array<DoubleDouble, 4>& expected) {
     for (std::size_t i = 0; i < 4; ++i)
         EXPECT_EQ(lanes[i], expected[i]) << "lane " << i;

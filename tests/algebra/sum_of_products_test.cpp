@@ -1,4 +1,4 @@
-// Bounds of sums of products hold in every coefficient, and in every part, against exact rationals.
+// Error bounds of sums of products hold for every coefficient on every part, compared with exact rationals.
 #include "chasles/algebra/sum_of_products.h"
 
 #include "tests/support/random.h"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// A cubic as it is known, and as it is: within the error of it, coefficient by coefficient.
+/// A computed cubic and the exact cubic. Each coefficient differs by at most the stated error.
 template <class S>
 struct Known {
     Bounded<3, S> computed;
@@ -66,7 +66,7 @@ void expect_sound(std::uint32_t seed) {
     for (int trial = 0; trial < 3000; ++trial)
         largest = std::max(largest, largest_ratio<S>(random));
     EXPECT_LT(largest, 1);
-    EXPECT_GT(largest, 0.2) << "bounded too widely to show anything";
+    EXPECT_GT(largest, 0.2) << "the bound is too wide for this test to show anything";
 }
 
 TEST(SumOfProducts, BoundsHoldInDouble) {

@@ -1,4 +1,4 @@
-// Vectors and matrices of three against component sums written out with indices.
+// 3-vectors and 3x3 matrices against explicit sums over components.
 #include "chasles/algebra/vector.h"
 
 #include "tests/support/random.h"

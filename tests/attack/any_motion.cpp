@@ -24,14 +24,14 @@ PosedMotion any_motion(AttackRandom& random, double distance) {
     posed.is_relative = random.chance(0.3);
     for (Pose* pose : {&posed.moving_start, &posed.moving_goal, &posed.fixed_start, &posed.fixed_goal})
         *pose = posed.kind == MotionKind::screw ? any_pose(random, distance) : sweepable_pose(random, distance);
-    if (posed.is_relative) // mostly with each other, so that they meet
+    if (posed.is_relative) // the bodies move mostly together, so that they touch
         posed.fixed_start.translation *= 0.3;
     else
         posed.fixed_start = posed.fixed_goal = Pose();
     return posed;
 }
 
-void turn_hardly(PosedMotion& posed, AttackRandom& random) {
+void make_tiny_turn(PosedMotion& posed, AttackRandom& random) {
     const double size = std::ldexp(1.0, -random.integer(10, 56));
     const Eigen::Vector3d v = random.grid_direction(3).cast<double>();
     const double half = random.chance(0.5) ? size : size * random.uniform(0.5, 1);

@@ -1,4 +1,4 @@
-// Random numbers that a seed, a family and an index bring back.
+// Random numbers that are determined by a seed, a family and an index.
 #pragma once
 
 #include <Eigen/Core>

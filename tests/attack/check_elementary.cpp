@@ -17,7 +17,7 @@ using algebra::FeasibleInterval;
 using reference::Earliest;
 using reference::Root;
 
-/// Adds the seconds that it takes.
+/// Runs `work` and adds its duration.
 template <class Work>
 auto timed(double& seconds, Work work) {
     using Clock = std::chrono::steady_clock;
@@ -28,7 +28,7 @@ auto timed(double& seconds, Work work) {
 }
 
 constexpr double tolerance = 1e-12;
-/// The exact stage is asked every so often where it need not be.
+/// The exact stage also runs for one in so many questions that need no exact arithmetic.
 constexpr std::size_t exact_share = 16;
 
 double reach(const std::vector<Question>& questions, std::vector<Eigen::Vector3d> Question::*points) {
@@ -44,7 +44,7 @@ algebra::Vector3<S> in_scalar(const Eigen::Vector3d& p) {
     return {S(p.x()), S(p.y()), S(p.z())};
 }
 
-/// One precision, set up as a query sets it up.
+/// One precision, with the setup of a query.
 template <class S>
 class Stage {
 public:
@@ -87,7 +87,7 @@ bool is_decided(const std::optional<FeasibleInterval>& found) {
     return !found || (found->certain && found->upper - found->lower <= tolerance);
 }
 
-/// Counts an answer; what is wrong with it, if anything is.
+/// Counts an answer. Returns the error of the answer, or null.
 const char* fault_of(std::optional<Root>& truth, const std::optional<FeasibleInterval>& found, Tally& tally) {
     ++tally.queries;
     tally.touches += truth ? 1 : 0;

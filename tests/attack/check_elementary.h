@@ -8,8 +8,8 @@
 
 namespace chasles::attack {
 
-/// One tally for each precision: what the stages of a query answer. The filter and the refinement are asked everything,
-/// the exact stage what these leave open and a share of the rest.
+/// One tally for each precision. The filter and the refinement run for all questions. The exact stage runs for the
+/// uncertain questions and for a share of the others.
 struct StageTallies {
     Tally filter;
     Tally refinement;
@@ -18,8 +18,8 @@ struct StageTallies {
     StageTallies& operator+=(const StageTallies& other);
 };
 
-/// Counts the questions; returns what is wrong with the answers, empty if nothing is. An uncertain contact where there
-/// is none is no false alarm of the first two stages: it says that the next one has to look.
+/// Counts the questions. Returns a description of wrong answers, or an empty text. In the first two stages an uncertain
+/// contact without a real contact is not a false alarm, because the next stage decides it.
 std::string check(const QuestionGroup& group, StageTallies& tallies);
 
 } // namespace chasles::attack

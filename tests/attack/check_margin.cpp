@@ -17,16 +17,16 @@ namespace {
 using reference::MarginScene;
 using reference::Surface;
 
-/// By so much of the scene's size may a distance be off that is not told exactly.
+/// The error bound of a distance that is not decided exactly, relative to the size of the scene.
 constexpr double resolution = 1e-13;
-/// Of a certain bracket: the default tolerance, and what conversion to time adds.
+/// The largest width of a certain bracket: the default tolerance, plus the conversion to time.
 constexpr double widest_bracket = 1.1e-12;
 
 double now() {
     return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
 }
 
-/// The exact answer, also for a margin that is a little more or less.
+/// The exact answer, also for slightly larger and smaller margins.
 class Truth {
 public:
     explicit Truth(const MarginCase& posed)
@@ -41,14 +41,14 @@ public:
         return {std::nullopt, 0, paths_.size()};
     }
     [[nodiscard]] PiecewiseTau exact() const { return at(posed_.margin); }
-    /// Of all that an answer within the resolution may mean, the first and the last time.
+    /// The first and the last time that an answer within the resolution may have.
     [[nodiscard]] PiecewiseTau earliest() const { return at(posed_.margin + slack()); }
     [[nodiscard]] PiecewiseTau latest() const { return at(posed_.margin - slack()); }
 
     [[nodiscard]] long double time_of(const PiecewiseTau& tau) const {
         return tau.time(posed_.mesh.posed.kind, paths_[tau.piece]);
     }
-    /// What is left to the margin at the tau of an answer, of the scene's size.
+    /// The distance minus the margin at the tau of an answer, relative to the size of the scene.
     [[nodiscard]] double clearance_at(double tau) const {
         const double parallel_chunks = tau * double(paths_.size());
         const std::size_t piece = std::min(std::size_t(parallel_chunks), paths_.size() - 1);
@@ -79,7 +79,7 @@ bool is_at_start(const PiecewiseTau& tau) {
     return tau.tau && tau.compared_to(0) == 0;
 }
 
-/// One answer and the truth; counts what is wrong.
+/// Compares one answer with the exact answer and counts errors.
 class Judge {
 public:
     Judge(const MarginCase& posed, const FirstContact& found, Tally& tally)
@@ -101,14 +101,14 @@ public:
     [[nodiscard]] const Truth& truth() const { return truth_; }
 
 private:
-    /// Counts a difference: as wrong, or as too small to be told where the answer may differ so much.
+    /// Counts a difference: as an error, or as within the resolution where the answer may differ by this much.
     std::string counted(bool is_told_apart, std::uint64_t& counter, const char* what) {
         ++(is_told_apart ? counter : tally_.near);
         return is_told_apart ? what : "";
     }
 
     std::string judged_clear() {
-        if (found_.clear_until != 1) // NOLINT: the very number
+        if (found_.clear_until != 1) // NOLINT: exact comparison
             return counted(true, tally_.misnamed, "clear, and clear_until is not 1");
         return exact_.tau ? counted(truth_.latest().tau.has_value(), tally_.missed, "missed") : "";
     }
@@ -143,7 +143,7 @@ private:
         if (found_.certain) {
             tally_.widest =
                 std::max({tally_.widest, found_.tau.upper - found_.tau.lower, found_.time.upper - found_.time.lower});
-            // Where the distance grazes the margin, a proof takes as long a bracket as it does.
+            // Where the distance grazes the margin, a proof may require a wide bracket.
             if (found_.time.upper - found_.time.lower > widest_bracket && !grazes())
                 return counted(true, tally_.outside, "a bracket that is certain and wide");
             return behind ? counted(true, tally_.outside, "certain of a bracket that the contact is not in") : "";
@@ -154,13 +154,13 @@ private:
         return counted(earliest.compared_to(found_.tau.upper) > 0, tally_.loose, "a bracket that ends too early");
     }
 
-    /// The distance has been as good as the margin since about the lower end.
+    /// Whether the distance is within the resolution of the margin from about the lower end on.
     [[nodiscard]] bool grazes() const {
         const PiecewiseTau earliest = truth_.earliest();
         return earliest.tau && truth_.time_of(earliest) <= found_.time.lower + widest_bracket;
     }
 
-    /// How far one may safely go is before the first contact.
+    /// Checks that clear_until is before the first contact.
     std::string judged_safe_way() {
         if (truth_.time_of(exact_) >= static_cast<long double>(found_.clear_until) - 1e-18L)
             return "";

@@ -6,8 +6,8 @@
 
 namespace chasles::attack {
 
-/// Counts the case; returns what is wrong with the answer, empty if nothing is. Answers that are certain must be right
-/// to the last bit; others by so much of the scene's size as distances can be told apart (docs/promises.md).
+/// Counts the case. Returns the error of the answer, or an empty text. Certain answers must be exactly right. Other
+/// answers must be right within the resolution of distances (docs/promises.md).
 std::string check(const MarginCase& posed, Tally& tally);
 
 /// The case with every number in hexadecimal.

@@ -29,7 +29,7 @@ PiecewiseTau truth_of(const MeshCase& posed) {
     return {std::nullopt, 0, paths.size()};
 }
 
-/// How many detections exact arithmetic decided, where the library counts them.
+/// The number of detections that exact arithmetic decided, if the library counts them.
 template <class AnyWork>
 std::uint64_t exact_count(const AnyWork& work) {
     if constexpr (requires { work.exact; })

@@ -6,7 +6,7 @@
 
 namespace chasles::attack {
 
-/// Counts the case; returns what is wrong with the answer, empty if nothing is.
+/// Counts the case. Returns the error of the answer, or an empty text.
 std::string check(const MeshCase& posed, Tally& tally);
 
 /// The case with every number in hexadecimal.

@@ -28,7 +28,7 @@ Points corners_of(const Polyhedron& body, FeatureKind kind, const Feature& featu
     return result;
 }
 
-/// From a point to a vertex, an edge or a convex face.
+/// The distance from a point to a vertex, an edge or a convex face.
 double distance_to(const Points& feature, const Eigen::Vector3d& p) {
     if (feature.size() == 1)
         return (p - feature[0]).norm();
@@ -58,7 +58,7 @@ std::string misplaced(const FirstContactQuery& query, const FirstContact& found,
         const Points b = corners_of(query.fixed, fixed_feature_kind(contact.kind), contact.fixed, fixed);
         if (a.empty() || b.empty())
             return "a contact of no feature";
-        // Doubles, and how far the bodies go within the bracket.
+        // The tolerance covers the rounding of doubles and the motion within the bracket.
         const double width = found.time.upper - found.time.lower;
         const double slack = 1e-13 * scene_size + 2 * width * (std::abs(contact.approach_speed) + scene_size);
         if (const double off = distance_to(b, contact.point); off > slack)

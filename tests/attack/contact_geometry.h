@@ -1,4 +1,4 @@
-// Are the contacts of an answer where they say: points on their features, as far apart as they say, along the normal?
+// Checks the contacts of an answer: points on their features, the right gap, and the right normal.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -7,7 +7,7 @@
 
 namespace chasles::attack {
 
-/// What is wrong with a contact of the answer, empty if nothing is. In doubles, at time.lower.
+/// The error of a contact of the answer at time.lower, or an empty text. Computed in doubles.
 std::string misplaced(const FirstContactQuery& query, const FirstContact& found, double scene_size);
 
 } // namespace chasles::attack

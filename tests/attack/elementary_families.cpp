@@ -46,7 +46,7 @@ Question asked(const LatticeMotion& motion, const LatticeFour& four, bool swappe
     return question;
 }
 
-/// Questions made on the lattice of one motion.
+/// Questions on the lattice of one motion.
 template <class Make>
 QuestionGroup on_lattice(AttackRandom& random, const MotionWish& wish, Make make) {
     const LatticeMotion motion = lattice_motion(random, wish);
@@ -66,7 +66,7 @@ LatticeFour vertex_on_rim(AttackRandom& random) {
     return {{random.chance(0.5) ? t[0] : Eigen::Vector3d((t[0] + t[1]) / 2)}, t};
 }
 
-/// Anywhere in the triangle's plane, also outside.
+/// A vertex anywhere in the triangle's plane, also outside the triangle.
 LatticeFour vertex_in_plane(AttackRandom& random) {
     const Points t = lattice_triangle(random);
     const double a = random.integer(-3, 4) / 3.0;
@@ -84,7 +84,7 @@ LatticeFour crossing_edges(AttackRandom& random) {
     return {through(u), through(v)};
 }
 
-/// Parallel: on each other, in line, or side by side.
+/// Parallel edges: overlapping, on one line, or next to each other.
 LatticeFour parallel_edges(AttackRandom& random) {
     const Eigen::Vector3d place = lattice_point(random);
     const Eigen::Vector3d d = lattice_direction(random);
@@ -118,7 +118,7 @@ bool is_one_piece(const PosedMotion& posed) {
     return !screw || screw->piece_count() == 1;
 }
 
-/// Points with all their digits.
+/// Points with all digits.
 QuestionGroup random_points(AttackRandom& random) {
     QuestionGroup group{any_motion(random, 1), {}};
     while (!is_one_piece(group.posed))
@@ -153,14 +153,14 @@ QuestionGroup parallels(AttackRandom& random) {
     return on_lattice(random, {}, parallel_edges);
 }
 
-/// At time 0 or 1.
+/// Touches at time 0 or 1.
 QuestionGroup ends(AttackRandom& random) {
     MotionWish wish;
     wish.tau = random.integer(0, 1);
     return on_lattice(random, wish, any_lattice_four);
 }
 
-/// All four points stay in one plane, which turns in itself or slides.
+/// All four points stay in one plane. The motion turns or slides within this plane.
 QuestionGroup planar(AttackRandom& random) {
     const int axis = random.integer(0, 2);
     MotionWish wish;
@@ -187,7 +187,7 @@ QuestionGroup planar(AttackRandom& random) {
     });
 }
 
-/// The path of a point of the moving edge, or of the moving vertex, is tangent to what it meets.
+/// The path of a moving point is tangent to the fixed feature.
 QuestionGroup tangents(AttackRandom& random) {
     MotionWish wish;
     wish.turns = 1;
@@ -254,7 +254,7 @@ QuestionGroup scaled(AttackRandom& random) {
 
 QuestionGroup tiny_turns(AttackRandom& random) {
     QuestionGroup group = random.chance(0.5) ? random_points(random) : any_degenerate(random);
-    turn_hardly(group.posed, random);
+    make_tiny_turn(group.posed, random);
     return group;
 }
 

@@ -9,14 +9,14 @@ namespace chasles::attack {
 
 enum class QuestionKind : std::uint8_t { vertex_face, face_vertex, edge_edge };
 
-/// Body coordinates: one, two or three moving points, and as many fixed points as make four.
+/// Body coordinates of four points: one, two or three moving points, the others fixed.
 struct Question {
     QuestionKind kind = QuestionKind::vertex_face;
     std::vector<Eigen::Vector3d> moving;
     std::vector<Eigen::Vector3d> fixed;
 };
 
-/// Some questions about one motion.
+/// Several questions with one motion.
 struct QuestionGroup {
     PosedMotion posed; ///< one piece
     std::vector<Question> questions;

@@ -1,5 +1,5 @@
-// The reference itself: its roots against Sturm's theorem, its motions against the poses at both ends, its answers
-// against touches that can be told by hand.
+// Tests of the reference: its roots against Sturm's theorem, its motions against the end poses, its answers against
+// touches that can be computed by hand.
 #include "tests/support/exact_reference.h"
 
 #include "chasles/motion/motion.h"
@@ -151,7 +151,7 @@ TEST(ExactReference, MotionsKeepBothEndPosesExactly) {
     }
 }
 
-/// The middle of a screw is half of its whole angle's tangent away, as the paper has it.
+/// At equal tau the screws of the reference and of the library have the same poses.
 TEST(ExactReference, ScrewVisitsThePosesOfTheLibrary) {
     std::mt19937 random(904);
     for (int trial = 0; trial < 30; ++trial) {
@@ -218,7 +218,7 @@ TEST(ExactReference, ATurnTouchesAtItsHalfAngleTangent) {
     Root root = *found;
     Root truth = roots_of({Integer(-1), Integer(2), Integer(1)}).at(0); // tau^2 + 2 tau - 1
     EXPECT_EQ(compare(root, truth), 0);
-    // A corner's circle touches the plane x = 5 from inside: a double root at 3/4-5 of the way.
+    // A corner's circle touches the plane x = 5 from inside: a double root.
     const Surface corner = triangle({3, -4, 0}, {2, -3, 1}, {2, -3, -1});
     const Surface tangent = triangle({5, -20, -20}, {5, 20, -20}, {5, 0, 40});
     expect_touch(corner, tangent, screw_path({}, goal), 0.5);

@@ -47,7 +47,7 @@ Rational common_denominator(const std::array<Triple, 3>& rows) {
     return Rational(result);
 }
 
-/// Turn and travel of the moving body as seen from the fixed one.
+/// Turn and travel of the moving body in the frame of the fixed body.
 struct Way {
     Turn turn;
     Triple travel{};

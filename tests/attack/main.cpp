@@ -1,6 +1,6 @@
-// Attacks the library with millions of questions, most of them degenerate on purpose, and holds every answer against
-// the exact reference. Exits with 1 on any miss, false alarm, late or wrong bracket; with --certain also where an
-// answer says that it is not certain.
+// Tests the library with millions of questions, most of them degenerate on purpose, and compares every answer with the
+// exact reference. The exit status is 1 after any miss, false alarm, or late or wrong bracket; with --certain also
+// after any uncertain answer.
 #include "tests/attack/check_elementary.h"
 #include "tests/attack/check_margin.h"
 #include "tests/attack/check_mesh.h"
@@ -48,7 +48,7 @@ Tally run(std::uint64_t count, unsigned threads, Attack attack) {
     return sum;
 }
 
-/// Prints the first few wrong answers of a family, with what brings them back.
+/// Prints the first few wrong answers of a family, with the options that reproduce them.
 class Failures {
 public:
     Failures(const Options& options, std::string family) : options_(options), family_(std::move(family)) {}
@@ -68,7 +68,7 @@ private:
     int shown_ = 0;
 };
 
-/// What is wrong, also where something was thrown.
+/// The error of a check, or the message of an exception.
 template <class Check>
 std::string guarded(Check check, Tally& tally) {
     try {
@@ -79,7 +79,7 @@ std::string guarded(Check check, Tally& tally) {
     }
 }
 
-/// Of mesh pairs, with a margin or without.
+/// Tests one family of mesh pairs, with or without a margin.
 template <class Family>
 Tally attack_pairs(const Family& family, const std::string& name, std::uint64_t number, std::uint64_t total,
                    const Options& options) {
@@ -102,7 +102,7 @@ Tally attack_pairs(const Family& family, const std::string& name, std::uint64_t 
     return run(count, options.threads, attack);
 }
 
-/// A line for each stage.
+/// Tests one family of elementary questions; one line per stage.
 std::array<NamedTally, 3> attack_elementary(const ElementaryFamily& family, std::uint64_t number,
                                             const Options& options) {
     Failures failures(options, family.name);
@@ -142,7 +142,7 @@ public:
     const Tally& sum() const {
         print_line(sum_);
         if (any_idle_)
-            std::cout << "WRONG: a family with hardly any touches\n";
+            std::cout << "WRONG: a family with too few touches\n";
         return sum_.tally;
     }
     [[nodiscard]] bool is_broken() const { return any_idle_ || sum_.tally.is_broken(); }
@@ -156,7 +156,7 @@ int attack_all(const Options& options) {
     std::cout << "seed " << options.seed << std::endl;
     const auto is_chosen = [&](const std::string& name) { return options.family.empty() || options.family == name; };
     bool is_broken = false;
-    bool is_in_doubt = false; // where the last stage has answered
+    bool is_in_doubt = false; // after the last stage
     std::uint64_t number = 0;
     if (options.elementary > 0) {
         Table table("elementary");
@@ -187,7 +187,7 @@ int attack_all(const Options& options) {
         is_in_doubt =
             attack_all_pairs("mesh pairs", options.mesh_pairs, mesh_families(), "mesh ").is_in_doubt() || is_in_doubt;
     number = 200;
-    if (options.margins > 0) // what is within the resolution may stay uncertain
+    if (options.margins > 0) // answers within the resolution may be uncertain
         is_in_doubt =
             attack_all_pairs("margins", options.margins, margin_families(), "margin ").loose > 0 || is_in_doubt;
     return is_broken || (options.certain && is_in_doubt) ? 1 : 0;

@@ -12,7 +12,7 @@ namespace {
 using reference::SampledDistance;
 using reference::Surface;
 
-/// From one corner of its box to the other.
+/// The diagonal of a shape's box.
 double diagonal_of(const Shape& shape) {
     Eigen::Vector3d lower = shape.vertices[0];
     Eigen::Vector3d upper = lower;
@@ -23,14 +23,14 @@ double diagonal_of(const Shape& shape) {
     return (upper - lower).norm();
 }
 
-/// From a billionth of the body to three times its size.
+/// A margin from a billionth of the body's size to three times its size.
 double some_margin(const Shape& body, AttackRandom& random) {
     constexpr double parts[] = {1e-9, 1e-6, 1e-3, 1e-3, 0.1, 0.1, 0.1, 3};
     const double part = random.pick(parts);
     return diagonal_of(body) * (random.chance(0.5) ? part : part * random.uniform(0.3, 1));
 }
 
-/// A little more or less, or just a few units in the last place, or nothing at all.
+/// A slightly different number, a number off by a few units in the last place, or the number itself.
 double about(double x, AttackRandom& random) {
     if (random.chance(0.2))
         return x;
@@ -43,7 +43,7 @@ MarginCase plain(AttackRandom& random) {
     return {{moving, shaken(random_shape(random), random), any_motion(random, 2 + margin)}, margin};
 }
 
-/// What is degenerate for touches, with a margin.
+/// A case that is degenerate for touches, with a margin.
 MarginCase degenerate(AttackRandom& random) {
     const auto families = mesh_families();
     const MeshCase posed = families[std::size_t(random.integer(1, int(families.size()) - 1))].make(random);
@@ -57,7 +57,7 @@ MarginCase placed(const LatticeMotion& motion, const Shape& moving, const Shape&
     return {placed(motion, moving, fixed), margin * static_cast<double>(motion.denominator)};
 }
 
-/// A direction of the lattice with a whole length, and that length.
+/// A lattice direction whose length is a whole number, and this length.
 std::pair<Eigen::Vector3d, double> whole_direction(AttackRandom& random) {
     static const std::pair<Eigen::Vector3d, double> directions[] = {{{1, 0, 0}, 1}, {{0, 1, 0}, 1},  {{0, 0, 1}, 1},
                                                                     {{3, 4, 0}, 5}, {{0, -4, 3}, 5}, {{2, 2, 1}, 3},
@@ -67,8 +67,8 @@ std::pair<Eigen::Vector3d, double> whole_direction(AttackRandom& random) {
     return chosen;
 }
 
-/// Two shapes that would touch across a plane, moved apart by the margin: flat over flat, edges along edges, corners
-/// over corners, at some tau of any motion.
+/// Two shapes on both sides of a plane, moved apart by the margin: flat over flat, edges along edges, corners over
+/// corners, at some tau of any motion.
 MarginCase at_the_margin(AttackRandom& random) {
     const auto [direction, length] = whole_direction(random);
     const double steps = random.pick(std::array{1.0, 2.0, 0.5, 0x1p-10, 0x1p-20, 0x1p-30, 7.0});
@@ -82,7 +82,7 @@ MarginCase at_the_margin(AttackRandom& random) {
     return result;
 }
 
-/// A slide along a plane, at the height of the margin or about that.
+/// A slide along a plane at a height equal to the margin or close to it.
 MarginCase slides_above(AttackRandom& random) {
     const Shape fixed = random_shape(random);
     Shape moving = random_shape(random);
@@ -103,7 +103,7 @@ MarginCase slides_above(AttackRandom& random) {
     return result;
 }
 
-/// A box over a table that turns about its lower edge at about the margin until a face lies flat, and on.
+/// A box over a table turns about its lower edge, at a height close to the margin, until a face lies flat and beyond.
 MarginCase rolling(AttackRandom& random) {
     const Eigen::Vector3d size(random.integer(1, 3), random.integer(1, 3), random.integer(1, 3));
     Shape moving = box_shape(Eigen::Vector3d::Zero(), size);
@@ -126,7 +126,7 @@ MarginCase rolling(AttackRandom& random) {
     return {{moving, fixed, posed}, random.chance(0.5) ? margin : about(margin, random)};
 }
 
-/// Two long edges, parallel up to 1e-2 to 1e-17, one of which lands on the other or passes it.
+/// Two long edges at an angle from 1e-17 to 1e-2. One edge lands on the other or passes it.
 MarginCase near_parallel(AttackRandom& random) {
     const Eigen::Vector3d along = random.vector(1).normalized();
     const Eigen::Vector3d up = along.unitOrthogonal();
@@ -151,10 +151,10 @@ MarginCase near_parallel(AttackRandom& random) {
     return {{moving, fixed, posed}, margin};
 }
 
-// --- Margins about as large as a distance that is reached
+// --- Margins close to the least distance
 // -------------------------------------------------------------
 
-/// The margin is about what the bodies come to: they graze it.
+/// The margin is close to the least distance of the bodies, which graze it.
 MarginCase grazing(AttackRandom& random) {
     MarginCase result = plain(random);
     const auto& [moving, fixed, posed] = result.mesh;
@@ -181,7 +181,7 @@ MarginCase near_at_start(AttackRandom& random) {
     return result;
 }
 
-// --- Bodies that are hard on rounding
+// --- Bodies with large rounding errors
 // ---------------------------------------------------------------------------------
 
 void squeeze(Shape& shape, AttackRandom& random) {
@@ -203,7 +203,7 @@ MarginCase slivers(AttackRandom& random) {
     }
 }
 
-/// The bodies are far from their origins, or all of it is far from the origin of the world.
+/// The bodies are far from the origins of their frames, or both are far from the origin of the world.
 MarginCase far_off(AttackRandom& random) {
     MarginCase result = plain(random);
     PosedMotion& posed = result.mesh.posed;
@@ -226,7 +226,7 @@ MarginCase far_off(AttackRandom& random) {
     return result;
 }
 
-/// The same in another unit.
+/// A case in another unit of length.
 MarginCase other_units(AttackRandom& random) {
     MarginCase result = random.chance(0.5) ? plain(random) : at_the_margin(random);
     const double factor = random.pick(std::array{1e-3, 1e3, 0x1p-40, 0x1p60, 1e-12, 3.3e9});

@@ -5,7 +5,7 @@
 
 namespace chasles::attack {
 
-/// A question about two bodies: when does their distance fall to the margin?
+/// A query about two bodies: the first time at which their distance is the margin.
 struct MarginCase {
     MeshCase mesh;
     double margin = 0;

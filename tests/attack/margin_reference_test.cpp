@@ -1,4 +1,4 @@
-// The reference for margins has tests of its own: closed forms, and dense sampling with a plain distance.
+// Tests of the reference for margins: closed forms, and dense sampling with a plain distance.
 #include "tests/support/margin_reference.h"
 
 #include "tests/attack/margin_families.h"
@@ -64,17 +64,17 @@ TEST(MarginReference, TranslationsToldByHand) {
 
 TEST(MarginReference, SlidingAtTheMarginIsMetWhereItBegins) {
     const Surface floor = triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
-    // A corner comes in over the edge y = 0 at height 1 exactly: the face's excess vanishes all along.
+    // A corner arrives over the edge y = 0 at height exactly 1: the face's excess vanishes identically.
     expect_time(triangle({1, -1, 1}, {1, -2, 2}, {2, -2, 2}), floor, translation(0, 2, 0), 1, 0.5);
-    // It comes in over the corner (0, 0, 0), along the edge y = 0 at height 1.
+    // A corner arrives over the corner (0, 0, 0), along the edge y = 0 at height 1.
     expect_time(triangle({-1, 0, 1}, {-2, 0, 2}, {-2, 1, 2}), floor, translation(4, 0, 0), 1, 0.25);
     EXPECT_FALSE(
         first_time(triangle({1, -1, 1}, {1, -2, 2}, {2, -2, 2}), floor, translation(0, 2, 0), 1 - 0x1p-52).has_value());
 }
 
 TEST(MarginReference, ATurnMeetsTheMarginAtItsAngle) {
-    // Corners at (5, 0) turn about z by a right angle. One comes 4 from x = 0 at (4, 3), half-angle tangent 1/3; tau is
-    // that tangent, as the whole turn's is 1.
+    // Corners at (5, 0) turn about z by a right angle. At (4, 3) a corner is 4 from x = 0; its half-angle tangent is
+    // 1/3. Tau equals this tangent, because the tangent of the whole turn is 1.
     const Surface wall = triangle({0, -50, -50}, {0, 50, -50}, {0, 0, 90});
     ExactPose goal;
     goal.rotation = {Rational(1), {Rational(0), Rational(0), Rational(1)}};
@@ -82,7 +82,7 @@ TEST(MarginReference, ATurnMeetsTheMarginAtItsAngle) {
     ASSERT_TRUE(found.has_value());
     Root third = roots_of({Integer(-1), Integer(3)}).at(0);
     EXPECT_EQ(compare(*found, third), 0) << found->lower();
-    // One comes 1 from (1, 5): (1 + 25) + 25 - 10 cos a - 50 sin a = 1, so that, with the half-angle tangent h,
+    // A corner is 1 from (1, 5) when (1 + 25) + 25 - 10 cos a - 50 sin a = 1. With the half-angle tangent h this is
     // 50 (1 + h^2) - 10 (1 - h^2) - 100 h = 0.
     found = first_time(triangle({5, 0, 0}, {4, -2, 1}, {4, -2, -1}), triangle({1, 9, -50}, {1, 9, 50}, {1, 5, 0}),
                        screw_path({}, goal), 1);
@@ -100,8 +100,8 @@ struct SampleTally {
     int cases = 0;
     int contacts = 0;
     int at_start = 0;
-    int near = 0;       ///< sampled within a hundredth of the margin
-    double seconds = 0; ///< of the reference
+    int near = 0;       ///< samples within a hundredth of the margin
+    double seconds = 0; ///< time of the reference
 
     SampleTally& operator+=(const SampleTally& other) {
         cases += other.cases;
@@ -118,7 +118,7 @@ void print(const std::string& name, const SampleTally& tally) {
               << " at the start, " << tally.near << " samples close to the margin, " << tally.seconds << " s\n";
 }
 
-/// Nothing is within the margin before the found time, and the distance there is the margin.
+/// Before the found time no sample is within the margin, and the distance at this time is the margin.
 void expect_not_refuted(const MarginCase& posed, int samples, SampleTally& tally) {
     const auto& [mesh, margin] = posed;
     const Surface moving = Surface::from_convex_faces(mesh.moving.vertices, mesh.moving.faces);

@@ -9,7 +9,7 @@ namespace chasles::attack {
 
 namespace {
 
-/// Two shapes that touch across a plane at some tau of any motion.
+/// Two shapes on both sides of a plane that touch at some tau of any motion.
 MeshCase touching(AttackRandom& random, const MotionWish& wish) {
     const Shape fixed = random_shape(random);
     Shape moving = random_shape(random);
@@ -49,7 +49,7 @@ MeshCase touch_at_goal(AttackRandom& random) {
     return touching(random, wish);
 }
 
-/// A moving vertex whose path is tangent to a fixed triangle, or the other way round in spirit: the triangle is large.
+/// A moving vertex whose path is tangent to a large fixed triangle.
 MeshCase tangent(AttackRandom& random) {
     MotionWish wish;
     wish.turns = 1;
@@ -73,7 +73,7 @@ MeshCase tangent(AttackRandom& random) {
     return result;
 }
 
-/// Faces and edges in one plane, which the motion keeps.
+/// Faces and edges in one plane that the motion preserves.
 MeshCase sliding(AttackRandom& random) {
     Shape fixed = random_shape(random);
     Shape moving = random_shape(random);
@@ -91,7 +91,7 @@ MeshCase sliding(AttackRandom& random) {
     return placed(lattice_motion(random, wish), moving, fixed);
 }
 
-/// Flat bodies in one plane, which the motion keeps: nothing sticks out to be met earlier.
+/// Flat bodies in one plane that the motion preserves: no other part can touch earlier.
 MeshCase flat(AttackRandom& random) {
     const int axis = random.integer(0, 2);
     const auto some_flat = [&] {
@@ -121,7 +121,7 @@ MeshCase flat(AttackRandom& random) {
     return placed(lattice_motion(random, wish), moving, fixed);
 }
 
-/// The same mesh twice, coincident at some tau, or mirrored beside itself.
+/// Two copies of one mesh that coincide at some tau, or a mesh next to its mirror image.
 MeshCase coincident(AttackRandom& random) {
     const Shape shape = random.chance(0.3) ? fan_shape(random) : random_shape(random);
     Shape other = shape;
@@ -136,7 +136,7 @@ MeshCase coincident(AttackRandom& random) {
     return placed(lattice_motion(random), other, shape);
 }
 
-/// Boxes of one grid: shared planes, parallel edges.
+/// Boxes on one grid, with shared planes and parallel edges.
 MeshCase grid_boxes(AttackRandom& random) {
     const auto cell = [&]() -> Eigen::Vector3d { return 6 * random.grid(2).cast<double>(); };
     const auto size = [&]() -> Eigen::Vector3d {
@@ -152,7 +152,7 @@ MeshCase grid_boxes(AttackRandom& random) {
     return placed(lattice_motion(random, wish), box_shape(a, a + size()), box_shape(b, b + size()));
 }
 
-/// Fans around common edges and vertices, faces that occur twice.
+/// Fans around common edges and vertices, and duplicate faces.
 MeshCase repeated(AttackRandom& random) {
     Shape fixed = fan_shape(random);
     Shape moving = fan_shape(random);
@@ -169,7 +169,7 @@ void nudge(Shape& shape, AttackRandom& random) {
         x = std::nextafter(x, random.chance(0.5) ? 1e300 : -1e300);
 }
 
-/// A degenerate touch off by a few units in the last place.
+/// A degenerate touch that is perturbed by a few units in the last place.
 MeshCase nudged(AttackRandom& random) {
     MeshCase result = random.chance(0.3) ? sliding(random) : random.chance(0.3) ? tangent(random) : touch(random);
     for (Shape* shape : {&result.moving, &result.fixed}) {
@@ -180,7 +180,7 @@ MeshCase nudged(AttackRandom& random) {
     return result;
 }
 
-/// Tiny and huge units, powers of two and others.
+/// Tiny and huge units: powers of two and other factors.
 MeshCase scaled(AttackRandom& random) {
     MeshCase result = random.chance(0.3)   ? random_pair(random)
                       : random.chance(0.3) ? grid_boxes(random)
@@ -196,7 +196,7 @@ MeshCase scaled(AttackRandom& random) {
     return result;
 }
 
-/// Triangles, so that other poses leave their faces planar.
+/// Triangle meshes, whose faces stay planar in any pose.
 MeshCase triangles_apart_or_touching(AttackRandom& random) {
     MeshCase result = random.chance(0.5) ? random_pair(random) : touch(random);
     for (Shape* shape : {&result.moving, &result.fixed})
@@ -204,14 +204,14 @@ MeshCase triangles_apart_or_touching(AttackRandom& random) {
     return result;
 }
 
-/// Turns of 1e-16 to 1e-3 radians, or next to none at all.
+/// Turns of 1e-16 to 1e-3 radians.
 MeshCase tiny_turn(AttackRandom& random) {
     MeshCase result = triangles_apart_or_touching(random);
-    turn_hardly(result.posed, random);
+    make_tiny_turn(result.posed, random);
     return result;
 }
 
-/// Screws by nearly pi: those that one piece can hold, and those that the library cuts.
+/// Screws by nearly pi: some are one piece, the library cuts the others.
 MeshCase half_turn(AttackRandom& random) {
     MeshCase result = triangles_apart_or_touching(random);
     turn_around(result.posed, random);
@@ -220,7 +220,7 @@ MeshCase half_turn(AttackRandom& random) {
     return result;
 }
 
-/// Two sheets of many triangles, in one plane at some tau, or off it by far more than the tolerance or far less.
+/// Two sheets of many triangles in one plane at some tau, exact or off by far more or far less than the tolerance.
 MeshCase landing(AttackRandom& random) {
     const int axis = random.integer(0, 2);
     const auto sheet = [&] {

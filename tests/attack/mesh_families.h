@@ -9,19 +9,19 @@
 
 namespace chasles::attack {
 
-/// A question about two bodies.
+/// A query about two bodies.
 struct MeshCase {
     Shape moving;
     Shape fixed;
     PosedMotion posed;
 };
 
-/// Two shapes posed on the lattice where the bodies are at the motion's tau.
+/// A case with two shapes that are on the lattice at the motion's tau.
 MeshCase placed(const LatticeMotion& motion, const Shape& moving, const Shape& fixed);
 
 struct MeshFamily {
     const char* name;
-    double share; ///< of all mesh pairs
+    double share; ///< share of all mesh pairs
     MeshCase (*make)(AttackRandom& random);
 };
 

@@ -1,4 +1,4 @@
-// An exact first time on a motion that is cut into pieces, as tau and as time.
+// An exact first contact on a motion that is cut into pieces, as tau and as time.
 #pragma once
 
 #include "tests/attack/posed_motion.h"
@@ -10,13 +10,13 @@ namespace chasles::attack {
 
 using reference::Root;
 
-/// The first touch, in which piece of how many.
+/// The first touch: the piece, the number of pieces, and tau within the piece.
 struct PiecewiseTau {
     std::optional<Root> tau;
     std::size_t piece = 0;
     std::size_t count = 1;
 
-    /// The order of the exact tau, (piece + tau) / count, and a double.
+    /// Compares the exact tau, (piece + tau) / count, with a double.
     [[nodiscard]] int compared_to(double x) const {
         Integer mantissa(static_cast<long long>(std::ldexp(x, 62)));
         unsigned depth = 62;
@@ -30,8 +30,9 @@ struct PiecewiseTau {
         return compare(copy, there);
     }
 
-    /// The time in extended precision, off by some 1e-18: f(t) = tan(w t / 2) / tan(w / 2) is tau in a piece of a
-    /// screw, whose weight is 1 + tan(w / 2)^2 tau^2 times a number; on a sweep time is tau.
+    /// The time in extended precision, with an error of about 1e-18. In a piece of a screw tau is
+    /// f(t) = tan(w t / 2) / tan(w / 2), and the weight is 1 + tan(w / 2)^2 tau^2 times a number. On a sweep time is
+    /// tau.
     [[nodiscard]] long double time(MotionKind kind, const MotionPath<Rational>& path) const {
         Root copy = *tau;
         const auto at = copy.narrowed(90).convert_to<long double>(); // times may run hundreds of times as fast

@@ -1,4 +1,4 @@
-// A motion given by poses, as the library is asked about it and as the exact reference sees it.
+// A motion given by poses, in the form of the library and in the form of the exact reference.
 #pragma once
 
 #include "chasles/motion/motion.h"
@@ -32,12 +32,12 @@ struct PosedMotion {
     /// Empty for a sweep.
     [[nodiscard]] std::optional<ScrewMotion> screw() const;
 
-    /// The motion in the frame of the fixed body, exactly. A screw that the library cuts is, by its documentation, the
-    /// motions between poses rounded to double precision; these poses are taken from the library.
+    /// The exact motion in the frame of the fixed body. A screw that the library cuts consists, by its documentation,
+    /// of motions between poses in double precision; these poses are taken from the library.
     [[nodiscard]] std::vector<MotionPath<Rational>> paths() const;
 };
 
-/// A pose whose numbers are rounded to doubles; those of the exact constructions need no rounding.
+/// A pose with its numbers rounded to doubles. Poses of exact constructions need no rounding.
 Pose rounded_pose(const ExactPose& pose);
 
 } // namespace chasles::attack

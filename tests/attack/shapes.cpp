@@ -57,7 +57,7 @@ Shape pyramid(AttackRandom& random) {
             {{3, 2, 1, 0}, {0, 1, 4}, {1, 2, 4}, {2, 3, 4}, {3, 0, 4}}};
 }
 
-/// A block with a step, its two L-shaped sides in two rectangles each.
+/// A block with a step. Each of its two L-shaped sides is two rectangles.
 Shape notched_block() {
     Shape shape;
     const double outline[][2] = {{0, 0}, {12, 0}, {12, 6}, {6, 6}, {6, 12}, {0, 12}, {6, 0}};
@@ -100,7 +100,7 @@ std::vector<Eigen::Vector3d> foremost(const Shape& shape, const Eigen::Vector3d&
     return result;
 }
 
-/// A vertex, the middle of two, or the centroid of three.
+/// A vertex, the midpoint of two vertices, or the centroid of three.
 Eigen::Vector3d some_point(const std::vector<Eigen::Vector3d>& of, AttackRandom& random) {
     const Eigen::Vector3d a = random.pick(of);
     const Eigen::Vector3d b = random.pick(of);

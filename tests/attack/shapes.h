@@ -1,4 +1,4 @@
-// Small bodies on a lattice of whole numbers, and how one is set against another so that they touch.
+// Small bodies on a lattice of whole numbers, and their placement in contact with each other.
 #pragma once
 
 #include "tests/attack/attack_random.h"
@@ -9,7 +9,7 @@ namespace chasles::attack {
 
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
-/// Vertices and faces; every face is convex and planar on the lattice.
+/// Vertices and faces. Every face is convex, and planar on the lattice.
 struct Shape {
     std::vector<Eigen::Vector3d> vertices;
     Faces faces;
@@ -18,25 +18,25 @@ struct Shape {
 Shape box_shape(const Eigen::Vector3d& lower, const Eigen::Vector3d& upper);
 
 /// Triangles, tetrahedra, boxes, pyramids, fans, a notched block, dented boxes and loose triangles. Coordinates are
-/// multiples of 6, so that middles and centroids are whole.
+/// multiples of 6, which makes midpoints and centroids whole.
 Shape random_shape(AttackRandom& random);
 
 /// A fan of many triangles around one edge or one vertex.
 Shape fan_shape(AttackRandom& random);
 
-/// No face is without area; the reference takes no other.
+/// Whether every face has an area, as the reference requires.
 bool have_area(const Shape& shape);
 
-/// Fans of triangles instead of polygons, which rounding would bend.
+/// Replaces polygons, which rounding would warp, by fans of triangles.
 void cut_into_triangles(Shape& shape);
 
-/// Off the lattice, about a twelfth as large, in triangles.
+/// The shape off the lattice, scaled by about 1/12 and perturbed, in triangles.
 Shape shaken(Shape shape, AttackRandom& random);
 
 void shift(Shape& shape, const Eigen::Vector3d& by);
 
-/// Shifts `moving` to the side `direction` of `fixed`, so that both touch one plane across it from both sides and have
-/// a point of it in common: vertices, edges or faces, whatever is foremost.
+/// Shifts `moving` to the side `direction` of `fixed`. Both bodies then touch one plane normal to `direction` from
+/// opposite sides, and their foremost features (vertices, edges or faces) share a point of this plane.
 void set_against(Shape& moving, const Shape& fixed, const Eigen::Vector3d& direction, AttackRandom& random);
 
 /// The normal of some face, or a direction of the lattice.

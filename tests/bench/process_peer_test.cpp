@@ -1,4 +1,4 @@
-// Peers in processes of their own: whatever they do, whoever asks them gets an answer or one line of reason, in time.
+// Peers in separate processes: every query returns an answer or a reason of one line within its time limit.
 #include "bench/process_peer.h"
 
 #include "bench/bodies.h"
@@ -16,7 +16,7 @@ ProcessPeer shell(const std::string& script) {
 
 const std::string takes_bodies = "echo ready; read a; echo done; ";
 
-/// The answer to one question about two copies of a body.
+/// The answer to one query with two copies of a body.
 PeerAnswer answer_of(const Peer& peer) {
     static const Polyhedron body = bumpy_torus(8, 8);
     const PeerPair pair = peer.prepare(body, body);
@@ -71,7 +71,7 @@ TEST(ProcessPeer, ThatHangsIsNotWaitedFor) {
 TEST(ProcessPeer, ThatDoesNotReadIsNotWaitedFor) {
     ProcessPeer deaf = shell("echo ready; exec sleep 60");
     deaf.limits.body = ChildProcess::Limit(0.5);
-    const Polyhedron large = bumpy_torus(200, 200); // more than the socket takes
+    const Polyhedron large = bumpy_torus(200, 200); // more than the buffer of the socket
     const Peer peer = process_peer(deaf);
     EXPECT_EQ(test::refusal<PeerFailed>([&] { peer.prepare(large, large); }), "no answer within 0.5 s");
 }

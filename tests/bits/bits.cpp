@@ -1,6 +1,6 @@
-// Answers a fixed set of questions and prints a digest of all bits of all answers, one line a set. Builds that differ
-// in compiler, optimisation or instruction set, and any numbers of threads, must print the same. Usage: bits [THREADS];
-// exit status 77 means that this processor lacks what the program was compiled for.
+// Runs fixed sets of queries and prints a digest of all bits of all answers, one line per set. Builds with different
+// compilers, optimisations or instruction sets, and any number of threads, must print the same digests. Usage: bits
+// [THREADS]. Exit status 77 means that the processor lacks an instruction set of this program.
 #include "chasles/query/path.h"
 #include "scenes/nut_motions.h"
 #include "scenes/threaded_fastener.h"
@@ -15,7 +15,7 @@
 namespace chasles::bits {
 namespace {
 
-/// FNV-1a over whatever is fed to it.
+/// The FNV-1a hash of its input.
 class Digest {
 public:
     void add(std::uint64_t word) {
@@ -67,7 +67,8 @@ private:
     std::uint64_t hash_ = 0xcbf29ce484222325u;
 };
 
-/// The same numbers from every standard library. With `steps`, on a grid of so many steps to one.
+/// Random numbers that are identical for every standard library. With `steps`, the numbers lie on a grid of `steps`
+/// points per unit.
 class Random {
 public:
     explicit Random(std::uint64_t seed, double steps = 0) : engine_(seed), steps_(steps) {}
@@ -94,7 +95,7 @@ private:
 
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
-/// Eight triangles around the corners of an octahedron that are not where they should be.
+/// An octahedron of eight triangles with displaced corners.
 Polyhedron octahedron(Random& random) {
     std::vector<Eigen::Vector3d> vertices;
     for (int axis = 0; axis < 3; ++axis)
@@ -109,7 +110,7 @@ void ask(Digest& digest, const Polyhedron& moving, const Polyhedron& fixed, cons
         digest.add(first_contact({.moving = moving, .fixed = fixed, .motion = motion, .find = find}));
 }
 
-/// Random bodies, or those on a grid, where edges are parallel, faces share planes, and touches are exact.
+/// Random bodies. On a grid, edges are parallel, faces share planes, and touches are exact.
 void small_bodies(const char* name, int count, Random random) {
     Digest digest;
     for (int i = 0; i < count; ++i) {
@@ -126,7 +127,7 @@ void small_bodies(const char* name, int count, Random random) {
     digest.print(name);
 }
 
-/// A nut on its bolt: along the thread, and with a pitch that is wrong.
+/// A nut on its bolt: along the thread, and with a wrong pitch.
 void large_bodies(unsigned threads) {
     scenes::ThreadedFastener fastener;
     fastener.segments = 24;
@@ -153,7 +154,7 @@ void large_bodies(unsigned threads) {
     batch_digest.print("batch");
 }
 
-/// Many motions of one pair, so that threads have something to share.
+/// Many motions of one pair, distributed over threads.
 void many_motions(unsigned threads) {
     Random random(3);
     const Polyhedron a = octahedron(random);

@@ -1,5 +1,5 @@
 #!/bin/sh
-# same.sh A B [THREADS]: whether the programs A (on one thread) and B print the same.
+# same.sh A B [THREADS]: checks that program A (on one thread) and program B print the same.
 expected=$("$1") || exit $?
 found=$("$2" ${3:-}) || exit $?
 if [ "$expected" = "$found" ]; then

@@ -1,4 +1,4 @@
-// chasles batch: one row a motion in the order of the input, whatever is wrong with some of them.
+// chasles batch: one row per motion in the order of the input, also where some rows are wrong.
 #include "tests/cli/cli_test_files.h"
 
 #include "chasles/io/csv_table.h"
@@ -59,12 +59,12 @@ TEST_F(Batch, AnswersTheOthersWhereRowsAreBad) {
     const auto finished = batch(columns + misses + "1,2\n" + hits + "x" + misses);
     EXPECT_EQ(finished.status, 2);
     EXPECT_EQ(finished.err,
-              "chasles: motions.csv: 2 of 4 rows cannot be read; the first: line 3: 2 columns found, 14 wanted\n");
+              "chasles: motions.csv: 2 of 4 rows cannot be read; the first: line 3: 2 columns found, 14 expected\n");
     const auto table = rows();
     ASSERT_EQ(table.size(), 5U);
     EXPECT_EQ(table[1][1], "clear");
     EXPECT_EQ(table[2][1], "error");
-    EXPECT_EQ(table[2][7], "line 3: 2 columns found, 14 wanted");
+    EXPECT_EQ(table[2][7], "line 3: 2 columns found, 14 expected");
     EXPECT_EQ(table[3][1], "contact");
     EXPECT_EQ(table[4][1], "error");
     for (const auto& row : table)
@@ -85,12 +85,12 @@ TEST_F(Batch, DoesNotDependOnThreads) {
 TEST_F(Batch, FindsOutBeforeTheWorkThatItCannotWrite) {
     write("motions.csv", columns + misses);
     const std::string batch = "batch cube.obj cube.obj --motions motions.csv --out ";
-    EXPECT_EQ(complaint(batch + "no/out.csv"), "chasles: no/out.csv: cannot be written: No such file or directory");
-    EXPECT_TRUE(complaint(batch + ".").starts_with("chasles: .: cannot be written: "));
-    EXPECT_EQ(complaint(batch + "motions.csv"), "chasles: --out: motions.csv: is an input of this very command");
-    EXPECT_EQ(complaint(batch + "./cube.obj"), "chasles: --out: ./cube.obj: is an input of this very command");
+    EXPECT_EQ(error_line(batch + "no/out.csv"), "chasles: no/out.csv: cannot be written: No such file or directory");
+    EXPECT_TRUE(error_line(batch + ".").starts_with("chasles: .: cannot be written: "));
+    EXPECT_EQ(error_line(batch + "motions.csv"), "chasles: --out: motions.csv: is an input of this command");
+    EXPECT_EQ(error_line(batch + "./cube.obj"), "chasles: --out: ./cube.obj: is an input of this command");
     if (std::filesystem::exists("/dev/full")) {
-        EXPECT_EQ(complaint(batch + "/dev/full"), "chasles: /dev/full: cannot be written: No space left on device");
+        EXPECT_EQ(error_line(batch + "/dev/full"), "chasles: /dev/full: cannot be written: No space left on device");
     }
 }
 

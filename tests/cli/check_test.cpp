@@ -115,7 +115,8 @@ TEST_F(Check, SweepsAboutACentre) {
     const double centred = json(poses + " --motion sweep --centre '1 0 0'")["time"];
     EXPECT_NE(screw, sweep);
     EXPECT_NE(sweep, centred);
-    EXPECT_EQ(json(poses + " --motion sweep")["motion"], json(poses)["motion"]) << "always the screw's numbers";
+    EXPECT_EQ(json(poses + " --motion sweep")["motion"], json(poses)["motion"])
+        << "a sweep has the numbers of the screw with equal end poses";
 }
 
 TEST_F(Check, StopsAtAnyContact) {

@@ -1,4 +1,4 @@
-// The files that the tests of the command line work on.
+// The input files of the command-line tests.
 #pragma once
 
 #include "tests/cli/run_chasles.h"
@@ -16,8 +16,8 @@ protected:
 
     [[nodiscard]] Finished run(const std::string& arguments) const { return run_chasles(path(""), arguments); }
 
-    /// Expects exit status 2, nothing on standard output, and one line on standard error; answers that line.
-    [[nodiscard]] std::string complaint(const std::string& arguments) const {
+    /// Expects exit status 2, nothing on standard output, and one line on standard error. Returns this line.
+    [[nodiscard]] std::string error_line(const std::string& arguments) const {
         const Finished finished = run(arguments);
         EXPECT_EQ(finished.status, 2) << arguments;
         EXPECT_EQ(finished.out, "") << arguments;

@@ -1,4 +1,4 @@
-// Every mistake ends with exit status 2 and one line that says what, where and why.
+// Every error ends with exit status 2 and one line that names the input, the place and the reason.
 #include "tests/cli/cli_test_files.h"
 
 namespace chasles {
@@ -8,95 +8,95 @@ class Errors : public tests::CommandLine {
 protected:
     const std::string poses = " --start '3 0 0' --goal '0 0 0'";
 
-    [[nodiscard]] std::string mesh_complaint(const std::string& name, const std::string& content) const {
+    [[nodiscard]] std::string mesh_error(const std::string& name, const std::string& content) const {
         write(name, content);
-        return complaint("check " + name + " cube.obj" + poses);
+        return error_line("check " + name + " cube.obj" + poses);
     }
-    [[nodiscard]] std::string pose_complaint(const std::string& pose) const {
-        return complaint("check cube.obj cube.obj --goal '0 0 0' --start '" + pose + "'");
+    [[nodiscard]] std::string pose_error(const std::string& pose) const {
+        return error_line("check cube.obj cube.obj --goal '0 0 0' --start '" + pose + "'");
     }
 };
 
 TEST_F(Errors, MissingFile) {
-    EXPECT_EQ(complaint("check cube.obj no.obj" + poses), "chasles: no.obj: no such file");
+    EXPECT_EQ(error_line("check cube.obj no.obj" + poses), "chasles: no.obj: no such file");
 }
 
 TEST_F(Errors, Folder) {
-    EXPECT_EQ(complaint("info ."), "chasles: .: is a directory, not a file");
+    EXPECT_EQ(error_line("info ."), "chasles: .: is a directory, not a file");
 }
 
 TEST_F(Errors, EmptyFile) {
-    EXPECT_EQ(mesh_complaint("empty.stl", ""), "chasles: empty.stl: is empty");
+    EXPECT_EQ(mesh_error("empty.stl", ""), "chasles: empty.stl: is empty");
 }
 
 TEST_F(Errors, TruncatedFile) {
-    EXPECT_EQ(mesh_complaint("part.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n"),
+    EXPECT_EQ(mesh_error("part.off", "OFF\n3 1 0\n0 0 0\n1 0 0\n"),
               "chasles: part.off: line 4: the file ends before vertex 2 of the 3 announced");
-    EXPECT_EQ(mesh_complaint("part.stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(50, '\0')),
-              "chasles: part.stl: is truncated: 2 triangles are announced, but 1 are there");
+    EXPECT_EQ(mesh_error("part.stl", std::string(80, ' ') + std::string("\2\0\0\0", 4) + std::string(50, '\0')),
+              "chasles: part.stl: is truncated: 2 triangles are announced, but 1 are present");
 }
 
 TEST_F(Errors, NotANumber) {
-    EXPECT_EQ(mesh_complaint("nan.obj", "v 0 0 0\nv 1 nan 0\n"),
+    EXPECT_EQ(mesh_error("nan.obj", "v 0 0 0\nv 1 nan 0\n"),
               "chasles: nan.obj: line 2: a vertex needs three finite numbers: 'v 1 nan 0'");
 }
 
 TEST_F(Errors, IndexOutOfRange) {
-    EXPECT_EQ(mesh_complaint("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"),
+    EXPECT_EQ(mesh_error("far.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n"),
               "chasles: far.obj: line 4: vertex index 9 is out of range; there are 3 vertices");
 }
 
 TEST_F(Errors, FaceWithoutArea) {
-    const std::string line = mesh_complaint("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
+    const std::string line = mesh_error("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
     EXPECT_TRUE(line.starts_with("chasles: flat.obj: line 5: face 0: has no area")) << line;
 }
 
 TEST_F(Errors, PolygonThatIsNotPlanar) {
-    const std::string line = mesh_complaint("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 1 2 3 4\n");
+    const std::string line = mesh_error("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 1 2 3 4\n");
     EXPECT_TRUE(line.starts_with("chasles: bent.obj: line 5: face 0: ")) << line;
     EXPECT_NE(run("check bent.obj cube.obj --triangulate" + poses).status, 2);
 }
 
 TEST_F(Errors, Poses) {
-    EXPECT_EQ(pose_complaint("1 2"), "chasles: --start: 2 numbers found; a pose has 3 (x y z), 7 (x y z qw qx qy qz) "
-                                     "or 16 (4x4, row by row)");
-    EXPECT_EQ(pose_complaint("1 2 nan"), "chasles: --start: not a finite number: 'nan'");
-    EXPECT_TRUE(pose_complaint("1 2 3 0 0 0 0").starts_with("chasles: --start: pose: quaternion: "));
-    EXPECT_TRUE(pose_complaint("2 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1").starts_with("chasles: --start: pose: matrix: "));
-    EXPECT_EQ(complaint("check cube.obj cube.obj --goal 0 0 0 --start -nan 0 0"),
+    EXPECT_EQ(pose_error("1 2"), "chasles: --start: 2 numbers found; a pose has 3 (x y z), 7 (x y z qw qx qy qz) "
+                                 "or 16 (4x4, row by row)");
+    EXPECT_EQ(pose_error("1 2 nan"), "chasles: --start: not a finite number: 'nan'");
+    EXPECT_TRUE(pose_error("1 2 3 0 0 0 0").starts_with("chasles: --start: pose: quaternion: "));
+    EXPECT_TRUE(pose_error("2 0 0 0 0 1 0 0 0 0 1 0 0 0 0 1").starts_with("chasles: --start: pose: matrix: "));
+    EXPECT_EQ(error_line("check cube.obj cube.obj --goal 0 0 0 --start -nan 0 0"),
               "chasles: --start: not a finite number: '-nan'");
 }
 
 TEST_F(Errors, OptionsOutOfRange) {
     const std::string check = "check cube.obj cube.obj" + poses;
-    EXPECT_TRUE(complaint(check + " --margin -.1").starts_with("chasles: query: margin: "));
-    EXPECT_EQ(complaint(check + " --margin nan"), "chasles: --margin: not a finite number: 'nan'");
-    EXPECT_TRUE(complaint(check + " --hold 1").starts_with("chasles: query: hold: "));
-    EXPECT_TRUE(complaint(check + " --margin 1 --hold 1").starts_with("chasles: query: hold: "));
-    EXPECT_TRUE(complaint(check + " --max-turn-deg 0").starts_with("chasles: query: max_turn: "));
-    EXPECT_TRUE(complaint(check + " --time-tolerance 2").starts_with("chasles: query: time_tolerance: "));
-    EXPECT_EQ(complaint(check + " --max-turn-deg '1 2'"), "chasles: --max-turn-deg: needs one number");
+    EXPECT_TRUE(error_line(check + " --margin -.1").starts_with("chasles: query: margin: "));
+    EXPECT_EQ(error_line(check + " --margin nan"), "chasles: --margin: not a finite number: 'nan'");
+    EXPECT_TRUE(error_line(check + " --hold 1").starts_with("chasles: query: hold: "));
+    EXPECT_TRUE(error_line(check + " --margin 1 --hold 1").starts_with("chasles: query: hold: "));
+    EXPECT_TRUE(error_line(check + " --max-turn-deg 0").starts_with("chasles: query: max_turn: "));
+    EXPECT_TRUE(error_line(check + " --time-tolerance 2").starts_with("chasles: query: time_tolerance: "));
+    EXPECT_EQ(error_line(check + " --max-turn-deg '1 2'"), "chasles: --max-turn-deg: needs one number");
 }
 
 TEST_F(Errors, Usage) {
     const std::string check = "check cube.obj cube.obj" + poses;
     const std::string hint = " (see chasles check --help)";
-    EXPECT_EQ(complaint(check + " --foo"), "chasles check: The following argument was not expected: --foo" + hint);
-    EXPECT_EQ(complaint("check cube.obj cube.obj --start 0 0 0"), "chasles check: --goal is required" + hint);
-    EXPECT_EQ(complaint("check cube.obj"), "chasles check: FIXED is required" + hint);
-    EXPECT_EQ(complaint(check + " --fixed-start 0 0 0"), "chasles check: --fixed-start requires --fixed-goal" + hint);
-    EXPECT_EQ(complaint(check + " --motion helix"), "chasles check: --motion: helix not in {screw,sweep}" + hint);
-    EXPECT_EQ(complaint(""), "chasles: A subcommand is required (see chasles --help)");
-    EXPECT_EQ(complaint("unscrew"), "chasles: no subcommand 'unscrew' (see chasles --help)");
+    EXPECT_EQ(error_line(check + " --foo"), "chasles check: The following argument was not expected: --foo" + hint);
+    EXPECT_EQ(error_line("check cube.obj cube.obj --start 0 0 0"), "chasles check: --goal is required" + hint);
+    EXPECT_EQ(error_line("check cube.obj"), "chasles check: FIXED is required" + hint);
+    EXPECT_EQ(error_line(check + " --fixed-start 0 0 0"), "chasles check: --fixed-start requires --fixed-goal" + hint);
+    EXPECT_EQ(error_line(check + " --motion helix"), "chasles check: --motion: helix not in {screw,sweep}" + hint);
+    EXPECT_EQ(error_line(""), "chasles: A subcommand is required (see chasles --help)");
+    EXPECT_EQ(error_line("unscrew"), "chasles: no subcommand 'unscrew' (see chasles --help)");
 }
 
 TEST_F(Errors, OutputThatCannotBeWritten) {
     const std::string why = "chasles: standard output: cannot be written: ";
     if (std::filesystem::exists("/dev/full")) {
-        EXPECT_EQ(complaint("info cube.obj >/dev/full"), why + "No space left on device");
-        EXPECT_TRUE(complaint("info --help >/dev/full").starts_with(why));
+        EXPECT_EQ(error_line("info cube.obj >/dev/full"), why + "No space left on device");
+        EXPECT_TRUE(error_line("info --help >/dev/full").starts_with(why));
     }
-    EXPECT_TRUE(complaint("info cube.obj >&-").starts_with(why));
+    EXPECT_TRUE(error_line("info cube.obj >&-").starts_with(why));
 }
 
 TEST_F(Errors, HelpIsNone) {

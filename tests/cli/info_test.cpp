@@ -1,4 +1,4 @@
-// chasles info: what a mesh file holds.
+// chasles info: the content of a mesh file.
 #include "tests/cli/cli_test_files.h"
 
 #include <nlohmann/json.hpp>

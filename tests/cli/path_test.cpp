@@ -1,4 +1,4 @@
-// chasles path: the first contact of a chain of screws, with the segment where it is.
+// chasles path: the first contact on a sequence of screws, and its segment.
 #include "tests/cli/cli_test_files.h"
 
 #include <nlohmann/json.hpp>
@@ -36,11 +36,11 @@ TEST_F(Path, AnswersTheSegmentAndTheTimeWithinIt) {
 
 TEST_F(Path, RefusesBadFiles) {
     const std::string path = "path cube.obj cube.obj --poses ";
-    EXPECT_EQ(complaint(path + "no.csv"), "chasles: no.csv: no such file");
+    EXPECT_EQ(error_line(path + "no.csv"), "chasles: no.csv: no such file");
     write("bad.csv", around + "1,2,x,1,0,0,0\n");
-    EXPECT_EQ(complaint(path + "bad.csv"), "chasles: bad.csv: line 5: z: not a finite number: 'x'");
+    EXPECT_EQ(error_line(path + "bad.csv"), "chasles: bad.csv: line 5: z: not a finite number: 'x'");
     write("one.csv", header + "3,0,0,1,0,0,0\n");
-    EXPECT_EQ(complaint(path + "one.csv"), "chasles: path: poses: at least two are needed");
+    EXPECT_EQ(error_line(path + "one.csv"), "chasles: path: poses: at least two are needed");
 }
 
 } // namespace

@@ -1,4 +1,4 @@
-// Through the shell, so that tests read like what people type.
+// Runs the command through the shell, so tests contain command lines as a user types them.
 #include "tests/cli/run_chasles.h"
 
 #include <cstdlib>

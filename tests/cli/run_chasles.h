@@ -1,4 +1,4 @@
-// Runs the built command line as a process and keeps what it says.
+// Runs the built command line as a process and returns its output.
 #pragma once
 
 #include <filesystem>

@@ -1,4 +1,4 @@
-// chasles view: answers as check does, and leaves a page.
+// chasles view: returns the answer of check, and writes a page.
 #include "tests/cli/cli_test_files.h"
 
 #include <fstream>
@@ -43,8 +43,9 @@ TEST_F(View, NamesThePage) {
 
 TEST_F(View, SaysWhatIsWrong) {
     EXPECT_TRUE(
-        complaint("view cube.obj cube.obj" + poses + " --out no/page.html").starts_with("chasles: no/page.html"));
-    EXPECT_EQ(complaint("view cube.obj cube.obj" + poses), "chasles view: --out is required (see chasles view --help)");
+        error_line("view cube.obj cube.obj" + poses + " --out no/page.html").starts_with("chasles: no/page.html"));
+    EXPECT_EQ(error_line("view cube.obj cube.obj" + poses),
+              "chasles view: --out is required (see chasles view --help)");
 }
 
 } // namespace

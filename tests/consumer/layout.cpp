@@ -1,5 +1,6 @@
-// Nothing that users hold is aligned beyond a double. Eigen aligns its vectorisable types by the widest register that
-// the compiler may use, so such a member would give a user's -mavx2 another layout than the library was built with.
+// No public type is aligned beyond a double. Eigen aligns its vectorisable types to the widest register that the
+// compiler may use. A member of such a type would give a user who compiles with -mavx2 a layout that differs from the
+// library's.
 #include "chasles/chasles.h"
 
 template <class... Types>

@@ -1,5 +1,5 @@
-// What a user writes first: two bodies, a motion, a question. The answer is known: a unit cube rises by two and
-// meets a slab after half of its way.
+// A user's first program: two bodies, a motion, a query. The answer is known: a unit cube rises by two units and
+// touches a slab after half of its motion.
 #include "chasles/chasles.h"
 
 #include <cstdio>
@@ -25,7 +25,7 @@ bool meets_at_half(const chasles::FirstContact& found) {
            found.time.upper - found.time.lower < 1e-9;
 }
 
-/// Exceptions cross the border of a shared library as what they are.
+/// Exceptions keep their type across the boundary of a shared library.
 bool refuses_nothing_at_all() {
     try {
         static_cast<void>(chasles::Polyhedron::from_polygons({}, {}));
@@ -48,7 +48,7 @@ int main() {
     const chasles::FirstContact found = chasles::first_contact({.moving = cube, .fixed = slab, .motion = motion});
     std::printf("first contact in [%.17g, %.17g]\n", found.time.lower, found.time.upper);
 
-    // Arrays of motions go into the library and arrays of answers come out: both sides must agree on their layout.
+    // The library takes arrays of motions and returns arrays of answers: both sides must agree on their layout.
     const std::vector<chasles::Motion> motions(3, motion);
     const std::vector<chasles::FirstContact> all =
         chasles::first_contact_batch({.moving = cube, .fixed = slab, .motions = motions});

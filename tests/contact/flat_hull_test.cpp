@@ -1,4 +1,4 @@
-// Of flat contacts the corners of their hull are left, ties and rounding or not.
+// Flat contacts are reduced to the corners of their hull, also with ties and rounding.
 #include "chasles/contact/flat_hull.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ TEST(FlatHull, AGridIsItsCornersInEveryPlane) {
         const Eigen::Vector3d u = n.unitOrthogonal();
         const Eigen::Vector3d v = n.cross(u);
         std::vector<Contact> contacts;
-        for (std::uint32_t i = 0; i < 30; ++i) { // each place twice, rounded
+        for (std::uint32_t i = 0; i < 30; ++i) { // each point twice, rounded
             const Eigen::Vector3d noise = 1e-15 * Eigen::Vector3d(normal(random), normal(random), normal(random));
             contacts.push_back(contact_at(u * (i % 5) + v * (i / 5 % 3) + noise, n, i));
         }

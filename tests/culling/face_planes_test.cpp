@@ -1,4 +1,5 @@
-// The way between two faces: what it tells apart stays farther apart than the margin, and it tells most of that.
+// The separation test of two faces by their shortest connection: pairs that it separates stay farther apart than the
+// margin, and it separates most such pairs.
 #include "chasles/culling/face_planes.h"
 
 #include "tests/query/bodies.h"
@@ -21,7 +22,7 @@ Polyhedron body_of(const Corners& corners) {
 
 TEST(FacePlanes, TheWayTellsFacesApartThatStayFartherThanTheMargin) {
     Random random(771);
-    int told = 0, open = 0;
+    int separated = 0, open = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const double reach = std::abs(random.scaled(-2, 2));
         const PosedMotion posed = random_posed_motion(random, reach);
@@ -52,14 +53,14 @@ TEST(FacePlanes, TheWayTellsFacesApartThatStayFartherThanTheMargin) {
             return planes.are_separated(0, 0, FacePlanes::Restriction(from, from + width), from + 0.5 * width);
         };
         const double rounding = 4 * elementary::error_unit<double> * scale.length;
-        EXPECT_FALSE(are_separated(least + rounding)) << "they come as near as " << least;
-        EXPECT_FALSE(are_separated(0)) << "planes of faces tell that, and no way";
+        EXPECT_FALSE(are_separated(least + rounding)) << "their least distance is " << least;
+        EXPECT_FALSE(are_separated(0)) << "the planes of the faces separate them, not their shortest connection";
         if (greatest - least <= 0.01 * least && rounding <= 0.001 * least)
-            (are_separated(0.5 * least) ? told : open) += 1;
+            (are_separated(0.5 * least) ? separated : open) += 1;
     }
-    std::cout << told << " told, " << open << " left open\n";
-    EXPECT_GT(told, 500);
-    EXPECT_LT(open, told);
+    std::cout << separated << " separated, " << open << " left open\n";
+    EXPECT_GT(separated, 500);
+    EXPECT_LT(open, separated);
 }
 
 } // namespace

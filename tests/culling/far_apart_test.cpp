@@ -1,4 +1,4 @@
-// The balls tell only what is true, and they tell it where bodies are plainly apart.
+// The bounding spheres separate only bodies that stay apart, and they separate bodies that are clearly apart.
 #include "chasles/culling/far_apart.h"
 
 #include "chasles/motion/motion.h"
@@ -14,11 +14,11 @@ namespace {
 
 using namespace test;
 
-/// The cubes are about the origins of their frames.
+/// Each cube is centred at the origin of its frame.
 TEST(FarApart, NeverWhereBallsMeetOnTheWay) {
     Random random(771);
     const Polyhedron body = box({1, 1, 1}).polyhedron();
-    int told = 0, open = 0;
+    int separated = 0, open = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const Pose start = random_pose(random, 12);
         const Pose goal = random_pose(random, 12);
@@ -27,7 +27,7 @@ TEST(FarApart, NeverWhereBallsMeetOnTheWay) {
         for (const bool sweeps : {false, true}) {
             const Motion motion = sweeps ? Motion(sweep) : Motion(screw);
             const bool far_apart = are_far_apart(body.body(), body.body(), motion.trajectory());
-            (far_apart ? told : open) += 1;
+            (far_apart ? separated : open) += 1;
             if (!far_apart)
                 continue;
             for (int i = 0; i <= 64; ++i) {
@@ -36,16 +36,16 @@ TEST(FarApart, NeverWhereBallsMeetOnTheWay) {
             }
         }
     }
-    std::cout << told << " told, " << open << " left open\n";
-    EXPECT_GT(told, 300);
+    std::cout << separated << " separated, " << open << " left open\n";
+    EXPECT_GT(separated, 300);
     EXPECT_GT(open, 300);
 }
 
-/// Both bodies go somewhere, in a world whose origin is far from them.
+/// Both bodies move, far from the origin of the world.
 TEST(FarApart, NeverWhereBallsMeetWhileBothMove) {
     Random random(772);
     const Polyhedron body = box({1, 1, 1}).polyhedron();
-    int told = 0, open = 0;
+    int separated = 0, open = 0;
     for (int trial = 0; trial < 2000; ++trial) {
         const Eigen::Vector3d world = random_point(random, 100);
         const auto pose = [&](double size) {
@@ -54,7 +54,7 @@ TEST(FarApart, NeverWhereBallsMeetWhileBothMove) {
         };
         const ScrewMotion screw = ScrewMotion::relative(pose(12), pose(12), pose(3), pose(3));
         const bool far_apart = are_far_apart(body.body(), body.body(), Motion(screw).trajectory());
-        (far_apart ? told : open) += 1;
+        (far_apart ? separated : open) += 1;
         for (int i = 0; far_apart && i <= 64; ++i) {
             const double time = i / 64.0;
             const Eigen::Vector3d between =
@@ -62,8 +62,8 @@ TEST(FarApart, NeverWhereBallsMeetWhileBothMove) {
             EXPECT_GT(between.norm(), 2 * std::sqrt(3.0));
         }
     }
-    std::cout << told << " told, " << open << " left open\n";
-    EXPECT_GT(told, 100);
+    std::cout << separated << " separated, " << open << " left open\n";
+    EXPECT_GT(separated, 100);
     EXPECT_GT(open, 300);
 }
 
@@ -88,7 +88,7 @@ TEST(FarApart, NotToldOfBodiesThatTouchAtTheFarEndOfTheWay) {
         are_far_apart(body.body(), body.body(), Motion::screw(motion.pose_at(1), motion.pose_at(0)).trajectory()));
 }
 
-/// The body's centre ends where it started, and half way it is ten away from there.
+/// The body's centre ends at its start and is ten units away at half time.
 TEST(FarApart, NotToldOfASweepThatSwingsOut) {
     const Polyhedron moving = box({1, 1, 1}).polyhedron();
     test::Body away = box({1, 1, 1});

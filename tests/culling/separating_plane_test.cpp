@@ -1,4 +1,4 @@
-// Flat on flat: one plane tells most faces apart, and hides nothing that is met before.
+// Flat on flat: one plane separates most faces, and no earlier contact is lost.
 #include "chasles/culling/separating_plane.h"
 
 #include "chasles/search/piece_search.h"
@@ -15,7 +15,7 @@ namespace {
 
 using namespace test;
 
-/// A square of 2 n^2 triangles in the plane z = 0 with its sides on [-1, 1].
+/// The square [-1, 1]^2 in the plane z = 0, in 2 n^2 triangles.
 test::Body square(std::uint32_t n) {
     test::Body body;
     for (std::uint32_t i = 0; i <= n; ++i)
@@ -25,7 +25,7 @@ test::Body square(std::uint32_t n) {
     return body;
 }
 
-/// From 1/4 over the plane z = 0 to 1/4 below it, aside by so much that vertices do not meet vertices.
+/// A motion from 1/4 above the plane z = 0 to 1/4 below it, with a sideways offset that keeps vertices off vertices.
 struct Landing {
     Pose start;
     Pose goal;
@@ -48,7 +48,7 @@ TEST(FlatOnFlat, MostFacesAreToldApartAtOnce) {
     }
 }
 
-/// A vertex inside that is `height` off the plane of the others.
+/// A square with one inner vertex at distance `height` from the plane of the other vertices.
 Polyhedron with_bump(std::uint32_t n, std::size_t at, double height) {
     test::Body body = square(n);
     body.vertices[at].z() = height;
@@ -74,7 +74,7 @@ TEST(FlatOnFlat, WhatSticksOutIsMetFirst) {
         }
 }
 
-/// Vertices of both are off their planes by some power of two, from far more than the tolerance to far less.
+/// The vertices of both sheets are off their planes by powers of two, from far above the tolerance to far below.
 TEST(FlatOnFlat, AgreesWithExactRationalsOnSheetsThatAreHardlyBent) {
     std::mt19937 random(4811);
     int left_open = 0, met = 0;

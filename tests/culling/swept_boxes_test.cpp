@@ -1,5 +1,5 @@
-// Nodes over patches that touch at a known time are never told apart at that time, whatever motion brings them there;
-// and the windows in which they may meet are not much wider than they have to be.
+// Nodes over patches that touch at a known time are never separated at this time, for any motion. The windows in which
+// they may touch are barely wider than necessary.
 #include "chasles/culling/body_ball.h"
 #include "chasles/culling/time_tree.h"
 #include "chasles/mesh/body.h"
@@ -16,7 +16,7 @@ using culling::TimeInterval;
 using culling::TimeRange;
 using culling::Window;
 
-/// A few triangles that lie more or less in a plane through the origin.
+/// A few triangles close to a plane through the origin.
 Body random_patch(Random& random, double size) {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(random.uniform(0, 3), eigen(random.vector(1)).normalized()));
     const double thickness = random.chance(0.3) ? 0 : std::abs(random.scaled(-4, 0));
@@ -31,7 +31,7 @@ Body random_patch(Random& random, double size) {
     return body;
 }
 
-/// Where a body point is at tau, in the frame of the fixed body.
+/// The position of a body point at tau in the frame of the fixed body.
 Eigen::Vector3d position(const motion::ControlMaps<DoubleDouble>& maps, const Eigen::Vector3d& point, double tau) {
     const Vector3<DoubleDouble> p{DoubleDouble(point.x()), DoubleDouble(point.y()), DoubleDouble(point.z())};
     const auto path = maps.rotation * p + maps.translation;
@@ -42,7 +42,7 @@ Eigen::Vector3d position(const motion::ControlMaps<DoubleDouble>& maps, const Ei
     return result;
 }
 
-/// Two patches that a motion brings to touch at `tau`, each on its side of a plane there.
+/// Two patches that touch at `tau`. At this tau they are on opposite sides of a plane.
 struct Scene {
     motion::RationalMotion<DoubleDouble> motion;
     motion::ControlMaps<double> maps;
@@ -83,13 +83,13 @@ struct Scene {
         return culling::TimeTree(maps, motion::ChordDeviation(motion, a, b), a, b, scale).interval(range);
     }
 
-    /// Two nodes of a hierarchy, and their places in it.
+    /// Two nodes of a hierarchy and their indices.
     struct Two {
         std::array<std::size_t, 2> at;
         culling::TwoNodes nodes;
     };
 
-    /// Each node twice, and the children of each that has some.
+    /// Each node paired with itself, and the two children of each inner node.
     static std::vector<Two> twos(const Polyhedron& body) {
         const auto nodes = body.body().bvh().nodes();
         std::vector<Two> result;
@@ -101,7 +101,7 @@ struct Scene {
         return result;
     }
 
-    /// Shows every pair of nodes and its window, in all combinations.
+    /// Calls `see` with every pair of nodes and its window, in all combinations.
     template <class See>
     void for_all_pairs(const TimeInterval& interval, See see) const {
         for (const Two& a : twos(moving))
@@ -114,14 +114,14 @@ struct Scene {
     }
 };
 
-/// Dyadic, around tau.
+/// A dyadic range around tau.
 TimeRange random_range(Random& random, double tau) {
     const double width = std::ldexp(1.0, -random.integer(0, 10));
     const double lower = std::min(std::floor(tau / width) * width, 1 - width);
     return {lower, lower + width};
 }
 
-/// Whether one of the vertices below a node is the one that touches.
+/// Whether the touching vertex is below a node.
 bool holds(const Polyhedron& body, std::size_t node, const Eigen::Vector3d& vertex) {
     const BvhNode& top = body.body().bvh().nodes()[node];
     if (!top.is_leaf())
@@ -140,7 +140,7 @@ TEST(SweptBoxes, NodesThatTouchMayMeetThen) {
         const auto exactly = motion::control_maps(scene.motion);
         const TimeInterval interval = scene.interval(random_range(random, scene.tau));
         const double place = (scene.tau - interval.range.lower) / interval.range.width();
-        // The vertices that touch: nearest to each other at tau.
+        // The touching vertices are nearest to each other at tau.
         double nearest = std::numeric_limits<double>::infinity();
         Eigen::Vector3d moving_vertex, fixed_vertex;
         for (const Eigen::Vector3d& a : scene.moving.vertices())
@@ -163,7 +163,8 @@ TEST(SweptBoxes, NodesThatTouchMayMeetThen) {
     EXPECT_GT(narrow, pairs / 20);
 }
 
-/// Standing patches of one flat triangle each, turned at random: what a plane along a slab keeps apart is told apart.
+/// Resting patches of one flat triangle each, with random orientation: patches that a plane along a slab separates are
+/// separated.
 TEST(SweptBoxes, ParallelPatchesAreToldApartByTheirSlabs) {
     Random random(752);
     int apart = 0, boxes_apart = 0;
@@ -195,7 +196,7 @@ TEST(SweptBoxes, ParallelPatchesAreToldApartByTheirSlabs) {
     EXPECT_LT(boxes_apart, 300);
 }
 
-/// A box that goes straight past a standing one meets it from when it gets there until it is past.
+/// A box moves straight past a resting box. The window is exactly the time during which their projections overlap.
 TEST(SweptBoxes, WindowsOfAStraightMotionAreExact) {
     const Polyhedron body = box({1, 1, 1}).polyhedron();
     const auto motion = cubic_of(ScrewMotion::between(Pose({-8, 0, 0}, Eigen::Quaterniond::Identity()),

@@ -1,4 +1,4 @@
-// Real nuts on real bolts: micrometres of clearance, and one motion only that is free.
+// Real nuts on real bolts: micrometres of clearance, and only one free motion.
 
 #include "tests/data/shared_data.h"
 
@@ -13,12 +13,12 @@ constexpr double step_degrees = 10;
 struct Thread {
     const char* nut;
     const char* bolt;
-    double pitch;         ///< metres a turn
-    double raised;        ///< of a pitch, from the assembled state
+    double pitch;         ///< metres per turn
+    double raised;        ///< in pitches, from the assembled state
     double first_contact; ///< degrees, when turned the other way
 };
 
-/// The nut turned by `degrees` along the thread from where it was raised to.
+/// The nut turned by `degrees` along the thread from its raised pose.
 Pose on_thread(const Thread& thread, double degrees) {
     const double half = degrees * std::numbers::pi / 360;
     return {Eigen::Vector3d(0, 0, thread.pitch * (thread.raised + degrees / 360)),

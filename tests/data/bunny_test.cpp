@@ -12,7 +12,7 @@ namespace {
 
 constexpr double body_length = 0.155;
 
-/// Towards the fixed copy from beside it, turning about the body's middle.
+/// A motion from beside the fixed copy towards it, with a turn about the body's middle.
 Motion approach(int direction) {
     const Eigen::Vector3d middle(-0.0168, 0.11, -0.0015);
     const double heading = 1.1 * direction;

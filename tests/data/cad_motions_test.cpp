@@ -1,4 +1,5 @@
-// Simulated motions of CAD parts: the first contact lies between the frames where a discrete test changes its mind.
+// Simulated motions of CAD parts: the first contact lies between the two frames where a discrete test changes its
+// result.
 
 #include "tests/data/shared_data.h"
 
@@ -8,7 +9,7 @@
 namespace chasles::test {
 namespace {
 
-/// Both bodies in the world at one frame.
+/// The poses of both bodies in the world at one frame.
 struct Frame {
     Pose moving;
     Pose fixed;
@@ -47,7 +48,7 @@ struct FirstStep {
     FirstContact found;
 };
 
-/// Step by step up to the first contact; both bodies move.
+/// The first step with a contact. Both bodies move.
 FirstStep first_step(const std::string& set, const std::string& poses) {
     const Polyhedron moving = Polyhedron::load(shared_data("fcl-motions/" + set + "/obj1.obj"));
     const Polyhedron fixed = Polyhedron::load(shared_data("fcl-motions/" + set + "/obj2.obj"));

@@ -1,4 +1,4 @@
-// The distance of two bodies as FCL sees it.
+// The distance of two bodies by FCL.
 #pragma once
 
 #include "tests/support/triangle_tree.h"
@@ -8,7 +8,7 @@
 
 namespace chasles::test {
 
-/// Bodies that cross are at 0, or below.
+/// Bodies that overlap have the distance 0 or less.
 class FclDistance {
 public:
     FclDistance(const Polyhedron& moving, const Polyhedron& fixed)

@@ -61,7 +61,7 @@ TEST(KnownAnswers, EveryVerdictIsRightAndEveryTauIsInsideItsBracket) {
                   "widest bracket %.2g, %.2f s",
                   tally.cases, tally.wrong_verdicts, tally.outside_bracket, tally.uncertain, tally.widest,
                   watch.seconds());
-    print_figures("  %llu elementary tests, %llu looked for roots, %llu repeated in double-double",
+    print_figures("  %llu elementary tests, %llu searched for roots, %llu repeated in double-double",
                   static_cast<unsigned long long>(tally.work.elementary_tests),
                   static_cast<unsigned long long>(tally.work.root_brackets),
                   static_cast<unsigned long long>(tally.work.refined));

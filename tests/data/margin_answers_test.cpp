@@ -1,5 +1,5 @@
 // The 2,036 mesh pairs of screw-known-answers with margins of a millionth, a thousandth and a tenth of the moving body,
-// held against the exact reference; without a margin their first contacts were known before.
+// compared with the exact reference. The data have first contacts only without a margin.
 
 #include "tests/attack/check_margin.h"
 #include "tests/data/screw_known_answers.h"

@@ -1,5 +1,5 @@
-// Elementary queries with exact truth (Wang et al. 2021), as mesh pairs: those whose primitives translate rigidly.
-// Each primitive becomes a sliver of a triangle, whose third corner trails behind, so that it adds hardly any contact.
+// Elementary queries with exact truth (Wang et al. 2021) whose primitives translate rigidly, as mesh pairs. Each
+// primitive becomes a sliver triangle. Its third corner trails the motion, so this corner adds barely any contacts.
 
 #include "tests/attack/check_mesh.h"
 #include "tests/data/shared_data.h"
@@ -17,7 +17,7 @@ using Rational = boost::multiprecision::mpq_rational;
 using Integer = boost::multiprecision::mpz_int;
 using RationalPoint = std::array<Rational, 3>;
 
-/// Eight points (four at each end of the motion) and the truth.
+/// Eight points (four at each end of the motion) and the true answer.
 struct ElementaryQuery {
     std::array<RationalPoint, 8> points;
     bool is_vertex_face = false;
@@ -109,7 +109,7 @@ FirstContact answer(const attack::MeshCase& pair) {
                           .find = Find::first_with_all_contacts});
 }
 
-/// Whether the contact is between the query's own primitives and not with the corners that were added.
+/// Whether the contact is between the query's own primitives, not at an added corner.
 bool is_own(const Contact& contact, bool is_vertex_face) {
     if (is_vertex_face)
         return contact.kind == ContactKind::vertex_face && contact.moving.first == 0;
@@ -121,8 +121,8 @@ struct Tally {
     int queries = 0;
     int colliding = 0;
     int missed = 0;
-    int false_alarms = 0;  ///< contacts of the query's own primitives although the truth is no
-    int added_corners = 0; ///< contacts of the corners that were added only
+    int false_alarms = 0;  ///< contacts of the query's own primitives where the true answer is no
+    int added_corners = 0; ///< contacts only of added corners
     attack::Tally exact{}; ///< the same mesh pairs against the exact reference
 };
 

@@ -1,5 +1,5 @@
-// Elementary queries of rigid bodies that turn, from a simulator, against the exact reference: as elementary detections
-// in both precisions, and as mesh pairs whose added corners trail behind.
+// Elementary queries of turning rigid bodies from a simulator, compared with the exact reference: as elementary
+// detections in both precisions, and as mesh pairs whose added corners trail the motion.
 #include "tests/attack/check_elementary.h"
 #include "tests/attack/check_mesh.h"
 #include "tests/data/shared_data.h"
@@ -16,8 +16,8 @@ Eigen::Vector3d vector(const Json& numbers) {
     return {numbers.at(0).get<double>(), numbers.at(1).get<double>(), numbers.at(2).get<double>()};
 }
 
-/// So many steps of the simulator behind its first pose. The rotation vector is axis times angle; the query is about
-/// the pose that its quaternion in doubles gives.
+/// The pose `steps` simulator steps after the first pose. The rotation vector is axis times angle. The query uses the
+/// quaternion of this vector, rounded to doubles.
 Pose pose(const Json& body, double steps) {
     const auto number = [&](const char* name) -> Eigen::Vector3d {
         const Eigen::Vector3d from = vector(body.at("pose_t0").at(name));
@@ -29,7 +29,7 @@ Pose pose(const Json& body, double steps) {
     return Pose(number("position"), Eigen::Quaterniond(Eigen::AngleAxisd(angle, axis)));
 }
 
-/// One query: the features, and both bodies' poses.
+/// One query: the features and the poses of both bodies.
 attack::QuestionGroup question_in(const Json& json, double steps) {
     const bool is_edges = json.at("type") == "ee";
     const Json& moving = json.at(is_edges ? "edge0" : "vertex");
@@ -52,7 +52,7 @@ attack::QuestionGroup question_in(const Json& json, double steps) {
     return {posed, {question}};
 }
 
-/// The features as triangles, slivers where there are fewer than three points.
+/// A feature as a triangle; a sliver if the feature has fewer than three points.
 attack::Shape triangle_of(std::vector<Eigen::Vector3d> points) {
     if (points.size() == 1)
         points.push_back(points[0] + Eigen::Vector3d(0x1p-20, 0, 0));
@@ -66,7 +66,7 @@ struct Figures {
     attack::Tally pairs;
 };
 
-/// All queries, with the step that was asked about made longer.
+/// Runs all queries with a motion of `steps` simulator steps.
 Figures answered(double steps) {
     Figures figures;
     for (const auto& entry : std::filesystem::recursive_directory_iterator(shared_data("rigid-ccd-queries"))) {
@@ -94,7 +94,7 @@ Figures answered(double steps) {
     return figures;
 }
 
-/// The simulator keeps its bodies apart: none of its queries touches. Going on as they went, some do.
+/// The simulator keeps its bodies apart: none of its queries touches. With longer steps some queries touch.
 TEST(RigidQueries, AnswersAgreeWithExactArithmetic) {
     CHASLES_REQUIRE_DATA("rigid-ccd-queries");
     EXPECT_EQ(answered(1).elementary.filter.touches, 0u);

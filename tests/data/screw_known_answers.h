@@ -26,7 +26,7 @@ inline Pose pose(const Json& numbers) {
     return {Eigen::Vector3d(n[0], n[1], n[2]), Eigen::Quaterniond(n[3], n[4], n[5], n[6])};
 }
 
-/// Calls function(case) for each.
+/// Calls function(case) for each case.
 template <class Function>
 void for_each_known_answer(Function function) {
     const std::filesystem::path file = shared_data("screw-known-answers/cases.jsonl.gz");

@@ -1,4 +1,4 @@
-// Real inputs from outside the project, and how the tests of this folder print the figures that they check.
+// External real inputs, and the output of figures for the tests of this folder.
 #pragma once
 
 #include "chasles/query/path.h"
@@ -26,7 +26,7 @@ private:
     std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-/// One line of figures for the person who runs the tests.
+/// Prints one line of figures.
 template <class... Arguments>
 void print_figures(const char* format, Arguments... arguments) {
     std::printf(format, arguments...);
@@ -35,7 +35,7 @@ void print_figures(const char* format, Arguments... arguments) {
 
 } // namespace chasles::test
 
-/// Leaves the test where the data is not there.
+/// Skips the test if the data is missing.
 #define CHASLES_REQUIRE_DATA(name)                                                                                     \
     if (std::string(CHASLES_DATA_DIR).empty() || !std::filesystem::exists(chasles::test::shared_data(name)))           \
     GTEST_SKIP() << "skipped: no folder " << name << " of real inputs"

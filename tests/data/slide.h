@@ -1,4 +1,4 @@
-// Random small steps of a body that is in touch with another one: most go along what it touches.
+// Random small steps of a body in contact with another body. Most steps slide or roll along the contacts.
 #pragma once
 
 #include "chasles/contact/constraint_rows.h"
@@ -9,7 +9,7 @@
 
 namespace chasles::test {
 
-/// The ball around a body's box.
+/// The bounding sphere of a body's box.
 struct Ball {
     Eigen::Vector3d middle;
     double radius;
@@ -23,15 +23,15 @@ struct Ball {
     }
 };
 
-/// A twist about the moving body's middle: its velocity, and its turn times its radius, both lengths.
+/// A twist about the moving body's middle: velocity, and turn times the body's radius. Both are lengths.
 using Twist = Eigen::Matrix<double, 6, 1>;
 
 class Slide {
 public:
-    /// Kept by reference.
+    /// Keeps both arguments by reference.
     Slide(SlidingBody& body, Random& random) : body_(body), random_(random), ball_(body.moving) {}
 
-    /// False if nothing is within the margin any more.
+    /// Returns false if nothing is within the margin any more.
     bool step() {
         const std::vector<Contact> held = standing_still();
         if (held.empty())
@@ -44,7 +44,7 @@ public:
 private:
     using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6>;
 
-    /// Whoever does not move is not stopped.
+    /// Checks that a query without movement is clear, and returns the held contacts.
     std::vector<Contact> standing_still() {
         const FirstContact found = first_contact({.moving = body_.moving,
                                                   .fixed = body_.fixed,
@@ -56,7 +56,7 @@ private:
         return found.held;
     }
 
-    /// Of length one.
+    /// A twist of length one.
     Twist direction(std::vector<Contact> held) {
         const double near = body_.hold + random_.uniform(0.01, 1) * (body_.margin - body_.hold);
         std::erase_if(held, [&](const Contact& contact) { return contact.gap > near; });
@@ -82,7 +82,7 @@ private:
         return twist;
     }
 
-    /// Rolls: the turn goes about one of the contacts.
+    /// Rolling: the turn is about one of the contacts.
     Twist about_a_contact(const std::vector<Contact>& held, Twist twist) {
         if (!held.empty()) {
             const Contact& contact = held[std::size_t(random_.integer(0, int(held.size()) - 1))];
@@ -91,7 +91,7 @@ private:
         return twist;
     }
 
-    /// What is left of a twist that no contact opens or closes by; where nothing is, what closes none.
+    /// The part of a twist that keeps all gaps constant. If this part is zero, the part that closes no gap.
     static Twist along(const Rows& rows, const Twist& twist) {
         if (rows.rows() == 0)
             return twist;
@@ -104,7 +104,7 @@ private:
         return rest.norm() > 1e-3 ? rest : not_into(rows, twist);
     }
 
-    /// Projected to and fro; not all contacts need agree in the end.
+    /// Projects repeatedly onto the half-spaces of the contacts. Some contacts may still close at the end.
     static Twist not_into(const Rows& rows, Twist twist) {
         for (int i = 0; i < 30; ++i)
             for (Eigen::Index j = 0; j < rows.rows(); ++j)

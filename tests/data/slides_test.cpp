@@ -1,6 +1,6 @@
-// Real meshes that slide and roll on each other in random small steps with `hold`. What the answers say is looked at by
-// FCL's distances and by all pairs of triangles: no step comes nearer than the hold, none is stopped without a cause,
-// and no new place goes unseen. CHASLES_LONG=1 in the environment: more than ten thousand steps.
+// Real meshes slide and roll on each other in random small steps with `hold`. FCL's distances and all pairs of
+// triangles check the answers: no step comes closer than the hold distance, no step stops without a cause, and every
+// new contact is reported. CHASLES_LONG=1 in the environment: more than ten thousand steps.
 #include "tests/data/shared_data.h"
 #include "tests/data/slide.h"
 #include "tests/support/grid.h"
@@ -18,11 +18,11 @@ enum class From { outside, above, inside };
 struct SlideCase {
     const char* name;
     const char* moving;
-    const char* fixed; ///< a plate where it is empty
+    const char* fixed; ///< empty: a plate
     From from = From::outside;
 };
 
-/// Of triangles, in the plane z = 0.
+/// A plate of triangles in the plane z = 0.
 Polyhedron plate() {
     constexpr std::uint32_t count = 8;
     std::vector<Eigen::Vector3d> vertices;
@@ -32,7 +32,7 @@ Polyhedron plate() {
     return Polyhedron::from_polygons(vertices, grid_triangles(count, count));
 }
 
-/// Scaled by a power of two.
+/// The body scaled by a power of two.
 Polyhedron sized(const Polyhedron& body, int exponent) {
     std::vector<Eigen::Vector3d> vertices(body.vertices().begin(), body.vertices().end());
     for (Eigen::Vector3d& vertex : vertices)
@@ -43,7 +43,7 @@ Polyhedron sized(const Polyhedron& body, int exponent) {
     return Polyhedron::from_polygons(vertices, faces, {.triangulate = true});
 }
 
-/// Bodies that are no pair are brought to about the size of one.
+/// A body of a pair as it is; any other body scaled to a size of about one.
 Polyhedron body_of(const std::string& name, From from) {
     if (name.empty())
         return plate();
@@ -66,7 +66,7 @@ protected:
             tally.stuck, tally.lowest, tally.peer_error, 1e3 * tally.slowest);
     }
 
-    /// Into the margin, from where the case says; several tries.
+    /// Moves the body into the margin from the start of its case, in several attempts.
     static bool approach(SlidingBody& body, Random& random) {
         const Ball moving(body.moving);
         const Ball fixed(body.fixed);
@@ -95,7 +95,7 @@ protected:
         return false;
     }
 
-    /// A body that keeps a random distance.
+    /// A body with a random hold distance.
     static SlidingBody body_with(const Polyhedron& moving, const Polyhedron& fixed, Random& random,
                                  const DistanceAt& peer) {
         const double scene = Ball(moving).radius + Ball(fixed).radius;
@@ -124,7 +124,7 @@ TEST_P(Slides, ComeNoNearerThanTheHoldAndAreNotStoppedWithoutACause) {
     const Polyhedron moving = body_of(asked.moving, asked.from);
     const Polyhedron fixed = body_of(asked.fixed, asked.from);
     const FclDistance fcl(moving, fixed);
-    const int count = 10 * times_if_long(50); // ten thousand over all
+    const int count = 10 * times_if_long(50); // ten thousand in all
     const bool is_small = moving.face_count() + fixed.face_count() < 1500;
     SlideTally tally;
     while (tally.steps < count && !HasFailure()) {

@@ -1,4 +1,5 @@
-// The way between two features: what it tells apart stays farther apart than the margin, and it tells most of that.
+// The separation test of two features by their shortest connection: pairs that it separates stay farther apart than the
+// margin, and it separates most such pairs.
 #include "chasles/elementary/distance_tests.h"
 
 #include "tests/support/posed_motions.h"
@@ -10,7 +11,7 @@ namespace {
 using namespace test;
 using DoublePoint = Vector3<double>;
 
-/// Two edges, a part of a motion of one of them, and how near they come to each other there, by sampling.
+/// Two edges, a part of the motion of one edge, and their least distance during this part, by sampling.
 class Meeting {
 public:
     explicit Meeting(Random& random) {
@@ -30,8 +31,7 @@ public:
     }
     [[nodiscard]] double unit() const { return error_unit<double> * scale.length; }
 
-    /// The least and the greatest distance of one end of the one and one of the other, of one end and the other edge,
-    /// or of the edges.
+    /// The least and the greatest distance between two ends, between an end and the other edge, or between the edges.
     template <class Distance>
     [[nodiscard]] std::pair<double, double> sampled(Distance distance) const {
         constexpr int samples = 40;
@@ -59,19 +59,19 @@ private:
 template <class AreSeparated, class Distance>
 void check(std::uint64_t seed, AreSeparated are_separated, Distance distance) {
     Random random(seed);
-    int told = 0, open = 0;
+    int separated = 0, open = 0;
     for (int trial = 0; trial < 4000; ++trial) {
         const Meeting meeting(random);
         const auto [least, greatest] = meeting.sampled(distance);
         const double rounding = 4 * meeting.unit();
-        EXPECT_FALSE(are_separated(meeting, least + rounding)) << "they come as near as " << least;
+        EXPECT_FALSE(are_separated(meeting, least + rounding)) << "their least distance is " << least;
         if (greatest - least > 0.01 * least || rounding > 0.001 * least)
-            continue; // directions change, or nothing can be told
-        (are_separated(meeting, 0.98 * least) ? told : open) += 1;
+            continue; // directions change, or nothing can be separated
+        (are_separated(meeting, 0.98 * least) ? separated : open) += 1;
     }
-    std::cout << told << " told, " << open << " left open\n";
-    EXPECT_GT(told, 1000);
-    EXPECT_LT(open, told / 100);
+    std::cout << separated << " separated, " << open << " left open\n";
+    EXPECT_GT(separated, 1000);
+    EXPECT_LT(open, separated / 100);
 }
 
 TEST(NearFeatures, TheWayTellsVerticesApart) {

@@ -1,5 +1,5 @@
-// Edge against edge, case by case as the paper has them (section 2.2), each with a known answer. The third axis is that
-// of the motion. At tau = 1/2 the half-angle tangent 1 has turned by the angle of cosine 3/5 and sine 4/5.
+// Edge against edge: the cases of the paper (section 2.2), each with a known answer. The third axis is the axis of the
+// motion. At tau = 1/2 the half-angle tangent 1 has turned by the angle with cosine 3/5 and sine 4/5.
 #include "chasles/elementary/edge_edge.h"
 
 #include "tests/support/elementary_cases.h"
@@ -12,7 +12,7 @@ namespace {
 using namespace test;
 
 const Rational half = ratio(1, 2);
-/// Along the x axis, and what it sweeps onto at tau = 1/2.
+/// A segment on the x axis, and its image at tau = 1/2.
 const Line spoke{point(1, 0, 0), point(2, 0, 0)};
 Point on_turned_spoke(const Rational& radius, const Rational& z) {
     return point(radius * ratio(3, 5), radius * ratio(4, 5), z);
@@ -115,7 +115,7 @@ TEST(EdgeEdge, Section223RotationParallelToTheAxis) {
 }
 
 TEST(EdgeEdge, Section223RotationPlanarProblem) {
-    // In one normal plane, and on a cone through one point of the axis, the reciprocal product vanishes all along.
+    // In one normal plane, and on a cone through one point of the axis, the reciprocal product vanishes identically.
     expect_contact(EdgeEdgeCase{rotation(1), spoke, {on_turned_spoke(ratio(3, 2), 0), on_turned_spoke(3, 0)}}, half);
     expect_clear(EdgeEdgeCase{rotation(1), spoke, {on_turned_spoke(ratio(5, 2), 0), on_turned_spoke(3, 0)}});
     const Line on_cone{point(1, 0, 1), point(2, 0, 2)};

@@ -1,4 +1,4 @@
-// An edge passes a face strictly: ends on opposite sides, the way between them through the face.
+// An edge passes strictly through a face: its ends are on opposite sides, and the segment crosses the face.
 #include "chasles/elementary/edge_through_face.h"
 
 #include "tests/support/elementary_cases.h"
@@ -84,7 +84,7 @@ TEST(EdgeThroughFace, NonConvexFaceLeavesItsNotchOpen) {
     expect_passage({point(ratio(1, 4), 2, -1), point(ratio(1, 4), 2, 1)}, bent_bar, point(ratio(1, 4), 2, 0));
 }
 
-/// By signed volumes of tetrahedra, as determinants.
+/// The orientation by signed volumes of tetrahedra, as determinants.
 int orientation(const Point& a, const Point& b, const Point& c, const Point& d) {
     const Point p = a - d;
     const Point q = b - d;
@@ -118,7 +118,7 @@ TEST(EdgeThroughFace, AgreesWithTheSignsOfTetrahedra) {
         const auto found = passage<Rational>(edge, face);
         EXPECT_EQ(found && found->certain, expected);
         const auto in_doubles = passage<double>(edge, face);
-        EXPECT_EQ(in_doubles && in_doubles->certain, expected) << "small integers leave no doubt";
+        EXPECT_EQ(in_doubles && in_doubles->certain, expected) << "small integers must be certain";
     }
     EXPECT_GT(passing, 60);
 }
@@ -134,7 +134,7 @@ TEST(EdgeThroughFace, FilterKeepsWhatOnlyTouchesThePlane) {
     EXPECT_FALSE(filtered({point(3, 3, -1), point(3, 3, 1)}));
 }
 
-/// Faces that slide in one plane: what is beside a face there is told apart, what may lie in it is kept.
+/// Faces slide in one plane. An edge beside a face in this plane is rejected; an edge that may lie in the face is kept.
 TEST(EdgeThroughFace, FilterTellsEdgesBesideTheFaceInItsPlane) {
     Random random(733);
     int beside = 0, across = 0;
@@ -183,8 +183,8 @@ TEST(EdgeThroughFace, FilterLosesNothing) {
     EXPECT_GT(passing, 30);
 }
 
-/// A short edge that hardly reaches through a face, known up to the rounding of the maps: the sign of its volumes is
-/// lost in that rounding, so the filter must not rely on it.
+/// A short edge that barely passes through a face, with coordinates known up to the rounding of the maps. The rounding
+/// hides the sign of its volumes, so the filter must not rely on this sign.
 TEST(EdgeThroughFace, TheFilterKeepsShortEdgesThatHardlyPass) {
     Random random(761);
     constexpr double length = 3;
@@ -218,7 +218,8 @@ TEST(EdgeThroughFace, TheFilterKeepsShortEdgesThatHardlyPass) {
     EXPECT_GT(passing, 2000);
 }
 
-/// Exact segments come times a weight, and so do the heights that a warped face's deviation is compared with.
+/// Exact segments are multiplied by a weight. The heights that are compared with the deviation of a warped face have
+/// the same factor.
 TEST(EdgeThroughFace, TheWeightOfASegmentChangesNothing) {
     const Face warped{{point(0, 0, 0), point(4, 0, 0), point(4, 4, ratio(1, 100)), point(0, 4, 0)}};
     const auto shape = face_shape<Rational>(warped.corners, {});

@@ -1,6 +1,6 @@
-// Every coefficient that the elementary detections make is as close to the exact one as they say: for the motion
-// between the caller's poses without any rounding, on any part of it, in double and in double-double. With
-// CHASLES_LONG=1 in the environment: millions of coefficients.
+// Every coefficient of the elementary detections is within its stated error bound of the exact coefficient. The exact
+// motion is the motion between the caller's poses without rounding. The test covers parts of the motion, in double and
+// in double-double. With CHASLES_LONG=1 in the environment: millions of coefficients.
 #include "chasles/elementary/error_scale.h"
 
 #include "chasles/elementary/edge_edge.h"
@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 using DoublePoint = Vector3<double>;
 
-/// Bodies of unlike size, from 1e-6 to 1e6, and how far their points are from their frames' origins.
+/// The sizes of two bodies, from 1e-6 to 1e6, and the distances of their points from the origins of their frames.
 struct Sizes {
     double moving = 1;
     double fixed = 1;
@@ -26,7 +26,7 @@ struct Sizes {
     }
 };
 
-/// The maps as a query has them, on the whole or on a dyadic part, beside those of the exact motion.
+/// The control maps of a query, on the whole motion or on a dyadic part, and the maps of the exact motion.
 struct Maps {
     motion::ControlMaps<double> in_doubles;
     motion::ControlMaps<DoubleDouble> refined;
@@ -50,7 +50,8 @@ struct Maps {
     }
 };
 
-/// Corners of a triangle: any, a sliver, tiny for its distance, or almost of no size at all.
+/// The corners of a triangle: any triangle, a sliver, a triangle that is tiny relative to its distance, or almost a
+/// point.
 std::vector<DoublePoint> random_corners(Random& random, double reach) {
     const DoublePoint a = random.vector(reach / 2);
     const double size = random.chance(0.3) ? std::abs(random.scaled(-15, 0)) : 1;
@@ -68,7 +69,7 @@ std::vector<Vector3<S>> points_in(const std::vector<DoublePoint>& points) {
     return result;
 }
 
-/// Polynomials in the order of their making, each with the name of its kind.
+/// Polynomials in the order of their computation, each with the name of its kind.
 template <class S>
 struct Named {
     const char* name;
@@ -87,7 +88,7 @@ std::vector<Named<S>> face_polynomials(const Vector3<Bernstein<3, S>>& position,
     return result;
 }
 
-/// All that is asked of two edges.
+/// All polynomials of two edges.
 template <class S>
 std::vector<Named<S>> edge_polynomials(const motion::ControlMaps<S>& maps, const std::vector<DoublePoint>& ends,
                                        const Accuracy& accuracy) {
@@ -142,7 +143,7 @@ constexpr int long_factor = 40;
 
 constexpr double shows_something = 1e-5;
 
-/// All that is asked of a vertex of one body and a face of the other.
+/// All polynomials of a vertex of one body and a face of the other body.
 void expect_bounds_of_vertex_and_face(std::uint64_t seed, bool face_moves) {
     Random random(seed);
     ErrorRatios ratios;

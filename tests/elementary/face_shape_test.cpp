@@ -1,4 +1,4 @@
-// A face's normal, its size and how far its corners may be off one plane.
+// A face's normal, its size, and the bound on the distance of its corners from one plane.
 #include "chasles/elementary/face_shape.h"
 
 #include "tests/support/elementary_cases.h"

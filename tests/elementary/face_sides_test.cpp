@@ -1,4 +1,4 @@
-// On which side of a moving or fixed face's plane points stay, against the exact heights of the same motion.
+// The side of a moving or fixed face's plane on which points stay, compared with exact heights for the same motion.
 #include "chasles/elementary/face_sides.h"
 
 #include "tests/support/elementary_cases.h"
@@ -21,7 +21,7 @@ RationalMotion<Rational> straight(const Point& way) {
     return motion;
 }
 
-/// Of a moving point over the fixed unit triangle, all along a way in z.
+/// The side of a point that moves by `way` along z over the fixed unit triangle.
 int side_on_the_way(const Point& start, const Rational& way) {
     Stage<double> stage(straight(point(0, 0, way)), {start}, unit_triangle);
     const auto corners = corners_in<double>(unit_triangle);
@@ -51,14 +51,14 @@ TEST(FaceSides, ACornerOffAWarpedFaceIsWithinItsBand) {
     }
 }
 
-/// W times the height of a point over a plane, the point being moved into the face's frame first.
+/// W times the height of a point over a plane, with the point in the frame of the face.
 Bernstein<3, Rational> exact_height(const Vector3<Bernstein<3, Rational>>& position,
                                     const Bernstein<3, Rational>& weight, const Points& corners) {
     const Point normal = cross(corners[1] - corners[0], corners[2] - corners[0]);
     return dot(position, normal) - weight * dot(normal, corners[0]);
 }
 
-/// At many places.
+/// Whether the polynomial has this sign at many samples.
 bool has_sign(const Bernstein<3, Rational>& p, int sign) {
     for (int i = 0; i <= 16; ++i)
         if (value_at(p, ratio(i, 16)) * sign <= 0)
@@ -66,17 +66,17 @@ bool has_sign(const Bernstein<3, Rational>& p, int sign) {
     return true;
 }
 
-/// A point of the face's body, seen from the other one at the start.
+/// A point of the face's body at the start, in the frame of the other body.
 DoublePoint at_start(const motion::ControlMaps<double>& maps, const DoublePoint& p, bool body_moves) {
     const auto path =
         body_moves ? maps.rotation * p + maps.translation : maps.rotation.transposed() * p - maps.inverse_translation;
     return {path.x[0], path.y[0], path.z[0]};
 }
 
-/// Random faces of all sizes and random points, many of them next to the plane.
+/// Random faces of all sizes and random points, many of them close to the plane.
 TEST(FaceSides, ASideThatIsToldIsTheExactOne) {
     Random random(761);
-    int told = 0, open = 0;
+    int decided = 0, open = 0;
     for (int trial = 0; trial < 3000; ++trial) {
         const double reach = std::abs(random.scaled(-3, 3));
         const PosedMotion posed = random_posed_motion(random, reach);
@@ -104,14 +104,14 @@ TEST(FaceSides, ASideThatIsToldIsTheExactOne) {
         const auto position = face_moves
                                   ? exact_maps.rotation.transposed() * exact(vertex) - exact_maps.inverse_translation
                                   : exact_maps.rotation * exact(vertex) + exact_maps.translation;
-        (side == 0 ? open : told) += 1;
+        (side == 0 ? open : decided) += 1;
         if (side != 0) {
             const auto height = exact_height(position, exact_maps.weight, exactly);
             EXPECT_TRUE(has_sign(restricted(height, Rational(from), Rational(from + width)), side));
         }
     }
-    std::cout << told << " told, " << open << " left open\n";
-    EXPECT_GT(told, 500);
+    std::cout << decided << " decided, " << open << " left open\n";
+    EXPECT_GT(decided, 500);
     EXPECT_GT(open, 500);
 }
 

@@ -1,5 +1,5 @@
-// The control maps in double-double, for any rounding of any operation between the caller's poses and them: their
-// errors are within the part of the bound that docs/derivations/10-error-bounds.md leaves to them.
+// The errors of the control maps in double-double, for any rounding of each operation from the caller's poses on. They
+// are within the share of the bound that docs/derivations/10-error-bounds.md reserves for the maps.
 #include "chasles/elementary/error_scale.h"
 #include "tests/support/error_ratios.h"
 #include "tests/support/posed_motions.h"
@@ -14,8 +14,9 @@ motion::GeneralPose<Tracked> tracked(const Pose& pose) {
     return motion::pose_in<Tracked>(pose);
 }
 
-/// A motion of the family with the errors that its numbers may have. Turns are not tiny: the direction of a tiny one is
-/// inaccurate, which cancels between along and across, and errors that are only added up do not know that.
+/// A motion of the family with error bounds on its numbers. Tiny turns are excluded: the direction of a tiny turn is
+/// inaccurate, and its errors along and across the axis cancel. Bounds that only add up errors cannot represent this
+/// cancellation.
 RationalMotion<Tracked> random_tracked_motion(Random& random, double size) {
     const bool sweeps = random.chance(0.3);
     const double angle =
@@ -37,7 +38,7 @@ RationalMotion<Tracked> random_tracked_motion(Random& random, double size) {
     return motion::sweep_between(from, to, turn, {centre.x, centre.y, centre.z});
 }
 
-/// Largest errors of the entries of one lane, summed along rows and columns as the scale sums their values.
+/// The largest errors of the entries of one lane, summed along rows and columns like the values in the error scale.
 struct LaneErrors {
     double turn = 0;
     double shift = 0;
@@ -86,7 +87,7 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfTheMaps) {
     ratios.expect_sound(0.01);
 }
 
-/// As above, for maps that a query makes in double precision from a motion that is rounded first.
+/// The same for maps that a query computes in double precision from a rounded motion.
 TEST(ErrorScale, LeavesRoomForEveryRoundingOfMapsInDouble) {
     Random random(733);
     ErrorRatios ratios;
@@ -127,8 +128,8 @@ TEST(ErrorScale, LeavesRoomForEveryRoundingOfMapsInDouble) {
     ratios.expect_sound(0.01);
 }
 
-/// A tiny turn about a point far away: the numbers of the motion are as large as that point, those of the body's path
-/// are not.
+/// A tiny turn about a distant point: the numbers of the motion are as large as the coordinates of this point, but the
+/// body's path is short.
 TEST(ErrorScale, CountsTheCentreOfASweepAsAPointOfTheBody) {
     Random random(732);
     ErrorRatios ratios;

@@ -1,5 +1,5 @@
-// Edges at angles from 1e-17 up: no contact is missed, and none is reported of edges that pass each other at a
-// distance. Proofs and the bound: docs/derivations/04-edge-edge.md, "Nearly parallel edges".
+// Edges at angles of 1e-17 and more: no contact is missed, and no contact is reported for edges that pass each other at
+// a distance. Proofs and the bound: docs/derivations/04-edge-edge.md, "Nearly parallel edges".
 #include "tests/support/elementary_cases.h"
 #include "tests/support/posed_motions.h"
 
@@ -23,7 +23,7 @@ DoublePoint normalized(const DoublePoint& p) {
     return scale(p, 1 / std::sqrt(dot(p, p)));
 }
 
-/// A direction, one across it, and the normal of both.
+/// A direction, a perpendicular direction, and the normal of both.
 struct Axes {
     DoublePoint along;
     DoublePoint across;
@@ -47,7 +47,7 @@ PlainScrew random_motion(Random& random) {
             scale(rational(tangent), Rational(random.chance(0.3) ? 0.0 : random.uniform(-3, 3)))};
 }
 
-/// The moving edge lies on the fixed one at `tau`, or crosses it anywhere, its ends included.
+/// At `tau` the moving edge lies on the fixed edge, or crosses it anywhere, including at its ends.
 EdgeEdgeCase touching_edges(Random& random, const Rational& tau) {
     const Axes axes(random);
     const DoublePoint place = random.vector(2);
@@ -75,7 +75,7 @@ struct Tally {
             EXPECT_LE(found->lower, truth->upper) << "late";
         }
         if (!truth && found) {
-            EXPECT_FALSE(found->certain) << "certain of a contact that is none";
+            EXPECT_FALSE(found->certain) << "certain, but there is no contact";
             ++doubtful;
         }
     }
@@ -101,7 +101,7 @@ TEST(NearParallelEdges, NoContactIsMissed) {
     EXPECT_EQ(in_double.contacts, refined.contacts);
 }
 
-/// Two edges of length one that run over each other in parallel planes, up to the rounding of their coordinates.
+/// Two edges of length one that pass over each other in parallel planes, up to the rounding of their coordinates.
 EdgeEdgeCase passing_edges(Random& random, double clearance) {
     const Axes axes(random);
     const double angle = random_angle_of_edges(random);

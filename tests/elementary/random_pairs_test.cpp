@@ -1,5 +1,5 @@
-// Random features under random screws: contacts built backwards from a place and a tau are never missed, doubles never
-// contradict exact rationals, and what is called certain is there to be seen.
+// Random features under random screws. Contacts that are built backwards from a point and a tau are never missed,
+// doubles never contradict exact rationals, and every certain contact exists.
 #include "tests/support/elementary_cases.h"
 #include "tests/support/segment_distance.h"
 
@@ -10,7 +10,7 @@ namespace {
 
 using namespace test;
 
-/// Doubles with a few bits or with all of them.
+/// Doubles with a few bits or with all bits.
 Rational random_number(Random& random, double size) {
     if (random.chance(0.3))
         return ratio(random.integer(-4, 4), 2) * Rational(size) / 2;
@@ -23,7 +23,7 @@ Point random_place(Random& random, double size) {
     return {x, y, random_number(random, size)};
 }
 
-/// Some without turn, some without slide, some with the axis along the third axis; half-angle tangents up to 2.
+/// Screws with half-angle tangents up to 2; some have no turn, some no slide, some an axis along the third axis.
 PlainScrew random_screw(Random& random) {
     PlainScrew screw{random_place(random, 1), random_place(random, random.chance(0.3) ? 0.05 : 1.1), {}};
     if (random.chance(0.2))
@@ -51,7 +51,7 @@ Eigen::Vector3d nearest(const Point& p) {
     return {static_cast<double>(p.x), static_cast<double>(p.y), static_cast<double>(p.z)};
 }
 
-/// A moving edge that crosses a fixed one at `tau`, anywhere along both or at their ends.
+/// A moving edge that crosses a fixed edge at `tau`, anywhere along both edges or at their ends.
 EdgeEdgeCase crossing_edges(Random& random, const Rational& tau) {
     const Point place = random_place(random, 2);
     const auto through = [&](const Point& direction) {
@@ -119,9 +119,9 @@ TEST(RandomPairs, VertexContactsBuiltBackwardsAreNeverMissed) {
 struct Tally {
     int pairs = 0;
     int contacts = 0;
-    int doubtful = 0; ///< reported by doubles, absent in rationals
+    int doubtful = 0; ///< reported in doubles, absent in rationals
     int certain = 0;
-    int narrow = 0; ///< of the certain ones, those that only a shallow approach could make wider
+    int narrow = 0; ///< certain contacts with a narrow bracket; only a shallow approach makes a bracket wider
 
     void expect_hit_rates() const {
         std::cout << contacts << " contacts of " << pairs << ", " << doubtful << " doubtful, " << certain
@@ -134,14 +134,14 @@ struct Tally {
     }
 };
 
-/// The exact answer and that of doubles to the same question.
+/// The exact answer and the answer in doubles to the same problem.
 template <class Case>
 void expect_agreement(const Case& posed, Tally& tally) {
     const Answer truth = posed.template ask<Rational>();
     const Answer found = posed.template ask<double>();
     ++tally.pairs;
     if (!truth) {
-        EXPECT_FALSE(found && found->certain) << "certain of what is not there";
+        EXPECT_FALSE(found && found->certain) << "certain, but there is no contact";
         tally.doubtful += found ? 1 : 0;
         return;
     }
@@ -151,7 +151,7 @@ void expect_agreement(const Case& posed, Tally& tally) {
         return;
     EXPECT_LE(found->lower, truth->upper) << "late";
     if (found->certain) {
-        EXPECT_LE(truth->lower, found->upper) << "the bracket leaves the contact out";
+        EXPECT_LE(truth->lower, found->upper) << "the contact is after the bracket";
         ++tally.certain;
         tally.narrow += found->upper - found->lower <= 1e-10 ? 1 : 0;
     }
@@ -186,7 +186,7 @@ TEST(RandomPairs, DoublesAgreeWithRationalsOnVerticesAndFaces) {
     tally.expect_hit_rates();
 }
 
-/// What is certain in double-double is as narrow as was asked for.
+/// A certain bracket in double-double is as narrow as the requested tolerance.
 TEST(RandomPairs, DoubleDoubleBracketsAreNarrow) {
     Random random(708);
     int certain = 0;
@@ -238,7 +238,7 @@ TEST(RandomPairs, CertainVertexContactsCanBeSeen) {
     EXPECT_GT(certain, 30);
 }
 
-/// What is called clear must look clear at every sample; sampling can only refute.
+/// A clear answer must be clear at every sample. Sampling can only refute.
 TEST(RandomPairs, ClearEdgesNeverComeTogether) {
     Random random(707);
     int clear = 0;

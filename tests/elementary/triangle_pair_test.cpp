@@ -1,4 +1,5 @@
-// Triangle against triangle as the paper decomposes it (section 4.1): nine pairs of edges, six of a vertex and a face.
+// Triangle against triangle by the decomposition of the paper (section 4.1): nine pairs of edges, and six pairs of a
+// vertex and a face.
 #include "chasles/query/first_contact.h"
 #include "chasles/search/feature_tests.h"
 #include "tests/support/random_poses.h"
@@ -17,7 +18,7 @@ Polyhedron body(const Triangle& corners) {
     return Polyhedron::from_polygons(corners, faces);
 }
 
-/// The least lower end over all pairs of features, and how many were asked.
+/// The least lower end over all pairs of features, and the number of pairs.
 struct Decomposition {
     double first = 2;
     int edge_edge = 0;

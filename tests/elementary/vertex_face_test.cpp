@@ -1,4 +1,4 @@
-// Vertex against face, case by case as the paper has them (section 3.2), each with a known answer.
+// Vertex against face: the cases of the paper (section 3.2), each with a known answer.
 #include "chasles/elementary/vertex_face.h"
 
 #include "tests/support/elementary_cases.h"
@@ -12,7 +12,7 @@ using namespace test;
 
 /// The right triangle with legs of 4 in the plane z = 0.
 const Face triangle{{point(0, 0, 0), point(4, 0, 0), point(0, 4, 0)}};
-/// In the plane x = 0, around the axis at radius 1 to 5: what a rotation about the third axis runs into.
+/// A face in the plane x = 0 at radius 1 to 5 from the third axis. A rotation about this axis moves vertices into it.
 const Face wall{{point(0, 1, -2), point(0, 5, -2), point(0, 5, 2), point(0, 1, 2)}};
 
 TEST(VertexFace, Section321NoMotion) {
@@ -58,7 +58,8 @@ TEST(VertexFace, Section322TranslationFig4PlanarProblem) {
 }
 
 TEST(VertexFace, Section323Rotation) {
-    // A quarter turn of (3, 0, 0) ends on the wall; of half-angle tangent 2 it goes through it at tau = 1/2.
+    // A quarter turn moves (3, 0, 0) onto the wall. A turn with half-angle tangent 2 moves it through the wall at
+    // tau = 1/2.
     expect_contact(VertexFaceCase{rotation(1), point(3, 0, 1), wall}, 1);
     expect_contact(VertexFaceCase{rotation(2), point(3, 0, 1), wall}, ratio(1, 2));
     expect_contact(VertexFaceCase{rotation(-2), point(-3, 0, 1), wall}, ratio(1, 2));
@@ -138,7 +139,8 @@ TEST(VertexFace, Section42InnerDiagonalsAreInside) {
 }
 
 TEST(VertexFace, Section42FirstTriangleMetDecides) {
-    // Within the plane, from the far bar across the notch: the first edge met is that of the bar at y = 1.
+    // The vertex moves within the plane from the far bar across the notch. It first touches the edge of the bar at y
+    // = 1.
     expect_contact(VertexFaceCase{translation({0, -4, 0}), point(2, 3, 0), bent_bar()}, ratio(1, 2));
     expect_contact(VertexFaceCase{translation({-4, 0, 0}), point(3, 2, 0), bent_bar()}, ratio(1, 2));
 }
@@ -153,7 +155,7 @@ TEST(VertexFace, CountsItsTests) {
     const auto above = stage.maps.rotation * Vector3<double>{1, 1, 9} + stage.maps.translation;
     (void)vertex_face<double>({above, stage.maps.weight}, shape, stage.accuracy, workspace);
     EXPECT_EQ(workspace.elementary_tests, 2u);
-    EXPECT_EQ(workspace.root_brackets, 1u) << "one sign is enough for the vertex that never meets the plane";
+    EXPECT_EQ(workspace.root_brackets, 1u) << "one sign rejects the vertex that never touches the plane";
 }
 
 } // namespace

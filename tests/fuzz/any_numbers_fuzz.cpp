@@ -1,4 +1,4 @@
-// Queries with any doubles at all: each is answered with finite numbers and bounded work, or refused.
+// Queries with arbitrary doubles: each query returns finite numbers after bounded work, or is refused.
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/path.h"
 #include "tests/fuzz/sound_answer.h"
@@ -10,7 +10,7 @@
 namespace chasles::fuzz {
 namespace {
 
-/// Leans to the ends of the range and to sizes that do not go together.
+/// A number with a preference for the ends of the range and for mixed magnitudes.
 double number(Bytes& bytes) {
     static constexpr std::array<double, 16> corners{0,
                                                     -0.0,
@@ -84,7 +84,7 @@ Motion motion(Bytes& bytes) {
     }
 }
 
-/// Thousands of pieces would only take long.
+/// Large enough to avoid thousands of pieces, which would only take time.
 double max_turn(Bytes& bytes) {
     const double turn = number(bytes);
     return turn >= ScrewMotion::least_max_turn && turn < 0.1 ? 0.1 : turn;

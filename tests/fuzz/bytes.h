@@ -1,4 +1,4 @@
-// Numbers out of the bytes that a fuzzer makes up.
+// Numbers from the bytes of a fuzzer.
 #pragma once
 
 #include <bit>
@@ -11,8 +11,8 @@
 
 namespace chasles::fuzz {
 
-/// Takes bytes from the front; when they run out, zeros follow. Two calls must not be arguments of one function, whose
-/// order is up to the compiler: kept inputs mean the same everywhere.
+/// Reads bytes from the front, and zeros after the end. Two calls must not be arguments of one function call, because
+/// the compiler chooses their order: kept inputs must mean the same everywhere.
 class Bytes {
 public:
     Bytes(const std::uint8_t* data, std::size_t size) : rest_(data, size) {}
@@ -24,7 +24,7 @@ public:
         rest_ = rest_.subspan(1);
         return first;
     }
-    /// In [0, count).
+    /// A number in [0, count).
     unsigned below(unsigned count) { return byte() % count; }
     std::uint64_t word() {
         std::uint64_t bits = 0;
@@ -32,16 +32,16 @@ public:
             bits = bits << 8 | byte();
         return bits;
     }
-    /// Any double at all, NaN and infinity among them.
+    /// Any double, including NaN and infinity.
     double any_double() { return std::bit_cast<double>(word()); }
-    /// In [-1, 1), with all bits of a double in use.
+    /// A number in [-1, 1) that uses all bits of a double.
     double fraction() { return double(std::int64_t(word())) * 0x1p-63; }
 
 private:
     std::span<const std::uint8_t> rest_;
 };
 
-/// What the fuzzer is to find: the input is kept, with `promise` as the reason.
+/// Aborts if `holds` is false. The fuzzer then keeps the input, with `promise` as the reason.
 inline void demand(bool holds, const char* promise) {
     if (holds)
         return;

@@ -1,4 +1,5 @@
-// The exact reference, asked piece by piece until one touches. Compiled without sanitizers: it is not what is tested.
+// Runs the exact reference for each piece until a piece touches. Compiled without sanitizers, because it is not under
+// test.
 #include "tests/fuzz/exact_answer.h"
 
 #include "chasles/motion/screw_path.h"
@@ -15,8 +16,8 @@ namespace {
 
 using reference::Rational;
 
-/// Memory for GMP, which takes and gives back a hundred thousand small pieces a question: the sanitizers would watch
-/// over each of them. Never returned.
+/// Memory for GMP, which makes a hundred thousand small allocations per query. The pool hides these allocations from
+/// the sanitizers and never returns its memory.
 class Pool {
 public:
     static void install() { mp_set_memory_functions(take, take_more, give_back); }
@@ -80,7 +81,7 @@ double above(const Rational& x) {
     return -below(Rational(-x));
 }
 
-/// tau -> time of one of the paper's motions (the inverse of f).
+/// The time of a tau for one of the paper's motions (the inverse of f).
 long double time_at(const reference::Turn& turn, const Rational& tau) {
     const Rational square = reference::inner(turn.v, turn.v) / (turn.w * turn.w);
     const long double tangent = std::sqrt(square.convert_to<long double>());
@@ -88,7 +89,7 @@ long double time_at(const reference::Turn& turn, const Rational& tau) {
     return tangent < 1e-12L ? at : std::atan(at * tangent) / std::atan(tangent);
 }
 
-/// Looks at a motion piece by piece until one touches.
+/// Tests the pieces of a motion in order until a piece touches.
 class ExactSearch {
 public:
     ExactSearch(const Polyhedron& moving, const Polyhedron& fixed)
@@ -108,7 +109,7 @@ public:
         return answer;
     }
 
-    /// The turn must have a rational length. `centre` as in SweepMotion.
+    /// The turn must have a rational length. `centre` is the centre of SweepMotion.
     ExactAnswer along(const SweepMotion& whole, const Eigen::Vector3d& centre) {
         ExactAnswer answer;
         look(answer,

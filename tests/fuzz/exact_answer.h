@@ -1,4 +1,4 @@
-// What is true of a question. The exact reference stands behind this header and nowhere else.
+// The true answer of a query. Only this header gives access to the exact reference.
 #pragma once
 
 #include "tests/fuzz/question.h"
@@ -9,13 +9,13 @@ namespace chasles::fuzz {
 struct ExactAnswer {
     bool touches = false;
     bool at_start = false;
-    double tau_lower = 0; ///< with `tau_upper` around tau of the first contact, counted as in FirstContact::tau
+    double tau_lower = 0; ///< with `tau_upper`: bracket of the first contact's tau, as FirstContact::tau
     double tau_upper = 0;
     double time_lower = 0; ///< the same in time
     double time_upper = 0;
 };
 
-/// Exact for the pieces of a screw themselves, whose ends are poses in double precision.
+/// The answer is exact for the pieces of a cut screw, whose end poses are in double precision.
 ExactAnswer exact_answer(const Question& question);
 
 } // namespace chasles::fuzz

@@ -1,4 +1,4 @@
-// Small bodies that move, against an answer in exact rationals: no miss, no false alarm, never late, nothing in doubt.
+// Small moving bodies against an answer in exact rationals: no miss, no false alarm, no late or uncertain answer.
 #include "chasles/base/invalid_input.h"
 #include "tests/fuzz/exact_answer.h"
 #include "tests/fuzz/sound_answer.h"

@@ -1,4 +1,4 @@
-// Every byte sequence as OBJ, OFF, PLY and STL: it is read or refused, and what was read makes a body or is refused.
+// Any byte sequence as OBJ, OFF, PLY and STL: each reader reads or refuses it, and the mesh makes a body or is refused.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/mesh/body.h"

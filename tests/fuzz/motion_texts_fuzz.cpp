@@ -1,4 +1,4 @@
-// Every byte sequence as a pose, a point, a path and a list of motions: it is read or refused.
+// Any byte sequence as a pose, a point, a path and a list of motions: each reader reads or refuses it.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/csv_table.h"
 #include "chasles/io/motion_files.h"

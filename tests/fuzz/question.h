@@ -1,4 +1,4 @@
-// Bytes as a question: two small bodies, most of them in some degenerate position, and a motion.
+// Bytes as a query: two small bodies, mostly in degenerate positions, and a motion.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -10,12 +10,12 @@
 
 namespace chasles::fuzz {
 
-/// Where coordinates come from. Everything but `raw` makes parallel edges, shared planes and exact touches frequent.
+/// The kind of coordinates. All kinds except `raw` make parallel edges, shared planes and exact touches frequent.
 enum class Coordinates : std::uint8_t { grid, tenths, nearly_grid, raw };
 
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
-/// Vertices and faces before they are checked.
+/// Unchecked vertices and faces.
 struct Soup {
     std::vector<Eigen::Vector3d> vertices;
     Faces faces;
@@ -53,7 +53,7 @@ public:
         return point;
     }
 
-    /// With small whole numbers unless everything is raw; zero is taken for no turn.
+    /// A quaternion of small whole numbers, unless coordinates are raw. Zero means no turn.
     Eigen::Quaterniond rotation() {
         Eigen::Quaterniond rotation;
         for (double& number : rotation.coeffs())
@@ -61,7 +61,7 @@ public:
         return rotation.coeffs().isZero() ? Eigen::Quaterniond::Identity() : rotation;
     }
 
-    /// Its length is a whole number, so that the turn of a sweep is rational.
+    /// A quaternion whose length is a whole number, which makes the turn of a sweep rational.
     Eigen::Quaterniond rotation_of_whole_length() {
         static constexpr std::array<std::array<double, 4>, 8> lengths{{{1, 0, 0, 0},
                                                                        {1, 1, 1, 1},
@@ -97,7 +97,7 @@ private:
         return points;
     }
 
-    /// All corners of what the edges at one point span.
+    /// All corners of the parallelepiped that the edges at one point span.
     std::vector<Eigen::Vector3d> parallelepiped(int edges) {
         std::vector<Eigen::Vector3d> corners{point()};
         for (int i = 0; i < edges; ++i) {
@@ -108,7 +108,8 @@ private:
         return corners;
     }
 
-    /// Quadrangles off the grid are planar only up to rounding, which is another question: they are cut.
+    /// Quadrangles off the grid are planar only up to rounding. They are cut into triangles, because this test is not
+    /// about warped faces.
     [[nodiscard]] Soup with_quads(std::vector<Eigen::Vector3d> corners, Faces quads) const {
         if (kind_ == Coordinates::grid)
             return {std::move(corners), std::move(quads)};
@@ -118,7 +119,7 @@ private:
         return {std::move(corners), std::move(triangles)};
     }
 
-    /// Faces of any indices over a few vertices: surfaces that fold, branch and cross themselves.
+    /// Faces with arbitrary indices over a few vertices: surfaces that fold, branch and intersect themselves.
     Soup any_surface() {
         Soup soup{points(5), {}};
         for (unsigned count = 1 + bytes_.below(6); count > 0; --count)
@@ -130,7 +131,7 @@ private:
     Coordinates kind_;
 };
 
-/// One query; making it throws InvalidInput where the bodies are none.
+/// One query. The constructor throws InvalidInput for invalid bodies.
 struct Question {
     Coordinates coordinates;
     Find find;
@@ -138,7 +139,7 @@ struct Question {
     Polyhedron moving;
     Polyhedron fixed;
     Motion motion;
-    Eigen::Vector3d centre; ///< of a sweep
+    Eigen::Vector3d centre; ///< centre of a sweep
 
     [[nodiscard]] FirstContact ask() const {
         return first_contact({.moving = moving, .fixed = fixed, .motion = motion, .max_turn = max_turn, .find = find});
@@ -150,7 +151,7 @@ inline Polyhedron body_from(Scene& scene) {
     return Polyhedron::from_polygons(soup.vertices, soup.faces);
 }
 
-/// Zero is no turn, one a sweep, and the rest screws.
+/// Kind 0 is a motion without turn, kind 1 a sweep, and all other kinds are screws.
 inline Motion motion_from(unsigned kind, const Eigen::Vector3d& centre, Scene& scene) {
     const auto rotation = [&] {
         return kind == 0   ? Eigen::Quaterniond::Identity()

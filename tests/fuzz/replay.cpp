@@ -1,5 +1,4 @@
-// Gives files, or all files of folders, to a fuzz target: what was found once stays a test wherever there is a
-// compiler.
+// Passes files, or all files of folders, to a fuzz target. Kept inputs are thus tested with any compiler.
 #include <algorithm>
 #include <cstdint>
 #include <cstdio>

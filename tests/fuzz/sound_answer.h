@@ -1,4 +1,4 @@
-// What holds for every answer, whatever was asked.
+// Properties of every answer, for any query.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -8,7 +8,7 @@
 
 namespace chasles::fuzz {
 
-/// Far above what any small pair of bodies was seen to need; a search that stalls exceeds it at once.
+/// Far above the work that any small pair of bodies has needed. A stalled search exceeds this limit at once.
 inline constexpr std::uint64_t most_work = 2'000'000;
 
 inline void demand_bracket(const Bracket& bracket) {

@@ -1,4 +1,4 @@
-// A tree of the right size and depth that encloses everything exactly and holds each face once.
+// The tree has the right size and depth, encloses all boxes exactly, and contains each face once.
 #include "chasles/hierarchy/bvh.h"
 
 #include "chasles/mesh/body.h"
@@ -17,7 +17,7 @@ struct Box {
     Eigen::Vector3d upper;
 };
 
-/// Every box is that of a face with two corners.
+/// A hierarchy over faces with two corners, one per box.
 Bvh hierarchy_of(const std::vector<Box>& boxes, unsigned threads = 1) {
     std::vector<Eigen::Vector3d> vertices;
     FlatLists<std::uint32_t> outlines;
@@ -29,8 +29,8 @@ Bvh hierarchy_of(const std::vector<Box>& boxes, unsigned threads = 1) {
     return {outlines, vertices, threads};
 }
 
-/// Checks layout and enclosure of child boxes; returns how often each face is a leaf.
-std::vector<int> walk(const Bvh& tree, std::size_t face_count) {
+/// Checks the layout and the enclosure of child boxes. Returns the number of leaves of each face.
+std::vector<int> leaf_counts(const Bvh& tree, std::size_t face_count) {
     struct Visit {
         std::uint32_t node;
         std::size_t depth;
@@ -66,11 +66,12 @@ void expect_whole(const Bvh& tree, std::size_t face_count) {
     const std::array<float, 3>& corner = tree.nodes()[0].upper; // of a box with its middle at 0, up to rounding
     const double reach = std::hypot(double(corner[0]), double(corner[1]), double(corner[2]));
     EXPECT_NEAR(tree.radius(), reach, 1e-6 * reach);
-    const std::vector<int> leaves = walk(tree, face_count);
+    const std::vector<int> leaves = leaf_counts(tree, face_count);
     EXPECT_TRUE(std::ranges::all_of(leaves, [](int count) { return count == 1; }));
 }
 
-/// In exact arithmetic: no leaf leaves out any part of its face's box, or could be narrower by one float.
+/// Checks in exact arithmetic that each leaf encloses the box of its face, and that no leaf could be narrower by one
+/// float.
 void expect_tight_leaves(const Bvh& tree, const std::vector<Box>& boxes) {
     constexpr float infinite = std::numeric_limits<float>::infinity();
     for (const BvhNode& node : tree.nodes()) {
@@ -132,7 +133,7 @@ TEST(Bvh, StaysShallowWhenAllBoxesAreEqual) {
 }
 
 TEST(Bvh, StaysShallowWhenEachBoxIsHalfTheOneBefore) {
-    // Points crowd towards the middle along all three axes; the best division leaves out only the farthest ones.
+    // Points concentrate towards the middle along all three axes. The best split separates only the farthest points.
     std::vector<Box> boxes{{Eigen::Vector3d::Constant(-std::ldexp(1.0, 99)), Eigen::Vector3d::Zero()}};
     for (int axis = 0; axis < 3; ++axis)
         for (int exponent = 99; exponent > -149; --exponent) {
@@ -183,7 +184,7 @@ TEST(Bvh, IsTheSameEachTime) {
     EXPECT_TRUE(are_the_same(hierarchy_of(boxes), hierarchy_of(boxes)));
 }
 
-/// So many that they are sorted into groups, which are divided at the same time.
+/// Enough boxes to be sorted into groups, which are split in parallel.
 constexpr std::size_t many = 100'000;
 
 TEST(Bvh, IsTheSameForAnyNumberOfThreads) {
@@ -217,7 +218,7 @@ TEST(Bvh, OfManyFacesStaysShallowWhereverTheyCrowd) {
     expect_whole(hierarchy_of(crowded, 2), many);
 }
 
-/// Expected number of nodes met by a random line that meets the root.
+/// The expected number of nodes hit by a random line that hits the root.
 double nodes_met(const Bvh& tree) {
     const auto area = [](const BvhNode& node) {
         const Eigen::Vector3d size(node.upper[0] - node.lower[0], node.upper[1] - node.lower[1],
@@ -231,7 +232,7 @@ double nodes_met(const Bvh& tree) {
 }
 
 TEST(Bvh, IsGoodForATorus) {
-    // Measured 34.4; halves along the longest side give 39.5.
+    // Measured 34.4; a split into halves along the longest side gives 39.5.
     const test::Soup soup = test::torus(100, 50);
     const Polyhedron torus = Polyhedron::from_polygons(soup.vertices, soup.faces);
     EXPECT_LT(nodes_met(torus.body().bvh()), 35.0);
@@ -240,7 +241,7 @@ TEST(Bvh, IsGoodForATorus) {
 TEST(Bvh, EnclosesTheVerticesOfRealFaces) {
     const auto rows = test::obj_files_of_manifest();
     if (rows.empty())
-        GTEST_SKIP() << "no data beside the project";
+        GTEST_SKIP() << "no external data";
     for (const test::ManifestRow& row : rows) {
         if (row.faces > 10000)
             continue; // exact arithmetic takes its time
@@ -261,7 +262,7 @@ TEST(Bvh, EnclosesTheVerticesOfRealFaces) {
 }
 
 TEST(Bvh, OfManyFacesIsAsGoodAsOneThatIsDividedWhole) {
-    // Measured 45.806; divided whole it is 45.809.
+    // Measured 45.806; without groups it is 45.809.
     const test::Soup soup = test::torus(500, 250);
     const Polyhedron torus = Polyhedron::from_polygons(soup.vertices, soup.faces);
     EXPECT_LT(nodes_met(torus.body().bvh()), 46.0);

@@ -1,4 +1,4 @@
-// Groups hold each face once, in order, and do not depend on threads.
+// Groups contain each face once, in order, and do not depend on the number of threads.
 #include "chasles/hierarchy/group_faces.h"
 
 #include <algorithm>
@@ -21,7 +21,7 @@ std::vector<PackedBox> random_points(std::size_t count) {
     return points;
 }
 
-/// Every vertex is a face by itself.
+/// Faces of one vertex each.
 FlatLists<std::uint32_t> one_face_each(std::size_t count) {
     FlatLists<std::uint32_t> outlines;
     for (std::uint32_t i = 0; i < count; ++i)
@@ -71,7 +71,8 @@ TEST(GroupFaces, EachIsInTheGroupOfItsBoxAndGroupsAreInOrder) {
     }
 }
 
-/// A grid whose rows are as long as faces are between two of a sample: without drawing, a sample would be one column.
+/// A grid whose rows have as many faces as lie between two samples. With regular samples, all samples would be in one
+/// column.
 TEST(GroupFaces, SamplesAreDrawnFromAllColumnsOfAGrid) {
     std::vector<PackedBox> points;
     for (std::size_t i = 0; i < 4 * fewest_to_group; ++i)

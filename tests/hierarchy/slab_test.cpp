@@ -1,4 +1,4 @@
-// Slabs hold what they are made for, and are thin where a patch is flat.
+// Slabs contain all vertices of their faces, and are thin for flat patches.
 #include "chasles/hierarchy/slab.h"
 
 #include "chasles/mesh/body.h"
@@ -78,7 +78,7 @@ void for_all_vertices(const Polyhedron& body, const std::function<void(const Bvh
     walk(0, all);
 }
 
-/// How far a point is outside of the slab of a node; negative inside.
+/// The signed distance of a point from the slab of a node; negative inside.
 double outside(const BvhNode& node, const Eigen::Vector3d& point) {
     const BoxMiddle middle = middle_of(node);
     const Slab slab = node.slab.in_box(middle.half);
@@ -88,7 +88,7 @@ double outside(const BvhNode& node, const Eigen::Vector3d& point) {
     return std::max(height - double(slab.upper), double(slab.lower) - height);
 }
 
-/// Triangles of all sizes, slivers among them, far from the origin.
+/// Triangles of all sizes, including slivers, far from the origin.
 test::Soup random_triangles(Random& random, int count) {
     test::Soup soup;
     for (int i = 0; i < 3 * count; ++i) {
@@ -112,7 +112,7 @@ TEST(Slabs, HoldAllVerticesBelowUpToAFewRoundings) {
     }
 }
 
-/// A sheet that is tilted against all axes: its boxes are cubes, its slabs are next to nothing.
+/// A sheet that is tilted against all axes: its boxes are cubes, and its slabs are almost flat.
 TEST(Slabs, AreThinOnATiltedPlane) {
     const Eigen::Vector3d u = Eigen::Vector3d(1, -1, 0).normalized();
     const Eigen::Vector3d v = Eigen::Vector3d(1, 1, -2).normalized();
@@ -133,7 +133,7 @@ TEST(Slabs, AreThinOnATiltedPlane) {
     }
 }
 
-/// Both sides of a plate: their normals are opposite, and do not cancel.
+/// Both sides of a plate: their opposite normals do not cancel.
 TEST(Slabs, LieAlongAThinPlate) {
     test::Soup plate = test::cube();
     for (Eigen::Vector3d& vertex : plate.vertices)

@@ -1,5 +1,5 @@
-// Whatever the bytes, a reader answers a soup whose indices are in range and whose coordinates are finite, or
-// InvalidInput in one line. Cut and damaged versions of good files, each from a fixed seed.
+// For any bytes, a reader returns a soup with indices in range and finite coordinates, or throws InvalidInput with a
+// message of one line. The test reads truncated and damaged versions of valid files, each from a fixed seed.
 #include "chasles/io/mesh_files.h"
 #include "tests/io/message_of.h"
 
@@ -60,7 +60,7 @@ std::vector<Sample> samples() {
 
 enum class Outcome : std::uint8_t { refused, read };
 
-// Fails the test if the reader keeps neither promise.
+// Fails the test if the reader does neither.
 Outcome outcome_of(const Sample& sample, const std::string& bytes) {
     try {
         const PolygonSoup soup = sample.read(bytes);
@@ -81,8 +81,8 @@ TEST(BrokenFiles, GoodSamplesAreRead) {
         EXPECT_EQ(sample.read(sample.bytes).faces.size(), 2U) << sample.name;
 }
 
-// A part of a file may be a whole file, but then it must have fewer faces only where its format has no count and no
-// end.
+// The beginning of a file may be a valid file. It may then have fewer faces only if its format has neither a count nor
+// an end mark.
 TEST(BrokenFiles, CutFilesAreRefusedWhereTheFormatCanTell) {
     for (const Sample& sample : samples()) {
         const bool has_end = std::string_view(sample.name) != "OBJ";
@@ -116,7 +116,7 @@ TEST(BrokenFiles, DamagedFilesAreReadOrRefused) {
         int refused = 0;
         for (int i = 0; i < rounds; ++i)
             refused += outcome_of(sample, damaged(sample.bytes, random)) == Outcome::refused;
-        EXPECT_GT(refused, rounds / 20) << sample.name << ": the damage hardly ever matters";
+        EXPECT_GT(refused, rounds / 20) << sample.name << ": the damage almost never matters";
         EXPECT_LT(refused, rounds) << sample.name << ": the damage is always fatal";
     }
 }

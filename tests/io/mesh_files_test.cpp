@@ -1,4 +1,4 @@
-// Files: the reader follows the extension, every complaint names the file, and other formats come through Assimp.
+// Files: the extension selects the reader, every error names the file, and Assimp reads other formats.
 #include "chasles/io/mesh_files.h"
 #include "chasles/mesh/polyhedron.h"
 #include "tests/io/message_of.h"

@@ -1,4 +1,4 @@
-// What a call complains about, and files that vanish with the test.
+// The error message of a call, and temporary files of a test.
 #pragma once
 
 #include "chasles/base/invalid_input.h"
@@ -11,7 +11,7 @@
 
 namespace chasles::tests {
 
-/// The message of the InvalidInput that `call` throws; a failed test if it throws none.
+/// The message of the InvalidInput that `call` throws. The test fails if `call` throws none.
 template <typename Call>
 std::string message_of(const Call& call) {
     try {
@@ -24,7 +24,7 @@ std::string message_of(const Call& call) {
     return "";
 }
 
-/// A folder of its own for each test.
+/// Gives each test its own folder.
 class FileTest : public testing::Test {
 protected:
     FileTest() {
@@ -43,7 +43,7 @@ protected:
         return path(name);
     }
 
-    /// `message` without the folder's name, which differs from machine to machine.
+    /// `message` without the folder's name, which depends on the machine.
     [[nodiscard]] std::string without_folder(std::string message) const {
         const std::string prefix = folder_.string() + "/";
         for (std::size_t at = message.find(prefix); at != std::string::npos; at = message.find(prefix))

@@ -1,4 +1,4 @@
-// CSV files of poses and motions: a path is all or nothing, a bad row of motions costs only itself.
+// CSV (comma-separated values) files of poses and motions: a bad row makes a whole path invalid, but only one motion.
 #include "chasles/io/csv_table.h"
 #include "chasles/io/motion_files.h"
 #include "tests/io/message_of.h"
@@ -45,7 +45,7 @@ TEST_F(MotionFiles, ReadsPaths) {
 TEST_F(MotionFiles, RefusesBadPaths) {
     EXPECT_EQ(path_message("x,y,z,qx,qy,qz,qw\n"), "path.csv: line 1: the header must be x,y,z,qw,qx,qy,qz");
     EXPECT_EQ(path_message("\n\n"), "path.csv: line 1: the header must be x,y,z,qw,qx,qy,qz");
-    EXPECT_EQ(path_message(path_header + "1,2,3\n"), "path.csv: line 2: 3 columns found, 7 wanted");
+    EXPECT_EQ(path_message(path_header + "1,2,3\n"), "path.csv: line 2: 3 columns found, 7 expected");
     EXPECT_EQ(path_message(path_header + "1,2,3,1,0,0,0\n1,2,nan,1,0,0,0\n"),
               "path.csv: line 3: z: not a finite number: 'nan'");
     EXPECT_EQ(path_message(path_header + "1,2,,1,0,0,0\n"), "path.csv: line 2: z: not a finite number: ''");
@@ -68,7 +68,7 @@ TEST_F(MotionFiles, KeepsGoodRowsBesideBadOnes) {
     const auto rows =
         motions(motion_header + motion + "1,2\n" + "0,0,1,1,0,0,0,0,0,2,0,0,0,0\n" + motion + "x" + motion);
     ASSERT_EQ(rows.size(), 5U);
-    EXPECT_EQ(rows[1].error, "line 3: 2 columns found, 14 wanted");
+    EXPECT_EQ(rows[1].error, "line 3: 2 columns found, 14 expected");
     EXPECT_TRUE(rows[2].error.starts_with("line 4: pose: quaternion: "));
     EXPECT_TRUE(rows[3].error.empty());
     EXPECT_EQ(rows[4].error, "line 6: x0: not a finite number: 'x0'");

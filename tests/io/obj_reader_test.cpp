@@ -1,4 +1,4 @@
-// OBJ: everything that a polygon file may hold is read, and whatever cannot be is refused with its line.
+// OBJ: all statements of polygon files are read, and any invalid line is refused with its number.
 #include "chasles/io/mesh_files.h"
 #include "tests/io/message_of.h"
 

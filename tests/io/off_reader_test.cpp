@@ -1,4 +1,4 @@
-// OFF: the variants of its header are read, and counts that disagree with what follows are refused.
+// OFF: the variants of the header are read, and counts that disagree with the data are refused.
 #include "chasles/io/mesh_files.h"
 #include "tests/io/message_of.h"
 

@@ -132,14 +132,14 @@ TEST(ReadPly, RefusesBadHeaders) {
     EXPECT_EQ(message("plx\n"), "line 1: a PLY file begins with the line 'ply'");
     EXPECT_EQ(message("ply\nformat ascii 1.0\n"), "line 2: the file ends before its 'end_header'");
     EXPECT_EQ(message("ply\nend_header\n"), "line 2: the header does not state its format");
-    EXPECT_EQ(message("ply\nformat ascii 2.0\n"), "line 2: only version 1.0 of PLY is known: 'format ascii 2.0'");
+    EXPECT_EQ(message("ply\nformat ascii 2.0\n"), "line 2: only version 1.0 of PLY is supported: 'format ascii 2.0'");
     EXPECT_EQ(message("ply\nformat text 1.0\n"), "line 2: not a PLY format: 'format text 1.0'");
     EXPECT_EQ(message("ply\nproperty float x\n"), "line 2: a property before the first element: 'property float x'");
     EXPECT_EQ(message("ply\nelement vertex -1\n"), "line 2: an element needs a name and a count: 'element vertex -1'");
     EXPECT_EQ(message("ply\nelement vertex 1\nproperty real x\n"),
               "line 3: not a PLY type: 'real' in 'property real x'");
     EXPECT_EQ(message("ply\nelement vertex 1\nelement vertex 1\n"),
-              "line 3: a second element of that name: 'element vertex 1'");
+              "line 3: a second element with the same name: 'element vertex 1'");
     EXPECT_EQ(message("ply\nfromat ascii 1.0\n"), "line 2: not a statement of a PLY header: 'fromat ascii 1.0'");
     EXPECT_EQ(message("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nend_header\n0\n"),
               "the element 'vertex' needs the properties x, y and z");

@@ -1,4 +1,4 @@
-// Poses as people write them: 3, 7 or 16 numbers, blanks or commas; anything else is refused with a reason.
+// Poses as text: 3, 7 or 16 numbers, separated by blanks or commas. Any other text is refused with a reason.
 #include "chasles/io/pose_text.h"
 #include "tests/io/message_of.h"
 
@@ -45,9 +45,9 @@ TEST(ParsePose, RefusesWhatIsNoNumber) {
     EXPECT_EQ(message("1 2 nan"), "not a finite number: 'nan'");
     EXPECT_EQ(message("1 2 -inf"), "not a finite number: '-inf'");
     EXPECT_EQ(message("1 2 1e999"), "not a finite number: '1e999'");
-    EXPECT_EQ(message("1,,3"), "a number is missing beside a comma");
-    EXPECT_EQ(message("1,2,3,"), "a number is missing beside a comma");
-    EXPECT_EQ(message(",1,2,3"), "a number is missing beside a comma");
+    EXPECT_EQ(message("1,,3"), "a number is missing before or after a comma");
+    EXPECT_EQ(message("1,2,3,"), "a number is missing before or after a comma");
+    EXPECT_EQ(message(",1,2,3"), "a number is missing before or after a comma");
     EXPECT_EQ(message("1;2;3"), "not a number: '1;2;3'");
 }
 

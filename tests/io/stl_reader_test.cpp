@@ -1,4 +1,5 @@
-// STL: ASCII and binary are told apart whatever their first bytes; equal vertices become one; nothing is lost silently.
+// STL: the reader distinguishes ASCII from binary for any first bytes, merges equal vertices, and loses no data
+// silently.
 #include "chasles/io/mesh_files.h"
 #include "chasles/mesh/polyhedron.h"
 #include "tests/io/message_of.h"
@@ -20,7 +21,7 @@ std::string message(const std::string& bytes) {
     return message_of([&] { (void)read_stl(bytes); });
 }
 
-// Little-endian like the format, on every machine that the tests run on.
+// STL is little-endian, as is every machine that the tests run on.
 template <typename Number>
 std::string bytes_of(Number number) {
     const auto raw = std::bit_cast<std::array<char, sizeof(Number)>>(number);
@@ -90,10 +91,11 @@ TEST(ReadStl, MergesMinusZeroWithZeroButNoNeighbours) {
 }
 
 TEST(ReadStl, RefusesBinaryWhoseCountDisagrees) {
-    EXPECT_EQ(message(binary_stl("", 3, two_triangles)), "is truncated: 3 triangles are announced, but 2 are there");
+    EXPECT_EQ(message(binary_stl("", 3, two_triangles)), "is truncated: 3 triangles are announced, but 2 are present");
     EXPECT_EQ(message(binary_stl("solid", 4000000000U, two_triangles)),
-              "is truncated: 4000000000 triangles are announced, but 2 are there");
-    EXPECT_EQ(message(binary_stl("", 1, two_triangles)), "1 triangles are announced, but there are 50 bytes more");
+              "is truncated: 4000000000 triangles are announced, but 2 are present");
+    EXPECT_EQ(message(binary_stl("", 1, two_triangles)),
+              "1 triangles are announced, but the file has 50 additional bytes");
     EXPECT_EQ(message(binary_stl("", 2, two_triangles).substr(0, 60)), "too short for an STL file");
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(message(binary_stl("", 1, binary_triangle({0, 0, 0, nan, 0, 0, 0, 1, 0}))),

@@ -1,4 +1,4 @@
-// Numbers are correctly rounded, whole words, and independent of the locale; lines and words lose nothing.
+// Numbers are whole words, correctly rounded, and independent of the locale. Lines and words lose no characters.
 #include "chasles/io/text_scan.h"
 
 #include <bit>

@@ -1,4 +1,4 @@
-// Ways into the surface around a vertex or an edge.
+// Directions from a vertex or an edge into the surface.
 #include "chasles/mesh/adjacent_directions.h"
 
 #include <gtest/gtest.h>
@@ -15,7 +15,7 @@ std::vector<Eigen::Vector3d> collected(const auto& visit) {
     return ways;
 }
 
-/// Two triangles that share the edge from 0 to 1, one in z = 0, one upright.
+/// Two triangles that share the edge from 0 to 1. One is in z = 0, the other is vertical.
 Polyhedron hinge() {
     const std::vector<Eigen::Vector3d> vertices{{0, 0, 0}, {2, 0, 0}, {0.3, 1, 0}, {0.7, 0, 3}};
     const std::vector<std::vector<std::uint32_t>> faces{{0, 1, 2}, {1, 0, 3}};
@@ -44,7 +44,7 @@ TEST(Surroundings, AVertexLeadsAlongTheRimsOfItsFaces) {
 }
 
 TEST(Surroundings, APolygonThatIsNotConvexLeadsThroughItsTriangles) {
-    // An L: at its inner corner every way into the face is between two sides of some triangle.
+    // An L: at its inner corner every direction into the face is between two sides of some triangle.
     const std::vector<Eigen::Vector3d> vertices{{0, 0, 0}, {2, 0, 0}, {2, 1, 0}, {1, 1, 0}, {1, 2, 0}, {0, 2, 0}};
     const std::vector<std::vector<std::uint32_t>> faces{{0, 1, 2, 3, 4, 5}};
     const Polyhedron body = Polyhedron::from_polygons(vertices, faces);

@@ -1,4 +1,4 @@
-// Signs against exact rationals, on points chosen so that rounding would get them wrong.
+// Signs against exact rationals, for points at which rounding gives wrong signs.
 #include "chasles/mesh/exact_orientation.h"
 
 #include "chasles/algebra/exact_sum.h"
@@ -77,7 +77,7 @@ TEST(Orientation, AgreesWithRationalsNearLines) {
         collinear += expected == 0 ? 1 : 0;
         naive_is_wrong += naive_sign(a, b, c) != expected ? 1 : 0;
     }
-    // The set would prove nothing if rounded signs did as well.
+    // The test would show nothing if rounded signs were right too.
     EXPECT_GT(collinear, 1000);
     EXPECT_GT(naive_is_wrong, 100);
 }
@@ -95,7 +95,7 @@ TEST(Collinear, IsExactInSpace) {
     EXPECT_TRUE(are_collinear(a, 2 * a, 4 * a));
     EXPECT_FALSE(are_collinear(a, 2 * a, 4 * a + Eigen::Vector3d(0, 0, 1e-15)));
     EXPECT_TRUE(are_collinear(a, a, {5, 6, 7}));
-    // Zero as seen along two of the three axes.
+    // The projections along two of the three axes have no area.
     EXPECT_FALSE(are_collinear({0, 0, 0}, {1, 0, 0}, {0, 1, 0}));
     EXPECT_FALSE(are_collinear({0, 0, 0}, {0, 1, 0}, {0, 0, 1}));
     EXPECT_FALSE(are_collinear({0, 0, 0}, {1, 0, 0}, {0, 0, 1}));

@@ -1,4 +1,4 @@
-// Equal means equal bit for bit, with both zeros the same.
+// Vertices are equal if their bits are equal; +0 and -0 are equal too.
 #include "chasles/mesh/merge_vertices.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Each edge once, in order, with the right number of faces.
+// Every edge is listed once, in order, with the right number of faces.
 #include "chasles/mesh/mesh_edges.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Every feature that occurs has exactly one owner, one of the faces that have it, and shares are even.
+// Every feature has exactly one owner among its faces, and features are distributed evenly.
 #include "chasles/mesh/ownership.h"
 
 #include <algorithm>
@@ -30,7 +30,7 @@ TEST(Ownership, GivesEachFeatureOnceToAFaceThatHasIt) {
 }
 
 TEST(Ownership, IsEven) {
-    // A fan around feature 0: every face could take all it sees first.
+    // A fan around feature 0: one greedy face could own several features.
     FlatLists<std::uint32_t> faces;
     for (std::uint32_t i = 1; i <= 8; ++i)
         faces.append(std::vector<std::uint32_t>{0, i, i % 8 + 1});

@@ -1,4 +1,4 @@
-// What is convex, what turns back, and how far corners leave their plane.
+// Convexity, reversed turns, and the deviation of corners from their plane.
 #include "chasles/mesh/polygon_plane.h"
 
 #include "tests/mesh/shapes.h"
@@ -46,7 +46,7 @@ TEST(PolygonView, MeasuresTheDeviationFromTheMiddlePlane) {
     EXPECT_EQ(project_polygon(corners, outline).deviation, 0.0);
     EXPECT_DOUBLE_EQ(project_polygon(corners, outline).size, std::sqrt(2.0));
     corners[2].z() = 0.01;
-    // Corners of a warped quad lie alternately above and below its plane by a quarter of the warp.
+    // The corners of a warped quad are alternately above and below its plane by a quarter of the warp.
     EXPECT_NEAR(project_polygon(corners, outline).deviation, 0.0025, 1e-6);
     corners[3].x() = -7;
     EXPECT_EQ(project_polygon(corners, outline).magnitude, 7.0);

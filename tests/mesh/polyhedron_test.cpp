@@ -1,4 +1,4 @@
-// What a polyhedron promises about outlines, ids, ownership, what it drops and what it counts.
+// The promises of a polyhedron: outlines, ids, ownership, dropped faces and counts.
 #include "chasles/mesh/body.h"
 
 #include "tests/mesh/shapes.h"
@@ -22,7 +22,7 @@ std::vector<std::uint32_t> ids(std::span<const std::uint32_t> list) {
     return {list.begin(), list.end()};
 }
 
-/// Sides of outlines, from the lower vertex to the higher, with the number of times each occurs.
+/// The sides of all outlines, from the lower vertex id to the higher one, with the number of occurrences of each.
 std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides_of(const Polyhedron& body) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> sides;
     for (std::size_t f = 0; f < body.face_count(); ++f)
@@ -38,7 +38,7 @@ bool has_side(std::span<const std::uint32_t> outline, Edge edge) {
     return false;
 }
 
-/// For bodies without bridged holes: each vertex of an outline and each side is owned once, by a face that has it.
+/// For bodies without bridged holes: each vertex and each side of an outline is owned once, by one of its faces.
 void expect_owned_once(const Polyhedron& body) {
     std::multiset<std::uint32_t> vertices;
     std::multiset<std::pair<std::uint32_t, std::uint32_t>> edges;
@@ -167,7 +167,7 @@ TEST(Polyhedron, DropsFacesWithoutAreaOnRequest) {
     soup.vertices.emplace_back(0.25, 0, 0);
     soup.vertices.emplace_back(0.75, 0, 0);
     soup.faces.push_back({0, 8, 1});    // on one edge of its neighbours
-    soup.faces.push_back({0, 0, 1});    // names a vertex twice
+    soup.faces.push_back({0, 0, 1});    // has a vertex twice
     soup.faces.push_back({8, 9, 1, 0}); // four corners on one line
     EXPECT_EQ(made_from(soup, {.drop_degenerate = true}).report().dropped_faces, 3U);
 }
@@ -199,7 +199,7 @@ TEST(Polyhedron, TakesAHoleBridgedToItsOutline) {
     const Polyhedron plate = made_from(test::sheet(test::square_with_bridged_hole()));
     ASSERT_EQ(plate.face_count(), 1U);
     EXPECT_EQ(plate.face_triangles(0).size(), 24U);
-    // The bridge is no edge; each corner of the square and of the hole is owned once.
+    // The bridge is not an edge. Each corner of the square and of the hole is owned once.
     EXPECT_EQ(plate.body().owned_edges(0).size(), 8U);
     EXPECT_EQ(plate.body().owned_vertices(0).size(), 8U);
     EXPECT_EQ(plate.report().boundary_edges, 8U);
@@ -230,7 +230,7 @@ TEST(Polyhedron, TakesPolygonsRoundedToSixDigits) {
     std::mt19937 random(seed);
     std::normal_distribution<double> normal;
     for (int round = 0; round < 500; ++round) {
-        // A regular polygon in a random plane, up to a hundred times further from the origin than it is large.
+        // A regular polygon in a random plane. Its distance from the origin is up to a hundred times its size.
         const Eigen::Vector3d right = Eigen::Vector3d(normal(random), normal(random), normal(random)).normalized();
         const Eigen::Vector3d up = right.unitOrthogonal();
         const Eigen::Vector3d centre(normal(random), normal(random), 30 * normal(random));
@@ -272,10 +272,10 @@ TEST(Polyhedron, TakesLessThan200BytesATriangle) {
 TEST(Polyhedron, AgreesWithTheCountsOfOthersOnRealMeshes) {
     const auto rows = test::obj_files_of_manifest();
     if (rows.empty())
-        GTEST_SKIP() << "no data beside the project";
+        GTEST_SKIP() << "no external data";
     for (const test::ManifestRow& row : rows) {
         SCOPED_TRACE(row.file);
-        // The manifest counts vertices twice for equal ones; faces without area need the option.
+        // The manifest counts equal vertices separately. Faces without area require the option.
         const Polyhedron body =
             made_from(test::read_obj(test::shared_data() / row.file), {.drop_degenerate = row.zero_area > 0});
         const MeshReport report = body.report();

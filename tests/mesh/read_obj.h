@@ -1,4 +1,4 @@
-// Real meshes for the tests of this layer, which knows nothing of files.
+// Real meshes for the tests of this layer, which does not include the file readers.
 #pragma once
 
 #include <Eigen/Core>
@@ -12,13 +12,13 @@
 
 namespace chasles::test {
 
-/// Vertices and faces before anyone has checked them.
+/// Unchecked vertices and faces.
 struct Soup {
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::vector<std::uint32_t>> faces;
 };
 
-/// The folder of real inputs from outside the project. It may not exist; tests that need it skip then.
+/// The folder of external real inputs. If the folder does not exist, tests that need it are skipped.
 inline std::filesystem::path shared_data() {
 #ifdef CHASLES_DATA_DIR
     return CHASLES_DATA_DIR;
@@ -46,7 +46,7 @@ inline Soup read_obj(const std::filesystem::path& file) {
     return soup;
 }
 
-/// One mesh of mesh-manifest.csv with what others counted in it.
+/// One mesh of mesh-manifest.csv with the counts of other programs.
 struct ManifestRow {
     std::string file;
     std::size_t vertices = 0;
@@ -54,12 +54,12 @@ struct ManifestRow {
     std::size_t faces = 0;
     std::size_t triangles = 0;
     std::size_t degenerate = 0; ///< with a repeated vertex
-    std::size_t zero_area = 0;  ///< other ones without area
+    std::size_t zero_area = 0;  ///< further faces without area
     std::size_t boundary_edges = 0;
     std::size_t nonmanifold_edges = 0;
 };
 
-/// The OBJ files of the manifest, in its order; none where there is no such folder.
+/// The OBJ files of the manifest, in its order. Empty if the folder does not exist.
 inline std::vector<ManifestRow> obj_files_of_manifest() {
     std::vector<ManifestRow> rows;
     std::ifstream lines(shared_data() / "mesh-manifest.csv");

@@ -1,4 +1,4 @@
-// Every way a mesh is refused, word for word: people read these lines.
+// All reasons to refuse a mesh, with their exact messages, because users read these lines.
 #include "chasles/mesh/polyhedron.h"
 
 #include "tests/mesh/shapes.h"
@@ -69,7 +69,7 @@ TEST(RefusedMeshes, FacesWithoutArea) {
     EXPECT_EQ(refusal(soup), "face 6: has no area (its vertices lie on one line)");
     const double least = std::numeric_limits<double>::denorm_min();
     soup.vertices.back().y() = least;
-    EXPECT_EQ(refusal(soup), "accepted") << "an area however small is one";
+    EXPECT_EQ(refusal(soup), "accepted") << "any positive area is enough";
 }
 
 TEST(RefusedMeshes, CollapsedFacesOnNoEdge) {
@@ -84,7 +84,7 @@ TEST(RefusedMeshes, CollapsedFacesOnNoEdge) {
 }
 
 TEST(RefusedMeshes, CollapsedFacesThatEdgesCoverInPart) {
-    // Three corners on a line; the neighbours have the edge between the last two, or between the first two.
+    // Three corners on a line. The neighbours have the edge between the last two corners, or between the first two.
     const std::vector<Eigen::Vector3d> vertices = {{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}};
     const std::string reason =
         "face 2: has no area (its vertices lie on one line) and is no part of other faces' edges";
@@ -114,7 +114,7 @@ TEST(RefusedMeshes, PolygonsThatAreNotPlanar) {
 
 TEST(RefusedMeshes, OutlinesThatCrossThemselves) {
     EXPECT_EQ(refusal(test::sheet({{0, 0}, {3, 0}, {3, 3}, {1, -1}})), "face 0: its outline crosses itself");
-    // Lobes of equal area and opposite turn leave no normal to look along.
+    // Lobes of equal area and opposite orientation have no normal.
     EXPECT_EQ(refusal(test::sheet({{0, 0}, {1, 1}, {1, 0}, {0, 1}})),
               "face 0: has no area beyond rounding (its outline crosses itself, turns back or is too thin)");
 }

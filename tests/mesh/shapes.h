@@ -1,4 +1,4 @@
-// Small bodies and outlines that the tests of this layer build on.
+// Small bodies and outlines for the tests of this layer.
 #pragma once
 
 #include "tests/mesh/read_obj.h"
@@ -11,7 +11,8 @@ namespace chasles::test {
 
 using Outline = std::vector<Eigen::Vector2d>;
 
-/// The unit cube of six quads, counter-clockwise from outside; vertex i has the bits of i as its coordinates x, y, z.
+/// The unit cube of six quads, counter-clockwise when viewed from outside. The bits of i are the coordinates of vertex
+/// i.
 inline Soup cube() {
     Soup soup;
     for (int i = 0; i < 8; ++i)
@@ -51,7 +52,7 @@ inline Soup sheet(const Outline& outline) {
     return soup;
 }
 
-/// An outline that every ray from the origin meets once: simple, and convex with next to no probability.
+/// A simple outline that every ray from the origin crosses once. It is almost never convex.
 inline Outline random_star(std::mt19937& random, std::size_t corners) {
     std::uniform_real_distribution<double> radius(0.1, 1.0);
     Outline outline;
@@ -63,7 +64,8 @@ inline Outline random_star(std::mt19937& random, std::size_t corners) {
     return outline;
 }
 
-/// A square of side 4 whose square hole of side 2 is bridged from corner 0: the bridge is run through to and fro.
+/// A square of side 4 with a square hole of side 2. A bridge from corner 0 connects both; the outline runs along the
+/// bridge twice.
 inline Outline square_with_bridged_hole() {
     return {{0, 0}, {4, 0}, {4, 4}, {0, 4}, {0, 0}, {1, 1}, {1, 3}, {3, 3}, {3, 1}, {1, 1}};
 }

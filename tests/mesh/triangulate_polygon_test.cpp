@@ -1,4 +1,4 @@
-// Triangles cover an outline once or there is no answer.
+// The triangles cover an outline exactly once, or there is no result.
 #include "chasles/mesh/triangulate_polygon.h"
 
 #include "tests/mesh/shapes.h"
@@ -50,8 +50,8 @@ TEST(TriangulatePolygon, CoversRandomStars) {
 }
 
 TEST(TriangulatePolygon, CoversRandomStarsOnAGrid) {
-    // Coarse coordinates make corners coincide with sides and with each other. A few of these outlines turn inside out
-    // and are rightly refused.
+    // Coarse coordinates make corners coincide with sides and with each other. A few of these outlines turn inside out;
+    // refusing them is right.
     const unsigned seed = 20240506;
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -70,13 +70,13 @@ TEST(TriangulatePolygon, CoversRandomStarsOnAGrid) {
         ++covered;
         EXPECT_EQ(area_of_triangles(outline, *triangles), test::signed_area(outline)) << "round " << round;
     }
-    // Measured 98.9 %; 97.7 % without cutting flat corners, 89 % without leaving out folded ones.
+    // Measured 98.9 %; without cutting flat corners 97.7 %, without omitting folded corners 89 %.
     EXPECT_GT(outlines, 8000);
     EXPECT_GT(covered, 0.984 * outlines);
 }
 
 TEST(TriangulatePolygon, UsesEveryCornerOfASkyline) {
-    // All corners of the grid on the way are corners of the outline, so most of them lie on straight sides.
+    // All grid points along the outline are its corners, so most corners lie on straight sides.
     const unsigned seed = 20240514;
     SCOPED_TRACE(seed);
     std::mt19937 random(seed);
@@ -109,7 +109,7 @@ TEST(TriangulatePolygon, CoversRandomStarsAroundBridgedHoles) {
     std::mt19937 random(seed);
     for (int round = 0; round < 300; ++round) {
         Outline outline = test::random_star(random, 5 + round % 40);
-        // The hole is the same star at half the size, the other way around; the bridge lies on a ray from the origin.
+        // The hole is the same star at half the size in reverse order. The bridge lies on a ray from the origin.
         Outline hole = outline;
         for (Eigen::Vector2d& corner : hole)
             corner /= 2;
@@ -166,7 +166,7 @@ TEST(TriangulatePolygon, RefusesPentagrams) {
 }
 
 TEST(TriangulatePolygon, DecidesByTheLastBit) {
-    // The bottom side at x = 0.5 is between two neighbouring doubles, 0.2 and the one below.
+    // The bottom side at x = 0.5 is between two neighbouring doubles: 0.2 and its predecessor.
     const auto outline = [](double y) { return Outline{{0, 0.1}, {1, 0.3}, {1, 1}, {0.5, y}, {0, 1}}; };
     EXPECT_TRUE(triangulate_polygon(outline(0.2)).has_value());
     EXPECT_FALSE(triangulate_polygon(outline(std::nextafter(0.2, 0.0))).has_value());

@@ -1,4 +1,4 @@
-// Paths leave their chords by no more than is said, in exact rationals, and by about as much.
+// The bound on the deviation of paths from their chords holds in exact rationals and is nearly reached.
 #include "chasles/motion/chord_deviation.h"
 
 #include "tests/support/error_ratios.h"
@@ -12,7 +12,7 @@ using namespace test;
 
 using Position = Eigen::Vector3d;
 
-/// Where a point is at tau, seen from the other body, to double precision.
+/// The position of a point at tau in the frame of the other body, in double precision.
 Position position(const ControlMaps<DoubleDouble>& maps, const Eigen::Vector3d& point, double tau, bool body_moves) {
     const Vector3<DoubleDouble> p{DoubleDouble(point.x()), DoubleDouble(point.y()), DoubleDouble(point.z())};
     const auto path =
@@ -28,7 +28,7 @@ Eigen::Vector3d random_point(Random& random, const Ball& ball) {
     return ball.centre + ball.radius * eigen(random.vector(1)).normalized();
 }
 
-/// A moving point and a fixed one that meet, each somewhere in its ball.
+/// A moving point and a fixed point that coincide at some tau, each in the bounding sphere of its body.
 TEST(ChordDeviation, BoundsHowFarPathsThatMeetLeaveTheirChords) {
     Random random(741);
     ErrorRatios ratios;
@@ -62,7 +62,7 @@ TEST(ChordDeviation, BoundsHowFarPathsThatMeetLeaveTheirChords) {
     ratios.expect_sound(0.7);
 }
 
-/// A large room bends no more than what moves in it.
+/// The deviation in a large room depends only on the body that moves in it.
 TEST(ChordDeviation, IsThatOfTheSmallerBall) {
     const Pose turned({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ())));
     const auto motion = cubic_of(ScrewMotion::between(Pose(), turned));
@@ -81,7 +81,7 @@ TEST(ChordDeviation, IsNothingForTranslations) {
     EXPECT_EQ(bend.of_fixed(0, 1), 0);
 }
 
-/// A quarter of the length: a sixteenth.
+/// A quarter of the interval gives a sixteenth of the deviation.
 TEST(ChordDeviation, FallsWithTheSquareOfTheInterval) {
     const Pose turned({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ())));
     const ChordDeviation bend(cubic_of(ScrewMotion::between(Pose(), turned)), {{1, 0, 0}, 0.5}, {{1, 0, 0}, 0.5});

@@ -1,5 +1,5 @@
-// Tau and time of a screw against a hundred digits, for turns from 1e-17 to the longest in one piece.
-// The bound is that of docs/derivations/10-error-bounds.md, "Time".
+// Tau and time of a screw against a hundred digits, for turns from 1e-17 to the largest turn of one piece.
+// The bound is in docs/derivations/10-error-bounds.md, "Time".
 #include "tests/support/posed_motions.h"
 #include "tests/support/trajectories.h"
 #include "tests/support/wide.h"
@@ -77,7 +77,7 @@ TEST(Clock, TheGreatestRateIsAtTheStart) {
         const double upper = random.uniform(lower, 1);
         const double width = screw.time_at(upper) - screw.time_at(lower);
         EXPECT_LE(width, std::max(1.0, greatest) * (upper - lower) + 40 * 0x1p-53)
-            << "a bracket of tau is wider in time than first_contact allows for";
+            << "the bracket of time is wider than first_contact assumes";
     }
 }
 

@@ -1,4 +1,4 @@
-// Control maps carry points, directions, lines and fixed points where Rodrigues' formula carries them: exactly.
+// Control maps agree exactly with Rodrigues' formula for points, directions, lines and fixed points.
 #include "chasles/motion/control_maps.h"
 
 #include "tests/support/rational_motions.h"
@@ -16,7 +16,7 @@ Vector random_vector(Random& random) {
     return v;
 }
 
-/// A rotation matrix of rationals, by turning the axes.
+/// A rational rotation matrix, from turned axes.
 Matrix3<Rational> random_orientation(Random& random) {
     const Vector axis = random_vector(random);
     const Matrix3<Rational> identity = algebra::identity_matrix<Rational>();
@@ -27,7 +27,7 @@ Matrix3<Rational> random_orientation(Random& random) {
 }
 
 /// A motion of the family by its definition: the body turns by the quaternion 1 + tau (e1 - 1) + tau a about a
-/// reference point that runs straight.
+/// reference point, which moves along a straight line.
 struct Case {
     Rational end_cosine;
     Vector axis;

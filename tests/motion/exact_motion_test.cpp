@@ -1,4 +1,4 @@
-// The exact control maps against the definition of the motions in rationals, whatever the poses.
+// The exact control maps against the definition of the motions in rationals, for any poses.
 #include "chasles/motion/exact_motion.h"
 
 #include "chasles/motion/motion.h"
@@ -12,7 +12,7 @@ namespace {
 
 using motion::Quaternion;
 
-/// Of maps whose root, if any, is rational: the numbers of `maps` with `root` in its place.
+/// The value of a number of the maps if its root is the rational `root`.
 Rational value(const ExactNumber& x, const Rational& root) {
     return exact(x.rational()) + exact(x.irrational()) * root;
 }
@@ -23,7 +23,7 @@ void expect_equal(const Bernstein<3, ExactNumber>& p, const Bernstein<3, Rationa
         EXPECT_EQ(value(p[i], root), truth[i] * unit);
 }
 
-/// All maps are the rational ones times one positive unit.
+/// Expects that all maps are the rational maps times one positive factor.
 void expect_multiple(const motion::ExactMotion& found, const motion::ControlMaps<Rational>& truth,
                      const Rational& root = 0) {
     const Rational unit = value(found.maps.weight[0], root) / truth.weight[0];
@@ -86,7 +86,7 @@ TEST(ExactMotion, SweepsWhoseQuaternionsHaveRationalLengths) {
     const auto whole = [&] { return double(random.integer(-4, 4)); };
     for (int trial = 0; trial < 20; ++trial) {
         const Eigen::Quaterniond start_turn(whole() + 0.5, whole(), whole(), whole());
-        const Eigen::Quaterniond step(whole() + 0.5, whole(), whole(), whole()); // squared: of length |step|^2
+        const Eigen::Quaterniond step(whole() + 0.5, whole(), whole(), whole()); // its square has the length |step|^2
         const Pose start(random_point(random, 2), start_turn);
         const Pose goal(random_point(random, 2), step * step * start_turn);
         const Eigen::Vector3d centre = random_point(random, 1);
@@ -102,7 +102,7 @@ TEST(ExactMotion, SweepsWhoseQuaternionsHaveRationalLengths) {
     }
 }
 
-/// With the root standing for a number whose square the radicand is; its sign is then what decides nothing else.
+/// The root is any number whose square is the radicand. The end poses do not depend on the choice of its sign.
 TEST(ExactMotion, SweepsEndAtTheirGoalsWhateverTheRoot) {
     Random random(745);
     for (int trial = 0; trial < 10; ++trial) {

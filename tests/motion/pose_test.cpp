@@ -1,4 +1,4 @@
-// A pose takes every rigid displacement and refuses everything else, saying why.
+// A pose accepts every rigid displacement, and refuses any other input with a reason.
 #include "chasles/motion/pose.h"
 
 #include "tests/support/refusal.h"
@@ -49,7 +49,7 @@ TEST(Pose, QuaternionIsKeptExactlyUpToAPowerOfTwo) {
     EXPECT_EQ(kept.coeffs(), Eigen::Vector4d(q.coeffs() * factor));
 }
 
-/// A single number anywhere, from nothing to infinite, on both sides of every limit.
+/// One number at any position is set to values from zero to infinity, on both sides of every limit.
 TEST(Pose, WhatLooksOrdinaryIsTakenAsItIs) {
     int ordinary = 0, other = 0;
     for (const double number :

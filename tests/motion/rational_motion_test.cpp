@@ -1,4 +1,4 @@
-// The members of the family: screws and sweeps that start and end where they should, without rounding in rationals.
+// The members of the family: screws and sweeps have the right end poses, exactly in rationals.
 #include "chasles/motion/rational_motion.h"
 
 #include "tests/support/rational_motions.h"

@@ -1,4 +1,4 @@
-// What no motion can be made from is refused by name, however it comes in.
+// Invalid input of a motion is refused with its name, for every way to pass it.
 #include "chasles/motion/motion.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
@@ -11,7 +11,7 @@ namespace {
 
 using namespace test;
 
-/// A pose whose members were set without asking its constructor.
+/// A pose whose members are set without its constructor.
 Pose by_hand(const Eigen::Vector3d& translation, const Eigen::Vector4d& xyzw) {
     Pose pose;
     pose.translation = translation;

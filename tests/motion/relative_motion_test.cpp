@@ -1,4 +1,4 @@
-// Two moving bodies: one seen from the other, reported in the world.
+// Two moving bodies: the motion of one in the frame of the other, reported in the world.
 #include "chasles/motion/motion.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/trajectories.h"
@@ -55,7 +55,7 @@ TEST(RelativeMotion, EndsWhereBothBodiesEnd) {
     }
 }
 
-/// Of the moving body in the frame of the fixed one.
+/// The pose of the moving body in the frame of the fixed body.
 template <class Motion>
 Eigen::Isometry3d seen_from_fixed(const Motion& motion, double time) {
     return motion.trajectory().fixed_pose_at(time).isometry().inverse() * motion.pose_at(time).isometry();

@@ -1,4 +1,4 @@
-// Cutting a screw: the pieces join, add up, and none turns more than it may.
+// Cutting a screw: the pieces join without gaps, add up to the screw, and none turns by more than max_turn.
 #include "chasles/base/invalid_input.h"
 #include "chasles/motion/motion.h"
 #include "tests/support/random_poses.h"

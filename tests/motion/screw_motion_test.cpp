@@ -1,4 +1,4 @@
-// The paper's motion as sines and cosines have it, to a hundred digits: angle w t, slide s tan(w t / 2) / tan(w / 2).
+// The paper's motion against sines and cosines with a hundred digits: angle w t, slide s tan(w t / 2) / tan(w / 2).
 #include "chasles/motion/motion.h"
 
 #include "chasles/base/invalid_input.h"
@@ -18,7 +18,7 @@ using Scalar = algebra::DoubleDouble;
 
 constexpr double pi = std::numbers::pi;
 
-/// By the control maps in double-double.
+/// The position of a body point by the control maps in double-double.
 WideVector carried(const ScrewMotion& screw, const Eigen::Vector3d& body_point, double tau) {
     const auto maps = motion::control_maps(cubic_of(screw));
     const algebra::Vector3<Scalar> b{body_point.x(), body_point.y(), body_point.z()};
@@ -33,7 +33,7 @@ WideScrew by_definition(const ScrewMotion& screw) {
     return {WidePose(relative_ends_of(screw).start), WidePose(relative_ends_of(screw).goal)};
 }
 
-/// Position at the time whose tau is the given double.
+/// The position at the time that belongs to the given tau.
 WideVector defined(const WideScrew& screw, const Eigen::Vector3d& body_point, double tau) {
     const Wide half = screw.angle() / 2;
     const Wide time = atan(Wide(Wide(tau) * tan(half))) / half;

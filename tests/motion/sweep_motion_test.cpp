@@ -1,4 +1,5 @@
-// The sweep by its definition: a reference point runs straight, the quaternion is interpolated linearly and normalised.
+// The sweep by its definition: a reference point moves along a line, the quaternion is interpolated linearly and
+// normalised.
 #include "chasles/motion/motion.h"
 
 #include "chasles/base/invalid_input.h"
@@ -22,7 +23,7 @@ WideQuaternion unit(const Eigen::Quaterniond& q) {
     return w / Wide(sqrt(w.dot(w)));
 }
 
-/// Where the definition puts a body point.
+/// The position of a body point by the definition.
 WideVector defined(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre, const Eigen::Vector3d& point,
                    double time) {
     const WideQuaternion a = unit(start.rotation);

@@ -1,4 +1,4 @@
-// Quaternions of length one: the bits of the long way, and most often by the short one.
+// Quaternions of length one: the bits of the slow algorithm, mostly by the fast one.
 #include "chasles/motion/unit_quaternion.h"
 
 #include "chasles/motion/screw_path.h"
@@ -68,7 +68,7 @@ TEST(UnitQuaternion, HasTheBitsOfTheLongWayAtAnyLength) {
     EXPECT_GT(open, 10'000);
 }
 
-/// Such are turns about an axis of the frame, and what rounding leaves of them.
+/// Quaternions of turns about an axis of the frame, exact and rounded.
 TEST(UnitQuaternion, HasTheBitsOfTheLongWayNextToAxes) {
     Random random(7303);
     int sure = 0, open = 0;
@@ -87,7 +87,7 @@ TEST(UnitQuaternion, HasTheBitsOfTheLongWayNextToAxes) {
     EXPECT_GT(open, 1000);
 }
 
-/// At a length of exactly one nothing changes; half a unit off, only the double-doubles tell which way to round.
+/// A length of exactly one changes nothing. Half a unit in the last place off, only double-doubles decide the rounding.
 TEST(UnitQuaternion, IsNotSureInTheMiddleOfTwoDoubles) {
     EXPECT_TRUE(is_certain({0, 0, 0, 1}));
     EXPECT_TRUE(is_certain({0.5, -0.5, 0.5, 0.5}));

@@ -19,7 +19,7 @@ def cube() -> chasles.Polyhedron:
 
 @pytest.fixture(scope="session")
 def data() -> pathlib.Path:
-    """Data from outside the project; tests on it are skipped where it is absent."""
+    """External data. Tests that need it are skipped if it is missing."""
     folder = pathlib.Path(os.environ.get("CHASLES_DATA_DIR", ROOT.parent / "shared" / "data"))
     if not folder.is_dir():
         pytest.skip("no data beside the project (CHASLES_DATA_DIR)")

@@ -20,7 +20,7 @@ def matrix(x: float, y: float, z: float) -> np.ndarray:
 
 
 def random_motions(count: int, seed: int = 1) -> tuple[np.ndarray, np.ndarray]:
-    """Starts and goals (count, 7) of a cube that is sent past another, or into it: about half of them touch."""
+    """Starts and goals (count, 7) of a cube that moves past another cube or into it. About half of the motions touch."""
     random = np.random.default_rng(seed)
     starts = np.zeros((count, 7))
     starts[:, 0] = 3

@@ -116,7 +116,7 @@ def test_options_out_of_range_are_refused_whatever_the_motions(cube, options):
 
 @pytest.mark.parametrize("threads", [1.5, "2", None])
 def test_threads_are_a_whole_number(cube, threads):
-    with pytest.raises(TypeError, match="threads: .* is no whole number"):
+    with pytest.raises(TypeError, match="threads: .* is not a whole number"):
         chasles.first_contact_batch(cube, cube, [], [], threads=threads)
 
 
@@ -140,7 +140,7 @@ def test_a_table_is_gone_on_with(cube):
     expected = chasles.first_contact_batch(cube, cube, starts, goals)
     table = chasles.empty_table(50)
     table[:20] = expected[:20]
-    table["time_upper"][:20] = 7  # as no answer says it
+    table["time_upper"][:20] = 7  # a value that no answer has
     again = chasles.first_contact_batch(cube, cube, starts, goals, table=table)
     assert again is table
     assert (table["time_upper"][:20] == 7).all()

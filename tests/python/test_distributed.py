@@ -1,4 +1,4 @@
-"""Motions from Parquet, results to Parquet: here, and on a cluster one of whose workers is killed."""
+"""Motions from Parquet, results to Parquet: in one process, and on a cluster with one killed worker."""
 
 import os
 import pathlib
@@ -127,7 +127,7 @@ if __name__ == "__main__":
 
 @pytest.mark.skipif(sys.platform == "win32", reason="workers are killed otherwise there")
 def test_a_cluster_loses_nothing_with_a_worker(cube, tmp_path, request):
-    """Two worker processes; one is killed as soon as there are results, and no result differs."""
+    """Two worker processes: one is killed after the first results, and all results agree."""
     pytest.importorskip("distributed")
     write_motions(tmp_path / "motions.parquet", 40_000, 1000)
     program = tmp_path / "cluster.py"

@@ -1,4 +1,4 @@
-"""What the documents show is so, and nothing is without documentation."""
+"""The code of the documents runs with the printed results, and every public name is documented."""
 
 import doctest
 import inspect

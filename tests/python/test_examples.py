@@ -1,4 +1,4 @@
-"""The examples run as they are; what they claim they assert."""
+"""The examples run unchanged. They assert their own claims."""
 
 import subprocess
 import sys

@@ -1,4 +1,4 @@
-"""Ctrl-C, in a process of its own: within a second, and nothing that was answered is lost."""
+"""Ctrl-C in a separate process: it takes effect within a second, and no finished row is lost."""
 
 import pickle
 import signal
@@ -45,9 +45,9 @@ def program_for(request: pytest.FixtureRequest, call: str, checks: bool = False,
 
 
 def interrupted_after(program: str, seconds: float) -> float:
-    """How long the program takes to say that it was interrupted. On a busy machine it may need more before."""
+    """Runs the program and interrupts it. Returns the time until it reports the interruption, in seconds."""
     while seconds < 100:
-        answer, took = told_when_interrupted_after(program, seconds)
+        answer, took = output_when_interrupted_after(program, seconds)
         if answer != "too early\n":
             break
         seconds *= 3
@@ -55,7 +55,7 @@ def interrupted_after(program: str, seconds: float) -> float:
     return took
 
 
-def told_when_interrupted_after(program: str, seconds: float) -> tuple[str, float]:
+def output_when_interrupted_after(program: str, seconds: float) -> tuple[str, float]:
     process = subprocess.Popen(
         [sys.executable, "-c", program], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True
     )
@@ -91,7 +91,7 @@ def test_a_batch_of_motions(threads, request):
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
 def test_it_takes_less_than_a_second(request):
     program = program_for(request, "first_contact_batch(cube, cube, starts, goals, table=table)")
-    assert any(interrupted_after(program, 0.5) < 1 for _ in range(5))  # other programs may be in the way
+    assert any(interrupted_after(program, 0.5) < 1 for _ in range(5))  # other programs may delay it
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")

@@ -1,4 +1,4 @@
-"""Pages and plots: that they are there, and hold what was answered. How a page looks is tests/view's."""
+"""Pages and plots exist and contain the answer. The tests in tests/view check how a page looks."""
 
 import json
 import os
@@ -25,7 +25,7 @@ def page(tmp_path):
 
 @pytest.fixture(autouse=True)
 def _viewer(request, tmp_path, cube):
-    """Tests of pages are skipped where the package was built without the viewer, unless CHASLES_HAS_VIEWER is set."""
+    """Tests of pages are skipped if the package was built without the viewer, unless CHASLES_HAS_VIEWER is set."""
     if "page" in request.fixturenames:
         try:
             chasles.view(cube, cube, START, GOAL, out=tmp_path / "try.html")
@@ -106,11 +106,11 @@ def test_plot_says_what_was_asked(cube, plt):
     def title(goal, **options):
         return chasles.first_contact(cube, cube, [0, 0, 1.05, 1, 0, 0, 0], goal, **options).plot().get_title()
 
-    assert title([0, 0, 3, 1, 0, 0, 0], margin=0.01) == "clear: nothing comes within 0.01 on the whole way"
+    assert title([0, 0, 3, 1, 0, 0, 0], margin=0.01) == "clear: nothing comes within 0.01 during the whole motion"
     assert title([0, 0, 3, 1, 0, 0, 0], margin=0.1) == "contact within 0.1 at the start"
     assert title([0, 0, 0, 1, 0, 0, 0], margin=0.01).startswith("contact within 0.01 at time 0.0380")
     held = title([3, 0, 1.05, 1, 0, 0, 0], margin=0.1, hold=0.02)
-    assert held == "clear: what is held keeps its distance"
+    assert held == "clear: held contacts keep the hold distance"
 
 
 def test_plot_draws_into_axes_that_are_given(cube, plt):

@@ -1,4 +1,4 @@
-// Small bodies and poses that the tests of this layer build on.
+// Small bodies and poses for the tests of this layer.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -11,7 +11,7 @@ namespace chasles::test {
 using Vertices = std::vector<Eigen::Vector3d>;
 using Faces = std::vector<std::vector<std::uint32_t>>;
 
-/// Vertices and faces before they become a polyhedron, so that tests can transform them.
+/// Vertices and faces that a test can transform before it makes a polyhedron.
 struct Body {
     Vertices vertices;
     Faces faces;
@@ -19,7 +19,7 @@ struct Body {
     [[nodiscard]] Polyhedron polyhedron() const { return Polyhedron::from_polygons(vertices, faces); }
 };
 
-/// The box [-h, h] of six quads; vertex i has the bits of i as the signs of x, y, z.
+/// The box [-h, h] of six quads. The bits of i are the signs of x, y, z of vertex i.
 inline Body box(const Eigen::Vector3d& half) {
     Body body;
     for (int i = 0; i < 8; ++i)
@@ -41,7 +41,7 @@ inline Eigen::Vector3d random_vector(std::mt19937& random, double size) {
     return {uniform(random, -size, size), uniform(random, -size, size), uniform(random, -size, size)};
 }
 
-/// An octahedron with shaken corners: eight triangles, closed.
+/// A closed octahedron of eight triangles with perturbed corners.
 inline Body random_octahedron(std::mt19937& random) {
     Body body;
     for (int axis = 0; axis < 3; ++axis)

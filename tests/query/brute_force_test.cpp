@@ -1,4 +1,4 @@
-// The whole query against every feature pair in exact rationals: no filter, no hierarchy, no splitting of time.
+// The whole query against all feature pairs in exact rationals, without filter, hierarchy, or subdivision of time.
 #include "tests/query/bodies.h"
 #include "tests/query/exact_answer.h"
 #include "tests/support/posed_motions.h"
@@ -27,8 +27,8 @@ void snap(Body& body) {
         vertex = (vertex * 2).array().round() / 2;
 }
 
-/// How close the answers must be: exactly the same, or, for bodies that miss each other by less than the bound of
-/// double-double, only never late, and right where the answer says that it is certain.
+/// The required agreement with the exact answer. `same`: the answer agrees. `safe`, for bodies that miss each other by
+/// less than the bound of double-double: the answer is never late, and agrees if it is certain.
 enum class Demand { same, safe };
 
 void compare(const Polyhedron& a, const Polyhedron& b, const Pose& start, const Pose& goal, int& contacts,
@@ -65,8 +65,8 @@ TEST(BruteForce, RandomBodiesAgreeWithExactRationals) {
     EXPECT_LT(contacts, 110);
 }
 
-/// Edges that are parallel up to rounding come to lie on each other, as the flanks of a nut and a bolt do: their volume
-/// is all noise, and still the first contact must be inside the bracket.
+/// Edges that are parallel up to rounding land on each other, as the flanks of a nut and a bolt do. The volume of their
+/// points is only rounding noise; the first contact must still be inside the bracket.
 TEST(BruteForce, NearlyParallelEdgesThatLandOnEachOther) {
     std::mt19937 random(23);
     int contacts = 0;

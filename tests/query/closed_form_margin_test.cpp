@@ -1,4 +1,4 @@
-// First times within a margin that trigonometry tells: when, where, between what, how fast. Margins of 0 as well.
+// First times within a margin in closed form: time, point, features and speed. Also with a margin of 0.
 #include "tests/query/bodies.h"
 
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr double pi = std::numbers::pi;
 constexpr double exactness = 1e-9;
 constexpr double margins[] = {0, 1e-6, 1e-3, 0.05};
 
-/// What geometry says of a first contact.
+/// The first contact by geometry.
 struct Expected {
     double time;
     ContactKind kind;
@@ -32,7 +32,7 @@ void expect_contact(const FirstContactQuery& query, const Expected& expected) {
     EXPECT_NEAR(found.clear_until, expected.time, exactness);
     ASSERT_FALSE(found.contacts.empty());
     const Contact& contact = found.contacts[0];
-    if (query.options.margin > 0) { // touching features may be named by what they end in
+    if (query.options.margin > 0) { // touching features may be reported as their boundary features
         EXPECT_EQ(contact.kind, expected.kind);
     }
     EXPECT_LE((contact.point - expected.point).norm(), exactness)
@@ -50,10 +50,10 @@ std::vector<Motion> both_motions(const Pose& start, const Pose& goal) {
     return {ScrewMotion::between(start, goal), SweepMotion::between(start, goal)};
 }
 
-// --- Straight ways
+// --- Translations
 // ----------------------------------------------------------------------------------------------------
 
-/// The tip of a pyramid, down or up: its faces are so steep that whatever is ahead is nearest to the tip.
+/// The tip of a pyramid, down or up. Its faces are steep: the tip is the nearest point to any body ahead.
 Polyhedron spike(double up) {
     return Body{{{0, 0, 0}, {0.2, 0.2, -2 * up}, {-0.2, 0.2, -2 * up}, {0, -0.2, -2 * up}},
                 {{0, 1, 2}, {0, 2, 3}, {0, 3, 1}, {1, 3, 2}}}
@@ -88,7 +88,7 @@ TEST(ClosedFormMargin, ABoxComesFlatOverATable) {
             ASSERT_EQ(found.verdict, Verdict::contact);
             EXPECT_TRUE(found.certain);
             EXPECT_NEAR(found.time.lower, (2 - margin) / 4, exactness);
-            EXPECT_EQ(found.contacts.size(), 4u) << "one a corner";
+            EXPECT_EQ(found.contacts.size(), 4u) << "one per corner";
             for (const Contact& contact : found.contacts) {
                 EXPECT_NEAR(std::abs(contact.point.x() - 0.25), 0.5, exactness);
                 EXPECT_NEAR(std::abs(contact.point.y()), 0.5, exactness);
@@ -106,7 +106,7 @@ Body roof(double up) {
             {{0, 1, 3, 2}, {1, 0, 4, 5}, {2, 3, 5, 4}, {0, 2, 4}, {1, 5, 3}}};
 }
 
-/// Ridge over ridge, turned by an angle about z: a common normal along z where both axes cross.
+/// Ridge over ridge, turned by an angle about z. The common normal is along z at the crossing of both ridges.
 TEST(ClosedFormMargin, EdgeOverEdgeAtAnAngle) {
     const Polyhedron above = roof(-1).polyhedron();
     const Polyhedron below = roof(1).polyhedron();
@@ -124,7 +124,8 @@ TEST(ClosedFormMargin, EdgeOverEdgeAtAnAngle) {
         }
 }
 
-/// A tip that falls beside a tip, `aside` in x: the distance is the margin when the height is sqrt(margin^2 - aside^2).
+/// A tip falls past a tip at the distance `aside` in x: the distance is the margin at the height
+/// sqrt(margin^2 - aside^2).
 TEST(ClosedFormMargin, CornerBesideCorner) {
     const Polyhedron down = spike(-1);
     const Polyhedron up = spike(1);
@@ -140,7 +141,7 @@ TEST(ClosedFormMargin, CornerBesideCorner) {
         }
 }
 
-/// A tip beside a ridge: the same in the plane across the ridge.
+/// A tip falls past a ridge: the same in the plane perpendicular to the ridge.
 TEST(ClosedFormMargin, CornerBesideEdge) {
     const Polyhedron down = spike(-1);
     const Polyhedron below = roof(1).polyhedron();
@@ -158,7 +159,7 @@ TEST(ClosedFormMargin, CornerBesideEdge) {
 // --- Turns about an axis
 // ----------------------------------------------------------------------------------------------
 
-/// Of a turn by `whole`: the time at which `angle` is done, and the angular speed there.
+/// For a turn by `whole`: the time at which the body has turned by `angle`, and the angular speed at this time.
 struct Clock {
     double time;
     double speed;
@@ -200,13 +201,14 @@ struct Bar {
     double whole; ///< turn
     double margin;
     double angle;    ///< at contact
-    double distance; ///< of the post's edge
+    double distance; ///< distance of the post's edge
     double post_angle;
     Eigen::Vector3d pivot;
 };
 
-/// The post's edge is R sin(post_angle - angle) ahead of the bar's middle plane, whose face is `half` before it: the
-/// gap is R sin(post_angle - angle) - half = margin. Its speed is -R cos(post_angle - angle) times the angular speed.
+/// The post's edge is R sin(post_angle - angle) ahead of the bar's middle plane, and the bar's face is `half` ahead of
+/// this plane: the gap is R sin(post_angle - angle) - half = margin. The rate of the gap is -R cos(post_angle - angle)
+/// times the angular speed.
 Expected expected_at(const Bar& bar, const Clock& clock, const FirstContact& found) {
     const Eigen::Vector3d edge = bar.pivot + bar.distance * direction(bar.post_angle);
     const double z = found.contacts.empty() ? 0 : std::copysign(0.2, found.contacts[0].point.z());
@@ -214,7 +216,8 @@ Expected expected_at(const Bar& bar, const Clock& clock, const FirstContact& fou
             bar.distance * std::cos(bar.post_angle - bar.angle) * clock.speed};
 }
 
-/// A bar 1 long turns about the z axis through `pivot`, which is its own origin, or `centre` in its own frame.
+/// A bar of length 1 turns about the vertical axis through `pivot`, the origin of its frame or the point `centre` of
+/// its frame.
 TEST(ClosedFormMargin, ABarTurnsAgainstAPost) {
     constexpr double half = 0.03;
     for (const double degrees : {30.0, 45.0, 60.0, 90.0, 120.0, 150.0, 170.0})
@@ -247,8 +250,8 @@ TEST(ClosedFormMargin, ABarTurnsAgainstAPost) {
             }
 }
 
-/// A prism with n sides of length 1 that turns about its lower edge at height h over the table z = 0: the next edge is
-/// at h + sin(2 pi / n - angle), and comes to the margin behind the angle at which the side is level.
+/// A prism with n sides of length 1 turns about its lower edge at height h over the table z = 0. The next edge is at
+/// h + sin(2 pi / n - angle), and reaches the margin after the angle at which the side is level.
 TEST(ClosedFormMargin, APrismRollsToItsNextEdge) {
     const Polyhedron table = box({9, 9, 0.5}).polyhedron();
     for (const int sides : {3, 4, 6, 12})

@@ -1,5 +1,5 @@
-// What must not change an answer, on pairs that touch in every degenerate way: bodies swapped, motions cut short, the
-// world turned, units, order, triangles for polygons, threads, repetition.
+// Changes that must not change an answer, on pairs with degenerate touches of all kinds: swapped bodies, shortened
+// motions, a turned world, other units, another order, triangles for polygons, threads, repetition.
 #include "chasles/algebra/double_double.h"
 #include "chasles/query/batch.h"
 #include "tests/attack/lattice.h"
@@ -41,7 +41,7 @@ bool is_valid(const MeshCase& one) {
     }
 }
 
-/// Runs a comparison on cases of every family, and makes sure that enough of them touch and enough do not.
+/// Runs a comparison on cases of every family. Fails if too few of them touch or too few are clear.
 template <class Compare>
 void on_degenerate_cases(Compare compare) {
     std::cout << "seed " << seed << std::endl;
@@ -66,7 +66,7 @@ void on_degenerate_cases(Compare compare) {
     EXPECT_GT(clear, 15);
 }
 
-/// A touch that one of the two answers could not tell from a miss leaves the other one free.
+/// If one answer is an uncertain touch, the other answer may differ.
 void expect_same(const FirstContact& found, const FirstContact& other) {
     if (found.certain && other.certain) {
         EXPECT_EQ(found.verdict == Verdict::clear, other.verdict == Verdict::clear);
@@ -89,7 +89,7 @@ TEST(DegenerateProperties, SwappingTheBodiesKeepsTheAnswer) {
     on_degenerate_cases([](const MeshCase& one, const FirstContact& found, AttackRandom&) {
         const auto screw = one.posed.screw();
         if (!screw || screw->piece_count() > 1)
-            return false; // a sweep seen from the other body is no sweep, and a cut rounds poses
+            return false; // in the frame of the other body a sweep is not a sweep, and cutting rounds poses
         MeshCase swapped{one.fixed, one.moving, one.posed};
         std::swap(swapped.posed.moving_start, swapped.posed.fixed_start);
         std::swap(swapped.posed.moving_goal, swapped.posed.fixed_goal);
@@ -99,7 +99,7 @@ TEST(DegenerateProperties, SwappingTheBodiesKeepsTheAnswer) {
     });
 }
 
-/// Seen from the other end, a sweep and a translation run through the same poses.
+/// A reversed sweep and a reversed translation have the same poses.
 TEST(DegenerateProperties, WhatIsClearForwardsIsClearBackwards) {
     on_degenerate_cases([](const MeshCase& one, const FirstContact& found, AttackRandom&) {
         const auto screw = one.posed.screw();
@@ -119,7 +119,7 @@ TEST(DegenerateProperties, WhatIsClearForwardsIsClearBackwards) {
     });
 }
 
-/// The first half of a screw about an axis through the origin is a screw between poses that doubles hold exactly.
+/// The first half of a screw about an axis through the origin is a screw between poses that doubles represent exactly.
 TEST(DegenerateProperties, AScrewCutShortFindsTheSameContact) {
     std::cout << "seed " << seed << std::endl;
     int before = 0;
@@ -166,7 +166,8 @@ TEST(DegenerateProperties, AScrewCutShortFindsTheSameContact) {
     EXPECT_GT(behind, 10);
 }
 
-/// Whether a right angle before it rounds nothing: its components are then sums and differences of two.
+/// Whether composition with a right angle is exact. The components of the result are sums and differences of two
+/// components.
 bool turns_exactly(const Eigen::Quaterniond& rotation) {
     using algebra::DoubleDouble;
     const Eigen::Vector4d q = rotation.coeffs();
@@ -177,7 +178,7 @@ bool turns_exactly(const Eigen::Quaterniond& rotation) {
     return true;
 }
 
-/// Turns of the world by right angles, and whole shifts, round nothing on the lattice.
+/// Turns of the world by right angles and shifts by whole numbers are exact on the lattice.
 TEST(DegenerateProperties, TurningTheWorldKeepsTheAnswer) {
     on_degenerate_cases([](const MeshCase& one, const FirstContact& found, AttackRandom& random) {
         Eigen::Quaterniond right_angle(1, 0, 0, 0);

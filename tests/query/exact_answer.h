@@ -1,5 +1,5 @@
-// The exact first contact of two bodies: every pair of features in exact rationals, no filter, no hierarchy, no
-// splitting of time.
+// The exact first contact of two bodies: all pairs of features in exact rationals, without filter, hierarchy, or
+// subdivision of time.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"

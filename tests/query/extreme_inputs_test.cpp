@@ -1,5 +1,5 @@
-// Whole queries on extreme bodies and motions against exact rationals: nothing is missed, what is called certain is
-// true, and no alarm is false beyond the bound.
+// Whole queries on extreme bodies and motions against exact rationals: no contact is missed, certain answers are true,
+// and false alarms occur only within the bound.
 #include "chasles/base/invalid_input.h"
 #include "tests/query/bodies.h"
 #include "tests/query/exact_answer.h"
@@ -27,13 +27,13 @@ Triangle ordinary(Random& random) {
     return {eigen(random.vector(1)), eigen(random.vector(1)), eigen(random.vector(1))};
 }
 
-/// Almost without area: the third corner is 1e-15 to 1e-6 off the first side.
+/// A triangle almost without area: the third corner is 1e-15 to 1e-6 off the first side.
 Triangle sliver(Random& random) {
     const Triangle t = ordinary(random);
     return {t[0], t[1], t[0] + random.uniform(0, 1) * (t[1] - t[0]) + eigen(random.vector(random.scaled(-15, -6)))};
 }
 
-/// With one edge almost of no length, or all of them.
+/// A triangle with one tiny edge, or with three tiny edges.
 Triangle with_tiny_edges(Random& random) {
     Triangle t = ordinary(random);
     t[1] = t[0] + eigen(random.vector(random.scaled(-14, -6)));
@@ -42,13 +42,13 @@ Triangle with_tiny_edges(Random& random) {
     return t;
 }
 
-/// A hundred million times as long as it is wide.
+/// A triangle a hundred million times as long as wide.
 Triangle needle(Random& random) {
     const Eigen::Vector3d along = random_direction(random);
     return {Eigen::Vector3d::Zero(), along, along + 1e-8 * random_direction(random)};
 }
 
-/// Coordinates from 1e-9 to 1e9 side by side.
+/// A triangle with coordinates from 1e-9 to 1e9.
 Triangle mixed(Random& random) {
     Triangle t;
     for (Eigen::Vector3d& corner : t)
@@ -75,21 +75,21 @@ struct Scene {
     }
 };
 
-/// How scenes of one test are made.
+/// The parameters of the scenes of one test.
 struct Recipe {
     Shape moving = ordinary;
     Shape fixed = ordinary;
     double angle = 0;
     double max_turn = pi;
     bool sweeps = false;
-    double away = 0; ///< of both bodies from the world's origin and of the moving body from its own
+    double away = 0; ///< distance from the world's origin, and of the moving body from its frame's origin
 };
 
 double size_of(const Triangle& t) {
     return std::max({(t[1] - t[0]).norm(), (t[2] - t[0]).norm(), (t[2] - t[1]).norm()});
 }
 
-/// Half way, a point of one body is at a point of the other, but for the rounding of the coordinates.
+/// At half time a point of one body is at a point of the other body, up to the rounding of the coordinates.
 Scene random_scene(Random& random, const Recipe& recipe) {
     Triangle fixed = recipe.fixed(random);
     const Triangle shape = recipe.moving(random);
@@ -107,7 +107,8 @@ Scene random_scene(Random& random, const Recipe& recipe) {
         Pose(scene.start.translation + eigen(random.vector(way)), turn * Eigen::Quaterniond(scene.start.rotation));
     const double half_way = random.uniform(0.2, 0.9);
     const Eigen::Isometry3d back = scene.motion().pose_at(half_way).isometry().inverse();
-    // Point to point, or all but corner to corner after a short way: then about half of them pass each other.
+    // Point to point, or nearly corner to corner after a short motion. In the second case about half of the bodies pass
+    // each other.
     const bool passing = random.chance(0.5);
     const Eigen::Vector3d touching = passing ? shape[0] : random_point_of(random, shape);
     Eigen::Vector3d place = passing ? fixed[0] : random_point_of(random, fixed);
@@ -121,7 +122,7 @@ Scene random_scene(Random& random, const Recipe& recipe) {
     return scene;
 }
 
-/// The exact motion, piece by piece as a query cuts it.
+/// The exact pieces into which a query cuts the motion.
 std::vector<RationalMotion<Rational>> exact_pieces(const Scene& scene) {
     if (scene.sweeps)
         return {sweep_of(SweepMotion::between(scene.start, scene.goal), exact(scene.start), exact(scene.goal),
@@ -140,12 +141,12 @@ struct Tally {
     int contacts = 0;
     int at_start = 0;
     int certain = 0;
-    int doubtful_alarms = 0; ///< uncertain contacts where there is none
+    int doubtful_alarms = 0; ///< uncertain contacts where there is no contact
     double furthest_alarm = 0;
-    double bound = 0; ///< the largest of a scene, in its unit
+    double bound = 0; ///< the largest bound of a scene, in the unit of the scene
 };
 
-/// At least two: how much larger than its area vector the edges of a face are.
+/// The product of the 1-norms of two edges of a face, over the length of their cross product.
 double slenderness(const Body& body) {
     const auto& v = body.vertices;
     const Eigen::Vector3d a = v[1] - v[0];
@@ -160,9 +161,9 @@ double reach(const Body& body) {
     return largest;
 }
 
-/// Bodies that pass at a greater distance are told apart: eight errors in double-double over the sine of the
-/// slenderest corner (note 03, but for places right beyond its tip), and the root of the error times the length of the
-/// edges (note 04).
+/// Bodies that pass at a greater distance are separated. The bound is the larger of two: eight errors in double-double
+/// over the sine of the slenderest corner (note 03, except for points just beyond its tip), and the root of the error
+/// times the length of the edges (note 04).
 double bound_of(const Scene& scene, const RationalMotion<Rational>& motion) {
     const auto maps = motion::rounded(motion::control_maps(rounded_to<DoubleDouble>(motion)));
     const auto scale = elementary::error_scale(maps, reach(scene.moving), reach(scene.fixed));
@@ -171,7 +172,7 @@ double bound_of(const Scene& scene, const RationalMotion<Rational>& motion) {
                     std::sqrt(error * scale.length));
 }
 
-/// How far the two triangles are from each other, up to rounding.
+/// The distance of the two triangles, up to rounding.
 double distance_at(const Scene& scene, const FirstContact& found) {
     Triangle a;
     Triangle b;
@@ -216,7 +217,7 @@ void compare(const Scene& scene, Tally& tally) {
             EXPECT_GE(found.tau.upper, whole(truth.first->lower) * (1 - 1e-15)) << "certain of an earlier contact";
         }
     } else if (found.verdict != Verdict::clear) {
-        EXPECT_FALSE(found.certain) << "certain of a contact that is none";
+        EXPECT_FALSE(found.certain) << "certain, but there is no contact";
         ++tally.doubtful_alarms;
         const double distance = distance_at(scene, found);
         tally.furthest_alarm = std::max(tally.furthest_alarm, distance);
@@ -224,7 +225,7 @@ void compare(const Scene& scene, Tally& tally) {
     }
 }
 
-/// Runs `count` scenes, makes sure that enough of them meet, and prints what was found.
+/// Runs `count` scenes, checks that enough of them touch, and prints the counts.
 void run(const char* what, std::uint64_t seed, int count, const Recipe& recipe) {
     Random random(seed);
     Tally tally;
@@ -232,7 +233,7 @@ void run(const char* what, std::uint64_t seed, int count, const Recipe& recipe) 
         SCOPED_TRACE(std::string(what) + ", case " + std::to_string(i));
         try {
             compare(random_scene(random, recipe), tally);
-        } catch (const InvalidInput&) { // a face whose corners rounding has put on one line
+        } catch (const InvalidInput&) { // rounding has put the corners of a face on one line
         }
     }
     std::cout << what << ": " << tally.scenes << " scenes, " << tally.contacts << " contacts, " << tally.at_start
@@ -241,7 +242,7 @@ void run(const char* what, std::uint64_t seed, int count, const Recipe& recipe) 
               << "; bounds up to " << tally.bound << std::endl;
     EXPECT_GT(tally.scenes, count * times_if_long(30) / 2);
     EXPECT_GT(tally.contacts, tally.scenes / 5);
-    EXPECT_EQ(tally.doubtful_alarms, 0) << "what floating point cannot tell is decided exactly";
+    EXPECT_EQ(tally.doubtful_alarms, 0) << "exact arithmetic decides every uncertain case";
     EXPECT_EQ(tally.certain, tally.contacts + tally.at_start);
 }
 
@@ -282,7 +283,7 @@ TEST(ExtremeInputs, TurnsFromNothingToPi) {
         run("sweep", 774, scenes / 3, {.angle = angle, .sweeps = true});
 }
 
-/// Without any resolution, unlike `exact_answer`: for bodies that move by -2 `way`.
+/// Whether bodies that move by -2 `way` ever touch. Unlike `exact_answer`, this test has no resolution limit.
 bool ever_touch(const Body& moving, const Body& fixed, const Eigen::Vector3d& way) {
     const auto surface = [](const Body& body) {
         return reference::Surface::from_convex_faces(body.vertices, body.faces);
@@ -295,8 +296,8 @@ bool ever_touch(const Body& moving, const Body& fixed, const Eigen::Vector3d& wa
     return reference::ExactScene(first, second, reference::screw_path(at(way), at(-way))).first_touch().has_value();
 }
 
-/// Triangles whose coordinates reach from 1e-170 to 1, about one point, through which one of them falls: products of
-/// four lengths lose their digits or vanish.
+/// Triangles around one point, with coordinates from 1e-170 to 1. One triangle falls through this point. Products of
+/// four lengths underflow or lose digits.
 TEST(ExtremeInputs, ProductsThatUnderflow) {
     Random random(775);
     const auto vanishing = [&] {

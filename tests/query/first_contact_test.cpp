@@ -1,4 +1,4 @@
-// The answers of a query, on bodies whose first contact can be told by hand.
+// The answers of a query on bodies whose first contact can be computed by hand.
 #include "chasles/query/first_contact.h"
 
 #include "chasles/base/invalid_input.h"
@@ -73,7 +73,7 @@ TEST(FirstContact, BoxLandsFlatWithItsFourCorners) {
 }
 
 TEST(FirstContact, FacesAreNamedAsInTheInput) {
-    // Before the table's faces stands one that collapses when equal corners are merged, and is dropped.
+    // The first face collapses when equal corners are merged, and is dropped. The table's faces follow.
     Body with_collapsed = box({5, 5, 0.5});
     with_collapsed.vertices.push_back(with_collapsed.vertices[0]);
     with_collapsed.faces.insert(with_collapsed.faces.begin(), {0, 8, 1});
@@ -93,7 +93,8 @@ TEST(FirstContact, FacesAreNamedAsInTheInput) {
 }
 
 TEST(FirstContact, CrossedEdgesMeet) {
-    // Two boxes standing on edge across each other: the lowest edge of one meets the highest of the other.
+    // Two boxes stand on an edge, across each other. The lowest edge of one box touches the highest edge of the other
+    // box.
     const double height = std::sqrt(0.5);
     const Pose fixed_pose = turned({0, 0, 0}, {1, 0, 0}, pi / 4);
     const Eigen::Quaterniond on_edge(Eigen::AngleAxisd(pi / 4, Eigen::Vector3d::UnitY()));
@@ -129,7 +130,7 @@ TEST(FirstContact, DoorSwingsAgainstPostAtTheAngleOfGeometry) {
                        .fixed = post,
                        .motion = ScrewMotion::relative(opened(0), opened(pi / 3), post_pose, post_pose, pi)});
     ASSERT_EQ(found.verdict, Verdict::contact);
-    // The door's face y = 0.001 meets the post's nearer corner (0.79, -0.01) in the post's frame.
+    // The door's face y = 0.001 touches the post's nearer corner, (0.79, -0.01) in the post's frame.
     const double corner_angle = at + std::atan2(-0.01, 0.79);
     const double face_angle = std::asin(0.001 / std::hypot(0.79, 0.01));
     expect_encloses(found.time, (corner_angle - face_angle) / (pi / 3), 1e-11);
@@ -245,7 +246,7 @@ TEST(FirstContact, HalfTurnsAreCutWhateverMaxTurn) {
 }
 
 TEST(FirstContact, SweepAnswersForItsOwnMotion) {
-    // The reference point runs straight and the body does not turn: screw and sweep agree; with a turn they differ.
+    // Without a turn, screw and sweep agree: the reference point moves along a line. With a turn they differ.
     const Pose start = shifted(0, 0, 3);
     const auto time_of = [&](const Motion& motion) {
         return first_contact({.moving = unit_box(), .fixed = table(), .motion = motion}).time.lower;

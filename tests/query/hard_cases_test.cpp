@@ -1,4 +1,4 @@
-// Cases that an adversary found: each was once answered wrongly.
+// Cases from adversarial testing. The library once gave a wrong answer to each.
 #include "tests/query/bodies.h"
 
 #include <cmath>
@@ -21,8 +21,8 @@ Polyhedron needle(const Eigen::Vector3d& tip, const Eigen::Vector3d& up) {
     return Polyhedron::from_polygons(corners, faces);
 }
 
-/// A pentagon with one corner 4e-6 off its plane, turned by 44 degrees: convex in every view along a coordinate axis,
-/// and not along its own normal.
+/// A pentagon with one corner 4e-6 off its plane, turned by 44 degrees. Its projections along the coordinate axes are
+/// convex, but its projection along its own normal is not.
 TEST(HardCases, NeedleHitsAPentagonThatIsConvexOnlyInACoordinateView) {
     const double c = std::cos(44 * pi / 180);
     const double s = std::sin(44 * pi / 180);
@@ -55,7 +55,7 @@ TEST(HardCases, PolygonWithAStraightCornerIsCovered) {
         }
 }
 
-/// Just above the longest turn that is left whole, the screw must still be defined.
+/// The screw must be defined also just above the largest turn of one piece.
 TEST(HardCases, TurnsAroundTheLongestPieceFindTheSameContact) {
     const Polyhedron bar = box({1, 0.05, 0.05}).polyhedron();
     const Polyhedron post = box({0.02, 0.02, 1}).polyhedron();
@@ -91,7 +91,7 @@ TEST(HardCases, BoxLiftedOffATableHasItsNormalFromTheTable) {
     }
 }
 
-/// An end of the needle is within the bound of the sliver's plane, but beside the sliver.
+/// An end of the needle is within the error bound of the sliver's plane, but outside the sliver.
 TEST(HardCases, NeedleThroughASliverOverlapsAtTheStart) {
     const Polyhedron sliver = triangle({0, 0, 0}, {1, 0, 0}, {0.5, 1e-9, 0}).polyhedron();
     const Polyhedron spike =
@@ -103,7 +103,7 @@ TEST(HardCases, NeedleThroughASliverOverlapsAtTheStart) {
     }
 }
 
-/// A corner goes straight into a face at half time, which is where two pieces of the screw join, or not.
+/// A corner moves straight into a face at half time. Depending on the case, two pieces of the screw join at this time.
 TEST(HardCases, ContactBetweenTwoPiecesOfAScrewIsCertain) {
     const Polyhedron block = box({1, 1, 1}).polyhedron();
     for (const double degrees : {3.0, 9.0, 11.0, 19.0, 21.0, 31.0, 41.0}) {
@@ -138,7 +138,8 @@ TEST(HardCases, CornerThatHitsExactlyAnEdgeIsCertain) {
 }
 
 TEST(HardCases, LargeTurnsInOnePieceKeepTimeInsideItsBracket) {
-    // A point on a long arm at a known angle: the bracket of time must hold angle / turn for turns up to the longest.
+    // A point on a long arm at a known angle. For all turns up to the largest, the bracket of time must contain
+    // angle / turn.
     const Polyhedron arm = needle({1, 0, 0}, {-0.5, 0, 0});
     for (const double turn : {2.0, 2.8, 3.0, 3.1, 3.13}) {
         const double at = 0.9 * turn;
@@ -157,7 +158,7 @@ TEST(HardCases, LargeTurnsInOnePieceKeepTimeInsideItsBracket) {
     }
 }
 
-/// A plate rolls over the tip of a spike: 1e-13 above it at the start, and into it at 5e-6 of the way.
+/// A plate rolls over the tip of a spike: it is 1e-13 above the tip at the start, and touches it at time 5e-6.
 TEST(HardCases, PlateRollsIntoATipJustAfterTheStart) {
     const double off = 0x1.a57ae9583cbeap-21;
     const Vertices corners{{-3, 3, 1}, {3, 3, 1}, {3, -3, 1}, {-3, -3, 1}, {0, 0, 0.7}};

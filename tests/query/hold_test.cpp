@@ -1,5 +1,5 @@
-// Bodies that start in touch: they slide, roll and lift off, come no nearer than `hold`, and meet what is new at the
-// margin.
+// Bodies that start within the margin slide, roll and lift off. They come no closer than `hold`, and new contacts are
+// reported at the margin.
 #include "chasles/base/invalid_input.h"
 #include "tests/query/bodies.h"
 
@@ -17,7 +17,7 @@ const Polyhedron& cube() {
     return body;
 }
 
-/// A table whose top, at z = 1/2, is cut in two triangles and has a wall at x = 2.5.
+/// A table with its top at z = 1/2, cut into two triangles, and a wall at x = 2.5.
 const Polyhedron& table_with_wall() {
     static const Polyhedron body = [] {
         Body result = box({5, 5, 0.5});
@@ -67,7 +67,7 @@ TEST(Hold, ABoxSlidesOverTheRimOfATable) {
 }
 
 TEST(Hold, ABoxSlidesOffABoxOfItsSize) {
-    // Corners run along rims and leave the margin of edges where these end.
+    // Corners move along rims and leave the margin of edges at the ends of the edges.
     const auto found = first_contact({.moving = cube(),
                                       .fixed = cube(),
                                       .motion = ScrewMotion::between(shifted(0, 0, 1.05), shifted(3, 0, 1.05)),
@@ -93,7 +93,7 @@ TEST(Hold, WhatIsNewIsReportedAtTheMargin) {
     const auto found = ask(shifted(0, 0, 1.05), shifted(4, 0, 1.05));
     ASSERT_EQ(found.verdict, Verdict::contact);
     EXPECT_NEAR(found.time.lower, (2 - margin) / 4, 1e-11);
-    EXPECT_NEAR(found.clear_until, (2 - hold) / 4, 1e-11) << "one may go on until the wall is as near as `hold`";
+    EXPECT_NEAR(found.clear_until, (2 - hold) / 4, 1e-11) << "safe until the wall is at the hold distance";
     for (const Contact& contact : found.contacts)
         EXPECT_LT((contact.normal + Eigen::Vector3d::UnitX()).norm(), 1e-9);
 }
@@ -103,7 +103,7 @@ TEST(Hold, ANewContactIsHeldFromItsTimeOn) {
     const auto found = ask(shifted(0, 0, 1.05), shifted(4, 0, 1.05));
     const Pose there = motion.pose_at(found.time.upper);
     const auto next = ask(there, shifted(there.translation.x() + 0.05, 1, 1.05));
-    EXPECT_EQ(next.verdict, Verdict::clear) << "along the wall, and nearer to it";
+    EXPECT_EQ(next.verdict, Verdict::clear) << "along the wall and closer to it";
     EXPECT_EQ(next.held.size(), 8u) << "four corners at the table, four at the wall";
 }
 
@@ -130,7 +130,7 @@ TEST(Hold, ZeroLetsThemTouchExactly) {
 }
 
 TEST(Hold, APrismRollsFromEdgeToEdge) {
-    // A decagon of radius 1/2 rolls by one side a step, half within the margin all the time.
+    // A decagon of radius 1/2 rolls by one side per step, always half within the margin.
     constexpr int sides = 10;
     const double angle = 2 * std::numbers::pi / sides;
     Body prism;
@@ -148,7 +148,7 @@ TEST(Hold, APrismRollsFromEdgeToEdge) {
     const double height = 0.5 + 0.5 * std::cos(angle / 2) + 0.05;
     const double side = std::sin(angle / 2); // of radius 1/2
     for (int step = 0; step < 5; ++step) {
-        // About the lower edge in front, along y: one side goes down as the other one comes up.
+        // The turn is about the lower front edge, along y: one side moves down while the other side moves up.
         const double place = -3 + side * step;
         const auto found = ask(turned({place, 0, height}, {0, 1, 0}, angle * step),
                                turned({place + side, 0, height}, {0, 1, 0}, angle * (step + 1)), roller);
@@ -168,7 +168,7 @@ TEST(Hold, AnyContactStillTellsHowFarOneMayGo) {
 }
 
 TEST(Hold, ANewContactAtTheVeryEndIsReported) {
-    // The wall comes to the margin with the goal, to the last bit.
+    // The wall reaches the margin exactly at the goal.
     const auto found = first_contact({.moving = cube(),
                                       .fixed = table_with_wall(),
                                       .motion = ScrewMotion::between(shifted(0, 0, 1.0625), shifted(1.875, 0, 1.0625)),
@@ -183,7 +183,7 @@ TEST(Hold, IsRefusedOutOfRange) {
 }
 
 TEST(Hold, AScrewThatIsCutHoldsThroughItsPieces) {
-    // Three quarters of a turn about the upright, in pieces of ten degrees.
+    // A turn by 2.5 rad about the vertical axis, in pieces of ten degrees.
     const auto found = ask(shifted(0, 0, 1.05), turned({0, 0, 1.05}, {0, 0, 1}, 2.5));
     EXPECT_EQ(found.verdict, Verdict::clear);
     EXPECT_EQ(found.held.size(), 4u);

@@ -29,7 +29,7 @@ TEST(MarginQueries, EveryFamilyAgreesWithExactArithmetic) {
         EXPECT_FALSE(tally.is_broken()) << family.name;
         EXPECT_EQ(tally.loose, 0u) << family.name << ": alarms too early by more than the resolution";
         EXPECT_GT(tally.queries, count / 2) << family.name;
-        EXPECT_GT((tally.touches - tally.at_start) * 20, tally.queries) << family.name << ": hardly any contact";
+        EXPECT_GT((tally.touches - tally.at_start) * 20, tally.queries) << family.name << ": too few contacts";
         EXPECT_LT(tally.uncertain * 2, tally.queries) << family.name;
     }
 }
@@ -58,7 +58,7 @@ std::string judged(const AttackCase& once, Tally& tally) {
     return wrong.empty() ? "" : std::string(once.family) + ", index " + std::to_string(once.index) + ": " + wrong;
 }
 
-/// Described was what is in doubt about a pair that is proven, or another pair that is proven for a little later.
+/// A former error: the answer described the uncertain part of a proven pair, or a pair that is proven only later.
 TEST(MarginQueries, WhatIsProvenIsDescribed) {
     Tally tally;
     for (const AttackCase once : {AttackCase{"at the margin", 1301},
@@ -71,7 +71,8 @@ TEST(MarginQueries, WhatIsProvenIsDescribed) {
     EXPECT_EQ(tally.uncertain, 0u);
 }
 
-/// Double-double was in doubt in long parts and found nothing in short ones, in turns, until looks were used up.
+/// A former error: double-double was alternately uncertain on long parts and found nothing on short parts, until the
+/// limit of steps.
 TEST(MarginQueries, EdgesThatTurnParallelAreToldApart) {
     Tally tally;
     for (const AttackCase once : {AttackCase{"degenerate", 3881},
@@ -89,7 +90,7 @@ TEST(MarginQueries, EdgesThatTurnParallelAreToldApart) {
     EXPECT_EQ(tally.uncertain, 0u);
 }
 
-/// Contacts at tau of 5e-17 and 6e-19, where two flat faces begin to turn.
+/// Contacts at tau 5e-17 and 6e-19, when two flat faces start to turn.
 TEST(MarginQueries, FirstInstantsAreJudgedExactly) {
     Tally tally;
     for (const AttackCase once : {AttackCase{"rolling", 2921}, {"rolling", 4477}})

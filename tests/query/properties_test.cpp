@@ -1,5 +1,5 @@
-// What must not change an answer: whose body is called moving, the direction of time, where the world is, the unit, the
-// order of faces, and how polygons are cut.
+// Changes that must not change an answer: which body is called moving, the direction of time, the position of the
+// world, the unit, the order of faces, and the triangulation of polygons.
 #include "tests/query/bodies.h"
 
 #include <algorithm>
@@ -36,7 +36,7 @@ bool overlap(const Bracket& a, const Bracket& b) {
     return a.lower <= b.upper && b.lower <= a.upper;
 }
 
-/// Runs a comparison on random cases, and makes sure that enough of them touch and enough do not.
+/// Runs a comparison on random cases. Fails if too few of them touch or too few are clear.
 template <class Compare>
 void on_random_cases(unsigned seed, Compare compare) {
     std::mt19937 random(seed);
@@ -67,7 +67,7 @@ TEST(Properties, SwappingTheBodiesSwapsTheContact) {
     });
 }
 
-/// The sweep visits the same poses in both directions; the paper's screw does not, as its slide is not symmetric.
+/// A sweep has the same poses in both directions. The paper's screw has not, because its slide is not symmetric.
 TEST(Properties, ASweepThatIsClearForwardsIsClearBackwards) {
     on_random_cases(2, [](const Case& one, const FirstContact&, std::mt19937&) {
         const Polyhedron a = one.a.polyhedron();
@@ -115,7 +115,7 @@ TEST(Properties, AnotherUnitByAPowerOfTwoChangesNoBit) {
     }
 }
 
-/// The same surface with its vertices and faces in another order and each face begun at another corner.
+/// The same surface with vertices and faces in another order, and another first corner of each face.
 Body shuffled(const Body& body, std::mt19937& random) {
     std::vector<std::uint32_t> order(body.vertices.size());
     std::iota(order.begin(), order.end(), 0u);

@@ -1,5 +1,5 @@
-// One body for many threads: whatever they ask at the same time, each gets the answers of one thread alone. Threads of
-// the standard library, which the thread sanitizer knows, run what oneTBB runs in a batch.
+// Many threads share one body: for any simultaneous queries, each thread gets the answers of a single thread. The test
+// uses threads of the standard library, which the thread sanitizer supports, instead of oneTBB.
 #include "chasles/query/path.h"
 #include "tests/query/bodies.h"
 
@@ -12,7 +12,7 @@ namespace {
 
 constexpr int thread_count = 8;
 
-/// Every kind of query that reads bodies, for one thread; `first` makes each thread begin elsewhere.
+/// Runs all kinds of queries in one thread. `first` selects the first query, which differs between threads.
 std::vector<FirstContact> ask_all(const Polyhedron& moving, const Polyhedron& fixed, std::span<const Pose> poses,
                                   std::size_t first) {
     std::vector<FirstContact> answers(3 * (poses.size() - 1) + 1);

@@ -1,4 +1,4 @@
-// Bodies that rest on each other: thousands of small steps with `hold`, none of which gets stuck or comes too near.
+// Bodies that rest on each other: in thousands of small steps with `hold` no body gets stuck or comes too close.
 #include "scenes/nut_motions.h"
 #include "scenes/threaded_fastener.h"
 #include "tests/query/bodies.h"
@@ -20,7 +20,7 @@ double uniform(Random& random, double size) {
     return random.uniform(-size, size);
 }
 
-/// A table of many triangles, so that corners slide over edges and diagonals; its top is z = 0.
+/// A table with its top at z = 0, in many triangles: corners slide over edges and diagonals.
 Body triangulated_table() {
     Body table = box({3, 3, 0.5});
     table.faces.pop_back(); // the top: 4 5 7 6
@@ -46,7 +46,7 @@ SlidingBody on_table(const Polyhedron& moving, const Polyhedron& table, double h
     return body;
 }
 
-/// The same height, somewhere near, turned about z.
+/// A nearby pose at the same height, turned about z.
 Pose beside(const Pose& at, Random& random) {
     Eigen::Vector3d p = at.translation + Eigen::Vector3d(uniform(random, 0.1), uniform(random, 0.1), 0);
     p = p.cwiseMax(Eigen::Vector3d(-2, -2, p.z())).cwiseMin(Eigen::Vector3d(2, 2, p.z()));
@@ -67,7 +67,7 @@ TEST(SlidingBodies, ABoxSlidesOnATableForTenThousandSteps) {
     int pushed = 0;
     for (int i = 0; i < count && !testing::Test::HasFailure(); ++i) {
         SCOPED_TRACE("seed 41, step " + std::to_string(i));
-        if (i % 50 == 20) { // down: to the hold, and not on
+        if (i % 50 == 20) { // down to the hold distance, and no farther
             const double gap = body.distance(body.at);
             const FirstContact found = body.step(lifted(body.at, -0.02));
             ASSERT_EQ(found.verdict, Verdict::contact);
@@ -85,7 +85,7 @@ TEST(SlidingBodies, ABoxSlidesOnATableForTenThousandSteps) {
               << body.tally.lowest << " of the hold\n";
 }
 
-/// Pushed on and on from where it stopped it stays where it is.
+/// Repeated pushes from the final pose do not move the body.
 TEST(SlidingBodies, APushIntoTheTableIsReportedAtOnceAndDoesNotCreep) {
     const Polyhedron moving = box({0.3, 0.2, 0.1}).polyhedron();
     const Polyhedron table = triangulated_table().polyhedron();
@@ -102,7 +102,7 @@ TEST(SlidingBodies, APushIntoTheTableIsReportedAtOnceAndDoesNotCreep) {
     EXPECT_EQ(body.step(lifted(body.at, 0.02)).verdict, Verdict::clear) << "and it can be lifted off";
 }
 
-/// A prism rolls by turns about its lowest edge; the next edge lands within the margin of the same table.
+/// A prism rolls by turns about its lowest edge. The next edge lands within the margin of the same table.
 TEST(SlidingBodies, APrismRollsOverItsEdges) {
     Random random(42);
     for (const std::uint32_t sides : {3u, 5u, 6u, 12u}) {
@@ -133,7 +133,7 @@ TEST(SlidingBodies, APrismRollsOverItsEdges) {
             SCOPED_TRACE("step " + std::to_string(i));
             const Eigen::Isometry3d pose = body.at.isometry();
             Eigen::Vector3d lowest(0, 0, 9);
-            for (const Eigen::Vector3d& v : moving.vertices()) // of the edges that are about level, the foremost
+            for (const Eigen::Vector3d& v : moving.vertices()) // the foremost of the edges at nearly the lowest height
                 if (const Eigen::Vector3d w = pose * v;
                     w.z() < lowest.z() - 0.002 || (w.z() < lowest.z() + 0.002 && direction * (w.x() - lowest.x()) > 0))
                     lowest = w;
@@ -145,7 +145,7 @@ TEST(SlidingBodies, APrismRollsOverItsEdges) {
             if (std::abs(body.at.translation.x()) > 2)
                 direction = body.at.translation.x() > 0 ? -1 : 1;
             const double gap = body.distance(body.at);
-            if (found.verdict != Verdict::clear || gap > 0.007) { // what it turns about next stays within the margin
+            if (found.verdict != Verdict::clear || gap > 0.007) { // the edge of the next turn stays within the margin
                 EXPECT_EQ(body.step(lifted(body.at, 0.007 - gap)).verdict, Verdict::clear);
             }
         }
@@ -157,7 +157,7 @@ TEST(SlidingBodies, APrismRollsOverItsEdges) {
     }
 }
 
-/// What is new is told from what is held: a box that slides on the table comes to a wall.
+/// New contacts are distinguished from held contacts: a box that slides on the table reaches a wall.
 TEST(SlidingBodies, AWallIsMetAtTheMarginWhileTheTableIsHeld) {
     const Polyhedron moving = box({0.3, 0.2, 0.1}).polyhedron();
     Body scene = triangulated_table();
@@ -182,11 +182,11 @@ TEST(SlidingBodies, AWallIsMetAtTheMarginWhileTheTableIsHeld) {
     EXPECT_NEAR(found.time.lower, (1.9 - margin - 0.3) / 2.5, 1e-9);
     ASSERT_FALSE(found.contacts.empty());
     EXPECT_LE((found.contacts[0].normal + Eigen::Vector3d::UnitX()).norm(), 1e-6);
-    EXPECT_NEAR(found.clear_until, (1.9 - hold - 0.3) / 2.5, 1e-9) << "behind it, up to the hold";
+    EXPECT_NEAR(found.clear_until, (1.9 - hold - 0.3) / 2.5, 1e-9) << "after the contact, until the hold distance";
     EXPECT_EQ(body.step(lifted(body.at, 0.004)).verdict, Verdict::clear) << "along the wall";
 }
 
-/// The nut's play is less than the margin all around: the thread is held everywhere, and it turns all the same.
+/// The nut's clearance is less than the margin: contacts are held everywhere on the thread, and the nut still turns.
 TEST(SlidingBodies, ANutTurnsOnItsBoltWithinTheMargin) {
     const scenes::ThreadedFastener fastener{.bolt_length = 16, .nut_height = 4};
     const Polyhedron nut = scenes::nut(fastener);

@@ -1,4 +1,4 @@
-// Placed bodies, their near pairs of faces, and the way along the axis by projection: no collision code in it.
+// Placed bodies, their close pairs of faces, and the axial distance by projection, without any collision code.
 #pragma once
 
 #include "chasles/motion/pose.h"
@@ -30,7 +30,8 @@ inline Extent extent(const Corners& corner) {
     return {corner[0].cwiseMin(corner[1]).cwiseMin(corner[2]), corner[0].cwiseMax(corner[1]).cwiseMax(corner[2])};
 }
 
-/// Calls visit(moving, fixed) for the pairs whose boxes overlap, with `fixed` widened along the axis by `reach`.
+/// Calls visit(moving, fixed) for the pairs whose boxes overlap, with the boxes of `fixed` widened along the axis by
+/// `reach`.
 template <class Visit>
 void for_near_pairs(const std::vector<Corners>& moving, const std::vector<Corners>& fixed, double reach,
                     Visit&& visit) {
@@ -48,7 +49,7 @@ void for_near_pairs(const std::vector<Corners>& moving, const std::vector<Corner
     }
 }
 
-/// The part of a plane polygon to the left of the line from `a` to `b`, both projected along z.
+/// The part of a planar polygon to the left of the line from `a` to `b`, projected along z.
 inline std::vector<Eigen::Vector3d> left_part(const std::vector<Eigen::Vector3d>& outline, const Eigen::Vector3d& a,
                                               const Eigen::Vector3d& b) {
     const auto left = [&](const Eigen::Vector3d& p) {
@@ -70,7 +71,8 @@ inline Eigen::Vector3d normal_of(const Corners& corner) {
     return (corner[1] - corner[0]).cross(corner[2] - corner[0]);
 }
 
-/// How far `lower`, which faces up, can rise until it meets `upper`, which faces down; nothing if they pass by.
+/// The distance that `lower` (facing up) can rise until it touches `upper` (facing down). Empty if they pass each
+/// other.
 inline std::optional<double> rise(const Corners& lower, const Corners& upper) {
     const Eigen::Vector3d normal = normal_of(upper);
     std::vector<Eigen::Vector3d> common(lower.begin(), lower.end());
@@ -85,8 +87,8 @@ inline std::optional<double> rise(const Corners& lower, const Corners& upper) {
     return least && *least > -1e-9 ? least : std::nullopt;
 }
 
-/// The way that a pull along +z has until the first contact: both surfaces are functions of (x, y), facet by facet, and
-/// the gap between two facets is linear over their common projection.
+/// The distance of a pull along +z until the first contact. Each facet is a linear function of (x, y), so the gap
+/// between two facets is linear over their common projection.
 inline double way_to_contact(const std::vector<Corners>& moving, const std::vector<Corners>& fixed) {
     double least = std::numeric_limits<double>::infinity();
     for_near_pairs(moving, fixed, 1, [&](const Corners& lower, const Corners& upper) {

@@ -1,4 +1,4 @@
-// The three facts of the demo, by the queries, held against what the geometry of the thread says without them.
+// The three results of the demo's queries, compared with the geometry of the thread.
 #include "scenes/demo.h"
 
 #include "chasles/query/path.h"
@@ -41,11 +41,12 @@ TEST(Demo, TheRightScrewIsProvenClear) {
         const std::vector<Pose> poses = nut_path({.height = height, .turns = turns, .slide_per_turn = small.pitch});
         const FirstContact found = first_contact_on_path({.moving = ring, .fixed = screw, .poses = poses}).contact;
         EXPECT_EQ(found.verdict, Verdict::clear) << turns;
-        EXPECT_GT(found.work.elementary_tests, 1000U) << "clear because it was looked at, not because it is far away";
+        EXPECT_GT(found.work.elementary_tests, 1000U)
+            << "clear by tests of close features, not because the bodies are far apart";
     }
 }
 
-// Derivation 09: in phase the nut can rise by exactly the axial clearance.
+// Derivation 09: in phase the nut can move up by exactly the axial clearance.
 TEST(Demo, APullInPhaseEndsAtTheAxialClearance) {
     for (const double way : {1.0, -1.0, 6.0}) {
         const FirstContact found = pulled(nut(small), bolt(small), 0, way);

@@ -1,4 +1,4 @@
-// Do two surfaces cross? Decided by exact signs, by nothing of the library: the oracle that can refute "clear".
+// Whether two surfaces cross, by exact signs and without the library: an oracle that can refute "clear".
 #pragma once
 
 #include "tests/scenes/mesh_measures.h"
@@ -27,8 +27,8 @@ inline int orientation(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const
                          m[0][2] * (m[1][0] * m[2][1] - m[1][1] * m[2][0])));
 }
 
-/// Does the segment p q meet the triangle? A segment within the triangle's plane counts as no: its ends or the other
-/// triangle's edges are met by other pairs.
+/// Whether the segment p q intersects the triangle. A segment in the triangle's plane counts as no: other pairs then
+/// detect its ends or the edges of the other triangle.
 inline bool crosses(const Eigen::Vector3d& p, const Eigen::Vector3d& q, const Corners& corner) {
     const int side_of_p = orientation(corner[0], corner[1], corner[2], p);
     const int side_of_q = orientation(corner[0], corner[1], corner[2], q);

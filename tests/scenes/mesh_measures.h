@@ -1,4 +1,4 @@
-// What a closed, outward oriented triangle mesh can be measured by.
+// Measures of closed triangle meshes with outward orientation.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -17,7 +17,7 @@ inline Corners corners_of(const Polyhedron& body, std::size_t face) {
     return {body.vertices()[outline[0]], body.vertices()[outline[1]], body.vertices()[outline[2]]};
 }
 
-/// Positive if the faces are counter-clockwise seen from outside.
+/// The volume; positive if the faces are counter-clockwise when viewed from outside.
 inline double volume(const Polyhedron& body) {
     double six_fold = 0;
     for (std::size_t face = 0; face < body.face_count(); ++face) {
@@ -27,7 +27,7 @@ inline double volume(const Polyhedron& body) {
     return six_fold / 6;
 }
 
-/// Directed edges that do not occur exactly once together with their reverse.
+/// The number of directed edges that do not occur exactly once, together with their reverse.
 inline int unpaired_edges(const Polyhedron& body) {
     std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
     for (std::size_t face = 0; face < body.face_count(); ++face) {

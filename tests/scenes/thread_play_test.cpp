@@ -1,4 +1,5 @@
-// The play of the nut on its thread, found without any collision code: by projection of facets and by sampled poses.
+// The clearance of the nut on its thread, computed without collision code: by projection of facets and by sampled
+// poses.
 #include "chasles/motion/motion.h"
 #include "scenes/nut_motions.h"
 #include "scenes/threaded_fastener.h"
@@ -35,7 +36,7 @@ TEST(ThreadPlay, InPhaseTheWayAlongTheAxisIsTheAxialClearanceWhateverTheFacets) 
     }
 }
 
-// And the bound is nearly reached in between, so that it is no wider than it has to be.
+// The bound is nearly reached in between, so it is nearly tight.
 TEST(ThreadPlay, OutOfPhaseTheFacetsTakeAtMostTheirBound) {
     const auto fixed = placed(bolt(coarse), {});
     const Polyhedron ring = nut(coarse);
@@ -61,7 +62,7 @@ TEST(ThreadPlay, SampledPosesOfTheUnscrewingDoNotCross) {
     }
 }
 
-// The sampling can fail: it does as soon as the nut leaves its play.
+// The sampling detects a crossing as soon as the nut exceeds its clearance.
 TEST(ThreadPlay, PosesOutsideOfThePlayCross) {
     const auto fixed = placed(bolt(coarse), {});
     const Polyhedron ring = nut(coarse);

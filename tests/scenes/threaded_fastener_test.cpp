@@ -1,4 +1,5 @@
-// The meshes: closed, of the right size, on the helicoid, alike under a screw of one facet, and within their bounds.
+// The meshes are closed, have the right size, lie on the helicoid, are invariant under a screw by one facet, and keep
+// their bounds.
 #include "scenes/threaded_fastener.h"
 
 #include "chasles/base/invalid_input.h"
@@ -27,7 +28,7 @@ double hexagon_area(double width_across_flats) {
     return std::numbers::sqrt3 / 2 * std::pow(width_across_flats, 2);
 }
 
-// How far a point stands along the thread's profile, from the middle of a crest.
+// The axial position of a point on the thread's profile, from the middle of a crest.
 double axial_place(const MetricThread& thread, const Eigen::Vector3d& point) {
     return point.z() - thread.lead(std::atan2(point.y(), point.x()));
 }
@@ -36,7 +37,7 @@ double radius(const Eigen::Vector3d& point) {
     return point.head<2>().norm();
 }
 
-// Faces of the thread itself: those that have no corner on an end plane or on the hexagon.
+// The faces of the thread: faces without a corner on an end plane or on the hexagon.
 std::vector<std::size_t> thread_faces(const Polyhedron& body, const ThreadedFastener& size, double height) {
     std::vector<std::size_t> faces;
     for (std::size_t face = 0; face < body.face_count(); ++face) {
@@ -90,8 +91,8 @@ TEST(ThreadedFastener, TheBoltIsABallAndTheNutARing) {
     EXPECT_EQ(euler_characteristic(nut({})), 0);
 }
 
-// A facet cut by a surface without diagonals would have sin(2 pi/n) / (2 pi/n) of the exact section; the diagonals
-// take material from both bodies, from every flank less than where they cross (derivation 09).
+// Without diagonals the section of a faceted thread would be sin(2 pi/n) / (2 pi/n) of the exact section. The diagonals
+// remove material from both bodies, at every flank less than where they cross (derivation 09).
 TEST(ThreadedFastener, VolumesAreThoseOfTheProfile) {
     const auto lost = [](const MetricThread& thread, double height, int segments) {
         const double outer = thread.crest_radius();
@@ -127,7 +128,7 @@ TEST(ThreadedFastener, CornersLieOnTheHelicoid) {
     }
 }
 
-// The mesh that a screw of one facet makes is the same mesh, diagonals included.
+// A screw by one facet maps the mesh onto itself, including the diagonals.
 TEST(ThreadedFastener, IsUnchangedByAScrewOfOneFacet) {
     const ThreadedFastener size{.bolt_length = 12, .nut_height = 9, .segments = 24};
     const auto key = [](const Eigen::Vector3d& point) {
@@ -160,7 +161,7 @@ TEST(ThreadedFastener, IsUnchangedByAScrewOfOneFacet) {
     }
 }
 
-// Derivation 09: the bolt is nowhere larger than its profile but for a(n), the nut by the chord as well.
+// Derivation 09: the bolt exceeds its profile by at most a(n), the nut by at most a(n) and the chord error.
 TEST(ThreadedFastener, FacetsKeepWithinTheirBoundsAndNearlyReachThem) {
     for (const ThreadedFastener& size : sizes()) {
         const double slack = size.bolt_thread().lead(angle_error(size.segments)) + 1e-12;

@@ -13,7 +13,7 @@
 namespace chasles::scenes {
 namespace {
 
-// A tube of square section about the axis from z = -3 to z = 3, open at both ends, seen from outside.
+// A tube of square section about the axis from z = -3 to z = 3, open at both ends, with outward orientation.
 TriangleMesh tube() {
     TriangleMesh mesh;
     for (const double z : {-3.0, 3.0}) {

@@ -1,4 +1,4 @@
-// The last stage of a query: touches and misses that no floating-point bound can tell apart.
+// The last stage of a query: touches and misses that no floating-point bound can separate.
 #include "chasles/search/exact_stage.h"
 
 #include "tests/query/bodies.h"
@@ -39,7 +39,7 @@ TEST(ExactStage, ASlideInThePlaneOfAFaceIsAContact) {
 TEST(ExactStage, ASlideAboveThePlaneIsClearHoweverLow) {
     const FirstContact found = slide(tiny);
     EXPECT_EQ(found.verdict, Verdict::clear);
-    EXPECT_GT(found.work.exact, 0u) << "nothing else can tell";
+    EXPECT_GT(found.work.exact, 0u) << "only the exact stage can decide";
 }
 
 TEST(ExactStage, ASlideBelowThePlaneIsAContactHoweverShallow) {
@@ -50,7 +50,7 @@ TEST(ExactStage, ASlideBelowThePlaneIsAContactHoweverShallow) {
     }
 }
 
-/// The tip goes round a circle that touches a wall: exactly, or not by less than any bound.
+/// The tip moves on a circle that touches a wall exactly, or misses it by less than any bound.
 TEST(ExactStage, ATangentTouchIsToldFromATangentMiss) {
     const Polyhedron arm =
         Polyhedron::from_polygons(Vertices{{-1, 0, 0}, {-0.5, 0, 0.01}, {-0.5, 0, -0.01}}, Faces{{0, 1, 2}});
@@ -74,7 +74,7 @@ TEST(ExactStage, ATangentTouchIsToldFromATangentMiss) {
     EXPECT_EQ(answer(std::nextafter(-1.0, 0.0)).verdict, Verdict::contact);
 }
 
-/// The turn between these quaternions has the length sqrt(2), and half way it is by 45 degrees.
+/// The turn between these quaternions has the length sqrt(2), and is 45 degrees at half time.
 TEST(ExactStage, ASweepIsDecidedWithTheRootOfItsQuaternion) {
     const auto answer = [&](double height) { // along an edge of the wall, z = 0, when it passes y = 0
         const Polyhedron arm =
@@ -123,7 +123,7 @@ TEST(ExactStage, TouchingAtTheVeryStartIsToldFromStartingNextToIt) {
 
 TEST(ExactStage, TwoMovingBodiesAreSeenFromOneAnotherWithoutRounding) {
     const Eigen::Quaterniond odd(0.3, 0.1, -0.7, 0.2); // of no rational length
-    const auto answer = [&](double height) {           // both run along together; one slides over the other
+    const auto answer = [&](double height) {           // both edges are parallel, and one slides over the other
         const Polyhedron moving = spike();
         const Polyhedron fixed = wall_at(0);
         const Pose frame({0, 0, 0}, odd);
@@ -154,7 +154,7 @@ TEST(ExactStage, TouchingRightAfterTheStartIsNoContactAtTheStart) {
     }
 }
 
-/// The time of the touch is no double, and 0 is the next one before it.
+/// The time of the touch lies between 0 and the next double.
 TEST(ExactStage, ATouchBeforeTheLeastDoubleIsNoContactAtTheStart) {
     const auto answer = [](double height) {
         const Polyhedron moving = spike();
@@ -174,9 +174,9 @@ TEST(ExactStage, ATouchBeforeTheLeastDoubleIsNoContactAtTheStart) {
     EXPECT_EQ(now.time.upper, 0);
 }
 
-/// A face whose corners are not quite in one plane is known only up to how far they are off.
+/// A face with corners slightly off one plane is known only up to this deviation.
 TEST(ExactStage, AWarpedFaceLeavesDoubt) {
-    const auto answer = [](double warp) { // down to the middle of the face, and no further
+    const auto answer = [](double warp) { // down to the middle of the face, and no farther
         const Polyhedron moving = spike();
         const Polyhedron fixed =
             Polyhedron::from_polygons(Vertices{{-2, -2, warp}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}}, Faces{{0, 1, 2, 3}});
@@ -189,7 +189,7 @@ TEST(ExactStage, AWarpedFaceLeavesDoubt) {
     EXPECT_FALSE(answer(0x1p-44).certain);
 }
 
-/// The tip is below the face by less than any bound, so that neither it nor an end of an edge is proven to be.
+/// The tip is below the face by less than any bound. No bound can prove that the tip or an end of an edge is below.
 TEST(ExactStage, AnOverlapByNextToNothingAtTheStartIsFound) {
     const auto answer = [](double height, const Eigen::Vector3d& way) {
         const Polyhedron moving = spike();

@@ -1,5 +1,5 @@
 // Real roots of rational polynomials in [0, 1] by Sturm's theorem, and exact signs of other polynomials at them.
-// Source: any textbook of computer algebra; shares nothing with chasles/algebra.
+// Source: textbooks of computer algebra. This header shares no code with chasles/algebra.
 #pragma once
 
 #include "tests/support/power_polynomial.h"
@@ -66,7 +66,7 @@ public:
         chain_.pop_back();
     }
 
-    /// In ]from, to].
+    /// The number of roots in ]from, to].
     [[nodiscard]] int roots(const Rational& from, const Rational& to) const { return changes(from) - changes(to); }
 
 private:
@@ -84,7 +84,7 @@ private:
     std::vector<PowerPolynomial> chain_;
 };
 
-/// The one root of a square-free polynomial in ]lower, upper], or `upper` itself where the two are equal.
+/// The only root of a square-free polynomial in ]lower, upper], or `upper` if lower and upper are equal.
 struct AlgebraicRoot {
     PowerPolynomial polynomial;
     Rational lower;
@@ -107,7 +107,7 @@ struct AlgebraicRoot {
     }
 
 private:
-    /// The root is simple, and another one may lie at `lower`.
+    /// The sign just above `lower`. The root is simple, and `lower` may be another root.
     [[nodiscard]] int sign_above_lower() const {
         const int at_lower = value(polynomial, lower).sign();
         return at_lower != 0 ? at_lower : value(derivative(polynomial), lower).sign();

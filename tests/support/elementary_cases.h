@@ -1,4 +1,4 @@
-// Elementary detections on cases given in exact rationals, asked in double, double-double and rationals alike.
+// Elementary detections on cases in exact rationals, computed in double, double-double and rationals.
 #pragma once
 
 #include "chasles/elementary/edge_edge.h"
@@ -16,7 +16,7 @@ inline Point point(const Rational& x, const Rational& y, const Rational& z) {
     return {x, y, z};
 }
 
-/// The control maps as the library makes them: in double-double, and rounded from there to double.
+/// The control maps of the library: computed in double-double, and rounded to double.
 template <class S>
 motion::ControlMaps<S> maps_in(const RationalMotion<Rational>& motion) {
     return motion::control_maps(rounded_to<S>(motion));
@@ -39,7 +39,7 @@ inline double reach(const Points& points) {
     return largest;
 }
 
-/// A motion and the accuracy that the library would ask for with such bodies.
+/// A motion and the accuracy that the library requests for these bodies.
 template <class S>
 struct Stage {
     motion::ControlMaps<S> maps;
@@ -65,7 +65,7 @@ struct Face {
     std::vector<std::uint32_t> triangles{};
 };
 
-/// A moving vertex, given where it starts, and a fixed face.
+/// A moving vertex, given at the start, and a fixed face.
 struct VertexFaceCase {
     PlainScrew screw;
     Point vertex;
@@ -81,7 +81,7 @@ struct VertexFaceCase {
     }
 };
 
-/// A moving face, given where it starts, and a fixed vertex.
+/// A moving face, given at the start, and a fixed vertex.
 struct FaceVertexCase {
     PlainScrew screw;
     Face face;
@@ -102,7 +102,7 @@ struct Line {
     Point to;
 };
 
-/// A moving edge, given where it starts, and a fixed edge.
+/// A moving edge, given at the start, and a fixed edge.
 struct EdgeEdgeCase {
     PlainScrew screw;
     Line moving;
@@ -123,11 +123,11 @@ void expect_contact_in(const Case& posed, const Rational& tau, double slack) {
     const Answer found = posed.template ask<S>();
     ASSERT_TRUE(found) << "missed";
     EXPECT_LE(Rational(found->lower), tau + Rational(slack)) << "late";
-    EXPECT_GE(Rational(found->upper), tau - Rational(slack)) << "an earlier contact than there is";
+    EXPECT_GE(Rational(found->upper), tau - Rational(slack)) << "earlier than the contact";
     EXPECT_LE(found->upper - found->lower, 1.001e-12 + 20 * slack);
 }
 
-/// First contact at tau, in all three scalars; doubles alone cannot always be as narrow as the tolerance. Grazing
+/// Expects the first contact at tau in all three scalars. Brackets in doubles may be wider than the tolerance. Grazing
 /// contacts move by the square root of the rounding.
 template <class Case>
 void expect_contact(const Case& posed, const Rational& tau) {
@@ -149,8 +149,8 @@ void expect_clear(const Case& posed) {
     EXPECT_FALSE(posed.template ask<DoubleDouble>());
 }
 
-/// What the cases of the paper move by. Turns are given by their half-angle tangents about the third axis, to which
-/// every case can be rotated.
+/// Motions of the paper's cases. Turns are half-angle tangents about the third axis; every case can be rotated to this
+/// axis.
 inline PlainScrew no_motion() {
     return {};
 }

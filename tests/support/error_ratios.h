@@ -1,4 +1,4 @@
-// How much of its error bound each quantity uses: computed coefficients against exact ones.
+// The share of its error bound that each quantity uses: computed coefficients against exact ones.
 #pragma once
 
 #include "chasles/algebra/first_feasible.h"
@@ -10,10 +10,10 @@
 
 namespace chasles::test {
 
-/// Largest ratios of error to bound by the name of the quantity, and how many coefficients were looked at.
+/// The largest ratio of error to bound for each named quantity, and the number of compared coefficients.
 class ErrorRatios {
 public:
-    /// The coefficients as they were made, and once more restricted to a random part as first_feasible does it.
+    /// Compares the coefficients as computed, and after restriction to a random part as in first_feasible.
     template <class S>
     void note(Random& random, const std::string& name, const algebra::Bounded<3, S>& made,
               const Bernstein<3, Rational>& truth, const Bernstein<3, Rational>& weight) {
@@ -31,14 +31,15 @@ public:
         entry.largest = std::max(entry.largest, ratio);
     }
 
-    /// Prints the table. Every ratio is below one, and no bound is so wide that the comparison shows nothing.
+    /// Prints the table. Expects that every ratio is below one, and that no bound is too wide to show anything.
     void expect_sound(double least_of_largest) const {
         std::uint64_t total = 0;
         for (const auto& [name, entry] : entries_) {
             std::cout << "  " << name << ": " << entry.count << " compared, largest error over bound " << entry.largest
                       << "\n";
             EXPECT_LT(entry.largest, 1) << name;
-            EXPECT_GT(entry.largest, least_of_largest) << name << " is bounded too widely to show anything";
+            EXPECT_GT(entry.largest, least_of_largest)
+                << name << ": the bound is too wide for this test to show anything";
             total += entry.count;
         }
         std::cout << "  in all: " << total << std::endl;

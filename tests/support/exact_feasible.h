@@ -20,14 +20,14 @@ struct OwnedProblem {
     }
 };
 
-/// The error that first_feasible asks for: the rounding of restriction, and of the difference to the end of a span.
+/// The error that first_feasible requires: the rounding of restriction, and of the difference to the end of a span.
 template <int Degree, class S>
 algebra::Bounded<Degree, S> with_rounding(const Bernstein<Degree, S>& p, double span = 0) {
     const double size = static_cast<double>(largest_coefficient(exact(p))) + span;
     return {p, S((algebra::restriction_units<Degree> + (span > 0 ? 2 : 0)) * algebra::unit_roundoff<S> * size)};
 }
 
-/// The same problem in another scalar, over the weight 1, with the errors of that scalar's rounding.
+/// The problem in another scalar with the weight 1 and the rounding errors of this scalar.
 template <class S, int Degree>
 OwnedProblem<Degree, S> in_scalar(const OwnedProblem<Degree, Rational>& problem) {
     OwnedProblem<Degree, S> result;
@@ -42,7 +42,8 @@ OwnedProblem<Degree, S> in_scalar(const OwnedProblem<Degree, Rational>& problem)
     return result;
 }
 
-/// The polynomials of a constraint's demands, each a list of which one must not be negative (the weight being 1).
+/// The conditions of a constraint with the weight 1. Each condition is a list of polynomials, one of which must not be
+/// negative.
 template <int Degree, class S>
 std::vector<std::vector<PowerPolynomial>> demands_of(const algebra::Constraint<Degree, S>& constraint) {
     std::vector<PowerPolynomial> sides{power_form(exact(constraint.first.polynomial))};
@@ -66,7 +67,7 @@ bool holds_exactly_at(const algebra::Constraint<Degree, S>& constraint, const Al
     });
 }
 
-/// Where the first feasible tau can be: the roots of F, or the ends of feasible stretches if F vanishes identically.
+/// Candidates for the first feasible tau: the roots of F, or the ends of feasible intervals if F vanishes identically.
 template <int Degree, class S>
 std::vector<AlgebraicRoot> candidate_taus(const OwnedProblem<Degree, S>& problem) {
     const PowerPolynomial function = power_form(exact(problem.function.polynomial));
@@ -81,7 +82,7 @@ std::vector<AlgebraicRoot> candidate_taus(const OwnedProblem<Degree, S>& problem
     return candidates;
 }
 
-/// The first feasible tau of the polynomials as they stand, within an interval narrower than 2^-80.
+/// The first feasible tau of the given polynomials, as an interval narrower than 2^-80.
 template <int Degree, class S>
 std::optional<AlgebraicRoot> first_feasible_exactly(const OwnedProblem<Degree, S>& problem) {
     std::vector<AlgebraicRoot> candidates = candidate_taus(problem);

@@ -1,4 +1,4 @@
-// Between the exact scalars of the library and the rationals of the tests.
+// Conversions between the exact scalars of the library and the rationals of the tests.
 #pragma once
 
 #include "chasles/algebra/exact_number.h"
@@ -22,7 +22,7 @@ inline Rational exact(const Dyadic& x) {
     return Rational(x.mantissa().str()) * power_of_two(x.exponent());
 }
 
-/// Of a whole number.
+/// The exact number of a whole number.
 inline ExactNumber exact_number(const Rational& whole) {
     EXPECT_EQ(denominator(whole), 1);
     return Dyadic(Dyadic::Integer(numerator(whole).str()), 0);
@@ -36,7 +36,7 @@ Rational common_denominator(const Bernstein<Degree, Rational>& p) {
     return multiple;
 }
 
-/// A positive multiple with whole coefficients.
+/// A positive multiple of the polynomial with whole coefficients.
 template <int Degree>
 Bernstein<Degree, ExactNumber> whole_multiple(const Bernstein<Degree, Rational>& p, const Rational& multiple) {
     Bernstein<Degree, ExactNumber> result;

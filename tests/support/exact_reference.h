@@ -1,5 +1,5 @@
-// The exact answer to "when do two moving polyhedra first touch?": every pair of features, in exact arithmetic, with no
-// case left undecided. Written from first principles; shares nothing with chasles/ and none of its solvers.
+// The exact first touch of two moving polyhedra: all pairs of features in exact arithmetic, with every case decided.
+// Written from first principles. The reference shares no code with chasles/, and none of its solvers.
 #pragma once
 
 #include "tests/support/exact_reference_features.h"
@@ -11,15 +11,15 @@
 
 namespace chasles::reference {
 
-/// Vertices, those that are corners of faces, the edges of faces, and triangles that cover them. Every triangle has an
-/// area.
+/// All vertices, the vertices that are corners of faces, the edges of faces, and triangles that cover the faces. Every
+/// triangle has an area.
 struct Surface {
     std::vector<Eigen::Vector3d> vertices;
     std::set<std::uint32_t> corners;
     std::vector<std::array<std::uint32_t, 2>> edges;
     std::vector<std::array<std::uint32_t, 3>> triangles;
 
-    /// From faces that are convex polygons, planar to the last bit.
+    /// From faces that are convex and exactly planar polygons.
     static Surface from_convex_faces(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::vector<std::uint32_t>> faces) {
         Surface surface{{vertices.begin(), vertices.end()}, {}, {}, {}};
@@ -43,10 +43,10 @@ struct Surface {
     }
 };
 
-/// One unit of length for two bodies, in which all coordinates are whole.
+/// A unit of length for two bodies in which all coordinates are whole numbers.
 struct WholeUnit {
     unsigned bits = 0;    ///< the unit is 2^-bits
-    int exponent = -1000; ///< of the largest coordinate
+    int exponent = -1000; ///< exponent of the largest coordinate
 
     void cover(const Eigen::Vector3d& v) {
         for (const double x : v) {
@@ -73,13 +73,13 @@ struct WholeUnit {
     }
 };
 
-/// How many pairs needed what.
+/// The number of pairs for each kind of work.
 struct ReferenceWork {
     std::uint64_t pairs = 0;
     std::uint64_t exact = 0;
 };
 
-/// Two bodies under one motion. Features are asked for one by one or all together.
+/// Two bodies under one motion. Features can be tested in pairs or all together.
 class ExactScene {
 public:
     ExactScene(const Surface& moving, const Surface& fixed, const MotionPath<Rational>& motion)
@@ -89,7 +89,7 @@ public:
             for (const Eigen::Vector3d& v : surface->vertices)
                 unit.cover(v);
         motion_ = whole_numbers(motion, unit.bits);
-        // Position numerators are about as large as the largest coordinate or shift over the weight.
+        // The magnitude of position numerators is the largest coordinate, or the largest shift over the weight.
         int shift_exponent = unit.exponent;
         const double weight = std::max(static_cast<double>(magnitude_of(motion.weight)), 1e-290);
         for (const auto& shift : motion.shift) {

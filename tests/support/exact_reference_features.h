@@ -1,5 +1,6 @@
-// When does a vertex first lie on a triangle, when do two edges first meet: by the volume of four points, and by
-// projection on a coordinate plane where it vanishes. All cases are decided, the parallel and the flat ones too.
+// The first tau at which a vertex lies on a triangle, and at which two edges intersect: by the volume of four points,
+// or by projection on a coordinate plane if the volume vanishes. All cases are decided, including parallel and flat
+// ones.
 #pragma once
 
 #include "tests/support/exact_reference_motion.h"
@@ -8,10 +9,10 @@
 
 namespace chasles::reference {
 
-/// The first root at which something holds, kept over many questions.
+/// The first root at which a condition holds, over many candidate roots.
 class Earliest {
 public:
-    /// Asks `holds` only where the answer matters.
+    /// Evaluates `holds` only for a root before the current one.
     template <class Holds>
     void offer(Root root, Holds holds) {
         if (first_ && first_->is_plainly_before(root))
@@ -27,7 +28,8 @@ private:
     std::optional<Root> first_;
 };
 
-/// A point of either body, times the weight; the degree is 3 for a moving point. `body` is in its own frame.
+/// A point of either body, times the weight; the degree is 3 for a moving point. `body` is the point in its body's
+/// frame.
 template <class N>
 struct MovedPoint {
     std::array<N, 3> body;
@@ -39,7 +41,7 @@ MovedPoint<N> moved(const MotionPath<N>& motion, const std::array<N, 3>& point) 
     return {point, sum(motion.turned(constant(point)), motion.shift)};
 }
 
-/// A point that stands still, times the weight.
+/// A fixed point, times the weight.
 template <class N>
 MovedPoint<N> standing(const MotionPath<N>& motion, const std::array<N, 3>& point) {
     const Polynomial<N, 3> weight = motion.weight + Polynomial<N, 3>{};
@@ -57,7 +59,7 @@ Vector<N, 2> direction(const MotionPath<N>& motion, const std::array<N, 3>& v, b
     return is_moving ? motion.turned(constant(v)) : scaled(constant(v), motion.weight);
 }
 
-/// Whether two sets of points are on different sides of some coordinate plane all along.
+/// Whether two sets of points stay on different sides of some coordinate plane during the whole motion.
 template <class N, std::size_t A, std::size_t B>
 bool are_boxes_apart(const std::array<const MovedPoint<N>*, A>& a, const std::array<const MovedPoint<N>*, B>& b) {
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -93,7 +95,7 @@ public:
         return direction<N>(motion_, {n[0][0], n[1][0], n[2][0]}, triangle_moves_);
     }
 
-    /// On which side of an edge the vertex is, seen along each axis.
+    /// The side of an edge on which the vertex is, in the projection along each axis.
     [[nodiscard]] Vector<N, 5> side(std::size_t edge) const {
         return cross(direction(motion_, body_edge(edge), triangle_moves_), arm(edge));
     }
@@ -122,17 +124,17 @@ struct EdgePair {
     [[nodiscard]] bool is_plainly_apart() const {
         return are_boxes_apart<N, 2, 2>({&a, &b}, {&c, &d}) || kept_sign(volume()) != 0;
     }
-    /// Of the four points, times the weight twice.
+    /// The volume of the four points, times the weight twice.
     [[nodiscard]] Polynomial<N, 5> volume() const { return dot(difference(a.path, c.path), crossing()); }
     [[nodiscard]] Vector<N, 2> crossing() const { return cross(u(), constant(v())); }
-    /// On which side of the fixed line a moving point is, seen along each axis.
+    /// The side of the fixed line on which a moving point is, in the projection along each axis.
     [[nodiscard]] Vector<N, 3> side_of_fixed(const MovedPoint<N>& p) const {
         return cross(constant(v()), difference(p.path, c.path));
     }
     [[nodiscard]] Vector<N, 5> side_of_moving(const MovedPoint<N>& p) const {
         return cross(u(), difference(p.path, a.path));
     }
-    /// Along the fixed edge: 0 at c, `length` at d.
+    /// The position along the fixed edge: 0 at c, `length` at d.
     [[nodiscard]] Polynomial<N, 3> along(const MovedPoint<N>& p) const {
         return dot(constant(v()), difference(p.path, c.path));
     }
@@ -152,7 +154,8 @@ ThreeCoefficients coefficients_of(const V& v) {
     return {coefficients(v[0]), coefficients(v[1]), coefficients(v[2])};
 }
 
-/// Those that a first time can be among: the roots of `function`, or the start and the roots of all others.
+/// Candidates for the first tau: the roots of `function`; if it vanishes, the start and the roots of the other
+/// functions.
 template <class Holds>
 void offer_all(Earliest& earliest, const Coefficients& function, const std::vector<const Coefficients*>& others,
                Holds holds) {
@@ -218,7 +221,7 @@ inline void offer_edges(Earliest& earliest, const EdgePair<Integer>& pair, const
     }
     detail::offer_all(earliest, volume, others, [&](Root& root) {
         for (std::size_t i = 0; i < 3; ++i)
-            if (root.sign(crossing[i]) != 0) // the lines meet in one point
+            if (root.sign(crossing[i]) != 0) // the lines intersect in one point
                 return root.sign(a[i]) * root.sign(b[i]) <= 0 && root.sign(c[i]) * root.sign(d[i]) <= 0;
         for (std::size_t i = 0; i < 3; ++i)
             if (root.sign(a[i]) != 0) // parallel and apart

@@ -1,4 +1,4 @@
-// Do two triangles have a point in common at one instant? In whole numbers, with every flat case.
+// Whether two triangles have a common point at one instant, in whole numbers, including all flat cases.
 #pragma once
 
 #include "tests/support/exact_reference_numbers.h"
@@ -24,7 +24,7 @@ inline int volume_sign(const Point& a, const Point& b, const Point& c, const Poi
     return Integer(n[0] * arm[0] + n[1] * arm[1] + n[2] * arm[2]).sign();
 }
 
-/// A view along one axis, in which the plane in question is not seen from the side.
+/// A projection along an axis that is not parallel to the plane.
 struct View {
     std::size_t x;
     std::size_t y;
@@ -63,7 +63,7 @@ inline bool meets_in_plane(const Point& p, const Point& q, const Triangle& t) {
 
 } // namespace detail
 
-/// A closed segment and a closed triangle with an area.
+/// Whether a closed segment and a closed triangle with an area have a common point.
 inline bool segment_meets_triangle(const Point& p, const Point& q, const Triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
         const auto [least, most] = std::minmax({(*t[0])[i], (*t[1])[i], (*t[2])[i]});
@@ -78,7 +78,7 @@ inline bool segment_meets_triangle(const Point& p, const Point& q, const Triangl
         return detail::meets_in_plane(p, q, t);
     int least = 1;
     int most = -1;
-    for (std::size_t i = 0; i < 3; ++i) { // how the line passes each side
+    for (std::size_t i = 0; i < 3; ++i) { // on which side of each edge the line passes
         const int passes = detail::volume_sign(p, q, *t[i], *t[(i + 1) % 3]);
         least = std::min(least, passes);
         most = std::max(most, passes);

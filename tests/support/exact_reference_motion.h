@@ -1,5 +1,5 @@
-// The two motions of the library by their definitions, in exact rationals: quaternions turn vectors by q v q*, a screw
-// turns about the point that the whole turn leaves in place, a sweep turns about a point that runs straight.
+// The two motions of the library by their definitions, in exact rationals. Quaternions turn vectors by q v q*. A screw
+// turns about a fixed point of the whole turn; a sweep turns about a point that moves along a line.
 #pragma once
 
 #include "tests/support/exact_reference_roots.h"
@@ -53,7 +53,7 @@ inline Triple exact(const Eigen::Vector3d& v) {
     return {Rational(v.x()), Rational(v.y()), Rational(v.z())};
 }
 
-/// A pose as it stands, with any type that has a translation and a quaternion of doubles.
+/// The exact pose of any type with a translation and a quaternion of doubles.
 template <class Pose>
 ExactPose exact_pose(const Pose& pose) {
     const auto& q = pose.rotation;
@@ -61,7 +61,7 @@ ExactPose exact_pose(const Pose& pose) {
             {Rational(q.w()), {Rational(q.x()), Rational(q.y()), Rational(q.z())}}};
 }
 
-/// `pose` as seen from `frame`.
+/// `pose` in the frame `frame`.
 inline ExactPose seen_from(const ExactPose& frame, const ExactPose& pose) {
     const Turn back = frame.rotation.conjugate();
     return {turned(pose.translation - frame.translation, back), back * pose.rotation};
@@ -108,8 +108,8 @@ struct LinearTurn {
     }
 };
 
-/// A body that starts turned by `start`, turns by q about its point `centre` (in its own frame), while this point runs
-/// from `from` straight by `way`.
+/// The path of a body with the start orientation `start` that turns by q about its point `centre` (in its own frame),
+/// while this point moves along a line by `way` from `from`.
 inline MotionPath<Rational> path_about(const Turn& start, const LinearTurn& q, const Triple& centre, const Triple& from,
                                        const Triple& way) {
     MotionPath<Rational> path;
@@ -151,7 +151,7 @@ inline MotionPath<Rational> screw_path(const ExactPose& start, const ExactPose& 
         q.v[i] = {Rational(0), turn.v[i]};
     const Triple along = times(turn.v, Rational(inner(turn.v, shift) / square));
     const Triple across = shift - along;
-    // The point in the plane of `across` that the turn takes from start to start + across while it stays itself.
+    // The fixed point of the motion in the plane of `across`: the turn about this point moves start to start + across.
     const Triple sideways = (Turn{Rational(0), turn.v} * Turn{Rational(0), across}).v;
     const Triple axis_point =
         start.translation + times(across, Rational(1, 2)) + times(sideways, Rational(turn.w / (2 * square)));
@@ -185,7 +185,7 @@ void for_coefficients(const MotionPath<A>& a, MotionPath<B>& b, Function functio
         function(a.weight[k], b.weight[k], false);
 }
 
-/// In whole numbers, with lengths in units of 2^-bits. Position numerators and weight share one factor.
+/// The path in whole numbers, with lengths in units of 2^-bits. Position numerators and weight share one factor.
 inline MotionPath<Integer> whole_numbers(const MotionPath<Rational>& path, unsigned bits) {
     MotionPath<Rational> scaled = path;
     Integer multiple(1);
@@ -205,7 +205,7 @@ inline MotionPath<Integer> whole_numbers(const MotionPath<Rational>& path, unsig
     return shortened;
 }
 
-/// In doubles, with lengths in units of 2^exponent; each coefficient is rounded once.
+/// The path in doubles, with lengths in units of 2^exponent. Each coefficient is rounded once.
 inline MotionPath<Tracked> doubles(const MotionPath<Rational>& path, int exponent) {
     MotionPath<Tracked> result;
     double largest = 0;

@@ -1,5 +1,5 @@
-// Polynomials in tau for the exact reference, in whole numbers or in doubles that know how far off they may be.
-// Shares nothing with chasles/: an error there cannot hide here.
+// Polynomials in tau for the exact reference, in whole numbers or in doubles with error bounds. This header shares no
+// code with chasles/, so an error in chasles/ cannot affect the reference.
 #pragma once
 
 #include <array>
@@ -15,9 +15,9 @@ inline int sign_of(const Integer& x) {
     return x.sign();
 }
 
-/// A double with the sum of the magnitudes that went into it. After n operations in a row it is off by at most
-/// (n + 1) 2^-53 of that sum; 2^-44 allows for 500, and nothing here takes 60. Numbers are about one or zero in size,
-/// so that what underflows is far below the last term.
+/// A double with the sum of the magnitudes of its terms. After n successive operations its error is at most (n + 1)
+/// 2^-53 of this sum. The bound 2^-44 allows for 500 operations; the reference needs fewer than 60. Numbers have a
+/// magnitude of about one or zero, so any underflow is far below the last term.
 struct Tracked {
     double value = 0;
     double size = 0;
@@ -27,7 +27,7 @@ struct Tracked {
     friend Tracked operator*(const Tracked& a, const Tracked& b) { return {a.value * b.value, a.size * b.size}; }
 };
 
-/// The sign where it is proven, otherwise 0.
+/// The sign if it is proven, otherwise 0.
 inline int sign_of(const Tracked& x) {
     const double bound = 0x1p-44 * x.size + 1e-280;
     return x.value > bound ? 1 : x.value < -bound ? -1 : 0;
@@ -120,7 +120,7 @@ inline Integer whole(const Integer&, long x) {
     return Integer(x);
 }
 
-/// The sign that a polynomial keeps on all of [0, 1], by its Bernstein coefficients; 0 if that is not proven.
+/// The sign of a polynomial on all of [0, 1], by its Bernstein coefficients; 0 if no sign is proven.
 template <class N, std::size_t Count>
 int kept_sign(const std::array<N, Count>& p) {
     int kept = 0;

@@ -1,5 +1,5 @@
-// Real roots in [0, 1] of polynomials with whole coefficients, exactly: isolated by Descartes' rule of signs on dyadic
-// intervals, with the signs of other polynomials at them and their order. Nothing is left undecided.
+// Exact real roots in [0, 1] of polynomials with whole coefficients: isolation by Descartes' rule of signs on dyadic
+// intervals, signs of other polynomials at the roots, and the order of roots. Every case is decided.
 // Source: G. Collins, A. Akritas, "Polynomial real root isolation using Descartes' rule of signs", 1976.
 #pragma once
 
@@ -25,7 +25,7 @@ Coefficients coefficients(const std::array<Integer, Count>& p) {
     return trimmed({p.begin(), p.end()});
 }
 
-/// Without common divisors.
+/// The coefficients without their common divisor.
 inline Coefficients primitive(Coefficients p) {
     Integer divisor(0);
     for (const Integer& c : p)
@@ -36,7 +36,7 @@ inline Coefficients primitive(Coefficients p) {
     return p;
 }
 
-/// The exact quotient by a primitive divisor. Throws if there is a remainder: then a formula is wrong.
+/// The exact quotient by a primitive divisor. Throws if there is a remainder, which means that a formula is wrong.
 inline Coefficients divided_exactly(Coefficients p, const Coefficients& by) {
     p = trimmed(std::move(p));
     if (p.empty())
@@ -54,7 +54,7 @@ inline Coefficients divided_exactly(Coefficients p, const Coefficients& by) {
     return quotient;
 }
 
-/// Up to a positive or negative factor.
+/// The greatest common divisor, up to a positive or negative factor.
 inline Coefficients common_divisor(Coefficients a, Coefficients b) {
     a = primitive(std::move(a));
     while (!b.empty()) {
@@ -111,8 +111,8 @@ inline Coefficients bernstein_on(const Coefficients& p, const Cell& cell) {
 }
 
 struct Signs {
-    int variations = 0; ///< as many roots in the open cell, or fewer by an even number
-    int first = 0;      ///< just behind the cell's lower end
+    int variations = 0; ///< the number of roots in the open cell, plus an even number
+    int first = 0;      ///< the sign just after the cell's lower end
 };
 
 inline Signs signs_of(const Coefficients& bernstein) {
@@ -129,11 +129,11 @@ inline Signs signs_of(const Coefficients& bernstein) {
     return signs;
 }
 
-/// One real root: a dyadic number itself, or the only root of a polynomial, a simple one, in a cell.
+/// One real root: a dyadic number, or the only root of a polynomial in a cell, which is simple.
 class Root {
 public:
     static Root point(const Integer& at, unsigned depth) { return {{}, {at, depth}, true, 0}; }
-    /// For a double in [0, 1].
+    /// The root at a double in [0, 1].
     static Root point(double x) {
         int exponent = 0;
         const auto mantissa = static_cast<long long>(std::ldexp(std::frexp(x, &exponent), 53));
@@ -148,18 +148,18 @@ public:
     /// The sign of q at the root.
     int sign(const Coefficients& q);
 
-    /// -1, 0 or 1 for before, equal, behind.
+    /// -1, 0 or 1 if `a` is before, equal to, or after `b`.
     friend int compare(Root& a, Root& b);
 
     [[nodiscard]] double lower() const {
         return static_cast<double>(Rational(cell_.from, Integer(Integer(1) << cell_.depth)));
     }
-    /// Whether it is before `other` for certain, without looking closer.
+    /// Whether the root is before `other` by the current cells. False does not prove the contrary.
     [[nodiscard]] bool is_plainly_before(const Root& other) const {
         return aligned(upper_end(), cell_.depth, other.cell_.depth) <=
                aligned(other.cell_.from, other.cell_.depth, cell_.depth);
     }
-    /// To within 2^-bits.
+    /// An approximation within 2^-bits.
     Rational narrowed(unsigned bits = 60) {
         while (!is_point_ && cell_.depth < bits)
             narrow();
@@ -174,7 +174,8 @@ private:
     static Integer aligned(const Integer& x, unsigned depth, unsigned other) {
         return other > depth ? Integer(x << (other - depth)) : x;
     }
-    /// Whether a divisor of the polynomial has this root: at most one root is in the cell, and it is simple.
+    /// Whether a divisor of the polynomial has this root. The cell has at most one root of the divisor, and it is
+    /// simple.
     [[nodiscard]] bool is_root_of(const Coefficients& divisor) const {
         return divisor.size() > 1 && signs_of(bernstein_on(divisor, cell_)).variations % 2 == 1;
     }
@@ -186,7 +187,8 @@ private:
         cell_ = middle == 0 || middle == sign_behind_lower_ ? right : Cell{2 * cell_.from, right.depth};
     }
 
-    /// To a cell about 2^-40 as wide, found in doubles and proven by the signs at its ends; otherwise to a half.
+    /// Narrows the cell to about 2^-40 of its width, by a guess in doubles that the signs at both ends prove. If this
+    /// fails, halves the cell.
     void narrow() {
         constexpr unsigned steps = 40;
         const Coefficients bernstein = bernstein_on(polynomial_, cell_);
@@ -200,7 +202,8 @@ private:
             halve();
     }
 
-    /// Where the polynomial with these (times binomials) Bernstein coefficients changes its sign, about; in [0, 1[.
+    /// An approximation in [0, 1[ of the sign change of the polynomial with these Bernstein coefficients (times
+    /// binomials).
     static double root_in_doubles(const Coefficients& bernstein) {
         unsigned bits = 0;
         for (const Integer& c : bernstein)

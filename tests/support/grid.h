@@ -6,7 +6,7 @@
 
 namespace chasles::test {
 
-/// Every cell of a grid cut in two triangles. Vertex (i, j) has the number i * (width + 1) + j, i up to `length`.
+/// A grid with two triangles per cell. Vertex (i, j) has the number i * (width + 1) + j, with i up to `length`.
 inline std::vector<std::vector<std::uint32_t>> grid_triangles(std::uint32_t length, std::uint32_t width) {
     std::vector<std::vector<std::uint32_t>> faces;
     for (std::uint32_t i = 0; i < length; ++i)

@@ -1,5 +1,5 @@
-// The exact answer to "when does the distance of two moving polyhedral surfaces first fall to a margin?": every pair of
-// features in exact arithmetic, but for those that boxes around them tell apart. Shares nothing with chasles/.
+// The exact first tau at which the distance of two moving polyhedral surfaces is a margin: all pairs of features in
+// exact arithmetic, except for pairs that boxes separate. This header shares no code with chasles/.
 #pragma once
 
 #include "tests/support/exact_reference.h"
@@ -26,7 +26,7 @@ public:
         boxes_ = MarginBoxes(moving.vertices, fixed.vertices, motion, margin);
     }
 
-    /// Whether the surfaces are at most the margin apart at tau = 0; those that cross are.
+    /// Whether the surfaces are at most the margin apart at tau = 0. Surfaces that cross are.
     [[nodiscard]] bool is_within_at_start() {
         const CellBoxes at_start = boxes_.at_start();
         const std::vector<FeaturePair> near = kept(pairs_of(with_passages), at_start);
@@ -37,7 +37,7 @@ public:
         });
     }
 
-    /// The first tau in [0, 1] at which they are at most the margin apart.
+    /// The first tau in [0, 1] at which the surfaces are at most the margin apart.
     [[nodiscard]] std::optional<Root> first_time() {
         if (is_within_at_start())
             return Root::point(0, 0);
@@ -64,8 +64,8 @@ private:
         return result;
     }
 
-    /// How many vertices a pair of features has that asks a distance; an edge and a triangle have five, and only may
-    /// pass through one another at the start.
+    /// The largest number of vertices of a feature pair with a distance test. An edge and a triangle have five
+    /// vertices; such a pair is only tested for crossing at the start.
     static constexpr std::size_t with_distance = 4;
     static constexpr std::size_t with_passages = 5;
 
@@ -114,7 +114,7 @@ private:
         return earliest.first();
     }
 
-    /// Calls ask() with the question of two features; false for an edge and a triangle, which have none.
+    /// Calls ask() with the margin problem of two features. Returns false for an edge and a triangle, which have none.
     template <class Ask>
     bool visit(const FeaturePair& pair, Ask ask) const {
         const MarginFeature& a = features_[0][pair.moving];
@@ -136,7 +136,7 @@ private:
         return false;
     }
 
-    /// An edge through a triangle at the start.
+    /// Whether an edge passes through a triangle at the start.
     [[nodiscard]] bool passes_through(const FeaturePair& pair) const {
         const MarginFeature& a = features_[0][pair.moving];
         const MarginFeature& b = features_[1][pair.fixed];

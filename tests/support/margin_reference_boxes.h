@@ -1,5 +1,5 @@
-// Features over an interval of time, in doubles that know how far off they may be: what boxes or a slab between them
-// tell to be farther apart than the margin needs no exact arithmetic.
+// Features over an interval of time, in doubles with error bounds. A pair that boxes or a slab prove to be farther
+// apart than the margin needs no exact arithmetic.
 #pragma once
 
 #include "tests/support/exact_reference.h"
@@ -8,7 +8,7 @@
 
 namespace chasles::reference {
 
-/// A vertex, an edge or a triangle of a body, by its one, two or three vertices.
+/// A vertex, an edge or a triangle of a body, given by one, two or three vertices.
 struct MarginFeature {
     std::size_t size;
     std::array<std::uint32_t, 3> vertices;
@@ -106,8 +106,8 @@ public:
         return square > margin_ * margin_ * (1 + 0x1p-40) + 1e-280;
     }
 
-    /// Whether some slab between the features is wider than the margin all along. Directions are guessed at the middle
-    /// of the interval; whether one separates is proven.
+    /// Whether some slab between the features stays wider than the margin. Directions are guesses at the middle of the
+    /// interval; the separation is proven.
     [[nodiscard]] bool are_separated(const CellBoxes& cell, const MarginFeature& a, const MarginFeature& b) const {
         std::array<Eigen::Vector3d, 3> at_a;
         std::array<Eigen::Vector3d, 3> at_b;
@@ -131,7 +131,8 @@ private:
                 0.5 * (box.lower[2] + box.upper[2])};
     }
 
-    /// From a vertex or edge of one feature to a vertex of the other, about the shortest way.
+    /// An approximation of the shortest connection from a vertex or edge of one feature to a vertex of the other
+    /// feature.
     static Eigen::Vector3d shortest(const std::array<Eigen::Vector3d, 3>& a, std::size_t a_size,
                                     const std::array<Eigen::Vector3d, 3>& b, std::size_t b_size) {
         Eigen::Vector3d best = a[0] - b[0];
@@ -186,7 +187,7 @@ private:
         return std::max(of_a.lower - of_b.upper, of_b.lower - of_a.upper) > margin_ * n.norm() * (1 + 0x1p-40);
     }
 
-    /// False where the weight may not be positive.
+    /// Returns false if the weight may not be positive.
     static bool cover_quotient(Range& range, const Tracked& x, const Tracked& w) {
         const double weight_error = 0x1p-44 * w.size;
         if (w.value <= 2 * weight_error)
@@ -207,7 +208,8 @@ private:
         return c;
     }
 
-    /// The curve is in the hull of its control points: numerator over weight, whose weights are positive.
+    /// The box of the control points (numerator over weight), whose hull contains the curve, because weights are
+    /// positive.
     [[nodiscard]] static Box around(const CellBoxes& cell, std::uint32_t vertex) {
         constexpr double infinity = std::numeric_limits<double>::infinity();
         Box result;

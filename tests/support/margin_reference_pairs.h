@@ -1,7 +1,7 @@
-// When are two features exactly `margin` apart, and are their closest points inside them? As polynomials with whole
-// coefficients: squared distances of points, lines and planes, written from their definitions.
-// Legend: the moving point a is at A / W, the fixed point c at c = (W c) / W; u is a moving edge, U = W times it
-// turned; v is a fixed edge; D is the margin in the unit of the coordinates.
+// The tau at which two features are exactly `margin` apart, and the conditions that their closest points are inside
+// them, as polynomials with whole coefficients: squared distances of points, lines and planes, written from their
+// definitions. Legend: the moving point a is at A / W, the fixed point c at c = (W c) / W; u is a moving edge, U = W
+// times it turned; v is a fixed edge; D is the margin in the unit of the coordinates.
 #pragma once
 
 #include "tests/support/exact_reference_features.h"
@@ -11,7 +11,8 @@ namespace chasles::reference {
 /// A positive multiple of (squared distance of plane, lines or points) - margin^2.
 using SquaredExcess = Coefficients;
 
-/// What must hold for the closest points to be inside: all are at least 0, and `crossing`, if there is one, is above 0.
+/// The conditions for closest points inside the features: all polynomials are at least 0, and `crossing`, if present,
+/// is above 0.
 struct Inside {
     std::vector<Coefficients> not_negative;
     std::optional<Coefficients> crossing;
@@ -24,12 +25,12 @@ struct Inside {
     }
 };
 
-/// The motion, the margin, and what is shared by all pairs.
+/// The motion, the margin, and the data that all pairs share.
 struct MarginMotion {
     MotionPath<Integer> path;
     Integer margin;
     Coefficients primitive_weight;
-    Integer content; ///< of the weight: weight = content * primitive_weight
+    Integer content; ///< content of the weight: weight = content * primitive_weight
 
     MarginMotion() = default;
     MarginMotion(const MotionPath<Integer>& motion, const Integer& distance) : path(motion), margin(distance) {
@@ -64,7 +65,7 @@ inline WholePoint crossed(const WholePoint& a, const WholePoint& b) {
     return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
-/// A vertex and a triangle, of which one moves.
+/// A vertex and a triangle, one of which moves.
 struct VertexTriangleMargin {
     const MarginMotion& motion;
     const PointPath& vertex;
@@ -81,7 +82,7 @@ struct VertexTriangleMargin {
         const Polynomial<Integer, 3> height = motion.divided(dot(motion.path.turned(constant(n)), arm));
         return coefficients(height * height - motion.threshold(squared(n), true));
     }
-    /// On the inner side of every edge, seen along the normal.
+    /// The vertex is on the inner side of every edge, in the projection along the normal.
     [[nodiscard]] Inside inside() const {
         Inside result;
         for (std::size_t i = 0; i < 3; ++i) {
@@ -114,8 +115,8 @@ struct EdgesMargin {
         const Integer factor = motion.margin * motion.content;
         return coefficients(volume * volume - dot(n, n) * Integer(factor * factor));
     }
-    /// s = ((c - a) x v) . n / n.n along the moving edge and t = ((c - a) x u) . n / n.n along the fixed one are in
-    /// [0, 1]. Parallel edges have no n; where they are closest, an end is as close.
+    /// s = ((c - a) x v) . n / n.n along the moving edge and t = ((c - a) x u) . n / n.n along the fixed edge are in
+    /// [0, 1]. Parallel edges have no n; an end of one edge then has the same distance.
     [[nodiscard]] Inside inside() const {
         const Vector<Integer, 2> n = normal();
         const Vector<Integer, 3> arm = difference(c.path, a.path);
@@ -133,7 +134,7 @@ private:
     [[nodiscard]] Vector<Integer, 2> normal() const { return cross(turned_edge(), constant(v())); }
 };
 
-/// A vertex and an edge from c to d, of which one moves.
+/// A vertex and an edge from c to d, one of which moves.
 struct VertexEdgeMargin {
     const MarginMotion& motion;
     const PointPath& vertex;
@@ -199,9 +200,9 @@ inline std::vector<Root> roots_in(const Coefficients& p, const Cell& cell) {
     return roots;
 }
 
-/// The first time in the cell at which the features are `margin` apart. A pair that is so all along has entered this
-/// state as another pair: a vertex comes over a face as one that is over an edge, and so on; the distance at the start
-/// is looked at by itself.
+/// The first time in the cell at which the features are `margin` apart. A pair whose distance equals the margin during
+/// the whole motion reached this distance as another pair: for example, a vertex over a face was over an edge before.
+/// The distance at the start is tested separately.
 template <class Pair>
 void offer_margin(Earliest& earliest, const Pair& pair, const Cell& cell) {
     const SquaredExcess excess = pair.excess();

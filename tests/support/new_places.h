@@ -1,5 +1,5 @@
-// Which of the places where two bodies are within a distance are new: by what docs/derivations/17-hold.md says they
-// are, and by none of its means.
+// Detects new regions in which two bodies are within a distance. The definition is in docs/derivations/17-hold.md; the
+// algorithm is independent of the library.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -9,7 +9,7 @@
 
 namespace chasles::test {
 
-/// What of a triangle lies in the cube of half side `radius`; empty or a convex polygon.
+/// The part of a triangle in the cube of half side `radius`: empty or a convex polygon.
 inline std::vector<LongPoint> clipped(const LongTriangle& triangle, const LongPoint& middle, long double radius) {
     std::vector<LongPoint> polygon(triangle.begin(), triangle.end());
     for (int side = 0; side < 6 && !polygon.empty(); ++side) {
@@ -33,7 +33,7 @@ inline std::vector<LongPoint> clipped(const LongTriangle& triangle, const LongPo
     return polygon;
 }
 
-/// The part of a body in a cube, in triangles.
+/// The part of a body in a cube, as triangles.
 inline std::vector<LongTriangle> neighbourhood(const TriangleTree& body, const LongPose& pose, const LongPoint& middle,
                                                long double radius) {
     std::vector<LongTriangle> result;
@@ -57,7 +57,7 @@ inline std::vector<LongTriangle> neighbourhood(const TriangleTree& body, const L
     return result;
 }
 
-/// How far the surfaces are apart next to a contact: within `radius` of its points.
+/// The distance of the surfaces near a contact: within `radius` of its points.
 inline double distance_beside(const TreePair& bodies, const Pose& at, const Contact& contact, double radius) {
     const Eigen::Vector3d on_moving = contact.point + contact.gap * contact.normal;
     const auto moving = neighbourhood(bodies.moving(), LongPose(at), on_moving.cast<long double>(), radius);
@@ -69,17 +69,17 @@ inline double distance_beside(const TreePair& bodies, const Pose& at, const Cont
     return double(std::sqrt(least));
 }
 
-/// Looks for places that come within a distance apart from those that are: parts of the pairs of triangles within it,
-/// connected through common vertices, that were not within it and not beside one before. It halves the time until what
-/// seems new turns out to have grown from something, or is new in next to no time. Places apart on the same two
-/// triangles are one to it: it can only refute.
+/// Searches for new regions within a distance. A region is a set of triangle pairs within the distance, connected
+/// through common vertices. A region is new if none of its pairs, and no neighbour of its pairs, was within the
+/// distance before. The search halves the time until a seemingly new region turns out to have grown from an earlier
+/// one, or the interval is tiny. Two regions on the same two triangles count as one, so the search can only refute.
 class NewPlaces {
 public:
-    /// `slack`: so much farther apart may be what was there before.
+    /// `slack`: earlier regions may be farther apart by this amount.
     NewPlaces(const TreePair& bodies, double distance, double slack)
         : bodies_(bodies), distance_(distance), slack_(slack) {}
 
-    /// When the first one that it sees comes, between two times of a motion.
+    /// The time of the first new region that the search finds between two times of a motion.
     [[nodiscard]] std::optional<double> first(const std::function<Pose(double)>& pose_at, double from, double to,
                                               int parts) {
         Pairs before = sorted(bodies_.within(pose_at(from), distance_ + slack_));
@@ -99,8 +99,8 @@ public:
 private:
     using Pairs = std::vector<std::pair<std::uint32_t, std::uint32_t>>;
     static constexpr double next_to_no_time = 1e-9;
-    static constexpr std::size_t most_pairs = 300; ///< with more it takes too long, and says nothing,
-    static constexpr int most_looks = 40;          ///< as with more halvings
+    static constexpr std::size_t most_pairs = 300; ///< with more pairs the search would take too long and gives up
+    static constexpr int most_looks = 40;          ///< with more halvings the search gives up
 
     static Pairs sorted(const std::vector<TrianglePair>& pairs) {
         Pairs result;
@@ -129,7 +129,7 @@ private:
                });
     }
 
-    /// Spreads from what was there before until nothing is reached any more; is anything left?
+    /// Spreads from the earlier pairs to all connected pairs. Returns whether any pair is not reached.
     [[nodiscard]] bool has_new(const Pairs& before, const Pairs& now) const {
         Pairs left;
         Pairs reached;

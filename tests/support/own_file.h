@@ -1,4 +1,4 @@
-// Names of files that no other process uses: several checkouts may be tested at once.
+// File names that no other process uses, because several checkouts may run tests at the same time.
 #pragma once
 
 #include <filesystem>

@@ -1,5 +1,5 @@
-// Motions between poses as a caller gives them, beside the very same motions in exact rationals: quaternions of any
-// length, bodies that both move, pieces of long screws, sweeps about any point, turns from nothing to a half turn.
+// Motions between a caller's poses, and the same motions in exact rationals: quaternions of any length, two moving
+// bodies, pieces of long screws, sweeps about any point, and turns from zero to a half turn.
 #pragma once
 
 #include "chasles/motion/control_maps.h"
@@ -22,7 +22,7 @@ inline ExactPose exact(const Pose& pose) {
     return motion::pose_in<Rational>(pose);
 }
 
-/// The root of a positive number, to 250 bits: the only number here that is not exact.
+/// The square root of a positive number, to 250 bits: the only inexact number of this header.
 inline Rational root(const Rational& square) {
     using Integer = boost::multiprecision::mpz_int;
     Rational scaled = square;
@@ -37,19 +37,19 @@ inline Rational root(const Rational& square) {
     return halvings < 0 ? Rational(result / power) : Rational(result * power);
 }
 
-/// One motion as a query gets it, and exactly.
+/// One motion in the form of a query, and exactly.
 struct PosedMotion {
     RationalMotion<DoubleDouble> made;
     RationalMotion<Rational> exactly;
 };
 
-/// What a random motion is to be like.
+/// The parameters of a random motion.
 struct MotionSetting {
-    double size = 1;  ///< of translations
-    double angle = 0; ///< of the turn, before rounding
+    double size = 1;  ///< size of translations
+    double angle = 0; ///< angle of the turn, before rounding
 };
 
-/// Turns from 1e-17 to the longest that screws have in one piece; to a half turn for sweeps.
+/// An angle from 1e-17 to the largest turn of a screw in one piece, or to a half turn for sweeps.
 inline double random_angle(Random& random, bool may_be_half_turn) {
     switch (random.integer(0, 5)) {
     case 0:
@@ -92,7 +92,7 @@ inline PosedMotion screw_of(const ScrewMotion& screw, const ExactPose& start, co
     return {cubic_of(screw), motion::screw_between(start, goal)};
 }
 
-/// Pieces in the middle start and end at doubles; the first and the last one keep the given poses.
+/// Inner pieces start and end at poses in doubles. The first and the last piece keep the given end poses.
 inline PosedMotion random_piece(Random& random, const ScrewMotion& screw, const ExactPose& start,
                                 const ExactPose& goal) {
     const std::vector<ScrewMotion> pieces = screw.with_max_turn(random.uniform(0.05, 1)).pieces();
@@ -118,7 +118,8 @@ struct FourPoses {
     Pose fixed_goal;
 };
 
-/// Two moving bodies: the first one goes about from `start` to `goal` as the second one sees it, up to rounding.
+/// The poses of two moving bodies. In the frame of the second body the first one moves from `start` to `goal`, up to
+/// rounding.
 inline FourPoses random_four_poses(Random& random, const Pose& start, const Pose& goal, double size) {
     const auto [fixed_start, fixed_goal] = random_pose_pair(random, {size, random.uniform(0, 3)});
     const auto carried = [](const Pose& frame, const Pose& pose) {
@@ -156,7 +157,7 @@ inline PosedMotion random_posed_motion(Random& random, double size) {
                               : screw_of(screw, seen_start, seen_goal);
 }
 
-/// How much more a test does when CHASLES_LONG=1 is set in the environment.
+/// `factor` if CHASLES_LONG=1 is set in the environment, otherwise 1.
 inline int times_if_long(int factor) {
     const char* asked = std::getenv("CHASLES_LONG");
     return asked != nullptr && std::string(asked) == "1" ? factor : 1;

@@ -1,4 +1,4 @@
-// Polynomials in the power basis with rational coefficients: the textbook form that Bernstein forms are held against.
+// Polynomials in the power basis with rational coefficients: the textbook form for comparison with Bernstein forms.
 #pragma once
 
 #include "tests/support/rational.h"

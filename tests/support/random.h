@@ -1,4 +1,4 @@
-// Random input that says where it came from and leans to corners.
+// Random input that prints its seed and prefers corner cases.
 #pragma once
 
 #include "chasles/algebra/vector.h"
@@ -19,21 +19,21 @@ public:
         testing::Test::RecordProperty("seed", std::to_string(seed));
     }
 
-    /// In [lower, upper).
+    /// A number in [lower, upper).
     double uniform(double lower, double upper) {
         return lower + (upper - lower) * std::ldexp(double(engine_() >> 11), -53);
     }
-    /// In [lower, upper].
+    /// A whole number in [lower, upper].
     int integer(int lower, int upper) {
         return lower + static_cast<int>(engine_() % static_cast<std::uint64_t>(upper - lower + 1));
     }
     bool chance(double probability) { return uniform(0, 1) < probability; }
-    /// Of either sign, with a magnitude between the powers of ten.
+    /// A number of either sign with a magnitude between these powers of ten.
     double scaled(double lower_exponent, double upper_exponent) {
         const double size = std::pow(10.0, uniform(lower_exponent, upper_exponent));
         return chance(0.5) ? size : -size;
     }
-    /// In the cube of half side `size`.
+    /// A point in the cube of half side `size`.
     algebra::Vector3<double> vector(double size) {
         const double x = uniform(-size, size);
         const double y = uniform(-size, size);

@@ -11,13 +11,13 @@ inline Eigen::Vector3d random_point(Random& random, double size) {
     return {v.x, v.y, v.z};
 }
 
-/// Quaternions are left at whatever length they come in.
+/// A random pose. Its quaternion is not normalised.
 inline Pose random_pose(Random& random, double size) {
     const Eigen::Vector3d v = random_point(random, 1);
     return Pose(random_point(random, size), Eigen::Quaterniond(random.uniform(-1, 1), v.x(), v.y(), v.z()));
 }
 
-/// A goal that is turned by `angle` from `start` about a random axis, and shifted by up to `size`.
+/// A goal pose turned by `angle` from `start` about a random axis, and shifted by up to `size`.
 inline Pose random_goal(Random& random, const Pose& start, double angle, double size) {
     const Eigen::Vector3d axis = random_point(random, 1).normalized();
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, axis));

@@ -1,4 +1,4 @@
-// Random questions for `first_feasible` in rationals, leaning to double roots, coincidences and the ends of [0, 1].
+// Random problems for `first_feasible` in rationals, often with double roots, coincidences and roots at 0 and 1.
 #pragma once
 
 #include "tests/support/exact_feasible.h"
@@ -6,14 +6,14 @@
 
 namespace chasles::test {
 
-/// Sixteenths, with the ends, the middle and repetitions more often than chance has it.
+/// A multiple of 1/16. The ends, the middle and repetitions are more frequent than in a uniform distribution.
 inline Rational random_root(Random& random) {
     if (random.chance(0.2))
         return ratio(random.integer(0, 2), 2);
     return ratio(random.integer(-6, 22), 16);
 }
 
-/// Where roots are: some of them as near to an end as `scale` says.
+/// Random roots, some of them within `scale` of an end.
 struct RootPlaces {
     Rational scale = 1;
     bool at_the_end = false;
@@ -45,8 +45,7 @@ algebra::Bounded<Degree, Rational> random_side(Random& random, const RootPlaces&
     return {bernstein_form<Degree>(random_function(random, degree, places)), 0};
 }
 
-/// Coefficients of all orders of magnitude: wherever there are roots, slopes near them say little of what is further
-/// on.
+/// Coefficients of all orders of magnitude: slopes near a root say little about the polynomial elsewhere.
 template <int Degree>
 algebra::Bernstein<Degree, Rational> of_many_sizes(Random& random) {
     algebra::Bernstein<Degree, Rational> polynomial;

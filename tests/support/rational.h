@@ -1,4 +1,4 @@
-// Exact rationals for the tests: every template of the library runs in them, and every oracle answers in them.
+// Exact rationals for the tests: the scalar of the library's templates and of all oracles.
 #pragma once
 
 #include "chasles/algebra/bernstein.h"
@@ -38,7 +38,7 @@ Bernstein<Degree, Rational> exact(const Bernstein<Degree, S>& p) {
     return result;
 }
 
-/// The number in another scalar, rounded where it must be.
+/// The number in another scalar, rounded if necessary.
 template <class S>
 S rounded_to(const Rational& x) {
     return S(x);

@@ -1,5 +1,5 @@
-// Motions of the family in exact rationals, and where they carry points by definition: cosines and sines of a
-// half-angle tangent, in Rodrigues' formula.
+// Motions of the family in exact rationals, and the positions of points by definition: Rodrigues' formula with the
+// cosine and sine of a half-angle tangent.
 #pragma once
 
 #include "chasles/motion/control_maps.h"
@@ -33,8 +33,7 @@ inline Vector3<Rational> value_at(const Vector3<Bernstein<3, Rational>>& p, cons
     return {algebra::value_at(p.x, tau), algebra::value_at(p.y, tau), algebra::value_at(p.z, tau)};
 }
 
-/// What turns a point by the angle whose half has the tangent sine / cosine, about the direction of `axis`, whose
-/// length is that sine for the cosine given.
+/// Turns a vector about the direction of `axis`. The half-angle has the tangent |axis| / `cosine`.
 inline Vector3<Rational> turned(const Vector3<Rational>& v, const Rational& cosine, const Vector3<Rational>& axis) {
     const Rational square = dot(axis, axis);
     if (square == 0)
@@ -46,8 +45,8 @@ inline Vector3<Rational> turned(const Vector3<Rational>& v, const Rational& cosi
            scale(cross(axis, across), Rational(2 * cosine / norm));
 }
 
-/// One screw in plain words: about an axis with the direction of `tangent` through `point`, by the half-angle tangent
-/// |tangent|, sliding by `slide` along it (or along any direction if nothing turns).
+/// One screw: a turn about the axis with the direction of `tangent` through `point`, by the half-angle tangent
+/// |tangent|, and a slide by `slide` along the axis (or along any direction if there is no turn).
 struct PlainScrew {
     Vector3<Rational> point;
     Vector3<Rational> tangent;
@@ -56,11 +55,11 @@ struct PlainScrew {
     [[nodiscard]] Vector3<Rational> position(const Vector3<Rational>& start, const Rational& tau) const {
         return point + turned(start - point, Rational(1), scale(tangent, tau)) + scale(slide, tau);
     }
-    /// The body point, given at the start, that is at `place` at tau.
+    /// The start position of the body point that is at `place` at tau.
     [[nodiscard]] Vector3<Rational> start_of(const Vector3<Rational>& place, const Rational& tau) const {
         return point + turned(place - scale(slide, tau) - point, Rational(1), scale(tangent, Rational(-tau)));
     }
-    /// As a member of the family, for a body whose frame starts as that of the world.
+    /// The screw as a member of the family, for a body whose frame starts at the frame of the world.
     [[nodiscard]] RationalMotion<Rational> motion() const {
         return {Rational(1), tangent, cross(point, tangent), slide, {}, algebra::identity_matrix<Rational>()};
     }

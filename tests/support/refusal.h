@@ -1,4 +1,4 @@
-// What a call complains about, if it does.
+// The error message of a call.
 #pragma once
 
 #include "chasles/base/invalid_input.h"

@@ -1,5 +1,5 @@
-// The distance of two surfaces along an exact motion, sampled in extended precision: it can refute an answer, and it
-// finds out how close bodies pass each other.
+// The distance of two surfaces along an exact motion, sampled in extended precision. The samples can refute an answer,
+// and give the least distance of bodies that pass each other.
 #pragma once
 
 #include "tests/support/exact_reference.h"
@@ -44,7 +44,7 @@ public:
         return std::sqrt(least);
     }
 
-    /// About where the distance is least, by `samples` and then by thirds.
+    /// An approximation of the tau with the least distance, by `samples` and then by ternary search.
     [[nodiscard]] Long closest_tau(int samples) const {
         int best = 0;
         Long least = at(0);

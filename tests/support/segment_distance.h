@@ -1,4 +1,4 @@
-// How far two segments, or a point and a triangle, are apart: by clamping, in plain doubles, for checks of contacts.
+// The distance of two segments, and of a point and a triangle: by clamping, in plain doubles, for checks of contacts.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -14,7 +14,7 @@ inline double distance_to_segment(const Eigen::Vector3d& p, const Segment3& s) {
     return (p - s[0] - along * u).norm();
 }
 
-/// The least over the ends and, if both feet lie inside, over the common normal.
+/// The minimum over the ends and, if both feet lie inside, the common normal.
 inline double distance_of_segments(const Segment3& a, const Segment3& b) {
     double least = std::min({distance_to_segment(a[0], b), distance_to_segment(a[1], b), distance_to_segment(b[0], a),
                              distance_to_segment(b[1], a)});

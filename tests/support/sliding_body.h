@@ -1,6 +1,5 @@
-// A body that is kept in touch with another one: it makes small steps, each asked with `hold`, and goes as far as the
-// answer allows. Whatever it does, an independent distance has to stay above the hold, and what stops it has to be
-// there.
+// A body that stays in contact with another body. It makes small steps with `hold` and moves as far as each answer
+// allows. An independent distance must stay above the hold distance, and every stop must have a cause.
 #pragma once
 
 #include "chasles/query/first_contact.h"
@@ -11,20 +10,20 @@
 
 namespace chasles::test {
 
-/// What happened to the steps.
+/// The outcomes of the steps.
 struct SlideTally {
     int steps = 0;
     int clear = 0;
-    int held = 0; ///< stopped where it would come nearer than the hold
+    int held = 0; ///< stopped at the hold distance
     int new_contacts = 0;
-    int at_cracks = 0;                                       ///< of these: the surface goes on behind the rim
-    int seen = 0;                                            ///< of these, by NewPlaces too
-    int in_doubt = 0;                                        ///< of all contacts
-    int stuck = 0;                                           ///< stopped where they stood
-    int touching = 0;                                        ///< contact_at_start
-    double lowest = std::numeric_limits<double>::infinity(); ///< distance over hold, the least
-    double peer_error = 0;                                   ///< of the other distance, the greatest
-    double slowest = 0;                                      ///< query, in seconds
+    int at_cracks = 0; ///< new contacts at a rim beyond which the surface continues
+    int seen = 0;      ///< new contacts that NewPlaces finds too
+    int in_doubt = 0;  ///< uncertain contacts
+    int stuck = 0;     ///< stopped at the start
+    int touching = 0;  ///< contact_at_start
+    double lowest = std::numeric_limits<double>::infinity(); ///< least ratio of distance to hold
+    double peer_error = 0;                                   ///< greatest error of the other distance
+    double slowest = 0;                                      ///< slowest query, in seconds
 
     SlideTally& operator+=(const SlideTally& other) {
         steps += other.steps;
@@ -46,27 +45,27 @@ struct SlideTally {
 /// The distance of the surfaces with the moving body at a pose; 0 or less if they cross.
 using DistanceAt = std::function<double(const Pose&)>;
 
-/// Two bodies, what they keep, and where the moving one is.
+/// Two bodies, their margin and hold distance, and the pose of the moving body.
 struct SlidingBody {
     const Polyhedron& moving;
     const Polyhedron& fixed;
     double margin;
     double hold;
-    double slack;          ///< of distances: of their computation, and 1e-12 of the scene
-    int samples = 4;       ///< of each step, at which the distance is looked at
-    int new_samples = 0;   ///< at which it looks for new places; 0 for not at all
-    DistanceAt peer = {};  ///< another distance, if there is one,
-    double peer_slack = 0; ///< and how good it is
+    double slack;          ///< error bound of distances: of their computation, plus 1e-12 of the scene
+    int samples = 4;       ///< samples of the distance per step
+    int new_samples = 0;   ///< samples of the search for new places; 0: no search
+    DistanceAt peer = {};  ///< another distance (optional)
+    double peer_slack = 0; ///< error bound of the other distance
     Pose at = {};
     SlideTally tally = {};
     TreePair surfaces = {moving, fixed};
 
-    /// By all pairs of triangles; the other distance says how far it has to look.
+    /// The distance over all pairs of triangles. The other distance limits the search.
     [[nodiscard]] double distance(const Pose& there) {
         return surfaces.distance(there, peer ? peer(there) + 1e-6 * margin : std::numeric_limits<double>::infinity());
     }
 
-    /// Goes to where the bodies come within the margin; false if they do not.
+    /// Moves the body until the bodies are within the margin. Returns false if they stay farther apart.
     bool approach(const Pose& from, const Pose& to) {
         const ScrewMotion motion = ScrewMotion::between(from, to);
         const FirstContact found =
@@ -111,7 +110,7 @@ private:
         }
     }
 
-    /// By the other distance if there is one, and by the own one, which is slow, at the end.
+    /// Checks the other distance, if there is one. At the end of the step, checks the slow distance of all pairs too.
     void expect_apart(const Pose& there, double before, bool is_end) {
         const double kept = std::min(hold, before);
         const double other = peer ? peer(there) : 0;
@@ -128,7 +127,7 @@ private:
             tally.peer_error = std::max(tally.peer_error, std::abs(other - own));
     }
 
-    /// A step that does not reach its goal would come nearer than the hold, or meets something new at the margin.
+    /// A step that does not reach its goal stops at the hold distance or at a new contact at the margin.
     void expect_reason(const FirstContact& found, const ScrewMotion& motion, double before) {
         if (found.verdict != Verdict::contact)
             return;
@@ -142,19 +141,19 @@ private:
         if (is_new) {
             const double radius = 1e-4 * margin;
             EXPECT_NEAR(contact.gap, margin, inexact) << "a new contact is at the margin";
-            EXPECT_GT(contact.approach_speed, -slack) << "and closing";
+            EXPECT_GT(contact.approach_speed, -slack) << "the new contact approaches";
             if (distance_beside(surfaces, there, contact, radius) < contact.gap - 1e-3 * radius) {
                 ++tally.at_cracks;
-                EXPECT_TRUE(is_at_rim(contact)) << "nothing next to it is nearer";
+                EXPECT_TRUE(is_at_rim(contact)) << "no point near the contact is closer";
             }
             count_if_seen(found, motion);
         } else {
-            EXPECT_NEAR(distance(there), contact.gap, inexact) << "what was held comes to the hold";
-            EXPECT_LE(contact.gap, std::min(hold, before) + inexact) << "and not before";
+            EXPECT_NEAR(distance(there), contact.gap, inexact) << "a held contact reaches the hold distance";
+            EXPECT_LE(contact.gap, std::min(hold, before) + inexact) << "not above the hold distance";
         }
     }
 
-    /// Whether NewPlaces finds what the library has found: how good it is at finding what it has not.
+    /// Counts whether NewPlaces finds the new contact of the library. This measures how reliable NewPlaces is.
     void count_if_seen(const FirstContact& found, const ScrewMotion& motion) {
         if (new_samples > 0 &&
             NewPlaces(surfaces, margin - slack, 2 * slack)
@@ -162,7 +161,8 @@ private:
             ++tally.seen;
     }
 
-    /// The library follows a surface through common vertices; where the mesh is not joined it sees a rim.
+    /// The library follows a surface through common vertices. Where the mesh has a crack, the library treats it as a
+    /// rim.
     [[nodiscard]] bool is_at_rim(const Contact& contact) const {
         const auto at_rim = [](const TriangleTree& body, FeatureKind kind, const Feature& feature) {
             return kind != FeatureKind::face && body.is_at_rim(feature.first, feature.second);
@@ -171,15 +171,14 @@ private:
                at_rim(surfaces.fixed(), fixed_feature_kind(contact.kind), contact.fixed);
     }
 
-    /// Before it stops, nothing new comes that is not told.
+    /// Checks that no unreported contact appears before the stop.
     void expect_no_other_place(const FirstContact& found, const ScrewMotion& motion) const {
         const double end = found.verdict == Verdict::clear ? 1 : found.time.lower - 1e-6;
         if (new_samples == 0 || end <= 0)
             return;
         const auto place = NewPlaces(surfaces, margin - slack, 2 * slack)
                                .first([&](double time) { return motion.pose_at(time); }, 0, end, new_samples);
-        EXPECT_FALSE(place) << "something new comes within the margin at " << place.value_or(0)
-                            << ", and nobody says so";
+        EXPECT_FALSE(place) << "an unreported contact comes within the margin at " << place.value_or(0);
     }
 };
 

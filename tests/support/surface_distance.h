@@ -1,4 +1,4 @@
-// How far two triangles are apart at one instant: by clamping and comparing, in any scalar that has a square root. For
+// The distance of two triangles at one instant: by clamping and comparing, in any scalar that has a square root. For
 // dense sampling, which can only refute.
 #pragma once
 
@@ -22,7 +22,7 @@ S squared_distance_to_segment(const Point3<S>& p, const Point3<S>& a, const Poin
     return rest.dot(rest);
 }
 
-/// Only where both feet of the common normal are inside; the ends are looked at by themselves.
+/// Only if both feet of the common normal are inside. The ends are tested separately.
 template <class S>
 S squared_distance_of_insides(const Point3<S>& a, const Point3<S>& b, const Point3<S>& c, const Point3<S>& d,
                               const S& otherwise) {
@@ -61,7 +61,7 @@ bool does_segment_cross(const Point3<S>& p, const Point3<S>& q, const Triangle3<
            (passes[0] < S(0) && passes[1] < S(0) && passes[2] < S(0));
 }
 
-/// 0 for triangles that cross.
+/// The distance of two triangles; 0 if they cross.
 template <class S>
 S squared_distance_of_triangles(const Triangle3<S>& a, const Triangle3<S>& b) {
     S least = (a[0] - b[0]).dot(a[0] - b[0]);

@@ -1,6 +1,6 @@
-// A number that carries a bound on its own error: whatever way the operations before it were rounded, the exact
-// value is no further away. Running error analysis; source: N. Higham, "Accuracy and Stability of Numerical
-// Algorithms", section 3.3. The library's templates run in it as they stand.
+// A number with a bound on its own error that holds for any rounding of the operations before. Running error analysis;
+// source: N. Higham, "Accuracy and Stability of Numerical Algorithms", section 3.3. The library's templates accept this
+// scalar unchanged.
 #pragma once
 
 #include "chasles/algebra/double_double.h"
@@ -11,14 +11,14 @@ namespace chasles::test {
 
 using algebra::DoubleDouble;
 
-/// Sums and products are off by `unit` of their value, quotients and roots by twice as much.
+/// The relative error of sums and products is `unit`; quotients and roots have twice this error.
 template <const double& unit>
 class TrackedIn {
 public:
     using Tracked = TrackedIn;
 
     TrackedIn() = default;
-    /// Rounded to one unit.
+    /// A number with a rounding error of one unit.
     static Tracked rounded(const DoubleDouble& value) { return {value, 0, 1}; }
     TrackedIn(double exact) : value_(exact) {} // NOLINT(google-explicit-constructor): as for double-double
 
@@ -56,7 +56,7 @@ private:
     double error_ = 0;
 };
 
-/// In double-double (docs/derivations/10-error-bounds.md) and in double.
+/// The units of double-double (docs/derivations/10-error-bounds.md) and of double.
 inline constexpr double tracked_unit = 5 * 0x1p-106;
 inline constexpr double tracked_double_unit = 0x1p-53;
 using Tracked = TrackedIn<tracked_unit>;

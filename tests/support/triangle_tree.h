@@ -1,5 +1,5 @@
-// The distance of two bodies by all their pairs of triangles, a hierarchy of boxes leaving out what is far: extended
-// precision, nothing of the library's queries, and slow. For sampling, which can only refute.
+// The distance of two bodies over all pairs of triangles, with a hierarchy of boxes that skips distant pairs. It is
+// slow, uses extended precision, and shares no code with the library's queries. For sampling, which can only refute.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -21,7 +21,7 @@ using LongTriangle = Triangle3<long double>;
 struct LongPose {
     Eigen::Matrix<long double, 3, 3> turn = Eigen::Matrix<long double, 3, 3>::Identity();
     LongPoint shift = LongPoint::Zero();
-    Eigen::Matrix3d rough_turn = Eigen::Matrix3d::Identity(); ///< for boxes
+    Eigen::Matrix3d rough_turn = Eigen::Matrix3d::Identity(); ///< for the boxes
     Eigen::Vector3d rough_shift = Eigen::Vector3d::Zero();
 
     LongPose() = default;
@@ -34,7 +34,7 @@ struct LongPose {
     }
 };
 
-/// By its middle and half its size.
+/// A box, given by its centre and half its size.
 struct MiddleBox {
     Eigen::Vector3d middle;
     Eigen::Vector3d half;
@@ -44,7 +44,7 @@ struct MiddleBox {
         const LongPoint upper = t[0].cwiseMax(t[1]).cwiseMax(t[2]);
         return {(0.5 * (lower + upper)).cast<double>(), (0.5 * (upper - lower)).cast<double>()};
     }
-    /// The box of the box that has been moved.
+    /// The axis-aligned box of the moved box.
     [[nodiscard]] MiddleBox moved(const LongPose& pose) const {
         return {pose.rough_turn * middle + pose.rough_shift, pose.rough_turn.cwiseAbs() * half};
     }
@@ -53,16 +53,16 @@ struct MiddleBox {
     }
 };
 
-/// The triangles of a body, two or fewer a leaf.
+/// A tree over the triangles of a body, with at most two triangles per leaf.
 class TriangleTree {
 public:
     struct Node {
         MiddleBox box;
         std::uint32_t first, last; ///< of the triangles
-        std::uint32_t child = 0;   ///< and the one after it; 0 for a leaf
+        std::uint32_t child = 0;   ///< first child; the second child follows; 0 for a leaf
     };
 
-    /// The body's vertices are kept by reference.
+    /// Keeps the body's vertices by reference.
     explicit TriangleTree(const Polyhedron& body) : vertices_(body.vertices()) {
         for (std::uint32_t f = 0; f < body.face_count(); ++f)
             add_face(body, f);
@@ -78,12 +78,12 @@ public:
     [[nodiscard]] const std::vector<Node>& nodes() const { return nodes_; }
     [[nodiscard]] const LongTriangle& triangle(std::uint32_t i) const { return triangles_[i]; }
     [[nodiscard]] const MiddleBox& box(std::uint32_t i) const { return boxes_[i]; }
-    /// Vertex ids of the body.
+    /// The vertex ids of a triangle in the body.
     [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t i) const { return corners_[i]; }
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
 
-    /// Is there an edge of one triangle only at a vertex, or both of two? Meshes with vertices in the middle of edges
-    /// have such cracks all over.
+    /// Whether the edge between two vertices has only one triangle or, if `from` equals `to`, whether any edge at this
+    /// vertex has. Meshes with vertices in the middle of edges have many cracks of this kind.
     [[nodiscard]] bool is_at_rim(std::uint32_t from, std::uint32_t to) const {
         std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
         for (const auto& c : corners_)
@@ -138,7 +138,7 @@ private:
     std::vector<Node> nodes_;
 };
 
-/// Of a moving body, and of a fixed one that stands at the origin.
+/// A triangle of a moving body and a triangle of a fixed body at the origin.
 struct TrianglePair {
     std::uint32_t moving = 0;
     std::uint32_t fixed = 0;
@@ -147,14 +147,14 @@ struct TrianglePair {
 
 class TreePair {
 public:
-    /// The bodies' vertices are kept by reference.
+    /// Keeps the vertices of both bodies by reference.
     TreePair(const Polyhedron& moving, const Polyhedron& fixed)
         : moving_(std::make_shared<TriangleTree>(moving)), fixed_(std::make_shared<TriangleTree>(fixed)) {}
 
-    /// Of those at most so far apart, if there are any; 0 for surfaces that cross.
+    /// The nearest pair of triangles at most `at_most` apart, if any. The distance is 0 for surfaces that cross.
     TrianglePair nearest(const Pose& at, double at_most) {
         const LongPose pose(at);
-        TrianglePair best = last_; // hardly changes from step to step
+        TrianglePair best = last_; // almost unchanged from step to step
         best.distance = distance(pose, best.moving, best.fixed);
         visit(
             pose, 0, 0, [&] { return std::min(double(best.distance), at_most); },
@@ -166,7 +166,7 @@ public:
     }
     double distance(const Pose& at, double at_most) { return double(nearest(at, at_most).distance); }
 
-    /// All pairs that are no farther apart.
+    /// All pairs at most `limit` apart.
     [[nodiscard]] std::vector<TrianglePair> within(const Pose& at, double limit) const {
         std::vector<TrianglePair> result;
         visit(
@@ -186,7 +186,7 @@ private:
         return std::sqrt(squared_distance_of_triangles<long double>(pose(moving_->triangle(a)), fixed_->triangle(b)));
     }
 
-    /// The pairs whose boxes are no farther apart than the limit, which may fall.
+    /// Calls `see` for the pairs whose boxes are at most `limit` apart. The limit may decrease meanwhile.
     template <class Limit, class See>
     void visit(const LongPose& pose, std::uint32_t a, std::uint32_t b, const Limit& limit, const See& see) const {
         const TriangleTree::Node& m = moving_->nodes()[a];

@@ -1,4 +1,4 @@
-// A hundred decimal digits, and the paper's screw written down with sines and cosines in them.
+// Numbers with a hundred decimal digits, and the paper's screw with sines and cosines of these numbers.
 #pragma once
 
 #include "chasles/motion/pose.h"
@@ -35,7 +35,7 @@ inline WideVector turned(const WideVector& v, const WideVector& k, const Wide& a
     return v * c + k.cross(v) * Wide(sin(angle)) + k * Wide(k.dot(v) * (1 - c));
 }
 
-/// Turn of a quaternion of any length, as angle in [0, pi] and unit axis.
+/// The turn of a quaternion of any length: an angle in [0, pi] and a unit axis.
 struct AxisAngle {
     WideVector axis = WideVector::UnitZ();
     Wide angle = 0;
@@ -49,7 +49,7 @@ inline AxisAngle axis_angle(const Wide& w, const WideVector& v) {
     return {v * Wide(sign / length), 2 * atan2(length, Wide(sign * w))};
 }
 
-/// A rigid displacement by what it does to points.
+/// A rigid displacement of points.
 struct WidePose {
     WideVector translation;
     AxisAngle rotation;
@@ -85,7 +85,7 @@ public:
         axis_ = twice_sine / Wide(2 * sine);
         const WideVector shift = goal.translation - turn * start.translation;
         slide_ = axis_.dot(shift);
-        // The axis point nearest to the world's origin is fixed but for the slide.
+        // The axis point nearest to the world's origin moves only by the slide.
         const WideMatrix moved = WideMatrix::Identity() - turn + axis_ * axis_.transpose();
         point_ = solved(moved, shift - axis_ * slide_);
     }
@@ -98,14 +98,14 @@ public:
     /// f(t) of the paper.
     [[nodiscard]] Wide tau(const Wide& time) const { return tan(Wide(angle_ * time / 2)) / tan(Wide(angle_ / 2)); }
 
-    /// Where a body point is at a time.
+    /// The position of a body point at a time.
     [[nodiscard]] WideVector position(const WideVector& body_point, const Wide& time) const {
         const WideVector arm = start_.of(body_point) - point_;
         return point_ + turned(arm, axis_, angle_ * time) + axis_ * Wide(slide_ * tau(time));
     }
 
 private:
-    /// Cramer's rule.
+    /// Solves a linear system by Cramer's rule.
     static WideVector solved(const WideMatrix& m, const WideVector& right) {
         const WideVector c[3] = {m.col(0), m.col(1), m.col(2)};
         const Wide determinant = c[0].dot(c[1].cross(c[2]));

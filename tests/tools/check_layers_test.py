@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The layer check can fail: each rule is broken once in a small tree made for it."""
+"""The layer check can fail: each test breaks one rule in a small tree."""
 
 import unittest
 
@@ -42,7 +42,8 @@ class CheckLayers(SmallTree):
         self.assert_violation("chasles/io/file.h", '#include "chasles/query/first_contact.h"\n', "io must not know")
 
     def test_library_knows_nothing_of_its_faces(self):
-        self.assert_violation("chasles/query/first_contact.h", '#include "scenes/bolt.h"\n', "query must not know of scenes")
+        text = SOUND["chasles/query/first_contact.h"] + '#include "scenes/bolt.h"\n'
+        self.assert_violation("chasles/query/first_contact.h", text, "query must not know of scenes")
 
     def test_layers_do_not_include_the_whole_surface(self):
         self.assert_violation("chasles/io/file.h", '#include "chasles/chasles.h"\n', "whole surface")
@@ -63,9 +64,9 @@ class CheckLayers(SmallTree):
         self.assert_violation("chasles/mesh/box.cpp", '  #  include "chasles/motion/pose.h"\n', "must not know")
 
     def test_what_a_layer_may_include_is_closed(self):
-        """Nobody learns of a layer through another one: what mine may include, I may include."""
+        """No layer learns of a layer through another one: what mine may include, I may include. Faces learn less."""
         for layer, allowed in check_layers.MAY_INCLUDE.items():
-            for below in allowed:
+            for below in allowed if layer not in check_layers.FACES else []:
                 self.assertLessEqual(set(check_layers.MAY_INCLUDE[below]), set(allowed), f"{layer} -> {below}")
 
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""The check of the promises can fail: each rule is broken once in a small tree made for it."""
+"""The check of the promises can fail: each test breaks one rule in a small tree."""
 
 import unittest
 

@@ -1,5 +1,5 @@
 #!/usr/bin/env python3
-"""What tools/docstrings.py finds in a header, and what it leaves alone."""
+"""The texts that tools/docstrings.py finds in a header, and the lines that it ignores."""
 
 import pathlib
 import sys

@@ -1,5 +1,5 @@
 #!/bin/sh
-# install_dependencies.sh against a pretended system: commands in an own folder record what they are asked for.
+# install_dependencies.sh on a simulated system: replacements of system commands record their arguments.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -7,7 +7,7 @@ script=$here/../../tools/install_dependencies.sh
 set -- cat dirname env
 . "$here/pretended.sh"
 
-# run ARGUMENTS: the script; leaves besides what it asked for.
+# run ARGUMENTS: runs the script, and sets `asked` to its calls of apt-get and sudo.
 run() {
     run_pretended "$script" "$@"
     asked=$(grep -E '^(apt-get|sudo)' "$folder/log" || true)

@@ -1,5 +1,6 @@
 #!/bin/sh
-# bench/registry/install.sh where Python and Rust are pretended: what cannot be brought is a line of reason, no failure.
+# bench/registry/install.sh with simulated Python and Rust: if a peer cannot be installed, the script prints the reason in
+# one line and succeeds.
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
@@ -19,7 +20,7 @@ run
 expect "neither Python's environments nor Rust: both say why" \
     '[ $status -eq 0 ] && [ "$(reason python)" = "no module named venv" ] && [ "$(reason parry)" = "no cargo" ]'
 
-# An environment is a folder with an interpreter, which here is a command that answers for pip.
+# An environment is a folder with an interpreter. Here the interpreter is a command that simulates pip.
 pretend python3 "mkdir -p \$3/bin; cp $folder/bin/pip \$3/bin/python"
 pretend pip 'echo "collecting"; echo "ERROR: no such version"; exit 1'
 pretend cargo ''

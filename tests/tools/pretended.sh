@@ -1,4 +1,4 @@
-# Sourced by tests of scripts: a folder of their own, whose bin/ is all that the script under test finds in PATH.
+# Sourced by tests of scripts. Makes a temporary folder whose bin/ is the whole PATH of the script under test.
 #
 # The positional parameters are the tools that are real.
 
@@ -9,13 +9,15 @@ for tool in "$@"; do
     ln -s "$(command -v "$tool")" "$folder/bin/$tool"
 done
 
-# pretend NAME BODY: a command that writes its call to the log and then does BODY.
+# pretend NAME BODY: makes a command that writes its call to the log and then runs BODY. The name may be one of the real
+# tools: removing its link first keeps the system's own file from being overwritten.
 pretend() {
+    rm -f "$folder/bin/$1"
     printf '#!/bin/sh\necho "%s $*" >>"%s/log"\n%s\n' "$1" "$folder" "$2" >"$folder/bin/$1"
     chmod +x "$folder/bin/$1"
 }
 
-# run SCRIPT ARGUMENTS: leaves its output, its status and the log.
+# run SCRIPT ARGUMENTS: sets output and status, and writes the log.
 run_pretended() {
     : >"$folder/log"
     status=0

@@ -1,4 +1,4 @@
-"""Checks of the tree are tested on a small tree that is sound until a test changes one file of it."""
+"""Tests of tree checks run on a small valid tree. Each test changes one file."""
 
 import pathlib
 import sys
@@ -14,7 +14,7 @@ class SmallTree(unittest.TestCase):
     check: types.ModuleType  # its `violations(root)` lists what is wrong
 
     def violations_with(self, **changes: str) -> list[str]:
-        """What the check says of the sound tree after the files in `changes` got another text."""
+        """The violations that the check finds after the files in `changes` have new texts."""
         with tempfile.TemporaryDirectory() as folder:
             root = pathlib.Path(folder)
             for name, text in (self.sound | changes).items():

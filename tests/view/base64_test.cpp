@@ -1,4 +1,4 @@
-// The examples of RFC 4648, and bytes that letters do not cover.
+// The examples of RFC 4648, and all byte values.
 #include "view/base64.h"
 
 #include "tests/view/packed.h"

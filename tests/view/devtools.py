@@ -1,4 +1,4 @@
-"""A headless Chromium, spoken to through its DevTools pipe: JSON messages, each ended by a zero byte.
+"""A headless Chromium, controlled through its DevTools pipe: JSON messages, each ended by a zero byte.
 
 Nothing else is needed than Python and the browser. Protocol: https://chromedevtools.github.io/devtools-protocol
 """
@@ -15,7 +15,7 @@ import time
 SWITCHES = [
     "--headless",
     "--remote-debugging-pipe",
-    "--no-sandbox",  # which root has not
+    "--no-sandbox",  # not available to root
     "--no-first-run",
     "--disable-background-networking",
     "--disable-component-update",
@@ -30,7 +30,7 @@ SWITCHES = [
 
 
 class Browser:
-    """One page of a browser with a fresh profile. `events` holds what the browser told without being asked."""
+    """One page of a browser with a new profile. `events` holds the browser's notifications."""
 
     def __init__(self, executable: str, width: int, height: int, patience: float = 30):
         self.patience = patience
@@ -97,7 +97,7 @@ class Browser:
                 return answer["result"]
 
     def call(self, method: str, **parameters: object) -> dict:
-        """One command to the page."""
+        """Sends one command to the page and returns its result."""
         return self._call(method, parameters, sessionId=self._session)
 
     def evaluate(self, expression: str) -> object:
@@ -108,7 +108,7 @@ class Browser:
         return result["result"].get("value")
 
     def open(self, address: str, ready: str) -> None:
-        """Goes there and waits until the expression `ready` is true."""
+        """Opens the page and waits until the expression `ready` is true."""
         self.call("Page.navigate", url=address)
         deadline = time.monotonic() + self.patience
         while not self.evaluate(ready):
@@ -120,13 +120,13 @@ class Browser:
         self.call("Emulation.setDeviceMetricsOverride", width=width, height=height, deviceScaleFactor=1, mobile=False)
 
     def press(self, key: str) -> None:
-        """A named key, or the space."""
+        """Presses a named key, or the space key."""
         names = {" ": "Space"}
         for kind in ["rawKeyDown", "keyUp"]:
             self.call("Input.dispatchKeyEvent", type=kind, key=key, code=names.get(key, key))
 
     def drag(self, from_x: float, to_x: float, y: float) -> None:
-        """With the left button, in steps as a hand does."""
+        """Drags with the left button in small steps."""
         places = [from_x + (to_x - from_x) * step / 8 for step in range(9)]
         mouse = {"y": y, "button": "left", "buttons": 1, "clickCount": 1}
         self.call("Input.dispatchMouseEvent", type="mousePressed", x=from_x, **mouse)
@@ -135,7 +135,7 @@ class Browser:
         self.call("Input.dispatchMouseEvent", type="mouseReleased", x=to_x, **mouse)
 
     def screenshot(self, scale: float = 1) -> bytes:
-        """As a PNG file, once what was asked for is drawn."""
+        """A PNG file of the page after pending drawing is done."""
         self.evaluate("new Promise(done => requestAnimationFrame(() => requestAnimationFrame(() => done(true))))")
         width, height = self.evaluate("[innerWidth, innerHeight]")
         clip = {"x": 0, "y": 0, "width": width, "height": height, "scale": scale}

@@ -1,4 +1,4 @@
-// Triangles cover the faces, lines are the edges that one sees, and single precision is spent on the body alone.
+// Triangles cover the faces, lines are the visible edges, and vertices are in single precision relative to the body.
 #include "view/drawn_mesh.h"
 
 #include "tests/mesh/shapes.h"
@@ -24,7 +24,7 @@ Eigen::Vector3d area(const view::DrawnMesh& mesh) {
     return sum;
 }
 
-// Two triangles that share the edge 0-1; the second is turned about it from the first one's plane.
+// Two triangles that share the edge 0-1. The second triangle is turned about this edge from the plane of the first.
 test::Soup hinge(double turn, bool is_second_backwards) {
     test::Soup soup;
     soup.vertices = {{0, 0, 0}, {1, 0, 0}, {0.5, 1, 0}, {0.5, -std::cos(turn), std::sin(turn)}};
@@ -46,7 +46,7 @@ TEST(DrawnMesh, CoversFacesThatAreNotConvex) {
     const test::Outline outline = test::square_with_bridged_hole();
     const view::DrawnMesh mesh = drawn(test::sheet(outline));
     EXPECT_NEAR(area(mesh).z(), test::signed_area(outline), 1e-6);
-    EXPECT_EQ(mesh.creases.size(), 8U) << "a bridge to a hole is not seen";
+    EXPECT_EQ(mesh.creases.size(), 8U) << "a bridge to a hole is not drawn";
 }
 
 TEST(DrawnMesh, HidesEdgesWhereTheSurfaceIsSmooth) {

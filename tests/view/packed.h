@@ -1,4 +1,4 @@
-// Reads what view/base64.h wrote, by a table of its own.
+// Decodes the output of view/base64.h with an independent table.
 #pragma once
 
 #include <cstring>

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
-"""The page in a headless Chromium: it draws, moves, stops at the contact, and asks the network for nothing.
+"""The page in a headless Chromium: it draws, moves, stops at the contact, and makes no network requests.
 
-Usage: page_in_browser_test.py CHASLES CHROMIUM [FOLDER]. Screenshots are kept in FOLDER, if one is given. Exit status 77:
+Usage: page_in_browser_test.py CHASLES CHROMIUM [FOLDER]. Screenshots are kept in FOLDER, if given. Exit status 77 means
 skipped, because there is no browser or the build has no viewer.
 """
 
@@ -22,7 +22,7 @@ SIZE = (900, 560)
 TITLE = "Two cubes </script><script>document.title = 'broken out'</script>"
 
 chasles, chromium = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
-passing = tempfile.TemporaryDirectory(prefix="chasles-view-")  # until this ends
+passing = tempfile.TemporaryDirectory(prefix="chasles-view-")  # deleted at exit
 folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else passing.name)
 
 
@@ -77,7 +77,7 @@ class Page(unittest.TestCase):
         self.browser.events.clear()
 
     def tearDown(self) -> None:
-        """Whatever a test does: no error, and nothing asked for but the page itself."""
+        """After every test: no errors, and no requests except for the page."""
         requests = [e["params"]["request"]["url"] for e in self.browser.events if e["method"].endswith("WillBeSent")]
         self.assertEqual([url for url in requests if not url.startswith(("file:///", "data:"))], [])
         self.assertEqual(len([url for url in requests if url.startswith("file:")]), 1)
@@ -105,7 +105,7 @@ class Page(unittest.TestCase):
         self.browser.evaluate(f"document.querySelector({json.dumps(selector)}).click()")
 
     def slide(self, place: float) -> None:
-        """Drags the slider's thumb from where it is to a place in [0, 1]."""
+        """Drags the slider's thumb to a position in [0, 1]."""
         left, right, y, now = self.browser.evaluate(
             "(({left, right, top, bottom}, slider) => [left + 9, right - 9, (top + bottom) / 2, Number(slider.value)])"
             "(document.getElementById('time').getBoundingClientRect(), document.getElementById('time'))"
@@ -183,17 +183,17 @@ class Page(unittest.TestCase):
     def test_what_is_held_goes_on(self) -> None:
         self.open("slide.html")
         self.assertEqual(self.text("#verdict"), "Clear")
-        self.assertIn("what is held keeps its distance", self.text("#meaning"))
+        self.assertIn("held contacts keep the hold distance", self.text("#meaning"))
         self.assertIn("held at the start", self.text("#numbers").lower())
 
     def test_what_is_held_may_come_nearer(self) -> None:
         self.open("push.html")
         self.assertEqual(self.text("#verdict"), "Contact")
-        self.assertIn("What is held comes nearer than it may", self.text("#meaning"))
+        self.assertIn("A held contact reaches the hold distance", self.text("#meaning"))
 
     def test_any_contact_need_not_be_the_first(self) -> None:
         self.open("any.html")
-        self.assertIn("whether earlier too was not asked", self.text("#meaning"))
+        self.assertIn("and perhaps earlier", self.text("#meaning"))
 
     def test_a_clear_motion_runs_to_its_end(self) -> None:
         self.open("clear.html")

@@ -19,7 +19,7 @@ def _unfiltered(kind: int, line: bytearray, above: bytearray, size: int) -> byte
 
 
 def pixels(png: bytes) -> list[list[tuple[int, int, int]]]:
-    """Rows of red, green and blue."""
+    """The rows of the picture, with red, green and blue per pixel."""
     width, height, depth, colour, _, _, interlaced = struct.unpack(">IIBBBBB", png[16:29])
     if depth != 8 or colour not in (2, 6) or interlaced:
         raise ValueError(f"a PNG of another kind: {depth} bits, colour type {colour}")

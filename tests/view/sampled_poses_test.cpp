@@ -1,4 +1,4 @@
-// What the page moves bodies by is the motion that was asked about.
+// The motion on the page is the motion of the query.
 #include "view/sampled_poses.h"
 
 #include "tests/query/bodies.h"
@@ -18,7 +18,7 @@ Eigen::Vector3d position(const view::PoseRow& row) {
     return {row[0], row[1], row[2]};
 }
 
-// As the page does it.
+// The interpolation of the page.
 Eigen::Vector3d position_at(const std::vector<view::PoseRow>& rows, double time) {
     const double place = time * static_cast<double>(rows.size() - 1);
     const auto index = std::min(static_cast<std::size_t>(place), rows.size() - 2);
@@ -31,7 +31,7 @@ TEST(SampledPoses, BeginAndEndWhereTheMotionDoes) {
     const view::SampledPoses poses = view::sampled_poses(motion, 0.1);
     EXPECT_LE((position(poses.moving.front()) - start.translation).norm(), 1e-12);
     EXPECT_LE((position(poses.moving.back()) - far_turned.translation).norm(), 1e-12);
-    EXPECT_EQ(poses.fixed.size(), 1U) << "it stands still";
+    EXPECT_EQ(poses.fixed.size(), 1U) << "the fixed body does not move";
 }
 
 TEST(SampledPoses, FollowTheScrewAsItWasCut) {

@@ -1,4 +1,4 @@
-// The scene says what the answer says, to the last digit, and holds nothing that could end a script element.
+// The scene has the numbers of the answer, to the last digit, and no text that could end a script element.
 #include "view/page.h"
 #include "view/page_template.h"
 

@@ -1,4 +1,4 @@
-// The two bodies, the ghosts of the moving one at its start and goal, and the ways of their middles.
+// The two bodies, the ghosts of the moving body at its start and goal, and the paths of the centres of both bodies.
 import {
   BufferAttribute,
   BufferGeometry,
@@ -22,7 +22,7 @@ interface DrawnMesh {
   origin: Vector3;
 }
 
-/** Surfaces with two sides (meshes may be open), behind the lines that are drawn on them. */
+/** Surfaces are two-sided, because meshes may be open. A depth offset draws them behind their crease lines. */
 const pushedBack = { side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 } as const;
 
 function drawnMesh(packed: PackedMesh): DrawnMesh {
@@ -37,7 +37,7 @@ function drawnMesh(packed: PackedMesh): DrawnMesh {
   return { surface, creases: geometry(packed.creases), origin: new Vector3(...packed.origin) };
 }
 
-/** A body's frame moves by its matrix; the mesh stands in it at its origin. */
+/** The group's matrix is the pose of the body's frame. `origin` is the position of the mesh in this frame. */
 function frame(origin: Vector3, ...children: (Mesh | LineSegments)[]): Group {
   const group = new Group();
   group.matrixAutoUpdate = false;
@@ -50,36 +50,36 @@ function frame(origin: Vector3, ...children: (Mesh | LineSegments)[]): Group {
 
 export class Body {
   readonly group: Group;
-  readonly way: Line;
+  readonly path: Line;
   readonly track: Track;
   private readonly surface = new MeshLambertMaterial({
     flatShading: true,
     ...pushedBack,
   });
   private readonly lines = new LineBasicMaterial();
-  private readonly wayLine = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
+  private readonly pathLine = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
 
   constructor(readonly mesh: DrawnMesh, body: PackedBody, exact: { time: number; pose: PoseRow } | undefined) {
     this.track = new Track(body.poses, exact);
     this.group = frame(mesh.origin, new Mesh(mesh.surface, this.surface), new LineSegments(mesh.creases, this.lines));
-    this.way = new Line(new BufferGeometry(), this.wayLine);
+    this.path = new Line(new BufferGeometry(), this.pathLine);
   }
 
   moveTo(time: number): void {
     this.moveBy(this.track.at(time));
   }
 
-  /** Lines are made in single precision, so from a middle that they stay close to. */
-  drawWay(middle: Vector3): void {
-    const points = this.track.wayOf(this.mesh.origin).map((point) => point.sub(middle));
-    this.way.geometry.setFromPoints(points);
-    this.way.position.copy(middle);
+  /** Line vertices are in single precision, so they are relative to a nearby centre. */
+  drawPath(centre: Vector3): void {
+    const points = this.track.pathOf(this.mesh.origin).map((point) => point.sub(centre));
+    this.path.geometry.setFromPoints(points);
+    this.path.position.copy(centre);
   }
 
   paint(colour: string, edge: string): void {
     this.surface.color.set(colour);
     this.lines.color.set(edge);
-    this.wayLine.color.set(colour);
+    this.pathLine.color.set(colour);
   }
 
   seeThrough(isOn: boolean): void {
@@ -98,7 +98,7 @@ export class Body {
   }
 }
 
-/** The moving body at an end of its way, seen through: first its depth alone, so that one layer of it is seen. */
+/** The moving body at its start or goal, transparent. The depth is drawn first, so that only its front layer shows. */
 export class Ghost {
   readonly group: Group;
   private readonly veil = new MeshLambertMaterial({ flatShading: true, ...pushedBack, transparent: true, depthWrite: false });
@@ -149,7 +149,7 @@ export class Bodies {
   seeThrough(isOn: boolean): void {
     this.moving.seeThrough(isOn);
     this.fixed.seeThrough(isOn);
-    for (const ghost of this.ghosts) ghost.group.visible = !isOn; // one veil on another is a fog
+    for (const ghost of this.ghosts) ghost.group.visible = !isOn; // too many transparent layers otherwise
   }
 
   paint(colours: Colours): void {

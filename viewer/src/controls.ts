@@ -1,4 +1,4 @@
-// Slider, buttons and keys, which all talk to the player and follow it.
+// Slider, buttons and keys. They control the player and show its state.
 import type { Player } from "./player";
 
 const smallStep = 0.01;
@@ -31,7 +31,7 @@ function keyAction(player: Player, key: string): (() => void) | undefined {
   return undefined;
 }
 
-// A button takes the space for itself, and so does what opens or is ticked; the panel scrolls by its own keys.
+// The space key belongs to a focused button, summary or checkbox. The panel scrolls by arrow keys, Home and End.
 function isTaken(event: KeyboardEvent): boolean {
   const target = event.target as Element;
   if (event.ctrlKey || event.metaKey || event.altKey) return true;

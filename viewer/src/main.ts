@@ -1,4 +1,4 @@
-// Puts the page together: scene, bodies, player, numbers.
+// Connects the parts of the page: scene, bodies, player and panel.
 import { Box3, type Sphere, Vector3 } from "three";
 import { Bodies, type Body } from "./bodies";
 import { currentColours, onColourChange } from "./colours";
@@ -11,26 +11,26 @@ import { ballAround, Stage } from "./stage";
 
 declare global {
   interface Window {
-    /** For tests: what the slider does, without the slider. */
+    /** For tests: the functions of the slider. */
     chasles: { ready: Promise<void>; setTime(time: number): void; time(): number; goThrough(may: boolean): void };
   }
 }
 
-const mostBoxes = 61; // of a way; enough for all of it to be in the picture
+const mostBoxes = 61; // sampled boxes per motion, enough to keep the whole motion in view
 
 function corners({ min, max }: Box3): Vector3[] {
   const ends = [min, max];
   return [0, 1, 2, 3, 4, 5, 6, 7].map((k) => new Vector3(ends[k & 1].x, ends[(k >> 1) & 1].y, ends[k >> 2].z));
 }
 
-function cornersOnWay({ mesh, track }: Body): Vector3[] {
+function cornersOnPath({ mesh, track }: Body): Vector3[] {
   const box = corners(mesh.surface.boundingBox!).map((corner) => corner.add(mesh.origin));
   const step = Math.max(1, Math.floor((track.count - 1) / (mostBoxes - 1)));
   const samples = Array.from({ length: track.count }, (_, index) => index).filter((index) => index % step === 0);
   return samples.flatMap((index) => box.map((corner) => corner.clone().applyMatrix4(track.sample(index))));
 }
 
-/** What to look at for a contact: as much around it as shows the smaller body's part in it. */
+/** The corners of the box to show for a contact: the marked points, expanded by 0.55 radii of the smaller body. */
 function aroundContact(scene: Scene, bodies: Bodies): Vector3[] {
   const box = new Box3().setFromPoints(markedPoints(scene.answer).map((point) => new Vector3(...point)));
   const radii = [bodies.moving, bodies.fixed].map(({ mesh }) => mesh.surface.boundingSphere!.radius);
@@ -44,11 +44,11 @@ function firstNormal(scene: Scene): Vector3 | undefined {
 
 function makeStage(scene: Scene, bodies: Bodies, markers: Markers, whole: Sphere): Stage {
   const canvas = document.getElementById("canvas") as HTMLCanvasElement;
-  canvas.setAttribute("aria-label", `${scene.moving.name} on its way past ${scene.fixed.name}`);
+  canvas.setAttribute("aria-label", `${scene.moving.name} moving past ${scene.fixed.name}`);
   const stage = new Stage(canvas, whole, () => markers.resize(stage.camera, stage.unit));
-  bodies.moving.drawWay(whole.center);
-  bodies.fixed.drawWay(whole.center);
-  stage.world.add(...bodies.groups, bodies.moving.way, bodies.fixed.way, markers.group);
+  bodies.moving.drawPath(whole.center);
+  bodies.fixed.drawPath(whole.center);
+  stage.world.add(...bodies.groups, bodies.moving.path, bodies.fixed.path, markers.group);
   return stage;
 }
 
@@ -73,7 +73,7 @@ function connectViews(scene: Scene, bodies: Bodies, stage: Stage, player: Player
 function show(scene: Scene, player: Player, choose: { contact(index: number | undefined): void }): void {
   const bodies = new Bodies(scene);
   const markers = new Markers(scene.answer, scene.margin, bodies.fixed.track.at(player.stop));
-  const everything = [...cornersOnWay(bodies.moving), ...cornersOnWay(bodies.fixed)];
+  const everything = [...cornersOnPath(bodies.moving), ...cornersOnPath(bodies.fixed)];
   const stage = makeStage(scene, bodies, markers, ballAround(everything));
   const follow = () => {
     bodies.moveTo(player.time);
@@ -114,7 +114,7 @@ function start(): void {
   try {
     show(scene, player, choose);
   } catch (error) {
-    // The numbers are worth reading without the picture.
+    // Without WebGL the page still shows the numbers.
     const trouble = document.getElementById("trouble")!;
     trouble.textContent = `The picture cannot be drawn: ${error instanceof Error ? error.message : error}`;
     trouble.hidden = false;

@@ -1,5 +1,5 @@
-// Contact points as spheres and normals as arrows, of the same size on the screen from near and far, and seen through
-// the bodies: a contact mostly hides between them. They ride on the fixed body.
+// Contact points as spheres and normals as arrows. Markers have a constant size on the screen. They are drawn in front of
+// the bodies, because most contacts lie hidden between them. They move with the fixed body.
 import {
   BufferGeometry,
   type Camera,
@@ -18,14 +18,14 @@ import {
 import { type Answer, type Contact, markedPoints, type Vector } from "./scene";
 
 const mostMarkers = 500;
-const radiusOnScreen = 0.0052; // of the distance to the camera
+const radiusOnScreen = 0.0052; // relative to the distance from the camera
 const chosenIsLarger = 1.6;
 const otherEndIsSmaller = 0.85;
 const up = new Vector3(0, 1, 0);
 
 interface Marker {
   point: Vector3; // in the fixed body's frame
-  turn?: Quaternion; // from up to the normal
+  turn?: Quaternion; // rotates `up` to the normal
   scale: number;
 }
 
@@ -34,13 +34,13 @@ function markerOf(point: Vector, normal: Vector | undefined, toFixed: Matrix4): 
   return { point: new Vector3(...point).applyMatrix4(toFixed), turn, scale: 1 };
 }
 
-/** With a margin the bodies keep a gap: the point on the moving one, small. */
+/** With a margin the bodies keep a gap. A smaller marker shows the point on the moving body. */
 function otherEnd({ point, normal, gap }: Contact, toFixed: Matrix4): Marker {
   const end = new Vector3(...point).addScaledVector(new Vector3(...normal), gap);
   return { point: end.applyMatrix4(toFixed), scale: otherEndIsSmaller };
 }
 
-/** Arrows along the second axis, in units of a marker's radius. */
+/** Arrows point along the y axis. The unit is the radius of a marker. */
 function shaft(): BufferGeometry {
   return new CylinderGeometry(0.26, 0.26, 9, 12).translate(0, 5.5, 0);
 }
@@ -57,12 +57,12 @@ export class Markers {
   private readonly gapColour = new LineBasicMaterial({ depthTest: false, transparent: true });
   private readonly rimColour = new MeshBasicMaterial({ depthTest: false, transparent: true });
 
-  /** `fixedPose` at the time of the contact, which the answer's points belong to. */
+  /** `fixedPose` is the pose of the fixed body at the time of the contact; the points of the answer belong to this time. */
   constructor(answer: Answer, margin: number, fixedPose: Matrix4) {
     const toFixed = fixedPose.clone().invert();
     const contacts = (answer.contacts ?? []).slice(0, mostMarkers);
     const marked = markedPoints(answer).slice(0, mostMarkers);
-    const gaps = margin > 0 ? contacts : []; // else a gap is a rounding error
+    const gaps = margin > 0 ? contacts : []; // without a margin the gaps are rounding errors
     this.markers = [
       ...marked.map((point, index) => markerOf(point, contacts[index]?.normal, toFixed)),
       ...gaps.map((contact) => otherEnd(contact, toFixed)),
@@ -86,7 +86,7 @@ export class Markers {
     if (index !== undefined && index < mostMarkers) this.markers[index].scale = chosenIsLarger;
   }
 
-  /** Made in single precision, so from a point that they are close to. */
+  /** Line vertices are in single precision, so they are relative to a nearby point. */
   private gapLines(contacts: Contact[], toFixed: Matrix4): LineSegments {
     const base = this.markers[0]?.point ?? new Vector3();
     const ends = contacts.flatMap((contact) => [
@@ -112,7 +112,7 @@ export class Markers {
     this.rimColour.color.set(rim);
   }
 
-  /** `unit` is the length of the mesh's unit in the scene. */
+  /** `unit` is the length of one mesh unit in the scene. */
   resize(camera: Camera, unit: number): void {
     const at = new Vector3();
     this.markers.forEach(({ point, turn, scale }, index) => {

@@ -1,5 +1,5 @@
-// The answer in words and numbers. Numbers are those of the answer, to the last digit: JavaScript prints the shortest
-// text that reads back to the same double.
+// The answer in words and numbers. Numbers have all their digits: JavaScript prints the shortest text that reads back to
+// the same double.
 import { type Answer, type Contact, type Feature, type Overlap, type Scene, type Vector } from "./scene";
 
 const mostListed = 100;
@@ -16,7 +16,7 @@ function byId(id: string): HTMLElement {
   return document.getElementById(id)!;
 }
 
-// One number a line: with all their digits, two do not fit beside each other.
+// One number per line: two numbers with all digits do not fit on one line.
 function lines(numbers: readonly number[]): HTMLElement {
   return element("dd", ...numbers.map((number) => element("span", String(number))));
 }
@@ -44,9 +44,9 @@ function overlapName({ moving_feature, fixed_feature }: Overlap): string {
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
 
 function meaningWithHold({ verdict, time, clear_until }: Answer, margin: number): string {
-  if (verdict === "clear") return `Proven: what is held keeps its distance, and nothing else comes within ${margin}.`;
+  if (verdict === "clear") return `Proven: held contacts keep the hold distance, and no new contact comes within ${margin}.`;
   const isNew = clear_until > time!;
-  const event = `${isNew ? "Something" : "What is held comes nearer than it may, or something"} new comes within ${margin}`;
+  const event = `${isNew ? "A" : "A held contact reaches the hold distance, or a"} new contact comes within ${margin}`;
   return `${event}: inside the bracket, and not before its lower end.`;
 }
 
@@ -55,9 +55,9 @@ function meaning(answer: Answer, margin: number): string {
   const touch = margin > 0 ? `come within ${margin}` : "touch";
   switch (answer.verdict) {
     case "clear":
-      return margin > 0 ? `Proven: never within ${margin} on the whole way.` : "Proven: nothing touches on the whole way.";
+      return margin > 0 ? `Proven: never within ${margin} during the whole motion.` : "Proven: nothing touches during the whole motion.";
     case "contact":
-      if (answer.clear_until < answer.time!) return `The bodies ${touch} inside the bracket; whether earlier too was not asked.`;
+      if (answer.clear_until < answer.time!) return `The bodies ${touch} inside the bracket, and perhaps earlier: the query stopped at any contact.`;
       return `The bodies first ${touch} inside the bracket, and not before its lower end.`;
     case "contact_at_start":
       return answer.overlap ? "The surfaces pass through each other already." : `The bodies ${touch} already.`;
@@ -70,7 +70,7 @@ function timeRows(answer: Answer): [string, string | number][] {
     ["to", answer.time_upper!],
     ["tau from", answer.tau!],
     ["to", answer.tau_upper!],
-    ["certain", answer.certain ? "yes" : "no: they may just miss each other"],
+    ["certain", answer.certain ? "yes" : "no: the bodies may just miss each other"],
   ];
 }
 
@@ -81,7 +81,7 @@ function motionRows({ motion }: Answer, isSweep: boolean): [string, number | str
     ["axis", motion.axis_direction],
     ["through", motion.axis_point],
   ];
-  return isSweep ? [["motion", "sweep; the screw with its ends:"], ...screw] : screw;
+  return isSweep ? [["motion", "sweep; the screw with equal end poses:"], ...screw] : screw;
 }
 
 function contactDetails(contact: Contact): HTMLElement {
@@ -89,7 +89,7 @@ function contactDetails(contact: Contact): HTMLElement {
     ["point", contact.point],
     ["normal", contact.normal],
     ["gap", contact.gap],
-    ["closing speed", contact.approach_speed],
+    ["approach speed", contact.approach_speed],
   ]);
 }
 
@@ -113,7 +113,7 @@ function workRows(answer: Answer): [string, number][] {
   return Object.entries(answer.work).map(([name, count]) => [name.replaceAll("_", " "), count]);
 }
 
-/** `choose` is told which contact is looked at. */
+/** `choose` receives the index of the contact whose entry is open. */
 export function fillPanel(scene: Scene, choose: (index: number | undefined) => void): void {
   const { answer } = scene;
   const contacts = answer.contacts ?? [];

@@ -1,7 +1,7 @@
-// The time on show. It stops at the contact, unless it may go through.
+// The time that the page shows. It stops at the contact, unless "go through" is set.
 
 const secondsOfMotion = 4;
-const reachOfSnap = 0.006; // around the contact, as a part of the slider
+const snapDistance = 0.006; // from the contact, in times of the motion
 
 export class Player {
   private now = 0;
@@ -10,7 +10,7 @@ export class Player {
   private lastFrame = 0;
   private readonly listeners: (() => void)[] = [];
 
-  /** `stop` is the time of the contact, 1 if there is none. */
+  /** `stop` is the time of the contact; 1 if the motion is clear. */
   constructor(readonly stop: number) {}
 
   get time(): number {
@@ -32,16 +32,16 @@ export class Player {
 
   set(time: number): void {
     this.now = Math.min(Math.max(time, 0), this.end);
-    this.tell();
+    this.notify();
   }
 
-  /** As set(), but what is close to the contact is at the contact. */
+  /** Sets the time; a time close to the contact snaps to the contact. */
   drag(time: number): void {
     this.pause();
-    this.set(Math.abs(time - this.stop) < reachOfSnap ? this.stop : time);
+    this.set(Math.abs(time - this.stop) < snapDistance ? this.stop : time);
   }
 
-  /** Never past the contact in one step. */
+  /** Steps by `by`. A step that would pass the contact ends there. */
   step(by: number): void {
     this.pause();
     const next = this.now + by;
@@ -60,12 +60,12 @@ export class Player {
     this.playing = true;
     this.lastFrame = performance.now();
     requestAnimationFrame((at) => this.frame(at));
-    this.tell();
+    this.notify();
   }
 
   pause(): void {
     this.playing = false;
-    this.tell();
+    this.notify();
   }
 
   private frame(at: number): void {
@@ -77,7 +77,7 @@ export class Player {
     if (this.playing) requestAnimationFrame((later) => this.frame(later));
   }
 
-  private tell(): void {
+  private notify(): void {
     for (const listener of this.listeners) listener();
   }
 }

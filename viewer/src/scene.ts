@@ -1,8 +1,8 @@
-// What the page was given, as view/scene_json.cpp wrote it.
+// The data of the page, written by view/scene_json.cpp.
 
 export type Vector = [number, number, number];
 export type PoseRow = ArrayLike<number>; // x, y, z, qw, qx, qy, qz
-/** A vertex is a number, a face a list of one, an edge a list of its two vertices. */
+/** A vertex is a number, a face a list of one number, an edge a list of its two vertices. */
 export type Feature = number | [number] | [number, number];
 
 export interface Contact {
@@ -21,7 +21,7 @@ export interface Overlap {
   point: Vector;
 }
 
-/** As `chasles check --json` prints it; from `time` to `overlap` absent when clear. */
+/** The object that `chasles check --json` prints. When clear, time, tau, certain, pose, contacts and overlap are absent. */
 export interface Answer {
   verdict: "clear" | "contact" | "contact_at_start";
   time?: number;
@@ -29,19 +29,19 @@ export interface Answer {
   tau?: number;
   tau_upper?: number;
   certain?: boolean;
-  clear_until: number; // how far it is safe to go
+  clear_until: number; // the motion is safe until this time
   pose?: number[];
   contacts?: Contact[];
-  held?: Contact[]; // at time 0
+  held?: Contact[]; // contacts within the margin at time 0
   overlap?: Overlap;
   motion: { angle: number; slide: number; axis_point: Vector; axis_direction: Vector };
   work: Record<string, number>;
 }
 
-/** Packed: the bytes of an array in base64, little end first. */
+/** Packed arrays are their little-endian bytes in base64. */
 export interface PackedMesh {
   origin: Vector;
-  vertices: string; // float32, from the origin
+  vertices: string; // float32, relative to the origin
   triangles: string; // uint32
   creases: string; // uint32
 }
@@ -49,7 +49,7 @@ export interface PackedMesh {
 export interface PackedBody {
   name: string;
   mesh: number;
-  poses: string; // float64, seven a pose, at equal times
+  poses: string; // float64, seven numbers per pose, at equal time steps
 }
 
 export interface Scene {
@@ -60,7 +60,7 @@ export interface Scene {
   meshes: PackedMesh[];
   moving: PackedBody;
   fixed: PackedBody;
-  fixed_pose: number[]; // at the contact
+  fixed_pose: number[]; // at the time of the contact
   answer: Answer;
 }
 
@@ -77,12 +77,12 @@ export function unpacked(text: string): ArrayBuffer {
   return bytes.buffer;
 }
 
-/** The time at which the motion stops: that of the contact; the end if it is clear. */
+/** The time at which the motion stops: the time of the contact, or 1 if the motion is clear. */
 export function stopOf(answer: Answer): number {
   return answer.verdict === "clear" ? 1 : answer.time!;
 }
 
-/** All points that are marked, in the world at the time of the contact. */
+/** All marked points, in the world at the time of the contact. */
 export function markedPoints(answer: Answer): Vector[] {
   const points = (answer.contacts ?? []).map((contact) => contact.point);
   return answer.overlap ? [...points, answer.overlap.point] : points;

@@ -1,5 +1,5 @@
-// Camera, light and drawing. The scene is shifted to its middle and scaled to size one in double precision, so that
-// neither far nor tiny bodies lose digits on the way to the graphics card.
+// Camera, light and drawing. The scene is shifted to its centre and scaled to radius one in double precision. The
+// graphics card computes in single precision; without the shift and the scale, distant or tiny bodies would lose digits.
 import {
   Box3,
   DirectionalLight,
@@ -15,7 +15,7 @@ import {
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
 
 const fieldOfView = 32;
-const margin = 0.86; // of the picture is filled
+const filledPart = 0.86; // of the picture
 const usualDirection = new Vector3(0.55, -1, 0.5).normalize();
 
 export class Stage {
@@ -46,12 +46,15 @@ export class Stage {
     this.resize();
   }
 
-  /** The length of the mesh's unit in the scene. */
+  /** The length of one mesh unit in the scene. */
   get unit(): number {
     return 1 / this.whole.radius;
   }
 
-  /** Looks at points of the world, close enough to fill the picture; across `along` rather than along it, if given. */
+  /**
+   * Points the camera at `points` (world coordinates) so that they fill the picture. If `along` is given, the camera looks
+   * nearly perpendicular to it.
+   */
   lookAt(points: Vector3[], along?: Vector3): void {
     const back = usualDirection.clone();
     if (along) back.addScaledVector(along, -0.85 * back.dot(along));
@@ -63,7 +66,7 @@ export class Stage {
       point.clone().sub(this.whole.center).multiplyScalar(this.unit).applyMatrix4(toFrame),
     );
     const middle = new Box3().setFromPoints(seen).getCenter(new Vector3());
-    const slope = Math.tan((fieldOfView / 2 / 180) * Math.PI) * margin;
+    const slope = Math.tan((fieldOfView / 2 / 180) * Math.PI) * filledPart;
     const distanceFor = ({ x, y, z }: Vector3) => {
       const off = Math.max(Math.abs(x - middle.x) / this.camera.aspect, Math.abs(y - middle.y));
       return off / slope + z - middle.z;
@@ -80,7 +83,7 @@ export class Stage {
     this.draw();
   }
 
-  /** With the next frame; many calls make one drawing. */
+  /** Draws at the next frame. Several calls before this frame cause one drawing. */
   draw(): void {
     if (this.drawing) return;
     this.drawing = true;
@@ -107,7 +110,7 @@ export class Stage {
   }
 }
 
-/** Around all points. Never of radius 0. */
+/** A sphere around all points. Its radius is never 0. */
 export function ballAround(points: Vector3[]): Sphere {
   const ball = new Box3().setFromPoints(points).getBoundingSphere(new Sphere());
   if (!(ball.radius > 0)) ball.radius = 1;

@@ -1,4 +1,4 @@
-// Where a body is at a time: between sampled poses it steps straight on, and at the contact the pose is the answer's own.
+// The pose of a body at a time: interpolated between sampled poses, and exactly the pose of the answer at the contact.
 import { Matrix4, Quaternion, Vector3 } from "three";
 import { unpacked, type PoseRow } from "./scene";
 
@@ -30,7 +30,7 @@ export class Track {
     this.count = this.rows.length / numbersOfPose;
   }
 
-  /** The body's frame in the world. */
+  /** The pose of the body's frame in the world at a time. */
   at(time: number): Matrix4 {
     if (time === this.exact?.time) return matrixOf(poseOf(this.exact.pose));
     const place = time * (this.count - 1);
@@ -47,8 +47,8 @@ export class Track {
     return matrixOf(poseOf(this.rows, index * numbersOfPose));
   }
 
-  /** The way of a point of the body, in the world. */
-  wayOf(point: Vector3): Vector3[] {
+  /** The path of a point of the body, in the world. */
+  pathOf(point: Vector3): Vector3[] {
     return Array.from({ length: this.count }, (_, index) => point.clone().applyMatrix4(this.sample(index)));
   }
 }

@@ -1,4 +1,4 @@
-// A build without the viewer, pretended: this program is linked to the source that such a build has.
+// Simulates a build without the viewer: this program is linked to the source that a build without the viewer uses.
 #include "view/page.h"
 
 #include <gtest/gtest.h>

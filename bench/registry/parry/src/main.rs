@@ -39,7 +39,7 @@ fn rotation(q: &[f64]) -> Rotation {
     Rotation::from_xyzw(q[1], q[2], q[3], q[0])
 }
 
-/// The screw at constant rates: about a point of its axis, which itself runs along the axis.
+/// The screw with constant rates: a rotation about a point of its axis, while this point moves along the axis.
 fn motion(start: &[f64], goal: &[f64]) -> NonlinearRigidMotion {
     let origin = Vector::new(start[0], start[1], start[2]);
     let travel = Vector::new(goal[0], goal[1], goal[2]) - origin;
