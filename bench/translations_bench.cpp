@@ -7,7 +7,7 @@
 #include "bench/process_peer.h"
 #include "bench/registry_peers.h"
 #include "bench/translation_cases.h"
-#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/motion.h"
 #include "chasles/search/found_contacts.h"
 
 #include <cstdio>
