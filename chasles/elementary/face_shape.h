@@ -69,7 +69,6 @@ ConvexPart<S> convex_part(const FaceShape<S>& face, std::size_t index) {
     return {face, 3 * index, face.triangles.empty() ? face.corners.size() : 3};
 }
 
-
 /// Calls `visit(count, corner_at)` for the convex parts that cover a face: the whole outline or the triangles. Stops
 /// and returns true as soon as a call returns true.
 template <class S, class Visit>

@@ -52,8 +52,8 @@ public:
     [[nodiscard]] bool is_within_tolerance_of_proven(const FeasibleInterval& tau) const {
         return proven_upper_ - tau.lower <= goal_.tolerance && (tau.lower > 0 || proven_upper_ <= 0);
     }
-    /// An uncertain candidate may wait until the bracket of the proven contact is narrow. Where all contacts are listed,
-    /// each is decided at once.
+    /// An uncertain candidate may wait until the bracket of the proven contact is narrow. Where all contacts are
+    /// listed, each is decided at once.
     [[nodiscard]] bool is_nearly_simultaneous_with_proven(const FeasibleInterval& tau) const {
         return !lists_all() && tau.lower > 0 && proven_upper_ - tau.lower <= nearly_simultaneous;
     }
