@@ -42,8 +42,8 @@ private:
     };
     [[nodiscard]] HeldLevel held_level(const PieceContext& piece, const PieceResult& start) const;
     void search_holding(FirstContact& found, PieceContext& first_piece, double level, const search::HeldContacts& held);
-    bool search_holding_piece(FirstContact& found, PieceContext& piece, const search::SearchOptions& search,
-                              const search::HeldContacts& held);
+    bool search_holding_piece(FirstContact& found, PieceContext& piece, double level, const search::HeldContacts& held,
+                              bool is_first);
 
     [[nodiscard]] PieceContext piece(std::size_t index) const {
         return {query_.moving, query_.fixed, pieces_->at(index)};
@@ -137,9 +137,7 @@ void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece
     for (std::size_t i = 0; i < pieces_->size(); ++i) {
         std::optional<PieceContext> later;
         PieceContext& context = i == 0 ? first_piece : later.emplace(query_.moving, query_.fixed, pieces_->at(i));
-        search::SearchOptions search = search_of(context, level);
-        search.check_start = false;
-        if (search_holding_piece(found, context, search, held))
+        if (search_holding_piece(found, context, level, held, i == 0))
             return;
         if (i + 1 == pieces_->size() && found.verdict == Verdict::unknown)
             end_clear(found, context.piece());
@@ -147,10 +145,11 @@ void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece
     found.clear_until = 1;
 }
 
-/// True when something comes within the level of `search`.
-bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece, const search::SearchOptions& search,
-                                        const search::HeldContacts& held) {
-    search::SearchOptions near = search;
+/// True when something comes within the level.
+bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece, double level,
+                                        const search::HeldContacts& held, bool is_first) {
+    search::SearchOptions near = search_of(piece, level);
+    near.check_start = false;
     near.find = options_.find == Find::any ? Find::first : options_.find; // `clear_until` needs the first
     const PieceResult at_level = search_piece(piece, near);
     found.work += at_level.work;
@@ -158,12 +157,13 @@ bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece
         search::SearchOptions far = near;
         far.margin = options_.margin;
         far.held = &held;
-        const PieceResult fresh = search_piece(piece, far);
-        found.work += fresh.work;
-        const bool is_new =
-            has_contact(fresh) && (!has_contact(at_level) || enclosing(fresh).upper < enclosing(at_level).upper);
+        const PieceResult new_contacts = search_piece(piece, far);
+        found.work += new_contacts.work;
+        const bool is_new = has_contact(new_contacts) &&
+                            (!has_contact(at_level) || enclosing(new_contacts).upper < enclosing(at_level).upper);
         if (is_new || has_contact(at_level))
-            report(found, piece, is_new ? fresh : at_level, {options_, false, is_new ? far.margin : near.margin});
+            report(found, piece, is_new ? new_contacts : at_level,
+                   {options_, is_first, is_new ? far.margin : near.margin});
     }
     if (!has_contact(at_level))
         return false;
