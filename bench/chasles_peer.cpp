@@ -1,6 +1,7 @@
 #include "bench/chasles_peer.h"
 
 #include "bench/piecewise_poses.h"
+#include "chasles/query/first_contact.h"
 
 namespace chasles::bench {
 
@@ -8,21 +9,17 @@ namespace {
 
 Peer chasles_peer(const std::string& name, Find find) {
     const auto prepare = [find](const Polyhedron& moving, const Polyhedron& fixed) {
-        const auto query = [&moving, &fixed, find](const Displacement& motion) {
-            return FirstContactQuery{.moving = moving,
-                                     .fixed = fixed,
-                                     .motion = ScrewMotion::between(motion.start, motion.goal),
-                                     .find = find};
-        };
-        const auto ask = [query, find](const Displacement& motion) {
-            const FirstContact found = first_contact(query(motion));
+        const auto screw = [](const Displacement& motion) { return ScrewMotion::between(motion.start, motion.goal); };
+        const auto ask = [&moving, &fixed, screw, find](const Displacement& motion) {
+            const FirstContact found =
+                first_contact({.moving = moving, .fixed = fixed, .motion = screw(motion), .options = {.find = find}});
             PeerAnswer answer{.touches = found.verdict != Verdict::clear, .time = {}};
             if (answer.touches && find == Find::first)
                 answer.time = found.time.lower;
             return answer;
         };
-        const auto pose_at = [query](const Displacement& motion, double time) {
-            return PiecewisePoses(query(motion)).at(time);
+        const auto pose_at = [screw](const Displacement& motion, double time) {
+            return PiecewisePoses(screw(motion)).at(time);
         };
         return PeerPair{ask, pose_at};
     };

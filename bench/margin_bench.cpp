@@ -50,8 +50,7 @@ FirstContact answer(const MarginCase& test, const Motion& motion, double share, 
     return first_contact({.moving = test.body.body,
                           .fixed = test.body.body,
                           .motion = motion,
-                          .margin = share * test.size,
-                          .find = find});
+                          .options = {.margin = share * test.size, .find = find}});
 }
 
 constexpr double margins[] = {0, 1e-6, 1e-4, 1e-3, 1e-2, 1e-1};

@@ -67,7 +67,8 @@ MotionCase nut_step(const NutAndBolt& pair) {
 }
 
 FirstContact answer(const MotionCase& test, Find find) {
-    return first_contact({.moving = test.moving, .fixed = test.fixed, .motion = test.motion, .find = find});
+    return first_contact(
+        {.moving = test.moving, .fixed = test.fixed, .motion = test.motion, .options = {.find = find}});
 }
 
 std::string contradiction(const MotionCase& test) {
@@ -78,7 +79,7 @@ std::string contradiction(const MotionCase& test) {
     const bool meets = first.verdict == Verdict::contact;
     if (meets && any.time.upper < first.time.lower)
         return "a contact is before the first one";
-    const PiecewisePoses poses({.moving = test.moving, .fixed = test.fixed, .motion = test.motion});
+    const PiecewisePoses poses(test.motion);
     const auto overlap_at = [&](double time) { return is_overlapping(test.moving, test.fixed, poses.at(time)); };
     const int samples = 8;
     const double last = meets ? first.time.lower : 1;

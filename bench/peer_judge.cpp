@@ -39,8 +39,7 @@ bool refutes_truth(const Trial& test) {
     const auto& [pair, peer, motion, truth, answer] = test;
     if (!answer.touches || !answer.time || (truth.touches && *answer.time >= truth.time.lower - 1e-9))
         return false;
-    const PiecewisePoses poses(
-        {.moving = pair.moving, .fixed = pair.fixed, .motion = ScrewMotion::between(motion.start, motion.goal)});
+    const PiecewisePoses poses(ScrewMotion::between(motion.start, motion.goal));
     return is_overlapping(pair.moving, pair.fixed, poses.at(*answer.time));
 }
 

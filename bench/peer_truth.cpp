@@ -2,6 +2,7 @@
 
 #include "bench/discrete_overlap.h"
 #include "bench/piecewise_poses.h"
+#include "chasles/query/first_contact.h"
 
 #include <cmath>
 
@@ -34,11 +35,10 @@ std::string against_samples(const Truth& truth, const PeerCase& pair, const Piec
 } // namespace
 
 Truth truth_of(const PeerCase& pair, const PeerQuestion& question) {
-    FirstContactQuery query{.moving = pair.moving,
-                            .fixed = pair.fixed,
-                            .motion = ScrewMotion::between(question.motion.start, question.motion.goal)};
+    const ScrewMotion screw = ScrewMotion::between(question.motion.start, question.motion.goal);
+    FirstContactQuery query{.moving = pair.moving, .fixed = pair.fixed, .motion = screw};
     const FirstContact first = first_contact(query);
-    query.find = Find::any;
+    query.options.find = Find::any;
     const FirstContact any = first_contact(query);
     Truth truth{first.verdict != Verdict::clear, first.time, {}};
     if (first.verdict == Verdict::contact_at_start)
@@ -48,7 +48,7 @@ Truth truth_of(const PeerCase& pair, const PeerQuestion& question) {
     else if (question.known)
         truth.contradiction = against_construction(truth, *question.known);
     if (truth.contradiction.empty())
-        truth.contradiction = against_samples(truth, pair, PiecewisePoses(query));
+        truth.contradiction = against_samples(truth, pair, PiecewisePoses(screw));
     if (question.known && question.known->time)
         truth.time = {*question.known->time, *question.known->time};
     return truth;

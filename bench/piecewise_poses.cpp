@@ -4,9 +4,6 @@
 
 namespace chasles::bench {
 
-PiecewisePoses::PiecewisePoses(const FirstContactQuery& query)
-    : pieces_(std::get<ScrewMotion>(query.motion).cut(query.max_turn)) {}
-
 Eigen::Isometry3d PiecewisePoses::at(double time) const {
     const double scaled = time * double(pieces_.size());
     const std::size_t index = std::min(std::size_t(scaled), pieces_.size() - 1);

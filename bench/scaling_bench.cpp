@@ -5,7 +5,7 @@
 #include "bench/run_benchmarks.h"
 #include "chasles/base/flat_lists.h"
 #include "chasles/mesh/body.h"
-#include "chasles/query/path.h"
+#include "chasles/query/batch.h"
 
 #include <Eigen/Geometry>
 #include <benchmark/benchmark.h>
@@ -43,7 +43,7 @@ struct Approach {
             {.moving = body,
              .fixed = body,
              .motion = ScrewMotion::between(Pose(at(0.02), upright()), Pose(at(reaches ? -0.02 : 0.01), turned)),
-             .find = find});
+             .options = {.find = find}});
     }
 
     static Quaterniond upright() { return Quaterniond(AngleAxisd(std::numbers::pi / 2, Vector3d::UnitX())); }
@@ -142,7 +142,8 @@ struct ManyMotions {
     }
 
     [[nodiscard]] std::vector<FirstContact> ask(unsigned threads) const {
-        return first_contact_batch({.moving = moving, .fixed = fixed, .motions = motions, .threads = threads});
+        return first_contact_batch(
+            {.moving = moving, .fixed = fixed, .motions = motions, .batch = {.threads = threads}});
     }
 };
 

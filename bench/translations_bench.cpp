@@ -7,7 +7,7 @@
 #include "bench/process_peer.h"
 #include "bench/registry_peers.h"
 #include "bench/translation_cases.h"
-#include "chasles/motion/motion.h"
+#include "chasles/motion/screw_trajectory.h"
 #include "chasles/search/touch_stages.h"
 
 #include <cstdio>
@@ -38,7 +38,7 @@ private:
     static constexpr double width = 1e-12;
 
     motion::RationalMotion<DoubleDouble> motion_ =
-        ScrewMotion::between(Pose(), Pose(way, Eigen::Quaterniond::Identity())).frame().motion;
+        motion::ScrewPiece(motion::MotionEnds::between(Pose(), Pose(way, Eigen::Quaterniond::Identity()))).cubic();
     motion::ControlMaps<double> maps_ = motion::double_maps(motion_);
     motion::ControlMaps<DoubleDouble> exact_maps_ = motion::control_maps(motion_);
     Detector<double> filter_{maps_, maps_, search::filter_tolerance(width)};

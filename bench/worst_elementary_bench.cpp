@@ -5,7 +5,7 @@
 #include "bench/run_benchmarks.h"
 #include "chasles/algebra/exact_feasible.h"
 #include "chasles/motion/exact_motion.h"
-#include "chasles/motion/motion.h"
+#include "chasles/motion/screw_trajectory.h"
 #include "chasles/search/touch_stages.h"
 
 #include <algorithm>
@@ -22,10 +22,10 @@ using algebra::ExactNumber;
 
 /// One motion in the form of each stage.
 struct Stages {
-    explicit Stages(const MotionFrame& frame)
-        : exact(motion::exact_motion(frame)), fine(motion::control_maps(frame.motion)), rounded(motion::rounded(fine)),
-          filter(rounded, rounded, search::filter_tolerance(1e-12)), refinement(fine, rounded, {}),
-          decision(exact.maps, rounded, {1e-12, 1e-12}) {}
+    explicit Stages(const motion::MotionEnds& ends)
+        : exact(motion::exact_screw(ends)), fine(motion::control_maps(motion::ScrewPiece(ends).cubic())),
+          rounded(motion::rounded(fine)), filter(rounded, rounded, search::filter_tolerance(1e-12)),
+          refinement(fine, rounded, {}), decision(exact.maps, rounded, {1e-12, 1e-12}) {}
 
     motion::ExactMotion exact;
     motion::ControlMaps<DoubleDouble> fine;
@@ -136,7 +136,7 @@ private:
 std::deque<Stages> motions() {
     std::deque<Stages> result;
     const auto add = [&](const Eigen::Vector3d& shift, const Eigen::Quaterniond& turn) {
-        result.emplace_back(ScrewMotion::between(Pose(), Pose(shift, turn)).frame());
+        result.emplace_back(motion::MotionEnds::between(Pose(), Pose(shift, turn)));
     };
     const Eigen::Vector3d away(0.3, 0.1, 0.25);
     add(away, Eigen::Quaterniond(1, 0.03, 0.04, 0.07));

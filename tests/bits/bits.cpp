@@ -1,6 +1,7 @@
 // Runs fixed sets of queries and prints a digest of all bits of all answers, one line per set. Builds with different
 // compilers, optimisations or instruction sets, and any number of threads, must print the same digests. Usage: bits
 // [THREADS]. Exit status 77 means that the processor lacks an instruction set of this program.
+#include "chasles/query/batch.h"
 #include "chasles/query/path.h"
 #include "scenes/nut_motions.h"
 #include "scenes/threaded_fastener.h"
@@ -107,7 +108,7 @@ Polyhedron octahedron(Random& random) {
 
 void ask(Digest& digest, const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion) {
     for (const Find find : {Find::first, Find::any, Find::first_with_all_contacts})
-        digest.add(first_contact({.moving = moving, .fixed = fixed, .motion = motion, .find = find}));
+        digest.add(first_contact({.moving = moving, .fixed = fixed, .motion = motion, .options = {.find = find}}));
 }
 
 /// Random bodies. On a grid, edges are parallel, faces share planes, and touches are exact.
@@ -138,7 +139,7 @@ void large_bodies(unsigned threads) {
     Digest batch_digest;
     for (const double slide : {2.0, 2.5}) {
         const std::vector<Pose> poses = scenes::nut_path({.height = 16, .turns = 0.25, .slide_per_turn = slide});
-        const PathContact found = first_contact_on_path({.moving = nut, .fixed = bolt, .poses = poses});
+        const PathContact found = first_contact_on_path({.moving = nut, .fixed = bolt, .motions = screws_along(poses)});
         path_digest.add(std::uint64_t(found.segment));
         path_digest.add(found.contact);
         std::vector<Motion> motions;
@@ -147,7 +148,7 @@ void large_bodies(unsigned threads) {
             motions.emplace_back(SweepMotion::between(poses[i], poses[i + 1]));
         }
         for (const FirstContact& one :
-             first_contact_batch({.moving = nut, .fixed = bolt, .motions = motions, .threads = threads}))
+             first_contact_batch({.moving = nut, .fixed = bolt, .motions = motions, .batch = {.threads = threads}}))
             batch_digest.add(one);
     }
     path_digest.print("path");
@@ -166,7 +167,7 @@ void many_motions(unsigned threads) {
     }
     Digest digest;
     for (const FirstContact& one :
-         first_contact_batch({.moving = a, .fixed = b, .motions = motions, .threads = threads}))
+         first_contact_batch({.moving = a, .fixed = b, .motions = motions, .batch = {.threads = threads}}))
         digest.add(one);
     digest.print("motions");
 }

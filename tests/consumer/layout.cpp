@@ -11,3 +11,4 @@ static_assert(has_one_layout<chasles::ScrewMotion, chasles::SweepMotion, chasles
 static_assert(has_one_layout<chasles::Polyhedron, chasles::PolyhedronOptions, chasles::MeshReport>);
 static_assert(has_one_layout<chasles::FirstContactQuery, chasles::FirstContact, chasles::Contact, chasles::Overlap>);
 static_assert(has_one_layout<chasles::PathQuery, chasles::PathContact, chasles::BatchQuery>);
+static_assert(has_one_layout<chasles::QueryOptions, chasles::BatchOptions>);

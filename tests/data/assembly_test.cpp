@@ -37,14 +37,14 @@ void expect_threads_to_run(const Thread& thread, const char* name) {
     const Polyhedron bolt = Polyhedron::load(shared_data(thread.bolt));
     const std::vector<Pose> off = turns(thread, 72, step_degrees);
     const Stopwatch watch;
-    const PathContact up = first_contact_on_path({.moving = nut, .fixed = bolt, .poses = off});
+    const PathContact up = first_contact_on_path({.moving = nut, .fixed = bolt, .motions = screws_along(off)});
     EXPECT_EQ(up.contact.verdict, Verdict::clear);
     print_figures("%s: two turns off: %s, %llu elementary tests, %.1f s", name,
                   up.contact.verdict == Verdict::clear ? "proven clear" : "CONTACT",
                   static_cast<unsigned long long>(up.contact.work.elementary_tests), watch.seconds());
 
     const std::vector<Pose> on = turns(thread, 30, -step_degrees);
-    const PathContact down = first_contact_on_path({.moving = nut, .fixed = bolt, .poses = on});
+    const PathContact down = first_contact_on_path({.moving = nut, .fixed = bolt, .motions = screws_along(on)});
     ASSERT_EQ(down.contact.verdict, Verdict::contact);
     EXPECT_TRUE(down.contact.certain);
     const double degrees = -step_degrees * (double(down.segment) + down.contact.time.lower);

@@ -27,10 +27,10 @@ Polyhedron polyhedron(const Json& mesh) {
 }
 
 void answer(const Json& one, Tally& tally) {
-    const FirstContact found = first_contact({.moving = polyhedron(one["moving"]),
-                                              .fixed = polyhedron(one["fixed"]),
-                                              .motion = ScrewMotion::between(pose(one["start"]), pose(one["goal"])),
-                                              .max_turn = std::numbers::pi});
+    const FirstContact found =
+        first_contact({.moving = polyhedron(one["moving"]),
+                       .fixed = polyhedron(one["fixed"]),
+                       .motion = ScrewMotion::between(pose(one["start"]), pose(one["goal"]), std::numbers::pi)});
     ++tally.cases;
     tally.work += found.work;
     const Json& truth = one["truth"];

@@ -106,7 +106,7 @@ FirstContact answer(const attack::MeshCase& pair) {
     return first_contact({.moving = polyhedron(pair.moving),
                           .fixed = polyhedron(pair.fixed),
                           .motion = pair.posed.motion(),
-                          .find = Find::first_with_all_contacts});
+                          .options = {.find = Find::first_with_all_contacts}});
 }
 
 /// Whether the contact is between the query's own primitives, not at an added corner.

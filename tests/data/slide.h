@@ -49,8 +49,7 @@ private:
         const FirstContact found = first_contact({.moving = body_.moving,
                                                   .fixed = body_.fixed,
                                                   .motion = ScrewMotion::between(body_.at, body_.at),
-                                                  .margin = body_.margin,
-                                                  .hold = body_.hold});
+                                                  .options = {.margin = body_.margin, .hold = body_.hold}});
         EXPECT_EQ(found.verdict, Verdict::clear) << "without a motion";
         middle_ = body_.at.isometry() * ball_.middle;
         return found.held;

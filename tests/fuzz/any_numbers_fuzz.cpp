@@ -70,13 +70,13 @@ Polyhedron body(Bytes& bytes) {
                                      {.triangulate = (options & 1) != 0, .drop_degenerate = (options & 2) != 0});
 }
 
-Motion motion(Bytes& bytes) {
+Motion motion(Bytes& bytes, double max_turn) {
     const std::array<Pose, 4> poses{pose(bytes), pose(bytes), pose(bytes), pose(bytes)};
     switch (bytes.below(4)) {
     case 0:
-        return ScrewMotion::between(poses[0], poses[1]);
+        return ScrewMotion::between(poses[0], poses[1], max_turn);
     case 1:
-        return ScrewMotion::relative(poses[0], poses[1], poses[2], poses[3]);
+        return ScrewMotion::relative(poses[0], poses[1], poses[2], poses[3], max_turn);
     case 2:
         return SweepMotion::between(poses[0], poses[1], point(bytes));
     default:
@@ -100,19 +100,15 @@ void ask(Bytes& bytes) {
         const std::array<Pose, 3> poses{pose(bytes), pose(bytes), pose(bytes)};
         const PathContact found = first_contact_on_path({.moving = moving,
                                                          .fixed = fixed,
-                                                         .poses = poses,
-                                                         .time_tolerance = tolerance,
-                                                         .max_turn = turn,
-                                                         .find = find});
+                                                         .motions = screws_along(poses, turn),
+                                                         .options = {.time_tolerance = tolerance, .find = find}});
         demand_sound(found.contact, find);
         demand(found.segment < poses.size() - 1, "the segment is one of the path");
     } else {
         demand_sound(first_contact({.moving = moving,
                                     .fixed = fixed,
-                                    .motion = motion(bytes),
-                                    .time_tolerance = tolerance,
-                                    .max_turn = turn,
-                                    .find = find}),
+                                    .motion = motion(bytes, turn),
+                                    .options = {.time_tolerance = tolerance, .find = find}}),
                      find);
     }
 }

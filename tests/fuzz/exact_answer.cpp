@@ -4,6 +4,7 @@
 
 #include "chasles/motion/screw_path.h"
 #include "tests/support/exact_reference.h"
+#include "tests/support/trajectories.h"
 
 #include <array>
 #include <cmath>
@@ -95,13 +96,14 @@ public:
     ExactSearch(const Polyhedron& moving, const Polyhedron& fixed)
         : moving_(surface_of(moving)), fixed_(surface_of(fixed)) {}
 
-    ExactAnswer along(const ScrewMotion& whole, double max_turn) {
+    ExactAnswer along(const ScrewMotion& whole) {
         ExactAnswer answer;
-        const std::size_t count = whole.piece_count(max_turn);
+        const motion::ScrewPieces pieces = whole.trajectory().pieces();
+        const std::size_t count = pieces.size();
         for (std::size_t i = 0; i < count && !answer.touches; ++i) {
-            const MotionFrame frame = whole.piece(i, count).frame();
-            const auto start = exact(frame.start);
-            const auto goal = exact(frame.goal);
+            const motion::RelativeEnds ends = pieces[i].relative_ends();
+            const auto start = exact(ends.start);
+            const auto goal = exact(ends.goal);
             const auto turn = reference::detail::shorter_turn(start, goal);
             look(answer, reference::screw_path(start, goal), {i, count},
                  [&](const Rational& tau) { return time_at(turn, tau); });
@@ -112,9 +114,9 @@ public:
     /// The turn must have a rational length. `centre` is the centre of SweepMotion.
     ExactAnswer along(const SweepMotion& whole, const Eigen::Vector3d& centre) {
         ExactAnswer answer;
-        look(answer,
-             reference::sweep_path(exact(whole.frame().start), exact(whole.frame().goal), reference::exact(centre)),
-             {0, 1}, [](const Rational& tau) { return tau.convert_to<long double>(); });
+        const motion::RelativeEnds ends = test::relative_ends_of(whole);
+        look(answer, reference::sweep_path(exact(ends.start), exact(ends.goal), reference::exact(centre)), {0, 1},
+             [](const Rational& tau) { return tau.convert_to<long double>(); });
         return answer;
     }
 
@@ -156,7 +158,7 @@ ExactAnswer exact_answer(const Question& question) {
     [[maybe_unused]] static const bool is_installed = (Pool::install(), true); // before the first number is made
     ExactSearch search(question.moving, question.fixed);
     if (const auto* screw = std::get_if<ScrewMotion>(&question.motion))
-        return search.along(*screw, question.max_turn);
+        return search.along(*screw);
     return search.along(std::get<SweepMotion>(question.motion), question.centre);
 }
 

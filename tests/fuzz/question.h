@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <variant>
 #include <vector>
 
 namespace chasles::fuzz {
@@ -131,18 +132,20 @@ private:
     Coordinates kind_;
 };
 
+using ScrewOrSweep = std::variant<ScrewMotion, SweepMotion>;
+
 /// One query. The constructor throws InvalidInput for invalid bodies.
 struct Question {
     Coordinates coordinates;
     Find find;
-    double max_turn;
     Polyhedron moving;
     Polyhedron fixed;
-    Motion motion;
+    ScrewOrSweep motion;
     Eigen::Vector3d centre; ///< centre of a sweep
 
     [[nodiscard]] FirstContact ask() const {
-        return first_contact({.moving = moving, .fixed = fixed, .motion = motion, .max_turn = max_turn, .find = find});
+        const Motion any = std::visit([](const auto& typed) { return Motion(typed); }, motion);
+        return first_contact({.moving = moving, .fixed = fixed, .motion = any, .options = {.find = find}});
     }
 };
 
@@ -152,7 +155,7 @@ inline Polyhedron body_from(Scene& scene) {
 }
 
 /// Kind 0 is a motion without turn, kind 1 a sweep, and all other kinds are screws.
-inline Motion motion_from(unsigned kind, const Eigen::Vector3d& centre, Scene& scene) {
+inline ScrewOrSweep motion_from(unsigned kind, double max_turn, const Eigen::Vector3d& centre, Scene& scene) {
     const auto rotation = [&] {
         return kind == 0   ? Eigen::Quaterniond::Identity()
                : kind == 1 ? scene.rotation_of_whole_length()
@@ -166,7 +169,7 @@ inline Motion motion_from(unsigned kind, const Eigen::Vector3d& centre, Scene& s
     const Pose goal = pose();
     if (kind == 1)
         return SweepMotion::between(start, goal, centre);
-    return ScrewMotion::between(start, goal);
+    return ScrewMotion::between(start, goal, max_turn);
 }
 
 inline Question question_from(Bytes& bytes) {
@@ -176,9 +179,9 @@ inline Question question_from(Bytes& bytes) {
     const double max_turn = (options & 64) != 0 ? 0.9 : 3.2;
     Scene scene(bytes, coordinates);
     const Eigen::Vector3d centre = scene.point();
-    const Motion motion = motion_from(options & 3, centre, scene);
+    const ScrewOrSweep motion = motion_from(options & 3, max_turn, centre, scene);
     const Polyhedron moving = body_from(scene);
-    return {coordinates, find, max_turn, moving, body_from(scene), motion, centre};
+    return {coordinates, find, moving, body_from(scene), motion, centre};
 }
 
 } // namespace chasles::fuzz

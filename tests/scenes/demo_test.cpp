@@ -39,7 +39,8 @@ TEST(Demo, TheRightScrewIsProvenClear) {
     const Polyhedron ring = nut(small);
     for (const double turns : {2.0, -0.6}) {
         const std::vector<Pose> poses = nut_path({.height = height, .turns = turns, .slide_per_turn = small.pitch});
-        const FirstContact found = first_contact_on_path({.moving = ring, .fixed = screw, .poses = poses}).contact;
+        const FirstContact found =
+            first_contact_on_path({.moving = ring, .fixed = screw, .motions = screws_along(poses)}).contact;
         EXPECT_EQ(found.verdict, Verdict::clear) << turns;
         EXPECT_GT(found.work.elementary_tests, 1000U)
             << "clear by tests of close features, not because the bodies are far apart";
@@ -77,7 +78,8 @@ TEST(Demo, AWrongPitchTouchesOnceThePlayIsUsedUp) {
     for (const double wrong : {1.75, 2.2}) {
         const NutTurn motion{.height = height, .turns = 1, .slide_per_turn = wrong};
         const std::vector<Pose> poses = nut_path(motion);
-        const auto [found, segment] = first_contact_on_path({.moving = ring, .fixed = screw, .poses = poses});
+        const auto [found, segment] =
+            first_contact_on_path({.moving = ring, .fixed = screw, .motions = screws_along(poses)});
         ASSERT_EQ(found.verdict, Verdict::contact);
         const double turns = (static_cast<double>(segment) + found.time.lower) / steps_per_turn;
         const double strayed = std::abs(found.pose.translation.z() - height - turns * small.pitch);
@@ -92,10 +94,10 @@ TEST(Demo, AWrongPitchCrossesJustAfterTheContactAndNotBefore) {
     const Polyhedron screw = bolt(small);
     const Polyhedron ring = nut(small);
     const auto fixed = placed(screw, {});
-    const ScrewMotion motion = ScrewMotion::between(nut_pose({.height = height, .slide_per_turn = 1.5}, 0),
-                                                    nut_pose({.height = height, .slide_per_turn = 1.5}, 1.0 / 3));
-    const FirstContact found =
-        first_contact({.moving = ring, .fixed = screw, .motion = motion, .max_turn = std::numbers::pi});
+    const ScrewMotion motion =
+        ScrewMotion::between(nut_pose({.height = height, .slide_per_turn = 1.5}, 0),
+                             nut_pose({.height = height, .slide_per_turn = 1.5}, 1.0 / 3), std::numbers::pi);
+    const FirstContact found = first_contact({.moving = ring, .fixed = screw, .motion = motion});
     ASSERT_EQ(found.verdict, Verdict::contact);
     for (int i = 0; i < 25; ++i) {
         const double time = 0.04 * i * found.time.lower;

@@ -55,7 +55,7 @@ TEST(ThreadPlay, SampledPosesOfTheUnscrewingDoNotCross) {
     const Polyhedron ring = nut(coarse);
     const std::vector<Pose> poses = nut_path({.height = 4, .turns = 4});
     for (std::size_t step = 0; step + 1 < poses.size(); ++step) {
-        for (const ScrewMotion& piece : ScrewMotion::between(poses[step], poses[step + 1]).cut(pi / 18)) {
+        for (const ScrewMotion& piece : ScrewMotion::between(poses[step], poses[step + 1], pi / 18).pieces()) {
             const double time = std::uniform_real_distribution<double>()(random);
             ASSERT_FALSE(do_cross(placed(ring, piece.pose_at(time)), fixed)) << "step " << step << " time " << time;
         }

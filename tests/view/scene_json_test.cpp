@@ -17,12 +17,14 @@ class SceneJson : public testing::Test {
 protected:
     const Polyhedron moving = test::box({0.5, 0.4, 0.3}).polyhedron();
     const Polyhedron fixed = test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 1, 0}).polyhedron();
-    const Motion motion =
+    const ScrewMotion screw =
         ScrewMotion::between(test::shifted(0, 0, 2), test::turned({0.1, 0.2, -2}, {0.3, 0.5, 1}, 1.1));
+    const Motion motion = screw;
+    const view::MotionNumbers numbers = view::numbers_of(screw);
     const FirstContact found = first_contact({.moving = moving, .fixed = fixed, .motion = motion});
 
     [[nodiscard]] view::Scene scene() const {
-        return {.moving = moving, .fixed = fixed, .motion = motion, .found = found};
+        return {.moving = moving, .fixed = fixed, .motion = motion, .numbers = numbers, .found = found};
     }
     [[nodiscard]] Json json() const { return Json::parse(view::scene_json(scene())); }
 };
@@ -56,7 +58,7 @@ TEST_F(SceneJson, HoldsBothMeshes) {
 }
 
 TEST_F(SceneJson, WritesABodyThatMeetsItselfOnce) {
-    view::Scene same{.moving = moving, .fixed = moving, .motion = motion, .found = found};
+    view::Scene same{.moving = moving, .fixed = moving, .motion = motion, .numbers = numbers, .found = found};
     const Json json = Json::parse(view::scene_json(same));
     EXPECT_EQ(json["meshes"].size(), 1U);
     EXPECT_EQ(json["fixed"]["mesh"], 0);
