@@ -4,7 +4,7 @@
 // timing.
 #include "bench/elementary_detector.h"
 #include "bench/run_benchmarks.h"
-#include "chasles/search/found_contacts.h"
+#include "chasles/search/touch_stages.h"
 
 #include <algorithm>
 #include <cstdio>

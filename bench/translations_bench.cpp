@@ -7,8 +7,8 @@
 #include "bench/process_peer.h"
 #include "bench/registry_peers.h"
 #include "bench/translation_cases.h"
-#include "chasles/motion/screw_motion.h"
-#include "chasles/search/found_contacts.h"
+#include "chasles/motion/motion.h"
+#include "chasles/search/touch_stages.h"
 
 #include <cstdio>
 #include <filesystem>

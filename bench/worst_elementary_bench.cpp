@@ -5,8 +5,8 @@
 #include "bench/run_benchmarks.h"
 #include "chasles/algebra/exact_feasible.h"
 #include "chasles/motion/exact_motion.h"
-#include "chasles/motion/screw_motion.h"
-#include "chasles/search/found_contacts.h"
+#include "chasles/motion/motion.h"
+#include "chasles/search/touch_stages.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,8 +1,8 @@
 #include "tests/attack/check_elementary.h"
 
 #include "chasles/algebra/exact_feasible.h"
-#include "chasles/motion/exact_motion.h"
-#include "chasles/search/found_contacts.h"
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/search/touch_stages.h"
 #include "tests/support/exact_reference.h"
 
 #include <chrono>
@@ -186,10 +186,10 @@ StageTallies& StageTallies::operator+=(const StageTallies& other) {
 
 std::string check(const QuestionGroup& group, StageTallies& tallies) {
     const Motion motion = group.posed.motion();
-    const MotionFrame frame = std::visit([](const auto& m) -> MotionFrame { return m.frame(); }, motion);
-    const auto fine_maps = motion::control_maps(frame.motion);
+    const auto piece = motion.trajectory().pieces()->at(0);
+    const auto fine_maps = motion::control_maps(piece->cubic());
     const auto maps = motion::rounded(fine_maps);
-    const auto exact = motion::exact_motion(frame);
+    const auto exact = piece->exact().value();
     const auto scale = elementary::error_scale(maps, reach(group.questions, &Question::moving),
                                                reach(group.questions, &Question::fixed));
     Stage<double> filter(maps, scale);

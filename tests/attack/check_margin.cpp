@@ -188,11 +188,8 @@ std::string check(const MarginCase& posed, Tally& tally) {
         ++tally.refused;
         return "";
     }
-    const FirstContactQuery query{.moving = *moving,
-                                  .fixed = *fixed,
-                                  .motion = motion.motion(),
-                                  .margin = posed.margin,
-                                  .max_turn = motion.max_turn};
+    const FirstContactQuery query{
+        .moving = *moving, .fixed = *fixed, .motion = motion.motion(), .options = {.margin = posed.margin}};
     double before = now();
     const FirstContact found = first_contact(query);
     tally.seconds += now() - before;

@@ -101,8 +101,8 @@ std::string check(const MeshCase& posed, Tally& tally) {
             const Polyhedron moving = Polyhedron::from_polygons(posed.moving.vertices, posed.moving.faces);
             const Polyhedron fixed = Polyhedron::from_polygons(posed.fixed.vertices, posed.fixed.faces);
             const double before = now();
-            const FirstContact found = first_contact(
-                {.moving = moving, .fixed = fixed, .motion = posed.posed.motion(), .max_turn = posed.posed.max_turn});
+            const FirstContact found =
+                first_contact({.moving = moving, .fixed = fixed, .motion = posed.posed.motion()});
             tally.seconds += now() - before;
             return found;
         } catch (const InvalidInput&) {

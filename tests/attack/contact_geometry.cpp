@@ -50,9 +50,7 @@ std::string wrong(const char* what, double value) {
 
 std::string misplaced(const FirstContactQuery& query, const FirstContact& found, double scene_size) {
     const Eigen::Isometry3d moving = found.pose.isometry();
-    const MotionEnds& ends =
-        std::visit([](const auto& motion) -> const MotionEnds& { return motion.ends(); }, query.motion);
-    const Eigen::Isometry3d fixed = ends.fixed_pose_at(found.time.lower).isometry();
+    const Eigen::Isometry3d fixed = query.motion.fixed_pose_at(found.time.lower).isometry();
     if (found.verdict == Verdict::contact && found.contacts.empty())
         return "a contact without features";
     for (const Contact& contact : found.contacts) {
@@ -69,10 +67,11 @@ std::string misplaced(const FirstContactQuery& query, const FirstContact& found,
             return wrong("normal's length", off);
         if (const double off = distance_to(a, contact.point + contact.gap * contact.normal); off > slack)
             return wrong("other point", off);
-        if (const double off = std::abs(contact.gap - query.margin); found.verdict == Verdict::contact && off > slack)
+        if (const double off = std::abs(contact.gap - query.options.margin);
+            found.verdict == Verdict::contact && off > slack)
             return wrong("gap", off);
-        if (found.verdict == Verdict::contact_at_start && contact.gap > query.margin + slack)
-            return wrong("gap at the start", contact.gap - query.margin);
+        if (found.verdict == Verdict::contact_at_start && contact.gap > query.options.margin + slack)
+            return wrong("gap at the start", contact.gap - query.options.margin);
         if (found.verdict == Verdict::contact && contact.approach_speed < -1e-6 * scene_size)
             return wrong("approach speed", contact.approach_speed);
     }

@@ -114,9 +114,8 @@ LatticeFour any_lattice_four(AttackRandom& random) {
 // -----------------------------------------------------------------------------------------------------
 
 bool is_one_piece(const PosedMotion& posed) {
-    const Motion motion = posed.motion();
-    const auto* screw = std::get_if<ScrewMotion>(&motion);
-    return screw == nullptr || screw->piece_count(posed.max_turn) == 1;
+    const auto screw = posed.screw();
+    return !screw || screw->piece_count() == 1;
 }
 
 /// Points with all digits.

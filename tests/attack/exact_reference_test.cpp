@@ -2,7 +2,7 @@
 // touches that can be computed by hand.
 #include "tests/support/exact_reference.h"
 
-#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/motion.h"
 #include "tests/attack/piecewise_tau.h"
 #include "tests/support/algebraic_roots.h"
 

@@ -1,10 +1,12 @@
 #include "tests/attack/posed_motion.h"
 
+#include "tests/support/trajectories.h"
+
 namespace chasles::attack {
 
 namespace {
 
-using Scalar = MotionFrame::Scalar;
+using Scalar = motion::RelativeEnds::Scalar;
 
 Rational exact_number(const Scalar& x) {
     return Rational(x.high()) + Rational(x.low());
@@ -22,10 +24,16 @@ ExactPose exact_frame_pose(const motion::GeneralPose<Scalar>& pose) {
 
 Motion PosedMotion::motion() const {
     if (kind == MotionKind::screw)
-        return is_relative ? ScrewMotion::relative(moving_start, moving_goal, fixed_start, fixed_goal)
-                           : ScrewMotion::between(moving_start, moving_goal);
+        return *screw();
     return is_relative ? SweepMotion::relative(moving_start, moving_goal, fixed_start, fixed_goal)
                        : SweepMotion::between(moving_start, moving_goal);
+}
+
+std::optional<ScrewMotion> PosedMotion::screw() const {
+    if (kind != MotionKind::screw)
+        return std::nullopt;
+    return is_relative ? ScrewMotion::relative(moving_start, moving_goal, fixed_start, fixed_goal, max_turn)
+                       : ScrewMotion::between(moving_start, moving_goal, max_turn);
 }
 
 std::vector<MotionPath<Rational>> PosedMotion::paths() const {
@@ -37,13 +45,12 @@ std::vector<MotionPath<Rational>> PosedMotion::paths() const {
     const ExactPose goal = seen(moving_goal, fixed_goal);
     if (kind == MotionKind::sweep)
         return {reference::sweep_path(start, goal)};
-    const ScrewMotion whole = std::get<ScrewMotion>(motion());
-    const std::size_t count = whole.piece_count(max_turn);
+    const std::vector<ScrewMotion> pieces = screw()->pieces();
     std::vector<MotionPath<Rational>> result;
-    for (std::size_t i = 0; i < count; ++i) {
-        const MotionFrame frame = whole.piece(i, count).frame();
-        result.push_back(reference::screw_path(i == 0 ? start : exact_frame_pose(frame.start),
-                                               i + 1 == count ? goal : exact_frame_pose(frame.goal)));
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const motion::RelativeEnds ends = test::relative_ends_of(pieces[i]);
+        result.push_back(reference::screw_path(i == 0 ? start : exact_frame_pose(ends.start),
+                                               i + 1 == pieces.size() ? goal : exact_frame_pose(ends.goal)));
     }
     return result;
 }

@@ -5,6 +5,7 @@
 #include "tests/support/exact_reference_motion.h"
 
 #include <numbers>
+#include <optional>
 #include <vector>
 
 namespace chasles::attack {
@@ -28,6 +29,8 @@ struct PosedMotion {
     double max_turn = std::numbers::pi;
 
     [[nodiscard]] Motion motion() const;
+    /// Empty for a sweep.
+    [[nodiscard]] std::optional<ScrewMotion> screw() const;
 
     /// The exact motion in the frame of the fixed body. A screw that the library cuts consists, by its documentation,
     /// of motions between poses in double precision; these poses are taken from the library.

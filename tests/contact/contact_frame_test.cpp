@@ -13,7 +13,7 @@ void expect_unit_normals(const Body& moving, const Body& fixed, const Pose& star
     const FirstContact found = first_contact({.moving = moving.polyhedron(),
                                               .fixed = fixed.polyhedron(),
                                               .motion = ScrewMotion::between(start, goal),
-                                              .find = Find::first_with_all_contacts});
+                                              .options = {.find = Find::first_with_all_contacts}});
     EXPECT_FALSE(found.contacts.empty());
     for (const Contact& contact : found.contacts)
         EXPECT_NEAR(contact.normal.norm(), 1, 1e-12) << "kind " << int(contact.kind);

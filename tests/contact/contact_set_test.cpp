@@ -32,10 +32,8 @@ FirstContact contacts_of(const Polyhedron& moving, const Polyhedron& fixed, cons
                          double margin = 0) {
     return first_contact({.moving = moving,
                           .fixed = fixed,
-                          .motion = ScrewMotion::between(start, goal),
-                          .margin = margin,
-                          .max_turn = 3, // one screw, as `ScrewMotion::pose_at` has it
-                          .find = Find::first_with_all_contacts});
+                          .motion = ScrewMotion::between(start, goal, 3), // one screw, as `ScrewMotion::pose_at` has it
+                          .options = {.margin = margin, .find = Find::first_with_all_contacts}});
 }
 
 std::vector<ContactKind> kinds_of(const FirstContact& found) {

@@ -1,10 +1,10 @@
 // The bounding spheres separate only bodies that stay apart, and they separate bodies that are clearly apart.
 #include "chasles/culling/far_apart.h"
 
-#include "chasles/motion/screw_motion.h"
-#include "chasles/motion/sweep_motion.h"
+#include "chasles/motion/motion.h"
 #include "tests/query/bodies.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/trajectories.h"
 
 #include <Eigen/Geometry>
 #include <gtest/gtest.h>
@@ -25,8 +25,8 @@ TEST(FarApart, NeverWhereBallsMeetOnTheWay) {
         const ScrewMotion screw = ScrewMotion::between(start, goal);
         const SweepMotion sweep = SweepMotion::between(start, goal, random_point(random, 3));
         for (const bool sweeps : {false, true}) {
-            const MotionEnds& ends = sweeps ? sweep.ends() : screw.ends();
-            const bool far_apart = are_far_apart(body.body(), body.body(), ends);
+            const Motion motion = sweeps ? Motion(sweep) : Motion(screw);
+            const bool far_apart = are_far_apart(body.body(), body.body(), motion.trajectory());
             (far_apart ? separated : open) += 1;
             if (!far_apart)
                 continue;
@@ -53,12 +53,12 @@ TEST(FarApart, NeverWhereBallsMeetWhileBothMove) {
             return Pose(near.translation + world, Eigen::Quaterniond(near.rotation));
         };
         const ScrewMotion screw = ScrewMotion::relative(pose(12), pose(12), pose(3), pose(3));
-        const bool far_apart = are_far_apart(body.body(), body.body(), screw.ends());
+        const bool far_apart = are_far_apart(body.body(), body.body(), Motion(screw).trajectory());
         (far_apart ? separated : open) += 1;
         for (int i = 0; far_apart && i <= 64; ++i) {
             const double time = i / 64.0;
             const Eigen::Vector3d between =
-                screw.pose_at(time).translation - screw.ends().fixed_pose_at(time).translation;
+                screw.pose_at(time).translation - screw.trajectory().fixed_pose_at(time).translation;
             EXPECT_GT(between.norm(), 2 * std::sqrt(3.0));
         }
     }
@@ -83,9 +83,9 @@ TEST(FarApart, NotToldOfBodiesThatTouchAtTheFarEndOfTheWay) {
     const Polyhedron body = box({1, 1, 1}).polyhedron();
     const ScrewMotion motion = ScrewMotion::between(Pose(Eigen::Vector3d(100, 0, 0), Eigen::Quaterniond::Identity()),
                                                     Pose(Eigen::Vector3d(2, 0, 0), Eigen::Quaterniond::Identity()));
-    EXPECT_FALSE(are_far_apart(body.body(), body.body(), motion.ends()));
+    EXPECT_FALSE(are_far_apart(body.body(), body.body(), Motion(motion).trajectory()));
     EXPECT_FALSE(
-        are_far_apart(body.body(), body.body(), ScrewMotion::between(motion.pose_at(1), motion.pose_at(0)).ends()));
+        are_far_apart(body.body(), body.body(), Motion::screw(motion.pose_at(1), motion.pose_at(0)).trajectory()));
 }
 
 /// The body's centre ends at its start and is ten units away at half time.
@@ -100,7 +100,7 @@ TEST(FarApart, NotToldOfASweepThatSwingsOut) {
     const Eigen::Quaterniond turn(Eigen::AngleAxisd(3.1, Eigen::Vector3d::UnitZ()));
     const Pose goal(Eigen::Vector3d(20, 0, 0) - turn * centre, turn);
     const SweepMotion motion = SweepMotion::between(start, goal, centre);
-    EXPECT_FALSE(are_far_apart(moving.body(), fixed.body(), motion.ends()));
+    EXPECT_FALSE(are_far_apart(moving.body(), fixed.body(), Motion(motion).trajectory()));
     EXPECT_EQ(first_contact({.moving = moving, .fixed = fixed, .motion = motion}).verdict, Verdict::contact);
 }
 
@@ -108,7 +108,7 @@ TEST(FarApart, NotToldOfBodiesThatMeetFarFromTheWorldsOrigin) {
     const Polyhedron body = box({1, 1, 1}).polyhedron();
     const ScrewMotion motion =
         ScrewMotion::relative(shifted(50, 5, 0), shifted(50, -5, 0), shifted(50, 0, 0), shifted(50, 0, 0));
-    EXPECT_FALSE(are_far_apart(body.body(), body.body(), motion.ends()));
+    EXPECT_FALSE(are_far_apart(body.body(), body.body(), Motion(motion).trajectory()));
 }
 
 } // namespace

@@ -88,16 +88,17 @@ TEST(FlatOnFlat, AgreesWithExactRationalsOnSheetsThatAreHardlyBent) {
         const Polyhedron moving = sheet();
         const Polyhedron fixed = sheet();
         const Landing landing(trial % 2 == 0 ? 0 : 0.1);
-        const MotionFrame frame = landing.screw().frame();
-        const search::PieceResult found = search::search_piece({moving.body(), fixed.body(), frame});
+        const Motion screw = landing.screw();
+        search::PieceContext context(moving.body(), fixed.body(), screw.trajectory().pieces()->at(0));
+        const search::PieceResult found = search::search_piece(context, {});
         const ExactAnswer truth =
             exact_answer(moving, fixed, motion::screw_between(exact(landing.start), exact(landing.goal)), 1e-15);
-        left_open += found.open_after < 1 ? 1 : 0;
+        left_open += found.searched_until < 1 ? 1 : 0;
         ASSERT_EQ(!found.candidates.empty(), truth.first.has_value());
         if (!truth.first)
             continue;
         ++met;
-        double lower = found.open_after, upper = 1;
+        double lower = found.searched_until, upper = 1;
         for (const search::Candidate& candidate : found.candidates) {
             lower = std::min(lower, candidate.tau.lower);
             upper = std::min(upper, candidate.tau.upper);

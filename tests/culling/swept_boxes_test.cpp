@@ -5,6 +5,7 @@
 #include "chasles/mesh/body.h"
 #include "tests/query/bodies.h"
 #include "tests/support/posed_motions.h"
+#include "tests/support/trajectories.h"
 
 #include <gtest/gtest.h>
 
@@ -177,7 +178,7 @@ TEST(SweptBoxes, ParallelPatchesAreToldApartByTheirSlabs) {
             body.faces = {{0, 1, 2}, {3, 4, 5}};
             return body.polyhedron();
         };
-        const auto motion = ScrewMotion::between(Pose(), Pose()).frame().motion;
+        const auto motion = cubic_of(ScrewMotion::between(Pose(), Pose()));
         const Scene scene{motion, motion::double_maps(motion), sheet(0), sheet(0.05), 0};
         const auto a = scene.moving.body().bvh().nodes();
         const auto b = scene.fixed.body().bvh().nodes();
@@ -198,10 +199,8 @@ TEST(SweptBoxes, ParallelPatchesAreToldApartByTheirSlabs) {
 /// A box moves straight past a resting box. The window is exactly the time during which their projections overlap.
 TEST(SweptBoxes, WindowsOfAStraightMotionAreExact) {
     const Polyhedron body = box({1, 1, 1}).polyhedron();
-    const auto motion = ScrewMotion::between(Pose({-8, 0, 0}, Eigen::Quaterniond::Identity()),
-                                             Pose({8, 0, 0}, Eigen::Quaterniond::Identity()))
-                            .frame()
-                            .motion;
+    const auto motion = cubic_of(ScrewMotion::between(Pose({-8, 0, 0}, Eigen::Quaterniond::Identity()),
+                                                      Pose({8, 0, 0}, Eigen::Quaterniond::Identity())));
     const Scene scene{motion, motion::double_maps(motion), body, body, 0};
     const auto nodes = body.body().bvh().nodes();
     float first = 1, last = 0;
@@ -216,7 +215,7 @@ TEST(SweptBoxes, WindowsOfAStraightMotionAreExact) {
 
 TEST(SweptBoxes, WindowsStayWithinTheGivenOne) {
     const Polyhedron body = box({1, 1, 1}).polyhedron();
-    const auto motion = ScrewMotion::between(Pose(), Pose({0, 0.1, 0}, Eigen::Quaterniond::Identity())).frame().motion;
+    const auto motion = cubic_of(ScrewMotion::between(Pose(), Pose({0, 0.1, 0}, Eigen::Quaterniond::Identity())));
     const Scene scene{motion, motion::double_maps(motion), body, body, 0};
     const auto nodes = body.body().bvh().nodes();
     for (const Window& window :

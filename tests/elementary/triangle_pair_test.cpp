@@ -1,8 +1,9 @@
 // Triangle against triangle by the decomposition of the paper (section 4.1): nine pairs of edges, and six pairs of a
 // vertex and a face.
 #include "chasles/query/first_contact.h"
-#include "chasles/search/feature_pairs.h"
+#include "chasles/search/feature_tests.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/trajectories.h"
 
 #include <gtest/gtest.h>
 
@@ -37,28 +38,26 @@ double reach(const Polyhedron& triangle) {
 }
 
 Decomposition decomposed(const Polyhedron& moving, const Polyhedron& fixed, const ScrewMotion& screw) {
-    const auto maps = motion::rounded(motion::control_maps(screw.frame().motion));
-    search::FeaturePairs<double> pairs(moving.body(), fixed.body(),
-                                       {elementary::error_scale(maps, reach(moving), reach(fixed)), {}});
-    pairs.use(maps, {});
+    const auto maps = motion::rounded(motion::control_maps(cubic_of(screw)));
+    search::FeatureTests<double> tests(moving.body(), fixed.body(),
+                                       elementary::error_scale(maps, reach(moving), reach(fixed)));
+    tests.use(maps, {});
     Decomposition all;
     for (const Edge& a : moving.body().owned_edges(0))
         for (const Edge& b : fixed.body().owned_edges(0)) {
-            all.note(pairs.edge_edge(pairs.path_of(a), b));
+            all.note(tests.touch({ContactKind::edge_edge, {a.from, a.to}, {b.from, b.to}}));
             ++all.edge_edge;
         }
     for (std::uint32_t vertex = 0; vertex < 3; ++vertex) {
-        all.note(pairs.vertex_face(vertex, 0));
-        all.note(pairs.face_vertex(0, vertex));
+        all.note(tests.touch({ContactKind::vertex_face, {vertex, vertex}, {0, 0}}));
+        all.note(tests.touch({ContactKind::face_vertex, {0, 0}, {vertex, vertex}}));
         all.vertex_face += 2;
     }
     return all;
 }
 
 FirstContact asked(const Polyhedron& moving, const Polyhedron& fixed, const ScrewMotion& screw) {
-    FirstContactQuery query{.moving = moving, .fixed = fixed, .motion = screw};
-    query.max_turn = 3;
-    return first_contact(query);
+    return first_contact({.moving = moving, .fixed = fixed, .motion = screw.with_max_turn(3)});
 }
 
 const Triangle flat{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(4, 0, 0), Eigen::Vector3d(0, 4, 0)};

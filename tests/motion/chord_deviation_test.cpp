@@ -3,6 +3,7 @@
 
 #include "tests/support/error_ratios.h"
 #include "tests/support/posed_motions.h"
+#include "tests/support/trajectories.h"
 
 namespace chasles::motion {
 namespace {
@@ -64,7 +65,7 @@ TEST(ChordDeviation, BoundsHowFarPathsThatMeetLeaveTheirChords) {
 /// The deviation in a large room depends only on the body that moves in it.
 TEST(ChordDeviation, IsThatOfTheSmallerBall) {
     const Pose turned({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ())));
-    const auto motion = ScrewMotion::between(Pose(), turned).frame().motion;
+    const auto motion = cubic_of(ScrewMotion::between(Pose(), turned));
     const Ball small{{1, 0, 0}, 0.5};
     const Ball large{{0, 0, 0}, 1000};
     EXPECT_EQ(ChordDeviation(motion, small, large).of_fixed(0, 1),
@@ -75,7 +76,7 @@ TEST(ChordDeviation, IsThatOfTheSmallerBall) {
 
 TEST(ChordDeviation, IsNothingForTranslations) {
     const ScrewMotion straight = ScrewMotion::between(Pose(), Pose({1, 2, 3}, Eigen::Quaterniond::Identity()));
-    const ChordDeviation bend(straight.frame().motion, {{1, 1, 1}, 5}, {{0, 0, 0}, 7});
+    const ChordDeviation bend(cubic_of(straight), {{1, 1, 1}, 5}, {{0, 0, 0}, 7});
     EXPECT_EQ(bend.of_moving(0, 1), 0);
     EXPECT_EQ(bend.of_fixed(0, 1), 0);
 }
@@ -83,7 +84,7 @@ TEST(ChordDeviation, IsNothingForTranslations) {
 /// A quarter of the interval gives a sixteenth of the deviation.
 TEST(ChordDeviation, FallsWithTheSquareOfTheInterval) {
     const Pose turned({0, 0, 0}, Eigen::Quaterniond(Eigen::AngleAxisd(0.2, Eigen::Vector3d::UnitZ())));
-    const ChordDeviation bend(ScrewMotion::between(Pose(), turned).frame().motion, {{1, 0, 0}, 0.5}, {{1, 0, 0}, 0.5});
+    const ChordDeviation bend(cubic_of(ScrewMotion::between(Pose(), turned)), {{1, 0, 0}, 0.5}, {{1, 0, 0}, 0.5});
     EXPECT_NEAR(bend.of_moving(0, 0.25) * 16 / bend.of_moving(0, 1), 1, 1e-12);
     EXPECT_NEAR(bend.of_moving(0, 1), 1.5 * 0.2 * 0.2 / 8, 1e-3); // radius times angle squared, over 8
 }

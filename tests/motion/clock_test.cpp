@@ -1,6 +1,7 @@
 // Tau and time of a screw against a hundred digits, for turns from 1e-17 to the largest turn of one piece.
 // The bound is in docs/derivations/10-error-bounds.md, "Time".
 #include "tests/support/posed_motions.h"
+#include "tests/support/trajectories.h"
 #include "tests/support/wide.h"
 
 namespace chasles {
@@ -10,8 +11,8 @@ using namespace test;
 
 /// Half of the exact turn between two poses.
 Wide half_turn_of(const ScrewMotion& screw) {
-    const motion::Quaternion<DoubleDouble>& p = screw.frame().start.rotation;
-    const motion::Quaternion<DoubleDouble>& q = screw.frame().goal.rotation;
+    const motion::Quaternion<DoubleDouble>& p = relative_ends_of(screw).start.rotation;
+    const motion::Quaternion<DoubleDouble>& q = relative_ends_of(screw).goal.rotation;
     const auto widened = [](const motion::Quaternion<DoubleDouble>& x) {
         return motion::Quaternion<Wide>{wide(x.w), {wide(x.v.x), wide(x.v.y), wide(x.v.z)}};
     };

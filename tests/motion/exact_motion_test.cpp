@@ -1,11 +1,11 @@
 // The exact control maps against the definition of the motions in rationals, for any poses.
 #include "chasles/motion/exact_motion.h"
 
-#include "chasles/motion/screw_motion.h"
-#include "chasles/motion/sweep_motion.h"
+#include "chasles/motion/motion.h"
 #include "tests/support/exact_numbers.h"
 #include "tests/support/posed_motions.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/trajectories.h"
 
 namespace chasles::test {
 namespace {
@@ -45,7 +45,7 @@ TEST(ExactMotion, ScrewsBetweenAnyPoses) {
         const Pose start = random_pose(random, 3);
         const Pose goal = trial % 4 == 0 ? Pose(random_point(random, 3), start.rotation) : random_pose(random, 3);
         const auto truth = motion::control_maps(motion::screw_between(exact(start), exact(goal)));
-        expect_multiple(motion::exact_motion(ScrewMotion::between(start, goal).frame()), truth);
+        expect_multiple(motion::exact_screw(ScrewMotion::between(start, goal).trajectory().ends()), truth);
     }
 }
 
@@ -58,7 +58,7 @@ TEST(ExactMotion, ScrewsOfTwoMovingBodies) {
         const auto goal = seen_from(exact(poses[3]), exact(poses[1]));
         const auto truth = motion::control_maps(motion::screw_between(start, goal));
         const auto screw = ScrewMotion::relative(poses[0], poses[1], poses[2], poses[3]);
-        expect_multiple(motion::exact_motion(screw.frame()), truth);
+        expect_multiple(motion::exact_screw(screw.trajectory().ends()), truth);
     }
 }
 
@@ -66,14 +66,18 @@ TEST(ExactMotion, PiecesOfAScrewRunBetweenTheirPoses) {
     Random random(743);
     const Pose start = random_pose(random, 2);
     const Pose goal = random_goal(random, start, 0.5, 1);
-    const auto pieces = ScrewMotion::between(start, goal).cut(0.2);
+    const auto pieces = ScrewMotion::between(start, goal, 0.2).pieces();
     ASSERT_EQ(pieces.size(), 3u);
     for (const ScrewMotion& piece : pieces) {
         const auto truth = motion::control_maps(
-            motion::screw_between(exact(piece.frame().given_start.pose), exact(piece.frame().given_goal.pose)));
-        expect_multiple(motion::exact_motion(piece.frame()), truth);
+            motion::screw_between(exact(piece.trajectory().ends().start), exact(piece.trajectory().ends().goal)));
+        expect_multiple(motion::exact_screw(piece.trajectory().ends()), truth);
     }
-    EXPECT_EQ(pieces[0].frame().given_goal.pose.translation, pieces[1].frame().given_start.pose.translation);
+    EXPECT_EQ(pieces[0].trajectory().ends().goal.translation, pieces[1].trajectory().ends().start.translation);
+}
+
+motion::ExactMotion exact_motion_of(const SweepMotion& sweep) {
+    return motion::exact_sweep(sweep.trajectory().ends(), sweep.trajectory().centre());
 }
 
 /// Quaternions of whole numbers; the turn of the second kind has the norm |start|^2 n, a square.
@@ -92,7 +96,7 @@ TEST(ExactMotion, SweepsWhoseQuaternionsHaveRationalLengths) {
         const Quaternion<Rational> unit{rational_turn.w / norm, scale(rational_turn.v, Rational(1 / norm))};
         const auto truth = motion::control_maps(motion::sweep_between(
             exact(start), exact(goal), unit, exact(algebra::Vector3<double>{centre.x(), centre.y(), centre.z()})));
-        const auto found = motion::exact_motion(SweepMotion::between(start, goal, centre).frame());
+        const auto found = exact_motion_of(SweepMotion::between(start, goal, centre));
         EXPECT_EQ(exact(*found.radicand), norm * norm);
         expect_multiple(found, truth, norm);
     }
@@ -104,7 +108,7 @@ TEST(ExactMotion, SweepsEndAtTheirGoalsWhateverTheRoot) {
     for (int trial = 0; trial < 10; ++trial) {
         const Pose start = random_pose(random, 2);
         const Pose goal = random_pose(random, 2);
-        const auto found = motion::exact_motion(SweepMotion::between(start, goal, random_point(random, 1)).frame());
+        const auto found = exact_motion_of(SweepMotion::between(start, goal, random_point(random, 1)));
         const auto truth = motion::rotation_matrix(exact(goal).rotation);
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) { // turn * denominator = weight * numerator, in the ring

@@ -1,6 +1,5 @@
 // Invalid input of a motion is refused with its name, for every way to pass it.
-#include "chasles/motion/screw_motion.h"
-#include "chasles/motion/sweep_motion.h"
+#include "chasles/motion/motion.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
 

@@ -1,7 +1,7 @@
 // Two moving bodies: the motion of one in the frame of the other, reported in the world.
-#include "chasles/motion/screw_motion.h"
-#include "chasles/motion/sweep_motion.h"
+#include "chasles/motion/motion.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/trajectories.h"
 
 #include <gtest/gtest.h>
 
@@ -42,8 +42,8 @@ void expect_end_poses(const TwoBodies& bodies) {
     const auto motion = relative<Motion>(bodies);
     expect_near(motion.pose_at(0).isometry(), bodies.moving_start.isometry());
     expect_near(motion.pose_at(1).isometry(), bodies.moving_goal.isometry());
-    expect_near(motion.frame().fixed_pose_at(0).isometry(), bodies.fixed_start.isometry());
-    expect_near(motion.frame().fixed_pose_at(1).isometry(), bodies.fixed_goal.isometry());
+    expect_near(motion.trajectory().fixed_pose_at(0).isometry(), bodies.fixed_start.isometry());
+    expect_near(motion.trajectory().fixed_pose_at(1).isometry(), bodies.fixed_goal.isometry());
 }
 
 TEST(RelativeMotion, EndsWhereBothBodiesEnd) {
@@ -58,7 +58,7 @@ TEST(RelativeMotion, EndsWhereBothBodiesEnd) {
 /// The pose of the moving body in the frame of the fixed body.
 template <class Motion>
 Eigen::Isometry3d seen_from_fixed(const Motion& motion, double time) {
-    return motion.frame().fixed_pose_at(time).isometry().inverse() * motion.pose_at(time).isometry();
+    return motion.trajectory().fixed_pose_at(time).isometry().inverse() * motion.pose_at(time).isometry();
 }
 
 template <class Motion>

@@ -1,9 +1,10 @@
 // The paper's motion against sines and cosines with a hundred digits: angle w t, slide s tan(w t / 2) / tan(w / 2).
-#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/motion.h"
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/motion/control_maps.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/trajectories.h"
 #include "tests/support/wide.h"
 
 #include <limits>
@@ -19,7 +20,7 @@ constexpr double pi = std::numbers::pi;
 
 /// The position of a body point by the control maps in double-double.
 WideVector carried(const ScrewMotion& screw, const Eigen::Vector3d& body_point, double tau) {
-    const auto maps = motion::control_maps(screw.frame().motion);
+    const auto maps = motion::control_maps(cubic_of(screw));
     const algebra::Vector3<Scalar> b{body_point.x(), body_point.y(), body_point.z()};
     const auto path = maps.rotation * b + maps.translation;
     const Wide weight = wide(value_at(maps.weight, Scalar(tau)));
@@ -29,7 +30,7 @@ WideVector carried(const ScrewMotion& screw, const Eigen::Vector3d& body_point, 
 }
 
 WideScrew by_definition(const ScrewMotion& screw) {
-    return {WidePose(screw.frame().start), WidePose(screw.frame().goal)};
+    return {WidePose(relative_ends_of(screw).start), WidePose(relative_ends_of(screw).goal)};
 }
 
 /// The position at the time that belongs to the given tau.

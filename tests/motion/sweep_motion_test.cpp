@@ -1,10 +1,11 @@
 // The sweep by its definition: a reference point moves along a line, the quaternion is interpolated linearly and
 // normalised.
-#include "chasles/motion/sweep_motion.h"
+#include "chasles/motion/motion.h"
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/motion/control_maps.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/trajectories.h"
 #include "tests/support/wide.h"
 
 #include <limits>
@@ -37,7 +38,7 @@ WideVector defined(const Pose& start, const Pose& goal, const Eigen::Vector3d& c
 }
 
 WideVector carried(const SweepMotion& sweep, const Eigen::Vector3d& body_point, double tau) {
-    const auto maps = motion::control_maps(sweep.frame().motion);
+    const auto maps = motion::control_maps(cubic_of(sweep));
     const algebra::Vector3<Scalar> b{body_point.x(), body_point.y(), body_point.z()};
     const auto path = maps.rotation * b + maps.translation;
     return WideVector(wide(value_at(path.x, Scalar(tau))), wide(value_at(path.y, Scalar(tau))),
@@ -102,8 +103,15 @@ TEST(SweepMotion, CentreRunsStraightAndAnotherCentreGivesAnotherPath) {
 
 TEST(SweepMotion, TauIsTime) {
     const auto sweep = SweepMotion::between(Pose(), Pose({1, 0, 0}, Eigen::Quaterniond(1, 1, 0, 0)));
-    EXPECT_EQ(sweep.tau_at(0.3), 0.3);
-    EXPECT_EQ(sweep.time_at(0.3), 0.3);
+    const motion::SweepPiece piece = sweep.trajectory().piece();
+    for (const Bracket& whole : {piece.tau_of({0.3, 0.3}), piece.time_of({0.3, 0.3})}) {
+        EXPECT_LE(whole.lower, 0.3);
+        EXPECT_GE(whole.upper, 0.3);
+        EXPECT_LT(whole.upper - whole.lower, 1e-15);
+    }
+    EXPECT_EQ(piece.tau_rate(0.3), 1);
+    EXPECT_EQ(piece.tau_tolerance(1e-12), 1e-12);
+    EXPECT_EQ(piece.pose_at(0.3).translation, sweep.pose_at(0.3).translation);
 }
 
 TEST(SweepMotion, CentreThatIsNotFiniteIsRefused) {

@@ -34,8 +34,8 @@ enum class Demand { same, safe };
 void compare(const Polyhedron& a, const Polyhedron& b, const Pose& start, const Pose& goal, int& contacts,
              Demand demand = Demand::same) {
     const ExactAnswer truth = brute_force(a, b, start, goal);
-    const FirstContact found = first_contact(
-        {.moving = a, .fixed = b, .motion = ScrewMotion::between(start, goal), .max_turn = std::numbers::pi});
+    const FirstContact found =
+        first_contact({.moving = a, .fixed = b, .motion = ScrewMotion::between(start, goal, std::numbers::pi)});
     contacts += found.verdict == Verdict::clear ? 0 : 1;
     if (truth.overlaps) {
         EXPECT_EQ(found.verdict, Verdict::contact_at_start);

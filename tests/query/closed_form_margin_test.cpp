@@ -22,7 +22,7 @@ struct Expected {
 };
 
 void expect_contact(const FirstContactQuery& query, const Expected& expected) {
-    SCOPED_TRACE("margin " + std::to_string(query.margin));
+    SCOPED_TRACE("margin " + std::to_string(query.options.margin));
     const FirstContact found = first_contact(query);
     ASSERT_EQ(found.verdict, Verdict::contact);
     EXPECT_TRUE(found.certain);
@@ -32,18 +32,18 @@ void expect_contact(const FirstContactQuery& query, const Expected& expected) {
     EXPECT_NEAR(found.clear_until, expected.time, exactness);
     ASSERT_FALSE(found.contacts.empty());
     const Contact& contact = found.contacts[0];
-    if (query.margin > 0) { // touching features may be reported as their boundary features
+    if (query.options.margin > 0) { // touching features may be reported as their boundary features
         EXPECT_EQ(contact.kind, expected.kind);
     }
     EXPECT_LE((contact.point - expected.point).norm(), exactness)
         << contact.point.transpose() << " instead of " << expected.point.transpose();
-    EXPECT_NEAR(contact.gap, query.margin, exactness);
+    EXPECT_NEAR(contact.gap, query.options.margin, exactness);
     EXPECT_NEAR(contact.approach_speed, expected.approach_speed, exactness * (1 + expected.approach_speed));
     EXPECT_LE((contact.normal - expected.normal).norm(), 1e-7) << contact.normal.transpose();
 }
 
 FirstContactQuery query_of(const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion, double margin) {
-    return {.moving = moving, .fixed = fixed, .motion = motion, .margin = margin};
+    return {.moving = moving, .fixed = fixed, .motion = motion, .options = {.margin = margin}};
 }
 
 std::vector<Motion> both_motions(const Pose& start, const Pose& goal) {
@@ -83,7 +83,7 @@ TEST(ClosedFormMargin, ABoxComesFlatOverATable) {
     for (const double margin : margins)
         for (const Motion& motion : both_motions(shifted(0.25, 0, 3), shifted(0.25, 0, -1))) {
             FirstContactQuery query = query_of(moving, table, motion, margin);
-            query.find = Find::first_with_all_contacts;
+            query.options.find = Find::first_with_all_contacts;
             const FirstContact found = first_contact(query);
             ASSERT_EQ(found.verdict, Verdict::contact);
             EXPECT_TRUE(found.certain);
@@ -239,15 +239,14 @@ TEST(ClosedFormMargin, ABarTurnsAgainstAPost) {
                 };
                 const Polyhedron moving = body.polyhedron();
                 const Polyhedron fixed = post(pivot, distance, post_angle).polyhedron();
-                const auto ask = [&](const Motion& motion, const Clock& clock, double max_turn) {
-                    FirstContactQuery query = query_of(moving, fixed, motion, margin);
-                    query.max_turn = max_turn;
+                const auto ask = [&](const Motion& motion, const Clock& clock) {
+                    const FirstContactQuery query = query_of(moving, fixed, motion, margin);
                     expect_contact(query, expected_at(bar, clock, first_contact(query)));
                 };
                 const ScrewMotion screw = ScrewMotion::between(pose_at(0), pose_at(whole));
-                ask(screw, screw_clock(angle, whole), pi);
-                ask(screw, screw_clock(angle, whole), pi / 18);
-                ask(SweepMotion::between(pose_at(0), pose_at(whole), centre), sweep_clock(angle, whole), pi);
+                ask(screw.with_max_turn(pi), screw_clock(angle, whole));
+                ask(screw.with_max_turn(pi / 18), screw_clock(angle, whole));
+                ask(SweepMotion::between(pose_at(0), pose_at(whole), centre), sweep_clock(angle, whole));
             }
 }
 

@@ -1,6 +1,7 @@
 // Changes that must not change an answer, on pairs with degenerate touches of all kinds: swapped bodies, shortened
 // motions, a turned world, other units, another order, triangles for polygons, threads, repetition.
-#include "chasles/query/path.h"
+#include "chasles/algebra/double_double.h"
+#include "chasles/query/batch.h"
 #include "tests/attack/lattice.h"
 #include "tests/attack/mesh_families.h"
 
@@ -24,8 +25,7 @@ struct Bodies {
 };
 
 FirstContact answer(const Bodies& bodies, const PosedMotion& posed) {
-    return first_contact(
-        {.moving = bodies.moving, .fixed = bodies.fixed, .motion = posed.motion(), .max_turn = posed.max_turn});
+    return first_contact({.moving = bodies.moving, .fixed = bodies.fixed, .motion = posed.motion()});
 }
 
 FirstContact answer(const MeshCase& one) {
@@ -87,9 +87,8 @@ void expect_same_bits(const FirstContact& found, const FirstContact& other) {
 
 TEST(DegenerateProperties, SwappingTheBodiesKeepsTheAnswer) {
     on_degenerate_cases([](const MeshCase& one, const FirstContact& found, AttackRandom&) {
-        const Motion motion = one.posed.motion();
-        const auto* screw = std::get_if<ScrewMotion>(&motion);
-        if (screw == nullptr || screw->piece_count(one.posed.max_turn) > 1)
+        const auto screw = one.posed.screw();
+        if (!screw || screw->piece_count() > 1)
             return false; // in the frame of the other body a sweep is not a sweep, and cutting rounds poses
         MeshCase swapped{one.fixed, one.moving, one.posed};
         std::swap(swapped.posed.moving_start, swapped.posed.fixed_start);
@@ -103,9 +102,8 @@ TEST(DegenerateProperties, SwappingTheBodiesKeepsTheAnswer) {
 /// A reversed sweep and a reversed translation have the same poses.
 TEST(DegenerateProperties, WhatIsClearForwardsIsClearBackwards) {
     on_degenerate_cases([](const MeshCase& one, const FirstContact& found, AttackRandom&) {
-        const Motion motion = one.posed.motion();
-        const auto* screw = std::get_if<ScrewMotion>(&motion);
-        if (screw != nullptr && screw->angle() > 0)
+        const auto screw = one.posed.screw();
+        if (screw && screw->angle() > 0)
             return false;
         MeshCase back = one;
         std::swap(back.posed.moving_start, back.posed.moving_goal);
@@ -201,9 +199,8 @@ TEST(DegenerateProperties, TurningTheWorldKeepsTheAnswer) {
                 return false;
             *pose = Pose(turn * pose->translation + by, right_angle * Eigen::Quaterniond(pose->rotation));
         }
-        const Motion motion = one.posed.motion();
-        const auto* screw = std::get_if<ScrewMotion>(&motion);
-        if (screw != nullptr && screw->piece_count(one.posed.max_turn) > 1)
+        const auto screw = one.posed.screw();
+        if (screw && screw->piece_count() > 1)
             return false;
         expect_same(found, answer(moved));
         return true;
@@ -287,15 +284,19 @@ TEST(DegenerateProperties, RepetitionAndThreadsChangeNoBit) {
         for (Eigen::Vector3d& v : one.fixed.vertices)
             v = first.fixed_point(v);
         const Bodies bodies(one);
-        std::vector<Motion> motions{first.posed.motion()};
+        const auto cut_motion = [](PosedMotion posed) {
+            posed.max_turn = ScrewMotion::default_max_turn;
+            return posed.motion();
+        };
+        std::vector<Motion> motions{cut_motion(first.posed)};
         while (motions.size() < 40)
-            motions.push_back(lattice_motion(random).posed.motion());
+            motions.push_back(cut_motion(lattice_motion(random).posed));
         std::vector<FirstContact> alone;
         for (const Motion& motion : motions)
             alone.push_back(first_contact({.moving = bodies.moving, .fixed = bodies.fixed, .motion = motion}));
         for (const unsigned threads : {1u, 2u, 5u}) {
             const auto many = first_contact_batch(
-                {.moving = bodies.moving, .fixed = bodies.fixed, .motions = motions, .threads = threads});
+                {.moving = bodies.moving, .fixed = bodies.fixed, .motions = motions, .batch = {.threads = threads}});
             ASSERT_EQ(many.size(), alone.size());
             for (std::size_t j = 0; j < many.size(); ++j)
                 expect_same_bits(many[j], alone[j]);

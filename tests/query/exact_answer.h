@@ -2,7 +2,8 @@
 // subdivision of time.
 #pragma once
 
-#include "chasles/search/feature_pairs.h"
+#include "chasles/mesh/polyhedron.h"
+#include "chasles/search/feature_tests.h"
 #include "tests/support/rational.h"
 
 namespace chasles::test {
@@ -22,23 +23,27 @@ inline ExactAnswer exact_answer(const Polyhedron& a, const Polyhedron& b,
                                 const motion::RationalMotion<Rational>& motion, double width = 1e-9) {
     using elementary::Ends;
     const auto maps = motion::control_maps(motion);
-    search::FeaturePairs<Rational> pairs(a.body(), b.body(), {});
-    pairs.use(maps, {width, 1e-32});
+    search::FeatureTests<Rational> tests(a.body(), b.body(), {});
+    tests.use(maps, {width, 1e-32});
     ExactAnswer answer;
+    const auto single = [](std::uint32_t id) { return Feature{id, id}; };
+    const auto named = [](const Edge& edge) { return Feature{edge.from, edge.to}; };
+    const auto passes = [&](bool edge_is_moving, const Edge& edge, std::uint32_t face) {
+        return tests.passage({edge_is_moving, named(edge), single(face)}, Ends::proven_opposite).has_value();
+    };
     for (std::uint32_t f = 0; f < a.face_count(); ++f) {
         for (std::uint32_t g = 0; g < b.face_count(); ++g) {
             for (const std::uint32_t vertex : a.body().owned_vertices(f))
-                answer.keep(pairs.vertex_face(vertex, g));
+                answer.keep(tests.touch({ContactKind::vertex_face, single(vertex), single(g)}));
             for (const std::uint32_t vertex : b.body().owned_vertices(g))
-                answer.keep(pairs.face_vertex(f, vertex));
+                answer.keep(tests.touch({ContactKind::face_vertex, single(f), single(vertex)}));
             for (const Edge& edge : a.body().owned_edges(f)) {
-                answer.overlaps = answer.overlaps || pairs.moving_edge_passage(edge, g, Ends::proven_opposite);
-                const auto path = pairs.path_of(edge);
+                answer.overlaps = answer.overlaps || passes(true, edge, g);
                 for (const Edge& other : b.body().owned_edges(g))
-                    answer.keep(pairs.edge_edge(path, other));
+                    answer.keep(tests.touch({ContactKind::edge_edge, named(edge), named(other)}));
             }
             for (const Edge& edge : b.body().owned_edges(g))
-                answer.overlaps = answer.overlaps || pairs.fixed_edge_passage(edge, f, Ends::proven_opposite);
+                answer.overlaps = answer.overlaps || passes(false, edge, f);
         }
     }
     return answer;

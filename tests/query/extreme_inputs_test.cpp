@@ -6,6 +6,7 @@
 #include "tests/support/exact_reference.h"
 #include "tests/support/posed_motions.h"
 #include "tests/support/segment_distance.h"
+#include "tests/support/trajectories.h"
 
 #include <gtest/gtest.h>
 
@@ -70,7 +71,7 @@ struct Scene {
     bool sweeps = false;
 
     [[nodiscard]] Motion motion() const {
-        return sweeps ? Motion(SweepMotion::between(start, goal)) : Motion(ScrewMotion::between(start, goal));
+        return sweeps ? Motion::sweep(start, goal) : Motion::screw(start, goal, max_turn);
     }
 };
 
@@ -105,8 +106,7 @@ Scene random_scene(Random& random, const Recipe& recipe) {
     scene.goal =
         Pose(scene.start.translation + eigen(random.vector(way)), turn * Eigen::Quaterniond(scene.start.rotation));
     const double half_way = random.uniform(0.2, 0.9);
-    const Eigen::Isometry3d back =
-        std::visit([&](const auto& motion) { return motion.pose_at(half_way).isometry().inverse(); }, scene.motion());
+    const Eigen::Isometry3d back = scene.motion().pose_at(half_way).isometry().inverse();
     // Point to point, or nearly corner to corner after a short motion. In the second case about half of the bodies pass
     // each other.
     const bool passing = random.chance(0.5);
@@ -129,8 +129,10 @@ std::vector<RationalMotion<Rational>> exact_pieces(const Scene& scene) {
                          Eigen::Vector3d::Zero())
                     .exactly};
     std::vector<RationalMotion<Rational>> pieces;
-    for (const ScrewMotion& piece : ScrewMotion::between(scene.start, scene.goal).cut(scene.max_turn))
-        pieces.push_back(motion::screw_between(exact(piece.frame().start), exact(piece.frame().goal)));
+    for (const ScrewMotion& piece : ScrewMotion::between(scene.start, scene.goal, scene.max_turn).pieces()) {
+        const motion::RelativeEnds ends = relative_ends_of(piece);
+        pieces.push_back(motion::screw_between(exact(ends.start), exact(ends.goal)));
+    }
     return pieces;
 }
 
@@ -199,8 +201,7 @@ void compare(const Scene& scene, Tally& tally) {
         truth.overlaps = truth.overlaps || (index == 0 && answer.overlaps);
     }
     const auto whole = [&](double tau) { return (double(index) - 1 + tau) / double(pieces.size()); };
-    const FirstContact found =
-        first_contact({.moving = moving, .fixed = fixed, .motion = scene.motion(), .max_turn = scene.max_turn});
+    const FirstContact found = first_contact({.moving = moving, .fixed = fixed, .motion = scene.motion()});
     ++tally.scenes;
     const double bound = bound_of(scene, pieces[0]);
     tally.bound = std::max(tally.bound, bound);

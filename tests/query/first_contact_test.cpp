@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "tests/query/bodies.h"
+#include "tests/support/refusal.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -42,7 +43,7 @@ TEST(FirstContact, TiltedBoxFallsOnTableWithOneCorner) {
         {.moving = unit_box(),
          .fixed = table(),
          .motion = ScrewMotion::between(turned({0.1, 0.2, 4}, axis, 0.5), turned({0.1, 0.2, 0}, axis, 0.5)),
-         .find = Find::first_with_all_contacts});
+         .options = {.find = Find::first_with_all_contacts}});
     ASSERT_EQ(found.verdict, Verdict::contact);
     EXPECT_TRUE(found.certain);
     expect_encloses(found.time, (4 - 0.5 - lowest) / 4, 1e-11);
@@ -60,7 +61,7 @@ TEST(FirstContact, BoxLandsFlatWithItsFourCorners) {
     const FirstContact found = first_contact({.moving = unit_box(),
                                               .fixed = table(),
                                               .motion = ScrewMotion::between(shifted(0, 0, 3), shifted(0, 0, -1)),
-                                              .find = Find::first_with_all_contacts});
+                                              .options = {.find = Find::first_with_all_contacts}});
     ASSERT_EQ(found.verdict, Verdict::contact);
     EXPECT_TRUE(found.certain);
     expect_encloses(found.time, 0.5);
@@ -102,7 +103,7 @@ TEST(FirstContact, CrossedEdgesMeet) {
     const FirstContact found = first_contact({.moving = unit_box(),
                                               .fixed = unit_box(),
                                               .motion = ScrewMotion::relative(start, goal, fixed_pose, fixed_pose),
-                                              .find = Find::first_with_all_contacts});
+                                              .options = {.find = Find::first_with_all_contacts}});
     ASSERT_EQ(found.verdict, Verdict::contact);
     expect_encloses(found.time, (3 - 2 * height) / 2, 1e-11);
     ASSERT_EQ(found.contacts.size(), 1u);
@@ -127,8 +128,7 @@ TEST(FirstContact, DoorSwingsAgainstPostAtTheAngleOfGeometry) {
     const FirstContact found =
         first_contact({.moving = door,
                        .fixed = post,
-                       .motion = ScrewMotion::relative(opened(0), opened(pi / 3), post_pose, post_pose),
-                       .max_turn = pi});
+                       .motion = ScrewMotion::relative(opened(0), opened(pi / 3), post_pose, post_pose, pi)});
     ASSERT_EQ(found.verdict, Verdict::contact);
     // The door's face y = 0.001 touches the post's nearer corner, (0.79, -0.01) in the post's frame.
     const double corner_angle = at + std::atan2(-0.01, 0.79);
@@ -161,7 +161,7 @@ TEST(FirstContact, SlidingAlongFaceToFaceIsContactFromWhereTheyMeet) {
     const FirstContact found = first_contact({.moving = unit_box(),
                                               .fixed = unit_box(),
                                               .motion = ScrewMotion::between(shifted(-5, 1, 0), shifted(5, 1, 0)),
-                                              .find = Find::first_with_all_contacts});
+                                              .options = {.find = Find::first_with_all_contacts}});
     ASSERT_EQ(found.verdict, Verdict::contact);
     expect_encloses(found.time, 0.4);
     EXPECT_TRUE(found.certain) << "an exact touch is decided exactly";
@@ -173,7 +173,7 @@ TEST(FirstContact, BodiesTouchingAtTheStartSaySo) {
             first_contact({.moving = unit_box(),
                            .fixed = table(),
                            .motion = ScrewMotion::between(shifted(0, 0, 1), shifted(0, 0, 1 + away)),
-                           .find = Find::first_with_all_contacts});
+                           .options = {.find = Find::first_with_all_contacts}});
         EXPECT_EQ(found.verdict, Verdict::contact_at_start);
         EXPECT_EQ(found.time.lower, 0);
         EXPECT_FALSE(found.contacts.empty());
@@ -222,7 +222,8 @@ TEST(FirstContact, AnyStopsEarlyWithTheSameYesOrNo) {
         const Polyhedron b = random_octahedron(random).polyhedron();
         const Motion motion = ScrewMotion::between(random_pose(random, 3, 1), random_pose(random, 3, 1));
         const FirstContact first = first_contact({.moving = a, .fixed = b, .motion = motion});
-        const FirstContact any = first_contact({.moving = a, .fixed = b, .motion = motion, .find = Find::any});
+        const FirstContact any =
+            first_contact({.moving = a, .fixed = b, .motion = motion, .options = {.find = Find::any}});
         EXPECT_EQ(first.verdict == Verdict::clear, any.verdict == Verdict::clear) << "seed 7, case " << i;
         EXPECT_LE(first.time.lower, any.time.upper);
         contacts += first.verdict == Verdict::clear ? 0 : 1;
@@ -237,8 +238,7 @@ TEST(FirstContact, HalfTurnsAreCutWhateverMaxTurn) {
     for (const double max_turn : {0.1, pi, 10.0}) {
         const FirstContact found = first_contact({.moving = unit_box(),
                                                   .fixed = box({0.1, 3, 0.1}).polyhedron(),
-                                                  .motion = ScrewMotion::between(start, goal),
-                                                  .max_turn = max_turn});
+                                                  .motion = ScrewMotion::between(start, goal, max_turn)});
         ASSERT_EQ(found.verdict, Verdict::contact);
         EXPECT_GT(found.time.lower, 0.2);
         EXPECT_LT(found.time.upper, 0.5);
@@ -267,19 +267,22 @@ TEST(FirstContact, OptionsOutOfRangeAreRefusedWithAReason) {
         }
         return "";
     };
+    const auto refusal_of_turn = [](double max_turn) {
+        return refusal([&] { static_cast<void>(ScrewMotion::between(Pose(), Pose(), max_turn)); });
+    };
     const auto nan = std::numeric_limits<double>::quiet_NaN();
     const Polyhedron& body = unit_box();
-    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .margin = -0.1}),
+    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = -0.1}}),
               "query: margin: must be in [0, 1e30]");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .margin = nan}), "");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .margin = 2e30}), "");
-    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .hold = 0.1}),
+    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = nan}}), "");
+    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = 2e30}}), "");
+    EXPECT_EQ(message_of({.moving = body, .fixed = body, .motion = still, .options = {.hold = 0.1}}),
               "query: hold: must be at least 0 and less than the margin");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .margin = 1, .hold = nan}), "");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .time_tolerance = 0}), "");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .time_tolerance = nan}), "");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .max_turn = 0}), "");
-    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .max_turn = nan}), "");
+    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.margin = 1, .hold = nan}}), "");
+    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.time_tolerance = 0}}), "");
+    EXPECT_NE(message_of({.moving = body, .fixed = body, .motion = still, .options = {.time_tolerance = nan}}), "");
+    EXPECT_EQ(refusal_of_turn(0), "motion: max_turn: must be at least 1e-4 radians (0.00573 degrees)");
+    EXPECT_NE(refusal_of_turn(nan), "accepted");
 }
 
 } // namespace

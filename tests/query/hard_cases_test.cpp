@@ -66,8 +66,7 @@ TEST(HardCases, TurnsAroundTheLongestPieceFindTheSameContact) {
         const FirstContact found = first_contact(
             {.moving = bar,
              .fixed = post,
-             .motion = ScrewMotion::relative(Pose(), turned({0, 0, 0}, {0, 0, 1}, angle), post_pose, post_pose),
-             .max_turn = pi});
+             .motion = ScrewMotion::relative(Pose(), turned({0, 0, 0}, {0, 0, 1}, angle), post_pose, post_pose, pi)});
         ASSERT_EQ(found.verdict, Verdict::contact) << part;
         const double contact_angle = 1.5 - std::asin(0.05 / 0.78) - 0.02 / 0.78;
         EXPECT_NEAR(found.time.lower * angle, contact_angle, 2e-3) << part;
@@ -82,7 +81,7 @@ TEST(HardCases, BoxLiftedOffATableHasItsNormalFromTheTable) {
             first_contact({.moving = body,
                            .fixed = table,
                            .motion = ScrewMotion::between(shifted(0, 0, 1), shifted(0, 0, 1 + way)),
-                           .find = Find::first_with_all_contacts});
+                           .options = {.find = Find::first_with_all_contacts}});
         ASSERT_EQ(found.verdict, Verdict::contact_at_start);
         ASSERT_FALSE(found.contacts.empty());
         for (const Contact& contact : found.contacts) {
@@ -152,8 +151,7 @@ TEST(HardCases, LargeTurnsInOnePieceKeepTimeInsideItsBracket) {
         const FirstContact found =
             first_contact({.moving = arm,
                            .fixed = wall,
-                           .motion = ScrewMotion::between(Pose(), turned({0, 0, 0}, {0, 0, 1}, turn)),
-                           .max_turn = pi});
+                           .motion = ScrewMotion::between(Pose(), turned({0, 0, 0}, {0, 0, 1}, turn), pi)});
         ASSERT_EQ(found.verdict, Verdict::contact);
         EXPECT_NEAR(found.time.lower, 0.9, 1e-10) << "the needle is 1e-12 wide";
         EXPECT_LE(found.time.lower, 0.9 + 1e-15);

@@ -41,15 +41,14 @@ FirstContact ask(const Pose& start, const Pose& goal, const Polyhedron& moving =
     return first_contact({.moving = moving,
                           .fixed = table_with_wall(),
                           .motion = ScrewMotion::between(start, goal),
-                          .margin = margin,
-                          .hold = level});
+                          .options = {.margin = margin, .hold = level}});
 }
 
 TEST(Hold, WithoutItBodiesWithinTheMarginAreInContactAtTheStart) {
     const auto found = first_contact({.moving = cube(),
                                       .fixed = table_with_wall(),
                                       .motion = ScrewMotion::between(shifted(0, 0, 1.05), shifted(1, 0, 1.05)),
-                                      .margin = margin});
+                                      .options = {.margin = margin}});
     EXPECT_EQ(found.verdict, Verdict::contact_at_start);
     EXPECT_EQ(found.clear_until, 0);
 }
@@ -72,8 +71,7 @@ TEST(Hold, ABoxSlidesOffABoxOfItsSize) {
     const auto found = first_contact({.moving = cube(),
                                       .fixed = cube(),
                                       .motion = ScrewMotion::between(shifted(0, 0, 1.05), shifted(3, 0, 1.05)),
-                                      .margin = margin,
-                                      .hold = hold});
+                                      .options = {.margin = margin, .hold = hold}});
     EXPECT_EQ(found.verdict, Verdict::clear);
 }
 
@@ -163,9 +161,7 @@ TEST(Hold, AnyContactStillTellsHowFarOneMayGo) {
         const auto found = first_contact({.moving = cube(),
                                           .fixed = table_with_wall(),
                                           .motion = ScrewMotion::between(shifted(0, 0, 1.05), shifted(4, 0, 0.9)),
-                                          .margin = margin,
-                                          .hold = hold,
-                                          .find = find});
+                                          .options = {.margin = margin, .hold = hold, .find = find}});
         ASSERT_EQ(found.verdict, Verdict::contact);
         EXPECT_NEAR(found.clear_until, 0.2, 1e-10) << "with its reserve";
     }
@@ -176,8 +172,7 @@ TEST(Hold, ANewContactAtTheVeryEndIsReported) {
     const auto found = first_contact({.moving = cube(),
                                       .fixed = table_with_wall(),
                                       .motion = ScrewMotion::between(shifted(0, 0, 1.0625), shifted(1.875, 0, 1.0625)),
-                                      .margin = 0.125,
-                                      .hold = hold});
+                                      .options = {.margin = 0.125, .hold = hold}});
     EXPECT_EQ(found.verdict, Verdict::contact);
     EXPECT_EQ(found.time.upper, 1);
 }

@@ -2,6 +2,7 @@
 #include "chasles/query/path.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/query/batch.h"
 #include "tests/query/bodies.h"
 
 #include <gtest/gtest.h>
@@ -13,10 +14,10 @@ TEST(Path, TellsTheSegmentAndTheTimeWithinIt) {
     const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
     const std::vector<Pose> poses{shifted(-4, 0, 0), shifted(-3, 0, 0), shifted(-2, 0, 0), shifted(2, 0, 0)};
     std::vector<std::size_t> reported;
-    const PathContact found =
-        first_contact_on_path({.moving = body, .fixed = body, .poses = poses, .progress = [&](std::size_t done) {
-                                   reported.push_back(done);
-                               }});
+    const PathContact found = first_contact_on_path(
+        {.moving = body, .fixed = body, .motions = screws_along(poses), .progress = [&](std::size_t done) {
+             reported.push_back(done);
+         }});
     EXPECT_EQ(found.contact.verdict, Verdict::contact);
     EXPECT_EQ(found.segment, 2u);
     EXPECT_NEAR(found.contact.time.lower, 0.25, 1e-11);
@@ -26,7 +27,7 @@ TEST(Path, TellsTheSegmentAndTheTimeWithinIt) {
 TEST(Path, ClearPathCountsTheWorkOfAllSegments) {
     const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
     const std::vector<Pose> poses{shifted(-4, 2, 0), shifted(0, 2, 0), shifted(4, 2, 0)};
-    const PathContact found = first_contact_on_path({.moving = body, .fixed = body, .poses = poses});
+    const PathContact found = first_contact_on_path({.moving = body, .fixed = body, .motions = screws_along(poses)});
     EXPECT_EQ(found.contact.verdict, Verdict::clear);
     EXPECT_EQ(found.segment, 1u);
     EXPECT_GE(found.contact.work.node_pairs, 2u);
@@ -35,7 +36,8 @@ TEST(Path, ClearPathCountsTheWorkOfAllSegments) {
 TEST(Path, FewerThanTwoPosesAreRefused) {
     const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
     const std::vector<Pose> poses{Pose()};
-    EXPECT_THROW(static_cast<void>(first_contact_on_path({.moving = body, .fixed = body, .poses = poses})),
+    EXPECT_THROW(static_cast<void>(screws_along(poses)), InvalidInput);
+    EXPECT_THROW(static_cast<void>(first_contact_on_path({.moving = body, .fixed = body, .motions = {}})),
                  InvalidInput);
 }
 
@@ -54,11 +56,12 @@ TEST(Batch, AnswersAreTheSameForAnyNumberOfThreads) {
     std::size_t last = 0;
     const auto count = [&](std::size_t done) { last = done; };
     const auto one =
-        first_contact_batch({.moving = a, .fixed = b, .motions = motions, .threads = 1, .progress = count});
+        first_contact_batch({.moving = a, .fixed = b, .motions = motions, .batch = {.threads = 1, .progress = count}});
     EXPECT_EQ(last, motions.size());
     ASSERT_EQ(one.size(), motions.size());
     for (const unsigned threads : {0u, 2u, 5u}) {
-        const auto many = first_contact_batch({.moving = a, .fixed = b, .motions = motions, .threads = threads});
+        const auto many =
+            first_contact_batch({.moving = a, .fixed = b, .motions = motions, .batch = {.threads = threads}});
         for (std::size_t i = 0; i < motions.size(); ++i)
             EXPECT_TRUE(same_bits(one[i], many[i])) << "motion " << i << ", " << threads << " threads";
     }

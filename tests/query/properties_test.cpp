@@ -29,7 +29,7 @@ Case random_case(std::mt19937& random) {
 
 FirstContact answer(const Body& moving, const Body& fixed, const ScrewMotion& motion) {
     return first_contact(
-        {.moving = moving.polyhedron(), .fixed = fixed.polyhedron(), .motion = motion, .max_turn = pi});
+        {.moving = moving.polyhedron(), .fixed = fixed.polyhedron(), .motion = motion.with_max_turn(pi)});
 }
 
 bool overlap(const Bracket& a, const Bracket& b) {
@@ -156,15 +156,15 @@ TEST(Properties, CuttingPolygonsIntoTrianglesDoesNotMatter) {
 
 TEST(Properties, AScrewCutByMaxTurnIsThePathOfItsPieces) {
     on_random_cases(7, [](const Case& one, const FirstContact&, std::mt19937&) {
-        const ScrewMotion whole = ScrewMotion::between(one.start, one.goal);
+        const ScrewMotion whole = ScrewMotion::between(one.start, one.goal, 0.2);
         const Polyhedron a = one.a.polyhedron();
         const Polyhedron b = one.b.polyhedron();
-        const FirstContact cut = first_contact({.moving = a, .fixed = b, .motion = whole, .max_turn = 0.2});
-        const std::vector<ScrewMotion> pieces = whole.cut(0.2);
+        const FirstContact cut = first_contact({.moving = a, .fixed = b, .motion = whole});
+        const std::vector<ScrewMotion> pieces = whole.pieces();
         Verdict verdict = Verdict::clear;
         double time = 0;
         for (std::size_t i = 0; i < pieces.size() && verdict == Verdict::clear; ++i) {
-            const FirstContact piece = first_contact({.moving = a, .fixed = b, .motion = pieces[i], .max_turn = pi});
+            const FirstContact piece = first_contact({.moving = a, .fixed = b, .motion = pieces[i].with_max_turn(pi)});
             verdict = piece.verdict == Verdict::contact_at_start && i > 0 ? Verdict::contact : piece.verdict;
             time = (double(i) + piece.time.lower) / double(pieces.size());
         }

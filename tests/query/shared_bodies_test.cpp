@@ -24,10 +24,11 @@ std::vector<FirstContact> ask_all(const Polyhedron& moving, const Polyhedron& fi
         answers[3 * i + 1] = first_contact({.moving = fixed,
                                             .fixed = copy,
                                             .motion = SweepMotion::between(poses[i], poses[i + 1]),
-                                            .find = Find::first_with_all_contacts});
-        answers[3 * i + 2] = first_contact({.moving = moving, .fixed = moving, .motion = screw, .find = Find::any});
+                                            .options = {.find = Find::first_with_all_contacts}});
+        answers[3 * i + 2] =
+            first_contact({.moving = moving, .fixed = moving, .motion = screw, .options = {.find = Find::any}});
     }
-    answers.back() = first_contact_on_path({.moving = moving, .fixed = fixed, .poses = poses}).contact;
+    answers.back() = first_contact_on_path({.moving = moving, .fixed = fixed, .motions = screws_along(poses)}).contact;
     return answers;
 }
 

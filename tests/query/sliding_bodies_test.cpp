@@ -198,8 +198,7 @@ TEST(SlidingBodies, ANutTurnsOnItsBoltWithinTheMargin) {
             const FirstContact found = first_contact({.moving = nut,
                                                       .fixed = bolt,
                                                       .motion = ScrewMotion::between(path[i], path[i + 1]),
-                                                      .margin = 0.2,
-                                                      .hold = 0.005});
+                                                      .options = {.margin = 0.2, .hold = 0.005}});
             EXPECT_EQ(found.verdict, Verdict::clear) << "step " << i << ", time " << found.time.lower;
             EXPECT_FALSE(found.held.empty());
         }
@@ -208,8 +207,7 @@ TEST(SlidingBodies, ANutTurnsOnItsBoltWithinTheMargin) {
     const FirstContact pulled = first_contact({.moving = nut,
                                                .fixed = bolt,
                                                .motion = ScrewMotion::between(middle, lifted(middle, 1)),
-                                               .margin = 0.2,
-                                               .hold = 0.005});
+                                               .options = {.margin = 0.2, .hold = 0.005}});
     ASSERT_EQ(pulled.verdict, Verdict::contact) << "pulled straight it comes to its flanks";
     ASSERT_FALSE(pulled.contacts.empty());
     EXPECT_NEAR(pulled.contacts[0].gap, 0.005, 1e-9);

@@ -1,6 +1,6 @@
 #include "scenes/nut_motions.h"
 
-#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/motion.h"
 
 #include <algorithm>
 #include <cmath>

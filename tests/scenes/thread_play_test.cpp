@@ -1,6 +1,6 @@
 // The clearance of the nut on its thread, computed without collision code: by projection of facets and by sampled
 // poses.
-#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/motion.h"
 #include "scenes/nut_motions.h"
 #include "scenes/threaded_fastener.h"
 #include "tests/scenes/axial_way.h"

@@ -24,7 +24,7 @@ FirstContact slide(double height, const Find find = Find::first) {
     return first_contact({.moving = spike(),
                           .fixed = wall_at(0),
                           .motion = ScrewMotion::between(shifted(-6, 0, height), shifted(6, 0, height)),
-                          .find = find});
+                          .options = {.find = find}});
 }
 
 TEST(ExactStage, ASlideInThePlaneOfAFaceIsAContact) {
@@ -61,8 +61,7 @@ TEST(ExactStage, ATangentTouchIsToldFromATangentMiss) {
     const Pose goal(Eigen::Vector3d::Zero(), Eigen::Quaterniond(8, 0, 0, 1));
     const auto answer = [&](double x) {
         const Polyhedron fixed = wall(x);
-        return first_contact(
-            {.moving = arm, .fixed = fixed, .motion = ScrewMotion::between(start, goal), .max_turn = 3});
+        return first_contact({.moving = arm, .fixed = fixed, .motion = ScrewMotion::between(start, goal, 3)});
     };
     const FirstContact touch = answer(-1);
     EXPECT_EQ(touch.verdict, Verdict::contact);

@@ -3,10 +3,10 @@
 #pragma once
 
 #include "chasles/motion/control_maps.h"
-#include "chasles/motion/screw_motion.h"
+#include "chasles/motion/motion.h"
 #include "chasles/motion/screw_path.h"
-#include "chasles/motion/sweep_motion.h"
 #include "tests/support/rational_motions.h"
+#include "tests/support/trajectories.h"
 
 #include <cstdlib>
 #include <numbers>
@@ -89,17 +89,17 @@ inline std::pair<Pose, Pose> random_pose_pair(Random& random, const MotionSettin
 }
 
 inline PosedMotion screw_of(const ScrewMotion& screw, const ExactPose& start, const ExactPose& goal) {
-    return {screw.frame().motion, motion::screw_between(start, goal)};
+    return {cubic_of(screw), motion::screw_between(start, goal)};
 }
 
 /// Inner pieces start and end at poses in doubles. The first and the last piece keep the given end poses.
 inline PosedMotion random_piece(Random& random, const ScrewMotion& screw, const ExactPose& start,
                                 const ExactPose& goal) {
-    const std::size_t count = screw.piece_count(random.uniform(0.05, 1));
-    const auto index = static_cast<std::size_t>(random.integer(0, int(count) - 1));
-    const ScrewMotion piece = screw.piece(index, count);
-    return screw_of(piece, index == 0 ? start : exact(piece.frame().start),
-                    index + 1 == count ? goal : exact(piece.frame().goal));
+    const std::vector<ScrewMotion> pieces = screw.with_max_turn(random.uniform(0.05, 1)).pieces();
+    const auto index = static_cast<std::size_t>(random.integer(0, int(pieces.size()) - 1));
+    const motion::RelativeEnds ends = relative_ends_of(pieces[index]);
+    return screw_of(pieces[index], index == 0 ? start : exact(ends.start),
+                    index + 1 == pieces.size() ? goal : exact(ends.goal));
 }
 
 inline PosedMotion sweep_of(const SweepMotion& sweep, const ExactPose& start, const ExactPose& goal,
@@ -108,7 +108,7 @@ inline PosedMotion sweep_of(const SweepMotion& sweep, const ExactPose& start, co
     const Rational length = root(turn.squared_norm());
     turn = {Rational(turn.w / length), scale(turn.v, Rational(1 / length))};
     const Vector3<double> about{centre.x(), centre.y(), centre.z()};
-    return {sweep.frame().motion, motion::sweep_between(start, goal, turn, exact(about))};
+    return {cubic_of(sweep), motion::sweep_between(start, goal, turn, exact(about))};
 }
 
 struct FourPoses {

@@ -69,7 +69,7 @@ struct SlidingBody {
     bool approach(const Pose& from, const Pose& to) {
         const ScrewMotion motion = ScrewMotion::between(from, to);
         const FirstContact found =
-            first_contact({.moving = moving, .fixed = fixed, .motion = motion, .margin = margin});
+            first_contact({.moving = moving, .fixed = fixed, .motion = motion, .options = {.margin = margin}});
         if (found.verdict != Verdict::contact)
             return false;
         at = motion.pose_at(found.time.upper);
@@ -81,12 +81,11 @@ struct SlidingBody {
         const ScrewMotion motion = ScrewMotion::between(at, to);
         const double before = distance(at);
         const auto asked = std::chrono::steady_clock::now();
-        const FirstContact found = first_contact({.moving = moving,
-                                                  .fixed = fixed,
-                                                  .motion = motion,
-                                                  .margin = margin,
-                                                  .hold = hold,
-                                                  .find = Find::first_with_all_contacts});
+        const FirstContact found =
+            first_contact({.moving = moving,
+                           .fixed = fixed,
+                           .motion = motion,
+                           .options = {.margin = margin, .hold = hold, .find = Find::first_with_all_contacts}});
         count(found, std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count());
         const double end = found.clear_until;
         for (int i = 1; i <= samples; ++i) {
