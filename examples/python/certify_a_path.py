@@ -38,7 +38,7 @@ assert wide.verdict == chasles.Verdict.clear
 tight = around(1.5, 4)
 for pose in tight:
     assert chasles.first_contact(parcel, pillar, pose, pose).verdict == "clear"
-found = chasles.first_contact_on_path(parcel, pillar, tight)
+found = chasles.first_contact_on_path(parcel, pillar, tight, find="first_with_all_contacts")
 print(found)
 assert found.verdict == chasles.Verdict.contact
 print(f"segment {found.segment}, at {found.time:.6f} of it, at the pose\n{found.pose}")

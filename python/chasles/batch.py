@@ -61,7 +61,7 @@ def first_contact_batch(
     starts, goals : array (n, 4, 4) or (n, 7)
         Poses of the moving body in the frame of the fixed body, in the form that `first_contact` takes.
     margin, hold, time_tolerance, max_turn, find
-        As for `first_contact`. The default of `find` is "first", because a row holds one contact.
+        As for `first_contact`. A row holds one contact.
     threads : int
         The maximal number of threads; 0 for all cores.
     errors : "raise" or "mark"

@@ -33,7 +33,7 @@ def plot(
 
     Contact points are dots, and normals are arrows from the fixed body to the moving body. They are drawn in front of
     the bodies, because most contacts lie hidden between the bodies. Large meshes are simplified; `view` draws them in
-    full.
+    full. A swapped answer is drawn as the query had it.
 
     Parameters
     ----------
@@ -49,12 +49,14 @@ def plot(
     """
     axes = axes or _new_axes()
     axes.computed_zorder = False  # fixed order: contacts are drawn in front of the bodies
+    if found.is_swapped:
+        found = found.swapped()  # the motion is that of the query
     is_clear = found.verdict == Verdict.clear
     end = 1.0 if is_clear else found.time
-    motion = _poses(found.motion, found.max_turn)
+    motion = _poses(found.motion)
     moving, fixed = _polygons(found.moving), _polygons(found.fixed)
     moving_pose = motion(1.0) if is_clear else np.asarray(found.pose)
-    bodies = [(_moved(fixed, found.motion.fixed_pose_at(end)), FIXED), (_moved(moving, moving_pose), MOVING)]
+    bodies = [(_moved(fixed, found.fixed_pose), FIXED), (_moved(moving, moving_pose), MOVING)]
     _draw_ghosts(axes, [_moved(moving, motion(time)) for time in _ghost_times(end, ghosts)])
     _draw_solid(axes, bodies)
     _draw_path(axes, found.moving, motion)
@@ -71,11 +73,11 @@ def _new_axes() -> Axes3D:
     return plt.figure(figsize=(8, 6.5), layout="constrained").add_subplot(projection="3d")
 
 
-def _poses(motion: ScrewMotion | SweepMotion, max_turn: float) -> Any:
+def _poses(motion: ScrewMotion | SweepMotion) -> Any:
     """The pose of the moving body as a function of time. A screw is cut into pieces, as in the query."""
     if isinstance(motion, SweepMotion):
         return motion.pose_at
-    pieces = motion.cut(max_turn)
+    pieces = motion.pieces()
 
     def pose_at(time: float) -> Array:
         place = time * len(pieces)

@@ -59,7 +59,12 @@ def write_page(
     title: str = "Chasles",
     names: tuple[str, str] = ("moving", "fixed"),
 ) -> pathlib.Path:
-    """Write a page of HTML that shows an answer, and return its path. `found.view(out)` is the same."""
+    """Write a page of HTML that shows an answer, and return its path. `found.view(out)` is the same.
+
+    The page shows a swapped answer as the query had it.
+    """
+    if found.is_swapped:
+        found, names = found.swapped(), (names[1], names[0])
     page = _core.view_page(found, title, *names)
     path = pathlib.Path(out)
     path.write_text(page, encoding="utf-8")

@@ -3,6 +3,7 @@
 
 #include "chasles/query/first_contact.h"
 #include "python/src/body.h"
+#include "python/src/motions.h"
 
 #include <nanobind/nanobind.h>
 #include <string>
@@ -13,9 +14,9 @@ struct Answer {
     FirstContact found;
     nanobind::object moving; ///< the bodies of the query, kept alive by the answer
     nanobind::object fixed;
-    Motion motion;
+    TypedMotion motion;
     double margin;
-    double max_turn;
+    bool is_swapped = false; ///< the bodies have swapped their roles since the query; the motion has not changed
 };
 
 struct PathAnswer : Answer {

@@ -62,8 +62,22 @@ nb::class_<Answer> bind_first_contact(nb::module_& module) {
             "pose", [](const Answer& a) { return matrix_of(a.found.pose); },
             nb::sig("def pose(self) -> " CHASLES_ARRAY), doc("FirstContact.pose"))
         .def_prop_ro(
+            "fixed_pose", [](const Answer& a) { return matrix_of(a.found.fixed_pose); },
+            nb::sig("def fixed_pose(self) -> " CHASLES_ARRAY),
+            "The pose of the fixed body in the world at the same time.")
+        .def_prop_ro(
             "work", [](const Answer& a) { return a.found.work; }, doc("Work"));
     return type;
+}
+
+/// The answer with the bodies in each other's roles. `AnyAnswer` may be a PathAnswer.
+template <typename AnyAnswer>
+AnyAnswer swapped(const AnyAnswer& answer) {
+    AnyAnswer other = answer;
+    other.found = answer.found.swapped();
+    std::swap(other.moving, other.fixed);
+    other.is_swapped = !answer.is_swapped;
+    return other;
 }
 
 } // namespace
@@ -79,12 +93,16 @@ void bind_answers(nb::module_& module) {
         .def_prop_ro(
             "motion", [](const Answer& a) { return a.motion; },
             nb::sig("def motion(self) -> ScrewMotion | SweepMotion"),
-            "The motion of the query; for a path, the motion of `segment`.")
+            "The motion of the query; for a path, the motion of `segment`. In a swapped answer it is still the motion "
+            "of "
+            "the query.")
         .def_ro("margin", &Answer::margin, "The margin of the query.")
-        .def_ro("max_turn", &Answer::max_turn, "The query cut a screw that turns by more than this angle, in radians.")
+        .def_ro("is_swapped", &Answer::is_swapped, "Whether the bodies have swapped their roles since the query.")
+        .def("swapped", swapped<Answer>, doc("FirstContact.swapped"))
         .def("__repr__", [](const Answer& a) { return "<chasles.FirstContact: " + summary(a.found) + ">"; });
     nb::class_<PathAnswer, Answer>(module, "PathContact", doc("PathContact"))
         .def_ro("segment", &PathAnswer::segment, doc("PathContact.segment"))
+        .def("swapped", swapped<PathAnswer>, doc("FirstContact.swapped"))
         .def("__repr__", [](const PathAnswer& a) {
             const bool is_clear = a.found.verdict == Verdict::clear;
             return "<chasles.PathContact: " + (is_clear ? "" : fmt::format("segment {}, ", a.segment)) +

@@ -2,6 +2,8 @@
 #include "python/src/motions.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/motion/screw_trajectory.h"
+#include "chasles/motion/sweep_trajectory.h"
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
 
@@ -17,11 +19,12 @@ using namespace nb::literals;
 #define CHASLES_POSE "numpy.typing.ArrayLike"
 #define CHASLES_RELATIVE                                                                                               \
     "def relative(moving_start: " CHASLES_POSE ", moving_goal: " CHASLES_POSE ", fixed_start: " CHASLES_POSE           \
-    ", fixed_goal: " CHASLES_POSE ") -> "
+    ", fixed_goal: " CHASLES_POSE
+#define CHASLES_MAX_TURN ", max_turn: float = math.pi / 18"
 
-template <typename M>
-constexpr const char* relative_signature =
-    std::is_same_v<M, ScrewMotion> ? CHASLES_RELATIVE "ScrewMotion" : CHASLES_RELATIVE "SweepMotion";
+constexpr const char* relative_text =
+    "For two moving bodies: the motion of one body in the frame of the other, which is called fixed. "
+    "All four poses are in the world, (4, 4) or (7,).";
 
 void require_in_unit_interval(double number, const char* name) {
     if (!(number >= 0 && number <= 1))
@@ -40,41 +43,72 @@ M relative(nb::handle moving_start, nb::handle moving_goal, nb::handle fixed_sta
                        pose_from(fixed_start, "fixed_start"), pose_from(fixed_goal, "fixed_goal"));
 }
 
-/// The poses and the centre that the motion was made from, for pickle.
+/// What a kind of motion has besides its poses, for pickle.
+nb::object last_part(const ScrewMotion& motion) {
+    return nb::float_(motion.max_turn());
+}
+
+nb::object last_part(const SweepMotion& motion) {
+    return array_of(motion.trajectory().centre());
+}
+
+ScrewMotion with_last_part(const ScrewMotion& motion, nb::handle max_turn) {
+    double turn = 0;
+    if (!nb::try_cast(max_turn, turn))
+        throw InvalidInput("max_turn: must be a number");
+    return motion.with_max_turn(turn);
+}
+
+SweepMotion with_last_part(const SweepMotion& motion, nb::handle centre) {
+    return motion.about(vector_from(centre, "centre"));
+}
+
+/// The poses that the motion was made from, and its last part, for pickle. With two moving bodies all poses are in the
+/// world; for inner pieces of a screw they are rounded to double precision.
 template <typename M>
 nb::tuple state(const M& motion) {
-    const MotionEnds& ends = motion.ends();
-    return nb::make_tuple(numbers_of(ends.given_start.pose), numbers_of(ends.given_goal.pose),
+    const motion::MotionEnds& ends = motion.trajectory().ends();
+    return nb::make_tuple(numbers_of(ends.start_is_in_world ? ends.start : ends.in_world(ends.start, 0)),
+                          numbers_of(ends.goal_is_in_world ? ends.goal : ends.in_world(ends.goal, 1)),
                           ends.fixed ? numbers_of(ends.fixed->start) : nb::none(),
-                          ends.fixed ? numbers_of(ends.fixed->goal) : nb::none(),
-                          ends.swept_centre ? array_of(*ends.swept_centre) : nb::none());
+                          ends.fixed ? numbers_of(ends.fixed->goal) : nb::none(), last_part(motion));
 }
 
 template <typename M>
 M made_from(const nb::tuple& state) {
     if (state.size() != 5)
         throw InvalidInput(fmt::format("state: a motion has 5 parts, not {}", state.size()));
-    M motion = state[2].is_none() ? M::between(pose_from(state[0], "start"), pose_from(state[1], "goal"))
-                                  : relative<M>(state[0], state[1], state[2], state[3]);
-    if constexpr (std::is_same_v<M, SweepMotion>)
-        motion = motion.about(vector_from(state[4], "centre"));
-    return motion;
+    const M motion = state[2].is_none() ? M::between(pose_from(state[0], "start"), pose_from(state[1], "goal"))
+                                        : relative<M>(state[0], state[1], state[2], state[3]);
+    return with_last_part(motion, state[4]);
+}
+
+double tau_at(const ScrewMotion& motion, double time) {
+    return motion.tau_at(time);
+}
+
+double tau_at(const SweepMotion& /*motion*/, double time) {
+    return time;
+}
+
+double time_at(const ScrewMotion& motion, double tau) {
+    return motion.time_at(tau);
+}
+
+double time_at(const SweepMotion& /*motion*/, double tau) {
+    return tau;
 }
 
 /// Binds the members that both kinds of motion have.
 template <typename M>
 void bind_common(nb::class_<M>& type) {
-    type.def_static("relative", relative<M>, "moving_start"_a, "moving_goal"_a, "fixed_start"_a, "fixed_goal"_a,
-                    nb::sig(relative_signature<M>),
-                    "For two moving bodies: the motion of one body in the frame of the other, which is called fixed. "
-                    "All four poses are in the world, (4, 4) or (7,).")
-        .def("pose_at", pose_at<M>, "time"_a, nb::sig("def pose_at(self, time: float) -> " CHASLES_ARRAY),
+    type.def("pose_at", pose_at<M>, "time"_a, nb::sig("def pose_at(self, time: float) -> " CHASLES_ARRAY),
              "The pose (4, 4) of the moving body in the world at a time in [0, 1].")
         .def(
             "fixed_pose_at",
             [](const M& motion, double time) {
                 require_in_unit_interval(time, "time");
-                return matrix_of(motion.ends().fixed ? motion.ends().fixed_pose_at(time) : Pose());
+                return matrix_of(motion.trajectory().fixed_pose_at(time));
             },
             "time"_a, nb::sig("def fixed_pose_at(self, time: float) -> " CHASLES_ARRAY),
             "The pose (4, 4) of the fixed body in the world at a time in [0, 1].")
@@ -82,14 +116,14 @@ void bind_common(nb::class_<M>& type) {
             "tau_at",
             [](const M& motion, double time) {
                 require_in_unit_interval(time, "time");
-                return motion.tau_at(time);
+                return tau_at(motion, time);
             },
             "time"_a, doc("ScrewMotion.tau_at"))
         .def(
             "time_at",
             [](const M& motion, double tau) {
                 require_in_unit_interval(tau, "tau");
-                return motion.time_at(tau);
+                return time_at(motion, tau);
             },
             "tau"_a, "The time that belongs to a tau: the inverse of tau_at().")
         .def_prop_ro("angle", &M::angle, doc("ScrewMotion.angle"))
@@ -111,11 +145,22 @@ void bind_screw(nb::module_& module) {
     nb::class_<ScrewMotion> type(module, "ScrewMotion", doc("ScrewMotion"));
     type.def_static(
             "between",
-            [](nb::handle start, nb::handle goal) {
-                return ScrewMotion::between(pose_from(start, "start"), pose_from(goal, "goal"));
+            [](nb::handle start, nb::handle goal, double max_turn) {
+                return ScrewMotion::between(pose_from(start, "start"), pose_from(goal, "goal"), max_turn);
             },
-            "start"_a, "goal"_a, nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE ") -> ScrewMotion"),
+            "start"_a, "goal"_a, "max_turn"_a = ScrewMotion::default_max_turn,
+            nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE CHASLES_MAX_TURN ") -> ScrewMotion"),
             doc("ScrewMotion.between"))
+        .def_static(
+            "relative",
+            [](nb::handle moving_start, nb::handle moving_goal, nb::handle fixed_start, nb::handle fixed_goal,
+               double max_turn) {
+                return relative<ScrewMotion>(moving_start, moving_goal, fixed_start, fixed_goal)
+                    .with_max_turn(max_turn);
+            },
+            "moving_start"_a, "moving_goal"_a, "fixed_start"_a, "fixed_goal"_a,
+            "max_turn"_a = ScrewMotion::default_max_turn, nb::sig(CHASLES_RELATIVE CHASLES_MAX_TURN ") -> ScrewMotion"),
+            relative_text)
         .def_prop_ro("slide", &ScrewMotion::slide, doc("ScrewMotion.slide"))
         .def_prop_ro(
             "axis_direction", [](const ScrewMotion& m) { return array_of(m.axis_direction()); },
@@ -123,7 +168,12 @@ void bind_screw(nb::module_& module) {
         .def_prop_ro(
             "axis_point", [](const ScrewMotion& m) { return array_of(m.axis_point()); },
             nb::sig("def axis_point(self) -> " CHASLES_ARRAY), doc("ScrewMotion.axis_point"))
-        .def("cut", &ScrewMotion::cut, "max_turn"_a, doc("ScrewMotion.cut"))
+        .def_prop_ro("max_turn", &ScrewMotion::max_turn, doc("ScrewMotion.max_turn"))
+        .def("with_max_turn", &ScrewMotion::with_max_turn, "max_turn"_a, doc("ScrewMotion.with_max_turn"))
+        .def("pieces", &ScrewMotion::pieces, doc("ScrewMotion.pieces"))
+        .def(
+            "cut", [](const ScrewMotion& m, double max_turn) { return m.with_max_turn(max_turn).pieces(); },
+            "max_turn"_a, "The same as with_max_turn(max_turn).pieces().")
         .def("__repr__", repr_of_screw);
     bind_common(type);
 }
@@ -141,6 +191,8 @@ void bind_sweep(nb::module_& module) {
             nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE ", centre: " CHASLES_POSE
                     " | None = None) -> SweepMotion"),
             doc("SweepMotion.between"))
+        .def_static("relative", relative<SweepMotion>, "moving_start"_a, "moving_goal"_a, "fixed_start"_a,
+                    "fixed_goal"_a, nb::sig(CHASLES_RELATIVE ") -> SweepMotion"), relative_text)
         .def(
             "about", [](const SweepMotion& m, nb::handle centre) { return m.about(vector_from(centre, "centre")); },
             "centre"_a, nb::sig("def about(self, centre: " CHASLES_POSE ") -> SweepMotion"), doc("SweepMotion.about"))
@@ -158,7 +210,7 @@ bool none_of(std::initializer_list<nb::handle> arguments) {
     return true;
 }
 
-Motion given_motion(nb::handle motion) {
+TypedMotion given_motion(nb::handle motion) {
     if (const ScrewMotion* screw = nullptr; nb::try_cast(motion, screw) && screw)
         return *screw;
     if (const SweepMotion* sweep = nullptr; nb::try_cast(motion, sweep) && sweep)
@@ -166,22 +218,34 @@ Motion given_motion(nb::handle motion) {
     throw InvalidInput("motion: must be a ScrewMotion or a SweepMotion");
 }
 
+/// The screw from start to goal.
+ScrewMotion screw_from(const MotionArguments& a, double max_turn) {
+    const Pose start = pose_from(a.start, "start"), goal = pose_from(a.goal, "goal");
+    if (none_of({a.fixed_start, a.fixed_goal}))
+        return ScrewMotion::between(start, goal, max_turn);
+    if (a.fixed_start.is_none() || a.fixed_goal.is_none())
+        throw InvalidInput("motion: fixed_start and fixed_goal are needed together");
+    return ScrewMotion::relative(start, goal, pose_from(a.fixed_start, "fixed_start"),
+                                 pose_from(a.fixed_goal, "fixed_goal"), max_turn);
+}
+
 } // namespace
 
-Motion motion_from(const MotionArguments& a) {
+Motion plain(const TypedMotion& motion) {
+    return std::visit([](const auto& typed) -> Motion { return typed; }, motion);
+}
+
+TypedMotion motion_from(const MotionArguments& a) {
     if (!a.motion.is_none()) {
         if (!none_of({a.start, a.goal, a.fixed_start, a.fixed_goal}))
             throw InvalidInput("motion: both a motion and poses are given; only one of them is allowed");
+        if (a.max_turn)
+            throw InvalidInput("max_turn: belongs to the motion, which is given");
         return given_motion(a.motion);
     }
     if (a.start.is_none() || a.goal.is_none())
         throw InvalidInput("motion: start and goal are needed, or a motion");
-    if (none_of({a.fixed_start, a.fixed_goal}))
-        return ScrewMotion::between(pose_from(a.start, "start"), pose_from(a.goal, "goal"));
-    if (a.fixed_start.is_none() || a.fixed_goal.is_none())
-        throw InvalidInput("motion: fixed_start and fixed_goal are needed together");
-    return ScrewMotion::relative(pose_from(a.start, "start"), pose_from(a.goal, "goal"),
-                                 pose_from(a.fixed_start, "fixed_start"), pose_from(a.fixed_goal, "fixed_goal"));
+    return screw_from(a, a.max_turn.value_or(ScrewMotion::default_max_turn));
 }
 
 void bind_motions(nb::module_& module) {

@@ -27,7 +27,7 @@ const std::array<nb::object, count>& members(const char* type) {
 } // namespace
 
 nb::object member_of(Verdict verdict) {
-    static const auto& found = members<Verdict, 3>("Verdict");
+    static const auto& found = members<Verdict, 4>("Verdict");
     return found[std::size_t(verdict)];
 }
 

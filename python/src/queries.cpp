@@ -13,40 +13,40 @@ namespace {
 
 using namespace nb::literals;
 
-constexpr const char* all_contacts = "first_with_all_contacts"; ///< the default, also on the command line
-
 Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goal, nb::handle motion,
            nb::handle fixed_start, nb::handle fixed_goal, double margin, std::optional<double> hold,
-           double time_tolerance, double max_turn, nb::handle find) {
+           double time_tolerance, std::optional<double> max_turn, nb::handle find) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     Answer answer{{},
                   nb::borrow(moving),
                   nb::borrow(fixed),
-                  motion_from({start, goal, motion, fixed_start, fixed_goal}),
-                  margin,
-                  max_turn};
-    const QueryOptions options{margin, hold, time_tolerance, max_turn, find_from(find)};
+                  motion_from({start, goal, motion, fixed_start, fixed_goal, max_turn}),
+                  margin};
+    const QueryOptions options{margin, hold, time_tolerance, find_from(find)};
     const nb::gil_scoped_release release;
-    answer.found = options.ask(moving_body, fixed_body, answer.motion);
+    answer.found = first_contact({moving_body, fixed_body, plain(answer.motion), options});
     return answer;
 }
 
-PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, double margin, double time_tolerance,
-                    double max_turn, nb::handle find) {
+PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, double margin, std::optional<double> hold,
+                    double time_tolerance, double max_turn, nb::handle find) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     const std::vector<Pose> path = poses_from(poses, "poses");
-    const QueryOptions options{margin, {}, time_tolerance, max_turn, find_from(find)};
+    PathQuery query{.moving = moving_body,
+                    .fixed = fixed_body,
+                    .motions = screws_along(path, max_turn),
+                    .options = {margin, hold, time_tolerance, find_from(find)}};
     PathContact answer;
     {
         const nb::gil_scoped_release release;
         SignalCheck signals;
-        answer = options.ask_path(moving_body, fixed_body, path, [&](std::size_t) { signals.raise_if_due(); });
+        query.progress = [&](std::size_t) { signals.raise_if_due(); };
+        answer = first_contact_on_path(query);
     }
-    const Motion segment = ScrewMotion::between(path[answer.segment], path[answer.segment + 1]);
-    return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin, max_turn},
-            answer.segment};
+    const auto segment = ScrewMotion::between(path[answer.segment], path[answer.segment + 1], max_turn);
+    return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin}, answer.segment};
 }
 
 std::string first_contact_doc() {
@@ -58,7 +58,10 @@ std::string first_contact_doc() {
            "motion : ScrewMotion or SweepMotion\n    Instead of start and goal.\n"
            "fixed_start, fixed_goal : array (4, 4) or (7,)\n"
            "    Poses of the fixed body, if it moves too; all poses are then in the world.\n" +
-           option_docs() +
+           option_docs(
+               "max_turn : float, optional\n"
+               "    Largest turn of one piece of the screw from start to goal, radians; 10 degrees by default. A\n"
+               "    given motion has its own.\n") +
            "\nReturns\n-------\nFirstContact\n    Its verdict states the proven result.\n\n"
            "Raises\n------\nInvalidInput\n    A ValueError. Its message names the input, the place and the reason.";
 }
@@ -67,7 +70,7 @@ std::string path_doc() {
     return "The first contact on a path of poses. Each segment between two poses is one screw.\n\n"
            "Parameters\n----------\nmoving, fixed : Polyhedron\nposes : array (n, 4, 4) or (n, 7)\n"
            "    At least two poses of the moving body in the frame of the fixed body.\n" +
-           option_docs(false) +
+           option_docs("max_turn : float\n    Largest turn of one piece of a screw, radians.\n") +
            "\nReturns\n-------\nPathContact\n    Its time runs from 0 to 1 within its segment. Its work covers the "
            "whole "
            "path.";
@@ -80,21 +83,20 @@ void bind_queries(nb::module_& module) {
     module.def("first_contact", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(), "goal"_a = nb::none(),
                nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(), "fixed_goal"_a = nb::none(),
                "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
-               "max_turn"_a = default_max_turn, "find"_a.none() = all_contacts,
+               "max_turn"_a = nb::none(), "find"_a.none() = "first",
                nb::sig("def first_contact(moving: Polyhedron, fixed: Polyhedron, "
                        "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
                        "motion: ScrewMotion | SweepMotion | None = None, "
                        "fixed_start: numpy.typing.ArrayLike | None = None, "
                        "fixed_goal: numpy.typing.ArrayLike | None = None, " CHASLES_OPTION_TYPES
-                       "'first_with_all_contacts') -> FirstContact"),
+                       "max_turn: float | None = None, " CHASLES_FIND_TYPE ") -> FirstContact"),
                first_contact_text.c_str());
     module.def("first_contact_on_path", ask_path, "moving"_a.none(), "fixed"_a.none(), "poses"_a.none(), nb::kw_only(),
-               "margin"_a = 0.0, "time_tolerance"_a = default_time_tolerance, "max_turn"_a = default_max_turn,
-               "find"_a.none() = all_contacts,
+               "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
+               "max_turn"_a = ScrewMotion::default_max_turn, "find"_a.none() = "first",
                nb::sig("def first_contact_on_path(moving: Polyhedron, fixed: Polyhedron, "
-                       "poses: numpy.typing.ArrayLike, *, margin: float = 0.0, time_tolerance: float = 1e-12, "
-                       "max_turn: float = math.pi / 18, find: chasles.enums.Find | str = "
-                       "'first_with_all_contacts') -> PathContact"),
+                       "poses: numpy.typing.ArrayLike, *, " CHASLES_OPTION_TYPES
+                       "max_turn: float = math.pi / 18, " CHASLES_FIND_TYPE ") -> PathContact"),
                path_text.c_str());
 }
 

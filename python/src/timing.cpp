@@ -1,10 +1,9 @@
 // Times of the library without the Python layer, for bench/python. Not part of the public interface.
-#include "chasles/query/path.h"
+#include "chasles/query/batch.h"
 #include "python/src/bind.h"
 #include "python/src/body.h"
 #include "python/src/motions.h"
 #include "python/src/names.h"
-#include "python/src/query_options.h"
 
 #include <chrono>
 
@@ -22,11 +21,12 @@ double seconds_of(const auto& work) {
 /// The time of `times` identical queries. Each query includes making the motion from its poses.
 double query_seconds(const Body& moving, const Body& fixed, nb::handle start, nb::handle goal, nb::handle find,
                      std::size_t times) {
-    const QueryOptions options{0, {}, default_time_tolerance, default_max_turn, find_from(find)};
+    const QueryOptions options{.find = find_from(find)};
     const Pose from = pose_from(start, "start"), to = pose_from(goal, "goal");
     return seconds_of([&] {
         for (std::size_t i = 0; i < times; ++i)
-            static_cast<void>(options.ask(moving.polyhedron, fixed.polyhedron, ScrewMotion::between(from, to)));
+            static_cast<void>(
+                first_contact({moving.polyhedron, fixed.polyhedron, ScrewMotion::between(from, to), options}));
     });
 }
 
@@ -37,8 +37,10 @@ double batch_seconds(const Body& moving, const Body& fixed, nb::handle starts, n
         motions.emplace_back(ScrewMotion::between(from[i], to[i]));
     const nb::gil_scoped_release release;
     return seconds_of([&] {
-        static_cast<void>(first_contact_batch(
-            {.moving = moving.polyhedron, .fixed = fixed.polyhedron, .motions = motions, .threads = threads}));
+        static_cast<void>(first_contact_batch({.moving = moving.polyhedron,
+                                               .fixed = fixed.polyhedron,
+                                               .motions = motions,
+                                               .batch = {.threads = threads}}));
     });
 }
 

@@ -16,11 +16,14 @@ using namespace nb::literals;
 
 std::string view_page(const Answer& answer, const std::string& title, const std::string& moving_name,
                       const std::string& fixed_name) {
+    const Motion motion = plain(answer.motion);
+    const view::MotionNumbers numbers =
+        std::visit([](const auto& typed) { return view::numbers_of(typed); }, answer.motion);
     const view::Scene scene{.moving = nb::cast<const Body&>(answer.moving).polyhedron,
                             .fixed = nb::cast<const Body&>(answer.fixed).polyhedron,
-                            .motion = answer.motion,
+                            .motion = motion,
+                            .numbers = numbers,
                             .found = answer.found,
-                            .max_turn = answer.max_turn,
                             .margin = answer.margin,
                             .title = title,
                             .moving_name = moving_name,

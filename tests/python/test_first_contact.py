@@ -43,9 +43,10 @@ def test_contact_at_the_start(cube):
     assert found.overlap.certain and "through face" in repr(found.overlap)
 
 
-def test_all_contacts_are_found_unless_less_is_asked_for(cube):
+def test_all_contacts_are_found_if_asked_for(cube):
     arguments = cube, cube, pose(0.25, 3, 0.5), pose(0.25, 0, 0.5)
-    assert len(chasles.first_contact(*arguments).contacts) == 4
+    assert len(chasles.first_contact(*arguments).contacts) == 1
+    assert len(chasles.first_contact(*arguments, find="first_with_all_contacts").contacts) == 4
     for find in ("first", chasles.Find.first, "any"):
         assert len(chasles.first_contact(*arguments, find=find).contacts) == 1
 
@@ -65,11 +66,13 @@ def test_words_are_those_of_the_library():
     names = ["vertex_face", "face_vertex", "edge_edge", "vertex_edge", "edge_vertex", "vertex_vertex"]
     assert [kind.value for kind in chasles.ContactKind] == names
     assert [find.value for find in chasles.Find] == ["first", "any", "first_with_all_contacts"]
-    assert [verdict.value for verdict in chasles.Verdict] == ["clear", "contact", "contact_at_start"]
+    assert [verdict.value for verdict in chasles.Verdict] == ["unknown", "clear", "contact", "contact_at_start"]
 
 
 def test_constraint_rows_give_the_rate_of_each_gap(cube):
-    found = chasles.first_contact(cube, cube, pose(0.25, 3, 0.5), pose(0.25, 0, 0.5))
+    found = chasles.first_contact(
+        cube, cube, pose(0.25, 3, 0.5), pose(0.25, 0, 0.5), find="first_with_all_contacts"
+    )
     rows = chasles.constraint_rows(found.contacts)
     assert rows.shape == (4, 6) and rows.dtype == np.float64
     rates = rows @ [0, -3, 0, 0, 0, 0]
@@ -145,7 +148,7 @@ def test_what_is_no_pose_is_refused_by_name(cube, name, bad, why):
         ({"margin": 0.1, "hold": 0.1}, "hold: .* less than the margin"),
         ({"hold": 0.0}, "hold: .* less than the margin"),
         ({"fixed_start": START}, "fixed_start and fixed_goal are needed together"),
-        ({"motion": chasles.ScrewMotion.between(START, GOAL)}, "give the one or the other"),
+        ({"motion": chasles.ScrewMotion.between(START, GOAL)}, "only one of them is allowed"),
         ({"start": None}, "start and goal are needed"),
         ({"start": None, "goal": None, "motion": 5}, "motion: must be a ScrewMotion"),
     ],
@@ -153,6 +156,33 @@ def test_what_is_no_pose_is_refused_by_name(cube, name, bad, why):
 def test_options_out_of_range_are_refused(cube, options, why):
     with pytest.raises(chasles.InvalidInput, match=why):
         chasles.first_contact(cube, cube, **{"start": START, "goal": GOAL, **options})
+
+
+def test_max_turn_belongs_to_the_motion(cube):
+    screw = chasles.ScrewMotion.between(START, GOAL, max_turn=0.05)
+    with pytest.raises(chasles.InvalidInput, match="max_turn: belongs to the motion, which is given"):
+        chasles.first_contact(cube, cube, motion=screw, max_turn=0.05)
+    found = chasles.first_contact(cube, cube, START, GOAL, max_turn=0.05)
+    assert found.motion.max_turn == 0.05
+    assert chasles.first_contact(cube, cube, motion=screw).time == found.time
+    fixed = {"fixed_start": pose(0, 0, 0), "fixed_goal": pose(0, 0, 1)}
+    assert chasles.first_contact(cube, cube, START, GOAL, **fixed, max_turn=0.05).motion.max_turn == 0.05
+
+
+def test_bodies_swap_their_roles(cube):
+    small = chasles.Polyhedron(CUBE_VERTICES / 2, cube.faces)
+    found = chasles.first_contact(small, cube, START, GOAL)
+    other = found.swapped()
+    assert (other.moving is cube, other.fixed is small, other.is_swapped) == (True, True, True)
+    assert (other.verdict, other.time, other.margin) == (found.verdict, found.time, found.margin)
+    np.testing.assert_array_equal(other.fixed_pose, found.pose)
+    np.testing.assert_array_equal(other.pose, found.fixed_pose)
+    np.testing.assert_array_equal(found.fixed_pose, np.eye(4))
+    np.testing.assert_array_equal(other.contacts[0].normal, -found.contacts[0].normal)
+    assert (other.contacts[0].moving, other.contacts[0].fixed) == (found.contacts[0].fixed, found.contacts[0].moving)
+    assert repr(other.swapped()) == repr(found) and not other.swapped().is_swapped
+    path = chasles.first_contact_on_path(small, cube, [pose(5, 0, 0), START, GOAL])
+    assert path.swapped().segment == path.segment == 1 and path.swapped().moving is cube
 
 
 def test_invalid_input_is_a_value_error_of_one_line(cube):
@@ -214,3 +244,5 @@ def test_bodies_that_are_held_go_on(cube):
     assert chasles.first_contact(cube, cube, start, goal, margin=0.01).verdict == "contact_at_start"
     found = chasles.first_contact(cube, cube, start, goal, margin=0.01, hold=0.001)
     assert found.verdict == "clear" and found.held
+    path = chasles.first_contact_on_path(cube, cube, [start, goal], margin=0.01, hold=0.001)
+    assert path.verdict == "clear" and path.held

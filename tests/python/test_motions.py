@@ -40,12 +40,24 @@ def test_a_sweep_goes_about_its_centre():
 def test_a_screw_is_cut_into_equal_turns():
     pieces = chasles.ScrewMotion.between(pose(0, 0, 0), TURNED).cut(0.25)
     assert [piece.angle for piece in pieces] == pytest.approx([0.2] * 3)
+    screw = chasles.ScrewMotion.between(pose(0, 0, 0), TURNED, max_turn=0.25)
+    assert screw.max_turn == 0.25 and len(screw.pieces()) == 3
+    assert len(screw.with_max_turn(0.35).pieces()) == 2
+    assert chasles.ScrewMotion.between(pose(0, 0, 0), TURNED).max_turn == math.pi / 18
+    with pytest.raises(chasles.InvalidInput, match="max_turn"):
+        screw.cut(0)
+
+
+def test_tau_of_a_sweep_is_the_time():
+    sweep = chasles.SweepMotion.between(pose(0, 0, 0), TURNED)
+    assert sweep.tau_at(0.3) == 0.3 and sweep.time_at(0.3) == 0.3
 
 
 @pytest.mark.parametrize(
     "motion",
     [
         chasles.ScrewMotion.between(pose(3, 0, 0), TURNED),
+        chasles.ScrewMotion.between(pose(3, 0, 0), TURNED, max_turn=0.05),
         chasles.SweepMotion.between(pose(3, 0, 0), TURNED, [0.5, 0, 0.25]),
         chasles.ScrewMotion.relative(pose(3, 0, 0), TURNED, pose(0, 0, 1), pose(0, 1, 0, 1, 0.5, 0, 0)),
         chasles.SweepMotion.relative(pose(3, 0, 0), TURNED, pose(0, 0, 1), pose(0, 1, 0, 1, 0.5, 0, 0)),
@@ -56,6 +68,16 @@ def test_pickled_motions_give_the_same_answer(cube, motion):
     first, second = (chasles.first_contact(cube, cube, motion=m) for m in (motion, again))
     assert (first.time, first.time_upper, first.verdict) == (second.time, second.time_upper, second.verdict)
     np.testing.assert_array_equal(again.pose_at(0.3), motion.pose_at(0.3))
+    if isinstance(motion, chasles.ScrewMotion):
+        assert again.max_turn == motion.max_turn
+
+
+def test_pickled_pieces_of_a_screw_of_two_moving_bodies_stay_where_they_are():
+    screw = chasles.ScrewMotion.relative(pose(3, 0, 0), TURNED, pose(0, 0, 1), pose(0, 1, 0, 1, 0.5, 0, 0), 0.3)
+    assert screw.max_turn == 0.3 and len(screw.pieces()) > 2
+    for piece in screw.pieces():
+        again = pickle.loads(pickle.dumps(piece))
+        np.testing.assert_allclose(again.pose_at(0.3), piece.pose_at(0.3), atol=1e-14)
 
 
 @pytest.mark.parametrize("kind", [chasles.ScrewMotion, chasles.SweepMotion])

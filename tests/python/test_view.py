@@ -49,6 +49,12 @@ def test_an_answer_writes_the_same_page(cube, page, tmp_path):
     assert found.view(tmp_path / "again.html").read_text() == page.read_text()
 
 
+def test_a_swapped_answer_writes_the_same_page(cube, page, tmp_path):
+    found = chasles.view(cube, cube, START, GOAL, out=page, names=("one", "other"))
+    again = found.swapped().view(tmp_path / "again.html", names=("other", "one"))
+    assert again.read_text() == page.read_text()
+
+
 def test_a_page_needs_no_network(cube, page):
     chasles.view(cube, cube, START, GOAL, out=page)
     text = re.sub(r"<!--.*?-->", "", page.read_text("utf-8"), flags=re.DOTALL)
