@@ -25,7 +25,7 @@ MAY_INCLUDE = {
     "scenes": [],
     "view": [],
     "cli": ["base", "io", "scenes", "view"],
-    "python": ["base", "io", "view"],
+    "python": ["base", "motion", "io", "view"],
 }
 FACES = ["scenes", "view", "cli", "python"]  # beside chasles/, not in it; they may include the public headers
 SURFACE = "chasles/chasles.h"
