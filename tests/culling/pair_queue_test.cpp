@@ -111,7 +111,7 @@ TEST(PairQueue, IsAPlainListInTheOrderOfStepsForAnyPushesAndPops) {
     for (const bool by_time : {false, true}) {
         PairQueue queue(by_time);
         std::vector<Entry> list; // in order of pushes
-        const auto next = [&] { // the last one of the earliest step
+        const auto next = [&] {  // the last one of the earliest step
             auto best = list.begin();
             for (auto entry = list.begin(); entry != list.end(); ++entry)
                 if (entry->step <= best->step)

@@ -1,0 +1,43 @@
+// A motion that does not say how far it is from its pieces must not pass for one that follows them exactly.
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/motion.h"
+
+namespace {
+
+using namespace chasles;
+
+struct Piece {
+    [[nodiscard]] const motion::RationalMotion<algebra::DoubleDouble>& cubic() const { return path; }
+    [[nodiscard]] static std::optional<motion::ExactMotion> exact() { return std::nullopt; }
+#ifndef MISUSE
+    [[nodiscard]] static double deviation() { return 0.001; }
+#endif
+    [[nodiscard]] motion::ChordDeviation chord_deviation(const motion::Ball& moving, const motion::Ball& fixed) const {
+        return {path, moving, fixed};
+    }
+    [[nodiscard]] static Bracket time_of(const Bracket& tau) { return tau; }
+    [[nodiscard]] static Bracket tau_of(const Bracket& tau) { return tau; }
+    [[nodiscard]] static double tau_rate(double) { return 1; }
+    [[nodiscard]] static double tau_tolerance(double time_tolerance) { return time_tolerance; }
+    [[nodiscard]] static Pose pose_at(double) { return {}; }
+    [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
+
+    motion::RationalMotion<algebra::DoubleDouble> path;
+};
+
+struct Trajectory {
+    struct Pieces {
+        [[nodiscard]] static std::size_t size() { return 1; }
+        [[nodiscard]] Piece operator[](std::size_t) const { return {}; }
+    };
+    [[nodiscard]] static Pieces pieces() { return {}; }
+    [[nodiscard]] static motion::PathBall ball_around_path(const motion::Vector3<double>& point) { return {point}; }
+    [[nodiscard]] static Pose pose_at(double) { return {}; }
+    [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
+};
+
+} // namespace
+
+Motion motion_of(const Trajectory& trajectory) {
+    return Motion(std::make_shared<const motion::ErasedTrajectory<Trajectory>>(trajectory));
+}
