@@ -1,5 +1,5 @@
 // The seam between motions and searches: what a trajectory states, checked by the compiler. A search sees no motion
-// but through these two concepts. Source: docs/decisions/0032-one-seam-for-motions.md.
+// but through these two concepts. Source: docs/decisions/0035-one-seam-for-motions.md.
 #pragma once
 
 #include "chasles/algebra/bracket.h"
