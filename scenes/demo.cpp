@@ -1,5 +1,6 @@
 #include "scenes/demo.h"
 
+#include "chasles/query/batch.h"
 #include "chasles/query/path.h"
 #include "scenes/nut_motions.h"
 #include "scenes/stopwatch.h"

@@ -30,7 +30,7 @@ def seconds_of(work, times: int = 1) -> float:
 
 
 def call(name: str, cube: chasles.Polyhedron, start: np.ndarray, goal: np.ndarray, times: int) -> None:
-    find = "first_with_all_contacts"
+    find = "first"
     python, cpp = [], []
     for _ in range(ROUNDS):
         python.append(seconds_of(lambda: chasles.first_contact(cube, cube, start, goal), times) / times)

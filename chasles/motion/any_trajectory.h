@@ -92,7 +92,7 @@ public:
 
 private:
     using TypedPieces = decltype(std::declval<const T&>().pieces());
-    using TypedPiece = decltype(std::declval<const TypedPieces&>()[0]);
+    using TypedPiece = std::remove_cvref_t<decltype(std::declval<const TypedPieces&>()[0])>;
 
     class Pieces final : public AnyPieces {
     public:

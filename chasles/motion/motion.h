@@ -18,7 +18,8 @@ class SweepTrajectory;
 } // namespace motion
 
 /// Any motion of one body, or of two bodies in one world, over time in [0, 1]. An opaque value of 16 bytes; copies
-/// share what it describes, less than 300 bytes with the handle for a screw or a sweep.
+/// share what it describes, at most 300 bytes with the handle for a screw
+/// (docs/decisions/0035-one-seam-for-motions.md).
 class CHASLES_EXPORT Motion {
 public:
     /// ScrewMotion::between and SweepMotion::between as plain motions.

@@ -4,8 +4,6 @@
 #include "chasles/motion/pose.h"
 #include "chasles/motion/screw_path.h"
 
-#include <optional>
-
 namespace chasles::motion {
 
 /// The poses of a fixed body that moves too, in the world.
@@ -14,13 +12,31 @@ struct FixedEnds {
     Pose goal;
 };
 
+/// The poses of a fixed body, if it moves. One flag smaller than std::optional: MotionEnds puts its own flags beside
+/// it.
+class OptionalFixedEnds {
+public:
+    OptionalFixedEnds& operator=(const FixedEnds& ends) {
+        ends_ = ends;
+        is_set_ = true;
+        return *this;
+    }
+    explicit operator bool() const { return is_set_; }
+    FixedEnds* operator->() { return &ends_; }
+    const FixedEnds* operator->() const { return &ends_; }
+
+private:
+    FixedEnds ends_;
+    bool is_set_ = false;
+};
+
 /// The end poses of a motion as they were given. Each pose of the moving body is in the frame of the fixed body, or in
 /// the world and then seen from the fixed body at that end.
 struct MotionEnds {
     Pose start;
     Pose goal;
-    std::optional<FixedEnds> fixed; ///< empty if the fixed body's frame is the world
-    bool start_is_in_world = false; ///< both only with `fixed`
+    [[no_unique_address]] OptionalFixedEnds fixed; ///< empty if the fixed body's frame is the world
+    bool start_is_in_world = false;                ///< both only with `fixed`
     bool goal_is_in_world = false;
 
     /// For a moving body and a fixed body that stands still at the origin of the world. Throws InvalidInput for a pose

@@ -50,7 +50,7 @@ concept TrajectoryPiece = requires(const P& piece, const Ball& ball, double numb
 template <class T>
 concept Trajectory = requires(const T& trajectory, std::size_t index, double time, const Vector3<double>& point) {
     { trajectory.pieces().size() } -> std::convertible_to<std::size_t>;
-    { trajectory.pieces()[index] } -> TrajectoryPiece;
+    requires TrajectoryPiece<std::remove_cvref_t<decltype(trajectory.pieces()[index])>>;
     /// For the test that bodies stay far apart. Encloses the true path, deviation included.
     { trajectory.ball_around_path(point) } -> std::same_as<PathBall>;
     { trajectory.pose_at(time) } -> std::same_as<Pose>;

@@ -24,6 +24,11 @@ void require(bool holds, const char* option, const char* why) {
         throw InvalidInput(std::string("query: ") + option + ": " + why);
 }
 
+/// Distances of held contacts are those of the true motion only without a deviation.
+void require_no_deviation(const PieceContext& context) {
+    require(context.piece().deviation() <= 0, "hold", "is not supported for motions with a deviation");
+}
+
 /// One question, piece by piece.
 class PieceByPiece {
 public:
@@ -70,10 +75,13 @@ private:
 
 FirstContact PieceByPiece::run_within(double margin) {
     FirstContact found;
+    double deviation = 0; // of the pieces before
     for (std::size_t i = 0; i < pieces_->size(); ++i) {
         PieceContext context = piece(i);
         search::SearchOptions search = search_of(context, margin);
-        search.check_start = i == 0;
+        // A piece with a larger deviation than the one before may begin within its own margin.
+        search.check_start = i == 0 || context.piece().deviation() > deviation;
+        deviation = context.piece().deviation();
         const PieceResult result = search_piece(context, search);
         found.work += result.work;
         if (has_contact(result)) {
@@ -91,7 +99,7 @@ FirstContact PieceByPiece::run_within(double margin) {
 /// contacts, which are local minima of the distance, count at the margin. Source: docs/derivations/17-hold.md.
 FirstContact PieceByPiece::run_holding() {
     PieceContext first_piece = piece(0);
-    require(first_piece.piece().deviation() <= 0, "hold", "is not supported for motions with a deviation");
+    require_no_deviation(first_piece);
     FirstContact found;
     const PieceResult start = contacts_at_start(first_piece);
     if (!has_contact(start)) {
@@ -148,6 +156,7 @@ void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece
 /// True when something comes within the level.
 bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece, double level,
                                         const search::HeldContacts& held, bool is_first) {
+    require_no_deviation(piece);
     search::SearchOptions near = search_of(piece, level);
     near.check_start = false;
     near.find = options_.find == Find::any ? Find::first : options_.find; // `clear_until` needs the first

@@ -262,8 +262,8 @@ TEST(Motion, AMillionOfThemFitInAThirdOfAGigabyte) {
     std::cout << screw << " bytes a screw, " << sweep << " a sweep\n";
     if (screw == 0)
         GTEST_SKIP() << "another allocator than glibc's";
-    EXPECT_LE(screw, 320U);
-    EXPECT_LE(sweep, 336U);
+    EXPECT_LE(screw, 300U);
+    EXPECT_LE(sweep, 320U);
 }
 
 } // namespace
