@@ -78,12 +78,11 @@ int main() {
     pose.translate(Eigen::Vector3d(-1, -1, 1)).rotate(Eigen::AngleAxisd(0.3, Eigen::Vector3d::UnitZ()));
 
     const auto ask = [&](const Eigen::Isometry3d& goal) {
-        return chasles::first_contact({.moving = crate,
-                                       .fixed = room,
-                                       .motion = chasles::ScrewMotion::between(pose, goal),
-                                       .options = {.margin = margin,
-                                                   .hold = hold,
-                                                   .find = chasles::Find::first_with_all_contacts}});
+        return chasles::first_contact(
+            {.moving = crate,
+             .fixed = room,
+             .motion = chasles::ScrewMotion::between(pose, goal),
+             .options = {.margin = margin, .hold = hold, .find = chasles::Find::first_with_all_contacts}});
     };
     Twist wish; // forward, slightly sideways, and down
     wish << 0.8, 0.3, -0.5, 0, 0, 0;

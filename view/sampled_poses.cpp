@@ -62,7 +62,8 @@ SampledPoses sampled_poses(const Motion& motion) {
     std::vector<Pose> poses = poses_at_equal_times(fewest_poses, pose_at);
     while (deviation(poses) > largest_deviation && poses.size() < most_poses)
         poses = poses_at_equal_times(2 * poses.size() - 1, pose_at);
-    std::vector<Pose> fixed = poses_at_equal_times(poses.size(), [&](double time) { return motion.fixed_pose_at(time); });
+    std::vector<Pose> fixed =
+        poses_at_equal_times(poses.size(), [&](double time) { return motion.fixed_pose_at(time); });
     if (std::ranges::all_of(fixed, [&](const Pose& pose) { return are_same(pose, fixed.front()); }))
         fixed.resize(1);
     return {rows_of(poses), rows_of(fixed)};

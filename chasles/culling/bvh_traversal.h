@@ -42,10 +42,19 @@ public:
         : moving_nodes_(moving.nodes()), fixed_nodes_(fixed.nodes()), times_(times), margin_(margin), queue_(by_time),
           leaves_(leaves) {}
 
-    /// Returns the number of node pairs tested.
+    /// Returns the number of node pairs tested. Visits the intervals of time without recursion: an interval whose pairs
+    /// have a large chord deviation is followed by its earlier half, then by its later half.
     std::uint64_t run() {
         queue_.push({0, 0, {}}); // both roots
-        search_interval({});
+        TimeRange range;
+        do {
+            const TimeInterval interval = times_.interval(range);
+            std::vector<NodePair> deferred;
+            while (!queue_.is_empty() && !leaves_.is_over())
+                visit(queue_.pop(), interval, deferred);
+            queue_.clear();
+            halvings_.push_back({range, std::move(deferred)});
+        } while (fill_queue_with_next_half(range));
         return node_pairs_;
     }
 
@@ -60,37 +69,30 @@ private:
     /// node.
     static constexpr float much_smaller = 0.5F;
 
-    /// Visits all pairs of the queue over one interval. Pairs with a large chord deviation are deferred to the halves
-    /// of the interval. The earlier half is visited first, because a contact there makes the later half unnecessary.
-    /// Once a pair is deferred, all pairs that may only touch in the later half are deferred with it.
-    void search_interval(const TimeRange& range) {
-        const TimeInterval interval = times_.interval(range);
+    /// An interval whose deferred pairs are to be visited in its halves.
+    struct Halving {
+        TimeRange range;
         std::vector<NodePair> deferred;
-        while (!queue_.is_empty() && !leaves_.is_over()) {
-            const NodePair pair = queue_.pop();
-            const double first = range.at(pair.when.lower);
-            // No pair that starts after the best answer can improve the answer.
-            if (first > leaves_.best() || leaves_.is_kept_apart(pair, first))
-                continue;
-            if (!deferred.empty() && pair.when.lower >= 0.5F)
-                deferred.push_back(pair);
-            else
-                visit(pair, interval, deferred);
-        }
-        queue_.clear();
-        search_halves(range, deferred);
-    }
+        int halves_done = 0;
+    };
 
-    void search_halves(const TimeRange& range, const std::vector<NodePair>& deferred) {
-        const double middle = range.at(0.5);
-        for (const bool later : {false, true}) {
-            if (deferred.empty() || leaves_.is_over() || (later && leaves_.best() < middle))
-                return;
+    /// The next half of the innermost interval that has one: its range, with its pairs in the queue. The later half is
+    /// skipped if a contact in the earlier half makes it unnecessary. False if there is none.
+    bool fill_queue_with_next_half(TimeRange& next) {
+        for (; !halvings_.empty(); halvings_.pop_back()) {
+            auto& [range, deferred, halves_done] = halvings_.back();
+            const double middle = range.at(0.5);
+            const bool later = halves_done == 1;
+            if (deferred.empty() || halves_done == 2 || leaves_.is_over() || (later && leaves_.best() < middle))
+                continue;
+            ++halves_done;
             for (const NodePair& pair : deferred)
                 if (const Window when = in_half(pair.when, later); !when.is_empty())
                     queue_.push({pair.moving, pair.fixed, when});
-            search_interval(later ? TimeRange{middle, range.upper} : TimeRange{range.lower, middle});
+            next = later ? TimeRange{middle, range.upper} : TimeRange{range.lower, middle};
+            return true;
         }
+        return false;
     }
 
     /// The window relative to the earlier or later half of the interval, cut off at the ends of the half. It is exact.
@@ -99,11 +101,17 @@ private:
         return {std::max(0.0F, 2 * when.lower - offset), std::min(1.0F, 2 * when.upper - offset)};
     }
 
-    /// Defers a pair, tests its faces, or splits its nodes.
+    /// Skips a pair that cannot improve the answer, defers it, tests its faces, or splits its nodes. Once a pair is
+    /// deferred, all pairs that may only touch in the later half are deferred with it.
     void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& deferred) {
+        const double first = interval.range.at(pair.when.lower);
+        if (first > leaves_.best() || leaves_.is_kept_apart(pair, first))
+            return;
         const BvhNode& moving = moving_nodes_[pair.moving];
         const BvhNode& fixed = fixed_nodes_[pair.fixed];
-        if (is_worth_halving(interval, std::max(side(moving), side(fixed))))
+        if (!deferred.empty() && pair.when.lower >= 0.5F)
+            deferred.push_back(pair);
+        else if (is_worth_halving(interval, std::max(side(moving), side(fixed))))
             deferred.push_back(pair);
         else if (moving.is_leaf() && fixed.is_leaf())
             leaves_.test(
@@ -181,6 +189,7 @@ private:
     double margin_;
     PairQueue queue_; ///< pairs of the current interval
     Leaves& leaves_;
+    std::vector<Halving> halvings_; ///< the innermost last
     std::uint64_t node_pairs_ = 0;
 };
 

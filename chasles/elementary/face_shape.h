@@ -48,6 +48,27 @@ FaceShape<S> face_shape(std::span<const Vector3<S>> corners, std::span<const std
     return face;
 }
 
+/// One convex part of a face: the whole face, or one of its triangles.
+template <class S>
+struct ConvexPart {
+    const FaceShape<S>& face;
+    std::size_t first = 0; ///< of its corners, in face.triangles
+    std::size_t count = 0;
+
+    const Vector3<S>& operator()(std::size_t i) const {
+        return face.triangles.empty() ? face.corners[i] : face.corners[face.triangles[first + i]];
+    }
+};
+
+template <class S>
+std::size_t convex_part_count(const FaceShape<S>& face) {
+    return face.triangles.empty() ? 1 : face.triangles.size() / 3;
+}
+template <class S>
+ConvexPart<S> convex_part(const FaceShape<S>& face, std::size_t index) {
+    return {face, 3 * index, face.triangles.empty() ? face.corners.size() : 3};
+}
+
 /// Calls `visit(count, corner_at)` for the convex parts that cover a face: the whole outline or the triangles. Stops
 /// and returns true as soon as a call returns true.
 template <class S, class Visit>

@@ -120,16 +120,16 @@ std::optional<FeasibleInterval> first_meeting(const VertexPath<S>& path, const F
                                               Workspace<S>& workspace) {
     const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
     std::optional<FeasibleInterval> first;
-    any_convex_part(face, [&](std::size_t count, auto corner_at) {
-        if (!add_inside_constraints(path, face, count, corner_at, unit, workspace.constraints))
-            return false;
+    for (std::size_t i = 0; i < convex_part_count(face); ++i) {
+        const ConvexPart<S> part = convex_part(face, i);
+        if (!add_inside_constraints(path, face, part.count, part, unit, workspace.constraints))
+            continue;
         ++workspace.root_brackets;
         const auto found =
             algebra::first_feasible<3, S>({path.weight, plane, workspace.constraints.all()}, accuracy.tolerance);
         if (found && (!first || found->lower < first->lower))
             first = found;
-        return false;
-    });
+    }
     return first;
 }
 

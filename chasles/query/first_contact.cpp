@@ -13,8 +13,8 @@ FirstContact first_contact(const FirstContactQuery& query) {
 
 FirstContact FirstContact::swapped() const {
     FirstContact other = *this;
-    for (std::vector<Contact>* contacts : {&other.contacts, &other.held})
-        for (Contact& contact : *contacts)
+    for (std::vector<Contact>* list : {&other.contacts, &other.held})
+        for (Contact& contact : *list)
             contact = contact.swapped();
     if (other.overlap)
         other.overlap->edge_is_moving = !other.overlap->edge_is_moving;

@@ -30,12 +30,10 @@ public:
     explicit PieceByPiece(const PairQuery& query)
         : query_(query), options_(query.options), pieces_(query.trajectory.pieces()) {}
 
-    FirstContact run() { return options_.hold ? run_holding() : run_within(options_.margin); }
-
-private:
     FirstContact run_within(double margin);
     FirstContact run_holding();
 
+private:
     /// The margin that bodies which start within the margin keep.
     struct HeldLevel {
         double distance = 0;
@@ -56,6 +54,7 @@ private:
         search::SearchOptions search;
         search.tolerance = piece.piece().tau_tolerance(options_.time_tolerance);
         search.find = options_.find;
+        search.lists_contacts = options_.hold.has_value();
         search.margin = margin + piece.piece().deviation();
         return search;
     }
@@ -230,7 +229,8 @@ void check_options(const QueryOptions& options) {
 FirstContact answer(const PairQuery& query) {
     if (culling::are_far_apart(query.moving, query.fixed, query.trajectory, query.options.margin))
         return clear_to_the_goal(query.trajectory);
-    return PieceByPiece(query).run();
+    PieceByPiece pieces(query);
+    return query.options.hold ? pieces.run_holding() : pieces.run_within(query.options.margin);
 }
 
 } // namespace chasles::query

@@ -86,12 +86,12 @@ void Candidates::add(const Candidate& candidate, Stages& stages) {
     if (state_.is_over() || candidate.tau.lower > best())
         return;
     const bool is_simultaneous = state_.is_nearly_simultaneous_with_proven(candidate.tau);
-    simultaneous_ += is_simultaneous && !state_.lists_all() ? 1 : 0;
+    simultaneous_ += is_simultaneous ? 1 : 0;
     if (stages.is_proven(candidate))
         return keep(candidate);
     if (is_simultaneous)
         return postponed_.push_back(candidate);
-    if ((state_.is_after_proven(candidate.tau) && !state_.lists_all()) || stages.is_settled(candidate))
+    if (state_.is_after_proven(candidate.tau) || stages.is_settled(candidate))
         return;
     if (const auto tau = stages.decide(candidate, state_))
         keep({candidate, *tau});
@@ -132,12 +132,10 @@ void Candidates::keep_narrowed(Stages& stages) {
 template <LaterStages Stages>
 void Candidates::decide_postponed(Stages& stages) {
     for (const Candidate& candidate : postponed_) {
-        if (candidate.tau.lower > state_.best())
+        if (candidate.tau.lower > state_.best() || state_.is_after_proven(candidate.tau))
             continue;
-        if (!state_.lists_all() && state_.is_after_proven(candidate.tau))
-            continue;
-        if (!state_.lists_all() && state_.is_within_tolerance_of_proven(candidate.tau))
-            keep({candidate, {candidate.tau.lower, 1, false}});
+        if (state_.is_within_tolerance_of_proven(candidate.tau))
+            keep({candidate, with_proven_end(candidate.tau)});
         else if (const auto tau = stages.decide(candidate, state_))
             keep({candidate, with_proven_end(*tau)});
     }

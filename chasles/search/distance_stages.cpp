@@ -30,7 +30,8 @@ double width_of(const FeasibleInterval& tau) {
 DistanceStages::DistanceStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), scale_(context.error_scale(options.margin)),
       filter_({context.moving(), context.fixed(), scale_, options.margin}, context.maps()), next_filter_(filter_),
-      start_tests_(context.moving(), context.fixed(), scale_), candidates_({options.find, options.tolerance, true}) {}
+      start_tests_(context.moving(), context.fixed(), scale_),
+      candidates_({options.find, options.tolerance, true, options.lists_contacts}) {}
 
 void DistanceStages::use(const culling::TimeRange& part) {
     if (part != filter_.part())

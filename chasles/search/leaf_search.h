@@ -26,10 +26,33 @@ public:
     bool is_kept_apart(const culling::NodePair& pair, double first) {
         return plane_ && plane_->range().lower <= first && plane_->keeps_apart(pair.moving, pair.fixed);
     }
+    /// Tests every pair of features that the two faces own and that may come to each other's planes.
     void test(const culling::FacePair& pair) {
+        using enum ContactKind;
         ++face_pairs_;
-        if (const auto faces = culler_.cull(pair, stages_.best()))
-            test_features(pair, *faces);
+        const auto faces = culler_.cull(pair, stages_.best());
+        if (!faces)
+            return;
+        const Body& moving = context_.moving();
+        stages_.use(faces->part);
+        stages_.test_start({pair.moving, pair.fixed});
+        for (const std::uint32_t vertex : moving.owned_vertices(pair.moving)) {
+            if (!faces->moving.may_meet(vertex))
+                continue;
+            stages_.test({vertex_face, {vertex, vertex}, {pair.fixed, pair.fixed}});
+            if constexpr (Stages::tests_all_kinds) {
+                test_edges({vertex_edge, {vertex, vertex}, {}}, pair.fixed, faces->fixed);
+                test_vertices({vertex_vertex, {vertex, vertex}, {}}, pair.fixed, faces->fixed);
+            }
+        }
+        test_vertices({face_vertex, {pair.moving, pair.moving}, {}}, pair.fixed, faces->fixed);
+        for (const Edge& edge : moving.owned_edges(pair.moving)) {
+            if (!faces->moving.may_meet(edge))
+                continue;
+            if constexpr (Stages::tests_all_kinds)
+                test_vertices({edge_vertex, {edge.from, edge.to}, {}}, pair.fixed, faces->fixed);
+            test_edges({edge_edge, {edge.from, edge.to}, {}}, pair.fixed, faces->fixed);
+        }
         if (const auto until = stages_.early_enough())
             search_plane(pair, *until);
     }
@@ -43,31 +66,6 @@ public:
 
 private:
     using Sides = culling::CornerSides;
-
-    /// Every pair of features that the two faces own and that may come to each other's planes.
-    void test_features(const culling::FacePair& pair, const culling::MeetingFaces& faces) {
-        using enum ContactKind;
-        const Body& moving = context_.moving();
-        stages_.use(faces.part);
-        stages_.test_start({pair.moving, pair.fixed});
-        for (const std::uint32_t vertex : moving.owned_vertices(pair.moving)) {
-            if (!faces.moving.may_meet(vertex))
-                continue;
-            stages_.test({vertex_face, {vertex, vertex}, {pair.fixed, pair.fixed}});
-            if constexpr (Stages::tests_all_kinds) {
-                test_edges({vertex_edge, {vertex, vertex}, {}}, pair.fixed, faces.fixed);
-                test_vertices({vertex_vertex, {vertex, vertex}, {}}, pair.fixed, faces.fixed);
-            }
-        }
-        test_vertices({face_vertex, {pair.moving, pair.moving}, {}}, pair.fixed, faces.fixed);
-        for (const Edge& edge : moving.owned_edges(pair.moving)) {
-            if (!faces.moving.may_meet(edge))
-                continue;
-            if constexpr (Stages::tests_all_kinds)
-                test_vertices({edge_vertex, {edge.from, edge.to}, {}}, pair.fixed, faces.fixed);
-            test_edges({edge_edge, {edge.from, edge.to}, {}}, pair.fixed, faces.fixed);
-        }
-    }
 
     /// The moving feature of `features` against the vertices of a fixed face, or against its edges.
     void test_vertices(FeaturePair features, std::uint32_t fixed_face, const Sides& sides) {

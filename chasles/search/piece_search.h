@@ -14,7 +14,8 @@ namespace chasles::search {
 struct SearchOptions {
     double tolerance = 1e-12; ///< of tau
     Find find = Find::first;
-    double margin = 0;       ///< distance that counts as contact
+    double margin = 0;           ///< distance that counts as contact
+    bool lists_contacts = false; ///< the answer lists the contacts of the first moment, whatever `find`
     bool check_start = true; ///< search for contact at tau = 0: edges that pass through faces, and with a margin all
                              ///< features within it
     bool only_start = false; ///< with a margin: search at tau = 0 only

@@ -18,6 +18,8 @@ struct SearchGoal {
     /// Whether contact at tau = 0 is decided apart from contact after it, as distances are. Otherwise a bracket that
     /// begins at 0 is not final: contact at 0 and contact just after it have different verdicts.
     bool start_is_tested_apart = false;
+    /// Whether the answer lists the contacts of the first moment, as it does for bodies that hold contacts, too.
+    bool lists_contacts = false;
 };
 
 /// How far a search has come.
@@ -26,7 +28,9 @@ public:
     explicit SearchState(const SearchGoal& goal) : goal_(goal) {}
 
     [[nodiscard]] const SearchGoal& goal() const { return goal_; }
+    /// Whether every contact within the bracket is asked for.
     [[nodiscard]] bool lists_all() const { return goal_.find == Find::first_with_all_contacts; }
+    [[nodiscard]] bool lists_contacts() const { return lists_all() || goal_.lists_contacts; }
 
     /// No candidate that starts after this time matters.
     [[nodiscard]] double best() const { return best_; }
@@ -40,14 +44,18 @@ public:
     }
     /// The candidate starts after the start of a proven contact whose bracket is final: it changes nothing but the list
     /// of all contacts.
-    [[nodiscard]] bool is_after_proven(const FeasibleInterval& tau) const { return final_lower_ <= tau.lower; }
+    [[nodiscard]] bool is_after_proven(const FeasibleInterval& tau) const {
+        return final_lower_ <= tau.lower && !lists_contacts();
+    }
     /// A proven contact follows within the tolerance: whatever the candidate is, a bracket from its start to that
     /// contact is narrow enough.
     [[nodiscard]] bool is_within_tolerance_of_proven(const FeasibleInterval& tau) const {
         return proven_upper_ - tau.lower <= goal_.tolerance && (tau.lower > 0 || proven_upper_ <= 0);
     }
+    /// An uncertain candidate may wait until the bracket of the proven contact is narrow. Where all contacts are
+    /// listed, each is decided at once.
     [[nodiscard]] bool is_nearly_simultaneous_with_proven(const FeasibleInterval& tau) const {
-        return tau.lower > 0 && proven_upper_ - tau.lower <= nearly_simultaneous;
+        return !lists_all() && tau.lower > 0 && proven_upper_ - tau.lower <= nearly_simultaneous;
     }
 
     /// Takes account of a candidate that is kept.

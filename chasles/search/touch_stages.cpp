@@ -9,7 +9,7 @@ static_assert(LaterStages<TouchStages>);
 TouchStages::TouchStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), scale_(context.error_scale(0)),
       filter_(context.moving(), context.fixed(), scale_), filter_maps_(context.maps()),
-      candidates_({options.find, options.tolerance, false}) {}
+      candidates_({options.find, options.tolerance, false, options.lists_contacts}) {}
 
 void TouchStages::use(const culling::TimeRange& part) {
     part_ = part;

@@ -74,7 +74,7 @@ void check(std::uint64_t seed, AreSeparated are_separated, Distance distance) {
     EXPECT_LT(open, separated / 100);
 }
 
-TEST(NearFeatures, TheWayTellsVerticesApart) {
+TEST(DistanceTests, TheWayTellsVerticesApart) {
     check(
         881,
         [](const Meeting& m, double distance) {
@@ -84,7 +84,7 @@ TEST(NearFeatures, TheWayTellsVerticesApart) {
         [](const Segment3& moving, const Segment3& fixed) { return (moving[0] - fixed[0]).norm(); });
 }
 
-TEST(NearFeatures, TheWayTellsAVertexAndAnEdgeApart) {
+TEST(DistanceTests, TheWayTellsAVertexAndAnEdgeApart) {
     check(
         882,
         [](const Meeting& m, double distance) {
@@ -94,7 +94,7 @@ TEST(NearFeatures, TheWayTellsAVertexAndAnEdgeApart) {
         [](const Segment3& moving, const Segment3& fixed) { return distance_to_segment(moving[0], fixed); });
 }
 
-TEST(NearFeatures, TheWayTellsEdgesApart) {
+TEST(DistanceTests, TheWayTellsEdgesApart) {
     check(
         883,
         [](const Meeting& m, double distance) {
