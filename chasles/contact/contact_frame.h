@@ -7,12 +7,12 @@
 
 namespace chasles::contact {
 
-/// What is known of an instant at which contacts are described.
+/// The bodies at the time of the contacts to be described.
 struct ContactScene {
     const RelativeConfiguration& instant;
-    bool at_start = false; ///< at time 0 what the bodies do next says nothing about the side that they touch from
-    double margin = 0;     ///< what counts as contact; 0: features touch
-    double slack = 0;      ///< how far points may be off where they are at the contact, mesh unit
+    bool at_start = false; ///< at time 0 the velocity does not tell the side of the contact
+    double margin = 0;     ///< distance that counts as contact; 0: features touch
+    double slack = 0;      ///< bound for the distance of points from their places at the contact, mesh unit
 };
 
 /// How far points may be off at an instant that is no further than `width` from the contact.

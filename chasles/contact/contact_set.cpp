@@ -124,7 +124,7 @@ private:
         return u.cross(v).norm() <= scene_.slack * std::max(u.norm(), v.norm());
     }
 
-    /// The ends of each edge that are on the other one.
+    /// Adds the ends of either edge that lie on the other edge.
     void add_ends(const FeaturePair& edges) {
         const auto add_end = [&](const FeaturePair& features) {
             const NearestPoints at = scene_.instant.nearest(features);
@@ -147,8 +147,8 @@ private:
     std::vector<FeaturePair> named_;
 };
 
-/// Features that are apart are named already, by where their nearest points are: of those that go on nearer elsewhere
-/// nothing is to be said.
+/// Features at a distance are named by their nearest points already. A pair whose surfaces come nearer beside these
+/// points is no local minimum, and no contact.
 std::vector<FeaturePair> named(const ContactScene& scene, const std::vector<FeaturePair>& candidates) {
     Namer namer(scene);
     for (const FeaturePair& candidate : candidates) {

@@ -1,4 +1,4 @@
-// All that touches at once, each contact once, named for what it is, and no more than it takes.
+// The set of contacts at one time: each contact once, named for its features, flat contacts by their corners.
 // Source: docs/derivations/18-contact-set.md.
 #pragma once
 
@@ -8,11 +8,15 @@
 
 namespace chasles::contact {
 
-/// The contacts of these candidates, in the frame of the fixed body, in the order of their features:
-///  - features that touch at their rims are named for these: a vertex on the rim of a face is on its edge, or on a
-///    vertex of it, unless the surface goes on flat there; parallel edges touch at the two ends of what they share;
-///  - with a margin, only local minima of the distance;
-///  - of contacts in one plane with one normal, those at the corners of the hull of all of them.
+/// The contacts of these feature pairs, in the frame of the fixed body, in the order of their features.
+///
+/// A vertex on the rim of a face is named for the edge or vertex of the rim, unless the surface continues flat there.
+///
+/// Parallel edges touch at the two ends of their common part.
+///
+/// With a margin, only local minima of the distance are contacts.
+///
+/// Contacts in one plane with one normal are reduced to the corners of their convex hull.
 std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<FeaturePair>& candidates);
 
 } // namespace chasles::contact

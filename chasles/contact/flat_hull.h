@@ -9,8 +9,8 @@
 
 namespace chasles::contact {
 
-/// Leaves out contacts whose points are in the hull of the others with the same plane and normal, up to `slack`. What
-/// is left keeps its order; of several at one point the first one is left.
+/// Removes each contact whose point is, up to `slack`, in the convex hull of the other contacts with the same plane and
+/// normal. The remaining contacts keep their order. Of several contacts at one point the first one remains.
 std::vector<Contact> at_corners_of_hulls(std::vector<Contact> contacts, double slack);
 
 } // namespace chasles::contact

@@ -9,9 +9,9 @@ namespace chasles::contact {
 /// From the middle of the fixed body's box to that of the moving one.
 Eigen::Vector3d outward_direction(const RelativeConfiguration& instant);
 
-/// Of unit normals that lead away from the fixed feature and from which the moving one leads away, the one along which
-/// the features were apart just before: the limit of the shortest way between them. At the start that as if the moving
-/// body had come from where the middle of its box is.
+/// A unit normal that both features allow: it leads away from the fixed feature, and the moving feature leads away from
+/// it. The choice is the direction that separated the features just before the contact, which is the limit of the
+/// shortest connection between them. At the start, the moving body counts as if it came from the middle of its box.
 Eigen::Vector3d normal_between_cones(const RelativeConfiguration& instant, const FeaturePair& features, bool at_start);
 
 } // namespace chasles::contact

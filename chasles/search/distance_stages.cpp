@@ -105,8 +105,8 @@ std::optional<FeasibleInterval> DistanceStages::narrow(const Candidate& candidat
 }
 
 /// The time until which a crossing does not count; empty if it counts. Without held contacts every crossing counts.
-/// Otherwise a crossing that leaves the margin does not count, and neither does one that is no local minimum of the
-/// distance: it belongs to a contact that spreads or slides, and stays so for as long as directions take to change.
+/// Otherwise a crossing that leaves the margin does not count. A crossing that is no local minimum of the distance
+/// belongs to a contact that spreads or slides; it does not count until directions have had time to change.
 std::optional<double> DistanceStages::passed_until(const Crossing& crossing, const FeaturePair& features) const {
     if (!options_.held)
         return std::nullopt;
