@@ -51,7 +51,7 @@ TEST_F(Check, AnswersContact) {
 
 TEST_F(Check, TellsGapsAndWhatIsHeldWithAMargin) {
     const std::string poses = "--start '0.25 0.5 1.3' --goal '0.25 0.5 0.5' --margin 0.5 ";
-    const Json contacts = json("--start '0.25 0.5 3' --goal '0.25 0.5 -1' --margin 0.5")["contacts"];
+    const Json contacts = json("--start '0.25 0.5 3' --goal '0.25 0.5 -1' --margin 0.5 --all-contacts")["contacts"];
     ASSERT_EQ(contacts.size(), 4U);
     EXPECT_NEAR(contacts[0]["gap"], 0.5, 1e-11);
     EXPECT_EQ(json(poses)["verdict"], "contact_at_start");
@@ -64,7 +64,7 @@ TEST_F(Check, TellsGapsAndWhatIsHeldWithAMargin) {
 }
 
 TEST_F(Check, NamesFeaturesByKind) {
-    const Json contacts = json("--start '0.25 0.5 3' --goal '0.25 0.5 -1'")["contacts"];
+    const Json contacts = json("--start '0.25 0.5 3' --goal '0.25 0.5 -1' --all-contacts")["contacts"];
     ASSERT_FALSE(contacts.empty());
     for (const Json& contact : contacts) {
         const std::string kind = contact["kind"];
@@ -119,6 +119,13 @@ TEST_F(Check, SweepsAboutACentre) {
         << "a sweep has the numbers of the screw with equal end poses";
 }
 
+TEST_F(Check, ListsOneContactUnlessAllAreWanted) {
+    const std::string poses = "--start '0.25 0.5 3' --goal '0.25 0.5 -1' ";
+    EXPECT_EQ(json(poses)["contacts"].size(), 1U);
+    EXPECT_EQ(json(poses + "--all-contacts")["contacts"].size(), 4U);
+    EXPECT_EQ(check(poses + "--all-contacts --any").status, 2);
+}
+
 TEST_F(Check, StopsAtAnyContact) {
     EXPECT_EQ(check("--start '0.25 0.5 3' --goal '0.25 0.5 -1' --any").status, 1);
     EXPECT_EQ(check("--start '3 0 0' --goal '3 5 0' --any").status, 0);
@@ -131,7 +138,7 @@ TEST_F(Check, TurnsOnceWhereToldTo) {
 }
 
 TEST_F(Check, ReportsForPeople) {
-    const auto finished = check("--start '0.25 0.5 3' --goal '0.25 0.5 -1'");
+    const auto finished = check("--start '0.25 0.5 3' --goal '0.25 0.5 -1' --all-contacts");
     EXPECT_EQ(finished.status, 1);
     EXPECT_TRUE(finished.out.starts_with("CONTACT at time 0.5\n")) << finished.out;
     EXPECT_NE(finished.out.find("vertex 0 on face 1"), std::string::npos) << finished.out;
