@@ -18,18 +18,7 @@ FeatureKind moving_feature_kind(ContactKind kind) {
 }
 
 FeatureKind fixed_feature_kind(ContactKind kind) {
-    switch (kind) {
-    case ContactKind::face_vertex:
-    case ContactKind::edge_vertex:
-    case ContactKind::vertex_vertex:
-        return FeatureKind::vertex;
-    case ContactKind::edge_edge:
-    case ContactKind::vertex_edge:
-        return FeatureKind::edge;
-    case ContactKind::vertex_face:
-        break;
-    }
-    return FeatureKind::face;
+    return moving_feature_kind(swapped(kind));
 }
 
 ContactKind swapped(ContactKind kind) {

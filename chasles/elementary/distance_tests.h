@@ -273,13 +273,12 @@ void vertex_face_distance(const VertexPath<S>& path, const FaceShape<S>& face, c
     const S offset = margin.distance * length(face.normal);
     if (keeps_one_sign(plane.polynomial, path.weight * S(plane.error + offset)))
         return;
-    any_convex_part(face, [&](std::size_t count, auto corner_at) {
-        if (detail::add_inside_constraints(path, face, count, corner_at, unit, workspace.constraints)) {
-            ++workspace.root_brackets;
-            detail::visit_both_sides<S>({plane, path.weight * offset}, path.weight, workspace.constraints, visit);
-        }
-        return false;
-    });
+    for (std::size_t i = 0; i < convex_part_count(face); ++i) {
+        if (!detail::add_inside_constraints(path, convex_part(face, i), unit, workspace.constraints))
+            continue;
+        ++workspace.root_brackets;
+        detail::visit_both_sides<S>({plane, path.weight * offset}, path.weight, workspace.constraints, visit);
+    }
 }
 
 } // namespace chasles::elementary

@@ -42,14 +42,14 @@ struct OrientedSegment {
 /// Whether the segment passes through a convex part of a face: all signed volumes of the segment with the edges of the
 /// part must be non-negative. Empty if one volume is proven negative; true if all are proven positive. If the ends are
 /// not proven on opposite sides, the error of a volume also contains the distance from the end to the edge.
-template <class S, class CornerAt>
-std::optional<bool> passes(const OrientedSegment<S>& oriented, std::size_t count, CornerAt corner_at, const S& unit) {
+template <class S>
+std::optional<bool> passes(const OrientedSegment<S>& oriented, const ConvexPart<S>& part, const S& unit) {
     const Segment<S>& segment = oriented.segment;
     const Vector3<S> u = oriented.upwards ? segment.to - segment.from : segment.from - segment.to;
     bool certain = true;
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vector3<S>& from = corner_at(i);
-        const Vector3<S> v = corner_at(i + 1 == count ? 0 : i + 1) - from;
+    for (std::size_t i = 0; i < part.count; ++i) {
+        const Vector3<S>& from = part.corner(i);
+        const Vector3<S> v = part.next_corner(i) - from;
         const Vector3<S> arm = scale(from, segment.weight) - segment.from;
         const S volume = dot(cross(arm, v), u);
         const S size = oriented.ends == Ends::proven_opposite ? norm1(u) : S(norm1(u) + norm1(arm));
@@ -121,12 +121,12 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
     if (upwards && downwards && detail::are_apart_in_plane(segment, face, unit))
         return std::nullopt;
     std::optional<bool> certain;
-    any_convex_part(face, [&](std::size_t count, auto corner_at) {
-        certain = upwards ? detail::passes<S>({segment, true, ends}, count, corner_at, unit) : std::nullopt;
+    for (std::size_t i = 0; i < convex_part_count(face) && !certain; ++i) {
+        const ConvexPart<S> part = convex_part(face, i);
+        certain = upwards ? detail::passes<S>({segment, true, ends}, part, unit) : std::nullopt;
         if (!certain && downwards)
-            certain = detail::passes<S>({segment, false, ends}, count, corner_at, unit);
-        return certain.has_value();
-    });
+            certain = detail::passes<S>({segment, false, ends}, part, unit);
+    }
     return certain ? std::optional(Passage<S>{detail::point_at_plane(segment, from, to), *certain}) : std::nullopt;
 }
 

@@ -48,16 +48,18 @@ FaceShape<S> face_shape(std::span<const Vector3<S>> corners, std::span<const std
     return face;
 }
 
-/// One convex part of a face: the whole face, or one of its triangles.
+/// One convex part of a face: the whole face, or one of the triangles that cover it.
 template <class S>
 struct ConvexPart {
     const FaceShape<S>& face;
-    std::size_t first = 0; ///< of its corners, in face.triangles
-    std::size_t count = 0;
+    std::size_t first = 0; ///< position of its first corner in face.triangles
+    std::size_t count = 0; ///< of its corners, at least three
 
-    const Vector3<S>& operator()(std::size_t i) const {
+    const Vector3<S>& corner(std::size_t i) const {
         return face.triangles.empty() ? face.corners[i] : face.corners[face.triangles[first + i]];
     }
+    /// The corner at the other end of the edge that starts at corner i.
+    const Vector3<S>& next_corner(std::size_t i) const { return corner(i + 1 == count ? 0 : i + 1); }
 };
 
 template <class S>
@@ -67,20 +69,6 @@ std::size_t convex_part_count(const FaceShape<S>& face) {
 template <class S>
 ConvexPart<S> convex_part(const FaceShape<S>& face, std::size_t index) {
     return {face, 3 * index, face.triangles.empty() ? face.corners.size() : 3};
-}
-
-/// Calls `visit(count, corner_at)` for the convex parts that cover a face: the whole outline or the triangles. Stops
-/// and returns true as soon as a call returns true.
-template <class S, class Visit>
-bool any_convex_part(const FaceShape<S>& face, Visit visit) {
-    if (face.triangles.empty())
-        return visit(face.corners.size(), [&](std::size_t i) -> const Vector3<S>& { return face.corners[i]; });
-    for (std::size_t t = 0; t < face.triangles.size(); t += 3) {
-        const auto corner_at = [&](std::size_t i) -> const Vector3<S>& { return face.corners[face.triangles[t + i]]; };
-        if (visit(std::size_t(3), corner_at))
-            return true;
-    }
-    return false;
 }
 
 } // namespace chasles::elementary

@@ -100,13 +100,13 @@ Bounded<3, S> inside(const VertexPath<S>& path, const FaceShape<S>& face, const 
 
 /// Sets the constraints that the vertex is inside all edges of a convex part of the face. Returns false if the vertex
 /// is proven to stay outside.
-template <class S, class CornerAt>
-bool add_inside_constraints(const VertexPath<S>& path, const FaceShape<S>& face, std::size_t count, CornerAt corner_at,
-                            const S& unit, Constraints<S>& constraints) {
+template <class S>
+bool add_inside_constraints(const VertexPath<S>& path, const ConvexPart<S>& part, const S& unit,
+                            Constraints<S>& constraints) {
     constraints.clear();
-    for (std::size_t i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < part.count; ++i) {
         Bounded<3, S>& side = constraints.add();
-        side = inside(path, face, corner_at(i), corner_at(i + 1 == count ? 0 : i + 1), unit);
+        side = inside(path, part.face, part.corner(i), part.next_corner(i), unit);
         if (is_negative(side.polynomial, path.weight * side.error))
             return false;
     }
@@ -121,8 +121,7 @@ std::optional<FeasibleInterval> first_meeting(const VertexPath<S>& path, const F
     const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
     std::optional<FeasibleInterval> first;
     for (std::size_t i = 0; i < convex_part_count(face); ++i) {
-        const ConvexPart<S> part = convex_part(face, i);
-        if (!add_inside_constraints(path, face, part.count, part, unit, workspace.constraints))
+        if (!add_inside_constraints(path, convex_part(face, i), unit, workspace.constraints))
             continue;
         ++workspace.root_brackets;
         const auto found =

@@ -16,8 +16,8 @@ struct CacheLineAllocator {
 
     CacheLineAllocator() = default;
     template <class Other>
-    CacheLineAllocator(const CacheLineAllocator<Other>&) {
-    } // NOLINT(google-explicit-constructor): required by containers
+    // NOLINTNEXTLINE(google-explicit-constructor): required by containers
+    CacheLineAllocator(const CacheLineAllocator<Other>&) {}
 
     T* allocate(std::size_t count) {
         return static_cast<T*>(::operator new(count * sizeof(T), std::align_val_t(cache_line)));

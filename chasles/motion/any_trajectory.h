@@ -22,13 +22,6 @@ public:
     [[nodiscard]] virtual double tau_tolerance(double time_tolerance) const = 0;
     [[nodiscard]] virtual Pose pose_at(double tau) const = 0;
     [[nodiscard]] virtual Pose fixed_pose_at(double tau) const = 0;
-
-protected:
-    AnyPiece() = default;
-    AnyPiece(const AnyPiece&) = default;
-    AnyPiece(AnyPiece&&) = default;
-    AnyPiece& operator=(const AnyPiece&) = delete;
-    AnyPiece& operator=(AnyPiece&&) = delete;
 };
 
 /// The pieces of any trajectory, in order of time.
@@ -75,7 +68,7 @@ private:
 
 /// A trajectory of a known type as AnyTrajectory. To be held by a shared pointer: `Motion` does.
 template <Trajectory T>
-class ErasedTrajectory : public AnyTrajectory {
+class ErasedTrajectory final : public AnyTrajectory {
 public:
     explicit ErasedTrajectory(T trajectory) : trajectory_(std::move(trajectory)) {}
 

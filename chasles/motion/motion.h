@@ -22,8 +22,11 @@ class SweepTrajectory;
 /// (docs/decisions/0035-one-seam-for-motions.md).
 class CHASLES_EXPORT Motion {
 public:
+    /// Largest turn of one piece of a screw, unless stated otherwise: 10 degrees in radians.
+    static constexpr double default_max_turn = std::numbers::pi / 18;
+
     /// ScrewMotion::between and SweepMotion::between as plain motions.
-    static Motion screw(const Pose& start, const Pose& goal, double max_turn = std::numbers::pi / 18);
+    static Motion screw(const Pose& start, const Pose& goal, double max_turn = default_max_turn);
     static Motion sweep(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
     /// The pose of the moving body in the world, and that of the fixed body, at a time in [0, 1]. A screw is followed
@@ -47,7 +50,7 @@ private:
 /// of the paper's motions between poses rounded to double precision. Smaller pieces slide more evenly.
 class CHASLES_EXPORT ScrewMotion {
 public:
-    static constexpr double default_max_turn = std::numbers::pi / 18; ///< radians; 10 degrees
+    static constexpr double default_max_turn = Motion::default_max_turn; ///< radians
     static constexpr double least_max_turn = 1e-4; ///< radians; limits the pieces of a screw to some ten thousand
 
     /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world. Throws

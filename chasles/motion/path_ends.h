@@ -3,7 +3,6 @@
 #pragma once
 
 #include "chasles/motion/motion_ends.h"
-#include "chasles/motion/trajectory.h"
 
 namespace chasles::motion {
 

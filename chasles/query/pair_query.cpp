@@ -29,6 +29,15 @@ void require_no_deviation(const PieceContext& context) {
     require(context.piece().deviation() <= 0, "hold", "is not supported for motions with a deviation");
 }
 
+/// Proven clear up to the goal.
+void set_clear(FirstContact& answer, const Pose& goal, const Pose& fixed_goal) {
+    answer.verdict = Verdict::clear;
+    answer.certain = true;
+    answer.clear_until = 1;
+    answer.pose = goal;
+    answer.fixed_pose = fixed_goal;
+}
+
 /// One question, piece by piece.
 class PieceByPiece {
 public:
@@ -59,14 +68,13 @@ private:
         search::SearchOptions search;
         search.tolerance = piece.piece().tau_tolerance(options_.time_tolerance);
         search.find = options_.find;
-        search.lists_contacts = options_.hold.has_value();
+        search.lists_contacts = lists_contacts(options_);
         search.margin = margin + piece.piece().deviation();
         return search;
     }
     [[nodiscard]] PieceResult contacts_at_start(PieceContext& piece) const;
     [[nodiscard]] double resting_slack(const PieceContext& piece) const;
     [[nodiscard]] double least_distance(const PieceContext& piece, const PieceResult& start) const;
-    static void end_clear(FirstContact& found, const motion::AnyPiece& last);
 
     const PairQuery& query_;
     const QueryOptions& options_;
@@ -90,7 +98,7 @@ FirstContact PieceByPiece::run_within(double margin) {
             return found;
         }
         if (i + 1 == pieces_->size())
-            end_clear(found, context.piece());
+            set_clear(found, context.piece().pose_at(1), context.piece().fixed_pose_at(1));
     }
     return found;
 }
@@ -100,14 +108,11 @@ FirstContact PieceByPiece::run_within(double margin) {
 FirstContact PieceByPiece::run_holding() {
     PieceContext first_piece = piece(0);
     require_no_deviation(first_piece);
-    FirstContact found;
     const PieceResult start = contacts_at_start(first_piece);
-    if (!has_contact(start)) {
-        found = run_within(options_.margin);
-        found.work += start.work;
-        return found;
-    }
+    FirstContact found = has_contact(start) ? FirstContact() : run_within(options_.margin);
     found.work += start.work;
+    if (!has_contact(start))
+        return found;
     const HeldLevel level = held_level(first_piece, start);
     const ReportScope scope{options_, true, options_.margin};
     if (level.touches) {
@@ -148,7 +153,7 @@ void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece
         if (search_holding_piece(found, context, level, held, i == 0))
             return;
         if (i + 1 == pieces_->size() && found.verdict == Verdict::unknown)
-            end_clear(found, context.piece());
+            set_clear(found, context.piece().pose_at(1), context.piece().fixed_pose_at(1));
     }
     found.clear_until = 1;
 }
@@ -207,24 +212,6 @@ double PieceByPiece::least_distance(const PieceContext& piece, const PieceResult
     return least;
 }
 
-void PieceByPiece::end_clear(FirstContact& found, const motion::AnyPiece& last) {
-    found.verdict = Verdict::clear;
-    found.certain = true;
-    found.clear_until = 1;
-    found.pose = last.pose_at(1);
-    found.fixed_pose = last.fixed_pose_at(1);
-}
-
-FirstContact clear_to_the_goal(const motion::AnyTrajectory& trajectory) {
-    FirstContact clear;
-    clear.verdict = Verdict::clear;
-    clear.certain = true;
-    clear.clear_until = 1;
-    clear.pose = trajectory.pose_at(1);
-    clear.fixed_pose = trajectory.fixed_pose_at(1);
-    return clear;
-}
-
 } // namespace
 
 void check_options(const QueryOptions& options) {
@@ -236,8 +223,11 @@ void check_options(const QueryOptions& options) {
 }
 
 FirstContact answer(const PairQuery& query) {
-    if (culling::are_far_apart(query.moving, query.fixed, query.trajectory, query.options.margin))
-        return clear_to_the_goal(query.trajectory);
+    if (culling::are_far_apart(query.moving, query.fixed, query.trajectory, query.options.margin)) {
+        FirstContact clear;
+        set_clear(clear, query.trajectory.pose_at(1), query.trajectory.fixed_pose_at(1));
+        return clear;
+    }
     PieceByPiece pieces(query);
     return query.options.hold ? pieces.run_holding() : pieces.run_within(query.options.margin);
 }

@@ -106,9 +106,9 @@ std::vector<Contact> contacts_of(const search::PieceContext& context, std::vecto
     const double width = std::min(tau.upper - tau.lower, scope.options.time_tolerance);
     const contact::ContactScene scene{bodies, is_at_start, scope.margin,
                                       contact::touch_slack(bodies, context.error_scale(scope.margin), width)};
-    const bool lists_all = scope.options.find == Find::first_with_all_contacts || scope.options.hold;
-    std::vector<Contact> contacts = lists_all ? contact_set(scene, {candidates.begin(), candidates.end()})
-                                              : std::vector{described(scene, first_of(candidates))};
+    std::vector<Contact> contacts = lists_contacts(scope.options)
+                                        ? contact_set(scene, {candidates.begin(), candidates.end()})
+                                        : std::vector{described(scene, first_of(candidates))};
     const Eigen::Isometry3d to_world = piece.fixed_pose_at(tau.lower).isometry();
     for (Contact& contact : contacts) {
         contact.point = in_world(to_world, contact.point);

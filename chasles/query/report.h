@@ -13,6 +13,11 @@ struct ReportScope {
     double margin = 0; ///< of the search
 };
 
+/// Whether an answer lists the contacts of the first moment, and not only one of them.
+inline bool lists_contacts(const QueryOptions& options) {
+    return options.find == Find::first_with_all_contacts || options.hold;
+}
+
 /// The first contact lies in this bracket of tau: not before any lower end nor after any upper end.
 Bracket enclosing(const search::PieceResult& result);
 

@@ -20,6 +20,7 @@ public:
     DistanceStages(PieceContext& context, const SearchOptions& options);
 
     static constexpr bool tests_all_kinds = true;
+    [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
     [[nodiscard]] double culling_margin() const { return options_.margin + elementary::parallel_slack * scale_.length; }
     [[nodiscard]] double best() const { return options_.only_start ? 0 : candidates_.best(); }
     [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
@@ -35,7 +36,7 @@ public:
     /// Once, and last.
     PieceResult take();
 
-    // What Candidates requires of the later stages.
+    // The functions that Candidates requires of the later stages.
     [[nodiscard]] bool is_proven(const Candidate& candidate) const { return candidate.tau.certain && !options_.held; }
     [[nodiscard]] static bool is_settled(const Candidate&) { return false; }
     std::optional<FeasibleInterval> decide(const Candidate& candidate, const SearchState& state);

@@ -15,11 +15,6 @@ using contact::FeaturePair;
 using culling::CachedFace;
 using culling::point_of;
 
-/// The edge that a pair of ids names.
-inline Edge edge_of(const Feature& feature) {
-    return {feature.first, feature.second};
-}
-
 /// Two bodies under one set of control maps.
 template <class S>
 class FeatureTests {
@@ -42,10 +37,10 @@ public:
     std::optional<FeasibleInterval> touch(const FeaturePair& features) {
         switch (features.kind) {
         case ContactKind::vertex_face:
-            return elementary::vertex_face<S>(path_of(moving_path(features.moving)), fixed_face(features.fixed),
+            return elementary::vertex_face<S>({moving_path(features.moving), maps_->weight}, fixed_face(features.fixed),
                                               accuracy_, workspace_);
         case ContactKind::face_vertex:
-            return elementary::vertex_face<S>(path_of(fixed_path(features.fixed)), moving_face(features.moving),
+            return elementary::vertex_face<S>({fixed_path(features.fixed), maps_->weight}, moving_face(features.moving),
                                               accuracy_, workspace_);
         case ContactKind::edge_edge:
             return elementary::edge_edge<S>(*maps_, moving_edge(features.moving), fixed_edge(features.fixed), accuracy_,
@@ -62,22 +57,22 @@ public:
         using namespace elementary;
         switch (features.kind) {
         case ContactKind::vertex_face:
-            return vertex_face_distance<S>(path_of(moving_path(features.moving)), fixed_face(features.fixed), margin_,
-                                           accuracy_, workspace_, visit);
+            return vertex_face_distance<S>({moving_path(features.moving), maps_->weight}, fixed_face(features.fixed),
+                                           margin_, accuracy_, workspace_, visit);
         case ContactKind::face_vertex:
-            return vertex_face_distance<S>(path_of(fixed_path(features.fixed)), moving_face(features.moving), margin_,
-                                           accuracy_, workspace_, visit);
+            return vertex_face_distance<S>({fixed_path(features.fixed), maps_->weight}, moving_face(features.moving),
+                                           margin_, accuracy_, workspace_, visit);
         case ContactKind::edge_edge:
             return edge_edge_distance<S>({*maps_, moving_edge(features.moving), fixed_edge(features.fixed)}, margin_,
                                          accuracy_, workspace_, visit);
         case ContactKind::vertex_edge:
-            return vertex_edge_distance<S>(path_of(moving_path(features.moving)), resting(fixed_, features.fixed),
-                                           margin_, accuracy_, workspace_, visit);
+            return vertex_edge_distance<S>({moving_path(features.moving), maps_->weight},
+                                           resting(fixed_, features.fixed), margin_, accuracy_, workspace_, visit);
         case ContactKind::edge_vertex:
-            return vertex_edge_distance<S>(path_of(fixed_path(features.fixed)), resting(moving_, features.moving),
-                                           margin_, accuracy_, workspace_, visit);
+            return vertex_edge_distance<S>({fixed_path(features.fixed), maps_->weight},
+                                           resting(moving_, features.moving), margin_, accuracy_, workspace_, visit);
         case ContactKind::vertex_vertex:
-            return vertex_vertex_distance<S>(path_of(moving_path(features.moving)),
+            return vertex_vertex_distance<S>({moving_path(features.moving), maps_->weight},
                                              point_of<S>(fixed_, features.fixed.first), margin_, accuracy_, workspace_,
                                              visit);
         }
@@ -101,11 +96,6 @@ private:
     using Polynomial = algebra::Bernstein<3, S>;
     using Path = Vector3<Polynomial>;
 
-    /// The path is kept, as the result refers to it.
-    elementary::VertexPath<S> path_of(const Path& path) {
-        path_ = path;
-        return {path_, maps_->weight};
-    }
     [[nodiscard]] Path moving_path(const Feature& vertex) const {
         return maps_->rotation * point_of<S>(moving_, vertex.first) + maps_->translation;
     }
@@ -152,7 +142,6 @@ private:
     elementary::Margin<S> margin_;
     const Maps* maps_ = nullptr;
     CachedFace<S> face_;
-    Path path_;
     Feature edge_;
     bool path_is_set_ = false;
     elementary::EdgePath<S> edge_path_;

@@ -16,10 +16,12 @@ class LeafSearch {
 public:
     /// Both are kept by reference.
     LeafSearch(PieceContext& context, const SearchOptions& options)
-        : context_(context), scale_(context.error_scale(options.margin)), stages_(context, options),
-          culler_(context.moving(), context.fixed(), context.maps(), scale_, stages_.culling_margin()) {}
+        : context_(context), stages_(context, options),
+          culler_(context.moving(), context.fixed(), context.maps(), stages_.scale(), stages_.culling_margin()) {}
 
-    // What a traversal requires of its leaves.
+    [[nodiscard]] const elementary::ErrorScale& scale() const { return stages_.scale(); }
+
+    // The functions that a traversal requires of its leaves.
     [[nodiscard]] double best() const { return stages_.best(); }
     [[nodiscard]] bool is_over() const { return stages_.is_over(); }
     /// By the plane that was found, if there is one, from `first` on.
@@ -88,14 +90,13 @@ private:
         if (until <= pair.first_left)
             return;
         plane_ = culling::SeparatingPlane::faces(
-            {context_.moving(), context_.fixed(), context_.refined_maps(), scale_, {pair.first_left, until}},
+            {context_.moving(), context_.fixed(), context_.refined_maps(), scale(), {pair.first_left, until}},
             pair.moving, pair.fixed);
         if (plane_)
             stages_.stop_search_at(until);
     }
 
     PieceContext& context_;
-    elementary::ErrorScale scale_;
     Stages stages_;
     culling::FaceCuller culler_;
     std::optional<culling::SeparatingPlane> plane_;

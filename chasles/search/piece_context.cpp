@@ -39,10 +39,10 @@ elementary::ErrorScale PieceContext::error_scale(double margin) const {
     return norms_.error_scale(moving_extent, extent(fixed_.bvh()));
 }
 
-culling::TimeTree PieceContext::time_tree(double margin) const {
+culling::TimeTree PieceContext::time_tree(double margin, const elementary::ErrorScale& scale) const {
     const motion::Ball moving = enlarged(culling::ball_around(moving_.bvh()), margin);
     const motion::Ball fixed = enlarged(culling::ball_around(fixed_.bvh()), margin);
-    return {maps_, piece_->chord_deviation(moving, fixed), moving, fixed, error_scale(margin), margin};
+    return {maps_, piece_->chord_deviation(moving, fixed), moving, fixed, scale, margin};
 }
 
 const motion::ControlMaps<algebra::DoubleDouble>& PieceContext::refined_maps() {

@@ -24,8 +24,9 @@ public:
     [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
     /// The bound of rounding errors, for distances up to `margin`.
     [[nodiscard]] elementary::ErrorScale error_scale(double margin) const;
-    /// The intervals of a traversal in which points within `margin` of each other count as meeting.
-    [[nodiscard]] culling::TimeTree time_tree(double margin) const;
+    /// The intervals of a traversal in which points within `margin` of each other count as meeting; `scale` is
+    /// error_scale(margin).
+    [[nodiscard]] culling::TimeTree time_tree(double margin, const elementary::ErrorScale& scale) const;
 
     /// Maps over the whole piece in double-double, and without rounding where the piece has such (null if not).
     /// Computed on the first call: most searches need neither.

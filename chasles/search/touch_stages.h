@@ -35,6 +35,8 @@ public:
 
     /// Edges near vertices and vertices near vertices touch as one of the other three kinds.
     static constexpr bool tests_all_kinds = false;
+    /// The bound of rounding errors of this search.
+    [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
     /// How far points may be from a plane and still count as reaching it.
     [[nodiscard]] double culling_margin() const { return 0; }
     /// No candidate after this time matters; nothing matters at all any more.
@@ -54,7 +56,7 @@ public:
     /// Once, and last.
     PieceResult take();
 
-    // What Candidates requires of the later stages.
+    // The functions that Candidates requires of the later stages.
     [[nodiscard]] bool is_proven(const Candidate& candidate) const {
         return candidate.tau.certain && candidate.tau.lower > 0;
     }

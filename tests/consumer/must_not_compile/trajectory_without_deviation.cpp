@@ -1,4 +1,4 @@
-// A motion that does not say how far it is from its pieces must not pass for one that follows them exactly.
+// A motion without a stated deviation must not count as a motion that follows its pieces exactly.
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/motion/motion.h"
 
