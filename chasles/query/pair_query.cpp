@@ -83,13 +83,11 @@ private:
 
 FirstContact PieceByPiece::run_within(double margin) {
     FirstContact found;
-    double deviation = 0; // of the pieces before
     for (std::size_t i = 0; i < pieces_->size(); ++i) {
         PieceContext context = piece(i);
         search::SearchOptions search = search_of(context, margin);
-        // A piece with a larger deviation than the one before may begin within its own margin.
-        search.check_start = i == 0 || context.piece().deviation() > deviation;
-        deviation = context.piece().deviation();
+        // The piece before proves the distance of the true surfaces: those of a piece that deviates may begin nearer.
+        search.check_start = i == 0 || context.piece().deviation() > 0;
         const PieceResult result = search_piece(context, search);
         found.work += result.work;
         if (has_contact(result)) {
