@@ -9,16 +9,17 @@ namespace chasles::contact {
 
 /// The bodies at the time of the contacts to be described.
 struct ContactScene {
-    const RelativeConfiguration& instant;
+    const RelativeConfiguration& bodies;
     bool at_start = false; ///< at time 0 the velocity does not tell the side of the contact
     double margin = 0;     ///< distance that counts as contact; 0: features touch
     double slack = 0;      ///< bound for the distance of points from their places at the contact, mesh unit
 };
 
-/// How far points may be off at an instant that is no further than `width` from the contact.
-double touch_slack(const RelativeConfiguration& instant, const elementary::ErrorScale& scale, double width);
+/// A bound for the distance of points from their places at the contact, at a tau within `width` of the contact.
+double touch_slack(const RelativeConfiguration& bodies, const elementary::ErrorScale& scale, double width);
 
-/// In the frame of the fixed body; `approach_speed` is per unit of tau. Features are taken as they are named.
+/// The contact of two features, in the frame of the fixed body, named for these features. Its approach_speed is per
+/// unit of tau.
 Contact described(const ContactScene& scene, const FeaturePair& features);
 
 } // namespace chasles::contact

@@ -12,17 +12,17 @@ namespace chasles::contact {
 namespace {
 
 /// A feature of one body, with its kind.
-struct Part {
+struct BodyFeature {
     FeatureKind kind;
     Feature feature;
 };
 
-Part vertex_part(std::uint32_t vertex) {
+BodyFeature vertex_feature(std::uint32_t vertex) {
     return {FeatureKind::vertex, {vertex, vertex}};
 }
 
-/// Features that touch are a vertex and anything, or two edges.
-FeaturePair pair_of(const Part& moving, const Part& fixed) {
+/// A vertex may touch any feature; otherwise two edges touch.
+FeaturePair pair_of(const BodyFeature& moving, const BodyFeature& fixed) {
     using enum FeatureKind;
     const auto kind = [&] {
         if (moving.kind == vertex)
@@ -36,7 +36,7 @@ FeaturePair pair_of(const Part& moving, const Part& fixed) {
     return {kind(), moving.feature, fixed.feature};
 }
 
-/// The faces at an edge are in one plane up to the slack over their own size.
+/// Whether the faces at an edge are in one plane, up to the slack across each face.
 bool is_flat_at(const Body& body, const Edge& edge, double slack) {
     std::vector<Eigen::Vector3d> ways;
     any_direction_from_edge(body, edge, [&](const Eigen::Vector3d& way) {
@@ -49,30 +49,30 @@ bool is_flat_at(const Body& body, const Edge& edge, double slack) {
     return ways[0].dot(ways[1]) < 0 && sine * std::min(ways[0].norm(), ways[1].norm()) <= slack;
 }
 
-/// The vertex or edge of a body that a point on its feature is at, up to the slack; otherwise the feature itself.
+/// Finds the vertex or edge at a point of a feature, up to the slack; otherwise the feature itself.
 class Rims {
 public:
     Rims(const Body& body, double slack) : body_(body), slack_(slack) {}
 
-    [[nodiscard]] Part part_at(const Part& part, const Eigen::Vector3d& point) const {
-        if (part.kind == FeatureKind::edge)
-            return part_of_edge({part.feature.first, part.feature.second}, point);
-        if (part.kind == FeatureKind::vertex)
-            return part;
-        const auto corners = body_.face(part.feature.first);
+    [[nodiscard]] BodyFeature feature_at(const BodyFeature& given, const Eigen::Vector3d& point) const {
+        if (given.kind == FeatureKind::edge)
+            return feature_of_edge({given.feature.first, given.feature.second}, point);
+        if (given.kind == FeatureKind::vertex)
+            return given;
+        const auto corners = body_.face(given.feature.first);
         for (std::size_t i = 0; i < corners.size(); ++i) {
             const auto [from, to] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
             if (is_at({from, to}, point) && !is_flat_at(body_, {from, to}, slack_))
-                return part_of_edge({from, to}, point);
+                return feature_of_edge({from, to}, point);
         }
-        return part;
+        return given;
     }
 
 private:
-    [[nodiscard]] Part part_of_edge(const Edge& edge, const Eigen::Vector3d& point) const {
+    [[nodiscard]] BodyFeature feature_of_edge(const Edge& edge, const Eigen::Vector3d& point) const {
         for (const std::uint32_t end : {edge.from, edge.to})
             if ((body_.vertices()[end] - point).norm() <= slack_)
-                return vertex_part(end);
+                return vertex_feature(end);
         return {FeatureKind::edge, {edge.from, edge.to}};
     }
     [[nodiscard]] bool is_at(const Edge& edge, const Eigen::Vector3d& point) const {
@@ -86,17 +86,17 @@ private:
     double slack_;
 };
 
-/// Names what touches.
+/// Collects feature pairs under their proper names.
 class Namer {
 public:
     explicit Namer(const ContactScene& scene)
-        : scene_(scene), moving_(scene.instant.moving(), scene.slack), fixed_(scene.instant.fixed(), scene.slack) {}
+        : scene_(scene), moving_(scene.bodies.moving(), scene.slack), fixed_(scene.bodies.fixed(), scene.slack) {}
 
     void add(const FeaturePair& features) {
         if (features.kind == ContactKind::edge_edge && are_parallel(features.moving, features.fixed))
             add_ends(features);
         else
-            add_at(features, scene_.instant.nearest(features));
+            add_at(features, scene_.bodies.nearest(features));
     }
 
     void keep(const FeaturePair& features) { named_.push_back(features); }
@@ -110,24 +110,24 @@ public:
 
 private:
     void add_at(const FeaturePair& features, const NearestPoints& at) {
-        const RelativeConfiguration& instant = scene_.instant;
-        const Part moving =
-            moving_.part_at({moving_feature_kind(features.kind), features.moving}, instant.moved_back(at.on_moving));
-        const Part fixed = fixed_.part_at({fixed_feature_kind(features.kind), features.fixed}, at.on_fixed);
+        const RelativeConfiguration& bodies = scene_.bodies;
+        const BodyFeature moving =
+            moving_.feature_at({moving_feature_kind(features.kind), features.moving}, bodies.moved_back(at.on_moving));
+        const BodyFeature fixed = fixed_.feature_at({fixed_feature_kind(features.kind), features.fixed}, at.on_fixed);
         named_.push_back(pair_of(moving, fixed));
     }
 
-    /// Over the length of the shorter one they stay within the slack of each other.
+    /// Whether the edges stay within the slack of each other over the length of the shorter edge.
     [[nodiscard]] bool are_parallel(const Feature& moving, const Feature& fixed) const {
-        const Eigen::Vector3d u = scene_.instant.turned(along(scene_.instant.moving(), moving));
-        const Eigen::Vector3d v = along(scene_.instant.fixed(), fixed);
+        const Eigen::Vector3d u = scene_.bodies.turned(along(scene_.bodies.moving(), moving));
+        const Eigen::Vector3d v = along(scene_.bodies.fixed(), fixed);
         return u.cross(v).norm() <= scene_.slack * std::max(u.norm(), v.norm());
     }
 
     /// Adds the ends of either edge that lie on the other edge.
     void add_ends(const FeaturePair& edges) {
         const auto add_end = [&](const FeaturePair& features) {
-            const NearestPoints at = scene_.instant.nearest(features);
+            const NearestPoints at = scene_.bodies.nearest(features);
             if (at.apart().norm() <= scene_.slack)
                 add_at(features, at);
         };
@@ -152,11 +152,11 @@ private:
 std::vector<FeaturePair> named(const ContactScene& scene, const std::vector<FeaturePair>& candidates) {
     Namer namer(scene);
     for (const FeaturePair& candidate : candidates) {
-        const NearestPoints nearest = scene.instant.nearest(candidate);
+        const NearestPoints nearest = scene.bodies.nearest(candidate);
         const double distance = nearest.apart().norm();
         if (scene.margin <= 0 || distance <= scene.slack)
             namer.add(candidate);
-        else if (scene.instant.descent(candidate, nearest) <= 4 * scene.slack / distance)
+        else if (scene.bodies.descent(candidate, nearest) <= 4 * scene.slack / distance)
             namer.keep(candidate);
     }
     return namer.take();
@@ -168,7 +168,7 @@ std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<Fe
     std::vector<Contact> contacts;
     for (const FeaturePair& features : named(scene, candidates))
         contacts.push_back(described(scene, features));
-    if (contacts.empty()) // a distance in doubt, at no minimum that can be told
+    if (contacts.empty()) // an uncertain distance, which need not be a local minimum
         contacts.push_back(described(scene, candidates.front()));
     return at_corners_of_hulls(std::move(contacts), scene.slack);
 }

@@ -7,10 +7,10 @@ namespace chasles::contact {
 
 namespace {
 
-/// Normals that differ by less are those of one plane (note 18).
+/// Two normals that differ by less belong to one plane (note 18).
 constexpr double same_normal = 1e-6;
 
-/// A contact's place in its plane, and its number.
+/// The place of a contact in its plane, and its index.
 struct FlatPoint {
     Eigen::Vector2d place;
     std::size_t index;
@@ -18,14 +18,14 @@ struct FlatPoint {
 
 using FlatPoints = std::vector<FlatPoint>;
 
-/// How far b is to the left of the way from a to c.
+/// The distance of b to the left of the line from a to c, times the length from a to c.
 double left_of(const FlatPoint& a, const FlatPoint& b, const FlatPoint& c) {
     const Eigen::Vector2d way = (c.place - a.place).stableNormalized();
     const Eigen::Vector2d arm = b.place - a.place;
     return way.x() * arm.y() - way.y() * arm.x();
 }
 
-/// The corners to the left of the way from a to c, from a on, without the ends.
+/// The hull corners to the left of the line from a to c, in order from a, without the ends.
 void add_corners(const FlatPoint& a, const FlatPoint& c, const FlatPoints& points, double slack, FlatPoints& hull) {
     const auto farthest = std::ranges::max_element(points, {}, [&](const FlatPoint& b) { return left_of(a, b, c); });
     if (left_of(a, *farthest, c) <= slack)
@@ -38,7 +38,7 @@ void add_corners(const FlatPoint& a, const FlatPoint& c, const FlatPoints& point
     add_corners(*farthest, c, left, slack, hull);
 }
 
-/// A point that ties with a corner for being the farthest may be one on the side next to it.
+/// A point as far from the line as a corner may lie on the side next to the corner.
 void remove_straight_corners(FlatPoints& hull, double slack) {
     for (std::size_t i = 0; i < hull.size() && hull.size() > 2;) {
         const FlatPoint& before = hull[(i + hull.size() - 1) % hull.size()];
@@ -50,14 +50,14 @@ void remove_straight_corners(FlatPoints& hull, double slack) {
     }
 }
 
-/// Each place once, told by the contact with the least number there.
+/// Each place once, with the least index of its contacts.
 FlatPoints merged(const FlatPoints& hull, const FlatPoints& points, double slack) {
     const auto is_near = [&](const FlatPoint& a, const FlatPoint& b) { return (a.place - b.place).norm() <= slack; };
     FlatPoints result;
     for (const FlatPoint& corner : hull) {
         if (std::ranges::any_of(result, [&](const FlatPoint& other) { return is_near(other, corner); }))
             continue;
-        // Points are in the order of their contacts.
+        // The points are in the order of their contacts.
         result.push_back(*std::ranges::find_if(points, [&](const FlatPoint& point) { return is_near(point, corner); }));
     }
     return result;

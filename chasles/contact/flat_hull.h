@@ -1,4 +1,4 @@
-// Contacts in one plane with one normal: those at the corners of their hull stand for all.
+// Reduces contacts in one plane with one normal to the corners of their convex hull.
 // Source: docs/derivations/18-contact-set.md; C. Barber, D. Dobkin, H. Huhdanpaa, "The Quickhull algorithm for convex
 // hulls", 1996.
 #pragma once

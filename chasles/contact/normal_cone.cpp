@@ -9,7 +9,7 @@ namespace chasles::contact {
 
 namespace {
 
-/// Ways into the surface around a feature, unit vectors in the fixed body's frame.
+/// Directions into the surface around a feature, unit vectors in the fixed body's frame.
 using Ways = std::vector<Eigen::Vector3d>;
 
 Ways ways_from(const Body& body, FeatureKind kind, const Feature& feature) {
@@ -29,8 +29,8 @@ Ways ways_from(const Body& body, FeatureKind kind, const Feature& feature) {
     return ways;
 }
 
-/// Normals of the cone n . way <= 0 that can be the nearest ones to a direction: itself, itself without its part along
-/// one way, and what is across two ways.
+/// The candidates for the normal that is nearest to a direction in the cone n . way <= 0: the direction itself, the
+/// direction without its component along one way, and the cross product of two ways.
 Ways candidates(const Ways& ways, const Eigen::Vector3d& wanted) {
     Ways normals;
     const auto add = [&](const Eigen::Vector3d& normal) {
@@ -50,18 +50,18 @@ Ways candidates(const Ways& ways, const Eigen::Vector3d& wanted) {
 
 } // namespace
 
-Eigen::Vector3d outward_direction(const RelativeConfiguration& instant) {
-    return instant.moved(instant.moving().bvh().centre()) - instant.fixed().bvh().centre();
+Eigen::Vector3d outward_direction(const RelativeConfiguration& bodies) {
+    return bodies.moved(bodies.moving().bvh().centre()) - bodies.fixed().bvh().centre();
 }
 
-Eigen::Vector3d normal_between_cones(const RelativeConfiguration& instant, const FeaturePair& features, bool at_start) {
-    const NearestPoints nearest = instant.nearest(features);
-    Ways ways = ways_from(instant.fixed(), fixed_feature_kind(features.kind), features.fixed);
-    for (const Eigen::Vector3d& way : ways_from(instant.moving(), moving_feature_kind(features.kind), features.moving))
-        ways.push_back(-instant.turned(way)); // -n . way <= 0
-    Eigen::Vector3d wanted = at_start ? outward_direction(instant) : -instant.velocity_at(nearest.on_fixed);
+Eigen::Vector3d normal_between_cones(const RelativeConfiguration& bodies, const FeaturePair& features, bool at_start) {
+    const NearestPoints nearest = bodies.nearest(features);
+    Ways ways = ways_from(bodies.fixed(), fixed_feature_kind(features.kind), features.fixed);
+    for (const Eigen::Vector3d& way : ways_from(bodies.moving(), moving_feature_kind(features.kind), features.moving))
+        ways.push_back(-bodies.turned(way)); // -n . way <= 0
+    Eigen::Vector3d wanted = at_start ? outward_direction(bodies) : -bodies.velocity_at(nearest.on_fixed);
     wanted.stableNormalize();
-    // Cones of bodies that are not convex may have no normal in common: then the one that is least against it.
+    // The cones of bodies that are not convex may have no normal in common. The fallback violates the cones least.
     constexpr double rounding = 1e-9;
     Eigen::Vector3d best = wanted;
     double best_excess = 2;

@@ -7,11 +7,11 @@
 namespace chasles::contact {
 
 /// From the middle of the fixed body's box to that of the moving one.
-Eigen::Vector3d outward_direction(const RelativeConfiguration& instant);
+Eigen::Vector3d outward_direction(const RelativeConfiguration& bodies);
 
 /// A unit normal that both features allow: it leads away from the fixed feature, and the moving feature leads away from
 /// it. The choice is the direction that separated the features just before the contact, which is the limit of the
 /// shortest connection between them. At the start, the moving body counts as if it came from the middle of its box.
-Eigen::Vector3d normal_between_cones(const RelativeConfiguration& instant, const FeaturePair& features, bool at_start);
+Eigen::Vector3d normal_between_cones(const RelativeConfiguration& bodies, const FeaturePair& features, bool at_start);
 
 } // namespace chasles::contact

@@ -28,7 +28,7 @@ Quotient quotient_at(const Polynomial& p, const Polynomial& w, double tau) {
     return {value, (value_at(p_rate, tau) - value * value_at(w_rate, tau)) / weight};
 }
 
-/// By its direction and length, where nothing underflows.
+/// A segment by its unit direction and length, where nothing underflows.
 struct Segment {
     Eigen::Vector3d from;
     Eigen::Vector3d along; ///< unit
@@ -42,7 +42,7 @@ struct Segment {
     [[nodiscard]] Eigen::Vector3d foot(const Eigen::Vector3d& point) const { return at(way_to(point)); }
 };
 
-/// Of parallel edges that share a stretch.
+/// The middle of the common part of two parallel edges.
 NearestPoints middle_of_overlap(const Segment& moving, const Segment& fixed) {
     const double from = std::clamp(fixed.way_to(moving.at(0)), 0.0, fixed.length);
     const double to = std::clamp(fixed.way_to(moving.at(moving.length)), 0.0, fixed.length);
@@ -50,7 +50,8 @@ NearestPoints middle_of_overlap(const Segment& moving, const Segment& fixed) {
     return {moving.foot(point), point};
 }
 
-/// Where the lines cross, seen along their common perpendicular; then to and fro until both feet are on the edges.
+/// The points where the lines cross, seen along their common perpendicular, then projected from edge to edge until both
+/// are on the edges.
 NearestPoints nearest_points(const Segment& moving, const Segment& fixed) {
     const Eigen::Vector3d crossing = moving.along.cross(fixed.along);
     if (crossing.norm() <= no_direction)
@@ -65,7 +66,7 @@ Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& direction) {
     return direction.stableNormalized().unitOrthogonal();
 }
 
-/// The largest cosine between a direction of length one and the ways from a feature into its body.
+/// The largest cosine of the angle between a unit vector and a direction from a feature into its surface.
 double steepest(const Body& body, FeatureKind kind, const Feature& feature, const Eigen::Vector3d& direction) {
     double most = -1;
     const auto see = [&](const Eigen::Vector3d& way) {

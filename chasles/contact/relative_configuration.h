@@ -1,5 +1,6 @@
-// Both bodies at one tau of a piece of motion, in the fixed body's frame and in double: nearest points of features, and
-// whether anything next to them is nearer. Source: docs/derivations/08-contact-frame.md and 16-margin.md.
+// Both bodies at one tau of a piece of motion, in the fixed body's frame and in double: the nearest points of two
+// features, and whether their distance is a local minimum. Source: docs/derivations/08-contact-frame.md and
+// 16-margin.md.
 #pragma once
 
 #include "chasles/contact/feature_pair.h"
@@ -8,7 +9,8 @@
 
 namespace chasles::contact {
 
-/// matrix * v, each operation rounded as written: Eigen fuses them where the compiler may (docs/decisions/0001).
+/// matrix * v with each operation rounded as written. Eigen fuses operations where the compiler may
+/// (docs/decisions/0001-contraction-off.md).
 inline Eigen::Vector3d product(const Eigen::Matrix3d& matrix, const Eigen::Vector3d& v) {
     Eigen::Vector3d result;
     for (int i = 0; i < 3; ++i)
@@ -16,7 +18,7 @@ inline Eigen::Vector3d product(const Eigen::Matrix3d& matrix, const Eigen::Vecto
     return result;
 }
 
-/// Directions shorter than this part of what they are made of have no reliable digit left.
+/// A difference shorter than this part of its operands has no reliable digit, so it gives no direction.
 inline constexpr double no_direction = 1e-12;
 
 /// The points of two features that are nearest to each other.
@@ -41,17 +43,17 @@ public:
         return product(turn_.transpose(), direction);
     }
     [[nodiscard]] Eigen::Vector3d moved_back(const Eigen::Vector3d& point) const { return turned_back(point - shift_); }
-    /// Of the moving body, per unit of tau.
+    /// The velocity of the moving body at a point, per unit of tau.
     [[nodiscard]] Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const;
 
     [[nodiscard]] NearestPoints nearest(const FeaturePair& features) const;
 
-    /// How much nearer the surfaces next to the nearest points of two features lead, at most: the cosine of the angle
-    /// between the shortest way and a way into one of the faces there. Not above 0 where the distance is a local
+    /// The steepest descent of the distance beside the nearest points of two features: the largest cosine of the angle
+    /// between the shortest connection and a direction into an adjacent face. At most 0 if the distance is a local
     /// minimum.
     [[nodiscard]] double descent(const FeaturePair& features, const NearestPoints& nearest) const;
 
-    /// Radians per unit of tau, or more.
+    /// A bound of the angular velocity, radians per unit of tau.
     [[nodiscard]] double turn_rate() const { return turn_rate_.norm(); }
 
 private:
@@ -63,8 +65,8 @@ private:
     Eigen::Vector3d shift_rate_;
 };
 
-/// Newell's normal of the face at the size of one, where nothing underflows. Of a face so thin that it vanishes in
-/// rounding, any normal of its longest diagonal.
+/// Newell's unit normal of a face, computed at the size of one, where nothing underflows. For a face so thin that it
+/// vanishes in rounding: any unit vector at a right angle to its longest diagonal.
 Eigen::Vector3d face_normal(const Body& body, std::uint32_t face);
 
 } // namespace chasles::contact
