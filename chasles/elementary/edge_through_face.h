@@ -120,14 +120,16 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
     // In the plane or next to the plane, the signed volumes separate nothing.
     if (upwards && downwards && detail::are_apart_in_plane(segment, face, unit))
         return std::nullopt;
-    std::optional<bool> certain;
-    for (std::size_t i = 0; i < convex_part_count(face) && !certain; ++i) {
+    for (std::size_t i = 0; i < convex_part_count(face); ++i) {
         const ConvexPart<S> part = convex_part(face, i);
-        certain = upwards ? detail::passes<S>({segment, true, ends}, part, unit) : std::nullopt;
-        if (!certain && downwards)
-            certain = detail::passes<S>({segment, false, ends}, part, unit);
+        for (const bool up : {true, false}) {
+            if (!(up ? upwards : downwards))
+                continue;
+            if (const std::optional<bool> certain = detail::passes<S>({segment, up, ends}, part, unit))
+                return Passage<S>{detail::point_at_plane(segment, from, to), *certain};
+        }
     }
-    return certain ? std::optional(Passage<S>{detail::point_at_plane(segment, from, to), *certain}) : std::nullopt;
+    return std::nullopt;
 }
 
 } // namespace chasles::elementary
