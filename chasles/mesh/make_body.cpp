@@ -60,13 +60,16 @@ std::size_t depth_of(std::span<const BvhNode> nodes) {
     return *std::ranges::max_element(depths);
 }
 
-/// Adds the bounding box of all vertices that a face uses.
+/// Adds the bounding box of all vertices that a face uses: exactly those that a face owns.
 void add_bounding_box(const BodyParts& parts, MeshReport& report) {
-    report.lower = report.upper = parts.vertices[parts.outlines.items.front()];
-    for (const std::uint32_t vertex : parts.outlines.items) {
-        report.lower = report.lower.cwiseMin(parts.vertices[vertex]);
-        report.upper = report.upper.cwiseMax(parts.vertices[vertex]);
+    Eigen::Vector3d lower = parts.vertices[parts.owned_vertices.items.front()];
+    Eigen::Vector3d upper = lower;
+    for (const std::uint32_t vertex : parts.owned_vertices.items) {
+        lower = lower.cwiseMin(parts.vertices[vertex]);
+        upper = upper.cwiseMax(parts.vertices[vertex]);
     }
+    report.lower = lower;
+    report.upper = upper;
 }
 
 /// Adds nodes, depth and bytes of the BVH.
