@@ -94,15 +94,19 @@ TEST(Answer, SwappedTwiceIsTheSameUpToTheRoundingOfPoints) {
     EXPECT_GT(overlaps, 5);
 }
 
-TEST(Answer, SwappedIsTheAnswerForSwappedBodiesWhereBothMoveStraight) {
+/// Both bodies move straight: so their motion is the same seen from either. With a margin, the points are apart.
+class SwappedAnswer : public testing::TestWithParam<double> {};
+
+TEST_P(SwappedAnswer, IsTheAnswerForSwappedBodies) {
+    const QueryOptions options{.margin = GetParam()};
     const Polyhedron small = box({0.5, 0.25, 0.125}).polyhedron();
     const Pose turn = turned({0, 0, 0}, {1, 2, 3}, 0.7);
     const Pose start = composed(shifted(-3, 0.1, 0.05), turn);
     const Pose goal = composed(shifted(1, 0.1, 0.05), turn);
     const FirstContact found =
-        first_contact({small, cube(), ScrewMotion::relative(start, goal, shifted(1, 0, 0), shifted(-1, 0, 0))});
+        first_contact({small, cube(), ScrewMotion::relative(start, goal, shifted(1, 0, 0), shifted(-1, 0, 0)), options});
     const FirstContact other =
-        first_contact({cube(), small, ScrewMotion::relative(shifted(1, 0, 0), shifted(-1, 0, 0), start, goal)});
+        first_contact({cube(), small, ScrewMotion::relative(shifted(1, 0, 0), shifted(-1, 0, 0), start, goal), options});
     const FirstContact swapped = other.swapped();
     ASSERT_EQ(found.verdict, Verdict::contact);
     EXPECT_EQ(swapped.verdict, found.verdict);
@@ -118,10 +122,14 @@ TEST(Answer, SwappedIsTheAnswerForSwappedBodiesWhereBothMoveStraight) {
     EXPECT_EQ(a.kind, b.kind);
     EXPECT_EQ(a.moving, b.moving);
     EXPECT_EQ(a.fixed, b.fixed);
+    EXPECT_NEAR(a.gap, GetParam(), 1e-9);
+    EXPECT_NEAR(b.gap, GetParam(), 1e-9);
     EXPECT_LE((a.point - b.point).norm(), 1e-9);
     EXPECT_LE((a.normal - b.normal).norm(), 1e-9);
     EXPECT_NEAR(a.approach_speed, b.approach_speed, 1e-9);
 }
+
+INSTANTIATE_TEST_SUITE_P(TouchAndMargin, SwappedAnswer, testing::Values(0.0, 0.2));
 
 TEST(Answer, SwappedTellsTheSameVerdictForRandomPairs) {
     std::mt19937 random(812);
