@@ -103,10 +103,10 @@ TEST_P(SwappedAnswer, IsTheAnswerForSwappedBodies) {
     const Pose turn = turned({0, 0, 0}, {1, 2, 3}, 0.7);
     const Pose start = composed(shifted(-3, 0.1, 0.05), turn);
     const Pose goal = composed(shifted(1, 0.1, 0.05), turn);
-    const FirstContact found =
-        first_contact({small, cube(), ScrewMotion::relative(start, goal, shifted(1, 0, 0), shifted(-1, 0, 0)), options});
-    const FirstContact other =
-        first_contact({cube(), small, ScrewMotion::relative(shifted(1, 0, 0), shifted(-1, 0, 0), start, goal), options});
+    const FirstContact found = first_contact(
+        {small, cube(), ScrewMotion::relative(start, goal, shifted(1, 0, 0), shifted(-1, 0, 0)), options});
+    const FirstContact other = first_contact(
+        {cube(), small, ScrewMotion::relative(shifted(1, 0, 0), shifted(-1, 0, 0), start, goal), options});
     const FirstContact swapped = other.swapped();
     ASSERT_EQ(found.verdict, Verdict::contact);
     EXPECT_EQ(swapped.verdict, found.verdict);
