@@ -35,7 +35,7 @@ double relative_error(const ErrorScale& scale) {
     return std::is_same_v<S, double> ? error_unit<S> : error_unit<S> * scale.half_angle_secant;
 }
 
-/// The greatest error by underflow. It is far below any other bound for bodies of size 1e-30 with features of 1e-50. It
+/// The greatest error by underflow. It is far below any other bound for bodies of size 1e-30 with features of 1e-46. It
 /// invalidates the signs of numbers that lost digits to underflow, also where subnormal numbers are flushed to zero.
 inline constexpr double underflow = 0x1p-760;
 
