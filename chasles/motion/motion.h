@@ -7,6 +7,7 @@
 #include <memory>
 #include <numbers>
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace chasles {
@@ -88,7 +89,10 @@ public:
     /// The number of those pieces.
     [[nodiscard]] std::size_t piece_count() const;
 
-    operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
+    // NOLINTBEGIN(google-explicit-constructor): a query takes any motion
+    operator Motion() const& { return motion_; }
+    operator Motion() && { return std::move(motion_); }
+    // NOLINTEND(google-explicit-constructor)
 
     /// For the library's own use.
     [[nodiscard]] const motion::ScrewTrajectory& trajectory() const;
@@ -125,7 +129,10 @@ public:
     [[nodiscard]] Eigen::Vector3d displacement() const; ///< of the reference point in the fixed body's frame
     [[nodiscard]] Pose pose_at(double time) const;      ///< of the moving body in the world
 
-    operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
+    // NOLINTBEGIN(google-explicit-constructor): a query takes any motion
+    operator Motion() const& { return motion_; }
+    operator Motion() && { return std::move(motion_); }
+    // NOLINTEND(google-explicit-constructor)
 
     /// For the library's own use.
     [[nodiscard]] const motion::SweepTrajectory& trajectory() const;
