@@ -4,7 +4,6 @@
 #include "chasles/motion/trajectory.h"
 
 #include <memory>
-#include <utility>
 
 namespace chasles::motion {
 
@@ -72,9 +71,6 @@ template <Trajectory T>
 class ErasedTrajectory final : public AnyTrajectory {
 public:
     explicit ErasedTrajectory(T trajectory) : trajectory_(std::move(trajectory)) {}
-    /// Constructs the trajectory in place: without copies of its poses.
-    template <class... Arguments>
-    explicit ErasedTrajectory(std::in_place_t /*tag*/, const Arguments&... arguments) : trajectory_(arguments...) {}
 
     [[nodiscard]] const T& get() const { return trajectory_; }
 

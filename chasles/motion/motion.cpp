@@ -13,9 +13,9 @@ using motion::MotionEnds;
 using motion::ScrewTrajectory;
 using motion::SweepTrajectory;
 
-template <class Trajectory, class... Arguments>
-Motion made(const Arguments&... arguments) {
-    return Motion(std::make_shared<const motion::ErasedTrajectory<Trajectory>>(std::in_place, arguments...));
+template <class Trajectory>
+Motion erased(Trajectory trajectory) {
+    return Motion(std::make_shared<const motion::ErasedTrajectory<Trajectory>>(std::move(trajectory)));
 }
 
 template <class Trajectory>
@@ -42,13 +42,13 @@ Pose Motion::fixed_pose_at(double time) const {
 }
 
 ScrewMotion ScrewMotion::between(const Pose& start, const Pose& goal, double max_turn) {
-    return ScrewMotion(made<ScrewTrajectory>(MotionEnds::between(start, goal), max_turn));
+    return ScrewMotion(erased(ScrewTrajectory(MotionEnds::between(start, goal), max_turn)));
 }
 
 ScrewMotion ScrewMotion::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                   const Pose& fixed_goal, double max_turn) {
     const MotionEnds ends = MotionEnds::relative(moving_start, moving_goal, fixed_start, fixed_goal);
-    return ScrewMotion(made<ScrewTrajectory>(ends, max_turn));
+    return ScrewMotion(erased(ScrewTrajectory(ends, max_turn)));
 }
 
 const motion::ScrewTrajectory& ScrewMotion::trajectory() const {
@@ -76,7 +76,7 @@ double ScrewMotion::max_turn() const {
 }
 
 ScrewMotion ScrewMotion::with_max_turn(double max_turn) const {
-    return ScrewMotion(made<ScrewTrajectory>(trajectory().ends(), max_turn));
+    return ScrewMotion(erased(ScrewTrajectory(trajectory().ends(), max_turn)));
 }
 
 double ScrewMotion::tau_at(double time) const {
@@ -99,7 +99,7 @@ std::vector<ScrewMotion> ScrewMotion::pieces() const {
     const motion::ScrewPieces all = trajectory().pieces();
     std::vector<ScrewMotion> pieces;
     for (std::size_t i = 0; i < all.size(); ++i)
-        pieces.push_back(ScrewMotion(made<ScrewTrajectory>(all[i].ends(), max_turn())));
+        pieces.push_back(ScrewMotion(erased(ScrewTrajectory(all[i].ends(), max_turn()))));
     return pieces;
 }
 
@@ -108,17 +108,17 @@ std::size_t ScrewMotion::piece_count() const {
 }
 
 SweepMotion SweepMotion::between(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
-    return SweepMotion(made<SweepTrajectory>(MotionEnds::between(start, goal), centre));
+    return SweepMotion(erased(SweepTrajectory(MotionEnds::between(start, goal), centre)));
 }
 
 SweepMotion SweepMotion::relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                   const Pose& fixed_goal) {
     const MotionEnds ends = MotionEnds::relative(moving_start, moving_goal, fixed_start, fixed_goal);
-    return SweepMotion(made<SweepTrajectory>(ends, Eigen::Vector3d::Zero()));
+    return SweepMotion(erased(SweepTrajectory(ends, Eigen::Vector3d::Zero())));
 }
 
 SweepMotion SweepMotion::about(const Eigen::Vector3d& centre) const {
-    return SweepMotion(made<SweepTrajectory>(trajectory().ends(), centre));
+    return SweepMotion(erased(SweepTrajectory(trajectory().ends(), centre)));
 }
 
 const motion::SweepTrajectory& SweepMotion::trajectory() const {
@@ -126,7 +126,7 @@ const motion::SweepTrajectory& SweepMotion::trajectory() const {
 }
 
 ScrewMotion SweepMotion::screw_of_same_poses() const {
-    return ScrewMotion(made<ScrewTrajectory>(trajectory().ends(), ScrewMotion::default_max_turn));
+    return ScrewMotion(erased(ScrewTrajectory(trajectory().ends(), ScrewMotion::default_max_turn)));
 }
 
 double SweepMotion::angle() const {

@@ -7,7 +7,6 @@
 #include <memory>
 #include <numbers>
 #include <span>
-#include <utility>
 #include <vector>
 
 namespace chasles {
@@ -89,10 +88,7 @@ public:
     /// The number of those pieces.
     [[nodiscard]] std::size_t piece_count() const;
 
-    // NOLINTBEGIN(google-explicit-constructor): a query takes any motion
-    operator Motion() const& { return motion_; }
-    operator Motion() && { return std::move(motion_); }
-    // NOLINTEND(google-explicit-constructor)
+    operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
 
     /// For the library's own use.
     [[nodiscard]] const motion::ScrewTrajectory& trajectory() const;
@@ -129,10 +125,7 @@ public:
     [[nodiscard]] Eigen::Vector3d displacement() const; ///< of the reference point in the fixed body's frame
     [[nodiscard]] Pose pose_at(double time) const;      ///< of the moving body in the world
 
-    // NOLINTBEGIN(google-explicit-constructor): a query takes any motion
-    operator Motion() const& { return motion_; }
-    operator Motion() && { return std::move(motion_); }
-    // NOLINTEND(google-explicit-constructor)
+    operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
 
     /// For the library's own use.
     [[nodiscard]] const motion::SweepTrajectory& trajectory() const;
