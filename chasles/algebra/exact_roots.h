@@ -67,8 +67,8 @@ public:
     static std::vector<ExactRoot> roots_of(const Polynomial& p) {
         if (auto roots = isolated(p, multiple_level))
             return std::move(*roots);
-        return isolated(bernstein_form<Degree>(without_multiple_roots(power_form(p))), no_limit)
-            .value_or(std::vector<ExactRoot>());
+        // Simple roots are always separated. NOLINTNEXTLINE(bugprone-unchecked-optional-access)
+        return *isolated(bernstein_form<Degree>(without_multiple_roots(power_form(p))), no_limit);
     }
     static ExactRoot at(const Dyadic& point) { return {point, 0}; }
 
