@@ -1,7 +1,6 @@
 #!/bin/sh
 # .ci/run where make is pretended: what it adds up, and what it skips when time runs out.
 set -eu
-export CHASLES_CI_LATER_STEPS=1
 
 here=$(cd "$(dirname "$0")" && pwd)
 set -- awk bash cat dirname mktemp rm tee timeout
