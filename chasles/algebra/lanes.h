@@ -71,7 +71,7 @@ inline constexpr std::size_t register_doubles = 4;
 inline constexpr std::size_t register_doubles = 2;
 #endif
 /// One register of doubles, and the number of registers for four doubles.
-typedef double Register __attribute__((vector_size(8 * register_doubles)));
+typedef double Register __attribute__((vector_size(8 * register_doubles))); // NOLINT(modernize-use-using)
 inline constexpr std::size_t registers = 4 / register_doubles;
 
 /// Applies an operation to each register of two arrays.

@@ -58,7 +58,7 @@ SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes& inner
 
 /// Sets the four lanes of one end (0: start, 1: end).
 void set(SweptBoxes::BothEnds& ends, int end, double value) {
-    std::fill_n(ends.lanes.begin() + 4 * end, 4, float(value));
+    std::fill_n(&ends.lanes[4 * std::size_t(end)], 4, float(value));
 }
 
 /// Sets the map of a view at one end.

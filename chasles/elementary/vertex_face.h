@@ -117,8 +117,8 @@ bool add_inside_constraints(const VertexPath<S>& path, const ConvexPart<S>& part
 /// down the rejection before it by a tenth (elementary_bench, vertex_face/rejection_ready).
 template <class S>
 [[gnu::noinline]] std::optional<FeasibleInterval> first_meeting(const VertexPath<S>& path, const FaceShape<S>& face,
-                                              const Bounded<3, S>& plane, const Accuracy& accuracy,
-                                              Workspace<S>& workspace) {
+                                                                const Bounded<3, S>& plane, const Accuracy& accuracy,
+                                                                Workspace<S>& workspace) {
     const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
     std::optional<FeasibleInterval> first;
     for (std::size_t i = 0; i < convex_part_count(face); ++i) {

@@ -71,7 +71,8 @@ Pose ScrewPath::at(const ScrewProgress& progress) const {
     const Scalar cosine(std::cos(half));
     const Quaternion<Scalar> turn{cosine, scale(direction_, sine)};
     // The swing of the body's origin, with k the direction and w and v the whole and the partial half angle:
-    // sin v ((cos v cot w + sin v) across + (sin v cot w - cos v) k x across); docs/derivations/01, last section.
+    // sin v ((cos v cot w + sin v) across + (sin v cot w - cos v) k x across); docs/derivations/01, "A pose at a part
+    // of the turn".
     Vector swing;
     if (half_sine_.high() > 0) {
         const Scalar cotangent = turn_.w / half_sine_;

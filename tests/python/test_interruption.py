@@ -11,7 +11,8 @@ import pytest
 import chasles
 
 BATCH = """
-import sys, time
+import signal, sys, time
+signal.signal(signal.SIGINT, signal.default_int_handler)  # a shell's background jobs ignore it
 import numpy as np
 sys.path.insert(0, {tests!r})
 import chasles
