@@ -94,5 +94,10 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
     std::signal(SIGPIPE, SIG_IGN); // a closed pipe is then a write error, which is reported
-    return chasles::cli::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    try {
+        return chasles::cli::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
+    } catch (...) { // not even the message of an error could be made
+        std::fputs("chasles: an error that could not be reported\n", stderr);
+        return chasles::cli::is_wrong;
+    }
 }

@@ -44,8 +44,10 @@ Bernstein<Degree, ExactNumber> bernstein_form(const PowerForm& p) {
     Bernstein<Degree, ExactNumber> result;
     for (int k = 0; k <= Degree; ++k) {
         ExactNumber sum;
-        for (int j = 0; j <= k && j < int(p.size()); ++j)
-            sum = sum + p[std::size_t(j)] * ExactNumber(double(multiple / binomial(Degree, j) * binomial(k, j)));
+        for (int j = 0; j <= k && j < int(p.size()); ++j) {
+            const std::int64_t share = multiple / binomial(Degree, j); // a whole number
+            sum = sum + p[std::size_t(j)] * ExactNumber(double(share * binomial(k, j)));
+        }
         result.set(k, sum);
     }
     return result;

@@ -67,6 +67,7 @@ public:
     static std::vector<ExactRoot> roots_of(const Polynomial& p) {
         if (auto roots = isolated(p, multiple_level))
             return std::move(*roots);
+        // Simple roots are always separated. NOLINTNEXTLINE(bugprone-unchecked-optional-access)
         return *isolated(bernstein_form<Degree>(without_multiple_roots(power_form(p))), no_limit);
     }
     static ExactRoot at(const Dyadic& point) { return {point, 0}; }
@@ -111,11 +112,13 @@ private:
     ExactRoot(Dyadic lower, int level, std::optional<Polynomial> part = {})
         : part_(std::move(part)), lower_(std::move(lower)), level_(level) {}
 
+    /// The polynomial on the interval. Only for an interval.
+    [[nodiscard]] const Polynomial& polynomial() const { return *part_; } // NOLINT(bugprone-unchecked-optional-access)
     [[nodiscard]] Dyadic middle() const { return lower_ + Dyadic(1.0).times_power_of_two(-level_ - 1); }
 
     /// Keeps the half with the root. The root becomes a point if it is the middle.
     void halve() {
-        const auto [left, right] = halves(*part_);
+        const auto [left, right] = halves(polynomial());
         if (sign_changes(left) == 0)
             lower_ = middle();
         ++level_;
@@ -128,7 +131,7 @@ private:
     /// Whether p has the same root; `p_here` is p on the interval. A common divisor has exactly this root there, or
     /// none.
     [[nodiscard]] bool is_root_of(const Polynomial& p_here) const {
-        const PowerForm shared = common_divisor(power_form(*part_), power_form(p_here));
+        const PowerForm shared = common_divisor(power_form(polynomial()), power_form(p_here));
         return sign_changes(bernstein_form<Degree>(shared)) % 2 != 0;
     }
 
@@ -141,17 +144,17 @@ private:
         while (!parts.empty()) {
             const ExactRoot part = std::move(parts.back());
             parts.pop_back();
-            const int changes = sign_changes(*part.part_);
+            const int changes = sign_changes(part.polynomial());
             if (changes <= 1) {
                 if (changes == 1)
                     roots.push_back(part);
-                if ((*part.part_)[Degree].sign() == 0)
+                if (part.polynomial()[Degree].sign() == 0)
                     roots.push_back(at(part.upper()));
                 continue;
             }
             if (part.level_ >= deepest)
                 return std::nullopt;
-            const auto [left, right] = halves(*part.part_);
+            const auto [left, right] = halves(part.polynomial());
             parts.push_back({part.middle(), part.level_ + 1, right});
             parts.push_back({part.lower_, part.level_ + 1, left});
         }

@@ -133,7 +133,9 @@ private:
     [[nodiscard]] std::optional<Interval> around_first_crossing() const {
         constexpr double max_slope_change = 0.25;
         const auto guess = guessed_crossing();
-        const auto near = guess ? neighbourhood_of(*guess) : std::nullopt;
+        if (!guess)
+            return std::nullopt;
+        const auto near = neighbourhood_of(*guess);
         if (!near || !(near->radius * std::abs(guess->curvature) < max_slope_change))
             return std::nullopt;
         const Interval around{std::max<Scalar>(Scalar(tolerance_.focus.lower), near->tau - Scalar(near->radius)),

@@ -62,7 +62,7 @@ T norm1(const Vector3<T>& a) {
 
 /// A matrix of three rows.
 template <class T>
-struct Matrix3 {
+struct Matrix3 { // NOLINT(bugprone-reserved-identifier,readability-identifier-naming): of the implicit copy
     Vector3<T> row[3];
 
     friend Matrix3 operator+(const Matrix3& a, const Matrix3& b) {

@@ -58,7 +58,7 @@ Eigen::Vector3d normal_between_cones(const RelativeConfiguration& bodies, const 
     const NearestPoints nearest = bodies.nearest(features);
     Ways ways = ways_from(bodies.fixed(), fixed_feature_kind(features.kind), features.fixed);
     for (const Eigen::Vector3d& way : ways_from(bodies.moving(), moving_feature_kind(features.kind), features.moving))
-        ways.push_back(-bodies.turned(way)); // -n . way <= 0
+        ways.emplace_back(-bodies.turned(way)); // -n . way <= 0
     Eigen::Vector3d wanted = at_start ? outward_direction(bodies) : -bodies.velocity_at(nearest.on_fixed);
     wanted.stableNormalize();
     // The cones of bodies that are not convex may have no normal in common. The fallback violates the cones least.

@@ -109,9 +109,8 @@ private:
             return;
         const BvhNode& moving = moving_nodes_[pair.moving];
         const BvhNode& fixed = fixed_nodes_[pair.fixed];
-        if (!deferred.empty() && pair.when.lower >= 0.5F)
-            deferred.push_back(pair);
-        else if (is_worth_halving(interval, std::max(side(moving), side(fixed))))
+        if ((!deferred.empty() && pair.when.lower >= 0.5F) ||
+            is_worth_halving(interval, std::max(side(moving), side(fixed))))
             deferred.push_back(pair);
         else if (moving.is_leaf() && fixed.is_leaf())
             leaves_.test(

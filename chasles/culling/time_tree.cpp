@@ -53,11 +53,13 @@ Placement TimeTree::placement(double tau) const {
 TimeRange part_around(const TimeRange& interval, const TimeRange& needed, double least) {
     int exponent = 0;
     std::frexp(std::max(least, needed.width()), &exponent);
-    for (double width = std::ldexp(1.0, exponent); width < interval.width(); width *= 2) {
+    double width = std::ldexp(1.0, exponent);
+    while (width < interval.width()) {
         const double grid = 0.25 * width;
         const double lower = std::clamp(std::floor(needed.lower / grid) * grid, interval.lower, interval.upper - width);
         if (lower + width >= needed.upper)
             return {lower, lower + width};
+        width *= 2;
     }
     return interval;
 }

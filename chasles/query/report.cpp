@@ -54,10 +54,11 @@ Eigen::Vector3d in_world(const Eigen::Isometry3d& to_world, const Eigen::Vector3
     return contact::product(to_world.linear(), point) + to_world.translation();
 }
 
-void report_overlap(FirstContact& answer, const search::PieceContext& context) {
-    Overlap& overlap = *answer.overlap;
-    overlap.point = in_world(answer.fixed_pose.isometry(), overlap.point);
+/// The overlap in the world frame, with the ids of the input.
+Overlap reported(Overlap overlap, const Pose& fixed_pose, const search::PieceContext& context) {
+    overlap.point = in_world(fixed_pose.isometry(), overlap.point);
     name_face(overlap.face, overlap.edge_is_moving ? context.fixed() : context.moving());
+    return overlap;
 }
 
 } // namespace
@@ -89,9 +90,8 @@ void report(FirstContact& answer, const search::PieceContext& context, const sea
     answer.verdict = at_start ? Verdict::contact_at_start : Verdict::contact;
     answer.pose = piece.pose_at(tau.lower);
     answer.fixed_pose = piece.fixed_pose_at(tau.lower);
-    answer.overlap = result.overlap;
-    if (answer.overlap)
-        report_overlap(answer, context);
+    if (result.overlap)
+        answer.overlap = reported(*result.overlap, answer.fixed_pose, context);
     answer.contacts = contacts_of(context, result.candidates, {tau, at_start}, scope);
 }
 

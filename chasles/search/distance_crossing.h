@@ -77,7 +77,7 @@ public:
 
     /// The first crossing in the part, in terms of the whole piece.
     std::optional<Crossing> first_crossing(const FeaturePair& features, const algebra::Tolerance& tolerance) {
-        FirstCrossing collect(tolerance);
+        FirstCrossing collect(tolerance); // NOLINT(misc-const-correctness): changed through the generic lambda
         tests_.distance(features, [&](const auto& problem) { collect(problem); });
         return in_piece(collect.first());
     }

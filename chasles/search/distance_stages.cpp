@@ -161,12 +161,16 @@ bool DistanceStages::advance(Step& step, const FeaturePair& features, const Sear
         step.next = *crossing;
         return true;
     }
-    const auto passed = crossing ? passed_until(*crossing, features) : std::optional(where.upper);
-    if (!passed) {
-        step.found = crossing->tau;
-        return false;
+    double passed = where.upper;
+    if (crossing) {
+        const auto until = passed_until(*crossing, features);
+        if (!until) {
+            step.found = crossing->tau;
+            return false;
+        }
+        passed = *until;
     }
-    step.after = std::max(*passed, step.next.tau.lower + rim);
+    step.after = std::max(passed, step.next.tau.lower + rim);
     if (step.after >= state.best())
         return false;
     next_filter_.use({step.after, 1});

@@ -93,9 +93,8 @@ void bind_answers(nb::module_& module) {
         .def_prop_ro(
             "motion", [](const Answer& a) { return a.motion; },
             nb::sig("def motion(self) -> ScrewMotion | SweepMotion"),
-            "The motion of the query; for a path, the motion of `segment`. In a swapped answer it is still the motion "
-            "of "
-            "the query.")
+            "The motion of the query; for a path, the motion of `segment`. A swapped answer keeps the motion of the "
+            "query.")
         .def_ro("margin", &Answer::margin, "The margin of the query.")
         .def_ro("is_swapped", &Answer::is_swapped, "Whether the bodies have swapped their roles since the query.")
         .def("swapped", swapped<Answer>, doc("FirstContact.swapped"))

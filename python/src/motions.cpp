@@ -43,7 +43,7 @@ M relative(nb::handle moving_start, nb::handle moving_goal, nb::handle fixed_sta
                        pose_from(fixed_start, "fixed_start"), pose_from(fixed_goal, "fixed_goal"));
 }
 
-/// What a kind of motion has besides its poses, for pickle.
+/// The part of a pickled motion that follows its poses: the largest turn of a screw, the centre of a sweep.
 nb::object last_part(const ScrewMotion& motion) {
     return nb::float_(motion.max_turn());
 }

@@ -1,5 +1,5 @@
-// The last culling stage: a pair of faces that it culls never meets in the window, and the corners that it says do not
-// reach the other plane do not. Against dense sampling.
+// The last culling stage, against dense sampling. Culled faces never meet in the window. A corner that is reported to
+// stay off the other plane never reaches this plane.
 #include "chasles/culling/face_culler.h"
 
 #include "chasles/motion/any_trajectory.h"
@@ -156,7 +156,7 @@ TEST(FaceCuller, SaysWhichCornersMayReachTheOtherPlane) {
     EXPECT_FALSE(faces->moving.may_meet(Edge{1, 2})) << "both ends stay above";
 }
 
-/// The planes that a culler keeps are those of the interval that it was asked for last.
+/// A culler keeps the planes of the last interval. They must not be used for the next interval.
 TEST(FaceCuller, OneCullerAnswersLikeANewOne) {
     Random random(834);
     int culled = 0, open = 0;

@@ -42,24 +42,27 @@ ConstantVelocity random_motion(Random& random) {
     return {{start, random_goal(random, start, random.uniform(0, 3), 3)}, random_ends(random), radius};
 }
 
+template <class Visit>
+void for_each_piece(const Motion& motion, Visit visit) {
+    const auto pieces = motion.trajectory().pieces();
+    for (std::size_t i = 0; i < pieces->size(); ++i)
+        visit(*pieces->at(i), i);
+}
+
 TEST(Trajectory, NoPointLeavesItsPlaceInThePieceByMoreThanTheDeviation) {
     Random random(791);
     double greatest = 0; // of the distance over the deviation
     for (int trial = 0; trial < 200; ++trial) {
-        const ConstantVelocity trajectory = random_motion(random);
-        const Motion motion = motion_of(trajectory);
-        const auto pieces = motion.trajectory().pieces();
-        for (std::size_t i = 0; i < pieces->size(); ++i) {
-            const auto piece = pieces->at(i);
+        for_each_piece(motion_of(random_motion(random)), [&](const motion::AnyPiece& piece, std::size_t /*index*/) {
             const Eigen::Vector3d point = radius * random_point(random, 1).normalized();
             for (int k = 0; k <= 8; ++k) {
                 const double tau = k / 8.0;
-                const Eigen::Vector3d truth = piece->pose_at(tau).isometry() * point;
-                const double distance = (carried(*piece, point, tau) - truth).norm();
-                ASSERT_LE(distance, piece->deviation()) << "trial " << trial << ", tau " << tau;
-                greatest = std::max(greatest, distance / piece->deviation());
+                const Eigen::Vector3d truth = piece.pose_at(tau).isometry() * point;
+                const double distance = (carried(piece, point, tau) - truth).norm();
+                ASSERT_LE(distance, piece.deviation()) << "trial " << trial << ", tau " << tau;
+                greatest = std::max(greatest, distance / piece.deviation());
             }
-        }
+        });
     }
     std::cout << "at most " << greatest << " of the deviation\n";
 }
@@ -88,19 +91,17 @@ TEST(Trajectory, ThePieceTellsTheTimeOfTheWholeMotion) {
     for (int trial = 0; trial < 50; ++trial) {
         const ConstantVelocity trajectory = random_motion(random);
         const Motion motion = motion_of(trajectory);
-        const auto pieces = motion.trajectory().pieces();
-        for (std::size_t i = 0; i < pieces->size(); ++i) {
-            const auto piece = pieces->at(i);
+        for_each_piece(motion, [&](const motion::AnyPiece& piece, std::size_t index) {
             const double tau = random.uniform(0, 1);
-            const Bracket time = piece->time_of({tau, tau});
-            EXPECT_LE(time.lower, trajectory.piece(i).time_at(tau));
-            EXPECT_GE(time.upper, trajectory.piece(i).time_at(tau));
-            EXPECT_TRUE(motion.pose_at(time.lower).isometry().isApprox(piece->pose_at(tau).isometry(), 1e-13));
+            const Bracket time = piece.time_of({tau, tau});
+            EXPECT_LE(time.lower, trajectory.piece(index).time_at(tau));
+            EXPECT_GE(time.upper, trajectory.piece(index).time_at(tau));
+            EXPECT_TRUE(motion.pose_at(time.lower).isometry().isApprox(piece.pose_at(tau).isometry(), 1e-13));
             const double step = 1e-6;
-            const Bracket later = piece->time_of({tau + step, tau + step});
-            EXPECT_NEAR(step / (later.lower - time.lower), piece->tau_rate(tau), 1e-6 * piece->tau_rate(tau));
-            EXPECT_LE(piece->time_of({tau, tau + piece->tau_tolerance(1e-3)}).upper - time.lower, 1e-3 * (1 + 1e-9));
-        }
+            const Bracket later = piece.time_of({tau + step, tau + step});
+            EXPECT_NEAR(step / (later.lower - time.lower), piece.tau_rate(tau), 1e-6 * piece.tau_rate(tau));
+            EXPECT_LE(piece.time_of({tau, tau + piece.tau_tolerance(1e-3)}).upper - time.lower, 1e-3 * (1 + 1e-9));
+        });
     }
 }
 

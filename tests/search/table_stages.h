@@ -29,8 +29,7 @@ inline Candidate candidate(std::uint32_t id, const FeasibleInterval& tau) {
     return {{ContactKind::vertex_face, {id, id}, {0, 0}}, tau};
 }
 
-/// Stages that record what they are asked and answer from tables. A candidate that a table does not name is decided,
-/// or narrowed, to the bracket that it has.
+/// Stages that record every call and answer from tables. A candidate without an entry keeps its bracket.
 class TableStages {
 public:
     using Answer = std::optional<FeasibleInterval>;
@@ -60,7 +59,7 @@ static_assert(LaterStages<TableStages>);
 using Calls = std::vector<std::string>;
 using Ids = std::vector<std::uint32_t>;
 
-/// One search, its stages, and what it answers.
+/// One search with table stages, and its answer.
 struct Search {
     explicit Search(const SearchGoal& goal = {.tolerance = tolerance}) : candidates(goal) {}
 
