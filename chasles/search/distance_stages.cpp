@@ -31,7 +31,7 @@ DistanceStages::DistanceStages(PieceContext& context, const SearchOptions& optio
     : context_(context), options_(options), scale_(context.error_scale(options.margin)),
       filter_({context.moving(), context.fixed(), scale_, options.margin}, context.maps()), next_filter_(filter_),
       start_tests_(context.moving(), context.fixed(), scale_),
-      candidates_({options.find, options.tolerance, true, options.lists_contacts}) {}
+      candidates_({options.finds_any, options.tolerance, true}) {}
 
 void DistanceStages::use(const culling::TimeRange& part) {
     if (part != filter_.part())
@@ -53,13 +53,11 @@ void DistanceStages::test(const FeaturePair& features) {
     filter_.tests().distance(features, [&](const auto& problem) {
         if (is_at_start_)
             at_start(problem);
-        if (!options_.only_start)
-            crossing(problem);
+        crossing(problem);
     });
     test_at_start(features, at_start.answer());
-    if (options_.held && options_.held->has(features))
-        return;
-    if (const auto found = filter_.in_piece(crossing.first()))
+    const auto found = filter_.in_piece(crossing.first());
+    if (found && !(options_.held && options_.held->has(features)))
         candidates_.add({features, found->tau, found->leaves}, *this);
 }
 
@@ -89,7 +87,7 @@ void DistanceStages::add(const Overlap& found) {
     if (!overlap || !overlap->certain)
         return;
     overlap_ = overlap;
-    candidates_.end_at_start(options_.find != Find::first_with_all_contacts);
+    candidates_.end_at_start();
 }
 
 PieceResult DistanceStages::take() {

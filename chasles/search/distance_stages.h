@@ -22,7 +22,7 @@ public:
     static constexpr bool tests_all_kinds = true;
     [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
     [[nodiscard]] double culling_margin() const { return options_.margin + elementary::parallel_slack * scale_.length; }
-    [[nodiscard]] double best() const { return options_.only_start ? 0 : candidates_.best(); }
+    [[nodiscard]] double best() const { return candidates_.best(); }
     [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
 
     void use(const culling::TimeRange& part);

@@ -9,7 +9,7 @@ static_assert(LaterStages<TouchStages>);
 TouchStages::TouchStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), scale_(context.error_scale(0)),
       filter_(context.moving(), context.fixed(), scale_), filter_maps_(context.maps()),
-      candidates_({options.find, options.tolerance, false, options.lists_contacts}) {}
+      candidates_({options.finds_any, options.tolerance, false}) {}
 
 void TouchStages::use(const culling::TimeRange& part) {
     part_ = part;
@@ -57,7 +57,7 @@ void TouchStages::add(const Overlap& found) {
         return;
     }
     overlap_ = overlap;
-    candidates_.end_at_start(true);
+    candidates_.end_at_start();
 }
 
 /// Exactly, and last: where the bodies just touch at the start, their features have been found to.
@@ -69,7 +69,7 @@ void TouchStages::decide_overlaps() {
         if (exact_stage()->passes(overlap)) {
             overlap.certain = true;
             overlap_ = overlap;
-            candidates_.end_at_start(true);
+            candidates_.end_at_start();
         }
     }
 }
