@@ -11,7 +11,9 @@ public:
     /// `start` is kept by reference.
     explicit HeldContacts(const contact::ContactScene& start) : start_(start) {}
 
-    [[nodiscard]] bool has(const contact::FeaturePair& pair) const { return contact::are_near(start_, pair); }
+    [[nodiscard]] bool has(const contact::FeaturePair& pair) const {
+        return contact::NearTest(start_).are_near(pair);
+    }
 
 private:
     const contact::ContactScene& start_;

@@ -3,8 +3,8 @@
 #include "chasles/contact/near_pair.h"
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_planes.h"
-#include "chasles/search/overlaps.h"
 #include "chasles/search/owned_pairs.h"
+#include "chasles/search/start_overlaps.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -114,15 +114,15 @@ class NearLeaves {
 public:
     NearLeaves(PieceContext& context, const ContactScene& scene, const NearSearch& search)
         : context_(context), scene_(scene), search_(search), uses_cones_(scene.at_start && scene.margin > 0),
-          cones_(scene),
-          filter_(context.moving(), context.fixed(), context.error_scale(0)) {
+          cones_(scene), scale_(context.error_scale(0)), filter_(context.moving(), context.fixed(), scale_),
+          overlaps_(context, scale_), near_test_(scene) {
         if (search.finds_overlaps)
             filter_.use(context.maps(), {});
     }
 
     // The functions that a traversal requires of its leaves.
     [[nodiscard]] static double best() { return 1; }
-    [[nodiscard]] bool is_over() const { return found_.is_cut || found_.overlap; }
+    [[nodiscard]] bool is_over() const { return found_.is_cut || overlaps_.found(); }
     [[nodiscard]] bool is_kept_apart(const culling::NodePair& pair, double /*first*/) {
         found_.is_cut = found_.is_cut || ++visits_ > search_.most_visits;
         return uses_cones_ && cones_.separates(pair);
@@ -132,8 +132,8 @@ public:
         const RelativeSides sides = place(pair);
         if (sides.moving.all_on_one_side() || sides.fixed.all_on_one_side())
             return;
-        if (search_.finds_overlaps)
-            find_overlap({pair.moving, pair.fixed});
+        if (search_.finds_overlaps && overlaps_.collect(filter_, {pair.moving, pair.fixed}))
+            return;
         const auto visit = [&](const contact::FeaturePair& features) { add(features); };
         const TwoFaces faces{pair.moving, pair.fixed};
         if (scene_.margin > 0)
@@ -144,6 +144,10 @@ public:
 
     NearFeatures take(std::uint64_t node_pairs) {
         found_.work.node_pairs = node_pairs;
+        if (found_.pairs.empty())
+            overlaps_.decide();
+        found_.work += overlaps_.work();
+        found_.overlap = overlaps_.found();
         return std::move(found_);
     }
 
@@ -173,7 +177,7 @@ private:
 
     void add(const contact::FeaturePair& features) {
         ++found_.work.elementary_tests;
-        if (is_over() || !contact::are_in_contact(scene_, features))
+        if (is_over() || !near_test_.are_in_contact(features))
             return;
         if (found_.pairs.size() < search_.most_pairs)
             found_.pairs.push_back(features);
@@ -181,25 +185,15 @@ private:
             found_.is_cut = true;
     }
 
-    void find_overlap(const TwoFaces& faces) {
-        for_each_possible_overlap(filter_, context_.moving(), context_.fixed(), faces, [&](const Overlap& possible) {
-            if (found_.overlap)
-                return;
-            FeatureTests<algebra::DoubleDouble> tests(context_.moving(), context_.fixed(), context_.error_scale(0));
-            tests.use(context_.refined_maps(), {});
-            ++found_.work.refined;
-            const auto overlap = refined(possible, tests, context_.piece().cubic());
-            if (overlap && overlap->certain)
-                found_.overlap = overlap;
-        });
-    }
-
     PieceContext& context_;
     const ContactScene& scene_;
     const NearSearch& search_;
     bool uses_cones_; ///< where no features are nearer than the margin, boxes tell as much
     ConeTest cones_;
+    elementary::ErrorScale scale_;
     FeatureTests<double> filter_;
+    StartOverlaps overlaps_;
+    contact::NearTest near_test_;
     PlacedFace moving_face_;
     PlacedFace fixed_face_;
     std::vector<int> moving_storage_;
