@@ -7,7 +7,6 @@
 #include "chasles/algebra/vector.h"
 
 #include <Eigen/Geometry>
-
 #include <cmath>
 #include <limits>
 
@@ -27,11 +26,6 @@ int exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
     sum.add_product(c.x(), a.y());
     sum.add_product(-c.y(), a.x());
     return sum.sign();
-}
-
-/// The point without one coordinate.
-Eigen::Vector2d without(int axis, const Eigen::Vector3d& point) {
-    return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
 }
 
 using Arm = algebra::Vector3<algebra::Dyadic>;
@@ -64,7 +58,7 @@ int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
 
 bool are_collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     for (int axis = 0; axis < 3; ++axis)
-        if (orientation(without(axis, a), without(axis, b), without(axis, c)) != 0)
+        if (orientation(without_axis(axis, a), without_axis(axis, b), without_axis(axis, c)) != 0)
             return false;
     return true;
 }

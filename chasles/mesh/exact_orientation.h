@@ -8,6 +8,11 @@
 
 namespace chasles {
 
+/// The point without one coordinate.
+inline Eigen::Vector2d without_axis(int axis, const Eigen::Vector3d& point) {
+    return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
+}
+
 /// 1 if a, b, c turn to the left, -1 to the right, 0 if they lie on one line.
 [[nodiscard]] int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c);
 

@@ -9,7 +9,7 @@ namespace chasles {
 namespace {
 
 using Eigen::Vector3d;
-using Outline = std::span<const std::uint32_t>;
+using Corners = std::span<const std::uint32_t>;
 
 constexpr std::uint32_t no_face = 0xffffffff;
 
@@ -32,17 +32,13 @@ std::vector<TwoSides> faces_at_edges(const FlatLists<std::uint32_t>& outlines, c
     return sides;
 }
 
-Eigen::Vector2d without(int axis, const Vector3d& point) {
-    return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
-}
-
 /// An edge between two faces.
 class SharedEdge {
 public:
     SharedEdge(const Edge& edge, std::span<const Vector3d> vertices) : edge_(edge), vertices_(vertices) {}
 
     /// Whether the faces lie in one plane, on different sides of the edge.
-    [[nodiscard]] bool is_flat(Outline a, Outline b) const {
+    [[nodiscard]] bool is_flat(Corners a, Corners b) const {
         const std::uint32_t apex = corner_off_edge(a);
         const auto is_in_plane = [&](std::uint32_t corner) {
             return corner == edge_.from || corner == edge_.to || corner == apex ||
@@ -59,7 +55,7 @@ public:
 
 private:
     /// The corner of a convex face that is not an end of the edge, nor on its line where there are others.
-    [[nodiscard]] std::uint32_t corner_off_edge(Outline face) const {
+    [[nodiscard]] std::uint32_t corner_off_edge(Corners face) const {
         std::uint32_t found = face[0];
         for (const std::uint32_t corner : face)
             if (corner != edge_.from && corner != edge_.to) {
@@ -70,8 +66,8 @@ private:
         return found;
     }
     [[nodiscard]] int side_of(int axis, std::uint32_t corner) const {
-        return orientation(without(axis, vertices_[edge_.from]), without(axis, vertices_[edge_.to]),
-                           without(axis, vertices_[corner]));
+        return orientation(without_axis(axis, vertices_[edge_.from]), without_axis(axis, vertices_[edge_.to]),
+                           without_axis(axis, vertices_[corner]));
     }
 
     const Edge& edge_;
