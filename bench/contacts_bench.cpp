@@ -129,9 +129,10 @@ void run(const NamedBody& body, const Family& family, int count) {
 void run_flat(int times) {
     const Polyhedron box = subdivided(peg({4, 1, 1}), times);
     const Polyhedron plate = subdivided(peg({4, 3, 1}), times);
-    const Times taken = time_of({.moving = box,
-                                 .fixed = plate,
-                                 .motion = ScrewMotion::between(Pose{{0.1, 0.2, 3}, {1, 0, 0, 0}}, Pose{{0.1, 0.2, 0}, {1, 0, 0, 0}})});
+    const Times taken =
+        time_of({.moving = box,
+                 .fixed = plate,
+                 .motion = ScrewMotion::between(Pose{{0.1, 0.2, 3}, {1, 0, 0, 0}}, Pose{{0.1, 0.2, 0}, {1, 0, 0, 0}})});
     std::printf("%-14s %-38s %10.1f %10.1f %7.2f %9zu %6d %6d %12.1f\n", "box on plate",
                 (std::to_string(box.face_count()) + " triangles").c_str(), taken.first, taken.all,
                 taken.all / taken.first, taken.contacts, taken.all > 3 * taken.first + 10 * double(taken.contacts),

@@ -21,8 +21,8 @@
 namespace chasles::cli {
 namespace {
 
-/// Motions per write to the file. A chunk takes a fraction of a second where motions take less than that: enough to keep
-/// all cores busy, and little to wait for after Ctrl-C.
+/// Motions per write to the file. A chunk takes a fraction of a second where motions take less than that: enough to
+/// keep all cores busy, and little to wait for after Ctrl-C.
 class ChunkSize {
 public:
     [[nodiscard]] std::size_t get() const { return size_; }

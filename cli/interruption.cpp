@@ -1,11 +1,13 @@
 #include "cli/interruption.h"
 
+#include <atomic>
 #include <csignal>
 
 namespace chasles::cli {
 namespace {
 
-volatile std::sig_atomic_t requested = 0; // the only kind of object that a signal handler may write
+std::atomic<bool> requested = false; // any thread may receive the signal
+static_assert(std::atomic<bool>::is_always_lock_free);
 
 void restore() {
     std::signal(SIGINT, SIG_DFL);
@@ -13,14 +15,14 @@ void restore() {
 }
 
 extern "C" void request(int /*signal*/) {
-    requested = 1;
+    requested = true;
     restore();
 }
 
 } // namespace
 
 Interruption::Interruption() {
-    requested = 0;
+    requested = false;
     std::signal(SIGINT, request);
     std::signal(SIGTERM, request);
 }
@@ -30,7 +32,7 @@ Interruption::~Interruption() {
 }
 
 bool Interruption::is_requested() {
-    return requested != 0;
+    return requested;
 }
 
 } // namespace chasles::cli

@@ -52,7 +52,8 @@ NamedMotion read_motion(const OneMotionOptions& options) {
         const ScrewMotion screw = screw_between(poses, max_turn_of(options.query));
         return {screw, view::numbers_of(screw)};
     }
-    const SweepMotion sweep = sweep_between(poses, point_of("--centre", options.centre.empty() ? "0 0 0" : options.centre));
+    const SweepMotion sweep =
+        sweep_between(poses, point_of("--centre", options.centre.empty() ? "0 0 0" : options.centre));
     return {sweep, view::numbers_of(sweep)};
 }
 

@@ -107,7 +107,8 @@ bool NearTest::are_near(const FeaturePair& features) {
 }
 
 bool NearTest::are_in_contact(const FeaturePair& features) {
-    return are_near(features) && (scene_.margin <= 0 || is_local_minimum(scene_, features, scene_.bodies.nearest(features)));
+    return are_near(features) &&
+           (scene_.margin <= 0 || is_local_minimum(scene_, features, scene_.bodies.nearest(features)));
 }
 
 bool is_local_minimum(const ContactScene& scene, const FeaturePair& features, const NearestPoints& nearest) {

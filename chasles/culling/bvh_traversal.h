@@ -42,9 +42,9 @@ public:
         : moving_nodes_(moving.nodes()), fixed_nodes_(fixed.nodes()), times_(times), margin_(margin), queue_(by_time),
           leaves_(leaves) {}
 
-    /// Visits the pairs that may touch during `range`, which may be one moment. Returns the number of node pairs tested.
-    /// Visits the intervals of time without recursion: an interval whose pairs have a large chord deviation is followed
-    /// by its earlier half, then by its later half.
+    /// Visits the pairs that may touch during `range`, which may be one moment. Returns the number of node pairs
+    /// tested. Visits the intervals of time without recursion: an interval whose pairs have a large chord deviation is
+    /// followed by its earlier half, then by its later half.
     std::uint64_t run(TimeRange range = {}) {
         queue_.push({0, 0, {}}); // both roots
         do {

@@ -1,5 +1,5 @@
-// Exact predicates of points: the orientation of three points, collinearity and coplanarity. Results are exact for the given
-// doubles. A rounded value decides if it exceeds its error bound (J. Shewchuk, 1997); otherwise exact arithmetic
+// Exact predicates of points: the orientation of three points, collinearity and coplanarity. Results are exact for the
+// given doubles. A rounded value decides if it exceeds its error bound (J. Shewchuk, 1997); otherwise exact arithmetic
 // decides.
 #pragma once
 

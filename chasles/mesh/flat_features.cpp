@@ -3,34 +3,12 @@
 #include "chasles/mesh/exact_orientation.h"
 
 #include <algorithm>
-#include <array>
 
 namespace chasles {
 namespace {
 
 using Eigen::Vector3d;
 using Corners = std::span<const std::uint32_t>;
-
-constexpr std::uint32_t no_face = 0xffffffff;
-
-/// The faces at an edge, if there are two.
-struct TwoSides {
-    std::array<std::uint32_t, 2> faces{no_face, no_face};
-    std::uint32_t count = 0;
-};
-
-std::vector<TwoSides> faces_at_edges(const FlatLists<std::uint32_t>& outlines, const MeshEdges& edges) {
-    std::vector<TwoSides> sides(edges.edges.size());
-    for (std::uint32_t face = 0; face < outlines.size(); ++face)
-        for (std::uint32_t corner = outlines.offsets[face]; corner < outlines.offsets[face + 1]; ++corner)
-            if (const std::uint32_t edge = edges.edge_of_side[corner]; edge != MeshEdges::none) {
-                TwoSides& of_edge = sides[edge];
-                if (of_edge.count < 2)
-                    of_edge.faces[of_edge.count] = face;
-                ++of_edge.count;
-            }
-    return sides;
-}
 
 /// An edge between two faces.
 class SharedEdge {
@@ -79,14 +57,12 @@ private:
 FlatFeatures find_flat_features(const FlatLists<std::uint32_t>& outlines, const FlatLists<std::uint32_t>& triangles,
                                 const MeshEdges& edges, std::span<const Vector3d> vertices) {
     FlatFeatures flat{std::vector<bool>(edges.edges.size()), std::vector<bool>(vertices.size())};
-    const std::vector<TwoSides> sides = faces_at_edges(outlines, edges);
     std::vector<bool> has_other(vertices.size());
-    for (std::size_t i = 0; i < sides.size(); ++i) {
-        const auto& [faces, count] = sides[i];
+    for (std::size_t i = 0; i < edges.edges.size(); ++i) {
+        const auto& [a, b] = edges.two_faces[i];
         const Edge& edge = edges.edges[i];
-        const bool is_flat = count == 2 && faces[0] != faces[1] && triangles[faces[0]].empty() &&
-                             triangles[faces[1]].empty() &&
-                             SharedEdge(edge, vertices).is_flat(outlines[faces[0]], outlines[faces[1]]);
+        const bool is_flat = a != MeshEdges::none && triangles[a].empty() && triangles[b].empty() &&
+                             SharedEdge(edge, vertices).is_flat(outlines[a], outlines[b]);
         flat.edges[i] = is_flat;
         for (const std::uint32_t end : {edge.from, edge.to}) {
             flat.vertices[end] = flat.vertices[end] || is_flat;

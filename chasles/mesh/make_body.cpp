@@ -126,9 +126,8 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
         share_features(outlines.offsets, without_flat(outlines.items, flat.vertices), vertices.size());
     parts.owned_edges = share_edges(outlines, edges, flat.edges);
     parts.bvh = Bvh(outlines, vertices, options.threads);
-    parts.bvh.mark_bare([&](std::uint32_t face) {
-        return parts.owned_vertices[face].empty() && parts.owned_edges[face].empty();
-    });
+    parts.bvh.mark_bare(
+        [&](std::uint32_t face) { return parts.owned_vertices[face].empty() && parts.owned_edges[face].empty(); });
     if (!is_identity(polygons.faces.source, faces.size()))
         parts.source = std::move(polygons.faces.source);
     parts.triangles = std::move(polygons.triangles);

@@ -47,8 +47,8 @@ NormalCone cone_of_edge(const Body& body, const Edge& edge) {
     NormalCone best = every_direction;
     for (std::size_t i = 0; i < ways.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const NormalCone bound = cone((ways[i] - ways[j]).cross(along),
-                                          std::asin(std::min(1.0, 0.5 * (ways[i] + ways[j]).norm())));
+            const NormalCone bound =
+                cone((ways[i] - ways[j]).cross(along), std::asin(std::min(1.0, 0.5 * (ways[i] + ways[j]).norm())));
             if (bound.angle < best.angle)
                 best = bound;
         }

@@ -58,7 +58,8 @@ void remove_held(std::vector<FeaturePair>& pairs, const ContactMoment& moment, c
         const contact::NearestPoints nearest = scene.bodies.nearest(features);
         const double speed = scene.bodies.velocity_at(nearest.on_moving).norm();
         return nearest.apart().norm() < scene.margin - scene.slack ||
-               contact::described(scene, features).approach_speed <= contact::no_direction * speed || held.has(features);
+               contact::described(scene, features).approach_speed <= contact::no_direction * speed ||
+               held.has(features);
     });
 }
 

@@ -11,9 +11,7 @@ public:
     /// `start` is kept by reference.
     explicit HeldContacts(const contact::ContactScene& start) : start_(start) {}
 
-    [[nodiscard]] bool has(const contact::FeaturePair& pair) const {
-        return contact::NearTest(start_).are_near(pair);
-    }
+    [[nodiscard]] bool has(const contact::FeaturePair& pair) const { return contact::NearTest(start_).are_near(pair); }
 
 private:
     const contact::ContactScene& start_;

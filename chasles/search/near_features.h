@@ -21,16 +21,16 @@ struct NearFeatures {
 
 /// How to search.
 struct NearSearch {
-    std::size_t most_pairs = 1 << 12;       ///< feature pairs to list
-    std::uint64_t most_visits = 1 << 16;    ///< pairs of nodes to visit at one distance
-    bool finds_overlaps = false;            ///< also edges that pass through faces; only at tau = 0
+    std::size_t most_pairs = 1 << 12;    ///< feature pairs to list
+    std::uint64_t most_visits = 1 << 16; ///< pairs of nodes to visit at one distance
+    bool finds_overlaps = false;         ///< also edges that pass through faces; only at tau = 0
 };
 
 /// The feature pairs of a scene that touch or, with a margin, are within it at a local minimum of the distance
 /// (`contact::NearTest`). `tau` is that of the scene.
 ///
-/// At the start, bodies may be much nearer than the margin, and many pairs within it. Then the pairs are searched for at
-/// growing distances, and the answer is that of the greatest distance that the bounds of the search allow.
+/// At the start, bodies may be much nearer than the margin, and many pairs within it. Then the pairs are searched for
+/// at growing distances, and the answer is that of the greatest distance that the bounds of the search allow.
 NearFeatures near_features(PieceContext& context, const contact::ContactScene& scene, double tau,
                            const NearSearch& search);
 

@@ -14,8 +14,8 @@ struct TwoFaces {
 
 /// The pairs of features that two faces own, without those that a filter of vertices and edges excludes.
 ///
-/// `Sides` answers `may_meet(vertex)` and `may_meet(edge)` for the features of one face. With `all_kinds` also edges near
-/// vertices and vertices near vertices.
+/// `Sides` answers `may_meet(vertex)` and `may_meet(edge)` for the features of one face. With `all_kinds` also edges
+/// near vertices and vertices near vertices.
 template <bool all_kinds, class Sides, class Visit>
 class OwnedPairs {
 public:

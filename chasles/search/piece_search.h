@@ -15,8 +15,8 @@ struct SearchOptions {
     double tolerance = 1e-12; ///< of tau
     bool finds_any = false;   ///< stop at any contact, which need not be the first
     double margin = 0;        ///< distance that counts as contact
-    bool check_start = true; ///< search for contact at tau = 0: edges that pass through faces, and with a margin all
-                             ///< features within it
+    bool check_start = true;  ///< search for contact at tau = 0: edges that pass through faces, and with a margin all
+                              ///< features within it
     const HeldContacts* held = nullptr; ///< with a margin: report only new contacts, which are local minima of the
                                         ///< distance that fall to the margin; null: every contact is new
 };

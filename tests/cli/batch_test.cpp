@@ -113,8 +113,9 @@ TEST_F(Batch, WritesWhatIsAnsweredWhenItIsInterrupted) {
     for (int i = 0; i < 4000; ++i)
         motions += "2.45,0,0,1,0,0,0,2.45,0,0,.1,0,0,1\n"; // a turn by 169 degrees, in thousands of pieces
     write("motions.csv", motions);
-    const auto finished = run("batch cube.obj cube.obj --motions motions.csv --out out.csv --max-turn-deg .05 & pid=$!; "
-                              "while ! grep -q clear out.csv; do sleep .02; done; kill $pid; wait $pid");
+    const auto finished =
+        run("batch cube.obj cube.obj --motions motions.csv --out out.csv --max-turn-deg .05 & pid=$!; "
+            "while ! grep -q clear out.csv; do sleep .02; done; kill $pid; wait $pid");
     EXPECT_EQ(finished.status, 130);
     const std::size_t answered = rows().size() - 1;
     EXPECT_GT(answered, 0U);

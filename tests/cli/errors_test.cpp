@@ -62,7 +62,8 @@ TEST_F(Errors, OptionsWithoutTheirNumbers) {
               "chasles: --start: is empty, but takes numbers");
     EXPECT_EQ(error_line("check cube.obj cube.obj --start '' --goal '3 0 0'"),
               "chasles: --start: is empty, but takes numbers");
-    EXPECT_EQ(error_line("check cube.obj cube.obj --margin=" + poses), "chasles: --margin: is empty, but takes numbers");
+    EXPECT_EQ(error_line("check cube.obj cube.obj --margin=" + poses),
+              "chasles: --margin: is empty, but takes numbers");
 }
 
 TEST_F(Errors, ACentreIsForASweep) {

@@ -56,8 +56,7 @@ Seen check(const Polyhedron& polyhedron, Random& random, int directions) {
     for (std::uint32_t face = 0; face < body.face_count(); ++face) {
         const auto corners = body.face(face);
         const Eigen::Vector3d& a = body.vertices()[corners[0]];
-        expect_in_cones(face,
-                        (body.vertices()[corners[1]] - a).cross(body.vertices()[corners[2]] - a).normalized());
+        expect_in_cones(face, (body.vertices()[corners[1]] - a).cross(body.vertices()[corners[2]] - a).normalized());
         for (int i = 0; i < directions; ++i) {
             const Eigen::Vector3d d = random_direction(random);
             seen.excluded += contains(body.normal_cones()[leaf_of[face]], d) ? 0 : 1;
@@ -94,9 +93,10 @@ TEST(NormalCones, ContainEveryDirectionInWhichTheDistanceIsLeast) {
 
 TEST(NormalCones, HoldForOpenAndBranchedSurfaces) {
     Random random(78);
-    const Seen fin = check(
-        Body{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -1, 0.2}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}}.polyhedron(),
-        random, 500);
+    const Seen fin =
+        check(Body{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {1, -1, 0.2}, {0, 0, 1}}, {{0, 1, 2}, {1, 0, 3}, {0, 1, 4}}}
+                  .polyhedron(),
+              random, 500);
     EXPECT_GT(fin.least, 500);
 }
 

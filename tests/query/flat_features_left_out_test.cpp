@@ -63,7 +63,8 @@ INSTANTIATE_TEST_SUITE_P(TouchAndMargin, FlatFeaturesLeftOut, testing::Values(0.
 
 /// An edge that passes through a flat edge at the start touches no other feature.
 TEST(FlatFeaturesLeftOutAtTheStart, AnEdgeThroughAFlatEdgeIsAnOverlap) {
-    const Polyhedron plate = Body{{{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}}, {{0, 1, 2}, {0, 2, 3}}}.polyhedron();
+    const Polyhedron plate =
+        Body{{{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}}, {{0, 1, 2}, {0, 2, 3}}}.polyhedron();
     const Polyhedron needle = triangle({0, 0, -1}, {0, 0, 1}, {0.25, -0.5, 3}).polyhedron();
     for (const double margin : {0.0, 0.01}) {
         const FirstContact found = first_contact({.moving = needle,

@@ -51,8 +51,7 @@ std::set<FeaturePair> all_in_contact(const Scene& scene, double margin) {
     };
     for (std::uint32_t f = 0; f < scene.moving.face_count(); ++f)
         for (std::uint32_t g = 0; g < scene.fixed.face_count(); ++g)
-            for_each_owned_pair<true>(scene.moving.body(), scene.fixed.body(), {f, g}, AllMayMeet(),
-                                      AllMayMeet(), add);
+            for_each_owned_pair<true>(scene.moving.body(), scene.fixed.body(), {f, g}, AllMayMeet(), AllMayMeet(), add);
     return found;
 }
 
