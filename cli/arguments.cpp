@@ -1,6 +1,7 @@
 // Joins each option with the numbers that follow it. CLI11 would otherwise parse "-.5" as an option.
 #include "cli/arguments.h"
 
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 
 #include <algorithm>
@@ -33,11 +34,31 @@ bool holds_numbers(std::string argument) {
     return true;
 }
 
+// CLI11 would take the next argument for the value that is missing.
+void require_value(std::string_view option, std::string_view value) {
+    if (value.empty())
+        throw InvalidInput(std::string(option) + ": is empty, but takes numbers");
+}
+
+// Checks "--option=" and "--option" followed by an empty argument.
+void check_value(const std::vector<std::string>& arguments, std::size_t i) {
+    const std::string_view argument = arguments[i];
+    const std::size_t sign = argument.find('=');
+    const std::string_view name = argument.substr(0, sign);
+    if (!contains(takes_numbers, name) && !contains(takes_number, name))
+        return;
+    if (sign != std::string_view::npos)
+        require_value(name, argument.substr(sign + 1));
+    else if (i + 1 < arguments.size())
+        require_value(name, arguments[i + 1]);
+}
+
 } // namespace
 
 std::vector<std::string> join_numbers(const std::vector<std::string>& arguments) {
     std::vector<std::string> joined;
     for (std::size_t i = 0; i < arguments.size(); ++i) {
+        check_value(arguments, i);
         joined.push_back(arguments[i]);
         const bool takes_many = contains(takes_numbers, arguments[i]);
         const bool takes_any = takes_many || contains(takes_number, arguments[i]);

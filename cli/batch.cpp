@@ -1,14 +1,18 @@
 // chasles batch: many motions of one pair of bodies, on all cores. The rows of a chunk are written as soon as all its
-// motions are answered. An interruption therefore loses only the rows that are not yet answered.
+// motions are answered. After Ctrl-C the current chunk is finished and written.
 #include "chasles/io/motion_files.h"
+#include "chasles/io/text_scan.h"
 #include "cli/batch_rows.h"
 #include "cli/commands.h"
+#include "cli/interruption.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 
+#include <algorithm>
 #include <array>
+#include <chrono>
 #include <filesystem>
 #include <fmt/format.h>
 #include <memory>
@@ -17,8 +21,21 @@
 namespace chasles::cli {
 namespace {
 
-/// Motions per write to the file: enough to keep all cores busy, few enough that an interruption loses little.
-constexpr std::size_t chunk_size = 1024;
+/// Motions per write to the file. A chunk takes a fraction of a second where motions take less than that: enough to
+/// keep all cores busy, and little to wait for after Ctrl-C.
+class ChunkSize {
+public:
+    [[nodiscard]] std::size_t get() const { return size_; }
+    void adapt(std::chrono::duration<double> last) {
+        if (last.count() < 0.1)
+            size_ = std::min<std::size_t>(2 * size_, 1024);
+        else if (last.count() > 0.4)
+            size_ = std::max<std::size_t>(size_ / 2, 16);
+    }
+
+private:
+    std::size_t size_ = 64;
+};
 
 struct BatchOptions {
     BodyOptions bodies;
@@ -34,6 +51,9 @@ struct Tally {
     std::string first_error;
 
     [[nodiscard]] std::size_t of(Verdict verdict) const { return verdicts[static_cast<std::size_t>(verdict)]; }
+    [[nodiscard]] std::size_t rows() const {
+        return of(Verdict::clear) + of(Verdict::contact) + of(Verdict::contact_at_start) + errors;
+    }
 };
 
 using Rows = std::span<const io::MotionRow>;
@@ -85,15 +105,20 @@ public:
         : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
           max_turn_(max_turn_of(options.query)), threads_(options.bodies.polyhedron.threads), out_(options.out) {}
 
+    /// All rows, or those before an interruption.
     Tally run() {
         Tally tally;
         ProgressBar bar("motions", rows_.size());
+        ChunkSize size;
         std::string table = batch_header();
-        for (std::size_t done = 0; done < rows_.size(); done += chunk_size) {
-            const Rows chunk = rows_.subspan(done, std::min(chunk_size, rows_.size() - done));
+        while (tally.rows() < rows_.size() && !Interruption::is_requested()) {
+            const auto start = std::chrono::steady_clock::now();
+            const std::size_t done = tally.rows();
+            const Rows chunk = rows_.subspan(done, std::min(size.get(), rows_.size() - done));
             const auto answers = answer(readable_motions(chunk, max_turn_), [&](std::size_t n) { bar.show(done + n); });
             out_.write(table + table_of(chunk, answers, tally));
             table.clear();
+            size.adapt(std::chrono::steady_clock::now() - start);
         }
         out_.write(table); // the header alone, if there was no row
         out_.close();
@@ -118,14 +143,24 @@ private:
     OutputFile out_; // last: opened only after all other input has been read
 };
 
+int report_interruption(const std::string& out, std::size_t answered, std::size_t rows) {
+    const std::string message = fmt::format("chasles: interrupted: {} of {} are answered, in {}\n", answered,
+                                            counted(rows, "motion"), io::one_line(out));
+    std::fputs(message.c_str(), stderr);
+    return is_interrupted;
+}
+
 int run_batch(const BatchOptions& options) {
     check_out_is_no_input(options);
     const std::vector<io::MotionRow> rows = io::load_motions(options.motions);
+    const Interruption interruption;
     const Tally tally = BatchRun(options, rows).run();
-    if (std::filesystem::is_regular_file(options.out)) // otherwise the rows may be on standard output
-        print(fmt::format("{} motions: {} clear, {} in contact, {} in contact at the start, {}\n", rows.size(),
-                          tally.of(Verdict::clear), tally.of(Verdict::contact), tally.of(Verdict::contact_at_start),
-                          counted(tally.errors, "error")));
+    if (!is_standard_output(options.out))
+        print(fmt::format("{}: {} clear, {} in contact, {} in contact at the start, {}\n",
+                          counted(tally.rows(), "motion"), tally.of(Verdict::clear), tally.of(Verdict::contact),
+                          tally.of(Verdict::contact_at_start), counted(tally.errors, "error")));
+    if (tally.rows() < rows.size())
+        return report_interruption(options.out, tally.rows(), rows.size());
     if (tally.errors > 0)
         throw InvalidInput(fmt::format("{}: {} of {} rows cannot be read; the first: {}", options.motions, tally.errors,
                                        rows.size(), tally.first_error));

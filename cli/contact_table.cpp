@@ -8,7 +8,7 @@
 namespace chasles::cli {
 namespace {
 
-constexpr std::size_t most_contacts = 10;
+constexpr std::size_t most_rows = 10;
 
 using Row = std::array<std::string, 5>;
 
@@ -43,7 +43,7 @@ std::size_t width_of(const std::vector<Row>& rows, std::size_t column) {
 
 std::vector<std::string> contact_table(const std::vector<Contact>& contacts, bool shows_gaps) {
     std::vector<Row> rows = {{"moving on fixed", "point", "normal", "approach speed", "gap"}};
-    for (std::size_t i = 0; i < std::min(contacts.size(), most_contacts); ++i)
+    for (std::size_t i = 0; i < std::min(contacts.size(), most_rows); ++i)
         rows.push_back(row_of(contacts[i]));
     std::vector<std::string> lines;
     for (const Row& row : rows) {
@@ -51,8 +51,8 @@ std::vector<std::string> contact_table(const std::vector<Contact>& contacts, boo
                                     row[2], width_of(rows, 2)));
         lines.back() += shows_gaps ? fmt::format("{:<{}}   {}", row[3], width_of(rows, 3), row[4]) : row[3];
     }
-    if (contacts.size() > most_contacts)
-        lines.push_back(fmt::format("and {} more (--json lists them all)", contacts.size() - most_contacts));
+    if (contacts.size() > most_rows)
+        lines.push_back(fmt::format("and {} more (--json lists them all)", contacts.size() - most_rows));
     return lines;
 }
 

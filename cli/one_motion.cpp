@@ -1,6 +1,8 @@
 // One motion between two poses: its options, how they are read, and the query.
 #include "cli/one_motion.h"
 
+#include "chasles/base/invalid_input.h"
+
 namespace chasles::cli {
 namespace {
 
@@ -45,10 +47,13 @@ struct NamedMotion {
 NamedMotion read_motion(const OneMotionOptions& options) {
     const EndPoses poses = read_poses(options);
     if (options.motion == "screw") {
+        if (!options.centre.empty())
+            throw InvalidInput("--centre: is for --motion sweep, but the motion is a screw");
         const ScrewMotion screw = screw_between(poses, max_turn_of(options.query));
         return {screw, view::numbers_of(screw)};
     }
-    const SweepMotion sweep = sweep_between(poses, point_of("--centre", options.centre));
+    const SweepMotion sweep =
+        sweep_between(poses, point_of("--centre", options.centre.empty() ? "0 0 0" : options.centre));
     return {sweep, view::numbers_of(sweep)};
 }
 

@@ -16,7 +16,7 @@ struct OneMotionOptions {
     std::string fixed_start;
     std::string fixed_goal;
     std::string motion = "screw";
-    std::string centre = "0 0 0";
+    std::string centre; ///< empty: the origin of the moving body
 };
 
 /// A query that owns its bodies.

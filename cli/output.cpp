@@ -7,6 +7,8 @@
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
+#include <sys/stat.h>
+#include <unistd.h>
 
 namespace chasles::cli {
 namespace {
@@ -22,14 +24,26 @@ std::string why_not(int error) {
     return std::string(": cannot be written: ") + std::strerror(error);
 }
 
+// The output goes through a descriptor of its own to where standard output goes, at the same position.
+std::FILE* open(const std::string& name) {
+    return is_standard_output(name) ? fdopen(dup(STDOUT_FILENO), "w") : std::fopen(name.c_str(), "a");
+}
+
 } // namespace
+
+bool is_standard_output(const std::string& name) {
+    struct stat file = {}, output = {};
+    return stat(name.c_str(), &file) == 0 && fstat(STDOUT_FILENO, &output) == 0 && file.st_dev == output.st_dev &&
+           file.st_ino == output.st_ino;
+}
 
 void print(const std::string& text) {
     if (const int error = write_all(stdout, text); error != 0)
         throw InvalidInput("standard output" + why_not(error));
 }
 
-OutputFile::OutputFile(const std::string& name) : name_(name), file_(std::fopen(name.c_str(), "a")) {
+OutputFile::OutputFile(const std::string& name)
+    : name_(name), file_(open(name)), is_emptied_(is_standard_output(name)) {
     if (!file_)
         fail(errno);
 }

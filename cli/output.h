@@ -10,7 +10,11 @@ namespace chasles::cli {
 /// Writes to standard output. Throws InvalidInput if the write fails.
 void print(const std::string& text);
 
-/// A file for output. The constructor checks that the file can be written. The first write replaces the former content:
+/// Whether the name is that of the file, pipe or device that standard output goes to.
+bool is_standard_output(const std::string& name);
+
+/// A file for output. If it is where standard output goes, writing continues there and replaces nothing. The
+/// constructor checks that the file can be written. The first write replaces the former content:
 /// an error that is found before the first write leaves the file unchanged. Throws InvalidInput "FILE: REASON" if the
 /// file cannot be opened or written.
 class OutputFile {

@@ -61,6 +61,8 @@ std::string report_contact(const FirstContact& found, const view::MotionNumbers&
         text += report(found.contacts, margin > 0 ? "within" : "touching", margin > 0);
     if (found.overlap)
         text += report(*found.overlap);
+    else if (found.contacts_cut)
+        text += labelled("", "the list is cut: there are more contacts");
     return text;
 }
 

@@ -97,6 +97,8 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     answer["verdict"] = name_of(found.verdict);
     if (found.verdict != Verdict::clear)
         add_contact(answer, found);
+    if (found.contacts_cut)
+        answer["contacts_cut"] = true;
     if (!found.held.empty())
         answer["held"] = json_of(found.held);
     answer["clear_until"] = found.clear_until;

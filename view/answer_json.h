@@ -10,7 +10,8 @@ namespace chasles::view {
 using Json = nlohmann::ordered_json;
 
 /// The answer of `check`. Every answer has verdict, clear_until, motion and work. An answer with contact also has time,
-/// tau, certain, pose and contacts, and overlap if the surfaces overlap at the start. `held` is present if not empty.
+/// tau, certain, pose and contacts, and overlap if the surfaces overlap at the start. `held` is present if not empty,
+/// and contacts_cut if true.
 Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 
 Json vector_json(const Eigen::Vector3d& vector);

@@ -1,6 +1,7 @@
 #include "chasles/contact/contact_set.h"
 
 #include "chasles/contact/flat_hull.h"
+#include "chasles/contact/near_pair.h"
 #include "chasles/mesh/adjacent_directions.h"
 
 #include <Eigen/Geometry>
@@ -156,7 +157,7 @@ std::vector<FeaturePair> named(const ContactScene& scene, const std::vector<Feat
         const double distance = nearest.apart().norm();
         if (scene.margin <= 0 || distance <= scene.slack)
             namer.add(candidate);
-        else if (scene.bodies.descent(candidate, nearest) <= 4 * scene.slack / distance)
+        else if (is_local_minimum(scene, candidate, nearest))
             namer.keep(candidate);
     }
     return namer.take();

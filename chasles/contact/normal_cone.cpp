@@ -3,6 +3,7 @@
 #include "chasles/mesh/adjacent_directions.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <vector>
 
 namespace chasles::contact {
@@ -15,7 +16,9 @@ using Ways = std::vector<Eigen::Vector3d>;
 Ways ways_from(const Body& body, FeatureKind kind, const Feature& feature) {
     Ways ways;
     const auto collect = [&](const Eigen::Vector3d& way) {
-        ways.push_back(way.stableNormalized());
+        const Eigen::Vector3d unit = way.stableNormalized();
+        if (std::ranges::find(ways, unit) == ways.end()) // a side belongs to two faces
+            ways.push_back(unit);
         return false;
     };
     if (kind == FeatureKind::vertex) {

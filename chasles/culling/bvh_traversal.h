@@ -42,11 +42,11 @@ public:
         : moving_nodes_(moving.nodes()), fixed_nodes_(fixed.nodes()), times_(times), margin_(margin), queue_(by_time),
           leaves_(leaves) {}
 
-    /// Returns the number of node pairs tested. Visits the intervals of time without recursion: an interval whose pairs
-    /// have a large chord deviation is followed by its earlier half, then by its later half.
-    std::uint64_t run() {
+    /// Visits the pairs that may touch during `range`, which may be one moment. Returns the number of node pairs
+    /// tested. Visits the intervals of time without recursion: an interval whose pairs have a large chord deviation is
+    /// followed by its earlier half, then by its later half.
+    std::uint64_t run(TimeRange range = {}) {
         queue_.push({0, 0, {}}); // both roots
-        TimeRange range;
         do {
             const TimeInterval interval = times_.interval(range);
             std::vector<NodePair> deferred;
@@ -105,10 +105,10 @@ private:
     /// deferred, all pairs that may only touch in the later half are deferred with it.
     void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& deferred) {
         const double first = interval.range.at(pair.when.lower);
-        if (first > leaves_.best() || leaves_.is_kept_apart(pair, first))
-            return;
         const BvhNode& moving = moving_nodes_[pair.moving];
         const BvhNode& fixed = fixed_nodes_[pair.fixed];
+        if (first > leaves_.best() || (moving.is_bare() && fixed.is_bare()) || leaves_.is_kept_apart(pair, first))
+            return;
         if ((!deferred.empty() && pair.when.lower >= 0.5F) ||
             is_worth_halving(interval, std::max(side(moving), side(fixed))))
             deferred.push_back(pair);

@@ -14,15 +14,15 @@ namespace chasles::culling {
 /// The proven sides of the corners of one face on the plane of the other face.
 class CornerSides {
 public:
-    /// The sides are stored in `storage`, which is reused.
-    CornerSides(const Body& body, std::uint32_t face, const elementary::RelativePlane<double>& plane,
-                const algebra::Restriction<3, double>& part, std::vector<int>& storage)
-        : corners_(body.face(face)), sides_(storage) {
+    /// `side_of(corner)` is 1 or -1 where a corner is proven to stay on that side, otherwise 0. The sides are stored in
+    /// `storage`, which is reused.
+    template <class SideOf>
+    CornerSides(std::span<const std::uint32_t> corners, std::vector<int>& storage, SideOf side_of)
+        : corners_(corners), sides_(storage) {
         sides_.clear();
         sides_.reserve(8);
-        const auto band = part(plane.band);
         for (const std::uint32_t corner : corners_)
-            sides_.push_back(plane.side_of(point_of<double>(body, corner), part, band));
+            sides_.push_back(side_of(corner));
     }
 
     /// Whether all corners are proven to stay on one side.
@@ -66,7 +66,7 @@ public:
             const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
             return elementary::plane_of_fixed_face(*maps_, shape, scale_, offset_of(shape));
         });
-        return {moving_, moving_face, of_fixed_.plane, part, of_fixed_.sides};
+        return sides_of(moving_, moving_face, of_fixed_, part);
     }
     /// The sides of a fixed face's corners on the plane of a moving face. Valid until the next call.
     CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
@@ -74,7 +74,7 @@ public:
             const auto& shape = of_moving_.shape.shape_of(moving_, moving_face);
             return elementary::plane_of_moving_face(*maps_, shape, scale_, offset_of(shape));
         });
-        return {fixed_, fixed_face, of_moving_.plane, part, of_moving_.sides};
+        return sides_of(fixed_, fixed_face, of_moving_, part);
     }
 
     /// With a margin: whether the direction between the mean corners at `time` (in [0, 1] of the interval) proves that
@@ -127,6 +127,12 @@ private:
             face = requested;
         }
     };
+
+    static CornerSides sides_of(const Body& body, std::uint32_t face, LastPlane& plane, const Restriction& part) {
+        const auto band = part(plane.plane.band);
+        return {body.face(face), plane.sides,
+                [&](std::uint32_t corner) { return plane.plane.side_of(point_of<double>(body, corner), part, band); }};
+    }
 
     const Body& moving_;
     const Body& fixed_;

@@ -114,9 +114,10 @@ void set_box(BvhNode& node, const BvhNode& left, const BvhNode& right) {
     }
 }
 
-/// Sets the face of a leaf or the left child of an inner node, in 31 bits.
+/// Sets the face of a leaf or the left child of an inner node, in 30 bits.
 void set_first(BvhNode& node, std::size_t face_or_child) {
-    node.first = static_cast<std::uint32_t>(face_or_child) & 0x7fffffffU;
+    node.bare = 0;
+    node.first = static_cast<std::uint32_t>(face_or_child) & 0x3fffffffU;
 }
 
 /// Builds the subtrees of groups, one after another. It reuses its memory.

@@ -19,11 +19,13 @@ namespace chasles {
 struct BvhNode {
     std::array<float, 3> lower;
     std::array<float, 3> upper;
-    std::uint32_t first : 31; ///< leaf: the face; otherwise the left child, followed by the right child
+    std::uint32_t first : 30; ///< leaf: the face; otherwise the left child, followed by the right child
+    std::uint32_t bare : 1;   ///< no face below the node owns a feature
     std::uint32_t leaf : 1;
     PackedSlab slab; ///< encloses the vertices of the faces below the node
 
     [[nodiscard]] bool is_leaf() const { return leaf != 0; }
+    [[nodiscard]] bool is_bare() const { return bare != 0; }
 };
 
 /// The centre and half the sides of a node's box, in single precision.
@@ -54,6 +56,17 @@ public:
     /// Builds the tree over faces given by their outlines (lists of vertices; at least one face) on at most `threads`
     /// threads (0: all cores). The result does not depend on the number of threads.
     Bvh(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector3d> vertices, unsigned threads = 1);
+
+    /// Marks the nodes of faces without features. `is_bare(face)` tells them.
+    template <class IsBare>
+    void mark_bare(IsBare is_bare) {
+        for (std::size_t i = nodes_.size(); i-- > 1;) { // children follow their parent
+            BvhNode& node = nodes_[i];
+            const bool bare = node.is_leaf() ? is_bare(std::uint32_t(node.first))
+                                             : nodes_[node.first + 1].is_bare() && nodes_[node.first + 2].is_bare();
+            node.bare = bare ? 1 : 0;
+        }
+    }
 
     [[nodiscard]] std::span<const BvhNode> nodes() const {
         return nodes_.empty() ? std::span<const BvhNode>() : std::span(nodes_).subspan(1);

@@ -34,8 +34,8 @@ bool is_header(Cells cells, std::string_view header) {
 std::vector<double> numbers_in(Cells cells, std::string_view header) {
     const std::vector<std::string> names = split_csv(header);
     if (cells.size() != names.size())
-        throw InvalidInput(std::to_string(cells.size()) + " columns found, " + std::to_string(names.size()) +
-                           " expected");
+        throw InvalidInput(std::to_string(cells.size()) + (cells.size() == 1 ? " column" : " columns") + " found, " +
+                           std::to_string(names.size()) + " expected");
     std::vector<double> numbers;
     for (std::size_t i = 0; i < cells.size(); ++i) {
         const auto number = parse_finite(cells[i]);

@@ -1,4 +1,4 @@
-// Computes the faces around vertices on the first request, and counts memory.
+// Computes the faces around vertices and the normal cones on the first request, and counts memory.
 // Several threads may request them at the same time.
 #include "chasles/mesh/body.h"
 
@@ -34,6 +34,11 @@ FlatLists<std::uint32_t> lists_with(const FlatLists<std::uint32_t>& outlines, st
 std::span<const std::uint32_t> Body::faces_around(std::size_t vertex) const {
     std::call_once(faces_around_once_, [&] { faces_around_ = lists_with(parts_.outlines, parts_.vertices.size()); });
     return faces_around_[vertex];
+}
+
+std::span<const NormalCone> Body::normal_cones() const {
+    std::call_once(normal_cones_once_, [&] { normal_cones_ = normal_cones_of(*this); });
+    return normal_cones_;
 }
 
 std::size_t Body::memory() const {

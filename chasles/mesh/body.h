@@ -5,6 +5,7 @@
 #include "chasles/base/flat_lists.h"
 #include "chasles/hierarchy/bvh.h"
 #include "chasles/mesh/edge.h"
+#include "chasles/mesh/normal_cones.h"
 #include "chasles/mesh/polyhedron.h"
 
 #include <mutex>
@@ -57,6 +58,9 @@ public:
     /// The faces with a vertex as corner, in ascending order. The first call computes the lists of all vertices.
     [[nodiscard]] std::span<const std::uint32_t> faces_around(std::size_t vertex) const;
 
+    /// The cones around the normals below each node of the hierarchy. The first call computes them.
+    [[nodiscard]] std::span<const NormalCone> normal_cones() const;
+
     /// The hierarchy of boxes over the faces, in the body's frame.
     [[nodiscard]] const Bvh& bvh() const { return parts_.bvh; }
 
@@ -69,6 +73,8 @@ private:
     BodyParts parts_;
     mutable std::once_flag faces_around_once_;
     mutable FlatLists<std::uint32_t> faces_around_;
+    mutable std::once_flag normal_cones_once_;
+    mutable std::vector<NormalCone> normal_cones_;
 };
 
 } // namespace chasles

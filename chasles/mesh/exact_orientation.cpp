@@ -1,14 +1,20 @@
-// Tests with Shewchuk's first filter for orient2d; an exact sum of products decides the remaining cases.
+// Tests with Shewchuk's first filters for orient2d and orient3d; exact arithmetic decides the remaining cases.
 // Source: J. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997.
 #include "chasles/mesh/exact_orientation.h"
 
+#include "chasles/algebra/dyadic.h"
 #include "chasles/algebra/exact_sum.h"
+#include "chasles/algebra/vector.h"
 
+#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
 namespace chasles {
 namespace {
+
+/// Far above the underflow of a sum of products of three coordinates up to 1e30.
+constexpr double underflow_of_products = 1e-250;
 
 /// The sign of the expanded determinant.
 int exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -22,9 +28,11 @@ int exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const 
     return sum.sign();
 }
 
-/// The point without one coordinate.
-Eigen::Vector2d without(int axis, const Eigen::Vector3d& point) {
-    return {point[(axis + 1) % 3], point[(axis + 2) % 3]};
+using Arm = algebra::Vector3<algebra::Dyadic>;
+
+Arm exact_arm(const Eigen::Vector3d& from, const Eigen::Vector3d& to) {
+    using algebra::Dyadic;
+    return {Dyadic(to.x()) - Dyadic(from.x()), Dyadic(to.y()) - Dyadic(from.y()), Dyadic(to.z()) - Dyadic(from.z())};
 }
 
 } // namespace
@@ -50,9 +58,29 @@ int orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen:
 
 bool are_collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     for (int axis = 0; axis < 3; ++axis)
-        if (orientation(without(axis, a), without(axis, b), without(axis, c)) != 0)
+        if (orientation(without_axis(axis, a), without_axis(axis, b), without_axis(axis, c)) != 0)
             return false;
     return true;
+}
+
+bool are_coplanar(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                  const Eigen::Vector3d& d) {
+    const Eigen::Vector3d ad = a - d;
+    const Eigen::Vector3d bd = b - d;
+    const Eigen::Vector3d cd = c - d;
+    for (int axis = 0; axis < 3; ++axis)
+        if (ad[axis] == 0.0 && bd[axis] == 0.0 && cd[axis] == 0.0)
+            return true;
+    const Eigen::Vector3d across = bd.cross(cd);
+    const Eigen::Vector3d size(std::abs(bd.y() * cd.z()) + std::abs(bd.z() * cd.y()),
+                               std::abs(bd.z() * cd.x()) + std::abs(bd.x() * cd.z()),
+                               std::abs(bd.x() * cd.y()) + std::abs(bd.y() * cd.x()));
+    constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
+    constexpr double relative = (7.0 + 56.0 * unit) * unit; // o3derrboundA in Shewchuk's predicates.c
+    const double bound = relative * ad.cwiseAbs().dot(size) + underflow_of_products;
+    if (std::abs(ad.dot(across)) > bound)
+        return false;
+    return dot(exact_arm(d, a), cross(exact_arm(d, b), exact_arm(d, c))).sign() == 0;
 }
 
 bool lies_beyond(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {

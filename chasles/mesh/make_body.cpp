@@ -6,6 +6,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/mesh/collapsed_faces.h"
 #include "chasles/mesh/face_outlines.h"
+#include "chasles/mesh/flat_features.h"
 #include "chasles/mesh/mesh_edges.h"
 #include "chasles/mesh/ownership.h"
 #include "chasles/mesh/polygon_faces.h"
@@ -24,9 +25,20 @@ bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
     return source.size() == given;
 }
 
+/// The features of faces without the flat ones.
+std::vector<std::uint32_t> without_flat(std::span<const std::uint32_t> features, const std::vector<bool>& is_flat) {
+    std::vector<std::uint32_t> result(features.begin(), features.end());
+    for (std::uint32_t& feature : result)
+        if (feature != no_feature && is_flat[feature])
+            feature = no_feature;
+    return result;
+}
+
 /// The edges that each face owns.
-FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const MeshEdges& edges) {
-    FlatLists<std::uint32_t> shares = share_features(outlines.offsets, edges.edge_of_side, edges.edges.size());
+FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const MeshEdges& edges,
+                            const std::vector<bool>& is_flat) {
+    FlatLists<std::uint32_t> shares =
+        share_features(outlines.offsets, without_flat(edges.edge_of_side, is_flat), edges.edges.size());
     FlatLists<Edge> owned{std::move(shares.offsets), {}};
     owned.items.reserve(shares.items.size());
     for (const std::uint32_t edge : shares.items)
@@ -60,7 +72,7 @@ std::size_t depth_of(std::span<const BvhNode> nodes) {
     return *std::ranges::max_element(depths);
 }
 
-/// Adds the bounding box of all vertices that a face uses: exactly those that a face owns.
+/// Adds the bounding box of all vertices that faces own. It contains the flat vertices, which no face owns.
 void add_bounding_box(const BodyParts& parts, MeshReport& report) {
     Eigen::Vector3d lower = parts.vertices[parts.owned_vertices.items.front()];
     Eigen::Vector3d upper = lower;
@@ -109,9 +121,13 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
     parts.report.distinct_vertices = sorted.distinct_vertices;
     parts.report.dropped_faces = sorted.collapsed.source.size();
     parts.vertices.assign(vertices.begin(), vertices.end());
-    parts.owned_vertices = share_features(outlines.offsets, outlines.items, vertices.size());
-    parts.owned_edges = share_edges(outlines, edges);
+    const FlatFeatures flat = find_flat_features(outlines, polygons.triangles, edges, vertices);
+    parts.owned_vertices =
+        share_features(outlines.offsets, without_flat(outlines.items, flat.vertices), vertices.size());
+    parts.owned_edges = share_edges(outlines, edges, flat.edges);
     parts.bvh = Bvh(outlines, vertices, options.threads);
+    parts.bvh.mark_bare(
+        [&](std::uint32_t face) { return parts.owned_vertices[face].empty() && parts.owned_edges[face].empty(); });
     if (!is_identity(polygons.faces.source, faces.size()))
         parts.source = std::move(polygons.faces.source);
     parts.triangles = std::move(polygons.triangles);

@@ -62,8 +62,12 @@ void add_edge(std::uint32_t from, std::span<const Side> sides, MeshEdges& result
     const bool is_edge = faces > 0;
     for (const Side& side : sides)
         result.edge_of_side[side.corner] = is_edge ? static_cast<std::uint32_t>(result.edges.size()) : MeshEdges::none;
-    if (is_edge)
+    if (is_edge) {
         result.edges.push_back({from, sides.front().to});
+        const bool has_two = faces == 2 && sides.size() == 2;
+        result.two_faces.push_back(
+            {has_two ? sides[0].face : MeshEdges::none, has_two ? sides[1].face : MeshEdges::none});
+    }
     result.boundary += faces == 1 ? 1 : 0;
     result.nonmanifold += faces > 2 ? 1 : 0;
 }
@@ -84,6 +88,7 @@ MeshEdges collect_edges(const FlatLists<std::uint32_t>& outlines, std::size_t ve
     MeshEdges result;
     result.edge_of_side.resize(outlines.items.size());
     result.edges.reserve(outlines.items.size() / 2 + 1);
+    result.two_faces.reserve(outlines.items.size() / 2 + 1);
     for (std::uint32_t from = 0; from < vertex_count; ++from) {
         const std::span<Side> bucket(sides.items.data() + sides.offsets[from],
                                      sides.items.data() + sides.offsets[from + 1]);

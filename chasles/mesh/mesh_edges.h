@@ -5,6 +5,7 @@
 #include "chasles/base/flat_lists.h"
 #include "chasles/mesh/edge.h"
 
+#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -15,7 +16,8 @@ namespace chasles {
 struct MeshEdges {
     static constexpr std::uint32_t none = 0xffffffff;
 
-    std::vector<Edge> edges;                 ///< in ascending order
+    std::vector<Edge> edges;                             ///< in ascending order
+    std::vector<std::array<std::uint32_t, 2>> two_faces; ///< the faces of each edge that has two sides, otherwise none
     std::vector<std::uint32_t> edge_of_side; ///< for corner i of all outlines: the edge to the next corner, or none
     std::size_t boundary = 0;                ///< edges with one face
     std::size_t nonmanifold = 0;             ///< edges with three faces or more

@@ -12,6 +12,9 @@
 
 namespace chasles {
 
+/// The greatest number of contacts that an answer lists.
+inline constexpr std::size_t most_contacts = 1000;
+
 /// What is proven. There is no conversion to bool: an uncertain answer must not be mistaken for "clear".
 enum class Verdict : std::uint8_t {
     unknown,          ///< no answer yet: a default-constructed answer claims nothing
@@ -37,6 +40,8 @@ struct [[nodiscard]] FirstContact {
     Bracket tau;          ///< the same in the paper's parameter; see docs/derivations/02
     bool certain = false; ///< false where contact could not be told from a miss (docs/promises.md says where)
     std::vector<Contact> contacts;
+    bool contacts_cut = false; ///< there are more contacts than the list has: more than `most_contacts`, or surfaces
+                               ///< that pass through each other
     std::vector<Contact> held; ///< with `hold`: what is within the margin at time 0, in the world frame at time 0
     /// How far it is safe to go: before this time the bodies are proven to stay farther apart than the margin. With
     /// `hold`: farther than `hold`, or than at the start where that is less. 1 if they do all along, 0 at the start.

@@ -29,6 +29,15 @@ void require_no_deviation(const PieceContext& context) {
     require(context.piece().deviation() <= 0, "hold", "is not supported for motions with a deviation");
 }
 
+/// What is near at the start as a contact there.
+PieceResult contact_of(const search::NearFeatures& near) {
+    PieceResult result;
+    for (const contact::FeaturePair& features : near.pairs)
+        result.candidates.push_back({features, {0, 0, true}});
+    result.overlap = near.overlap;
+    return result;
+}
+
 /// Proven clear up to the goal.
 void set_clear(FirstContact& answer, const Pose& goal, const Pose& fixed_goal) {
     answer.verdict = Verdict::clear;
@@ -54,7 +63,8 @@ private:
         bool is_reached = false; ///< the bodies are as near as they may be
         bool touches = false;
     };
-    [[nodiscard]] HeldLevel held_level(const PieceContext& piece, const PieceResult& start) const;
+    [[nodiscard]] HeldLevel held_level(const PieceContext& piece, const ContactMoment& start,
+                                       const search::NearFeatures& near) const;
     void search_holding(FirstContact& found, PieceContext& first_piece, double level, const search::HeldContacts& held);
     bool search_holding_piece(FirstContact& found, PieceContext& piece, double level, const search::HeldContacts& held,
                               bool is_first);
@@ -67,14 +77,12 @@ private:
     [[nodiscard]] search::SearchOptions search_of(const PieceContext& piece, double margin) const {
         search::SearchOptions search;
         search.tolerance = piece.piece().tau_tolerance(options_.time_tolerance);
-        search.find = options_.find;
-        search.lists_contacts = lists_contacts(options_);
+        search.finds_any = options_.find == Find::any;
         search.margin = margin + piece.piece().deviation();
         return search;
     }
-    [[nodiscard]] PieceResult contacts_at_start(PieceContext& piece) const;
     [[nodiscard]] double resting_slack(const PieceContext& piece) const;
-    [[nodiscard]] double least_distance(const PieceContext& piece, const PieceResult& start) const;
+    [[nodiscard]] double least_distance(const ContactMoment& start, const search::NearFeatures& near) const;
 
     const PairQuery& query_;
     const QueryOptions& options_;
@@ -106,20 +114,23 @@ FirstContact PieceByPiece::run_within(double margin) {
 FirstContact PieceByPiece::run_holding() {
     PieceContext first_piece = piece(0);
     require_no_deviation(first_piece);
-    const PieceResult start = contacts_at_start(first_piece);
-    FirstContact found = has_contact(start) ? FirstContact() : run_within(options_.margin);
-    found.work += start.work;
-    if (!has_contact(start))
+    // A motion that stopped at the margin ended within it, up to rounding.
+    const ContactMoment start(first_piece, 0, true, options_.margin + resting_slack(first_piece), 0);
+    const search::NearFeatures near = start.find({.finds_overlaps = true});
+    const bool is_held = near.overlap || (!near.pairs.empty() && near.complete_within > 0);
+    FirstContact found = is_held ? FirstContact() : run_within(options_.margin);
+    found.work += near.work;
+    if (!is_held)
         return found;
-    const HeldLevel level = held_level(first_piece, start);
-    const ReportScope scope{options_, true, options_.margin};
+    const HeldLevel level = held_level(first_piece, start, near);
     if (level.touches) {
-        report(found, first_piece, start, scope);
+        report(found, first_piece, contact_of(near), {options_, true, options_.margin});
         return found;
     }
-    found.held = contacts_of(first_piece, start.candidates, {{0, 0}, true}, scope);
-    search_holding(found, first_piece, level.distance,
-                   search::HeldContacts({start.candidates.begin(), start.candidates.end()}));
+    found.held = start.contacts_of(near.pairs);
+    found.contacts_cut = near.is_cut || found.held.size() > most_contacts;
+    found.held.resize(std::min(found.held.size(), most_contacts));
+    search_holding(found, first_piece, level.distance, search::HeldContacts(start.scene()));
     if (level.is_reached && found.clear_until < 1)
         found.clear_until = 0;
     return found;
@@ -127,11 +138,12 @@ FirstContact PieceByPiece::run_holding() {
 
 /// `hold` and a small reserve, which is given up where the bodies are that near by rounding; their distance at the
 /// start where that is less.
-PieceByPiece::HeldLevel PieceByPiece::held_level(const PieceContext& piece, const PieceResult& start) const {
-    if (start.overlap)
+PieceByPiece::HeldLevel PieceByPiece::held_level(const PieceContext& piece, const ContactMoment& start,
+                                                 const search::NearFeatures& near) const {
+    if (near.overlap)
         return {0, true, true};
     const double rounding = resting_slack(piece);
-    const double distance = least_distance(piece, start);
+    const double distance = least_distance(start, near);
     if (distance <= rounding)
         return {0, true, true};
     if (*options_.hold == 0)
@@ -162,7 +174,7 @@ bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece
     require_no_deviation(piece);
     search::SearchOptions near = search_of(piece, level);
     near.check_start = false;
-    near.find = options_.find == Find::any ? Find::first : options_.find; // `clear_until` needs the first
+    near.finds_any = false; // `clear_until` needs the first
     const PieceResult at_level = search_piece(piece, near);
     found.work += at_level.work;
     if (found.verdict == Verdict::unknown) {
@@ -175,7 +187,7 @@ bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece
                             (!has_contact(at_level) || enclosing(new_contacts).upper < enclosing(at_level).upper);
         if (is_new || has_contact(at_level))
             report(found, piece, is_new ? new_contacts : at_level,
-                   {options_, is_first, is_new ? far.margin : near.margin});
+                   {options_, is_first, is_new ? far.margin : near.margin, is_new ? &held : nullptr});
     }
     if (!has_contact(at_level))
         return false;
@@ -186,27 +198,17 @@ bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece
     return true;
 }
 
-/// All feature pairs within the margin at the start, and a little more: a motion that stopped at the margin ended
-/// within it.
-PieceResult PieceByPiece::contacts_at_start(PieceContext& piece) const {
-    search::SearchOptions search = search_of(piece, options_.margin + resting_slack(piece));
-    search.find = Find::first_with_all_contacts;
-    search.only_start = true;
-    return search_piece(piece, search);
-}
-
 /// A hundred times as much as the rounding of poses to doubles moves bodies.
 double PieceByPiece::resting_slack(const PieceContext& piece) const {
     constexpr double rounding_of_poses = 0x1p-44;
     return rounding_of_poses * piece.error_scale(options_.margin).length;
 }
 
-/// The least distance at the start.
-double PieceByPiece::least_distance(const PieceContext& piece, const PieceResult& start) const {
-    const contact::RelativeConfiguration bodies(query_.moving, query_.fixed, piece.maps(), 0);
-    double least = options_.margin;
-    for (const search::Candidate& candidate : start.candidates)
-        least = std::min(least, bodies.nearest(candidate).apart().norm());
+/// The least distance at the start, which is one of the local minima.
+double PieceByPiece::least_distance(const ContactMoment& start, const search::NearFeatures& near) const {
+    double least = near.is_cut ? std::min(near.complete_within, options_.margin) : options_.margin;
+    for (const contact::FeaturePair& features : near.pairs)
+        least = std::min(least, start.scene().bodies.nearest(features).apart().norm());
     return least;
 }
 

@@ -2,13 +2,13 @@
 
 #include "chasles/contact/contact_set.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
 
 namespace chasles::query {
 
 namespace {
 
+using contact::FeaturePair;
 using search::Candidate;
 
 bool is_certain(const std::vector<Candidate>& candidates, const Bracket& tau) {
@@ -22,16 +22,6 @@ bool is_certain(const std::vector<Candidate>& candidates, const Bracket& tau) {
 std::pair<bool, double> rank(const Candidate& candidate) {
     const auto& [lower, upper, certain] = candidate.tau;
     return {!certain, certain ? upper : lower};
-}
-
-/// One candidate for each feature pair: the first by rank. A contact at the border of two intervals of time is found in
-/// both.
-std::vector<Candidate> without_repeated(std::vector<Candidate> candidates) {
-    const auto features = [](const Candidate& c) -> const contact::FeaturePair& { return c; };
-    std::ranges::sort(candidates, {}, [&](const Candidate& c) { return std::pair(features(c), rank(c)); });
-    const auto repeated = std::ranges::unique(candidates, {}, features);
-    candidates.erase(repeated.begin(), repeated.end());
-    return candidates;
 }
 
 const Candidate& first_of(const std::vector<Candidate>& candidates) {
@@ -50,15 +40,47 @@ void name_faces(Contact& contact, const search::PieceContext& context) {
         name_face(contact.fixed, context.fixed());
 }
 
-Eigen::Vector3d in_world(const Eigen::Isometry3d& to_world, const Eigen::Vector3d& point) {
+Eigen::Vector3d placed(const Eigen::Isometry3d& to_world, const Eigen::Vector3d& point) {
     return contact::product(to_world.linear(), point) + to_world.translation();
 }
 
 /// The overlap in the world frame, with the ids of the input.
 Overlap reported(Overlap overlap, const Pose& fixed_pose, const search::PieceContext& context) {
-    overlap.point = in_world(fixed_pose.isometry(), overlap.point);
+    overlap.point = placed(fixed_pose.isometry(), overlap.point);
     name_face(overlap.face, overlap.edge_is_moving ? context.fixed() : context.moving());
     return overlap;
+}
+
+/// The pairs that came to the margin, without those that were within it before and move along.
+void remove_held(std::vector<FeaturePair>& pairs, const ContactMoment& moment, const search::HeldContacts& held) {
+    const contact::ContactScene& scene = moment.scene();
+    std::erase_if(pairs, [&](const FeaturePair& features) {
+        const contact::NearestPoints nearest = scene.bodies.nearest(features);
+        const double speed = scene.bodies.velocity_at(nearest.on_moving).norm();
+        return nearest.apart().norm() < scene.margin - scene.slack ||
+               contact::described(scene, features).approach_speed <= contact::no_direction * speed ||
+               held.has(features);
+    });
+}
+
+/// All contacts of the moment; with an overlap those that were found before it, as it ends the search.
+void list_contacts(FirstContact& answer, const ContactMoment& moment, const search::PieceResult& result,
+                   const ReportScope& scope) {
+    std::vector<FeaturePair> pairs;
+    if (!result.overlap) {
+        search::NearFeatures near = moment.find({});
+        answer.work += near.work;
+        answer.contacts_cut = near.is_cut;
+        pairs = std::move(near.pairs);
+    }
+    if (scope.held)
+        remove_held(pairs, moment, *scope.held);
+    if (!result.candidates.empty())
+        pairs.push_back(first_of(result.candidates)); // an uncertain contact may be none
+    if (!pairs.empty())
+        answer.contacts = moment.contacts_of(pairs);
+    answer.contacts_cut = answer.contacts_cut || result.overlap || answer.contacts.size() > most_contacts;
+    answer.contacts.resize(std::min(answer.contacts.size(), most_contacts));
 }
 
 } // namespace
@@ -78,7 +100,7 @@ bool has_contact(const search::PieceResult& result) {
     return result.overlap || !result.candidates.empty();
 }
 
-void report(FirstContact& answer, const search::PieceContext& context, const search::PieceResult& result,
+void report(FirstContact& answer, search::PieceContext& context, const search::PieceResult& result,
             const ReportScope& scope) {
     const motion::AnyPiece& piece = context.piece();
     const Bracket tau = enclosing(result);
@@ -92,31 +114,36 @@ void report(FirstContact& answer, const search::PieceContext& context, const sea
     answer.fixed_pose = piece.fixed_pose_at(tau.lower);
     if (result.overlap)
         answer.overlap = reported(*result.overlap, answer.fixed_pose, context);
-    answer.contacts = contacts_of(context, result.candidates, {tau, at_start}, scope);
+    const double width = std::min(tau.upper - tau.lower, scope.options.time_tolerance);
+    const ContactMoment moment(context, tau.lower, at_start, scope.margin, width);
+    if (lists_contacts(scope.options))
+        list_contacts(answer, moment, result, scope);
+    else if (!result.candidates.empty())
+        answer.contacts = {moment.contact_of(first_of(result.candidates))};
 }
 
-std::vector<Contact> contacts_of(const search::PieceContext& context, std::vector<Candidate> candidates,
-                                 const ContactTime& when, const ReportScope& scope) {
-    if (candidates.empty())
-        return {};
-    candidates = without_repeated(std::move(candidates));
-    const motion::AnyPiece& piece = context.piece();
-    const auto& [tau, is_at_start] = when;
-    const contact::RelativeConfiguration bodies(context.moving(), context.fixed(), context.maps(), tau.lower);
-    const double width = std::min(tau.upper - tau.lower, scope.options.time_tolerance);
-    const contact::ContactScene scene{bodies, is_at_start, scope.margin,
-                                      contact::touch_slack(bodies, context.error_scale(scope.margin), width)};
-    std::vector<Contact> contacts = lists_contacts(scope.options)
-                                        ? contact_set(scene, {candidates.begin(), candidates.end()})
-                                        : std::vector{described(scene, first_of(candidates))};
-    const Eigen::Isometry3d to_world = piece.fixed_pose_at(tau.lower).isometry();
-    for (Contact& contact : contacts) {
-        contact.point = in_world(to_world, contact.point);
-        contact.normal = contact::product(to_world.linear(), contact.normal);
-        contact.approach_speed *= piece.tau_rate(tau.lower);
-        name_faces(contact, context);
-    }
+ContactMoment::ContactMoment(search::PieceContext& context, double tau, bool is_at_start, double margin, double width)
+    : context_(context), tau_(tau), bodies_(context.moving(), context.fixed(), context.maps(), tau),
+      scene_{bodies_, is_at_start, margin, contact::touch_slack(bodies_, context.error_scale(margin), width)},
+      to_world_(context.piece().fixed_pose_at(tau).isometry()) {}
+
+Contact ContactMoment::contact_of(const FeaturePair& features) const {
+    return in_world(contact::described(scene_, features));
+}
+
+std::vector<Contact> ContactMoment::contacts_of(const std::vector<FeaturePair>& pairs) const {
+    std::vector<Contact> contacts = contact::contact_set(scene_, pairs);
+    for (Contact& contact : contacts)
+        contact = in_world(contact);
     return contacts;
+}
+
+Contact ContactMoment::in_world(Contact contact) const {
+    contact.point = placed(to_world_, contact.point);
+    contact.normal = contact::product(to_world_.linear(), contact.normal);
+    contact.approach_speed *= context_.piece().tau_rate(tau_);
+    name_faces(contact, context_);
+    return contact;
 }
 
 } // namespace chasles::query

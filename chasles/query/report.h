@@ -1,8 +1,12 @@
 // From what a search of one piece found to the answer that a user gets.
 #pragma once
 
+#include "chasles/contact/contact_frame.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/search/near_features.h"
 #include "chasles/search/piece_search.h"
+
+#include <Eigen/Geometry>
 
 namespace chasles::query {
 
@@ -10,7 +14,8 @@ namespace chasles::query {
 struct ReportScope {
     const QueryOptions& options;
     bool is_first_piece = false;
-    double margin = 0; ///< of the search
+    double margin = 0;                          ///< of the search
+    const search::HeldContacts* held = nullptr; ///< not null: the search was for new contacts
 };
 
 /// Whether an answer lists the contacts of the first moment, and not only one of them.
@@ -24,16 +29,37 @@ Bracket enclosing(const search::PieceResult& result);
 /// Whether the search found a contact or an overlap.
 bool has_contact(const search::PieceResult& result);
 
-/// Writes the contact that a search found into an answer, with everything but `held`, `clear_until` and `work`.
-void report(FirstContact& answer, const search::PieceContext& context, const search::PieceResult& result,
+/// Writes the contact that a search found into an answer, with everything but `held` and `clear_until`; adds to its
+/// work.
+void report(FirstContact& answer, search::PieceContext& context, const search::PieceResult& result,
             const ReportScope& scope);
 
-/// The contacts of candidates at a tau, in the world.
-struct ContactTime {
-    Bracket tau;
-    bool is_at_start = false;
+/// The bodies at the lower end of a bracket of tau, for their contacts.
+class ContactMoment {
+public:
+    /// Keeps the context by reference. Features within `margin` are in contact; the bracket is at most `width` wide.
+    ContactMoment(search::PieceContext& context, double tau, bool is_at_start, double margin, double width);
+    ContactMoment(const ContactMoment&) = delete;
+    ContactMoment& operator=(const ContactMoment&) = delete;
+
+    [[nodiscard]] const contact::ContactScene& scene() const { return scene_; }
+    /// What touches or, with a margin, is at a local minimum of the distance.
+    [[nodiscard]] search::NearFeatures find(const search::NearSearch& search) const {
+        return search::near_features(context_, scene_, tau_, search);
+    }
+    /// One contact, in the world and named as in the input.
+    [[nodiscard]] Contact contact_of(const contact::FeaturePair& features) const;
+    /// The contacts of feature pairs, each once, and flat contacts by their corners.
+    [[nodiscard]] std::vector<Contact> contacts_of(const std::vector<contact::FeaturePair>& pairs) const;
+
+private:
+    [[nodiscard]] Contact in_world(Contact contact) const;
+
+    search::PieceContext& context_;
+    double tau_;
+    contact::RelativeConfiguration bodies_;
+    contact::ContactScene scene_;
+    Eigen::Isometry3d to_world_;
 };
-std::vector<Contact> contacts_of(const search::PieceContext& context, std::vector<search::Candidate> candidates,
-                                 const ContactTime& when, const ReportScope& scope);
 
 } // namespace chasles::query

@@ -17,10 +17,9 @@ void Candidates::stop_search_at(double tau) {
     std::erase_if(postponed_, is_later);
 }
 
-void Candidates::end_at_start(bool is_over) {
+void Candidates::end_at_start() {
     state_.shorten(0);
-    if (is_over)
-        state_.stop();
+    state_.stop();
 }
 
 std::vector<Candidate>::iterator Candidates::first_proven() {

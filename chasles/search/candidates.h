@@ -38,8 +38,7 @@ public:
     /// Takes in what needs no further stage.
     void keep(const Candidate& candidate);
 
-    /// The number of candidates nearly simultaneous with a proven contact, as far as the filter can tell; 0 if the
-    /// search lists all contacts.
+    /// The number of candidates nearly simultaneous with a proven contact, as far as the filter can tell.
     [[nodiscard]] std::size_t simultaneous() const { return simultaneous_; }
     /// Narrows the first proven contact to within the tolerance. Returns a time just before the contact, from which on
     /// a bracket is narrow enough; empty if that is not possible, or at the start.
@@ -51,7 +50,7 @@ public:
     [[nodiscard]] double searched_until() const { return searched_until_; }
 
     /// An overlap at the start: nothing is earlier.
-    void end_at_start(bool is_over);
+    void end_at_start();
 
     /// After the last interval: narrows the brackets that matter and decides the candidates that were postponed.
     template <LaterStages Stages>

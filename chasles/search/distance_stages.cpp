@@ -30,8 +30,8 @@ double width_of(const FeasibleInterval& tau) {
 DistanceStages::DistanceStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), scale_(context.error_scale(options.margin)),
       filter_({context.moving(), context.fixed(), scale_, options.margin}, context.maps()), next_filter_(filter_),
-      start_tests_(context.moving(), context.fixed(), scale_),
-      candidates_({options.find, options.tolerance, true, options.lists_contacts}) {}
+      start_tests_(context.moving(), context.fixed(), scale_), overlaps_(context, scale_),
+      candidates_({options.finds_any, options.tolerance, true}) {}
 
 void DistanceStages::use(const culling::TimeRange& part) {
     if (part != filter_.part())
@@ -40,11 +40,11 @@ void DistanceStages::use(const culling::TimeRange& part) {
 }
 
 void DistanceStages::test_start(const TwoFaces& faces) {
-    if (!is_at_start_)
+    if (!is_at_start_ || is_over())
         return;
     start_tests_.use(context_.maps(), {});
-    for_each_possible_overlap(start_tests_, context_.moving(), context_.fixed(), faces,
-                              [&](const Overlap& overlap) { add(overlap); });
+    if (overlaps_.collect(start_tests_, faces))
+        candidates_.end_at_start();
 }
 
 void DistanceStages::test(const FeaturePair& features) {
@@ -53,13 +53,11 @@ void DistanceStages::test(const FeaturePair& features) {
     filter_.tests().distance(features, [&](const auto& problem) {
         if (is_at_start_)
             at_start(problem);
-        if (!options_.only_start)
-            crossing(problem);
+        crossing(problem);
     });
     test_at_start(features, at_start.answer());
-    if (options_.held && options_.held->has(features))
-        return;
-    if (const auto found = filter_.in_piece(crossing.first()))
+    const auto found = filter_.in_piece(crossing.first());
+    if (found && !(options_.held && options_.held->has(features)))
         candidates_.add({features, found->tau, found->leaves}, *this);
 }
 
@@ -79,24 +77,15 @@ void DistanceStages::test_at_start(const FeaturePair& features, WithinAtStart::A
         candidates_.keep({features, {0, 0, answer == yes}});
 }
 
-/// An edge that barely passes is within the margin of what it barely passes: an uncertain overlap is left to distances.
-void DistanceStages::add(const Overlap& found) {
-    if (is_over())
-        return;
-    refinement().use({});
-    ++work_.refined;
-    const auto overlap = search::refined(found, refinement().tests(), context_.piece().cubic());
-    if (!overlap || !overlap->certain)
-        return;
-    overlap_ = overlap;
-    candidates_.end_at_start(options_.find != Find::first_with_all_contacts);
-}
-
 PieceResult DistanceStages::take() {
     candidates_.settle(*this);
+    // An edge that barely passes is within the margin of what it barely passes, unless that is inside a flat part.
+    if (candidates_.best() > 0 && overlaps_.decide())
+        candidates_.end_at_start();
+    work_ += overlaps_.work();
     work_.elementary_tests += filter_.tests().workspace().elementary_tests;
     work_.root_brackets += filter_.tests().workspace().root_brackets;
-    return {candidates_.take(), candidates_.searched_until(), overlap_, work_};
+    return {candidates_.take(), candidates_.searched_until(), overlaps_.found(), work_};
 }
 
 std::optional<FeasibleInterval> DistanceStages::narrow(const Candidate& candidate, const SearchState&) {

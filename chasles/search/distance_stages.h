@@ -6,8 +6,8 @@
 #include "chasles/contact/relative_configuration.h"
 #include "chasles/search/candidates.h"
 #include "chasles/search/distance_crossing.h"
-#include "chasles/search/overlaps.h"
 #include "chasles/search/piece_search.h"
+#include "chasles/search/start_overlaps.h"
 
 #include <memory>
 
@@ -22,7 +22,7 @@ public:
     static constexpr bool tests_all_kinds = true;
     [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
     [[nodiscard]] double culling_margin() const { return options_.margin + elementary::parallel_slack * scale_.length; }
-    [[nodiscard]] double best() const { return options_.only_start ? 0 : candidates_.best(); }
+    [[nodiscard]] double best() const { return candidates_.best(); }
     [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
 
     void use(const culling::TimeRange& part);
@@ -46,7 +46,6 @@ private:
     struct Step;
 
     void test_at_start(const FeaturePair& features, WithinAtStart::Answer answer);
-    void add(const Overlap& overlap);
     [[nodiscard]] std::optional<double> passed_until(const Crossing& crossing, const FeaturePair& features) const;
     bool advance(Step& step, const FeaturePair& features, const SearchState& state);
     std::optional<Crossing> refined(const FeaturePair& features, const culling::TimeRange& where);
@@ -59,8 +58,8 @@ private:
     PartTests<double> next_filter_; ///< for the time after a crossing that does not count
     FeatureTests<double> start_tests_;
     std::unique_ptr<PartTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
+    StartOverlaps overlaps_;
     Candidates candidates_;
-    std::optional<Overlap> overlap_;
     bool is_at_start_ = false;
     Work work_;
 };

@@ -1,24 +1,20 @@
 // Contacts that bodies have at the start of a motion and may keep. Source: docs/derivations/17-hold.md.
 #pragma once
 
-#include "chasles/contact/feature_pair.h"
-
-#include <algorithm>
-#include <vector>
+#include "chasles/contact/near_pair.h"
 
 namespace chasles::search {
 
-/// Feature pairs that are within the margin at the start.
+/// The feature pairs that are within a margin at the start.
 class HeldContacts {
 public:
-    explicit HeldContacts(std::vector<contact::FeaturePair> pairs) : pairs_(std::move(pairs)) {
-        std::ranges::sort(pairs_);
-    }
+    /// `start` is kept by reference.
+    explicit HeldContacts(const contact::ContactScene& start) : start_(start) {}
 
-    [[nodiscard]] bool has(const contact::FeaturePair& pair) const { return std::ranges::binary_search(pairs_, pair); }
+    [[nodiscard]] bool has(const contact::FeaturePair& pair) const { return contact::NearTest(start_).are_near(pair); }
 
 private:
-    std::vector<contact::FeaturePair> pairs_; ///< sorted
+    const contact::ContactScene& start_;
 };
 
 } // namespace chasles::search

@@ -30,31 +30,16 @@ public:
     }
     /// Tests every pair of features that the two faces own and that may come to each other's planes.
     void test(const culling::FacePair& pair) {
-        using enum ContactKind;
         ++face_pairs_;
         const auto faces = culler_.cull(pair, stages_.best());
         if (!faces)
             return;
-        const Body& moving = context_.moving();
+        const TwoFaces two{pair.moving, pair.fixed};
         stages_.use(faces->part);
-        stages_.test_start({pair.moving, pair.fixed});
-        for (const std::uint32_t vertex : moving.owned_vertices(pair.moving)) {
-            if (!faces->moving.may_meet(vertex))
-                continue;
-            stages_.test({vertex_face, {vertex, vertex}, {pair.fixed, pair.fixed}});
-            if constexpr (Stages::tests_all_kinds) {
-                test_edges({vertex_edge, {vertex, vertex}, {}}, pair.fixed, faces->fixed);
-                test_vertices({vertex_vertex, {vertex, vertex}, {}}, pair.fixed, faces->fixed);
-            }
-        }
-        test_vertices({face_vertex, {pair.moving, pair.moving}, {}}, pair.fixed, faces->fixed);
-        for (const Edge& edge : moving.owned_edges(pair.moving)) {
-            if (!faces->moving.may_meet(edge))
-                continue;
-            if constexpr (Stages::tests_all_kinds)
-                test_vertices({edge_vertex, {edge.from, edge.to}, {}}, pair.fixed, faces->fixed);
-            test_edges({edge_edge, {edge.from, edge.to}, {}}, pair.fixed, faces->fixed);
-        }
+        stages_.test_start(two);
+        for_each_owned_pair<Stages::tests_all_kinds>(context_.moving(), context_.fixed(), two, faces->moving,
+                                                     faces->fixed,
+                                                     [&](const FeaturePair& features) { stages_.test(features); });
         if (const auto until = stages_.early_enough())
             search_plane(pair, *until);
     }
@@ -67,24 +52,6 @@ public:
     }
 
 private:
-    using Sides = culling::CornerSides;
-
-    /// The moving feature of `features` against the vertices of a fixed face, or against its edges.
-    void test_vertices(FeaturePair features, std::uint32_t fixed_face, const Sides& sides) {
-        for (const std::uint32_t vertex : context_.fixed().owned_vertices(fixed_face))
-            if (sides.may_meet(vertex)) {
-                features.fixed = {vertex, vertex};
-                stages_.test(features);
-            }
-    }
-    void test_edges(FeaturePair features, std::uint32_t fixed_face, const Sides& sides) {
-        for (const Edge& edge : context_.fixed().owned_edges(fixed_face))
-            if (sides.may_meet(edge)) {
-                features.fixed = {edge.from, edge.to};
-                stages_.test(features);
-            }
-    }
-
     /// Many faces touch at the same time: a plane that separates these two until just before may separate all of them.
     void search_plane(const culling::FacePair& pair, double until) {
         if (until <= pair.first_left)

@@ -3,14 +3,9 @@
 #pragma once
 
 #include "chasles/search/feature_tests.h"
+#include "chasles/search/owned_pairs.h"
 
 namespace chasles::search {
-
-/// Two faces, one of each body.
-struct TwoFaces {
-    std::uint32_t moving;
-    std::uint32_t fixed;
-};
 
 /// Calls `visit(overlap)` for every owned edge of either face that the filter cannot separate from an edge that passes
 /// through the other face.

@@ -13,7 +13,7 @@ PieceResult traverse(PieceContext& context, const SearchOptions& options) {
     LeafSearch<Stages> leaves(context, options);
     const culling::TimeTree times = context.time_tree(options.margin, leaves.scale());
     culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, options.margin,
-                                    options.find != Find::any, leaves);
+                                    !options.finds_any, leaves);
     const std::uint64_t node_pairs = traversal.run();
     PieceResult result = leaves.take();
     result.work.node_pairs += node_pairs;

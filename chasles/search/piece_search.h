@@ -13,12 +13,10 @@ namespace chasles::search {
 /// How to search one piece.
 struct SearchOptions {
     double tolerance = 1e-12; ///< of tau
-    Find find = Find::first;
-    double margin = 0;           ///< distance that counts as contact
-    bool lists_contacts = false; ///< the answer lists the contacts of the first moment, whatever `find`
-    bool check_start = true; ///< search for contact at tau = 0: edges that pass through faces, and with a margin all
-                             ///< features within it
-    bool only_start = false; ///< with a margin: search at tau = 0 only
+    bool finds_any = false;   ///< stop at any contact, which need not be the first
+    double margin = 0;        ///< distance that counts as contact
+    bool check_start = true;  ///< search for contact at tau = 0: edges that pass through faces, and with a margin all
+                              ///< features within it
     const HeldContacts* held = nullptr; ///< with a margin: report only new contacts, which are local minima of the
                                         ///< distance that fall to the margin; null: every contact is new
 };

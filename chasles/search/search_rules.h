@@ -5,7 +5,6 @@
 
 #include "chasles/algebra/bracket.h"
 #include "chasles/search/candidate.h"
-#include "chasles/search/find.h"
 
 #include <algorithm>
 
@@ -13,13 +12,11 @@ namespace chasles::search {
 
 /// What a search asks for.
 struct SearchGoal {
-    Find find = Find::first;
-    double tolerance = 1e-12; ///< of tau
+    bool is_any_contact = false; ///< any contact, which need not be the first
+    double tolerance = 1e-12;    ///< of tau
     /// Whether contact at tau = 0 is decided apart from contact after it, as distances are. Otherwise a bracket that
     /// begins at 0 is not final: contact at 0 and contact just after it have different verdicts.
     bool start_is_tested_apart = false;
-    /// Whether the answer lists the contacts of the first moment, as it does for bodies that hold contacts, too.
-    bool lists_contacts = false;
 };
 
 /// How far a search has come.
@@ -28,10 +25,6 @@ public:
     explicit SearchState(const SearchGoal& goal) : goal_(goal) {}
 
     [[nodiscard]] const SearchGoal& goal() const { return goal_; }
-    /// Whether every contact within the bracket is asked for.
-    [[nodiscard]] bool lists_all() const { return goal_.find == Find::first_with_all_contacts; }
-    [[nodiscard]] bool lists_contacts() const { return lists_all() || goal_.lists_contacts; }
-
     /// No candidate that starts after this time matters.
     [[nodiscard]] double best() const { return best_; }
     /// The search may stop: no further candidate can change the answer.
@@ -42,20 +35,16 @@ public:
         return tau.certain && tau.upper - tau.lower <= goal_.tolerance &&
                (goal_.start_is_tested_apart || tau.lower > 0);
     }
-    /// The candidate starts after the start of a proven contact whose bracket is final: it changes nothing but the list
-    /// of all contacts.
-    [[nodiscard]] bool is_after_proven(const FeasibleInterval& tau) const {
-        return final_lower_ <= tau.lower && !lists_contacts();
-    }
+    /// The candidate starts after the start of a proven contact whose bracket is final: it changes nothing.
+    [[nodiscard]] bool is_after_proven(const FeasibleInterval& tau) const { return final_lower_ <= tau.lower; }
     /// A proven contact follows within the tolerance: whatever the candidate is, a bracket from its start to that
     /// contact is narrow enough.
     [[nodiscard]] bool is_within_tolerance_of_proven(const FeasibleInterval& tau) const {
         return proven_upper_ - tau.lower <= goal_.tolerance && (tau.lower > 0 || proven_upper_ <= 0);
     }
-    /// An uncertain candidate may wait until the bracket of the proven contact is narrow. Where all contacts are
-    /// listed, each is decided at once.
+    /// An uncertain candidate may wait until the bracket of the proven contact is narrow.
     [[nodiscard]] bool is_nearly_simultaneous_with_proven(const FeasibleInterval& tau) const {
-        return !lists_all() && tau.lower > 0 && proven_upper_ - tau.lower <= nearly_simultaneous;
+        return tau.lower > 0 && proven_upper_ - tau.lower <= nearly_simultaneous;
     }
 
     /// Takes account of a candidate that is kept.
@@ -66,7 +55,7 @@ public:
         if (is_final(tau))
             final_lower_ = std::min(final_lower_, tau.lower);
         const bool is_at_start = goal_.start_is_tested_apart ? tau.upper <= 0 : may_be_at_start(tau);
-        is_over_ = is_over_ || goal_.find == Find::any || (goal_.find == Find::first && is_at_start);
+        is_over_ = is_over_ || goal_.is_any_contact || is_at_start;
     }
     /// A proven contact before `tau`, which is not kept.
     void shorten(double tau) { best_ = std::min(best_, tau); }

@@ -8,8 +8,8 @@ static_assert(LaterStages<TouchStages>);
 
 TouchStages::TouchStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), scale_(context.error_scale(0)),
-      filter_(context.moving(), context.fixed(), scale_), filter_maps_(context.maps()),
-      candidates_({options.find, options.tolerance, false, options.lists_contacts}) {}
+      filter_(context.moving(), context.fixed(), scale_), filter_maps_(context.maps()), overlaps_(context, scale_),
+      candidates_({options.finds_any, options.tolerance, false}) {}
 
 void TouchStages::use(const culling::TimeRange& part) {
     part_ = part;
@@ -18,9 +18,8 @@ void TouchStages::use(const culling::TimeRange& part) {
 }
 
 void TouchStages::test_start(const TwoFaces& faces) {
-    if (options_.check_start && part_.lower <= 0)
-        for_each_possible_overlap(filter_, context_.moving(), context_.fixed(), faces,
-                                  [&](const Overlap& overlap) { add(overlap); });
+    if (options_.check_start && part_.lower <= 0 && !is_over() && overlaps_.collect(filter_, faces))
+        candidates_.end_at_start(); // nothing is earlier
 }
 
 void TouchStages::test(const FeaturePair& features) {
@@ -39,39 +38,13 @@ std::optional<double> TouchStages::early_enough() {
 
 PieceResult TouchStages::take() {
     candidates_.settle(*this);
-    decide_overlaps();
+    // Last: where the bodies just touch at the start, their features have been found to.
+    if (candidates_.state().proven_upper() > 0 && overlaps_.decide())
+        candidates_.end_at_start();
+    work_ += overlaps_.work();
     work_.elementary_tests += filter_.workspace().elementary_tests;
     work_.root_brackets += filter_.workspace().root_brackets;
-    return {candidates_.take(), candidates_.searched_until(), overlap_, work_};
-}
-
-/// A certain overlap ends the search: nothing is earlier.
-void TouchStages::add(const Overlap& found) {
-    if (is_over())
-        return;
-    const auto overlap = refined(found, refinement({}), context_.piece().cubic());
-    if (!overlap)
-        return;
-    if (!overlap->certain) {
-        uncertain_overlaps_.push_back(*overlap);
-        return;
-    }
-    overlap_ = overlap;
-    candidates_.end_at_start(true);
-}
-
-/// Exactly, and last: where the bodies just touch at the start, their features have been found to.
-void TouchStages::decide_overlaps() {
-    for (Overlap& overlap : uncertain_overlaps_) {
-        if (overlap_ || candidates_.state().proven_upper() <= 0 || !exact_stage())
-            return;
-        ++work_.exact;
-        if (exact_stage()->passes(overlap)) {
-            overlap.certain = true;
-            overlap_ = overlap;
-            candidates_.end_at_start(true);
-        }
-    }
+    return {candidates_.take(), candidates_.searched_until(), overlaps_.found(), work_};
 }
 
 std::optional<FeasibleInterval> TouchStages::decide(const Candidate& candidate, const SearchState& state) {

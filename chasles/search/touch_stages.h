@@ -5,8 +5,8 @@
 
 #include "chasles/search/candidates.h"
 #include "chasles/search/exact_stage.h"
-#include "chasles/search/overlaps.h"
 #include "chasles/search/piece_search.h"
+#include "chasles/search/start_overlaps.h"
 
 #include <memory>
 #include <set>
@@ -65,8 +65,6 @@ public:
     std::optional<FeasibleInterval> narrow(const Candidate& candidate, const SearchState& state);
 
 private:
-    void add(const Overlap& overlap);
-    void decide_overlaps();
     std::optional<FeasibleInterval> decide_exactly(const FeaturePair& features, const FeasibleInterval& refined);
     FeatureTests<algebra::DoubleDouble>& refinement(const algebra::Tolerance& tolerance);
     ExactStage* exact_stage();
@@ -79,9 +77,8 @@ private:
     culling::TimeRange part_;
     std::unique_ptr<FeatureTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
     std::unique_ptr<ExactStage> exact_stage_;                         ///< likewise, and large
+    StartOverlaps overlaps_;
     Candidates candidates_;
-    std::vector<Overlap> uncertain_overlaps_;
-    std::optional<Overlap> overlap_;
     /// Their answers hold for all of the piece, so also for later intervals.
     std::set<FeaturePair> decided_exactly_;
     std::size_t many_ = 4; ///< simultaneous candidates from which on a plane is worth searching for

@@ -52,6 +52,8 @@ nb::class_<Answer> bind_first_contact(nb::module_& module) {
             nb::sig("def contacts(self) -> tuple[Contact, ...]"),
             "The feature pairs in contact, in the world frame at `time`.")
         .def_prop_ro(
+            "contacts_cut", [](const Answer& a) { return a.found.contacts_cut; }, doc("FirstContact.contacts_cut"))
+        .def_prop_ro(
             "held", [](const Answer& a) { return tuple_of(a.found.held); },
             nb::sig("def held(self) -> tuple[Contact, ...]"), doc("FirstContact.held"))
         .def_prop_ro(

@@ -94,6 +94,38 @@ TEST_F(Batch, FindsOutBeforeTheWorkThatItCannotWrite) {
     }
 }
 
+TEST_F(Batch, MayGoToStandardOutput) {
+    write("motions.csv", columns + hits + misses);
+    const auto finished = run("batch cube.obj cube.obj --motions motions.csv --out /dev/stdout");
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_TRUE(finished.out.starts_with("id,verdict,")) << finished.out;
+    EXPECT_EQ(std::count(finished.out.begin(), finished.out.end(), '\n'), 3) << "rows only: " << finished.out;
+}
+
+TEST_F(Batch, CountsInPlainEnglish) {
+    EXPECT_EQ(batch(columns + misses).out, "1 motion: 1 clear, 0 in contact, 0 in contact at the start, 0 errors\n");
+    EXPECT_EQ(batch(columns + "1\n").err,
+              "chasles: motions.csv: 1 of 1 rows cannot be read; the first: line 2: 1 column found, 14 expected\n");
+}
+
+TEST_F(Batch, WritesWhatIsAnsweredWhenItIsInterrupted) {
+    std::string motions = columns;
+    for (int i = 0; i < 4000; ++i)
+        motions += "2.45,0,0,1,0,0,0,2.45,0,0,.1,0,0,1\n"; // a turn by 169 degrees, in thousands of pieces
+    write("motions.csv", motions);
+    const auto finished =
+        run("batch cube.obj cube.obj --motions motions.csv --out out.csv --max-turn-deg .05 & pid=$!; "
+            "while ! grep -q clear out.csv; do sleep .02; done; kill $pid; wait $pid");
+    EXPECT_EQ(finished.status, 130);
+    const std::size_t answered = rows().size() - 1;
+    EXPECT_GT(answered, 0U);
+    EXPECT_LT(answered, 4000U);
+    EXPECT_EQ(rows().back().size(), 16U);
+    EXPECT_TRUE(finished.err.ends_with("chasles: interrupted: " + std::to_string(answered) +
+                                       " of 4000 motions are answered, in out.csv\n"))
+        << finished.err;
+}
+
 TEST_F(Batch, LeavesAnEarlierOutputAloneWhenItsInputIsWrong) {
     write("out.csv", "precious");
     EXPECT_EQ(batch("x,y\n").status, 2);

@@ -57,6 +57,21 @@ TEST_F(Errors, PolygonThatIsNotPlanar) {
     EXPECT_NE(run("check bent.obj cube.obj --triangulate" + poses).status, 2);
 }
 
+TEST_F(Errors, OptionsWithoutTheirNumbers) {
+    EXPECT_EQ(error_line("check cube.obj cube.obj --start= --goal=-1,.2,.3"),
+              "chasles: --start: is empty, but takes numbers");
+    EXPECT_EQ(error_line("check cube.obj cube.obj --start '' --goal '3 0 0'"),
+              "chasles: --start: is empty, but takes numbers");
+    EXPECT_EQ(error_line("check cube.obj cube.obj --margin=" + poses),
+              "chasles: --margin: is empty, but takes numbers");
+}
+
+TEST_F(Errors, ACentreIsForASweep) {
+    EXPECT_EQ(error_line("check cube.obj cube.obj --centre 1,2,3" + poses),
+              "chasles: --centre: is for --motion sweep, but the motion is a screw");
+    EXPECT_NE(run("check cube.obj cube.obj --motion sweep --centre 1,2,3" + poses).status, 2);
+}
+
 TEST_F(Errors, Poses) {
     EXPECT_EQ(pose_error("1 2"), "chasles: --start: 2 numbers found; a pose has 3 (x y z), 7 (x y z qw qx qy qz) "
                                  "or 16 (4x4, row by row)");

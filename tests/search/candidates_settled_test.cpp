@@ -93,8 +93,8 @@ TEST(Candidates, AnUncertainBracketEndsWhereAProvenContactFollowsWithinTheTolera
 }
 
 TEST(Candidates, AnUncertainBracketAtTheStartStaysThere) {
-    Search search(goal_of(list_all));
-    search.add(1, uncertain(0, 0));
+    Search search;
+    search.candidates.keep(candidate(1, uncertain(0, 0)));
     search.candidates.keep(candidate(2, proven(0, 0)));
     search.finish();
     expect_same(search.tau_of(1), uncertain(0, 0));
@@ -156,15 +156,6 @@ TEST(Candidates, APostponedOneThatIsDecidedInDoubtEndsWhereAProvenContactFollows
     search.finish();
     EXPECT_EQ(search.stages.calls, Calls{"decide 2"});
     expect_same(search.tau_of(2), uncertain(after_decision, 1));
-}
-
-TEST(Candidates, PostponedOnesAtTheContactAreListedForBodiesThatHoldContacts) {
-    Search search(holding());
-    search.add(1, final_at(0.5));
-    search.add(2, uncertain(0.5 + 0.1 * tolerance, 0.6));
-    search.finish();
-    EXPECT_EQ(search.ids(), (Ids{1, 2}));
-    expect_same(search.tau_of(2), uncertain(0.5 + 0.1 * tolerance, 1));
 }
 
 } // namespace

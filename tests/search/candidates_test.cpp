@@ -31,7 +31,7 @@ TEST(Candidates, ThatStartAtBestAreKept) {
 }
 
 TEST(Candidates, AreDroppedOnceTheSearchIsOver) {
-    Search search(goal_of(Find::any));
+    Search search(any_contact);
     search.add(1, proven(0.5, 0.9));
     search.add(2, proven(0.1, 0.1));
     search.add(3, uncertain(0.1, 0.1));
@@ -50,15 +50,6 @@ TEST(Candidates, AtTheStartEndTheSearchForTheFirst) {
     EXPECT_EQ(search.ids(), Ids{1});
 }
 
-TEST(Candidates, AtTheStartAreAllListedIfAllAreAskedFor) {
-    Search search(goal_of(list_all));
-    search.add(1, uncertain(0, 0));
-    search.add(2, uncertain(0, 0));
-    search.add(3, proven(0.1, 0.1));
-    search.finish();
-    EXPECT_EQ(search.ids(), (Ids{1, 2}));
-}
-
 TEST(Candidates, ThatStartAfterTheFinalBestAreNotInTheAnswer) {
     Search search;
     search.add(1, proven(0.4, 0.4));
@@ -68,22 +59,9 @@ TEST(Candidates, ThatStartAfterTheFinalBestAreNotInTheAnswer) {
     EXPECT_EQ(search.ids(), (Ids{2, 3}));
 }
 
-TEST(Candidates, AnOverlapAtTheStartLeavesOnlyWhatMayBeAtTheStart) {
-    Search search(goal_of(list_all));
-    search.add(1, uncertain(0, 0));
-    search.add(2, proven(0.5, 0.5));
-    search.candidates.end_at_start(false);
-    EXPECT_FALSE(search.candidates.state().is_over());
-    EXPECT_EQ(search.candidates.best(), 0);
-    search.add(3, proven(0.1, 0.1));
-    search.add(4, uncertain(0, 0));
-    search.finish();
-    EXPECT_EQ(search.ids(), (Ids{1, 4}));
-}
-
-TEST(Candidates, AnOverlapAtTheStartEndsTheSearchIfAsked) {
+TEST(Candidates, AnOverlapAtTheStartEndsTheSearch) {
     Search search;
-    search.candidates.end_at_start(true);
+    search.candidates.end_at_start();
     EXPECT_TRUE(search.candidates.state().is_over());
     search.add(1, uncertain(0, 0));
     EXPECT_EQ(search.stages.calls, Calls());
@@ -145,37 +123,11 @@ TEST(Candidates, NearlySimultaneousOnesThatAreProvenAreKept) {
     EXPECT_EQ(search.candidates.best(), final_at(0.5 - tolerance).upper);
 }
 
-TEST(Candidates, NearlySimultaneousOnesAreDecidedAtOnceWhereAllAreListed) {
-    Search search(goal_of(list_all));
-    search.add(1, proven(0.25, 0.5));
-    search.add(2, uncertain(0.5, 0.6));
-    EXPECT_EQ(search.stages.calls, Calls{"decide 2"});
-}
-
 TEST(Candidates, AfterAProvenOneAtTheStartAreDroppedWhereTheStartIsTestedApart) {
-    Search search(goal_of(Find::first, true));
+    Search search(start_tested_apart);
     search.candidates.keep(candidate(1, proven(0, 0.5 * tolerance)));
     search.add(2, uncertain(0, 0.1));
     EXPECT_EQ(search.stages.calls, Calls());
-    Search list(holding());
-    list.candidates.keep(candidate(1, proven(0, 0.5 * tolerance)));
-    list.add(2, uncertain(0, 0.1));
-    EXPECT_EQ(list.stages.calls, Calls{"decide 2"});
-}
-
-TEST(Candidates, WithinTheBracketAreAllListedIfAllAreAskedFor) {
-    Search search(goal_of(list_all));
-    search.stages.decided[3] = final_at(0.5 + 0.1 * tolerance);
-    search.stages.decided[4] = std::nullopt;
-    search.add(1, final_at(0.5));
-    search.add(2, final_at(0.5 + 0.1 * tolerance));
-    search.add(3, uncertain(0.5 + 0.1 * tolerance, 0.6));
-    search.add(4, uncertain(0.5 + 0.1 * tolerance, 0.6));
-    search.add(5, uncertain(0.5 + 0.1 * tolerance, 0.6));
-    search.add(6, final_at(0.5 + tolerance));
-    search.finish();
-    EXPECT_EQ(search.ids(), (Ids{1, 2, 3, 5}));
-    EXPECT_EQ(search.stages.calls, (Calls{"decide 3", "decide 4", "decide 5"}));
 }
 
 // --- many features that touch at once ---
@@ -188,13 +140,6 @@ TEST(Candidates, SimultaneousOnesAreCountedProvenOrNot) {
     search.add(3, uncertain(0.5, 0.6));
     search.add(4, uncertain(0.4, 0.6));
     EXPECT_EQ(search.candidates.simultaneous(), 2U);
-}
-
-TEST(Candidates, SimultaneousOnesAreNotCountedWhereAllAreListed) {
-    Search search(goal_of(list_all));
-    for (std::uint32_t i = 0; i < 5; ++i)
-        search.add(i, final_at(0.5));
-    EXPECT_EQ(search.candidates.simultaneous(), 0U);
 }
 
 TEST(Candidates, EarlyEnoughIsJustBeforeAFinalContact) {
@@ -230,7 +175,7 @@ TEST(Candidates, EarlyEnoughIsNowhereWithoutANarrowProvenContactAfterTheStart) {
     Search wide;
     wide.add(1, proven(0.5, 0.9));
     EXPECT_FALSE(wide.candidates.early_enough(wide.stages)) << "it cannot be narrowed";
-    Search at_start(goal_of(list_all));
+    Search at_start;
     at_start.add(1, proven(0, 0));
     EXPECT_FALSE(at_start.candidates.early_enough(at_start.stages));
     Search too_soon;

@@ -10,7 +10,7 @@ namespace chasles::search {
 namespace {
 
 TEST(SearchState, BestIsTheLeastUpperEndOfWhatIsKept) {
-    SearchState state(goal_of(Find::first));
+    SearchState state(first_contact_goal);
     EXPECT_EQ(state.best(), 1);
     state.note(proven(0.2, 0.7));
     EXPECT_EQ(state.best(), 0.7);
@@ -21,19 +21,19 @@ TEST(SearchState, BestIsTheLeastUpperEndOfWhatIsKept) {
 }
 
 TEST(SearchState, AnUncertainBracketExtendsTheSearchByTheTolerance) {
-    SearchState narrow(goal_of(Find::first));
+    SearchState narrow(first_contact_goal);
     narrow.note(uncertain(0.5, 0.5));
     EXPECT_EQ(narrow.best(), 0.5 + tolerance);
-    SearchState is_proven(goal_of(Find::first));
+    SearchState is_proven(first_contact_goal);
     is_proven.note(proven(0.5, 0.5));
     EXPECT_EQ(is_proven.best(), 0.5);
-    SearchState at_start(goal_of(list_all));
+    SearchState at_start(first_contact_goal);
     at_start.note(uncertain(0, 0));
     EXPECT_EQ(at_start.best(), 0) << "what touches at the start is not proven by what touches later";
 }
 
 TEST(SearchState, ABracketIsFinalIfItIsProvenAndNarrowAndNotAtTheStart) {
-    const SearchState state(goal_of(Find::first));
+    const SearchState state(first_contact_goal);
     EXPECT_TRUE(state.is_final(proven(0.5, 0.5 + 0.5 * tolerance)));
     EXPECT_FALSE(state.is_final(uncertain(0.5, 0.5 + 0.5 * tolerance)));
     EXPECT_FALSE(state.is_final(proven(0.5, 0.5 + 2 * tolerance)));
@@ -42,14 +42,14 @@ TEST(SearchState, ABracketIsFinalIfItIsProvenAndNarrowAndNotAtTheStart) {
 }
 
 TEST(SearchState, ABracketAtTheStartIsFinalWhereTheStartIsTestedApart) {
-    const SearchState state(goal_of(Find::first, true));
+    const SearchState state(start_tested_apart);
     EXPECT_TRUE(state.is_final(proven(0, 0.5 * tolerance)));
     EXPECT_FALSE(state.is_final(proven(0, 2 * tolerance)));
     EXPECT_FALSE(state.is_final(uncertain(0, 0)));
 }
 
 TEST(SearchState, ACandidateIsAfterAProvenOneIfItStartsNoEarlierThanAFinalBracket) {
-    SearchState state(goal_of(Find::first));
+    SearchState state(first_contact_goal);
     state.note(proven(0.4, 0.9));
     EXPECT_FALSE(state.is_after_proven(uncertain(0.5, 0.6))) << "a wide bracket does not count";
     state.note(final_at(0.5));
@@ -57,16 +57,8 @@ TEST(SearchState, ACandidateIsAfterAProvenOneIfItStartsNoEarlierThanAFinalBracke
     EXPECT_FALSE(state.is_after_proven(uncertain(0.5 - 0.1 * tolerance, 0.6)));
 }
 
-TEST(SearchState, NothingIsAfterAProvenOneWhereContactsAreListed) {
-    for (const SearchGoal& goal : {goal_of(list_all), holding()}) {
-        SearchState state(goal);
-        state.note(final_at(0.5));
-        EXPECT_FALSE(state.is_after_proven(uncertain(0.5, 0.6)));
-    }
-}
-
 TEST(SearchState, ACandidateIsWithinTheToleranceOfTheLeastProvenUpperEnd) {
-    SearchState state(goal_of(Find::first));
+    SearchState state(first_contact_goal);
     state.note(proven(0.25, 0.5));
     EXPECT_TRUE(state.is_within_tolerance_of_proven(uncertain(0.5 - 0.9 * tolerance, 0.6)));
     EXPECT_FALSE(state.is_within_tolerance_of_proven(uncertain(0.5 - 1.1 * tolerance, 0.6)));
@@ -75,16 +67,16 @@ TEST(SearchState, ACandidateIsWithinTheToleranceOfTheLeastProvenUpperEnd) {
 }
 
 TEST(SearchState, ACandidateAtTheStartIsWithinTheToleranceOnlyOfAContactAtTheStart) {
-    SearchState soon(goal_of(list_all));
+    SearchState soon(first_contact_goal);
     soon.note(proven(0, 0.5 * tolerance));
     EXPECT_FALSE(soon.is_within_tolerance_of_proven(uncertain(0, 0)));
-    SearchState at_start(goal_of(list_all));
+    SearchState at_start(first_contact_goal);
     at_start.note(proven(0, 0));
     EXPECT_TRUE(at_start.is_within_tolerance_of_proven(uncertain(0, 0)));
 }
 
 TEST(SearchState, ACandidateIsNearlySimultaneousFromAThirtiethPowerBeforeTheProvenContactOn) {
-    SearchState state(goal_of(Find::first));
+    SearchState state(first_contact_goal);
     EXPECT_FALSE(state.is_nearly_simultaneous_with_proven(uncertain(0.5, 0.6)));
     state.note(proven(0.25, 0.5));
     EXPECT_TRUE(state.is_nearly_simultaneous_with_proven(uncertain(0.5 - 0.9 * nearly_simultaneous, 0.6)));
@@ -93,45 +85,38 @@ TEST(SearchState, ACandidateIsNearlySimultaneousFromAThirtiethPowerBeforeTheProv
 }
 
 TEST(SearchState, NothingAtTheStartIsNearlySimultaneous) {
-    SearchState state(goal_of(Find::first));
+    SearchState state(first_contact_goal);
     state.note(proven(1e-15, 1e-14));
     EXPECT_FALSE(state.is_nearly_simultaneous_with_proven(uncertain(0, 0.1)));
 }
 
-TEST(SearchState, NothingIsNearlySimultaneousWhereAllContactsAreListed) {
-    SearchState state(goal_of(list_all));
-    state.note(final_at(0.5));
-    EXPECT_FALSE(state.is_nearly_simultaneous_with_proven(uncertain(0.5, 0.6)));
-}
-
-TEST(SearchState, FindAnyIsOverAtTheFirstCandidate) {
+TEST(SearchState, AnyContactEndsTheSearchForAny) {
     for (const FeasibleInterval& tau : {proven(0.5, 0.9), uncertain(0.5, 0.9), proven(0, 0)}) {
-        SearchState state(goal_of(Find::any));
+        SearchState state(any_contact);
         EXPECT_FALSE(state.is_over());
         state.note(tau);
         EXPECT_TRUE(state.is_over());
     }
 }
 
-TEST(SearchState, FindFirstIsOverAtAContactThatMayBeAtTheStart) {
+TEST(SearchState, AContactThatMayBeAtTheStartEndsTheSearchForTheFirst) {
     const auto is_over = [](const SearchGoal& goal, const FeasibleInterval& tau) {
         SearchState state(goal);
         state.note(tau);
         return state.is_over();
     };
-    const SearchGoal goal = goal_of(Find::first);
+    const SearchGoal goal = first_contact_goal;
     EXPECT_TRUE(is_over(goal, proven(0, 0)));
     EXPECT_TRUE(is_over(goal, uncertain(0, 0.1)));
     EXPECT_FALSE(is_over(goal, proven(0, 0.1))) << "proven to be after the start";
     EXPECT_FALSE(is_over(goal, proven(0.1, 0.1)));
-    const SearchGoal apart = goal_of(Find::first, true);
+    const SearchGoal apart = start_tested_apart;
     EXPECT_TRUE(is_over(apart, uncertain(0, 0)));
     EXPECT_FALSE(is_over(apart, uncertain(0, 0.1))) << "what is at the start is tested apart";
-    EXPECT_FALSE(is_over(goal_of(list_all), proven(0, 0)));
 }
 
 TEST(SearchState, ShortenAndStopNeedNoCandidate) {
-    SearchState state(goal_of(Find::first));
+    SearchState state(first_contact_goal);
     state.shorten(0.5);
     EXPECT_EQ(state.best(), 0.5);
     EXPECT_EQ(state.proven_upper(), never);

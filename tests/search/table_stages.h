@@ -89,16 +89,10 @@ struct Search {
     }
 };
 
-inline SearchGoal goal_of(Find find, bool start_is_tested_apart = false) {
-    return {.find = find, .tolerance = tolerance, .start_is_tested_apart = start_is_tested_apart};
-}
-/// `hold` lists the contacts of the first moment, whatever is searched for.
-inline SearchGoal holding() {
-    SearchGoal goal = goal_of(Find::first, true);
-    goal.lists_contacts = true;
-    return goal;
-}
-constexpr Find list_all = Find::first_with_all_contacts;
+constexpr SearchGoal first_contact_goal{.tolerance = tolerance};
+constexpr SearchGoal any_contact{.is_any_contact = true, .tolerance = tolerance};
+/// As for distances.
+constexpr SearchGoal start_tested_apart{.tolerance = tolerance, .start_is_tested_apart = true};
 
 inline void expect_same(const FeasibleInterval& found, const FeasibleInterval& expected) {
     EXPECT_EQ(found.lower, expected.lower);

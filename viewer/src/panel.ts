@@ -128,6 +128,7 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
   const section = (title: string, ...content: HTMLElement[]) => numbers.append(element("h2", title), ...content);
   if (answer.verdict !== "clear") section("When", table(timeRows(answer)));
   if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
+  if (answer.contacts_cut && !answer.overlap) numbers.append(Object.assign(element("p", "The list is cut: there are more contacts."), { className: "more" }));
   if (answer.held?.length) {
     section("Held at the start", ...contactList(answer.held, () => undefined));
     section("Safe", table([["clear until", answer.clear_until!]]));

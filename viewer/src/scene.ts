@@ -32,6 +32,7 @@ export interface Answer {
   clear_until: number; // the motion is safe until this time
   pose?: number[];
   contacts?: Contact[];
+  contacts_cut?: boolean; // there are more contacts than `contacts` or `held` lists
   held?: Contact[]; // contacts within the margin at time 0
   overlap?: Overlap;
   motion: { angle: number; slide: number; axis_point: Vector; axis_direction: Vector };

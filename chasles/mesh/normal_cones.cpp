@@ -1,0 +1,145 @@
+#include "chasles/mesh/normal_cones.h"
+
+#include "chasles/mesh/adjacent_directions.h"
+#include "chasles/mesh/body.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace chasles {
+
+namespace {
+
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr double right_angle = std::numbers::pi / 2;
+const NormalCone every_direction{{0, 0, 1}, float(right_angle)};
+/// Added to the angle of each cone of a face, edge or vertex. It covers all roundings.
+constexpr double rounding = 1e-4;
+
+NormalCone cone(const Vector3d& axis, double angle) {
+    if (!(angle + rounding < right_angle) || axis.isZero(0))
+        return every_direction;
+    return {axis.stableNormalized().cast<float>(), float(angle + rounding)};
+}
+
+using Ways = std::vector<Vector3d>;
+
+/// The directions that `for_each_way(collect)` yields, of length one.
+template <class ForEachWay>
+Ways unit_ways(ForEachWay for_each_way) {
+    Ways ways;
+    for_each_way([&](const Vector3d& way) {
+        ways.push_back(way.stableNormalized());
+        return false;
+    });
+    return ways;
+}
+
+/// Directions d at a right angle to an edge with d . w <= 0 for the ways w across its faces. Any two of the ways bound
+/// them: d is within pi/2 - theta/2 of the line between the ways, at the angle theta.
+NormalCone cone_of_edge(const Body& body, const Edge& edge) {
+    const Ways ways = unit_ways([&](auto collect) { any_direction_from_edge(body, edge, collect); });
+    const Vector3d along = (body.vertices()[edge.to] - body.vertices()[edge.from]).stableNormalized();
+    NormalCone best = every_direction;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const NormalCone bound =
+                cone((ways[i] - ways[j]).cross(along), std::asin(std::min(1.0, 0.5 * (ways[i] + ways[j]).norm())));
+            if (bound.angle < best.angle)
+                best = bound;
+        }
+    return best;
+}
+
+/// The greatest angle between consecutive directions of the plane.
+double greatest_gap(std::vector<double> angles) {
+    std::ranges::sort(angles);
+    double gap = angles.front() + 2 * std::numbers::pi - angles.back();
+    for (std::size_t i = 1; i < angles.size(); ++i)
+        gap = std::max(gap, angles[i] - angles[i - 1]);
+    return gap;
+}
+
+/// Directions d with d . w <= 0 for the ways w from a vertex. Let d be at the angle phi from the axis, and e the
+/// direction of its part across the axis. Among the ways seen along the axis, one is at most half of the greatest gap
+/// from e, and its slope bounds phi.
+NormalCone cone_around(const Vector3d& axis, const Ways& ways) {
+    const Vector3d first = axis.unitOrthogonal();
+    const Vector3d second = axis.cross(first);
+    std::vector<double> angles;
+    double slope = 0;
+    for (const Vector3d& way : ways) {
+        const Vector2d across(first.dot(way), second.dot(way));
+        if (across.norm() < 1e-3)
+            return every_direction;
+        angles.push_back(std::atan2(across.y(), across.x()));
+        slope = std::max(slope, std::abs(axis.dot(way)) / across.norm());
+    }
+    const double half_gap = angles.empty() ? right_angle : 0.5 * greatest_gap(std::move(angles));
+    return half_gap >= right_angle ? every_direction : cone(axis, std::atan(slope / std::cos(half_gap)));
+}
+
+NormalCone cone_of_face(const Body& body, std::uint32_t face) {
+    const auto corners = body.face(face);
+    Vector3d normal = Vector3d::Zero();
+    double size = 0;
+    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
+        const Vector3d a = body.vertices()[corners[i]] - body.vertices()[corners[0]];
+        const Vector3d b = body.vertices()[corners[i + 1]] - body.vertices()[corners[0]];
+        normal += a.cross(b);
+        size += a.norm() * b.norm();
+    }
+    return normal.norm() > 1e-9 * size ? cone(normal, 0) : every_direction;
+}
+
+NormalCone cone_of_vertex(const Body& body, std::uint32_t vertex) {
+    NormalCone faces = cone_of_face(body, body.faces_around(vertex).front());
+    for (const std::uint32_t face : body.faces_around(vertex))
+        faces = enclosing(faces, cone_of_face(body, face));
+    if (faces.angle >= every_direction.angle)
+        return every_direction;
+    return cone_around(faces.axis.cast<double>().normalized(),
+                       unit_ways([&](auto collect) { any_direction_from_vertex(body, vertex, collect); }));
+}
+
+/// A face with the vertices and edges that it owns.
+NormalCone cone_of_leaf(const Body& body, std::uint32_t face) {
+    NormalCone result = cone_of_face(body, face);
+    for (const std::uint32_t vertex : body.owned_vertices(face))
+        result = enclosing(result, cone_of_vertex(body, vertex));
+    for (const Edge& edge : body.owned_edges(face))
+        result = enclosing(result, cone_of_edge(body, edge));
+    return result;
+}
+
+} // namespace
+
+NormalCone enclosing(const NormalCone& a, const NormalCone& b) {
+    const Vector3d of_a = a.axis.cast<double>();
+    const Vector3d of_b = (a.axis.dot(b.axis) < 0 ? -1 : 1) * b.axis.cast<double>();
+    const double between = std::atan2(of_a.cross(of_b).norm(), of_a.dot(of_b));
+    if (between + double(b.angle) <= double(a.angle))
+        return a;
+    if (between + double(a.angle) <= double(b.angle))
+        return b;
+    const double angle = 0.5 * (between + double(a.angle) + double(b.angle));
+    if (between < 1e-6)
+        return cone(of_a, angle);
+    const double turn = angle - double(a.angle); // from a's axis towards b's
+    return cone((std::sin(between - turn) * of_a + std::sin(turn) * of_b) / std::sin(between), angle);
+}
+
+std::vector<NormalCone> normal_cones_of(const Body& body) {
+    const std::span<const BvhNode> nodes = body.bvh().nodes();
+    std::vector<NormalCone> cones(nodes.size());
+    for (std::size_t i = nodes.size(); i-- > 0;) // children follow their parent
+        cones[i] = nodes[i].is_leaf() ? cone_of_leaf(body, nodes[i].first)
+                                      : enclosing(cones[nodes[i].first], cones[nodes[i].first + 1]);
+    return cones;
+}
+
+} // namespace chasles

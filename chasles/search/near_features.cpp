@@ -1,0 +1,240 @@
+#include "chasles/search/near_features.h"
+
+#include "chasles/contact/near_pair.h"
+#include "chasles/culling/bvh_traversal.h"
+#include "chasles/culling/face_planes.h"
+#include "chasles/search/owned_pairs.h"
+#include "chasles/search/start_overlaps.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
+
+namespace chasles::search {
+
+namespace {
+
+using contact::ContactScene;
+using culling::CornerSides;
+using Eigen::Vector3d;
+
+/// A plane through a face in the frame of the fixed body, and the corners of the face.
+class PlacedFace {
+public:
+    [[nodiscard]] std::span<const Vector3d> corners() const { return corners_; }
+
+    /// Computes the plane unless it is that of the last request.
+    template <class Place>
+    void place(const Body& body, std::uint32_t face, Place at) {
+        if (face_ == face)
+            return;
+        face_ = face;
+        corners_.clear();
+        for (const std::uint32_t corner : body.face(face))
+            corners_.push_back(at(body.vertices()[corner]));
+        normal_ = Vector3d::Zero();
+        double products = 0;
+        for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
+            const Vector3d a = corners_[i] - corners_[0];
+            const Vector3d b = corners_[i + 1] - corners_[0];
+            normal_ += a.cross(b);
+            products += a.norm() * b.norm();
+        }
+        length_ = normal_.norm();
+        error_ = rounding * products;
+        thickness_ = 0;
+        for (std::size_t i = 3; i < corners_.size(); ++i)
+            thickness_ = std::max(thickness_, std::abs(normal_.dot(corners_[i] - corners_[0])));
+    }
+
+    /// The side of the plane that a point is on, farther than `reach` from it; 0 if it is nearer.
+    [[nodiscard]] int side_of(const Vector3d& point, double reach) const {
+        const Vector3d arm = point - corners_[0];
+        const double height = normal_.dot(arm);
+        if (std::abs(height) <= reach * length_ + thickness_ + error_ * arm.norm())
+            return 0;
+        return height > 0 ? 1 : -1;
+    }
+
+private:
+    static constexpr double rounding = 16 * 0x1p-53;
+
+    std::uint32_t face_ = 0xffffffff;
+    std::vector<Vector3d> corners_;
+    Vector3d normal_; ///< of length_
+    double length_ = 0;
+    double thickness_ = 0; ///< times length_
+    double error_ = 0;     ///< of the normal
+};
+
+/// Culls pairs of nodes in whose boxes no connection between near features is along a normal of both surfaces.
+class ConeTest {
+public:
+    ConeTest(const ContactScene& scene) : scene_(scene) {}
+
+    [[nodiscard]] bool separates(const culling::NodePair& pair) const {
+        const RelativeBox moving(scene_.bodies.moving().bvh(), pair.moving);
+        const RelativeBox fixed(scene_.bodies.fixed().bvh(), pair.fixed);
+        const Vector3d apart = scene_.bodies.moved(moving.centre) - fixed.centre;
+        const double distance = apart.norm();
+        const double spread = moving.radius + fixed.radius;
+        if (distance - spread <= least_distance * scene_.slack)
+            return false;
+        const double deviation = std::asin(spread / distance);
+        const auto excludes = [&](const NormalCone& cone, const Vector3d& along) {
+            const double angle = double(cone.angle) + deviation + tolerance;
+            return angle < right_angle && std::abs(cone.axis.cast<double>().dot(along)) < std::cos(angle) * distance;
+        };
+        return excludes(scene_.bodies.fixed().normal_cones()[pair.fixed], apart) ||
+               excludes(scene_.bodies.moving().normal_cones()[pair.moving], scene_.bodies.turned_back(apart));
+    }
+
+private:
+    static constexpr double right_angle = 1.5707963;
+    /// In radians: what counts as a local minimum at distances of at least `least_distance` slacks, and roundings.
+    static constexpr double tolerance = 2e-3;
+    static constexpr double least_distance = 4e3;
+
+    struct RelativeBox {
+        Vector3d centre; ///< in the frame of the body
+        double radius;
+
+        RelativeBox(const Bvh& bvh, std::uint32_t node) {
+            const BoxMiddle box = middle_of(bvh.nodes()[node]);
+            centre = bvh.centre() + box.centre.cast<double>();
+            radius = double(box.half.norm()) * (1 + 1e-6) + 1e-7 * bvh.radius();
+        }
+    };
+
+    const ContactScene& scene_;
+};
+
+/// The leaf tests of a traversal at rest.
+class NearLeaves {
+public:
+    NearLeaves(PieceContext& context, const ContactScene& scene, const NearSearch& search)
+        : context_(context), scene_(scene), search_(search), uses_cones_(scene.at_start && scene.margin > 0),
+          cones_(scene), scale_(context.error_scale(0)), filter_(context.moving(), context.fixed(), scale_),
+          overlaps_(context, scale_), near_test_(scene) {
+        if (search.finds_overlaps)
+            filter_.use(context.maps(), {});
+    }
+
+    // The functions that a traversal requires of its leaves.
+    [[nodiscard]] static double best() { return 1; }
+    [[nodiscard]] bool is_over() const { return found_.is_cut || overlaps_.found(); }
+    [[nodiscard]] bool is_kept_apart(const culling::NodePair& pair, double /*first*/) {
+        found_.is_cut = found_.is_cut || ++visits_ > search_.most_visits;
+        return uses_cones_ && cones_.separates(pair);
+    }
+    void test(const culling::FacePair& pair) {
+        ++found_.work.face_pairs;
+        const RelativeSides sides = place(pair);
+        if (sides.moving.all_on_one_side() || sides.fixed.all_on_one_side())
+            return;
+        if (search_.finds_overlaps && overlaps_.collect(filter_, {pair.moving, pair.fixed}))
+            return;
+        const auto visit = [&](const contact::FeaturePair& features) { add(features); };
+        const TwoFaces faces{pair.moving, pair.fixed};
+        if (scene_.margin > 0)
+            for_each_owned_pair<true>(context_.moving(), context_.fixed(), faces, sides.moving, sides.fixed, visit);
+        else
+            for_each_owned_pair<false>(context_.moving(), context_.fixed(), faces, sides.moving, sides.fixed, visit);
+    }
+
+    NearFeatures take(std::uint64_t node_pairs) {
+        found_.work.node_pairs = node_pairs;
+        if (found_.pairs.empty())
+            overlaps_.decide();
+        found_.work += overlaps_.work();
+        found_.overlap = overlaps_.found();
+        return std::move(found_);
+    }
+
+private:
+    struct RelativeSides {
+        CornerSides moving;
+        CornerSides fixed;
+    };
+
+    RelativeSides place(const culling::FacePair& pair) {
+        const Body& moving = context_.moving();
+        const Body& fixed = context_.fixed();
+        const auto moved = [&](const Vector3d& point) { return scene_.bodies.moved(point); };
+        moving_face_.place(moving, pair.moving, moved);
+        fixed_face_.place(fixed, pair.fixed, [](const Vector3d& point) { return point; });
+        const double reach = scene_.margin + scene_.slack;
+        std::size_t next = 0;
+        const CornerSides moving_sides(moving.face(pair.moving), moving_storage_, [&](std::uint32_t) {
+            return fixed_face_.side_of(moving_face_.corners()[next++], reach);
+        });
+        next = 0;
+        const CornerSides fixed_sides(fixed.face(pair.fixed), fixed_storage_, [&](std::uint32_t) {
+            return moving_face_.side_of(fixed_face_.corners()[next++], reach);
+        });
+        return {moving_sides, fixed_sides};
+    }
+
+    void add(const contact::FeaturePair& features) {
+        ++found_.work.elementary_tests;
+        if (is_over() || !near_test_.are_in_contact(features))
+            return;
+        if (found_.pairs.size() < search_.most_pairs)
+            found_.pairs.push_back(features);
+        else
+            found_.is_cut = true;
+    }
+
+    PieceContext& context_;
+    const ContactScene& scene_;
+    const NearSearch& search_;
+    bool uses_cones_; ///< where no features are nearer than the margin, boxes tell as much
+    ConeTest cones_;
+    elementary::ErrorScale scale_;
+    FeatureTests<double> filter_;
+    StartOverlaps overlaps_;
+    contact::NearTest near_test_;
+    PlacedFace moving_face_;
+    PlacedFace fixed_face_;
+    std::vector<int> moving_storage_;
+    std::vector<int> fixed_storage_;
+    std::uint64_t visits_ = 0;
+    NearFeatures found_;
+};
+
+NearFeatures search_once(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
+    const double reach = scene.margin + scene.slack;
+    const culling::TimeTree times = context.time_tree(reach, context.error_scale(reach));
+    NearLeaves leaves(context, scene, search);
+    culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, reach, false, leaves);
+    const std::uint64_t node_pairs = traversal.run({tau, tau});
+    return leaves.take(node_pairs);
+}
+
+} // namespace
+
+NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
+    constexpr int doublings = 6;
+    NearFeatures last;
+    double complete_within = 0;
+    Work work;
+    for (int step = scene.at_start && scene.margin > 0 ? doublings : 0; step >= 0; --step) {
+        ContactScene nearer = scene;
+        nearer.margin = std::ldexp(scene.margin, -step);
+        NearFeatures found = search_once(context, nearer, tau, search);
+        work += found.work;
+        const bool is_cut = found.is_cut;
+        if (!is_cut)
+            complete_within = nearer.margin;
+        if (!is_cut || last.pairs.empty())
+            last = std::move(found);
+        last.is_cut = is_cut;
+        if (is_cut || last.overlap)
+            break;
+    }
+    last.complete_within = complete_within;
+    last.work = work;
+    return last;
+}
+
+} // namespace chasles::search

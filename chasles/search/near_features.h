@@ -1,0 +1,37 @@
+// The feature pairs that are in contact at one moment, all of them: a traversal of both hierarchies at rest.
+// Source: docs/derivations/18-contact-set.md, "Which pairs"; docs/derivations/19-normal-cones.md.
+#pragma once
+
+#include "chasles/contact/contact_frame.h"
+#include "chasles/search/find.h"
+#include "chasles/search/piece_context.h"
+
+#include <vector>
+
+namespace chasles::search {
+
+/// What is near at one tau of a piece.
+struct NearFeatures {
+    std::vector<contact::FeaturePair> pairs; ///< each once, in the order of the traversal
+    bool is_cut = false;                     ///< there may be more pairs than these
+    double complete_within = 0;              ///< every pair within this distance is listed
+    std::optional<Overlap> overlap;          ///< the point is in the frame of the fixed body
+    Work work;
+};
+
+/// How to search.
+struct NearSearch {
+    std::size_t most_pairs = 1 << 12;    ///< feature pairs to list
+    std::uint64_t most_visits = 1 << 16; ///< pairs of nodes to visit at one distance
+    bool finds_overlaps = false;         ///< also edges that pass through faces; only at tau = 0
+};
+
+/// The feature pairs of a scene that touch or, with a margin, are within it at a local minimum of the distance
+/// (`contact::NearTest`). `tau` is that of the scene.
+///
+/// At the start, bodies may be much nearer than the margin, and many pairs within it. Then the pairs are searched for
+/// at growing distances, and the answer is that of the greatest distance that the bounds of the search allow.
+NearFeatures near_features(PieceContext& context, const contact::ContactScene& scene, double tau,
+                           const NearSearch& search);
+
+} // namespace chasles::search

@@ -1,0 +1,41 @@
+// The edges that pass through faces at the start, collected while a search goes on and decided when it ends.
+// Source: docs/derivations/05-being-inside.md, last section.
+#pragma once
+
+#include "chasles/search/exact_stage.h"
+#include "chasles/search/find.h"
+#include "chasles/search/overlaps.h"
+#include "chasles/search/piece_context.h"
+
+#include <optional>
+#include <vector>
+
+namespace chasles::search {
+
+/// The overlap at the start of one search.
+class StartOverlaps {
+public:
+    /// Both are kept by reference.
+    StartOverlaps(PieceContext& context, const elementary::ErrorScale& scale) : context_(context), scale_(scale) {}
+
+    /// Refines what the filter finds between two faces. True if a certain overlap is known.
+    bool collect(FeatureTests<double>& filter, const TwoFaces& faces);
+    /// Decides the uncertain overlaps in exact arithmetic, until one is certain. Without exact maps, one of them stays
+    /// in the answer: it may be all that tells of a contact inside a flat part of a surface. True if there is an
+    /// overlap.
+    bool decide();
+
+    [[nodiscard]] const std::optional<Overlap>& found() const { return found_; }
+    [[nodiscard]] const Work& work() const { return work_; }
+
+private:
+    void refine(const Overlap& overlap);
+
+    PieceContext& context_;
+    const elementary::ErrorScale& scale_;
+    std::optional<Overlap> found_;
+    std::vector<Overlap> uncertain_;
+    Work work_;
+};
+
+} // namespace chasles::search

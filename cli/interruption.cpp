@@ -1,0 +1,38 @@
+#include "cli/interruption.h"
+
+#include <atomic>
+#include <csignal>
+
+namespace chasles::cli {
+namespace {
+
+std::atomic<bool> requested = false; // any thread may receive the signal
+static_assert(std::atomic<bool>::is_always_lock_free);
+
+void restore() {
+    std::signal(SIGINT, SIG_DFL);
+    std::signal(SIGTERM, SIG_DFL);
+}
+
+extern "C" void request(int /*signal*/) {
+    requested = true;
+    restore();
+}
+
+} // namespace
+
+Interruption::Interruption() {
+    requested = false;
+    std::signal(SIGINT, request);
+    std::signal(SIGTERM, request);
+}
+
+Interruption::~Interruption() {
+    restore();
+}
+
+bool Interruption::is_requested() {
+    return requested;
+}
+
+} // namespace chasles::cli

@@ -1,0 +1,18 @@
+// Lets a long command end in order when the user presses Ctrl-C.
+#pragma once
+
+namespace chasles::cli {
+
+/// While one exists, the first SIGINT or SIGTERM only sets a flag, and the next one ends the program as usual. At most
+/// one may exist at a time.
+class Interruption {
+public:
+    Interruption();
+    ~Interruption();
+    Interruption(const Interruption&) = delete;
+    Interruption& operator=(const Interruption&) = delete;
+
+    [[nodiscard]] static bool is_requested();
+};
+
+} // namespace chasles::cli

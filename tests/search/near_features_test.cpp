@@ -1,0 +1,138 @@
+// The traversal at rest against the test of every pair of features.
+#include "chasles/search/near_features.h"
+
+#include "chasles/contact/near_pair.h"
+#include "chasles/search/owned_pairs.h"
+#include "tests/query/bodies.h"
+#include "tests/support/grid.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace chasles::search {
+namespace {
+
+using contact::FeaturePair;
+using test::uniform;
+
+/// Excludes no feature.
+struct AllMayMeet {
+    static bool may_meet(std::uint32_t) { return true; }
+    static bool may_meet(const Edge&) { return true; }
+};
+
+/// Two bodies at rest.
+struct Scene {
+    Polyhedron moving;
+    Polyhedron fixed;
+    Motion motion;
+    PieceContext context{moving.body(), fixed.body(), motion.trajectory().pieces()->at(0)};
+    contact::RelativeConfiguration bodies{moving.body(), fixed.body(), context.maps(), 0};
+
+    Scene(Polyhedron mover, Polyhedron target, const Pose& pose)
+        : moving(std::move(mover)), fixed(std::move(target)), motion(ScrewMotion::between(pose, pose)) {}
+
+    [[nodiscard]] contact::ContactScene within(double margin) const {
+        return {bodies, true, margin, contact::touch_slack(bodies, context.error_scale(margin), 0)};
+    }
+    NearFeatures find(double margin, const NearSearch& search = {}) {
+        return near_features(context, within(margin), 0, search);
+    }
+};
+
+/// Every pair of features, owned by whatever faces, that passes the test of one pair.
+std::set<FeaturePair> all_in_contact(const Scene& scene, double margin) {
+    const contact::ContactScene within = scene.within(margin);
+    contact::NearTest test(within);
+    std::set<FeaturePair> found;
+    const auto add = [&](const FeaturePair& features) {
+        if (test.are_in_contact(features))
+            found.insert(features);
+    };
+    for (std::uint32_t f = 0; f < scene.moving.face_count(); ++f)
+        for (std::uint32_t g = 0; g < scene.fixed.face_count(); ++g)
+            for_each_owned_pair<true>(scene.moving.body(), scene.fixed.body(), {f, g}, AllMayMeet(), AllMayMeet(), add);
+    return found;
+}
+
+std::set<FeaturePair> set_of(const NearFeatures& near) {
+    std::set<FeaturePair> pairs(near.pairs.begin(), near.pairs.end());
+    EXPECT_EQ(pairs.size(), near.pairs.size()) << "each once";
+    return pairs;
+}
+
+/// A bumpy plate of 2 n^2 triangles.
+Polyhedron bumpy(std::uint32_t n, std::mt19937& random) {
+    test::Body body;
+    for (std::uint32_t i = 0; i <= n; ++i)
+        for (std::uint32_t j = 0; j <= n; ++j)
+            body.vertices.emplace_back(2.0 * i / n - 1, 2.0 * j / n - 1, uniform(random, -0.1, 0.1));
+    body.faces = test::grid_triangles(n, n);
+    return body.polyhedron();
+}
+
+TEST(NearFeatures, WithinAMarginAreThoseOfEveryPair) {
+    std::mt19937 random(41);
+    std::size_t most = 0;
+    for (int i = 0; i < 60; ++i) {
+        const bool is_plate = i % 2 == 0;
+        Scene scene(is_plate ? bumpy(6, random) : test::random_octahedron(random).polyhedron(),
+                    is_plate ? bumpy(5, random) : test::random_octahedron(random).polyhedron(),
+                    test::turned({0.1, 0.2, is_plate ? 0.4 : 2.5}, test::random_vector(random, 1),
+                                 is_plate ? 0.1 : uniform(random, 0, 3)));
+        const double margin = uniform(random, 0.1, 3);
+        const NearFeatures near = scene.find(margin, {.most_visits = 1 << 24});
+        EXPECT_FALSE(near.is_cut);
+        EXPECT_EQ(near.complete_within, margin);
+        EXPECT_EQ(set_of(near), all_in_contact(scene, margin)) << "scene " << i;
+        most = std::max(most, near.pairs.size());
+    }
+    EXPECT_GT(most, 10U);
+}
+
+TEST(NearFeatures, OfATouchAreTheThreeKindsOfPairs) {
+    const Polyhedron cube = test::box({1, 1, 1}).polyhedron();
+    Scene scene(cube, cube, test::turned({0.2, 0.1, 2}, {0, 0, 1}, 0.3));
+    std::size_t found = 0;
+    for (const FeaturePair& features : set_of(scene.find(0))) {
+        EXPECT_LE(features.kind, ContactKind::edge_edge);
+        ++found;
+    }
+    EXPECT_GT(found, 4U);
+}
+
+TEST(NearFeatures, NothingIsNearBodiesThatAreApart) {
+    const Polyhedron cube = test::box({1, 1, 1}).polyhedron();
+    Scene scene(cube, cube, test::shifted(0, 0, 2.5));
+    EXPECT_TRUE(scene.find(0).pairs.empty());
+    EXPECT_TRUE(scene.find(0.4).pairs.empty());
+    EXPECT_FALSE(scene.find(0.6).pairs.empty());
+}
+
+TEST(NearFeatures, AListThatIsCutHoldsTheNearest) {
+    std::mt19937 random(43);
+    Scene scene(bumpy(30, random), bumpy(30, random), test::turned({0, 0, 0.4}, {1, 2, 3}, 0.01));
+    const NearFeatures all = scene.find(1, {.most_pairs = 1 << 20, .most_visits = 1 << 30});
+    const NearFeatures some = scene.find(1, {.most_pairs = all.pairs.size() / 2, .most_visits = 1 << 30});
+    ASSERT_FALSE(all.is_cut);
+    ASSERT_TRUE(some.is_cut);
+    EXPECT_LT(some.pairs.size(), all.pairs.size());
+    ASSERT_GT(some.complete_within, 0);
+    std::size_t nearer = 0;
+    for (const FeaturePair& features : all.pairs)
+        nearer += scene.bodies.nearest(features).apart().norm() <= some.complete_within ? 1 : 0;
+    EXPECT_EQ(nearer, some.pairs.size());
+    EXPECT_TRUE(scene.find(1, {.most_visits = 100}).is_cut);
+}
+
+TEST(NearFeatures, AnOverlapIsFoundIfAsked) {
+    const Polyhedron cube = test::box({1, 1, 1}).polyhedron();
+    Scene scene(cube, cube, test::turned({1.2, 0.9, 1.1}, {1, 2, 3}, 0.3));
+    const NearFeatures near = scene.find(0.1, {.finds_overlaps = true});
+    ASSERT_TRUE(near.overlap);
+    EXPECT_TRUE(near.overlap->certain);
+    EXPECT_FALSE(scene.find(0.1).overlap);
+}
+
+} // namespace
+} // namespace chasles::search
