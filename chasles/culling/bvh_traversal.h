@@ -105,9 +105,11 @@ private:
     /// deferred, all pairs that may only touch in the later half are deferred with it.
     void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& deferred) {
         const double first = interval.range.at(pair.when.lower);
+        if (first > leaves_.best() || leaves_.is_kept_apart(pair, first))
+            return;
         const BvhNode& moving = moving_nodes_[pair.moving];
         const BvhNode& fixed = fixed_nodes_[pair.fixed];
-        if (first > leaves_.best() || (moving.is_bare() && fixed.is_bare()) || leaves_.is_kept_apart(pair, first))
+        if (moving.is_bare() && fixed.is_bare())
             return;
         if ((!deferred.empty() && pair.when.lower >= 0.5F) ||
             is_worth_halving(interval, std::max(side(moving), side(fixed))))

@@ -71,14 +71,11 @@ bool are_coplanar(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eige
     for (int axis = 0; axis < 3; ++axis)
         if (ad[axis] == 0.0 && bd[axis] == 0.0 && cd[axis] == 0.0)
             return true;
-    const Eigen::Vector3d across = bd.cross(cd);
-    const Eigen::Vector3d size(std::abs(bd.y() * cd.z()) + std::abs(bd.z() * cd.y()),
-                               std::abs(bd.z() * cd.x()) + std::abs(bd.x() * cd.z()),
-                               std::abs(bd.x() * cd.y()) + std::abs(bd.y() * cd.x()));
+    // The permanent of o3derrboundA in Shewchuk's predicates.c is at most six times the product of the greatest
+    // coordinates, and its factor is below 8 units.
     constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
-    constexpr double relative = (7.0 + 56.0 * unit) * unit; // o3derrboundA in Shewchuk's predicates.c
-    const double bound = relative * ad.cwiseAbs().dot(size) + underflow_of_products;
-    if (std::abs(ad.dot(across)) > bound)
+    const double size = ad.cwiseAbs().maxCoeff() * bd.cwiseAbs().maxCoeff() * cd.cwiseAbs().maxCoeff();
+    if (std::abs(ad.dot(bd.cross(cd))) > 48 * unit * size + underflow_of_products)
         return false;
     return dot(exact_arm(d, a), cross(exact_arm(d, b), exact_arm(d, c))).sign() == 0;
 }

@@ -1,5 +1,6 @@
 #include "chasles/mesh/flat_features.h"
 
+#include "chasles/base/parallel_for.h"
 #include "chasles/mesh/exact_orientation.h"
 
 #include <algorithm>
@@ -55,22 +56,25 @@ private:
 } // namespace
 
 FlatFeatures find_flat_features(const FlatLists<std::uint32_t>& outlines, const FlatLists<std::uint32_t>& triangles,
-                                const MeshEdges& edges, std::span<const Vector3d> vertices) {
-    FlatFeatures flat{std::vector<bool>(edges.edges.size()), std::vector<bool>(vertices.size())};
-    std::vector<bool> has_other(vertices.size());
-    for (std::size_t i = 0; i < edges.edges.size(); ++i) {
-        const auto& [a, b] = edges.two_faces[i];
-        const Edge& edge = edges.edges[i];
-        const bool is_flat = a != MeshEdges::none && triangles[a].empty() && triangles[b].empty() &&
-                             SharedEdge(edge, vertices).is_flat(outlines[a], outlines[b]);
-        flat.edges[i] = is_flat;
-        for (const std::uint32_t end : {edge.from, edge.to}) {
-            flat.vertices[end] = flat.vertices[end] || is_flat;
-            has_other[end] = has_other[end] || !is_flat;
+                                const MeshEdges& edges, std::span<const Vector3d> vertices, unsigned threads) {
+    constexpr std::size_t many_edges = 1 << 15; // for one thread
+    FlatFeatures flat{std::vector<char>(edges.edges.size()), std::vector<char>(vertices.size())};
+    parallel_chunks(threads, edges.edges.size(), many_edges, [&](std::size_t, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto& [a, b] = edges.two_faces[i];
+            flat.edges[i] = a != MeshEdges::none && triangles[a].empty() && triangles[b].empty() &&
+                            SharedEdge(edges.edges[i], vertices).is_flat(outlines[a], outlines[b]);
         }
-    }
-    for (std::size_t i = 0; i < vertices.size(); ++i)
-        flat.vertices[i] = flat.vertices[i] && !has_other[i];
+    });
+    flat.has_any = std::ranges::find(flat.edges, char(1)) != flat.edges.end();
+    if (!flat.has_any)
+        return flat;
+    for (std::size_t i = 0; i < edges.edges.size(); ++i)
+        if (flat.edges[i] != 0)
+            flat.vertices[edges.edges[i].from] = flat.vertices[edges.edges[i].to] = 1;
+    for (std::size_t i = 0; i < edges.edges.size(); ++i)
+        if (flat.edges[i] == 0)
+            flat.vertices[edges.edges[i].from] = flat.vertices[edges.edges[i].to] = 0;
     return flat;
 }
 

@@ -25,20 +25,10 @@ bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
     return source.size() == given;
 }
 
-/// The features of faces without the flat ones.
-std::vector<std::uint32_t> without_flat(std::span<const std::uint32_t> features, const std::vector<bool>& is_flat) {
-    std::vector<std::uint32_t> result(features.begin(), features.end());
-    for (std::uint32_t& feature : result)
-        if (feature != no_feature && is_flat[feature])
-            feature = no_feature;
-    return result;
-}
-
 /// The edges that each face owns.
 FlatLists<Edge> share_edges(const FlatLists<std::uint32_t>& outlines, const MeshEdges& edges,
-                            const std::vector<bool>& is_flat) {
-    FlatLists<std::uint32_t> shares =
-        share_features(outlines.offsets, without_flat(edges.edge_of_side, is_flat), edges.edges.size());
+                            const std::vector<char>& is_flat) {
+    FlatLists<std::uint32_t> shares = share_features(outlines.offsets, edges.edge_of_side, is_flat);
     FlatLists<Edge> owned{std::move(shares.offsets), {}};
     owned.items.reserve(shares.items.size());
     for (const std::uint32_t edge : shares.items)
@@ -121,13 +111,13 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
     parts.report.distinct_vertices = sorted.distinct_vertices;
     parts.report.dropped_faces = sorted.collapsed.source.size();
     parts.vertices.assign(vertices.begin(), vertices.end());
-    const FlatFeatures flat = find_flat_features(outlines, polygons.triangles, edges, vertices);
-    parts.owned_vertices =
-        share_features(outlines.offsets, without_flat(outlines.items, flat.vertices), vertices.size());
+    const FlatFeatures flat = find_flat_features(outlines, polygons.triangles, edges, vertices, options.threads);
+    parts.owned_vertices = share_features(outlines.offsets, outlines.items, flat.vertices);
     parts.owned_edges = share_edges(outlines, edges, flat.edges);
     parts.bvh = Bvh(outlines, vertices, options.threads);
-    parts.bvh.mark_bare(
-        [&](std::uint32_t face) { return parts.owned_vertices[face].empty() && parts.owned_edges[face].empty(); });
+    if (flat.has_any)
+        parts.bvh.mark_bare(
+            [&](std::uint32_t face) { return parts.owned_vertices[face].empty() && parts.owned_edges[face].empty(); });
     if (!is_identity(polygons.faces.source, faces.size()))
         parts.source = std::move(polygons.faces.source);
     parts.triangles = std::move(polygons.triangles);

@@ -2,14 +2,16 @@
 // The number of claimants therefore falls quickly.
 #include "chasles/mesh/ownership.h"
 
+#include <algorithm>
 #include <numeric>
 #include <vector>
 
 namespace chasles {
 namespace {
 
-/// Marks a free feature.
+/// Marks a free feature, and one that is left out.
 constexpr std::uint32_t no_owner = 0xffffffff;
+constexpr std::uint32_t left_out = 0xfffffffe;
 
 /// A face that still claims features.
 struct Claimant {
@@ -35,13 +37,13 @@ FlatLists<std::uint32_t> lists_by_owner(const std::vector<std::uint32_t>& owner,
     FlatLists<std::uint32_t> lists;
     lists.offsets.assign(face_count + 1, 0);
     for (const std::uint32_t face : owner)
-        if (face != no_owner)
+        if (face < left_out)
             ++lists.offsets[face + 1];
     std::partial_sum(lists.offsets.begin(), lists.offsets.end(), lists.offsets.begin());
     lists.items.resize(lists.offsets.back());
     std::vector<std::uint32_t> next(lists.offsets.begin(), lists.offsets.end() - 1);
     for (std::uint32_t feature = 0; feature < owner.size(); ++feature)
-        if (owner[feature] != no_owner)
+        if (owner[feature] < left_out)
             lists.items[next[owner[feature]]++] = feature;
     return lists;
 }
@@ -49,9 +51,10 @@ FlatLists<std::uint32_t> lists_by_owner(const std::vector<std::uint32_t>& owner,
 } // namespace
 
 FlatLists<std::uint32_t> share_features(std::span<const std::uint32_t> offsets, std::span<const std::uint32_t> features,
-                                        std::size_t feature_count) {
+                                        const std::vector<char>& is_left_out) {
     const std::size_t face_count = offsets.size() - 1;
-    std::vector<std::uint32_t> owner(feature_count, no_owner);
+    std::vector<std::uint32_t> owner(is_left_out.size());
+    std::ranges::transform(is_left_out, owner.begin(), [](char is_out) { return is_out != 0 ? left_out : no_owner; });
     std::vector<Claimant> claimants(face_count);
     for (std::uint32_t face = 0; face < face_count; ++face)
         claimants[face] = {face, offsets[face]};

@@ -67,10 +67,12 @@ private:
     Visit visit_;
 };
 
-/// Calls `visit(feature pair)` for each pair of features that two faces own and that may meet.
+/// Calls `visit(feature pair)` for each pair of features that two faces own and that may meet. Inlined, because a query
+/// takes two hundredths longer otherwise.
 template <bool all_kinds, class Sides, class Visit>
-void for_each_owned_pair(const Body& moving, const Body& fixed, const TwoFaces& faces, const Sides& moving_sides,
-                         const Sides& fixed_sides, Visit visit) {
+[[gnu::always_inline]] inline void for_each_owned_pair(const Body& moving, const Body& fixed, const TwoFaces& faces,
+                                                       const Sides& moving_sides, const Sides& fixed_sides,
+                                                       Visit visit) {
     OwnedPairs<all_kinds, Sides, Visit>(fixed, faces, fixed_sides, visit).visit_all(moving, moving_sides);
 }
 

@@ -17,7 +17,7 @@ TEST(Ownership, GivesEachFeatureOnceToAFaceThatHasIt) {
     FlatLists<std::uint32_t> faces;
     for (int face = 0; face < 60; ++face)
         faces.append(std::vector{feature(random), feature(random), no_feature, feature(random)});
-    const FlatLists<std::uint32_t> owned = share_features(faces.offsets, faces.items, 100);
+    const FlatLists<std::uint32_t> owned = share_features(faces.offsets, faces.items, std::vector<char>(100));
     std::multiset<std::uint32_t> seen;
     for (std::size_t face = 0; face < faces.size(); ++face)
         for (const std::uint32_t id : owned[face]) {
@@ -34,7 +34,7 @@ TEST(Ownership, IsEven) {
     FlatLists<std::uint32_t> faces;
     for (std::uint32_t i = 1; i <= 8; ++i)
         faces.append(std::vector<std::uint32_t>{0, i, i % 8 + 1});
-    const FlatLists<std::uint32_t> owned = share_features(faces.offsets, faces.items, 9);
+    const FlatLists<std::uint32_t> owned = share_features(faces.offsets, faces.items, std::vector<char>(9));
     EXPECT_EQ(owned[0].size(), 2U) << "the first face has 0, and 1 or 2";
     for (std::size_t face = 1; face < 8; ++face)
         EXPECT_EQ(owned[face].size(), 1U);
