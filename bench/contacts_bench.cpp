@@ -2,7 +2,7 @@
 // after the other. For each family of questions it prints medians, and how many lists took longer than three times the
 // first contact and ten microseconds a contact. The verdicts and brackets are compared before they count.
 //
-//     contacts_bench [QUESTIONS A FAMILY]
+//     contacts_bench [--questions=24]
 #include "bench/bodies.h"
 #include "bench/generated_bodies.h"
 #include "chasles/chasles.h"
@@ -14,6 +14,8 @@
 #include <cstdio>
 #include <cstdlib>
 #include <random>
+#include <span>
+#include <string_view>
 
 namespace chasles::bench {
 namespace {
@@ -157,5 +159,10 @@ int run_all(int count) {
 } // namespace chasles::bench
 
 int main(int argc, char** argv) {
-    return chasles::bench::run_all(argc > 1 ? std::atoi(argv[1]) : 24);
+    constexpr std::string_view option = "--questions=";
+    int count = 24;
+    for (const std::string_view argument : std::span(argv, std::size_t(argc)).subspan(1))
+        if (argument.starts_with(option)) // options of Google Benchmark are for the other programs
+            count = std::max(1, std::atoi(argument.substr(option.size()).data()));
+    return chasles::bench::run_all(count);
 }

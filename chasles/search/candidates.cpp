@@ -27,8 +27,8 @@ std::vector<Candidate>::iterator Candidates::first_proven() {
     return std::ranges::min_element(kept_, {}, end_of_proof);
 }
 
-/// Final brackets first, then proven ones that are wide, then uncertain ones: most of what follows turns out to be
-/// after the first contact.
+/// Final brackets first, then wide proven brackets, then uncertain ones. In this order most of the later ones can be
+/// dropped: they turn out to be after the first contact.
 std::vector<Candidate> Candidates::in_order_of_proof() {
     std::vector<Candidate> found = std::exchange(kept_, {});
     state_.forget_proven();

@@ -79,7 +79,8 @@ void DistanceStages::test_at_start(const FeaturePair& features, WithinAtStart::A
 
 PieceResult DistanceStages::take() {
     candidates_.settle(*this);
-    // An edge that barely passes is within the margin of what it barely passes, unless that is inside a flat part.
+    // An uncertain overlap needs no decision if features are within the margin at the start. There may be none near it:
+    // the edges inside flat parts are not tested.
     if (candidates_.best() > 0 && overlaps_.decide())
         candidates_.end_at_start();
     work_ += overlaps_.work();

@@ -20,9 +20,10 @@ public:
 
     /// Refines what the filter finds between two faces. True if a certain overlap is known.
     bool collect(FeatureTests<double>& filter, const TwoFaces& faces);
-    /// Decides the uncertain overlaps in exact arithmetic, until one is certain. Without exact maps, one of them stays
-    /// in the answer: it may be all that tells of a contact inside a flat part of a surface. True if there is an
-    /// overlap.
+    /// Decides the uncertain overlaps in exact arithmetic, until one is certain. True if there is an overlap.
+    ///
+    /// Without exact maps, an uncertain overlap stays in the answer. No other test finds an edge that passes through
+    /// the inside of a flat part.
     bool decide();
 
     [[nodiscard]] const std::optional<Overlap>& found() const { return found_; }
