@@ -1,6 +1,7 @@
 #include "chasles/contact/contact_frame.h"
 
 #include "chasles/contact/normal_cone.h"
+#include "chasles/mesh/face_normal.h"
 
 #include <Eigen/Geometry>
 #include <cmath>
@@ -35,12 +36,12 @@ Place place_on_edges(const ContactScene& scene, const FeaturePair& features, con
 
 Place place_of(const ContactScene& scene, const FeaturePair& features, const Eigen::Vector3d& point) {
     if (features.kind == ContactKind::vertex_face) {
-        const Eigen::Vector3d normal = face_normal(scene.bodies.fixed(), features.fixed.first);
+        const Eigen::Vector3d normal = face_normal(scene.bodies.fixed(), features.fixed.first).unit;
         return {normal, normal};
     }
     if (features.kind == ContactKind::face_vertex) {
         const Eigen::Vector3d normal =
-            scene.bodies.turned(face_normal(scene.bodies.moving(), features.moving.first)).normalized();
+            scene.bodies.turned(face_normal(scene.bodies.moving(), features.moving.first).unit).normalized();
         return {normal, -normal};
     }
     if (features.kind == ContactKind::edge_edge)

@@ -77,10 +77,7 @@ private:
         return {FeatureKind::edge, {edge.from, edge.to}};
     }
     [[nodiscard]] bool is_at(const Edge& edge, const Eigen::Vector3d& point) const {
-        const Eigen::Vector3d& from = body_.vertices()[edge.from];
-        const Eigen::Vector3d along = body_.vertices()[edge.to] - from;
-        const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-        return (from + share * along - point).norm() <= slack_;
+        return distance_to_segment(body_.vertices()[edge.from], body_.vertices()[edge.to], point) <= slack_;
     }
 
     const Body& body_;

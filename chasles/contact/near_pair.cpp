@@ -9,8 +9,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// The rounding of a cross product, or of a product with it, over the product of the lengths.
-constexpr double rounding = 8 * 0x1p-53;
 /// A normal with a larger error gives no plane: the face is a line, up to rounding.
 constexpr double no_plane = 0x1p-7;
 
@@ -33,34 +31,34 @@ bool is_at_an_end(const ContactScene& scene, const FeaturePair& features, const 
 
 FaceAtRest::FaceAtRest(const Body& body, std::uint32_t face)
     : body_(&body), face_(face), corners_(body.face(face)), normal_(face_normal(body, face)) {
-    double area = 0;
-    double products = 0;
     for (std::size_t i = 1; i < corners_.size(); ++i) {
         const Vector3d arm = corner(i) - corner(0);
         diameter_ = std::max(diameter_, arm.norm());
         if (corners_.size() > 3)
-            thickness_ = std::max(thickness_, std::abs(normal_.dot(arm)));
-        if (i + 1 < corners_.size()) {
-            const Vector3d next = corner(i + 1) - corner(0);
-            area += normal_.dot(arm.cross(next));
-            products += arm.norm() * next.norm();
-        }
+            thickness_ = std::max(thickness_, std::abs(normal_.unit.dot(arm)));
     }
-    error_ = rounding * products / std::max(area, rounding * products);
+}
+
+int FaceAtRest::side_of(const Vector3d& point, double reach) const {
+    const Vector3d arm = point - corner(0);
+    const double height = normal_.unit.dot(arm);
+    if (std::abs(height) <= reach + thickness_ + normal_.error * arm.norm())
+        return 0;
+    return height > 0 ? 1 : -1;
 }
 
 bool FaceAtRest::is_below(const Vector3d& point, double reach, double slack) const {
-    if (error_ > no_plane)
+    if (normal_.error > no_plane)
         return is_near_rim(point, reach);
-    const double tolerance = error_ * diameter_;
-    return std::abs(normal_.dot(point - corner(0))) <= reach + tolerance + thickness_ &&
+    const double tolerance = normal_.error * diameter_;
+    return std::abs(normal_.unit.dot(point - corner(0))) <= reach + tolerance + thickness_ &&
            is_inside(point, slack + tolerance);
 }
 
 /// Whether a point is to the left of the line between two corners, up to the tolerance.
 bool FaceAtRest::is_left_of(std::size_t from, std::size_t to, const Vector3d& point, double tolerance) const {
     const Vector3d along = corner(to) - corner(from);
-    return normal_.dot(along.cross(point - corner(from))) >= -tolerance * along.norm();
+    return normal_.unit.dot(along.cross(point - corner(from))) >= -tolerance * along.norm();
 }
 
 bool FaceAtRest::is_inside(const Vector3d& point, double tolerance) const {
@@ -77,12 +75,9 @@ bool FaceAtRest::is_inside(const Vector3d& point, double tolerance) const {
 }
 
 bool FaceAtRest::is_near_rim(const Vector3d& point, double reach) const {
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const Vector3d along = corner(i + 1 == corners_.size() ? 0 : i + 1) - corner(i);
-        const double share = std::clamp((point - corner(i)).dot(along) / along.squaredNorm(), 0.0, 1.0);
-        if ((corner(i) + share * along - point).norm() <= reach)
+    for (std::size_t i = 0; i < corners_.size(); ++i)
+        if (distance_to_segment(corner(i), corner(i + 1 == corners_.size() ? 0 : i + 1), point) <= reach)
             return true;
-    }
     return false;
 }
 
@@ -92,18 +87,32 @@ const FaceAtRest& NearTest::face_of(const Body& body, std::uint32_t face, std::o
     return *last;
 }
 
+/// In the frame of the fixed body.
+Vector3d NearTest::moving_vertex(std::uint32_t vertex) const {
+    return scene_.bodies.moved(scene_.bodies.moving().vertices()[vertex]);
+}
+
+/// In the frame of the moving body.
+Vector3d NearTest::fixed_vertex(std::uint32_t vertex) const {
+    return scene_.bodies.moved_back(scene_.bodies.fixed().vertices()[vertex]);
+}
+
+int NearTest::side_on_fixed_face(std::uint32_t face, std::uint32_t vertex) {
+    return fixed_face(face).side_of(moving_vertex(vertex), reach());
+}
+
+int NearTest::side_on_moving_face(std::uint32_t face, std::uint32_t vertex) {
+    return moving_face(face).side_of(fixed_vertex(vertex), reach());
+}
+
 bool NearTest::are_near(const FeaturePair& features) {
-    const RelativeConfiguration& bodies = scene_.bodies;
-    const double reach = scene_.margin + scene_.slack;
     if (features.kind == ContactKind::vertex_face)
-        return face_of(bodies.fixed(), features.fixed.first, fixed_face_)
-            .is_below(bodies.moved(bodies.moving().vertices()[features.moving.first]), reach, scene_.slack);
+        return fixed_face(features.fixed.first).is_below(moving_vertex(features.moving.first), reach(), scene_.slack);
     if (features.kind == ContactKind::face_vertex)
-        return face_of(bodies.moving(), features.moving.first, moving_face_)
-            .is_below(bodies.moved_back(bodies.fixed().vertices()[features.fixed.first]), reach, scene_.slack);
-    const NearestPoints nearest = bodies.nearest(features);
+        return moving_face(features.moving.first).is_below(fixed_vertex(features.fixed.first), reach(), scene_.slack);
+    const NearestPoints nearest = scene_.bodies.nearest(features);
     const double distance = nearest.apart().norm();
-    return distance <= reach && (distance <= scene_.slack || !is_at_an_end(scene_, features, nearest));
+    return distance <= reach() && (distance <= scene_.slack || !is_at_an_end(scene_, features, nearest));
 }
 
 bool NearTest::are_in_contact(const FeaturePair& features) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chasles/contact/contact_frame.h"
+#include "chasles/mesh/face_normal.h"
 
 #include <optional>
 #include <span>
@@ -15,6 +16,8 @@ public:
     FaceAtRest(const Body& body, std::uint32_t face);
 
     [[nodiscard]] std::uint32_t face() const { return face_; }
+    /// 1 or -1 for a point farther than `reach` from the plane, by its side; 0 for a nearer one.
+    [[nodiscard]] int side_of(const Eigen::Vector3d& point, double reach) const;
     /// Whether a point is within `reach` of the face, and its foot on the plane is in the face up to `slack`.
     [[nodiscard]] bool is_below(const Eigen::Vector3d& point, double reach, double slack) const;
 
@@ -28,10 +31,9 @@ private:
     const Body* body_;
     std::uint32_t face_;
     std::span<const std::uint32_t> corners_;
-    Eigen::Vector3d normal_;
+    FaceNormal normal_;
     double diameter_ = 0;
     double thickness_ = 0; ///< the greatest distance of a corner from the plane
-    double error_ = 0;     ///< of the direction of the normal
 };
 
 /// The tests of one scene. Keeps what it knows of the last face of each body.
@@ -39,6 +41,11 @@ class NearTest {
 public:
     /// The scene is kept by reference.
     explicit NearTest(const ContactScene& scene) : scene_(scene) {}
+
+    /// The side of a face's plane on which a vertex of the other body is; 0 if it may be within the margin of the
+    /// plane.
+    int side_on_fixed_face(std::uint32_t face, std::uint32_t vertex);
+    int side_on_moving_face(std::uint32_t face, std::uint32_t vertex);
 
     /// Whether the distance of two features is at most the margin, up to the slack. The nearest points must be in the
     /// relative interiors of both features, up to the slack; those of edges that touch need not. Other features are
@@ -49,7 +56,12 @@ public:
     bool are_in_contact(const FeaturePair& features);
 
 private:
-    const FaceAtRest& face_of(const Body& body, std::uint32_t face, std::optional<FaceAtRest>& last);
+    static const FaceAtRest& face_of(const Body& body, std::uint32_t face, std::optional<FaceAtRest>& last);
+    const FaceAtRest& moving_face(std::uint32_t face) { return face_of(scene_.bodies.moving(), face, moving_face_); }
+    const FaceAtRest& fixed_face(std::uint32_t face) { return face_of(scene_.bodies.fixed(), face, fixed_face_); }
+    [[nodiscard]] Eigen::Vector3d moving_vertex(std::uint32_t vertex) const;
+    [[nodiscard]] Eigen::Vector3d fixed_vertex(std::uint32_t vertex) const;
+    [[nodiscard]] double reach() const { return scene_.margin + scene_.slack; }
 
     const ContactScene& scene_;
     std::optional<FaceAtRest> moving_face_;

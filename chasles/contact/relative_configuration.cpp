@@ -1,6 +1,7 @@
 #include "chasles/contact/relative_configuration.h"
 
 #include "chasles/mesh/adjacent_directions.h"
+#include "chasles/mesh/face_normal.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -62,10 +63,6 @@ NearestPoints nearest_points(const Segment& moving, const Segment& fixed) {
     return {moving.foot(on_fixed), on_fixed};
 }
 
-Eigen::Vector3d any_perpendicular(const Eigen::Vector3d& direction) {
-    return direction.stableNormalized().unitOrthogonal();
-}
-
 /// The largest cosine of the angle between a unit vector and a direction from a feature into its surface.
 double steepest(const Body& body, FeatureKind kind, const Feature& feature, const Eigen::Vector3d& direction) {
     double most = -1;
@@ -82,20 +79,10 @@ double steepest(const Body& body, FeatureKind kind, const Feature& feature, cons
 
 } // namespace
 
-Eigen::Vector3d face_normal(const Body& body, std::uint32_t face) {
-    const auto corners = body.face(face);
-    const auto arm = [&](std::size_t i) -> Eigen::Vector3d {
-        return body.vertices()[corners[i]] - body.vertices()[corners[0]];
-    };
-    Eigen::Vector3d longest = arm(1);
-    for (std::size_t i = 2; i < corners.size(); ++i)
-        if (arm(i).stableNorm() > longest.stableNorm())
-            longest = arm(i);
-    const double size = longest.cwiseAbs().maxCoeff();
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-        sum += (arm(i) / size).cross(arm(i + 1) / size);
-    return sum.isZero(0) ? any_perpendicular(longest) : Eigen::Vector3d(sum.stableNormalized());
+double distance_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& point) {
+    const Eigen::Vector3d along = to - from;
+    const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
+    return (from + share * along - point).norm();
 }
 
 RelativeConfiguration::RelativeConfiguration(const Body& moving, const Body& fixed,
@@ -137,12 +124,12 @@ NearestPoints RelativeConfiguration::nearest(const FeaturePair& features) const 
     case ContactKind::vertex_face: {
         const std::uint32_t face = features.fixed.first;
         const Eigen::Vector3d vertex = moving_point(features.moving.first);
-        return {vertex, foot(vertex, face_normal(fixed_, face), fixed_point(fixed_.face(face)[0]))};
+        return {vertex, foot(vertex, face_normal(fixed_, face).unit, fixed_point(fixed_.face(face)[0]))};
     }
     case ContactKind::face_vertex: {
         const std::uint32_t face = features.moving.first;
         const Eigen::Vector3d vertex = fixed_point(features.fixed.first);
-        return {foot(vertex, turned(face_normal(moving_, face)), moving_point(moving_.face(face)[0])), vertex};
+        return {foot(vertex, turned(face_normal(moving_, face).unit), moving_point(moving_.face(face)[0])), vertex};
     }
     case ContactKind::edge_edge:
         return nearest_points(moving_edge(), fixed_edge());

@@ -65,8 +65,7 @@ private:
     Eigen::Vector3d shift_rate_;
 };
 
-/// Newell's unit normal of a face, computed at the size of one, where nothing underflows. For a face so thin that it
-/// vanishes in rounding: any unit vector at a right angle to its longest diagonal.
-Eigen::Vector3d face_normal(const Body& body, std::uint32_t face);
+/// The distance of a point from a segment of some length.
+double distance_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& point);
 
 } // namespace chasles::contact

@@ -1,7 +1,7 @@
 #include "chasles/mesh/normal_cones.h"
 
 #include "chasles/mesh/adjacent_directions.h"
-#include "chasles/mesh/body.h"
+#include "chasles/mesh/face_normal.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -84,16 +84,8 @@ NormalCone cone_around(const Vector3d& axis, const Ways& ways) {
 }
 
 NormalCone cone_of_face(const Body& body, std::uint32_t face) {
-    const auto corners = body.face(face);
-    Vector3d normal = Vector3d::Zero();
-    double size = 0;
-    for (std::size_t i = 1; i + 1 < corners.size(); ++i) {
-        const Vector3d a = body.vertices()[corners[i]] - body.vertices()[corners[0]];
-        const Vector3d b = body.vertices()[corners[i + 1]] - body.vertices()[corners[0]];
-        normal += a.cross(b);
-        size += a.norm() * b.norm();
-    }
-    return normal.norm() > 1e-9 * size ? cone(normal, 0) : every_direction;
+    const FaceNormal normal = face_normal(body, face);
+    return normal.error < 1e-6 ? cone(normal.unit, 0) : every_direction;
 }
 
 NormalCone cone_of_vertex(const Body& body, std::uint32_t vertex) {

@@ -128,8 +128,7 @@ FirstContact PieceByPiece::run_holding() {
         return found;
     }
     found.held = start.contacts_of(near.pairs);
-    found.contacts_cut = near.is_cut || found.held.size() > most_contacts;
-    found.held.resize(std::min(found.held.size(), most_contacts));
+    found.contacts_cut = cut_to_most(found.held) || near.is_cut;
     search_holding(found, first_piece, level.distance, search::HeldContacts(start.scene()));
     if (level.is_reached && found.clear_until < 1)
         found.clear_until = 0;

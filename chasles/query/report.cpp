@@ -79,8 +79,7 @@ void list_contacts(FirstContact& answer, const ContactMoment& moment, const sear
         pairs.push_back(first_of(result.candidates)); // an uncertain contact may be none
     if (!pairs.empty())
         answer.contacts = moment.contacts_of(pairs);
-    answer.contacts_cut = answer.contacts_cut || result.overlap || answer.contacts.size() > most_contacts;
-    answer.contacts.resize(std::min(answer.contacts.size(), most_contacts));
+    answer.contacts_cut = cut_to_most(answer.contacts) || answer.contacts_cut || result.overlap;
 }
 
 } // namespace
@@ -144,6 +143,12 @@ Contact ContactMoment::in_world(Contact contact) const {
     contact.approach_speed *= context_.piece().tau_rate(tau_);
     name_faces(contact, context_);
     return contact;
+}
+
+bool cut_to_most(std::vector<Contact>& contacts) {
+    const bool is_longer = contacts.size() > most_contacts;
+    contacts.resize(std::min(contacts.size(), most_contacts));
+    return is_longer;
 }
 
 } // namespace chasles::query

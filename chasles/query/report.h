@@ -62,4 +62,7 @@ private:
     Eigen::Isometry3d to_world_;
 };
 
+/// Cuts a list to the contacts that an answer may list. True if it was longer.
+bool cut_to_most(std::vector<Contact>& contacts);
+
 } // namespace chasles::query

@@ -18,59 +18,10 @@ using contact::ContactScene;
 using culling::CornerSides;
 using Eigen::Vector3d;
 
-/// A plane through a face in the frame of the fixed body, and the corners of the face.
-class PlacedFace {
-public:
-    [[nodiscard]] std::span<const Vector3d> corners() const { return corners_; }
-
-    /// Computes the plane unless it is that of the last request.
-    template <class Place>
-    void place(const Body& body, std::uint32_t face, Place at) {
-        if (face_ == face)
-            return;
-        face_ = face;
-        corners_.clear();
-        for (const std::uint32_t corner : body.face(face))
-            corners_.push_back(at(body.vertices()[corner]));
-        normal_ = Vector3d::Zero();
-        double products = 0;
-        for (std::size_t i = 1; i + 1 < corners_.size(); ++i) {
-            const Vector3d a = corners_[i] - corners_[0];
-            const Vector3d b = corners_[i + 1] - corners_[0];
-            normal_ += a.cross(b);
-            products += a.norm() * b.norm();
-        }
-        length_ = normal_.norm();
-        error_ = rounding * products;
-        thickness_ = 0;
-        for (std::size_t i = 3; i < corners_.size(); ++i)
-            thickness_ = std::max(thickness_, std::abs(normal_.dot(corners_[i] - corners_[0])));
-    }
-
-    /// The side of the plane that a point is on, farther than `reach` from it; 0 if it is nearer.
-    [[nodiscard]] int side_of(const Vector3d& point, double reach) const {
-        const Vector3d arm = point - corners_[0];
-        const double height = normal_.dot(arm);
-        if (std::abs(height) <= reach * length_ + thickness_ + error_ * arm.norm())
-            return 0;
-        return height > 0 ? 1 : -1;
-    }
-
-private:
-    static constexpr double rounding = 16 * 0x1p-53;
-
-    std::uint32_t face_ = 0xffffffff;
-    std::vector<Vector3d> corners_;
-    Vector3d normal_; ///< of length_
-    double length_ = 0;
-    double thickness_ = 0; ///< times length_
-    double error_ = 0;     ///< of the normal
-};
-
 /// Culls pairs of nodes in whose boxes no connection between near features is along a normal of both surfaces.
 class ConeTest {
 public:
-    ConeTest(const ContactScene& scene) : scene_(scene) {}
+    explicit ConeTest(const ContactScene& scene) : scene_(scene) {}
 
     [[nodiscard]] bool separates(const culling::NodePair& pair) const {
         const RelativeBox moving(scene_.bodies.moving().bvh(), pair.moving);
@@ -123,23 +74,31 @@ public:
     // The functions that a traversal requires of its leaves.
     [[nodiscard]] static double best() { return 1; }
     [[nodiscard]] bool is_over() const { return found_.is_cut || overlaps_.found(); }
+    /// The traversal asks this once for each pair that it visits.
     [[nodiscard]] bool is_kept_apart(const culling::NodePair& pair, double /*first*/) {
         found_.is_cut = found_.is_cut || ++visits_ > search_.most_visits;
         return uses_cones_ && cones_.separates(pair);
     }
     void test(const culling::FacePair& pair) {
         ++found_.work.face_pairs;
-        const RelativeSides sides = place(pair);
-        if (sides.moving.all_on_one_side() || sides.fixed.all_on_one_side())
+        const CornerSides moving(context_.moving().face(pair.moving), moving_sides_, [&](std::uint32_t corner) {
+            return near_test_.side_on_fixed_face(pair.fixed, corner);
+        });
+        if (moving.all_on_one_side())
             return;
-        if (search_.finds_overlaps && overlaps_.collect(filter_, {pair.moving, pair.fixed}))
+        const CornerSides fixed(context_.fixed().face(pair.fixed), fixed_sides_, [&](std::uint32_t corner) {
+            return near_test_.side_on_moving_face(pair.moving, corner);
+        });
+        if (fixed.all_on_one_side())
+            return;
+        const TwoFaces faces{pair.moving, pair.fixed};
+        if (search_.finds_overlaps && overlaps_.collect(filter_, faces))
             return;
         const auto visit = [&](const contact::FeaturePair& features) { add(features); };
-        const TwoFaces faces{pair.moving, pair.fixed};
         if (scene_.margin > 0)
-            for_each_owned_pair<true>(context_.moving(), context_.fixed(), faces, sides.moving, sides.fixed, visit);
+            for_each_owned_pair<true>(context_.moving(), context_.fixed(), faces, moving, fixed, visit);
         else
-            for_each_owned_pair<false>(context_.moving(), context_.fixed(), faces, sides.moving, sides.fixed, visit);
+            for_each_owned_pair<false>(context_.moving(), context_.fixed(), faces, moving, fixed, visit);
     }
 
     NearFeatures take(std::uint64_t node_pairs) {
@@ -152,29 +111,6 @@ public:
     }
 
 private:
-    struct RelativeSides {
-        CornerSides moving;
-        CornerSides fixed;
-    };
-
-    RelativeSides place(const culling::FacePair& pair) {
-        const Body& moving = context_.moving();
-        const Body& fixed = context_.fixed();
-        const auto moved = [&](const Vector3d& point) { return scene_.bodies.moved(point); };
-        moving_face_.place(moving, pair.moving, moved);
-        fixed_face_.place(fixed, pair.fixed, [](const Vector3d& point) { return point; });
-        const double reach = scene_.margin + scene_.slack;
-        std::size_t next = 0;
-        const CornerSides moving_sides(moving.face(pair.moving), moving_storage_, [&](std::uint32_t) {
-            return fixed_face_.side_of(moving_face_.corners()[next++], reach);
-        });
-        next = 0;
-        const CornerSides fixed_sides(fixed.face(pair.fixed), fixed_storage_, [&](std::uint32_t) {
-            return moving_face_.side_of(fixed_face_.corners()[next++], reach);
-        });
-        return {moving_sides, fixed_sides};
-    }
-
     void add(const contact::FeaturePair& features) {
         ++found_.work.elementary_tests;
         if (is_over() || !near_test_.are_in_contact(features))
@@ -194,10 +130,8 @@ private:
     FeatureTests<double> filter_;
     StartOverlaps overlaps_;
     contact::NearTest near_test_;
-    PlacedFace moving_face_;
-    PlacedFace fixed_face_;
-    std::vector<int> moving_storage_;
-    std::vector<int> fixed_storage_;
+    std::vector<int> moving_sides_;
+    std::vector<int> fixed_sides_;
     std::uint64_t visits_ = 0;
     NearFeatures found_;
 };

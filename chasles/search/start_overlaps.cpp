@@ -12,9 +12,12 @@ void StartOverlaps::refine(const Overlap& overlap) {
     if (found_)
         return;
     ++work_.refined;
-    FeatureTests<algebra::DoubleDouble> tests(context_.moving(), context_.fixed(), scale_);
-    tests.use(context_.refined_maps(), {});
-    const auto result = refined(overlap, tests, context_.piece().cubic());
+    if (!refinement_) {
+        refinement_ =
+            std::make_unique<FeatureTests<algebra::DoubleDouble>>(context_.moving(), context_.fixed(), scale_);
+        refinement_->use(context_.refined_maps(), {});
+    }
+    const auto result = refined(overlap, *refinement_, context_.piece().cubic());
     if (!result)
         return;
     if (result->certain)

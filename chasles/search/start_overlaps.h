@@ -7,6 +7,7 @@
 #include "chasles/search/overlaps.h"
 #include "chasles/search/piece_context.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -34,6 +35,7 @@ private:
 
     PieceContext& context_;
     const elementary::ErrorScale& scale_;
+    std::unique_ptr<FeatureTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
     std::optional<Overlap> found_;
     std::vector<Overlap> uncertain_;
     Work work_;

@@ -1,0 +1,17 @@
+// The unit normal of a face, with a bound of its error. Source: docs/derivations/18-contact-set.md, "Which pairs".
+#pragma once
+
+#include "chasles/mesh/body.h"
+
+namespace chasles {
+
+struct FaceNormal {
+    Eigen::Vector3d unit;
+    double error; ///< of the direction, radians; at most 1. A normal with the error 1 is arbitrary
+};
+
+/// Newell's normal of a face, computed at the size of one, where nothing underflows. For a face so thin that it
+/// vanishes in rounding: any unit vector at a right angle to its longest diagonal.
+FaceNormal face_normal(const Body& body, std::uint32_t face);
+
+} // namespace chasles
