@@ -12,8 +12,8 @@
 
 namespace chasles {
 
-/// The data of a body. Exactly one face owns each vertex and each edge. Therefore a traversal of face pairs tests each
-/// pair of features once.
+/// The data of a body. Exactly one face owns each vertex and each edge that is not flat; no face owns a flat one.
+/// Therefore a traversal of face pairs tests each pair of features once.
 struct BodyParts {
     std::vector<Eigen::Vector3d> vertices;
     FlatLists<std::uint32_t> outlines;
@@ -49,7 +49,7 @@ public:
         return parts_.triangles[face];
     }
 
-    /// The vertices and edges that a face owns. Exactly one face owns each vertex of the surface and each edge.
+    /// The vertices and edges that a face owns. Exactly one face owns each vertex and each edge that is not flat.
     [[nodiscard]] std::span<const std::uint32_t> owned_vertices(std::size_t face) const {
         return parts_.owned_vertices[face];
     }

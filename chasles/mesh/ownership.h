@@ -13,7 +13,7 @@ namespace chasles {
 inline constexpr std::uint32_t no_feature = 0xffffffff;
 
 /// Returns the features that each face owns. `features[offsets[f]]` to `features[offsets[f + 1] - 1]` are the features
-/// of face f: ids below `feature_count`, or no_feature. Exactly one face owns each feature that occurs. The shares are
+/// of face f: places in `is_left_out`, or no_feature. Exactly one face owns each feature that occurs. The shares are
 /// even, because the faces take turns. `is_left_out` has a flag for each feature; no face owns those that are left out.
 [[nodiscard]] FlatLists<std::uint32_t> share_features(std::span<const std::uint32_t> offsets,
                                                       std::span<const std::uint32_t> features,
