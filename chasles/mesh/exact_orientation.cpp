@@ -1,4 +1,4 @@
-// Tests with Shewchuk's first filters for orient2d and orient3d; exact arithmetic decides the remaining cases.
+// Tests with Shewchuk's first filter for orient2d; exact arithmetic decides the remaining cases.
 // Source: J. Shewchuk, "Adaptive precision floating-point arithmetic and fast robust geometric predicates", 1997.
 #include "chasles/mesh/exact_orientation.h"
 
@@ -6,15 +6,11 @@
 #include "chasles/algebra/exact_sum.h"
 #include "chasles/algebra/vector.h"
 
-#include <Eigen/Geometry>
 #include <cmath>
 #include <limits>
 
 namespace chasles {
 namespace {
-
-/// Far above the underflow of a sum of products of three coordinates up to 1e30.
-constexpr double underflow_of_products = 1e-250;
 
 /// The sign of the expanded determinant.
 int exact_orientation(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c) {
@@ -63,20 +59,11 @@ bool are_collinear(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eig
     return true;
 }
 
-bool are_coplanar(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                  const Eigen::Vector3d& d) {
-    const Eigen::Vector3d ad = a - d;
-    const Eigen::Vector3d bd = b - d;
-    const Eigen::Vector3d cd = c - d;
+bool detail::are_coplanar_exactly(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
+                                  const Eigen::Vector3d& d) {
     for (int axis = 0; axis < 3; ++axis)
-        if (ad[axis] == 0.0 && bd[axis] == 0.0 && cd[axis] == 0.0)
+        if (a[axis] == d[axis] && b[axis] == d[axis] && c[axis] == d[axis])
             return true;
-    // The permanent of o3derrboundA in Shewchuk's predicates.c is at most six times the product of the greatest
-    // coordinates, and its factor is below 8 units.
-    constexpr double unit = std::numeric_limits<double>::epsilon() / 2;
-    const double size = ad.cwiseAbs().maxCoeff() * bd.cwiseAbs().maxCoeff() * cd.cwiseAbs().maxCoeff();
-    if (std::abs(ad.dot(bd.cross(cd))) > 48 * unit * size + underflow_of_products)
-        return false;
     return dot(exact_arm(d, a), cross(exact_arm(d, b), exact_arm(d, c))).sign() == 0;
 }
 

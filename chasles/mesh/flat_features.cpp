@@ -19,13 +19,13 @@ public:
     /// Whether the faces lie in one plane, on different sides of the edge.
     [[nodiscard]] bool is_flat(Corners a, Corners b) const {
         const std::uint32_t apex = corner_off_edge(a);
+        const std::uint32_t other = corner_off_edge(b);
         const auto is_in_plane = [&](std::uint32_t corner) {
             return corner == edge_.from || corner == edge_.to || corner == apex ||
                    are_coplanar(vertices_[edge_.from], vertices_[edge_.to], vertices_[apex], vertices_[corner]);
         };
-        if (!std::ranges::all_of(b, is_in_plane) || !std::ranges::all_of(a, is_in_plane))
+        if (!is_in_plane(other) || !std::ranges::all_of(a, is_in_plane) || !std::ranges::all_of(b, is_in_plane))
             return false;
-        const std::uint32_t other = corner_off_edge(b);
         for (int axis = 0; axis < 3; ++axis)
             if (const int side = side_of(axis, apex); side != 0)
                 return side_of(axis, other) == -side;
@@ -35,11 +35,13 @@ public:
 private:
     /// The corner of a convex face that is not an end of the edge, nor on its line where there are others.
     [[nodiscard]] std::uint32_t corner_off_edge(Corners face) const {
+        if (face.size() == 3)
+            return face[0] ^ face[1] ^ face[2] ^ edge_.from ^ edge_.to;
         std::uint32_t found = face[0];
         for (const std::uint32_t corner : face)
             if (corner != edge_.from && corner != edge_.to) {
                 found = corner;
-                if (face.size() == 3 || !are_collinear(vertices_[edge_.from], vertices_[edge_.to], vertices_[corner]))
+                if (!are_collinear(vertices_[edge_.from], vertices_[edge_.to], vertices_[corner]))
                     break;
             }
         return found;
@@ -57,7 +59,7 @@ private:
 
 FlatFeatures find_flat_features(const FlatLists<std::uint32_t>& outlines, const FlatLists<std::uint32_t>& triangles,
                                 const MeshEdges& edges, std::span<const Vector3d> vertices, unsigned threads) {
-    constexpr std::size_t many_edges = 1 << 15; // for one thread
+    constexpr std::size_t many_edges = 1 << 13; // for one thread
     FlatFeatures flat{std::vector<char>(edges.edges.size()), std::vector<char>(vertices.size())};
     parallel_chunks(threads, edges.edges.size(), many_edges, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

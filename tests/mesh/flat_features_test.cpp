@@ -73,6 +73,28 @@ TEST(FlatFeatures, PolygonsOfAFlatSideHaveNoEdgeBetweenThem) {
     EXPECT_EQ(owned.edges, 6U);
 }
 
+TEST(FlatFeatures, ANodeIsBareIfItsFacesOwnNothing) {
+    Body body = tilted_plate(12);
+    for (const std::uint32_t bent : {3U * 13 + 4, 8U * 13 + 8}) // two hills in the plain
+        body.vertices[bent].z() += 1;
+    const Polyhedron plate = body.polyhedron();
+    const auto nodes = plate.body().bvh().nodes();
+    int bare_leaves = 0, bare_nodes = 0, only_vertices = 0;
+    std::vector<bool> is_bare(nodes.size());
+    for (std::size_t i = nodes.size(); i-- > 0;) {
+        const BvhNode& node = nodes[i];
+        const bool has_vertices = node.is_leaf() && !plate.body().owned_vertices(node.first).empty();
+        const bool has_edges = node.is_leaf() && !plate.body().owned_edges(node.first).empty();
+        is_bare[i] = node.is_leaf() ? !has_vertices && !has_edges : is_bare[node.first] && is_bare[node.first + 1];
+        EXPECT_EQ(node.is_bare(), is_bare[i]) << "node " << i;
+        only_vertices += has_vertices && !has_edges ? 1 : 0;
+        (node.is_leaf() ? bare_leaves : bare_nodes) += is_bare[i] ? 1 : 0;
+    }
+    EXPECT_GT(bare_leaves, 100);
+    EXPECT_GT(bare_nodes, 20);
+    EXPECT_GT(only_vertices, 0) << "faces that own a vertex and no edge are not bare";
+}
+
 TEST(FlatFeatures, CoplanarIsDecidedExactly) {
     Random random(231);
     int in_plane = 0, barely_off = 0;

@@ -61,11 +61,11 @@ TEST_P(FlatFeaturesLeftOut, TimesAreThoseOfTheBodiesBefore) {
 }
 INSTANTIATE_TEST_SUITE_P(TouchAndMargin, FlatFeaturesLeftOut, testing::Values(0.0, 0.05));
 
-/// An edge that passes through a flat edge at the start touches no other feature.
+/// A triangle in the plane of the diagonal crosses the plate on this flat edge only.
 TEST(FlatFeaturesLeftOutAtTheStart, AnEdgeThroughAFlatEdgeIsAnOverlap) {
     const Polyhedron plate =
         Body{{{-4, -4, 0}, {4, -4, 0}, {4, 4, 0}, {-4, 4, 0}}, {{0, 1, 2}, {0, 2, 3}}}.polyhedron();
-    const Polyhedron needle = triangle({0, 0, -1}, {0, 0, 1}, {0.25, -0.5, 3}).polyhedron();
+    const Polyhedron needle = triangle({0, 0, -1}, {0, 0, 1}, {0.5, 0.5, 3}).polyhedron();
     for (const double margin : {0.0, 0.01}) {
         const FirstContact found = first_contact({.moving = needle,
                                                   .fixed = plate,
