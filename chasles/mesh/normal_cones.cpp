@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 
 namespace chasles {
 
@@ -39,22 +40,6 @@ Ways unit_ways(ForEachWay for_each_way) {
     return ways;
 }
 
-/// Directions d at a right angle to an edge with d . w <= 0 for the ways w across its faces. Any two of the ways bound
-/// them: d is within pi/2 - theta/2 of the line between the ways, at the angle theta.
-NormalCone cone_of_edge(const Body& body, const Edge& edge) {
-    const Ways ways = unit_ways([&](auto collect) { any_direction_from_edge(body, edge, collect); });
-    const Vector3d along = (body.vertices()[edge.to] - body.vertices()[edge.from]).stableNormalized();
-    NormalCone best = every_direction;
-    for (std::size_t i = 0; i < ways.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j) {
-            const NormalCone bound =
-                cone((ways[i] - ways[j]).cross(along), std::asin(std::min(1.0, 0.5 * (ways[i] + ways[j]).norm())));
-            if (bound.angle < best.angle)
-                best = bound;
-        }
-    return best;
-}
-
 /// The greatest angle between consecutive directions of the plane.
 double greatest_gap(std::vector<double> angles) {
     std::ranges::sort(angles);
@@ -83,32 +68,49 @@ NormalCone cone_around(const Vector3d& axis, const Ways& ways) {
     return half_gap >= right_angle ? every_direction : cone(axis, std::atan(slope / std::cos(half_gap)));
 }
 
+} // namespace
+
 NormalCone cone_of_face(const Body& body, std::uint32_t face) {
     const FaceNormal normal = face_normal(body, face);
     return normal.error < 1e-6 ? cone(normal.unit, 0) : every_direction;
 }
 
+/// Directions d at a right angle to an edge with d . w <= 0 for the ways w across its faces. Any two of the ways bound
+/// them: d is within pi/2 - theta/2 of the line between the ways, at the angle theta.
+NormalCone cone_of_edge(const Body& body, const Edge& edge) {
+    const Ways ways = unit_ways([&](auto collect) { any_direction_from_edge(body, edge, collect); });
+    const Vector3d along = (body.vertices()[edge.to] - body.vertices()[edge.from]).stableNormalized();
+    NormalCone best = every_direction;
+    for (std::size_t i = 0; i < ways.size(); ++i)
+        for (std::size_t j = 0; j < i; ++j) {
+            const NormalCone bound =
+                cone((ways[i] - ways[j]).cross(along), std::asin(std::min(1.0, 0.5 * (ways[i] + ways[j]).norm())));
+            if (bound.angle < best.angle)
+                best = bound;
+        }
+    return best;
+}
+
+/// The smaller of the cones around two axes: the mean of the ways is good at sharp tips, and the axis of the faces'
+/// normals where the surface is nearly flat.
 NormalCone cone_of_vertex(const Body& body, std::uint32_t vertex) {
+    const Ways ways = unit_ways([&](auto collect) { any_direction_from_vertex(body, vertex, collect); });
+    NormalCone best = every_direction;
+    const auto try_axis = [&](const Vector3d& axis) {
+        const NormalCone bound = cone_around(axis.normalized(), ways);
+        if (bound.angle < best.angle)
+            best = bound;
+    };
+    const Vector3d sum = std::accumulate(ways.begin(), ways.end(), Vector3d(0, 0, 0));
+    if (sum.norm() > 0.1)
+        try_axis(sum);
     NormalCone faces = cone_of_face(body, body.faces_around(vertex).front());
     for (const std::uint32_t face : body.faces_around(vertex))
         faces = enclosing(faces, cone_of_face(body, face));
-    if (faces.angle >= every_direction.angle)
-        return every_direction;
-    return cone_around(faces.axis.cast<double>().normalized(),
-                       unit_ways([&](auto collect) { any_direction_from_vertex(body, vertex, collect); }));
+    if (faces.angle < every_direction.angle)
+        try_axis(faces.axis.cast<double>());
+    return best;
 }
-
-/// A face with the vertices and edges that it owns.
-NormalCone cone_of_leaf(const Body& body, std::uint32_t face) {
-    NormalCone result = cone_of_face(body, face);
-    for (const std::uint32_t vertex : body.owned_vertices(face))
-        result = enclosing(result, cone_of_vertex(body, vertex));
-    for (const Edge& edge : body.owned_edges(face))
-        result = enclosing(result, cone_of_edge(body, edge));
-    return result;
-}
-
-} // namespace
 
 NormalCone enclosing(const NormalCone& a, const NormalCone& b) {
     const Vector3d of_a = a.axis.cast<double>();
@@ -124,6 +126,20 @@ NormalCone enclosing(const NormalCone& a, const NormalCone& b) {
     const double turn = angle - double(a.angle); // from a's axis towards b's
     return cone((std::sin(between - turn) * of_a + std::sin(turn) * of_b) / std::sin(between), angle);
 }
+
+namespace {
+
+/// A face with the vertices and edges that it owns.
+NormalCone cone_of_leaf(const Body& body, std::uint32_t face) {
+    NormalCone result = cone_of_face(body, face);
+    for (const std::uint32_t vertex : body.owned_vertices(face))
+        result = enclosing(result, cone_of_vertex(body, vertex));
+    for (const Edge& edge : body.owned_edges(face))
+        result = enclosing(result, cone_of_edge(body, edge));
+    return result;
+}
+
+} // namespace
 
 std::vector<NormalCone> normal_cones_of(const Body& body) {
     const std::span<const BvhNode> nodes = body.bvh().nodes();

@@ -55,6 +55,8 @@ TEST_F(Check, TellsGapsAndWhatIsHeldWithAMargin) {
     ASSERT_EQ(contacts.size(), 4U);
     EXPECT_NEAR(contacts[0]["gap"], 0.5, 1e-11);
     EXPECT_EQ(json(poses)["verdict"], "contact_at_start");
+    EXPECT_FALSE(json(poses).contains("contacts_cut"));
+    EXPECT_EQ(json("--start '0.5 0.25 0.25' --goal '9 0 0' --all-contacts")["contacts_cut"], true);
     const Json held = json(poses + "--hold 0.1");
     EXPECT_EQ(held["verdict"], "contact");
     EXPECT_NEAR(held["clear_until"], 0.25, 1e-11);

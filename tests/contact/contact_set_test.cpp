@@ -1,5 +1,6 @@
 // Contact sets: each contact once, named for what it is, with a normal that both features allow.
 #include "chasles/contact/constraint_rows.h"
+#include "tests/mesh/shapes.h"
 #include "tests/query/bodies.h"
 #include "tests/support/grid.h"
 
@@ -26,6 +27,11 @@ Polyhedron tiled_table(std::uint32_t n) {
             body.vertices.emplace_back(10.0 * i / n - 5, 10.0 * j / n - 5, 0.5);
     body.faces = grid_triangles(n, n);
     return body.polyhedron();
+}
+
+Polyhedron tiled_torus() {
+    const Soup soup = torus(48, 24);
+    return Polyhedron::from_polygons(soup.vertices, soup.faces);
 }
 
 FirstContact contacts_of(const Polyhedron& moving, const Polyhedron& fixed, const Pose& start, const Pose& goal,
@@ -119,6 +125,52 @@ TEST(ContactSet, NormalAtATipIsTheWayFromWhereTheTipsWereNearest) {
     EXPECT_LT((normal_for({1, 2, 3}) - Eigen::Vector3d(1, 2, 3).normalized()).norm(), 1e-9);
     EXPECT_LT((normal_for({1, 2, -0.5}) - Eigen::Vector3d(1, 2, 0).normalized()).norm(), 1e-9);
     EXPECT_LT((normal_for({1, -2, -0.5}) - Eigen::Vector3d(1, 0, 0)).norm(), 1e-9);
+}
+
+/// Whether both tips of octahedra allow a normal: no direction along a side from the fixed tip (at +x) or against one
+/// from the moving tip (at -x) leads against it.
+double excess_of(const Eigen::Vector3d& normal) {
+    double excess = -1;
+    for (const double y : {1.0, -1.0})
+        for (const Eigen::Vector3d& side : {Eigen::Vector3d(-1, y, 0), Eigen::Vector3d(-1, 0, y)})
+            for (const double sign : {1.0, -1.0}) // the moving tip is the mirror image
+                excess = std::max(excess, normal.dot(Eigen::Vector3d(side.x(), sign * side.y(), sign * side.z())));
+    return excess;
+}
+
+TEST(ContactSet, NormalAtTipsOfFourSidesIsTheBestThatBothAllow) {
+    Body octahedron;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0})
+            octahedron.vertices.push_back(sign * Eigen::Vector3d::Unit(axis));
+    octahedron.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    const Polyhedron body = octahedron.polyhedron();
+    std::mt19937 random(8);
+    for (int i = 0; i < 12; ++i) {
+        const Eigen::Vector3d from(1, uniform(random, -3, 3), uniform(random, -3, 3));
+        const auto found = contacts_of(body, body, shifted(2 + from.x(), from.y(), from.z()), shifted(2, 0, 0));
+        ASSERT_EQ(kinds_of(found), Kinds{vertex_vertex});
+        const Eigen::Vector3d normal = found.contacts[0].normal;
+        EXPECT_LT(excess_of(normal), 1e-9);
+        for (int sample = 0; sample < 3000; ++sample) {
+            const Eigen::Vector3d other = (normal + random_vector(random, 0.5)).normalized();
+            EXPECT_TRUE(excess_of(other) > 0 || other.dot(from) <= normal.dot(from) + 1e-9);
+        }
+    }
+}
+
+TEST(ContactSet, ABoundedListSaysThatItIsCut) {
+    const auto on_itself = contacts_of(tiled_torus(), tiled_torus(), shifted(0, 0, 0), shifted(1, 0, 0));
+    EXPECT_EQ(on_itself.verdict, Verdict::contact_at_start);
+    EXPECT_TRUE(on_itself.contacts_cut);
+    EXPECT_GT(on_itself.contacts.size(), 20U);
+    EXPECT_LE(on_itself.contacts.size(), most_contacts);
+    const auto crossing = contacts_of(cube(), cube(), turned({0.9, 0.8, 0.7}, {1, 2, 3}, 0.3), shifted(3, 0, 0));
+    EXPECT_TRUE(crossing.overlap);
+    EXPECT_TRUE(crossing.contacts_cut) << "the search ended with the first overlap";
+    EXPECT_FALSE(contacts_of(cube(), table(), shifted(0, 0, 4), shifted(0, 0, 0)).contacts_cut);
+    EXPECT_FALSE(contacts_of(cube(), cube(), shifted(0, 0, 0), shifted(3, 0, 0)).contacts_cut)
+        << "a cube on itself has eight contacts";
 }
 
 TEST(ContactSet, FlatLandingOfManyFaces) {

@@ -9,6 +9,7 @@
 
 #include <Eigen/Geometry>
 #include <functional>
+#include <numbers>
 
 namespace chasles::test {
 namespace {
@@ -61,13 +62,17 @@ Seen check(const Polyhedron& polyhedron, Random& random, int directions) {
             const Eigen::Vector3d d = random_direction(random);
             seen.excluded += contains(body.normal_cones()[leaf_of[face]], d) ? 0 : 1;
             for (const std::uint32_t vertex : body.owned_vertices(face))
-                if (leads_away(d, [&](auto test) { return any_direction_from_vertex(body, vertex, test); }))
+                if (leads_away(d, [&](auto test) { return any_direction_from_vertex(body, vertex, test); })) {
+                    EXPECT_TRUE(contains(cone_of_vertex(body, vertex), d)) << "vertex " << vertex;
                     expect_in_cones(face, d);
+                }
             for (const Edge& edge : body.owned_edges(face)) {
                 const Eigen::Vector3d along = (body.vertices()[edge.to] - body.vertices()[edge.from]).normalized();
                 const Eigen::Vector3d across = (d - along * along.dot(d)).normalized();
-                if (leads_away(across, [&](auto test) { return any_direction_from_edge(body, edge, test); }))
+                if (leads_away(across, [&](auto test) { return any_direction_from_edge(body, edge, test); })) {
+                    EXPECT_TRUE(contains(cone_of_edge(body, edge), across)) << "edge " << edge.from << " " << edge.to;
                     expect_in_cones(face, across);
+                }
             }
         }
     }
@@ -98,6 +103,15 @@ TEST(NormalCones, HoldForOpenAndBranchedSurfaces) {
                   .polyhedron(),
               random, 500);
     EXPECT_GT(fin.least, 500);
+}
+
+TEST(NormalCones, OfACubeAreTheLeastOnes) {
+    const Polyhedron cube = box({1, 1, 1}).polyhedron();
+    const chasles::Body& body = cube.body();
+    EXPECT_LT(double(cone_of_face(body, 0).angle), 1e-3);
+    EXPECT_NEAR(double(cone_of_edge(body, {0, 1}).angle), std::numbers::pi / 4, 1e-3);
+    EXPECT_NEAR(double(cone_of_vertex(body, 0).angle), std::acos(1 / std::sqrt(3.0)), 1e-3);
+    EXPECT_GE(double(body.normal_cones()[0].angle), 1.57) << "the cube has normals in every direction";
 }
 
 TEST(NormalCones, OfANearlyFlatSurfaceAreNarrow) {

@@ -46,7 +46,10 @@ def test_contact_at_the_start(cube):
 def test_all_contacts_are_found_if_asked_for(cube):
     arguments = cube, cube, pose(0.25, 3, 0.5), pose(0.25, 0, 0.5)
     assert len(chasles.first_contact(*arguments).contacts) == 1
-    assert len(chasles.first_contact(*arguments, find="first_with_all_contacts").contacts) == 4
+    found = chasles.first_contact(*arguments, find="first_with_all_contacts")
+    assert len(found.contacts) == 4 and not found.contacts_cut
+    overlapping = chasles.first_contact(cube, cube, pose(0.5, 0.5, 0.25), pose(5, 0, 0), find="first_with_all_contacts")
+    assert overlapping.contacts_cut
     for find in ("first", chasles.Find.first, "any"):
         assert len(chasles.first_contact(*arguments, find=find).contacts) == 1
 

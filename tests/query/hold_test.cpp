@@ -62,6 +62,14 @@ TEST(Hold, ABoxSlidesOverTheDiagonalOfATable) {
         EXPECT_NEAR(contact.gap, 0.05, 1e-12);
 }
 
+TEST(Hold, ABoxThatIsOutsideTheMarginByRoundingIsHeld) {
+    // A motion that stopped at the margin may start the next one just outside of it, and cross it at once.
+    const double height = 1 + margin + 1e-14;
+    const auto found = ask(shifted(-3, 1, height), turned({1.5, 1, height - 1e-3}, {1, 0, 0}, 1e-4));
+    EXPECT_EQ(found.verdict, Verdict::clear);
+    EXPECT_EQ(found.held.size(), 4u);
+}
+
 TEST(Hold, ABoxSlidesOverTheRimOfATable) {
     EXPECT_EQ(ask(shifted(-3, 1, 1.05), shifted(-8, 1, 1.05)).verdict, Verdict::clear);
 }

@@ -3,6 +3,7 @@
 
 #include "chasles/contact/near_pair.h"
 #include "chasles/search/owned_pairs.h"
+#include "tests/mesh/shapes.h"
 #include "tests/query/bodies.h"
 #include "tests/support/grid.h"
 
@@ -88,6 +89,25 @@ TEST(NearFeatures, WithinAMarginAreThoseOfEveryPair) {
         most = std::max(most, near.pairs.size());
     }
     EXPECT_GT(most, 10U);
+}
+
+TEST(NearFeatures, OfSmoothBodiesThatAreFarWithinTheMarginAreThoseOfEveryPair) {
+    const test::Soup soup = test::torus(16, 10);
+    const Polyhedron torus = Polyhedron::from_polygons(soup.vertices, soup.faces);
+    std::mt19937 random(44);
+    const double size = torus.body().bvh().radius();
+    std::size_t most = 0;
+    for (int i = 0; i < 8; ++i) {
+        Scene scene(torus, torus,
+                    test::turned(uniform(random, 0.5, 2) * size * test::random_vector(random, 1).normalized(),
+                                 test::random_vector(random, 1), uniform(random, 0, 3)));
+        const double margin = 5 * size; // everything is within it, and the cones cull nearly everything
+        const NearFeatures near = scene.find(margin, {.most_visits = 1 << 24});
+        EXPECT_EQ(set_of(near), all_in_contact(scene, margin)) << "scene " << i;
+        most = std::max(most, near.pairs.size());
+        EXPECT_LT(near.work.face_pairs, 320U * 320) << "in seven passes";
+    }
+    EXPECT_GT(most, 5U);
 }
 
 TEST(NearFeatures, OfATouchAreTheThreeKindsOfPairs) {
