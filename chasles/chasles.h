@@ -8,4 +8,5 @@
 #include "chasles/motion/pose.h"
 #include "chasles/query/batch.h"
 #include "chasles/query/first_contact.h"
+#include "chasles/query/least_distance.h"
 #include "chasles/query/path.h"

@@ -77,7 +77,8 @@ private:
         return {FeatureKind::edge, {edge.from, edge.to}};
     }
     [[nodiscard]] bool is_at(const Edge& edge, const Eigen::Vector3d& point) const {
-        return distance_to_segment(body_.vertices()[edge.from], body_.vertices()[edge.to], point) <= slack_;
+        return (foot_on_segment(body_.vertices()[edge.from], body_.vertices()[edge.to], point) - point).norm() <=
+               slack_;
     }
 
     const Body& body_;

@@ -34,25 +34,40 @@ FaceAtRest::FaceAtRest(const Body& body, std::uint32_t face)
     for (std::size_t i = 1; i < corners_.size(); ++i) {
         const Vector3d arm = corner(i) - corner(0);
         diameter_ = std::max(diameter_, arm.norm());
-        if (corners_.size() > 3)
-            thickness_ = std::max(thickness_, std::abs(normal_.unit.dot(arm)));
+        if (corners_.size() > 3) {
+            lowest_ = std::min(lowest_, normal_.unit.dot(arm));
+            highest_ = std::max(highest_, normal_.unit.dot(arm));
+        }
     }
 }
 
 int FaceAtRest::side_of(const Vector3d& point, double reach) const {
     const Vector3d arm = point - corner(0);
     const double height = normal_.unit.dot(arm);
-    if (std::abs(height) <= reach + thickness_ + normal_.error * arm.norm())
-        return 0;
-    return height > 0 ? 1 : -1;
+    const double band = reach + normal_.error * arm.norm();
+    return height > highest_ + band ? 1 : height < lowest_ - band ? -1 : 0;
 }
 
 bool FaceAtRest::is_below(const Vector3d& point, double reach, double slack) const {
-    if (normal_.error > no_plane)
-        return is_near_rim(point, reach);
+    if (!has_normal())
+        return (nearest_of_rim(point) - point).norm() <= reach;
     const double tolerance = normal_.error * diameter_;
-    return std::abs(normal_.unit.dot(point - corner(0))) <= reach + tolerance + thickness_ &&
-           is_inside(point, slack + tolerance);
+    return std::abs(height_of(point)) <= reach + tolerance && is_inside(point, slack + tolerance);
+}
+
+Vector3d FaceAtRest::nearest(const Vector3d& point) const {
+    return has_normal() && is_inside(point, 0) ? Vector3d(point - height_of(point) * normal_.unit)
+                                               : nearest_of_rim(point);
+}
+
+bool FaceAtRest::has_normal() const {
+    return normal_.error <= no_plane;
+}
+
+/// The height of a point above the highest corner, or the negative depth below the lowest one; 0 between them.
+double FaceAtRest::height_of(const Vector3d& point) const {
+    const double height = normal_.unit.dot(point - corner(0));
+    return height > highest_ ? height - highest_ : std::min(0.0, height - lowest_);
 }
 
 /// Whether a point is to the left of the line between two corners, up to the tolerance.
@@ -74,11 +89,14 @@ bool FaceAtRest::is_inside(const Vector3d& point, double tolerance) const {
     return triangles.empty();
 }
 
-bool FaceAtRest::is_near_rim(const Vector3d& point, double reach) const {
-    for (std::size_t i = 0; i < corners_.size(); ++i)
-        if (distance_to_segment(corner(i), corner(i + 1 == corners_.size() ? 0 : i + 1), point) <= reach)
-            return true;
-    return false;
+Vector3d FaceAtRest::nearest_of_rim(const Vector3d& point) const {
+    Vector3d nearest = corner(0);
+    for (std::size_t i = 0; i < corners_.size(); ++i) {
+        const Vector3d foot = foot_on_segment(corner(i), corner(i + 1 == corners_.size() ? 0 : i + 1), point);
+        if ((foot - point).squaredNorm() < (nearest - point).squaredNorm())
+            nearest = foot;
+    }
+    return nearest;
 }
 
 const FaceAtRest& NearTest::face_of(const Body& body, std::uint32_t face, std::optional<FaceAtRest>& last) {

@@ -20,20 +20,28 @@ public:
     [[nodiscard]] int side_of(const Eigen::Vector3d& point, double reach) const;
     /// Whether a point is within `reach` of the face, and its foot on the plane is in the face up to `slack`.
     [[nodiscard]] bool is_below(const Eigen::Vector3d& point, double reach, double slack) const;
+    /// The point of the face that is nearest to a point. A face that is not planar is as thick as its corners are apart
+    /// along the normal.
+    [[nodiscard]] Eigen::Vector3d nearest(const Eigen::Vector3d& point) const;
+    /// A bound of the distance of `nearest` from the face, by the error of the normal.
+    [[nodiscard]] double nearest_error() const { return 2 * normal_.error * diameter_; }
 
 private:
     [[nodiscard]] const Eigen::Vector3d& corner(std::size_t i) const { return body_->vertices()[corners_[i]]; }
     [[nodiscard]] bool is_left_of(std::size_t from, std::size_t to, const Eigen::Vector3d& point,
                                   double tolerance) const;
     [[nodiscard]] bool is_inside(const Eigen::Vector3d& point, double tolerance) const;
-    [[nodiscard]] bool is_near_rim(const Eigen::Vector3d& point, double reach) const;
+    [[nodiscard]] double height_of(const Eigen::Vector3d& point) const;
+    [[nodiscard]] Eigen::Vector3d nearest_of_rim(const Eigen::Vector3d& point) const;
+    [[nodiscard]] bool has_normal() const;
 
     const Body* body_;
     std::uint32_t face_;
     std::span<const std::uint32_t> corners_;
     FaceNormal normal_;
     double diameter_ = 0;
-    double thickness_ = 0; ///< the greatest distance of a corner from the plane
+    double lowest_ = 0;  ///< of the corners, along the normal from the first corner
+    double highest_ = 0; ///< likewise
 };
 
 /// The tests of one scene. Keeps what it knows of the last face of each body.

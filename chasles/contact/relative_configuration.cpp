@@ -79,10 +79,10 @@ double steepest(const Body& body, FeatureKind kind, const Feature& feature, cons
 
 } // namespace
 
-double distance_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& point) {
+Eigen::Vector3d foot_on_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& point) {
     const Eigen::Vector3d along = to - from;
     const double share = std::clamp((point - from).dot(along) / along.squaredNorm(), 0.0, 1.0);
-    return (from + share * along - point).norm();
+    return from + share * along;
 }
 
 RelativeConfiguration::RelativeConfiguration(const Body& moving, const Body& fixed,

@@ -65,7 +65,7 @@ private:
     Eigen::Vector3d shift_rate_;
 };
 
-/// The distance of a point from a segment of some length.
-double distance_to_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& point);
+/// The point of a segment of some length that is nearest to a point.
+Eigen::Vector3d foot_on_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& point);
 
 } // namespace chasles::contact

@@ -3,7 +3,7 @@
 // Source: docs/derivations/13-face-sides.md.
 #pragma once
 
-#include "chasles/culling/cached_face.h"
+#include "chasles/culling/face_separation.h"
 #include "chasles/elementary/face_sides.h"
 
 #include <algorithm>
@@ -51,12 +51,14 @@ class FacePlanes {
 public:
     /// Keeps the bodies by reference. Points within `margin` of a plane count as touching the plane.
     FacePlanes(const Body& moving, const Body& fixed, const elementary::ErrorScale& scale, double margin)
-        : moving_(moving), fixed_(fixed), scale_(scale), margin_(margin) {}
+        : moving_(moving), fixed_(fixed), scale_(scale), margin_(margin), separation_(moving, fixed) {}
 
     /// Sets the maps of an interval. Keeps them by reference.
     void use(const motion::ControlMaps<double>& maps) {
         maps_ = &maps;
         of_moving_.face = of_fixed_.face = no_face;
+        if (margin_ > 0)
+            separation_.use(maps);
     }
     using Restriction = algebra::Restriction<3, double>; ///< to a part of the interval
 
@@ -77,15 +79,17 @@ public:
         return sides_of(fixed_, fixed_face, of_moving_, part);
     }
 
-    /// With a margin: whether the direction between the mean corners at `time` (in [0, 1] of the interval) proves that
-    /// the faces stay farther apart than the margin. Without a margin: false.
+    /// With a margin: whether a direction between the faces at `time` (in [0, 1] of the interval) proves that they stay
+    /// farther apart than the margin. Without a margin: false.
     [[nodiscard]] bool are_separated(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part,
-                                     double time) const {
+                                     double time) {
         if (margin_ <= 0)
             return false;
-        const auto path = maps_->rotation * mean_corner(moving_, moving_face) + maps_->translation;
+        const auto direction = separation_.direction(moving_face, fixed_face, time, margin_);
+        if (!direction)
+            return false;
         elementary::FaceShape<double> half_space; // its plane supports the fixed face
-        half_space.normal = elementary::position_at(path, maps_->weight, time) - mean_corner(fixed_, fixed_face);
+        half_space.normal = *direction;
         half_space.size = norm1(half_space.normal);
         half_space.offset = -std::numeric_limits<double>::infinity();
         for (const std::uint32_t corner : fixed_.face(fixed_face))
@@ -98,13 +102,6 @@ public:
     }
 
 private:
-    static Vector3<double> mean_corner(const Body& body, std::uint32_t face) {
-        Vector3<double> sum{0, 0, 0};
-        for (const std::uint32_t corner : body.face(face))
-            sum = sum + point_of<double>(body, corner);
-        return scale(sum, 1.0 / double(body.face(face).size()));
-    }
-
     static constexpr std::uint32_t no_face = 0xffffffff;
 
     /// The margin as an offset of the plane: margin * |normal|.
@@ -139,6 +136,7 @@ private:
     elementary::ErrorScale scale_;
     double margin_;
     const motion::ControlMaps<double>* maps_ = nullptr;
+    FaceSeparation separation_;
     LastPlane of_moving_;
     LastPlane of_fixed_;
 };

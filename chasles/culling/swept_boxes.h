@@ -39,6 +39,9 @@ class SweptBoxes {
 public:
     SweptBoxes(const Placement& start, const Placement& end, const BoxSlack& slack);
 
+    /// Changes the distance within which points count as touching.
+    void set_margin(double margin) { margin_ = float(margin); }
+
     /// The windows, within `when`, in which two nodes of the moving body may touch two nodes of the fixed body. The
     /// order of the pairs is 00, 01, 10, 11. The window of a pair that is proven apart is empty.
     using Windows = std::array<Window, 4>;

@@ -313,14 +313,32 @@ inline Support support_along(const Vectors& direction, const Patches& patches) {
     return {dot(magnitude(direction), boxes.half), share * slabs.middle, rest + magnitude(share) * slabs.half};
 }
 
-/// Tests the direction between both box centres at one time of the interval. This direction separates boxes that are
-/// small compared with the margin.
-inline void test_centre_axis(OverlapWindow& window, const PairPlacement& pair, const Patches& a, const Patches& b,
-                             float margin, float time) {
+/// The points of boxes around the origin with these half sides that are nearest to v.
+inline Vectors clamped(const Vectors& v, const Vectors& half) {
+    const auto clamp = [](Lanes x, Lanes most) { return max(min(x, most), -most); };
+    return {clamp(v.x, half.x), clamp(v.y, half.y), clamp(v.z, half.z)};
+}
+
+/// The vectors between two points of the boxes that are near each other, in the frame of b: from the middle of box a
+/// to box b, back to box a and again to box b. Zero if one of the points is in both boxes.
+inline Vectors between_boxes(const PairPlacement& pair, const Boxes& a, const Boxes& b) {
+    const Vectors on_b = clamped(pair.a_from_b, b.half);
+    const Vectors on_a = clamped(rotated(pair.b_in_a, on_b - pair.a_from_b), a.half);
+    const Vectors from_b = pair.a_from_b + rotated(pair.a_in_b, on_a);
+    return from_b - clamped(from_b, b.half);
+}
+
+/// Tests the direction between near points of the boxes at one time of the interval . This
+/// direction separates boxes that are small compared with the margin.
+inline void test_nearest_axis(OverlapWindow& window, const PairPlacement& pair, const Patches& a, const Patches& b,
+                              float margin, float time) {
     const Lanes share{1 - time, 1 - time, 1 - time, 1 - time, time, time, time, time};
-    const Vectors part = scale(pair.a_from_b, share);
-    const Vectors apart{part.x + halves_swapped(part.x), part.y + halves_swapped(part.y),
-                        part.z + halves_swapped(part.z)};
+    const auto at_time = [&](const Vectors& ends) {
+        const Vectors part = scale(ends, share);
+        return Vectors{part.x + halves_swapped(part.x), part.y + halves_swapped(part.y),
+                       part.z + halves_swapped(part.z)};
+    };
+    const Vectors apart = at_time(between_boxes(pair, a.box, b.box));
     const Vectors size = magnitude(apart);
     const Vectors axis = scale(apart, broadcast(1) / (size.x + size.y + size.z));
     const Support of_a = support_along(rotated(pair.b_in_a, axis), a);
@@ -344,6 +362,6 @@ inline SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes
     const Patches b{b_box, slabs_of<Inner>(inner, b_box.half)};
     test_slab_normals(window, pair, a, b, margin);
     if (margin > 0 && !window.are_apart())
-        test_centre_axis(window, pair, a, b, margin, when.lower);
+        test_nearest_axis(window, pair, a, b, margin, when.lower);
     return window.windows();
 }

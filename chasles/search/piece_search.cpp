@@ -14,7 +14,7 @@ PieceResult traverse(PieceContext& context, const SearchOptions& options) {
     const culling::TimeTree times = context.time_tree(options.margin, leaves.scale());
     culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, options.margin,
                                     !options.finds_any, leaves);
-    const std::uint64_t node_pairs = traversal.run();
+    const std::uint64_t node_pairs = traversal.run({options.from, 1});
     PieceResult result = leaves.take();
     result.work.node_pairs += node_pairs;
     return result;

@@ -1,0 +1,140 @@
+// The cost of a least distance, beside one query with a margin of that distance, which is the proof alone. For each
+// family of motions it prints medians. Where FCL is installed: its distances at 100 poses, and by how much the least of
+// them is greater than the true one.
+//
+//     least_distance_bench [--questions=24]
+#include "bench/bodies.h"
+#include "bench/generated_bodies.h"
+#include "chasles/chasles.h"
+#include "chasles/mesh/body.h"
+
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <chrono>
+#include <cstdio>
+#include <cstdlib>
+#include <random>
+#include <span>
+#include <string_view>
+
+namespace chasles::bench {
+namespace {
+
+using Eigen::Vector3d;
+
+class Random {
+public:
+    double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine_); }
+    Vector3d direction() {
+        std::normal_distribution<double> normal;
+        const double x = normal(engine_), y = normal(engine_);
+        return Vector3d(x, y, normal(engine_)).normalized();
+    }
+    Eigen::Quaterniond turn(double most) {
+        return Eigen::Quaterniond(Eigen::AngleAxisd(uniform(0, most), direction()));
+    }
+
+private:
+    std::mt19937_64 engine_{17};
+};
+
+/// How a body passes a copy of itself. Lengths count in radii of the body.
+struct Family {
+    const char* name;
+    double from = 0; ///< the least distance of the middles
+    double to = 0;
+    double travel = 0;
+    double turn = 0; ///< on the way, radians
+};
+
+constexpr Family families[] = {
+    {"passes nearby", 1.6, 2.2, 2, 0.3}, {"passes at some distance", 2.5, 4, 2, 0.3},
+    {"turns a lot", 2, 2.5, 1, 3},       {"short motion", 1.6, 2.2, 0.05, 0.01},
+    {"through", 0.5, 1.5, 3, 0.3},
+};
+
+template <class Ask>
+double microseconds(Ask ask) {
+    double shortest = 1e300;
+    for (int run = 0; run < 3; ++run) {
+        const auto start = std::chrono::steady_clock::now();
+        ask();
+        const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
+        shortest = std::min(shortest, taken.count());
+    }
+    return shortest;
+}
+
+double median(std::vector<double> numbers) {
+    std::ranges::sort(numbers);
+    return numbers.empty() ? 0 : numbers[numbers.size() / 2];
+}
+
+void run(const NamedBody& body, const Family& family, int count) {
+    Random random;
+    const double radius = body.body.body().bvh().radius();
+    const Vector3d centre = body.body.body().bvh().centre();
+    const auto beside = [&](const Eigen::Quaterniond& turn, const Vector3d& place) {
+        return Pose{centre - turn * centre + radius * place, turn};
+    };
+    std::vector<double> times, margins, ratios;
+    int touching = 0, wide = 0;
+    double worst = 0;
+    for (int i = 0; i < count; ++i) {
+        const Eigen::Quaterniond turn = random.turn(3);
+        const Vector3d side = random.direction();
+        const Vector3d along = side.cross(random.direction()).normalized();
+        const Vector3d middle = random.uniform(family.from, family.to) * side;
+        const Pose start = beside(turn, middle - family.travel * random.uniform(0, 1) * along);
+        const Pose goal = beside(Eigen::AngleAxisd(family.turn, random.direction()) * turn,
+                                 middle + family.travel * random.uniform(0, 1) * along);
+        const LeastDistanceQuery query{body.body, body.body, ScrewMotion::between(start, goal), {}};
+        LeastDistance least;
+        const double time = microseconds([&] { least = least_distance(query); });
+        wide += least.certain ? 0 : 1;
+        worst = std::max(worst, time);
+        if (least.distance.upper <= 0) {
+            ++touching;
+            continue;
+        }
+        FirstContact clear;
+        const double margin = microseconds([&] {
+            clear = first_contact({body.body, body.body, query.motion, {.margin = least.distance.lower}});
+        });
+        if (clear.verdict != Verdict::clear) {
+            std::printf("nearer than the least distance\n");
+            std::exit(1);
+        }
+        times.push_back(time);
+        margins.push_back(margin);
+        ratios.push_back(time / margin);
+    }
+    std::printf("%-12s %-26s %10.1f %10.1f %7.2f %7.2f %8d %5d %12.1f\n", body.name.c_str(), family.name, median(times),
+                median(margins), median(ratios), ratios.empty() ? 0 : *std::ranges::max_element(ratios), touching, wide,
+                worst);
+}
+
+int run_all(int count) {
+    std::printf("%-12s %-26s %10s %10s %7s %7s %8s %5s %12s\n", "body", "family", "least, us", "margin, us", "ratio",
+                "worst", "touching", "wide", "worst, us");
+    std::vector<NamedBody> bodies{
+        {"box", peg({4, 1, 1})}, {"torus 4k", bumpy_torus(61, 30)}, {"gear", gear({})}, large_body()};
+    if (const auto small = small_gear())
+        bodies.push_back({"small gear", *small});
+    for (const NamedBody& body : bodies)
+        for (const Family& family : families)
+            run(body, family, count);
+    return 0;
+}
+
+} // namespace
+} // namespace chasles::bench
+
+int main(int argc, char** argv) {
+    constexpr std::string_view option = "--questions=";
+    int count = 24;
+    for (const std::string_view argument : std::span(argv, std::size_t(argc)).subspan(1))
+        if (argument.starts_with(option)) // options of Google Benchmark are for the other programs
+            count = std::max(1, std::atoi(argument.substr(option.size()).data()));
+    return chasles::bench::run_all(count);
+}

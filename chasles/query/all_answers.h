@@ -1,0 +1,28 @@
+// The answers of a batch, on several threads.
+#pragma once
+
+#include "chasles/base/parallel_for.h"
+#include "chasles/query/batch.h"
+
+#include <mutex>
+
+namespace chasles::query {
+
+/// `answer(i)` for each of `count` questions, in order.
+template <class A, class Answer>
+std::vector<A> all_answers(std::size_t count, const BatchOptions& options, Answer answer) {
+    std::vector<A> results(count);
+    std::size_t done = 0;
+    std::mutex reporting;
+    parallel_for(options.threads, count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            results[i] = answer(i);
+        const std::lock_guard lock(reporting);
+        done += end - begin;
+        if (options.progress)
+            options.progress(done);
+    });
+    return results;
+}
+
+} // namespace chasles::query

@@ -1,0 +1,252 @@
+#include "chasles/query/least_distance.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/query/all_answers.h"
+#include "chasles/query/pair_query.h"
+#include "chasles/query/report.h"
+#include "chasles/search/descent.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace chasles {
+
+namespace {
+
+using query::ContactMoment;
+using search::NearMoment;
+using search::PieceContext;
+using search::PieceResult;
+
+/// A question by reference.
+struct Question {
+    const Body& moving;
+    const Body& fixed;
+    const motion::AnyTrajectory& trajectory;
+    const LeastDistanceOptions& options;
+};
+
+void check_options(const LeastDistanceOptions& options) {
+    const auto require = [](bool holds, const char* option, const char* why) {
+        if (!holds)
+            throw InvalidInput(std::string("query: ") + option + ": " + why);
+    };
+    require(options.tolerance >= 1e-12 && options.tolerance <= 1, "tolerance", "must be in [1e-12, 1]");
+    require(options.find != Find::any, "find", "a least distance has no use for `any`");
+    query::check_options({.time_tolerance = options.time_tolerance});
+}
+
+/// One question. An upper bound by descent, and the proof that nothing comes nearer: a search with a margin just below
+/// the bound. What that search finds leads to a smaller bound, and to the next search, which goes on from there.
+/// Source: docs/derivations/21-least-distance.md.
+class LeastDistanceSearch {
+public:
+    explicit LeastDistanceSearch(const Question& question);
+
+    LeastDistance run();
+
+private:
+    /// Near features in one of the pieces.
+    struct Moment {
+        std::size_t piece = 0;
+        NearMoment at;
+    };
+
+    void descend_from_samples();
+    void descend(std::size_t piece, double tau, const contact::FeaturePair& features);
+    [[nodiscard]] double upper() const { return nearest_.at.near.distance + resolution_; }
+    [[nodiscard]] bool is_narrow() const { return upper() - lower_ <= question_.options.tolerance * upper(); }
+    [[nodiscard]] double next_level() const;
+    bool is_clear_of(double level);
+    FirstContact first_touch();
+    std::optional<PieceResult> first_within(double level, std::size_t& piece);
+    [[nodiscard]] LeastDistance of_touch(const FirstContact& touch) const;
+    [[nodiscard]] LeastDistance of_nearest();
+
+    const Question& question_;
+    std::vector<PieceContext> pieces_;
+    double resolution_ = 0; ///< a bound of the error of distances at rest, mesh unit
+    double lower_ = 0;      ///< proven
+    Moment nearest_;
+    bool touch_is_excluded_ = false;
+    int finds_ = 0; ///< searches that found something nearer
+    /// Before this tau of this piece nothing is within `clear_level_`.
+    double clear_level_ = 0;
+    std::size_t clear_pieces_ = 0;
+    double clear_until_ = 0;
+    Work work_;
+};
+
+LeastDistanceSearch::LeastDistanceSearch(const Question& question) : question_(question) {
+    const auto pieces = question.trajectory.pieces();
+    pieces_.reserve(pieces->size());
+    for (std::size_t i = 0; i < pieces->size(); ++i) {
+        const PieceContext& piece = pieces_.emplace_back(question.moving, question.fixed, pieces->at(i));
+        const double rounding = 4 * elementary::error_unit<double> * piece.error_scale(0).length;
+        resolution_ = std::max(resolution_, rounding + piece.piece().deviation());
+    }
+    nearest_.at.near.distance = std::numeric_limits<double>::infinity();
+}
+
+LeastDistance LeastDistanceSearch::run() {
+    constexpr int most_searches = 64;
+    descend_from_samples();
+    for (int searches = 0; !is_narrow() && searches < most_searches; ++searches) {
+        const double level = next_level();
+        if (level > 0 && is_clear_of(level))
+            lower_ = std::max(lower_, level);
+        else if (touch_is_excluded_ && level <= 0)
+            break;
+        else if (!touch_is_excluded_) {
+            const FirstContact touch = first_touch();
+            if (touch.verdict != Verdict::clear)
+                return of_touch(touch);
+        }
+    }
+    return of_nearest();
+}
+
+void LeastDistanceSearch::descend_from_samples() {
+    for (std::size_t i = 0; i < pieces_.size(); ++i)
+        if (const auto near = search::nearest_of_samples(pieces_[i], nearest_.at.near.distance, work_))
+            nearest_ = {i, *near};
+    descend(nearest_.piece, nearest_.at.tau, nearest_.at.near.features);
+}
+
+/// To the end of a piece and on.
+void LeastDistanceSearch::descend(std::size_t piece, double tau, const contact::FeaturePair& features) {
+    const NearMoment found = search::local_minimum(pieces_[piece], tau, features, work_);
+    if (found.near.distance < nearest_.at.near.distance)
+        nearest_ = {piece, found};
+}
+
+/// Just below the upper bound. Where many searches found something nearer, levels fall faster and faster.
+double LeastDistanceSearch::next_level() const {
+    constexpr int patience = 8;
+    const double step = std::ldexp(question_.options.tolerance, std::max(0, finds_ - patience));
+    const double near = upper() * (1 - 0.75 * step) - 2 * resolution_;
+    return finds_ < patience ? near : std::max(near, 0.5 * (lower_ + upper()));
+}
+
+/// Whether the bodies are proven to stay farther apart than the level. If not, goes on to where they come nearer.
+bool LeastDistanceSearch::is_clear_of(double level) {
+    std::size_t piece = 0;
+    const auto found = first_within(level, piece);
+    if (!found)
+        return true;
+    ++finds_;
+    for (const search::Candidate& candidate : found->candidates)
+        descend(piece, candidate.tau.lower, candidate);
+    return false;
+}
+
+FirstContact LeastDistanceSearch::first_touch() {
+    touch_is_excluded_ = true;
+    FirstContact touch =
+        query::answer({question_.moving,
+                       question_.fixed,
+                       question_.trajectory,
+                       {.time_tolerance = question_.options.time_tolerance, .find = question_.options.find}});
+    work_ += touch.work;
+    return touch;
+}
+
+/// What comes within the level first, from where larger levels are not yet excluded.
+std::optional<PieceResult> LeastDistanceSearch::first_within(double level, std::size_t& piece) {
+    if (level > clear_level_) {
+        clear_pieces_ = 0;
+        clear_until_ = 0;
+    }
+    clear_level_ = level;
+    for (; clear_pieces_ < pieces_.size(); ++clear_pieces_, clear_until_ = 0) {
+        PieceContext& context = pieces_[clear_pieces_];
+        search::SearchOptions options;
+        options.tolerance = 0x1p-20;
+        options.margin = level + context.piece().deviation();
+        options.check_start = clear_pieces_ == 0 || context.piece().deviation() > 0;
+        options.from = clear_until_;
+        PieceResult result = search_piece(context, options);
+        work_ += result.work;
+        if (query::has_contact(result)) {
+            constexpr double grid = 0x1p20;
+            piece = clear_pieces_;
+            clear_until_ = std::max(clear_until_, std::floor(query::enclosing(result).lower * grid) / grid);
+            return result;
+        }
+    }
+    return std::nullopt;
+}
+
+LeastDistance LeastDistanceSearch::of_touch(const FirstContact& touch) const {
+    LeastDistance answer;
+    answer.distance = {0, touch.certain ? 0 : upper()};
+    answer.time = touch.time;
+    answer.tau = touch.tau;
+    answer.certain = touch.certain;
+    answer.contacts = touch.contacts;
+    answer.contacts_cut = touch.contacts_cut;
+    answer.overlap = touch.overlap;
+    answer.pose = touch.pose;
+    answer.fixed_pose = touch.fixed_pose;
+    answer.work = work_;
+    return answer;
+}
+
+LeastDistance LeastDistanceSearch::of_nearest() {
+    PieceContext& context = pieces_[nearest_.piece];
+    const motion::AnyPiece& piece = context.piece();
+    const double tau = nearest_.at.tau;
+    LeastDistance answer;
+    answer.distance = {lower_, upper()};
+    answer.time = piece.time_of({tau, tau});
+    answer.tau = piece.tau_of({tau, tau});
+    answer.certain = is_narrow();
+    answer.pose = piece.pose_at(tau);
+    answer.fixed_pose = piece.fixed_pose_at(tau);
+    const ContactMoment moment(context, tau, false, nearest_.at.near.distance, 0);
+    std::vector<contact::FeaturePair> pairs = {nearest_.at.near.features};
+    if (question_.options.find == Find::first_with_all_contacts) {
+        search::NearFeatures near = moment.find({});
+        work_ += near.work;
+        answer.contacts_cut = near.is_cut;
+        if (!near.pairs.empty())
+            pairs = std::move(near.pairs);
+    }
+    answer.contacts = moment.contacts_of(pairs);
+    answer.contacts_cut = query::cut_to_most(answer.contacts) || answer.contacts_cut;
+    answer.work = work_;
+    return answer;
+}
+
+LeastDistance answer_of(const Question& question) {
+    return LeastDistanceSearch(question).run();
+}
+
+} // namespace
+
+LeastDistance least_distance(const LeastDistanceQuery& query) {
+    check_options(query.options);
+    return answer_of({query.moving.body(), query.fixed.body(), query.motion.trajectory(), query.options});
+}
+
+std::vector<LeastDistance> least_distance_batch(const LeastDistanceBatchQuery& query) {
+    check_options(query.options);
+    const Body& moving = query.moving.body();
+    const Body& fixed = query.fixed.body();
+    return query::all_answers<LeastDistance>(query.motions.size(), query.batch, [&](std::size_t i) {
+        return answer_of({moving, fixed, query.motions[i].trajectory(), query.options});
+    });
+}
+
+LeastDistance LeastDistance::swapped() const {
+    LeastDistance other = *this;
+    for (Contact& contact : other.contacts)
+        contact = contact.swapped();
+    if (other.overlap)
+        other.overlap->edge_is_moving = !other.overlap->edge_is_moving;
+    std::swap(other.pose, other.fixed_pose);
+    return other;
+}
+
+} // namespace chasles

@@ -1,0 +1,98 @@
+#include "chasles/search/descent.h"
+
+#include <algorithm>
+#include <boost/math/tools/toms748_solve.hpp>
+#include <limits>
+
+namespace chasles::search {
+
+namespace {
+
+using contact::FeaturePair;
+using culling::TimeRange;
+
+contact::RelativeConfiguration bodies_at(const PieceContext& context, double tau) {
+    return {context.moving(), context.fixed(), context.maps(), tau};
+}
+
+/// How two features approach each other over the piece.
+class Approach {
+public:
+    Approach(const PieceContext& context, const FeaturePair& features) : context_(context), features_(features) {}
+
+    /// The tau with the least distance among those asked for.
+    [[nodiscard]] double best() const { return best_; }
+    [[nodiscard]] double least() const { return least_; }
+
+    /// Half the rate of the square of the distance. For bodies that pass each other it is nearly linear in tau.
+    double rate_at(double tau) {
+        const contact::RelativeConfiguration bodies = bodies_at(context_, tau);
+        const contact::NearestPoints points = nearest_.points(bodies, features_);
+        if (const double distance = nearest_.distance(bodies, features_); distance < least_) {
+            least_ = distance;
+            best_ = tau;
+        }
+        return points.apart().dot(bodies.velocity_at(points.on_moving));
+    }
+
+private:
+    const PieceContext& context_;
+    const FeaturePair& features_;
+    NearestAtRest nearest_;
+    double best_ = 0;
+    double least_ = std::numeric_limits<double>::infinity();
+};
+
+/// Goes downhill from `tau` in growing steps until the distance grows, then to the minimum in the last step.
+void descend(Approach& approach, double tau) {
+    constexpr int bits = 40;
+    double rate = approach.rate_at(tau);
+    double step = rate < 0 ? 0x1p-8 : -0x1p-8;
+    const double end = rate < 0 ? 1 : 0;
+    while (rate * step < 0 && tau != end) {
+        const double next = std::clamp(tau + step, 0.0, 1.0);
+        const double next_rate = approach.rate_at(next);
+        if (next_rate * step > 0) {
+            std::uintmax_t most = 20;
+            const auto rate_at = [&](double time) { return approach.rate_at(time); };
+            boost::math::tools::toms748_solve(rate_at, std::min(tau, next), std::max(tau, next),
+                                              step > 0 ? rate : next_rate, step > 0 ? next_rate : rate,
+                                              boost::math::tools::eps_tolerance<double>(bits), most);
+            return;
+        }
+        tau = next;
+        rate = next_rate;
+        step *= 4;
+    }
+}
+
+} // namespace
+
+std::optional<NearMoment> nearest_of_samples(const PieceContext& context, double bound, Work& work) {
+    constexpr double rough = 0.9; // a descent follows
+    std::optional<NearMoment> nearest;
+    for (const double tau : {0.5, 0.0, 1.0})
+        if (const auto found = nearest_features(bodies_at(context, tau), bound, rough, work)) {
+            nearest = NearMoment{tau, *found};
+            bound = found->distance;
+        }
+    return nearest;
+}
+
+NearMoment local_minimum(const PieceContext& context, double tau, const FeaturePair& features, Work& work) {
+    constexpr int most_rounds = 64;
+    NearMoment best{tau, {features, 0}};
+    for (int round = 0; round < most_rounds; ++round) {
+        Approach approach(context, best.near.features);
+        descend(approach, best.tau);
+        best.tau = approach.best();
+        best.near.distance = approach.least();
+        const auto nearer = nearest_features(bodies_at(context, best.tau), best.near.distance, 1, work);
+        if (!nearer)
+            break;
+        best.near = *nearer;
+    }
+    return best;
+}
+
+} // namespace chasles::search
