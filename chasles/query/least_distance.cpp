@@ -55,7 +55,7 @@ private:
 
     void descend_from_samples();
     void descend(std::size_t piece, double tau, const contact::FeaturePair& features);
-    [[nodiscard]] double upper() const { return nearest_.at.near.distance + resolution_; }
+    [[nodiscard]] double upper() const { return nearest_.at.near.distance + rounding_ + deviation_; }
     [[nodiscard]] bool is_narrow() const { return upper() - lower_ <= question_.options.tolerance * upper(); }
     [[nodiscard]] double next_level() const;
     bool is_clear_of(double level);
@@ -66,8 +66,9 @@ private:
 
     const Question& question_;
     std::vector<PieceContext> pieces_;
-    double resolution_ = 0; ///< a bound of the error of distances at rest, mesh unit
-    double lower_ = 0;      ///< proven
+    double rounding_ = 0;  ///< a bound of the rounding of distances at rest, mesh unit
+    double deviation_ = 0; ///< the greatest one of a piece, mesh unit
+    double lower_ = 0;     ///< proven
     Moment nearest_;
     bool touch_is_excluded_ = false;
     int finds_ = 0; ///< searches that found something nearer
@@ -83,8 +84,8 @@ LeastDistanceSearch::LeastDistanceSearch(const Question& question) : question_(q
     pieces_.reserve(pieces->size());
     for (std::size_t i = 0; i < pieces->size(); ++i) {
         const PieceContext& piece = pieces_.emplace_back(question.moving, question.fixed, pieces->at(i));
-        const double rounding = 4 * elementary::error_unit<double> * piece.error_scale(0).length;
-        resolution_ = std::max(resolution_, rounding + piece.piece().deviation());
+        rounding_ = std::max(rounding_, 4 * elementary::error_unit<double> * piece.error_scale(0).length);
+        deviation_ = std::max(deviation_, piece.piece().deviation());
     }
     nearest_.at.near.distance = std::numeric_limits<double>::infinity();
 }
@@ -121,12 +122,14 @@ void LeastDistanceSearch::descend(std::size_t piece, double tau, const contact::
         nearest_ = {piece, found};
 }
 
-/// Just below the upper bound. Where many searches found something nearer, levels fall faster and faster.
+/// Just below the upper bound, and below the least distance found, whose rounding is far below its bound. Where many
+/// searches found something nearer, levels fall faster and faster.
 double LeastDistanceSearch::next_level() const {
     constexpr int patience = 8;
     const double step = std::ldexp(question_.options.tolerance, std::max(0, finds_ - patience));
-    const double near = upper() * (1 - 0.75 * step) - 2 * resolution_;
-    return finds_ < patience ? near : std::max(near, 0.5 * (lower_ + upper()));
+    const double found = nearest_.at.near.distance - deviation_ - rounding_ / 8;
+    const double level = std::min(upper() * (1 - 0.875 * step), found * (1 - 0.25 * step));
+    return finds_ < patience ? level : std::max(level, 0.5 * (lower_ + upper()));
 }
 
 /// Whether the bodies are proven to stay farther apart than the level. If not, goes on to where they come nearer.

@@ -2,6 +2,7 @@
 // exact reference. The exit status is 1 after any miss, false alarm, or late or wrong bracket; with --certain also
 // after any uncertain answer.
 #include "tests/attack/check_elementary.h"
+#include "tests/attack/check_least.h"
 #include "tests/attack/check_margin.h"
 #include "tests/attack/check_mesh.h"
 
@@ -19,6 +20,7 @@ struct Options {
     std::uint64_t mesh_pairs = 100'000;
     std::uint64_t elementary = 10'000'000;
     std::uint64_t margins = 100'000;
+    std::uint64_t least = 10'000;
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     std::string family;
     std::int64_t index = -1;
@@ -190,6 +192,9 @@ int attack_all(const Options& options) {
     if (options.margins > 0) // answers within the resolution may be uncertain
         is_in_doubt =
             attack_all_pairs("margins", options.margins, margin_families(), "margin ").loose > 0 || is_in_doubt;
+    number = 300;
+    if (options.least > 0) // distances as small as their rounding are uncertain
+        attack_all_pairs("least distances", options.least, least_families(), "least ");
     return is_broken || (options.certain && is_in_doubt) ? 1 : 0;
 }
 
@@ -203,6 +208,7 @@ int main(int argc, char** argv) {
     app.add_option("--mesh-pairs", options.mesh_pairs, "how many")->capture_default_str();
     app.add_option("--elementary", options.elementary, "how many elementary queries")->capture_default_str();
     app.add_option("--margins", options.margins, "how many mesh pairs with a margin")->capture_default_str();
+    app.add_option("--least", options.least, "how many least distances")->capture_default_str();
     app.add_option("--threads", options.threads, "at most")->capture_default_str();
     app.add_option("--family", options.family, "only this one");
     app.add_option("--index", options.index, "only this case of the family");

@@ -1,34 +1,13 @@
 // A motion that the library does not know goes through the whole search: each of its pieces deviates from a cubic
 // motion by a stated length. The answer is early by what this deviation costs, and never late.
 #include "tests/query/bodies.h"
+#include "tests/query/posed_distance.h"
 #include "tests/support/constant_velocity.h"
-#include "tests/support/surface_distance.h"
 
 #include <gtest/gtest.h>
 
 namespace chasles::test {
 namespace {
-
-/// The distance of two surfaces, the first at a pose.
-double distance_at(const Polyhedron& moving, const Polyhedron& fixed, const Pose& pose) {
-    const auto triangles = [](const Polyhedron& body, const Eigen::Isometry3d& placement) {
-        std::vector<Triangle3<double>> result;
-        for (std::size_t f = 0; f < body.face_count(); ++f)
-            for (std::size_t i = 2; i < body.face(f).size(); ++i) {
-                const auto corner = [&](std::size_t at) -> Point3<double> {
-                    return placement * body.vertices()[body.face(f)[at]];
-                };
-                result.push_back({corner(0), corner(i - 1), corner(i)});
-            }
-        return result;
-    };
-    double least = std::numeric_limits<double>::infinity();
-    const auto others = triangles(fixed, Eigen::Isometry3d::Identity());
-    for (const Triangle3<double>& a : triangles(moving, pose.isometry()))
-        for (const Triangle3<double>& b : others)
-            least = std::min(least, squared_distance_of_triangles<double>(a, b));
-    return std::sqrt(least);
-}
 
 FirstContact ask(const Polyhedron& moving, const Polyhedron& fixed, const ConstantVelocity& trajectory,
                  const QueryOptions& options = {}) {

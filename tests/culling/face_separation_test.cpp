@@ -1,0 +1,87 @@
+// Directions between faces: they separate what they say, and are found where faces are farther apart than asked.
+#include "chasles/culling/face_separation.h"
+
+#include "chasles/motion/any_trajectory.h"
+#include "tests/query/bodies.h"
+#include "tests/support/surface_distance.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::culling {
+namespace {
+
+using test::random_vector;
+using test::uniform;
+
+/// A long triangle of any shape.
+test::Body random_triangle(std::mt19937& random) {
+    const Eigen::Vector3d corner = random_vector(random, 1);
+    const Eigen::Vector3d along = random_vector(random, uniform(random, 0.1, 5));
+    return test::triangle(corner, corner + along, corner + uniform(random, 0, 1) * along + random_vector(random, 0.2));
+}
+
+Eigen::Vector3d eigen(const Vector3<double>& v) {
+    return {v.x, v.y, v.z};
+}
+
+/// How far two triangles are apart along a direction; negative where they are not.
+double gap_along(const Eigen::Vector3d& direction, const test::Vertices& moved, const test::Vertices& fixed) {
+    double nearest = 1e300, farthest = -1e300;
+    for (const Eigen::Vector3d& v : moved)
+        nearest = std::min(nearest, direction.normalized().dot(v));
+    for (const Eigen::Vector3d& v : fixed)
+        farthest = std::max(farthest, direction.normalized().dot(v));
+    return nearest - farthest;
+}
+
+TEST(FaceSeparation, ADirectionKeepsTheFacesApartByTheDistance) {
+    std::mt19937 random(2);
+    int apart = 0, found = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const test::Body moving = random_triangle(random);
+        const test::Body fixed = random_triangle(random);
+        const Polyhedron mover = moving.polyhedron();
+        const Polyhedron target = fixed.polyhedron();
+        const Eigen::Isometry3d pose = test::random_pose(random, 2, 3).isometry();
+        test::Vertices moved;
+        for (const Eigen::Vector3d& v : moving.vertices)
+            moved.emplace_back(pose * v);
+        const test::Triangle3<double> a{moved[0], moved[1], moved[2]};
+        const test::Triangle3<double> b{fixed.vertices[0], fixed.vertices[1], fixed.vertices[2]};
+        const double distance = std::sqrt(test::squared_distance_of_triangles<double>(a, b));
+        FaceSeparation separation(mover.body(), target.body());
+        separation.use(pose.linear(), pose.translation());
+        const double asked = uniform(random, 0, 1.5) * distance;
+        const auto direction = separation.direction(0, 0, 0.5, asked);
+        apart += asked < 0.9 * distance ? 1 : 0;
+        found += direction && asked < 0.9 * distance ? 1 : 0;
+        if (direction) {
+            EXPECT_GT(gap_along(eigen(*direction), moved, fixed.vertices), asked - 1e-12) << i;
+        }
+    }
+    EXPECT_GT(apart, 1500);
+    EXPECT_GT(found, 0.95 * apart);
+}
+
+TEST(FaceSeparation, FindsNothingBetweenFacesThatCross) {
+    const Polyhedron a = test::triangle({-1, 0, -1}, {1, 0, -1}, {0, 0, 2}).polyhedron();
+    const Polyhedron b = test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 2, 0}).polyhedron();
+    FaceSeparation separation(a.body(), b.body());
+    separation.use(Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
+    EXPECT_FALSE(separation.direction(0, 0, 0, 0));
+}
+
+/// The time counts within the interval of the maps.
+TEST(FaceSeparation, IsAskedAtATimeOfTheInterval) {
+    const Polyhedron a = test::triangle({0, 0, 0}, {1, 0, 0}, {0, 1, 0}).polyhedron();
+    const Motion motion = ScrewMotion::between(test::shifted(0, 0, 0), test::shifted(0, 0, 2));
+    const auto piece = motion.trajectory().pieces()->at(0);
+    const auto maps = motion::double_maps(piece->cubic());
+    FaceSeparation separation(a.body(), a.body());
+    separation.use(maps);
+    EXPECT_FALSE(separation.direction(0, 0, 0.2, 0.5));
+    EXPECT_TRUE(separation.direction(0, 0, 0.3, 0.5));
+}
+
+} // namespace
+} // namespace chasles::culling
