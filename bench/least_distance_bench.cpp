@@ -4,6 +4,9 @@
 //
 //     least_distance_bench [--questions=24]
 #include "bench/bodies.h"
+#ifdef CHASLES_BENCH_FCL
+#include "bench/fcl_distance.h"
+#endif
 #include "bench/generated_bodies.h"
 #include "chasles/chasles.h"
 #include "chasles/mesh/body.h"
@@ -65,12 +68,49 @@ double microseconds(Ask ask) {
     return shortest;
 }
 
+/// FCL's distances at 100 poses of some motions.
+class Samples {
+public:
+    explicit Samples([[maybe_unused]] const Polyhedron& body)
+#ifdef CHASLES_BENCH_FCL
+        : fcl_(body, body)
+#endif
+    {
+    }
+
+    void ask([[maybe_unused]] const Motion& motion, [[maybe_unused]] double least) {
+#ifdef CHASLES_BENCH_FCL
+        constexpr std::size_t most = 5; // a motion may take a second
+        if (times_.size() >= most)
+            return;
+        const auto start = std::chrono::steady_clock::now();
+        const double sampled = fcl_.least(motion, 100);
+        const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
+        times_.push_back(taken.count());
+        excess_.push_back(sampled / least - 1);
+#endif
+    }
+    [[nodiscard]] const std::vector<double>& times() const { return times_; }
+    [[nodiscard]] const std::vector<double>& excess() const { return excess_; }
+
+private:
+#ifdef CHASLES_BENCH_FCL
+    FclDistance fcl_;
+#endif
+    std::vector<double> times_;
+    std::vector<double> excess_;
+};
+
+double greatest(const std::vector<double>& numbers) {
+    return numbers.empty() ? 0 : *std::ranges::max_element(numbers);
+}
+
 double median(std::vector<double> numbers) {
     std::ranges::sort(numbers);
     return numbers.empty() ? 0 : numbers[numbers.size() / 2];
 }
 
-void run(const NamedBody& body, const Family& family, int count) {
+void run(const NamedBody& body, const Family& family, int count, Samples samples) {
     Random random;
     const double radius = body.body.body().bvh().radius();
     const Vector3d centre = body.body.body().bvh().centre();
@@ -105,25 +145,26 @@ void run(const NamedBody& body, const Family& family, int count) {
             std::printf("nearer than the least distance\n");
             std::exit(1);
         }
+        samples.ask(query.motion, least.distance.upper);
         times.push_back(time);
         margins.push_back(margin);
         ratios.push_back(time / margin);
     }
-    std::printf("%-12s %-26s %10.1f %10.1f %7.2f %7.2f %8d %5d %12.1f\n", body.name.c_str(), family.name, median(times),
-                median(margins), median(ratios), ratios.empty() ? 0 : *std::ranges::max_element(ratios), touching, wide,
-                worst);
+    std::printf("%-12s %-26s %10.1f %10.1f %7.2f %7.2f %8d %5d %12.1f %12.1f %8.1e %8.1e\n", body.name.c_str(),
+                family.name, median(times), median(margins), median(ratios), greatest(ratios), touching, wide, worst,
+                median(samples.times()), median(samples.excess()), greatest(samples.excess()));
 }
 
 int run_all(int count) {
-    std::printf("%-12s %-26s %10s %10s %7s %7s %8s %5s %12s\n", "body", "family", "least, us", "margin, us", "ratio",
-                "worst", "touching", "wide", "worst, us");
+    std::printf("%-12s %-26s %10s %10s %7s %7s %8s %5s %12s %12s %8s %8s\n", "body", "family", "least, us",
+                "margin, us", "ratio", "worst", "touching", "wide", "worst, us", "FCL, us", "too far", "most");
     std::vector<NamedBody> bodies{
         {"box", peg({4, 1, 1})}, {"torus 4k", bumpy_torus(61, 30)}, {"gear", gear({})}, large_body()};
     if (const auto small = small_gear())
         bodies.push_back({"small gear", *small});
     for (const NamedBody& body : bodies)
         for (const Family& family : families)
-            run(body, family, count);
+            run(body, family, count, Samples(body.body));
     return 0;
 }
 

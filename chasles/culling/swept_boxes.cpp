@@ -26,8 +26,10 @@ constexpr Window never{1, 0};
 // which kernel runs. No kernel uses fused operations, therefore both return the same bits. tests/bits checks this with
 // CHASLES_PLAIN_KERNEL.
 namespace plain {
+#include "chasles/culling/swept_boxes_lanes.inl"
+
 #include "chasles/culling/swept_boxes_kernel.inl"
-}
+} // namespace plain
 
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(CHASLES_PLAIN_KERNEL)
 #define CHASLES_KERNEL_AVX2
@@ -38,8 +40,10 @@ namespace plain {
 #pragma GCC target("avx2")
 #endif
 namespace avx2 {
+#include "chasles/culling/swept_boxes_lanes.inl"
+
 #include "chasles/culling/swept_boxes_kernel.inl"
-}
+} // namespace avx2
 #if defined(__clang__)
 #pragma clang attribute pop
 #else
