@@ -20,6 +20,7 @@ struct FacePair {
     TimeRange interval;
     Window when;
     double first_left; ///< the earliest time of all pairs that are not yet visited in the interval
+    double deviation;  ///< by how much points that touch in the interval leave their chords, in the length unit
 };
 
 /// The tests that a traversal calls.
@@ -115,8 +116,8 @@ private:
             is_worth_halving(interval, std::max(side(moving), side(fixed))))
             deferred.push_back(pair);
         else if (moving.is_leaf() && fixed.is_leaf())
-            leaves_.test(
-                FacePair{moving.first, fixed.first, interval.range, pair.when, interval.range.at(queue_.earliest())});
+            leaves_.test(FacePair{moving.first, fixed.first, interval.range, pair.when,
+                                  interval.range.at(queue_.earliest()), interval.deviation});
         else
             split(pair, interval);
     }

@@ -27,11 +27,14 @@ public:
     /// answer of a search does not depend on what is culled (note 13). Planes are computed once for the interval.
     std::optional<MeetingFaces> cull(const FacePair& pair, double best) {
         const TimeRange& interval = pair.interval;
+        if (maps_.set(interval))
+            planes_.use(maps_.maps());
+        if (++pairs_ > pairs_of_a_brief_search &&
+            planes_.are_apart_on_chords(pair.moving, pair.fixed, pair.when, pair.deviation))
+            return std::nullopt;
         const double first = interval.at(pair.when.lower);
         const TimeRange part =
             part_around(interval, {first, std::max(first, std::min(best, interval.at(pair.when.upper)))});
-        if (maps_.set(interval))
-            planes_.use(maps_.maps());
         const FacePlanes::Restriction in_interval((part.lower - interval.lower) / interval.width(),
                                                   (part.upper - interval.lower) / interval.width());
         if (planes_.are_separated(pair.moving, pair.fixed, in_interval, pair.when.lower))
@@ -46,8 +49,14 @@ public:
     }
 
 private:
+    /// A search that meets few pairs of faces does without the test on chords: most of these faces are near a contact,
+    /// and the test takes such searches 2 % longer. It saves a sixth of the instructions for nuts on bolts, which meet
+    /// millions.
+    static constexpr std::uint64_t pairs_of_a_brief_search = 256;
+
     FacePlanes planes_;
     RangeMaps maps_;
+    std::uint64_t pairs_ = 0;
 };
 
 } // namespace chasles::culling

@@ -3,6 +3,7 @@
 // Source: docs/derivations/13-face-sides.md.
 #pragma once
 
+#include "chasles/culling/chord_plane.h"
 #include "chasles/culling/face_separation.h"
 #include "chasles/elementary/face_sides.h"
 
@@ -57,10 +58,38 @@ public:
     void use(const motion::ControlMaps<double>& maps) {
         maps_ = &maps;
         of_moving_.face = of_fixed_.face = no_face;
+        of_moving_.chord_face = of_fixed_.chord_face = no_face;
+        ends_ = IntervalEnds(maps);
         if (margin_ > 0)
-            separation_.use(maps);
+            separation_.use(ends_);
     }
     using Restriction = algebra::Restriction<3, double>; ///< to a part of the interval
+
+    /// Without a margin: whether the plane of one face keeps the other face on one side during the window, where every
+    /// corner moves on a chord over the interval. Points that touch leave their chords by at most `deviation`.
+    bool are_apart_on_chords(std::uint32_t moving_face, std::uint32_t fixed_face, const Window& when,
+                             double deviation) {
+        if (margin_ > 0)
+            return false; // a direction between the faces tells more
+        of_fixed_.update_chord(fixed_face, [&] {
+            const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
+            const auto seen = [&](const RigidMap& map) {
+                return SeenPlane{map.turned_back(shape.normal), dot(map.offset, shape.normal) - shape.offset};
+            };
+            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
+        });
+        if (of_fixed_.chord.keeps_on_one_side(moving_, moving_face, when))
+            return true;
+        of_moving_.update_chord(moving_face, [&] {
+            const auto& shape = of_moving_.shape.shape_of(moving_, moving_face);
+            const auto seen = [&](const RigidMap& map) {
+                const Vector3<double> normal = map.turned(shape.normal);
+                return SeenPlane{normal, 0 - dot(map.offset, normal) - shape.offset};
+            };
+            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
+        });
+        return of_moving_.chord.keeps_on_one_side(fixed_, fixed_face, when);
+    }
 
     /// The sides of a moving face's corners on the plane of a fixed face. Valid until the next call.
     CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
@@ -112,6 +141,8 @@ private:
     /// The plane of the last requested face.
     struct LastPlane {
         std::uint32_t face = no_face;
+        std::uint32_t chord_face = no_face;
+        ChordPlane chord;
         CachedFace<double> shape;
         elementary::RelativePlane<double> plane;
         std::vector<int> sides; ///< of the corners of the other face
@@ -123,7 +154,20 @@ private:
                 plane = make();
             face = requested;
         }
+
+        template <class Make>
+        void update_chord(std::uint32_t requested, Make make) {
+            if (requested != chord_face)
+                chord = make();
+            chord_face = requested;
+        }
     };
+
+    /// How far from a face's plane points must be on their chords to be proven off the face.
+    [[nodiscard]] double band_of(const elementary::FaceShape<double>& face, double deviation) const {
+        const double rounding = elementary::relative_error<double>(scale_) * scale_.length * face.size;
+        return elementary::with_underflow<double>(rounding + face.deviation + deviation * length(face.normal));
+    }
 
     static CornerSides sides_of(const Body& body, std::uint32_t face, LastPlane& plane, const Restriction& part) {
         const auto band = part(plane.plane.band);
@@ -136,6 +180,7 @@ private:
     elementary::ErrorScale scale_;
     double margin_;
     const motion::ControlMaps<double>* maps_ = nullptr;
+    IntervalEnds ends_;
     FaceSeparation separation_;
     LastPlane of_moving_;
     LastPlane of_fixed_;

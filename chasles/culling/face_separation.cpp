@@ -4,24 +4,6 @@
 
 namespace chasles::culling {
 
-void FaceSeparation::use(const motion::ControlMaps<double>& maps) {
-    for (const auto& [end, lane] : {std::pair(&start_, 0), std::pair(&end_, 3)}) {
-        const double share = 1 / maps.weight[lane];
-        for (int i = 0; i < 3; ++i) {
-            for (int j = 0; j < 3; ++j)
-                end->rows[i][j] = maps.rotation.row[i][j][lane] * share;
-            end->offset[i] = maps.translation[i][lane] * share;
-        }
-    }
-}
-
-void FaceSeparation::use(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& offset) {
-    for (int i = 0; i < 3; ++i)
-        start_.rows[i] = motion::vector_in<double>(rotation.row(i));
-    start_.offset = motion::vector_in<double>(offset);
-    end_ = start_;
-}
-
 /// Gilbert's algorithm: `nearest` is a point of the difference of both convex hulls, and moves to the point nearest to
 /// 0 on the way to the support along it.
 std::optional<Vector3<double>> FaceSeparation::direction(std::uint32_t moving_face, std::uint32_t fixed_face,
@@ -44,16 +26,10 @@ std::optional<Vector3<double>> FaceSeparation::direction(std::uint32_t moving_fa
 }
 
 void FaceSeparation::place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time) {
-    Placement place;
-    for (int i = 0; i < 3; ++i)
-        place.rows[i] = start_.rows[i] + scale(end_.rows[i] - start_.rows[i], time);
-    place.offset = start_.offset + scale(end_.offset - start_.offset, time);
+    const RigidMap place = ends_.at(time);
     moving_corners_.clear();
-    for (const std::uint32_t corner : moving_.face(moving_face)) {
-        const Vector3<double> point = point_of<double>(moving_, corner);
-        moving_corners_.push_back(place.offset + Vector3<double>{dot(place.rows[0], point), dot(place.rows[1], point),
-                                                                 dot(place.rows[2], point)});
-    }
+    for (const std::uint32_t corner : moving_.face(moving_face))
+        moving_corners_.push_back(place(point_of<double>(moving_, corner)));
     fixed_corners_.clear();
     for (const std::uint32_t corner : fixed_.face(fixed_face))
         fixed_corners_.push_back(point_of<double>(fixed_, corner));

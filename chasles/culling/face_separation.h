@@ -2,23 +2,19 @@
 #pragma once
 
 #include "chasles/culling/cached_face.h"
-#include "chasles/motion/control_maps.h"
+#include "chasles/culling/interval_ends.h"
 
-#include <Eigen/Core>
 #include <optional>
 #include <vector>
 
 namespace chasles::culling {
 
-/// Looks for directions between faces of two bodies in one interval. Bodies and maps are kept by reference.
+/// Looks for directions between faces of two bodies in one interval. Bodies are kept by reference.
 class FaceSeparation {
 public:
     FaceSeparation(const Body& moving, const Body& fixed) : moving_(moving), fixed_(fixed) {}
 
-    /// Sets the maps of an interval.
-    void use(const motion::ControlMaps<double>& maps);
-    /// Sets the map of a body at rest, from its frame to that of the fixed body: rotation * point + offset.
-    void use(const Eigen::Matrix3d& rotation, const Eigen::Vector3d& offset);
+    void use(const IntervalEnds& ends) { ends_ = ends; }
 
     /// A direction from the fixed face to the moving face, of any length, along which the faces are farther apart than
     /// the distance at about `time` (in [0, 1] of the interval). Empty if the search finds none. The direction is a
@@ -27,20 +23,13 @@ public:
                                              double distance);
 
 private:
-    /// The map of the moving body at one time.
-    struct Placement {
-        Vector3<double> rows[3];
-        Vector3<double> offset;
-    };
-
     void place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
     [[nodiscard]] Vector3<double> between_means() const;
     [[nodiscard]] Vector3<double> support(const Vector3<double>& direction) const;
 
     const Body& moving_;
     const Body& fixed_;
-    Placement start_;
-    Placement end_;
+    IntervalEnds ends_;
     std::vector<Vector3<double>> moving_corners_;
     std::vector<Vector3<double>> fixed_corners_;
 };

@@ -84,7 +84,7 @@ public:
     NearestSearch(const contact::RelativeConfiguration& bodies, double bound, double accuracy)
         : bodies_(bodies), boxes_(bodies), separation_(bodies.moving(), bodies.fixed()), bound_(bound),
           accuracy_(accuracy) {
-        separation_.use(boxes_.turn(), bodies.moved(Vector3d::Zero()));
+        separation_.use({boxes_.turn(), bodies.moved(Vector3d::Zero())});
     }
 
     std::optional<NearestFeatures> run() {

@@ -55,13 +55,16 @@ Scene random_scene(Random& random, double reach) {
             Motion::sweep(start, random_goal(random, start, random.uniform(0, 1), 1))};
 }
 
+/// Cullers that have met few faces do without chords.
+constexpr double never_used = 0;
+
 /// A dyadic interval and a window in it.
 FacePair random_pair(Random& random) {
     const double width = std::ldexp(1.0, -random.integer(0, 6));
     const double lower = width * random.integer(0, int(1 / width) - 1);
     const auto first = static_cast<float>(random.uniform(0, 1));
     const auto last = static_cast<float>(random.uniform(double(first), 1));
-    return {0, 0, {lower, lower + width}, {first, last}, lower};
+    return {0, 0, {lower, lower + width}, {first, last}, lower, never_used};
 }
 
 TEST(FaceCuller, PairsThatItCullsDoNotMeetInTheWindow) {
@@ -135,7 +138,7 @@ TEST(FaceCuller, CullsUpToBestWhatMeetsOnlyLater) {
     const Corners small{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 0.1), Eigen::Vector3d(0, 1, 0.1)};
     const Corners large{Eigen::Vector3d(-5, -5, 0), Eigen::Vector3d(5, -5, 0), Eigen::Vector3d(0, 5, 0)};
     const Scene scene(small, large, Motion::sweep(shifted(0, 0, 1), shifted(0, 0, -0.5)));
-    const FacePair whole{0, 0, {}, {}, 0};
+    const FacePair whole{0, 0, {}, {}, 0, never_used};
     EXPECT_TRUE(scene.part_of(whole, 1, 0));
     EXPECT_FALSE(scene.part_of(whole, 0.45, 0));
     EXPECT_TRUE(scene.part_of(whole, 0.45, 0.3)) << "within the margin before";
@@ -147,7 +150,7 @@ TEST(FaceCuller, SaysWhichCornersMayReachTheOtherPlane) {
     const Scene scene(small, large, Motion::sweep(shifted(0, 0, 1), shifted(0, 0, -1)));
     FaceCuller culler(scene.moving_body.body(), scene.fixed_body.body(), scene.maps,
                       elementary::error_scale(scene.maps, 10, 10), 0);
-    const auto faces = culler.cull({0, 0, {}, {}, 0}, 1);
+    const auto faces = culler.cull({0, 0, {}, {}, 0, never_used}, 1);
     ASSERT_TRUE(faces);
     EXPECT_TRUE(faces->moving.may_meet(0U));
     EXPECT_FALSE(faces->moving.may_meet(1U));

@@ -50,7 +50,7 @@ TEST(FaceSeparation, ADirectionKeepsTheFacesApartByTheDistance) {
         const test::Triangle3<double> b{fixed.vertices[0], fixed.vertices[1], fixed.vertices[2]};
         const double distance = std::sqrt(test::squared_distance_of_triangles<double>(a, b));
         FaceSeparation separation(mover.body(), target.body());
-        separation.use(pose.linear(), pose.translation());
+        separation.use({pose.linear(), pose.translation()});
         const double asked = uniform(random, 0, 1.5) * distance;
         const auto direction = separation.direction(0, 0, 0.5, asked);
         apart += asked < 0.9 * distance ? 1 : 0;
@@ -67,7 +67,7 @@ TEST(FaceSeparation, FindsNothingBetweenFacesThatCross) {
     const Polyhedron a = test::triangle({-1, 0, -1}, {1, 0, -1}, {0, 0, 2}).polyhedron();
     const Polyhedron b = test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 2, 0}).polyhedron();
     FaceSeparation separation(a.body(), b.body());
-    separation.use(Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero());
+    separation.use({Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()});
     EXPECT_FALSE(separation.direction(0, 0, 0, 0));
 }
 
@@ -78,7 +78,7 @@ TEST(FaceSeparation, IsAskedAtATimeOfTheInterval) {
     const auto piece = motion.trajectory().pieces()->at(0);
     const auto maps = motion::double_maps(piece->cubic());
     FaceSeparation separation(a.body(), a.body());
-    separation.use(maps);
+    separation.use(IntervalEnds(maps));
     EXPECT_FALSE(separation.direction(0, 0, 0.2, 0.5));
     EXPECT_TRUE(separation.direction(0, 0, 0.3, 0.5));
 }
