@@ -16,9 +16,10 @@ namespace chasles {
 
 /// Options for making a body: the treatment of unusual faces, and the number of threads.
 struct PolyhedronOptions {
-    /// Cut polygons that are not planar into triangles. Otherwise they are refused.
+    /// Cut polygons that are not planar, and outlines that cross themselves or turn back, into triangles. Otherwise
+    /// they are refused.
     bool triangulate = false;
-    /// Drop faces without area if edges of other faces cover them. Otherwise they are refused.
+    /// Has no effect: faces without area need no option any more. Kept for programs that set it.
     bool drop_degenerate = false;
     /// Build the hierarchy on at most this many threads (0: all cores). The body is the same bit by bit for any number
     /// of threads. Bodies with fewer than 32,768 faces use only the calling thread.
@@ -36,6 +37,7 @@ struct MeshReport {
     std::size_t boundary_edges = 0;    ///< edges with one face
     std::size_t nonmanifold_edges = 0; ///< edges with three faces or more
     std::size_t dropped_faces = 0;     ///< faces without area that edges of other faces cover
+    std::size_t segments = 0;          ///< kept faces without area, each a segment between two vertices, or a point
     bool closed = false;               ///< no boundary edge
     Eigen::Vector3d lower =
         Eigen::Vector3d::Zero(); ///< lower corner of the bounding box of all used vertices, in the length unit
