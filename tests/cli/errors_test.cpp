@@ -25,6 +25,13 @@ TEST_F(Errors, Folder) {
     EXPECT_EQ(error_line("info ."), "chasles: .: is a directory, not a file");
 }
 
+TEST_F(Errors, DeviceWithoutEnd) {
+    EXPECT_EQ(error_line("info /dev/zero"),
+              "chasles: /dev/zero: is a device, which need not end; give a file or a pipe");
+    EXPECT_EQ(error_line("path cube.obj cube.obj --poses /dev/zero"),
+              "chasles: /dev/zero: is a device, which need not end; give a file or a pipe");
+}
+
 TEST_F(Errors, EmptyFile) {
     EXPECT_EQ(mesh_error("empty.stl", ""), "chasles: empty.stl: is empty");
 }
