@@ -58,10 +58,12 @@ public:
     /// Makes a body from `vertices` (n points, in any length unit) and `faces` (m lists of at least three vertex
     /// indices from 0). Throws InvalidInput with the number of the face or vertex. It refuses a mesh without faces, and
     /// an index out of range. It refuses a coordinate that is NaN, infinite, or beyond 1e30 in magnitude, and a body
-    /// smaller than 1e-30. It refuses a face without area, or with fewer than three distinct vertices, that cannot be
-    /// dropped. It refuses an outline that crosses itself or turns back onto itself. It refuses a polygon that is not
-    /// planar, unless options.triangulate. The tolerance for planar polygons is 1e-5 of the greater of the size and the
-    /// coordinates (docs/decisions/0010-polygon-planarity.md).
+    /// smaller than 1e-30. It refuses a mesh in which no face has an area. It refuses an outline that crosses itself or
+    /// turns back onto itself, and a polygon that is not planar, unless options.triangulate. The tolerance for planar
+    /// polygons is 1e-5 of the greater of the size and the coordinates (docs/decisions/0010-polygon-planarity.md).
+    ///
+    /// A face without area, because all its vertices lie on one line, is accepted. The parts of its line that no edge
+    /// of another face covers are kept as segments with edges and vertices (docs/decisions/0071-faces-without-area.md).
     static Polyhedron from_polygons(std::span<const Eigen::Vector3d> vertices,
                                     std::span<const std::vector<std::uint32_t>> faces,
                                     const PolyhedronOptions& options = {});
@@ -81,10 +83,11 @@ public:
     /// The vertices: n points in the body's frame, in the length unit.
     [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const;
 
-    /// The outline of a face: at least three vertex ids in order. `face` is below face_count().
+    /// The outline of a face: at least three vertex ids in order. `face` is below face_count(). A segment is the
+    /// outline a, b, b of its two vertices; a single point is p, p, p.
     [[nodiscard]] std::span<const std::uint32_t> face(std::size_t face) const;
 
-    /// The id of a face in the input. It differs from `face` only if collapsed faces were dropped or polygons were cut.
+    /// The id of a face in the input. It differs from `face` only if there are faces without area or cut polygons.
     [[nodiscard]] std::uint32_t source_face(std::size_t face) const;
 
     /// Triangles that cover a face that is not convex: positions of corners in the outline, three for each triangle.
