@@ -29,6 +29,7 @@ view::Json body_json(const Polyhedron& body) {
             {"boundary_edges", mesh.boundary_edges},
             {"nonmanifold_edges", mesh.nonmanifold_edges},
             {"dropped_faces", mesh.dropped_faces},
+            {"segments", mesh.segments},
             {"closed", mesh.closed},
             {"bounding_box", {{"lower", view::vector_json(mesh.lower)}, {"upper", view::vector_json(mesh.upper)}}},
             {"hierarchy", {{"nodes", mesh.bvh_nodes}, {"depth", mesh.bvh_depth}, {"bytes", mesh.bvh_bytes}}},
@@ -41,7 +42,10 @@ std::string body_report(const std::string& name, const Polyhedron& body) {
     text += labelled("faces", fmt::format("{}, {} of them polygons of more than three sides; {} triangles in all",
                                           mesh.faces, mesh.polygons, mesh.triangles));
     if (mesh.dropped_faces > 0)
-        text += labelled("", fmt::format("{} without area dropped", mesh.dropped_faces));
+        text += labelled(
+            "", fmt::format("{} without area dropped, because edges of other faces cover them", mesh.dropped_faces));
+    if (mesh.segments > 0)
+        text += labelled("", fmt::format("{} of them segments without area", mesh.segments));
     text += labelled("vertices", fmt::format("{}, {} distinct", mesh.vertices, mesh.distinct_vertices));
     text += labelled("edges", fmt::format("{}, {} with one face, {} with more than two", mesh.edges,
                                           mesh.boundary_edges, mesh.nonmanifold_edges));

@@ -49,6 +49,8 @@ int FaceAtRest::side_of(const Vector3d& point, double reach) const {
 }
 
 bool FaceAtRest::is_below(const Vector3d& point, double reach, double slack) const {
+    if (body_->is_segment(face_)) // its edge and its vertices are tested
+        return false;
     if (!has_normal())
         return (nearest_of_rim(point) - point).norm() <= reach;
     const double tolerance = normal_.error * diameter_;

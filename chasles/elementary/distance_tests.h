@@ -273,7 +273,7 @@ void vertex_face_distance(const VertexPath<S>& path, const FaceShape<S>& face, c
     const S offset = margin.distance * length(face.normal);
     if (keeps_one_sign(plane.polynomial, path.weight * S(plane.error + offset)))
         return;
-    for (std::size_t i = 0; i < convex_part_count(face); ++i) {
+    for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i) {
         if (!detail::add_inside_constraints(path, convex_part(face, i), unit, workspace.constraints))
             continue;
         ++workspace.root_brackets;

@@ -84,7 +84,8 @@ public:
         add_opposed({line_arm(i), line_arm_error()}, crossing, sign, constraints);
     }
 
-    /// Adds the constraints that the projections of both edges overlap, on v and on u.
+    /// Adds the constraints that the projections of both edges overlap, on v and on u. Two points, which are edges
+    /// without length, must have equal coordinates.
     void add_overlaps(Constraints<S>& constraints) const {
         const Vector a = maps_.rotation * moving_.from + maps_.translation;
         const Vector b = maps_.rotation * moving_.to + maps_.translation;
@@ -92,6 +93,8 @@ public:
         const Vector c = in_body(fixed_.from);
         const Vector d = in_body(fixed_.from + fixed_.direction);
         add_overlap(c, d, moving_.from, moving_.along, moving_.size, constraints);
+        for (int i = 0; i < 3 && !(S(0) < moving_.size) && !(S(0) < fixed_.size); ++i)
+            add_opposed({a[i] - maps_.weight * fixed_.from[i], with_underflow<S>(unit_)}, Polynomial(), 0, constraints);
     }
 
     /// Component i of (W c - A) x v. It is U x v times the fraction of the moving edge before the fixed line.

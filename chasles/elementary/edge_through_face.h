@@ -120,7 +120,7 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
     // In the plane or next to the plane, the signed volumes separate nothing.
     if (upwards && downwards && detail::are_apart_in_plane(segment, face, unit))
         return std::nullopt;
-    for (std::size_t i = 0; i < convex_part_count(face); ++i) {
+    for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i) {
         const ConvexPart<S> part = convex_part(face, i);
         for (const bool up : {true, false}) {
             if (!(up ? upwards : downwards))

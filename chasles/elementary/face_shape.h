@@ -62,9 +62,21 @@ struct ConvexPart {
     const Vector3<S>& next_corner(std::size_t i) const { return corner(i + 1 == count ? 0 : i + 1); }
 };
 
+/// Whether the face has no area by its corners a, b, b. No point is on such a face; its edges and vertices have tests
+/// of their own (docs/derivations/22-faces-without-area.md).
+template <class S>
+bool is_segment(const FaceShape<S>& face) {
+    const auto equal = [](const S& a, const S& b) { return !(a < b) && !(b < a); };
+    const Vector3<S>& a = face.corners[1];
+    const Vector3<S>& b = face.corners[2];
+    return face.corners.size() == 3 && equal(a.x, b.x) && equal(a.y, b.y) && equal(a.z, b.z);
+}
+
 template <class S>
 std::size_t convex_part_count(const FaceShape<S>& face) {
-    return face.triangles.empty() ? 1 : face.triangles.size() / 3;
+    if (!face.triangles.empty())
+        return face.triangles.size() / 3;
+    return is_segment(face) ? 0 : 1;
 }
 template <class S>
 ConvexPart<S> convex_part(const FaceShape<S>& face, std::size_t index) {

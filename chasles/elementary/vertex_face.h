@@ -121,7 +121,7 @@ template <class S>
                                                                 Workspace<S>& workspace) {
     const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
     std::optional<FeasibleInterval> first;
-    for (std::size_t i = 0; i < convex_part_count(face); ++i) {
+    for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i) {
         if (!add_inside_constraints(path, convex_part(face, i), unit, workspace.constraints))
             continue;
         ++workspace.root_brackets;

@@ -7,9 +7,6 @@
 namespace chasles::io {
 namespace {
 
-// Spreadsheet programs write this mark at the start of UTF-8 files.
-constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
-
 // The text without blanks at its ends.
 std::string_view trimmed(std::string_view text) {
     while (!text.empty() && (text.front() == ' ' || text.front() == '\t'))
@@ -48,8 +45,7 @@ std::string unquoted(std::string_view cell) {
 
 } // namespace
 
-CsvTable::CsvTable(std::string_view text)
-    : lines_(text.starts_with(byte_order_mark) ? text.substr(byte_order_mark.size()) : text) {}
+CsvTable::CsvTable(std::string_view text) : lines_(without_byte_order_mark(text)) {}
 
 std::optional<CsvRow> CsvTable::next() {
     while (lines_.next())

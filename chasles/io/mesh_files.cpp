@@ -28,12 +28,14 @@ Reader reader_for(const std::string& extension) {
     return nullptr;
 }
 
-// Assimp reads the file again by name, because it follows references to other files.
+// Assimp reads the file again by name, because it follows references to other files. A pipe has nothing left then.
 PolygonSoup read_polygons(const std::filesystem::path& file, std::string_view bytes) {
     const Reader reader = reader_for(lower_case(file.extension().string()));
+    if (!reader && !std::filesystem::is_regular_file(file))
+        throw InvalidInput("is a pipe; only .obj, .off, .ply and .stl can be read from pipes with these extensions");
     PolygonSoup soup = reader ? reader(bytes) : read_with_assimp(file);
     if (soup.faces.empty())
-        throw InvalidInput("has no face");
+        throw InvalidInput("has no face; a mesh needs at least one");
     return soup;
 }
 

@@ -32,7 +32,7 @@ bool contains(const Names& names, std::string_view name) {
 // Reads one statement after another. Statements may extend over several lines.
 class ObjReader {
 public:
-    explicit ObjReader(std::string_view text) : lines_(text) {}
+    explicit ObjReader(std::string_view text) : lines_(without_byte_order_mark(text)) {}
 
     PolygonSoup read() {
         while (next_statement())

@@ -14,7 +14,7 @@ namespace {
 // Reads header, vertices and faces in the order of the file.
 class OffReader {
 public:
-    explicit OffReader(std::string_view text) : lines_(text), text_size_(text.size()) {}
+    explicit OffReader(std::string_view text) : lines_(without_byte_order_mark(text)), text_size_(text.size()) {}
 
     PolygonSoup read() {
         read_header();

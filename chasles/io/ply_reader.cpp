@@ -279,6 +279,7 @@ private:
 } // namespace
 
 PolygonSoup read_ply(std::string_view text) {
+    text = without_byte_order_mark(text);
     const PlyHeader header = read_ply_header(text);
     const std::string_view data = text.substr(std::min(header.size, text.size()));
     if (header.format == PlyFormat::ascii)

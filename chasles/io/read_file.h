@@ -7,7 +7,9 @@
 
 namespace chasles::io {
 
-/// The bytes of a file. Throws InvalidInput if it does not exist, is a directory, is empty, or cannot be read.
+/// The bytes of a file, or of a pipe that ends within 256 MiB. Throws InvalidInput if the file does not exist, is a
+/// directory or a device, is empty, is larger than half of the memory, grows while it is read, or cannot be read; and
+/// for a pipe that stays silent for 30 seconds after it is opened. Links are followed.
 std::string read_file(const std::filesystem::path& file);
 
 /// The name of a file for messages: as given, in one line.

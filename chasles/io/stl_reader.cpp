@@ -205,17 +205,23 @@ PolygonSoup read_binary_stl(std::string_view bytes) {
     return triangles.take();
 }
 
-// A binary file may also begin with "solid". Its size or a zero byte in its header identifies it.
+// Whether the size of the file matches the number of triangles in its header. The 80 bytes before may be any bytes.
+bool has_binary_size(std::string_view bytes) {
+    return bytes.size() >= header_size && bytes.size() == header_size + announced_triangles(bytes) * triangle_size;
+}
+
+// A binary file may also begin with "solid". A zero byte in its header identifies it.
 bool is_ascii_stl(std::string_view bytes) {
-    const bool has_binary_size =
-        bytes.size() >= header_size && bytes.size() == header_size + announced_triangles(bytes) * triangle_size;
     const bool has_zero_byte = bytes.substr(0, header_size).find('\0') != std::string_view::npos;
-    return !has_binary_size && !has_zero_byte && lower_case(Words(bytes.substr(0, header_size)).next()) == "solid";
+    return !has_zero_byte && lower_case(Words(bytes.substr(0, header_size)).next()) == "solid";
 }
 
 } // namespace
 
 PolygonSoup read_stl(std::string_view text) {
+    if (has_binary_size(text))
+        return read_binary_stl(text);
+    text = without_byte_order_mark(text);
     return is_ascii_stl(text) ? AsciiStlReader(text).read() : read_binary_stl(text);
 }
 

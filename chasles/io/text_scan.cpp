@@ -103,6 +103,14 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
+std::string_view without_byte_order_mark(std::string_view text) {
+    using namespace std::string_view_literals;
+    constexpr std::string_view utf8 = "\xEF\xBB\xBF";
+    if (text.starts_with("\xFF\xFE"sv) || text.starts_with("\xFE\xFF"sv) || text.starts_with("\0\0\xFE\xFF"sv))
+        throw InvalidInput("is text in UTF-16 or UTF-32; save it as UTF-8");
+    return text.starts_with(utf8) ? text.substr(utf8.size()) : text;
+}
+
 void fail_at_line(std::size_t line, const std::string& why) {
     throw InvalidInput("line " + std::to_string(line) + ": " + why);
 }

@@ -28,6 +28,9 @@ std::string one_line(std::string_view text);
 /// `text` in lower case (ASCII letters only).
 std::string lower_case(std::string_view text);
 
+/// The text without the byte order mark of UTF-8. Throws InvalidInput for the marks of UTF-16 and UTF-32.
+std::string_view without_byte_order_mark(std::string_view text);
+
 /// Throws InvalidInput "line N: WHY".
 [[noreturn]] void fail_at_line(std::size_t line, const std::string& why);
 

@@ -40,13 +40,13 @@ bool any_direction_from_vertex(const Body& body, std::uint32_t vertex, Test test
     };
     return std::ranges::any_of(body.faces_around(vertex), [&](std::uint32_t face) {
         return detail::any_part_at(body, face, vertex, [&](std::uint32_t next, std::uint32_t previous) {
-            return test(direction_to(next)) || test(direction_to(previous));
+            return (next != vertex && test(direction_to(next))) || (previous != vertex && test(direction_to(previous)));
         });
     });
 }
 
 /// Whether `test(direction)` is true for some direction from an edge across one of its faces, perpendicular to the
-/// edge. Directions have any length.
+/// edge. Directions have any length. A segment has no directions across its edge.
 template <class Test>
 bool any_direction_from_edge(const Body& body, const Edge& edge, Test test) {
     const Eigen::Vector3d& from = body.vertices()[edge.from];
@@ -56,6 +56,8 @@ bool any_direction_from_edge(const Body& body, const Edge& edge, Test test) {
         return arm - along.dot(arm) * along;
     };
     const auto tests_into = [&](std::uint32_t face) {
+        if (body.is_segment(face))
+            return false;
         const auto corners = body.face(face);
         return detail::any_part_at(body, face, edge.from, [&](std::uint32_t next, std::uint32_t previous) {
             if (next != edge.to && previous != edge.to)

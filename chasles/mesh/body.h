@@ -35,10 +35,17 @@ public:
     /// The vertices: n points in the body's frame and length unit.
     [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const { return parts_.vertices; }
 
-    /// The outline of a face: at least three vertex ids in order.
+    /// The outline of a face: at least three vertex ids in order; a, b, b for a segment.
     [[nodiscard]] std::span<const std::uint32_t> face(std::size_t face) const { return parts_.outlines[face]; }
 
-    /// The id of a face in the input. It differs from `face` only if collapsed faces were dropped or polygons were cut.
+    /// Whether a face has no area: a segment with the outline a, b, b, or a point. It has edges and vertices, and no
+    /// plane.
+    [[nodiscard]] bool is_segment(std::size_t face) const {
+        const auto outline = parts_.outlines[face];
+        return outline[1] == outline[2];
+    }
+
+    /// The id of a face in the input. It differs from `face` only if there are faces without area or cut polygons.
     [[nodiscard]] std::uint32_t source_face(std::size_t face) const {
         return parts_.source.empty() ? static_cast<std::uint32_t>(face) : parts_.source[face];
     }

@@ -1,20 +1,22 @@
-// The distinct corners of a collapsed face divide its line into segments. Edges of other faces must cover all segments.
-// Corners are compared exactly.
+// The distinct corners of a collapsed face divide its line into pieces. An edge of a kept face between two of the
+// corners covers the pieces between them. Corners are compared exactly.
 #include "chasles/mesh/collapsed_faces.h"
 
-#include "chasles/base/invalid_input.h"
-
 #include <algorithm>
-#include <string>
+#include <array>
+#include <optional>
+#include <set>
 #include <tuple>
+#include <utility>
 
 namespace chasles {
 namespace {
 
+using Corners = std::vector<std::uint32_t>;
+
 /// The distinct corners, ordered by coordinates. For points of one line this is the order along the line.
-std::vector<std::uint32_t> corners_along_line(std::span<const std::uint32_t> outline,
-                                              std::span<const Eigen::Vector3d> vertices) {
-    std::vector<std::uint32_t> corners(outline.begin(), outline.end());
+Corners corners_along_line(std::span<const std::uint32_t> outline, std::span<const Eigen::Vector3d> vertices) {
+    Corners corners(outline.begin(), outline.end());
     const auto place = [&](std::uint32_t corner) {
         const Eigen::Vector3d& point = vertices[corner];
         return std::tuple(point.x(), point.y(), point.z());
@@ -24,15 +26,55 @@ std::vector<std::uint32_t> corners_along_line(std::span<const std::uint32_t> out
     return corners;
 }
 
-/// Whether edges cover the line from the first to the last corner. Extends the covered part by edges that begin in it.
-bool is_covered_by(const MeshEdges& edges, std::span<const std::uint32_t> corners) {
-    std::size_t covered = 0;
-    for (std::size_t begin = 0; begin <= covered && begin < corners.size(); ++begin)
-        for (std::size_t end = corners.size() - 1; end > covered; --end)
-            if (edges.contains(corners[begin], corners[end]))
-                covered = end;
-    return covered + 1 == corners.size();
-}
+/// Finds the edges between the corners of one line.
+class EdgesOnLine {
+public:
+    EdgesOnLine(const MeshEdges& edges, const Corners& corners) : edges_(edges), corners_(corners) {
+        for (std::uint32_t place = 0; place < corners.size(); ++place)
+            places_.push_back({corners[place], place});
+        std::ranges::sort(places_);
+    }
+
+    /// For each corner: the last corner that an edge from a corner up to this one reaches.
+    [[nodiscard]] std::vector<std::uint32_t> farthest() const {
+        std::vector<std::uint32_t> farthest(corners_.size(), 0);
+        for (const auto& [corner, place] : places_)
+            for (const Edge& edge : edges_.edges_from(corner))
+                if (const auto other = place_of(edge.to))
+                    farthest[std::min(place, *other)] =
+                        std::max(farthest[std::min(place, *other)], std::max(place, *other));
+        for (std::size_t i = 1; i < farthest.size(); ++i)
+            farthest[i] = std::max(farthest[i], farthest[i - 1]);
+        return farthest;
+    }
+
+private:
+    using Place = std::pair<std::uint32_t, std::uint32_t>; ///< a corner and its position on the line
+
+    [[nodiscard]] std::optional<std::uint32_t> place_of(std::uint32_t vertex) const {
+        const auto found = std::ranges::lower_bound(places_, vertex, {}, &Place::first);
+        return found != places_.end() && found->first == vertex ? std::optional(found->second) : std::nullopt;
+    }
+
+    const MeshEdges& edges_;
+    const Corners& corners_;
+    std::vector<Place> places_;
+};
+
+/// Collects segments, each once.
+class Segments {
+public:
+    void add(std::uint32_t a, std::uint32_t b, std::uint32_t source) {
+        const auto [from, to] = std::minmax(a, b);
+        if (known_.emplace(from, to).second)
+            outlines_.append(std::array{from, to, to}, source);
+    }
+    [[nodiscard]] FaceOutlines take() { return std::move(outlines_); }
+
+private:
+    std::set<std::pair<std::uint32_t, std::uint32_t>> known_;
+    FaceOutlines outlines_;
+};
 
 /// A flag for each vertex: whether an outline contains it.
 std::vector<bool> vertices_of(const FlatLists<std::uint32_t>& outlines, std::size_t vertex_count) {
@@ -44,18 +86,23 @@ std::vector<bool> vertices_of(const FlatLists<std::uint32_t>& outlines, std::siz
 
 } // namespace
 
-void check_covered(const FaceOutlines& collapsed, const FlatLists<std::uint32_t>& kept, const MeshEdges& edges,
-                   std::span<const Eigen::Vector3d> vertices) {
+FaceOutlines uncovered_segments(const FaceOutlines& collapsed, const FlatLists<std::uint32_t>& kept,
+                                const MeshEdges& edges, std::span<const Eigen::Vector3d> vertices) {
     if (collapsed.source.empty())
-        return;
+        return {};
     const std::vector<bool> is_kept = vertices_of(kept, vertices.size());
+    Segments segments;
     for (std::size_t i = 0; i < collapsed.source.size(); ++i) {
-        const std::vector<std::uint32_t> corners = corners_along_line(collapsed.outlines[i], vertices);
-        if (!is_kept[corners.front()] || !is_covered_by(edges, corners))
-            throw InvalidInput("face " + std::to_string(collapsed.source[i]) + ": has no area (" +
-                               (corners.size() < 3 ? "its vertices coincide" : "its vertices lie on one line") +
-                               ") and is no part of other faces' edges");
+        const std::uint32_t source = collapsed.source[i];
+        const Corners corners = corners_along_line(collapsed.outlines[i], vertices);
+        if (corners.size() == 1 && !is_kept[corners.front()]) // a point by itself
+            segments.add(corners.front(), corners.front(), source);
+        const std::vector<std::uint32_t> farthest = EdgesOnLine(edges, corners).farthest();
+        for (std::size_t piece = 0; piece + 1 < corners.size(); ++piece)
+            if (farthest[piece] <= piece)
+                segments.add(corners[piece], corners[piece + 1], source);
     }
+    return segments.take();
 }
 
 } // namespace chasles

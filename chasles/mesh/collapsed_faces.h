@@ -1,5 +1,5 @@
-// The check that collapsed faces, whose corners lie on one line, can be dropped without changing the surface.
-// Source: docs/decisions/0011-equal-vertices-and-collapsed-faces.md.
+// Collapsed faces, whose corners lie on one line: the parts of their line that no edge covers stay as segments.
+// Source: docs/decisions/0071-faces-without-area.md; docs/derivations/22-faces-without-area.md.
 #pragma once
 
 #include "chasles/mesh/face_outlines.h"
@@ -10,10 +10,10 @@
 
 namespace chasles {
 
-/// Checks that edges of the kept faces cover each collapsed face. A face that is collapsed to a point must be a vertex
-/// of a kept face. Then dropping the collapsed faces does not change the surface as a set of points. Throws
-/// InvalidInput with the number of the face.
-void check_covered(const FaceOutlines& collapsed, const FlatLists<std::uint32_t>& kept, const MeshEdges& edges,
-                   std::span<const Eigen::Vector3d> vertices);
+/// The parts of the collapsed faces that are not in the kept faces: segments between two corners a and b as outlines
+/// a, b, b, and single points p as outlines p, p, p. Each segment occurs once. The kept faces and the segments are the
+/// same set of points as all given faces.
+[[nodiscard]] FaceOutlines uncovered_segments(const FaceOutlines& collapsed, const FlatLists<std::uint32_t>& kept,
+                                              const MeshEdges& edges, std::span<const Eigen::Vector3d> vertices);
 
 } // namespace chasles

@@ -16,6 +16,8 @@ FaceNormal face_normal(const Body& body, std::uint32_t face) {
         if (arm(i).stableNorm() > longest.stableNorm())
             longest = arm(i);
     const double size = longest.cwiseAbs().maxCoeff();
+    if (size == 0) // a point
+        return {Eigen::Vector3d::UnitX(), 1};
     Eigen::Vector3d sum = Eigen::Vector3d::Zero();
     double products = 0;
     for (std::size_t i = 1; i + 1 < corners.size(); ++i) {

@@ -65,32 +65,6 @@ void check_indices(std::size_t index, Face face, std::size_t vertex_count) {
                                    std::to_string(vertex_count) + " vertices)");
 }
 
-/// The number of distinct ids. Takes a copy, because it sorts.
-std::size_t count_distinct(Outline ids) {
-    std::ranges::sort(ids);
-    return static_cast<std::size_t>(std::ranges::unique(ids).begin() - ids.begin());
-}
-
-/// Refuses a vertex that is named twice in a row, and faces with fewer than three distinct vertices. A vertex may
-/// otherwise occur several times in an outline: a bridge to a hole needs this.
-void check_repeats(std::size_t index, Face face) {
-    for (std::size_t i = 0; i < face.size(); ++i)
-        if (face[i] == face[(i + 1) % face.size()])
-            refuse_face(index, "names vertex " + std::to_string(face[i]) + " twice in a row");
-    if (face.size() > 3 && count_distinct({face.begin(), face.end()}) < 3)
-        refuse_face(index, "has fewer than three distinct vertices");
-}
-
-/// The outline with first equal vertices, without corners that repeat the previous corner.
-void merge_corners(Face face, std::span<const std::uint32_t> first_equal, Outline& outline) {
-    outline.clear();
-    for (const std::uint32_t vertex : face)
-        if (outline.empty() || outline.back() != first_equal[vertex])
-            outline.push_back(first_equal[vertex]);
-    while (outline.size() > 1 && outline.front() == outline.back())
-        outline.pop_back();
-}
-
 /// Whether all corners lie on one line, decided exactly. Fewer than three corners do.
 bool is_on_one_line(std::span<const Eigen::Vector3d> vertices, const Outline& outline) {
     for (std::size_t i = 2; i < outline.size(); ++i)
@@ -115,28 +89,30 @@ void check_vertices(std::span<const Eigen::Vector3d> vertices) {
                            number_text(smallest_size) + ")");
 }
 
-SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces,
-                       const PolyhedronOptions& options) {
+void SortedFaces::append(Outline& corners, std::uint32_t source, std::span<const Eigen::Vector3d> vertices) {
+    const auto repeated = std::ranges::unique(corners);
+    corners.erase(repeated.begin(), repeated.end());
+    while (corners.size() > 1 && corners.front() == corners.back())
+        corners.pop_back();
+    (is_on_one_line(vertices, corners) ? collapsed : proper).append(corners, source);
+}
+
+SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices, std::span<const Face> faces) {
     check_counts(vertices, faces);
     const std::vector<std::uint32_t> first_equal = first_equal_vertices(vertices);
     SortedFaces sorted;
     for (std::uint32_t vertex = 0; vertex < first_equal.size(); ++vertex)
         sorted.distinct_vertices += first_equal[vertex] == vertex ? 1 : 0;
-    Outline outline;
+    Outline corners;
     for (std::uint32_t index = 0; index < faces.size(); ++index) {
         check_indices(index, faces[index], vertices.size());
-        if (!options.drop_degenerate)
-            check_repeats(index, faces[index]);
-        merge_corners(faces[index], first_equal, outline);
-        if (!is_on_one_line(vertices, outline))
-            sorted.proper.append(outline, index);
-        else if (options.drop_degenerate || count_distinct(outline) < 3)
-            sorted.collapsed.append(outline, index);
-        else
-            refuse_face(index, "has no area (its vertices lie on one line)");
+        corners.clear();
+        for (const std::uint32_t vertex : faces[index])
+            corners.push_back(first_equal[vertex]);
+        sorted.append(corners, index, vertices);
     }
     if (sorted.proper.source.empty())
-        throw InvalidInput("mesh: no face has an area");
+        throw InvalidInput("mesh: no face has an area; no option accepts this mesh, because it has no surface");
     return sorted;
 }
 

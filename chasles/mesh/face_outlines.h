@@ -1,4 +1,5 @@
-// Turns the given faces into outlines of distinct vertices. Refuses invalid faces with the reason.
+// Turns the given faces into outlines of distinct vertices and sorts out the faces without area. Refuses invalid faces
+// with the reason.
 // Source: docs/decisions/0011-equal-vertices-and-collapsed-faces.md.
 #pragma once
 
@@ -23,11 +24,14 @@ struct FaceOutlines {
     }
 };
 
-/// The given faces, sorted by whether they have an area.
+/// Faces, sorted by whether they have an area.
 struct SortedFaces {
     FaceOutlines proper;    ///< not all corners on one line
-    FaceOutlines collapsed; ///< all corners on one line; the options allow these faces
+    FaceOutlines collapsed; ///< all corners on one line
     std::size_t distinct_vertices = 0;
+
+    /// Removes the corners that repeat the previous corner, and appends the face.
+    void append(std::vector<std::uint32_t>& corners, std::uint32_t source, std::span<const Eigen::Vector3d> vertices);
 };
 
 /// Throws InvalidInput if a coordinate is not finite or exceeds 1e30, or if the body is smaller than 1e-30 in the
@@ -35,10 +39,9 @@ struct SortedFaces {
 void check_vertices(std::span<const Eigen::Vector3d> vertices);
 
 /// Replaces each index by the index of the first equal vertex, removes corners that repeat the previous corner, and
-/// sorts proper faces from collapsed faces by exact tests. Throws InvalidInput for an index out of range, and for
-/// repeated vertices and faces without area if the options do not allow them.
+/// sorts proper faces from collapsed faces by exact tests. Throws InvalidInput for an index out of range, for a face of
+/// fewer than three corners, and if no face has an area.
 [[nodiscard]] SortedFaces sort_faces(std::span<const Eigen::Vector3d> vertices,
-                                     std::span<const std::span<const std::uint32_t>> faces,
-                                     const PolyhedronOptions& options);
+                                     std::span<const std::span<const std::uint32_t>> faces);
 
 } // namespace chasles

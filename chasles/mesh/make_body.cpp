@@ -11,11 +11,17 @@
 #include "chasles/mesh/ownership.h"
 #include "chasles/mesh/polygon_faces.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace chasles {
 
 namespace {
+
+/// The number of distinct numbers in ascending order.
+std::size_t count_distinct(std::vector<std::uint32_t> numbers) {
+    return static_cast<std::size_t>(std::ranges::unique(numbers).begin() - numbers.begin());
+}
 
 /// Whether every face keeps its input id and no face is missing.
 bool is_identity(const std::vector<std::uint32_t>& source, std::size_t given) {
@@ -94,22 +100,37 @@ MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
     return report;
 }
 
+/// Adds the parts of faces without area that no edge covers, as segments behind the faces.
+void keep_segments(std::span<const Eigen::Vector3d> vertices, PolygonFaces& polygons, MeshEdges& edges,
+                   MeshReport& report) {
+    const FaceOutlines segments = uncovered_segments(polygons.collapsed, polygons.faces.outlines, edges, vertices);
+    edges.append_segments(segments.outlines);
+    for (std::size_t i = 0; i < segments.source.size(); ++i)
+        polygons.faces.append(segments.outlines[i], segments.source[i]);
+    if (!polygons.triangles.offsets.empty())
+        polygons.triangles.offsets.resize(polygons.faces.source.size() + 1, polygons.triangles.offsets.back());
+    report.faces += segments.source.size();
+    report.segments = segments.source.size();
+    report.edges += segments.source.size();
+    report.dropped_faces = polygons.collapsed.source.size() - count_distinct(segments.source);
+}
+
 } // namespace
 
 BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const std::span<const std::uint32_t>> faces,
                     const PolyhedronOptions& options) {
     check_vertices(vertices);
-    SortedFaces sorted = sort_faces(vertices, faces, options);
-    PolygonFaces polygons = examine_polygons(std::move(sorted.proper), vertices, options);
+    SortedFaces sorted = sort_faces(vertices, faces);
+    const std::size_t distinct_vertices = sorted.distinct_vertices;
+    PolygonFaces polygons = examine_polygons(std::move(sorted), vertices, options);
     const FlatLists<std::uint32_t>& outlines = polygons.faces.outlines;
-    const MeshEdges edges = collect_edges(outlines, vertices.size());
-    check_covered(sorted.collapsed, outlines, edges, vertices);
+    MeshEdges edges = collect_edges(outlines, vertices.size());
 
     BodyParts parts;
     parts.report = make_report(polygons, edges);
     parts.report.vertices = vertices.size();
-    parts.report.distinct_vertices = sorted.distinct_vertices;
-    parts.report.dropped_faces = sorted.collapsed.source.size();
+    parts.report.distinct_vertices = distinct_vertices;
+    keep_segments(vertices, polygons, edges, parts.report);
     parts.vertices.assign(vertices.begin(), vertices.end());
     const FlatFeatures flat = find_flat_features(outlines, polygons.triangles, edges, vertices, options.threads);
     parts.owned_vertices = share_features(outlines.offsets, outlines.items, flat.vertices);

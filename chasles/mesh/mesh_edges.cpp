@@ -72,15 +72,20 @@ void add_edge(std::uint32_t from, std::span<const Side> sides, MeshEdges& result
     result.nonmanifold += faces > 2 ? 1 : 0;
 }
 
-/// The order of edges: by the lower, then by the higher vertex.
-bool comes_before(const Edge& a, const Edge& b) {
-    return a.from != b.from ? a.from < b.from : a.to < b.to;
-}
-
 } // namespace
 
-bool MeshEdges::contains(std::uint32_t a, std::uint32_t b) const {
-    return std::binary_search(edges.begin(), edges.end(), Edge{std::min(a, b), std::max(a, b)}, comes_before);
+std::span<const Edge> MeshEdges::edges_from(std::uint32_t vertex) const {
+    const auto found = std::ranges::equal_range(edges, vertex, {}, &Edge::from);
+    return {found.begin(), found.end()};
+}
+
+void MeshEdges::append_segments(const FlatLists<std::uint32_t>& outlines) {
+    for (std::size_t face = 0; face < outlines.size(); ++face) {
+        const auto edge = static_cast<std::uint32_t>(edges.size());
+        edge_of_side.insert(edge_of_side.end(), {edge, none, none});
+        edges.push_back({outlines[face][0], outlines[face][1]});
+        two_faces.push_back({none, none});
+    }
 }
 
 MeshEdges collect_edges(const FlatLists<std::uint32_t>& outlines, std::size_t vertex_count) {

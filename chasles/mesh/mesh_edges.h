@@ -22,8 +22,11 @@ struct MeshEdges {
     std::size_t boundary = 0;                ///< edges with one face
     std::size_t nonmanifold = 0;             ///< edges with three faces or more
 
-    /// Whether a and b are the ends of an edge.
-    [[nodiscard]] bool contains(std::uint32_t a, std::uint32_t b) const;
+    /// The edges whose lower vertex is `vertex`. Not after `append_segments`.
+    [[nodiscard]] std::span<const Edge> edges_from(std::uint32_t vertex) const;
+
+    /// Appends the edges of faces without area, each an outline a, b, b with an edge that no other face has.
+    void append_segments(const FlatLists<std::uint32_t>& outlines);
 };
 
 /// Collects all edges. If one outline uses a side in both directions, as the bridge between an outline and its hole,

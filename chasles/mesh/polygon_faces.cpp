@@ -1,5 +1,5 @@
-// Checks each polygon in this order: it is planar or can be cut, it is not folded, it is convex or covered by
-// triangles. Triangles need no check.
+// Tests each polygon in this order: it has a plane, it is planar, it is not folded, it is convex or covered by
+// triangles. Otherwise the polygon is cut or refused. Triangles need no test.
 #include "chasles/mesh/polygon_faces.h"
 
 #include "chasles/base/invalid_input.h"
@@ -9,8 +9,8 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <array>
 #include <limits>
+#include <optional>
 #include <string>
 
 namespace chasles {
@@ -20,6 +20,10 @@ namespace {
 constexpr double planar_within = 1e-5;
 /// The rounding of the deviation itself. It is the only tolerance if polygons are cut into triangles.
 constexpr double rounding_within = 32 * std::numeric_limits<double>::epsilon();
+
+/// The width of a polygon without a direction, over its size and its number of corners: `PolygonProjection::is_flat`
+/// allows 8 epsilons for the area, and a polygon is at least half as long as its bounding box.
+constexpr double thin_within = 16 * std::numeric_limits<double>::epsilon();
 
 /// The greatest deviation from a plane, in the length unit.
 double allowed_deviation(const PolygonProjection& projection, const PolyhedronOptions& options) {
@@ -38,36 +42,51 @@ struct Polygon {
 
     [[nodiscard]] const Eigen::Vector3d& corner(std::size_t i) const { return vertices[outline[i % outline.size()]]; }
 
+    /// For a polygon that the option would cut.
     [[noreturn]] void refuse(const std::string& why) const {
-        throw InvalidInput("face " + std::to_string(source) + ": " + why);
+        throw InvalidInput("face " + std::to_string(source) + ": " + why + "; the option triangulate accepts it");
     }
 };
 
-/// Refuses an outline that turns back onto the previous side.
-void check_not_folded(const Polygon& polygon) {
-    const std::size_t corner = find_turning_back(polygon.projection.corners);
-    if (corner < polygon.outline.size())
-        polygon.refuse("its outline turns back onto itself at vertex " + std::to_string(polygon.outline[corner]));
+/// The triangles at the first corner. They cover a polygon that is convex up to the deviation of its corners. For any
+/// other outline they contain every point that the outline winds around.
+std::vector<std::uint32_t> fan(std::size_t corners) {
+    std::vector<std::uint32_t> triangles;
+    for (std::uint32_t i = 1; i + 1 < corners; ++i)
+        triangles.insert(triangles.end(), {0, i, i + 1});
+    return triangles;
 }
 
-/// Triangles that cover the polygon exactly once. Refuses an outline that crosses itself.
-std::vector<std::uint32_t> triangles_of(const Polygon& polygon) {
-    auto triangles = triangulate_polygon(polygon.projection.corners);
-    if (!triangles)
-        polygon.refuse("its outline crosses itself");
-    return *std::move(triangles);
+/// Appends the triangles as faces. Triangles of a fan may have no area.
+void append_triangles(const Polygon& polygon, std::span<const std::uint32_t> triangles, SortedFaces& faces) {
+    std::vector<std::uint32_t> corners;
+    for (std::size_t i = 0; i < triangles.size(); i += 3) {
+        corners = {polygon.outline[triangles[i]], polygon.outline[triangles[i + 1]], polygon.outline[triangles[i + 2]]};
+        faces.append(corners, polygon.source, polygon.vertices);
+    }
 }
 
-/// Appends the triangles of a polygon that is not planar as faces.
-void append_cut(const Polygon& polygon, FaceOutlines& faces) {
-    const std::vector<std::uint32_t> triangles = triangles_of(polygon);
-    // A corner without a triangle lies on a line only in the projection, therefore the surface would change.
-    if (triangles.size() != 3 * (polygon.outline.size() - 2))
-        polygon.refuse("is not planar and can't be cut into triangles, because its outline touches itself");
-    for (std::size_t i = 0; i < triangles.size(); i += 3)
-        faces.append(std::array{polygon.outline[triangles[i]], polygon.outline[triangles[i + 1]],
-                                polygon.outline[triangles[i + 2]]},
-                     polygon.source);
+/// Appends a polygon cut into triangles that cover it exactly once, if there are any with all corners, otherwise as a
+/// fan. A corner without a triangle lies on a line only in the projection, therefore the surface would change.
+void append_cut(const Polygon& polygon, SortedFaces& faces) {
+    const auto cut = triangulate_polygon(polygon.projection.corners);
+    const bool is_complete = cut && cut->size() == 3 * (polygon.outline.size() - 2);
+    append_triangles(polygon, is_complete ? *cut : fan(polygon.outline.size()), faces);
+}
+
+/// Whether all corners are within rounding of the line through the first corner and the corner farthest from it. This
+/// holds for every convex polygon without a direction: twice its area is at least its width times its length.
+bool is_thin(const Polygon& polygon) {
+    Eigen::Vector3d longest = Eigen::Vector3d::Zero();
+    for (std::size_t i = 1; i < polygon.outline.size(); ++i)
+        if (const Eigen::Vector3d arm = polygon.corner(i) - polygon.corner(0); arm.stableNorm() > longest.stableNorm())
+            longest = arm;
+    const Eigen::Vector3d along = longest.stableNormalized();
+    const double allowed = thin_within * static_cast<double>(polygon.outline.size()) * polygon.projection.size;
+    for (std::size_t i = 1; i < polygon.outline.size(); ++i)
+        if (!((polygon.corner(i) - polygon.corner(0)).cross(along).norm() <= allowed))
+            return false;
+    return true;
 }
 
 /// Whether the outline turns left at every corner, in the projection along the normal of the contact tests (Newell's
@@ -91,61 +110,99 @@ bool turns_left_everywhere(const Polygon& polygon) {
     return true;
 }
 
-/// The triangles at the first corner. They cover a polygon that is convex up to the deviation of its corners.
-std::vector<std::uint32_t> fan(std::size_t corners) {
-    std::vector<std::uint32_t> triangles;
-    for (std::uint32_t i = 1; i + 1 < corners; ++i)
-        triangles.insert(triangles.end(), {0, i, i + 1});
-    return triangles;
-}
-
-/// Appends a planar polygon as one face.
-void append_whole(const Polygon& polygon, PolygonFaces& result) {
-    check_not_folded(polygon);
-    const std::size_t face = result.faces.source.size();
-    result.faces.append(polygon.outline, polygon.source);
+/// Triangles that cover a planar polygon exactly once; none for a polygon that is convex in the contact tests. Empty
+/// for an outline that crosses itself.
+std::optional<std::vector<std::uint32_t>> covering_triangles(const Polygon& polygon) {
     const bool convex = is_convex(polygon.projection.corners);
-    if (convex && turns_left_everywhere(polygon))
-        return;
-    FlatLists<std::uint32_t>& triangles = result.triangles;
-    triangles.offsets.resize(face + 1,
-                             static_cast<std::uint32_t>(triangles.items.size())); // no triangles for the faces before
-    triangles.append(convex ? fan(polygon.outline.size()) : triangles_of(polygon));
+    if (!convex)
+        return triangulate_polygon(polygon.projection.corners);
+    return turns_left_everywhere(polygon) ? std::vector<std::uint32_t>() : fan(polygon.outline.size());
 }
 
-/// Checks a polygon and appends it whole or cut.
-void append_polygon(const Polygon& polygon, const PolyhedronOptions& options, PolygonFaces& result) {
-    if (polygon.projection.is_flat)
-        polygon.refuse("has no area beyond rounding (its outline crosses itself, turns back or is too thin)");
-    const double allowed = allowed_deviation(polygon.projection, options);
-    if (polygon.projection.deviation <= allowed)
-        append_whole(polygon, result);
-    else if (options.triangulate)
-        append_cut(polygon, result.faces);
-    else
-        polygon.refuse("is not planar (its vertices leave a plane by " + number_text(polygon.projection.deviation, 3) +
-                       ", and " + number_text(allowed, 3) + " is allowed)");
-}
+/// The faces of a mesh, polygon by polygon.
+class PolygonSorter {
+public:
+    PolygonSorter(std::span<const Eigen::Vector3d> vertices, const PolyhedronOptions& options, FaceOutlines collapsed)
+        : vertices_(vertices), options_(options) {
+        cut_.collapsed = std::move(collapsed);
+    }
+
+    void append(std::span<const std::uint32_t> outline, std::uint32_t source) {
+        if (outline.size() == 3)
+            cut_.proper.append(outline, source);
+        else
+            append_polygon({vertices_, outline, source, project_polygon(vertices_, outline)});
+    }
+
+    PolygonFaces take() {
+        if (!triangles_.items.empty())
+            triangles_.offsets.resize(cut_.proper.source.size() + 1, triangles_.offsets.back());
+        return {std::move(cut_.proper), std::move(triangles_), std::move(cut_.collapsed)};
+    }
+
+private:
+    /// Checks a polygon and appends it whole or cut.
+    void append_polygon(const Polygon& polygon) {
+        if (polygon.projection.is_flat)
+            return append_without_plane(polygon);
+        const double allowed = allowed_deviation(polygon.projection, options_);
+        if (polygon.projection.deviation <= allowed)
+            return append_planar(polygon);
+        if (!options_.triangulate)
+            polygon.refuse("is not planar (its vertices leave a plane by " +
+                           number_text(polygon.projection.deviation, 3) + ", and " + number_text(allowed, 3) +
+                           " is allowed)");
+        append_cut(polygon, cut_);
+    }
+
+    /// A thin polygon is a fan of thin triangles: its corners are within rounding of a line, so all ways to cut it are.
+    void append_without_plane(const Polygon& polygon) {
+        if (!options_.triangulate && !is_thin(polygon))
+            polygon.refuse("has no area beyond rounding (its outline crosses itself or turns back)");
+        append_triangles(polygon, fan(polygon.outline.size()), cut_);
+    }
+
+    /// Appends a planar polygon as one face, if its outline is simple.
+    void append_planar(const Polygon& polygon) {
+        const std::size_t folded = find_turning_back(polygon.projection.corners);
+        const bool is_folded = folded < polygon.outline.size();
+        if (is_folded && !options_.triangulate)
+            polygon.refuse("its outline turns back onto itself at vertex " + std::to_string(polygon.outline[folded]));
+        const auto triangles = is_folded ? std::nullopt : covering_triangles(polygon);
+        if (triangles)
+            return append_whole(polygon, *triangles);
+        if (!options_.triangulate)
+            polygon.refuse("its outline crosses itself");
+        append_cut(polygon, cut_);
+    }
+
+    void append_whole(const Polygon& polygon, std::span<const std::uint32_t> triangles) {
+        const std::size_t face = cut_.proper.source.size();
+        cut_.proper.append(polygon.outline, polygon.source);
+        if (triangles.empty())
+            return;
+        // no triangles for the faces before
+        triangles_.offsets.resize(face + 1, static_cast<std::uint32_t>(triangles_.items.size()));
+        triangles_.append(triangles);
+    }
+
+    std::span<const Eigen::Vector3d> vertices_;
+    const PolyhedronOptions& options_;
+    SortedFaces cut_;
+    FlatLists<std::uint32_t> triangles_;
+};
 
 } // namespace
 
-PolygonFaces examine_polygons(FaceOutlines given, std::span<const Eigen::Vector3d> vertices,
+PolygonFaces examine_polygons(SortedFaces given, std::span<const Eigen::Vector3d> vertices,
                               const PolyhedronOptions& options) {
-    PolygonFaces result;
-    if (given.outlines.items.size() == 3 * given.source.size()) {
-        result.faces = std::move(given);
-        return result;
-    }
-    for (std::size_t i = 0; i < given.source.size(); ++i) {
-        const std::span<const std::uint32_t> outline = given.outlines[i];
-        if (outline.size() == 3)
-            result.faces.append(outline, given.source[i]);
-        else
-            append_polygon({vertices, outline, given.source[i], project_polygon(vertices, outline)}, options, result);
-    }
-    if (!result.triangles.items.empty())
-        result.triangles.offsets.resize(result.faces.source.size() + 1, result.triangles.offsets.back());
-    return result;
+    FaceOutlines& proper = given.proper;
+    if (proper.outlines.items.size() == 3 * proper.source.size())
+        return {std::move(proper), {}, std::move(given.collapsed)};
+    PolygonSorter sorter(vertices, options, std::move(given.collapsed));
+    for (std::size_t i = 0; i < proper.source.size(); ++i)
+        sorter.append(proper.outlines[i], proper.source[i]);
+    return sorter.take();
 }
 
 } // namespace chasles

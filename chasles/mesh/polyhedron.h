@@ -16,9 +16,10 @@ namespace chasles {
 
 /// Options for making a body: the treatment of unusual faces, and the number of threads.
 struct PolyhedronOptions {
-    /// Cut polygons that are not planar into triangles. Otherwise they are refused.
+    /// Cut polygons that are not planar, and outlines that cross themselves or turn back, into triangles. Otherwise
+    /// they are refused.
     bool triangulate = false;
-    /// Drop faces without area if edges of other faces cover them. Otherwise they are refused.
+    /// Has no effect: faces without area need no option any more. Kept for programs that set it.
     bool drop_degenerate = false;
     /// Build the hierarchy on at most this many threads (0: all cores). The body is the same bit by bit for any number
     /// of threads. Bodies with fewer than 32,768 faces use only the calling thread.
@@ -36,6 +37,7 @@ struct MeshReport {
     std::size_t boundary_edges = 0;    ///< edges with one face
     std::size_t nonmanifold_edges = 0; ///< edges with three faces or more
     std::size_t dropped_faces = 0;     ///< faces without area that edges of other faces cover
+    std::size_t segments = 0;          ///< kept faces without area, each a segment between two vertices, or a point
     bool closed = false;               ///< no boundary edge
     Eigen::Vector3d lower =
         Eigen::Vector3d::Zero(); ///< lower corner of the bounding box of all used vertices, in the length unit
@@ -56,10 +58,12 @@ public:
     /// Makes a body from `vertices` (n points, in any length unit) and `faces` (m lists of at least three vertex
     /// indices from 0). Throws InvalidInput with the number of the face or vertex. It refuses a mesh without faces, and
     /// an index out of range. It refuses a coordinate that is NaN, infinite, or beyond 1e30 in magnitude, and a body
-    /// smaller than 1e-30. It refuses a face without area, or with fewer than three distinct vertices, that cannot be
-    /// dropped. It refuses an outline that crosses itself or turns back onto itself. It refuses a polygon that is not
-    /// planar, unless options.triangulate. The tolerance for planar polygons is 1e-5 of the greater of the size and the
-    /// coordinates (docs/decisions/0010-polygon-planarity.md).
+    /// smaller than 1e-30. It refuses a mesh in which no face has an area. It refuses an outline that crosses itself or
+    /// turns back onto itself, and a polygon that is not planar, unless options.triangulate. The tolerance for planar
+    /// polygons is 1e-5 of the greater of the size and the coordinates (docs/decisions/0010-polygon-planarity.md).
+    ///
+    /// A face without area, because all its vertices lie on one line, is accepted. The parts of its line that no edge
+    /// of another face covers are kept as segments with edges and vertices (docs/decisions/0071-faces-without-area.md).
     static Polyhedron from_polygons(std::span<const Eigen::Vector3d> vertices,
                                     std::span<const std::vector<std::uint32_t>> faces,
                                     const PolyhedronOptions& options = {});
@@ -79,10 +83,11 @@ public:
     /// The vertices: n points in the body's frame, in the length unit.
     [[nodiscard]] std::span<const Eigen::Vector3d> vertices() const;
 
-    /// The outline of a face: at least three vertex ids in order. `face` is below face_count().
+    /// The outline of a face: at least three vertex ids in order. `face` is below face_count(). A segment is the
+    /// outline a, b, b of its two vertices; a single point is p, p, p.
     [[nodiscard]] std::span<const std::uint32_t> face(std::size_t face) const;
 
-    /// The id of a face in the input. It differs from `face` only if collapsed faces were dropped or polygons were cut.
+    /// The id of a face in the input. It differs from `face` only if there are faces without area or cut polygons.
     [[nodiscard]] std::uint32_t source_face(std::size_t face) const;
 
     /// Triangles that cover a face that is not convex: positions of corners in the outline, three for each triangle.

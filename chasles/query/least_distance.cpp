@@ -63,6 +63,7 @@ private:
     std::optional<PieceResult> first_within(double level, std::size_t& piece);
     [[nodiscard]] LeastDistance of_touch(const FirstContact& touch) const;
     [[nodiscard]] LeastDistance of_nearest();
+    void list_contacts(LeastDistance& answer, const ContactMoment& moment);
 
     const Question& question_;
     std::vector<PieceContext> pieces_;
@@ -207,19 +208,26 @@ LeastDistance LeastDistanceSearch::of_nearest() {
     answer.certain = is_narrow();
     answer.pose = piece.pose_at(tau);
     answer.fixed_pose = piece.fixed_pose_at(tau);
-    const ContactMoment moment(context, tau, false, nearest_.at.near.distance, 0);
-    std::vector<contact::FeaturePair> pairs = {nearest_.at.near.features};
-    if (question_.options.find == Find::first_with_all_contacts) {
-        search::NearFeatures near = moment.find({});
-        work_ += near.work;
-        answer.contacts_cut = near.is_cut;
-        if (!near.pairs.empty())
-            pairs = std::move(near.pairs);
-    }
-    answer.contacts = moment.contacts_of(pairs);
-    answer.contacts_cut = query::cut_to_most(answer.contacts) || answer.contacts_cut;
+    list_contacts(answer, ContactMoment(context, tau, false, nearest_.at.near.distance, 0));
     answer.work = work_;
     return answer;
+}
+
+/// The features whose nearest points are inside them. The descent may have stopped at a face beside one of its edges.
+void LeastDistanceSearch::list_contacts(LeastDistance& answer, const ContactMoment& moment) {
+    constexpr std::size_t enough_for_one = 16;
+    const bool lists_all = question_.options.find == Find::first_with_all_contacts;
+    search::NearSearch search;
+    if (!lists_all)
+        search.most_pairs = enough_for_one;
+    search::NearFeatures near = moment.find(search);
+    work_ += near.work;
+    if (near.pairs.empty())
+        near.pairs = {nearest_.at.near.features};
+    answer.contacts = moment.contacts_of(near.pairs);
+    answer.contacts_cut = lists_all && (query::cut_to_most(answer.contacts) || near.is_cut);
+    if (!lists_all)
+        answer.contacts.resize(1);
 }
 
 LeastDistance answer_of(const Question& question) {

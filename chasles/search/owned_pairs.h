@@ -36,7 +36,7 @@ public:
         }
         visit_vertices({face_vertex, {faces_.moving, faces_.moving}, {}});
         for (const Edge& edge : moving.owned_edges(faces_.moving)) {
-            if (!moving_sides.may_meet(edge))
+            if (!moving_sides.may_meet(edge) || is_left_to_its_vertex(edge))
                 continue;
             if constexpr (all_kinds)
                 visit_vertices({edge_vertex, {edge.from, edge.to}, {}});
@@ -45,6 +45,9 @@ public:
     }
 
 private:
+    /// A face that is a point has an edge without length. Its vertex takes part in all kinds of pairs by itself.
+    static bool is_left_to_its_vertex(const Edge& edge) { return all_kinds && edge.from == edge.to; }
+
     /// The moving feature of `features` and each vertex of the fixed face, or each edge.
     void visit_vertices(contact::FeaturePair features) {
         for (const std::uint32_t vertex : fixed_.owned_vertices(faces_.fixed))
@@ -55,7 +58,7 @@ private:
     }
     void visit_edges(contact::FeaturePair features) {
         for (const Edge& edge : fixed_.owned_edges(faces_.fixed))
-            if (fixed_sides_.may_meet(edge)) {
+            if (fixed_sides_.may_meet(edge) && !is_left_to_its_vertex(edge)) {
                 features.fixed = {edge.from, edge.to};
                 visit_(features);
             }

@@ -143,6 +143,7 @@ void bind_report(nb::module_& module) {
         .def_ro("boundary_edges", &MeshReport::boundary_edges, doc("MeshReport.boundary_edges"))
         .def_ro("nonmanifold_edges", &MeshReport::nonmanifold_edges, doc("MeshReport.nonmanifold_edges"))
         .def_ro("dropped_faces", &MeshReport::dropped_faces, doc("MeshReport.dropped_faces"))
+        .def_ro("segments", &MeshReport::segments, doc("MeshReport.segments"))
         .def_ro("closed", &MeshReport::closed, doc("MeshReport.closed"))
         .def("__repr__", repr_of_report);
 }

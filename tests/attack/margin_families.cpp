@@ -45,7 +45,9 @@ MarginCase plain(AttackRandom& random) {
 
 /// A case that is degenerate for touches, with a margin.
 MarginCase degenerate(AttackRandom& random) {
-    const auto families = mesh_families();
+    constexpr std::size_t fixed_count =
+        16; // later families have margin families of their own, and cases keep their ids
+    const auto families = mesh_families().first(fixed_count);
     const MeshCase posed = families[std::size_t(random.integer(1, int(families.size()) - 1))].make(random);
     return {posed, some_margin(posed.moving, random)};
 }
@@ -240,6 +242,12 @@ MarginCase other_units(AttackRandom& random) {
     return result;
 }
 
+/// Faces without area.
+MarginCase segments(AttackRandom& random) {
+    const MeshCase posed = mesh_families().back().make(random);
+    return {posed, some_margin(posed.moving, random)};
+}
+
 constexpr MarginFamily families[] = {
     {"plain", 0.2, plain},
     {"degenerate", 0.15, degenerate},
@@ -252,6 +260,7 @@ constexpr MarginFamily families[] = {
     {"slivers", 0.05, slivers},
     {"far off", 0.05, far_off},
     {"other units", 0.05, other_units},
+    {"segments", 0.05, segments},
 };
 
 } // namespace

@@ -252,6 +252,24 @@ MeshCase landing(AttackRandom& random) {
     return result;
 }
 
+/// Faces without area among others, apart or in touch.
+MeshCase segments(AttackRandom& random) {
+    Shape fixed = random_shape(random);
+    Shape moving = random_shape(random);
+    const Eigen::Vector3d direction = some_direction(fixed, random);
+    if (random.chance(0.8))
+        add_segments(fixed, random);
+    if (random.chance(0.8))
+        add_segments(moving, random);
+    MotionWish wish;
+    if (random.chance(0.3))
+        wish.turns = 0;
+    if (random.chance(0.1))
+        wish.tau = 0;
+    set_against(moving, fixed, direction, random);
+    return placed(lattice_motion(random, wish), moving, fixed);
+}
+
 constexpr MeshFamily families[] = {
     {"random", 0.08, random_pair},
     {"grid", 0.1, grid_pair},
@@ -269,6 +287,7 @@ constexpr MeshFamily families[] = {
     {"half turn", 0.03, half_turn},
     {"flat", 0.04, flat},
     {"landing", 0.03, landing},
+    {"segments", 0.08, segments},
 };
 
 } // namespace

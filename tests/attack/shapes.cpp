@@ -2,6 +2,7 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
+#include <array>
 
 namespace chasles::attack {
 
@@ -158,6 +159,41 @@ Shape random_shape(AttackRandom& random) {
         return random.chance(0.5) ? notched_block() : dented_box();
     default:
         return fan_shape(random);
+    }
+}
+
+void add_segments(Shape& shape, AttackRandom& random) {
+    for (int i = random.integer(1, 3); i > 0; --i) {
+        const auto count = static_cast<std::uint32_t>(shape.vertices.size());
+        const auto from = std::uint32_t(random.integer(0, int(count) - 1));
+        const auto to = random.chance(0.3) ? std::uint32_t(random.integer(0, int(count) - 1)) : count;
+        if (to == count)
+            shape.vertices.push_back(lattice_point(random, 3));
+        if (shape.vertices[from] == shape.vertices[to])
+            continue; // the reference has no single points
+        switch (random.integer(0, 3)) {
+        case 0:
+            shape.faces.push_back({from, to, to});
+            break;
+        case 1: // three corners on one line, the last one anywhere on it
+            shape.vertices.push_back(shape.vertices[from] + random.pick(std::array{-1.0, 0.5, 0.5, 2.0}) *
+                                                                (shape.vertices[to] - shape.vertices[from]));
+            shape.faces.push_back({from, to, std::uint32_t(shape.vertices.size() - 1)});
+            break;
+        case 2: // two vertices at one place
+            shape.vertices.push_back(shape.vertices[to]);
+            shape.faces.push_back({from, to, std::uint32_t(shape.vertices.size() - 1)});
+            break;
+        default:
+            shape.faces.push_back({to, from, to, from});
+            break;
+        }
+    }
+    if (random.chance(0.3)) {
+        auto face = random.pick(shape.faces);
+        if (random.chance(0.5))
+            std::reverse(face.begin(), face.end());
+        shape.faces.push_back(face);
     }
 }
 

@@ -27,6 +27,10 @@ Shape fan_shape(AttackRandom& random);
 /// Whether every face has an area, as the reference requires.
 bool have_area(const Shape& shape);
 
+/// Adds faces without area: edges of the shape, wires from its vertices to points of the lattice, triangles with three
+/// corners on one line, and repeated vertices. Also a face twice, or once more the other way around.
+void add_segments(Shape& shape, AttackRandom& random);
+
 /// Replaces polygons, which rounding would warp, by fans of triangles.
 void cut_into_triangles(Shape& shape);
 

@@ -25,6 +25,13 @@ TEST_F(Errors, Folder) {
     EXPECT_EQ(error_line("info ."), "chasles: .: is a directory, not a file");
 }
 
+TEST_F(Errors, DeviceWithoutEnd) {
+    EXPECT_EQ(error_line("info /dev/zero"),
+              "chasles: /dev/zero: is a device, which need not end; give a file or a pipe");
+    EXPECT_EQ(error_line("path cube.obj cube.obj --poses /dev/zero"),
+              "chasles: /dev/zero: is a device, which need not end; give a file or a pipe");
+}
+
 TEST_F(Errors, EmptyFile) {
     EXPECT_EQ(mesh_error("empty.stl", ""), "chasles: empty.stl: is empty");
 }
@@ -46,9 +53,12 @@ TEST_F(Errors, IndexOutOfRange) {
               "chasles: far.obj: line 4: vertex index 9 is out of range; there are 3 vertices");
 }
 
-TEST_F(Errors, FaceWithoutArea) {
-    const std::string line = mesh_error("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 4\n");
-    EXPECT_TRUE(line.starts_with("chasles: flat.obj: line 5: face 0: has no area")) << line;
+TEST_F(Errors, FaceThatCrossesItself) {
+    const std::string line = mesh_error("tie.obj", "v 0 0 0\nv 1 1 0\nv 1 0 0\nv 0 1 0\nf 1 2 3 4\n");
+    EXPECT_EQ(line,
+              "chasles: tie.obj: line 5: face 0: has no area beyond rounding (its outline crosses itself or turns "
+              "back); the option triangulate accepts it");
+    EXPECT_EQ(run("info tie.obj --triangulate").status, 0);
 }
 
 TEST_F(Errors, PolygonThatIsNotPlanar) {

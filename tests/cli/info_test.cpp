@@ -22,12 +22,19 @@ TEST_F(Info, DescribesAMesh) {
     EXPECT_TRUE(run("info cube.obj").out.starts_with("cube.obj: closed\n"));
 }
 
+TEST_F(Info, CountsSegments) {
+    write("wire.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 9\nf 1 2 3\nf 1 4 4\n");
+    EXPECT_EQ(nlohmann::json::parse(run("info wire.obj --json").out)["segments"], 1);
+    EXPECT_NE(run("info wire.obj").out.find("1 of them segments without area"), std::string::npos);
+}
+
 TEST_F(Info, SaysWhatWasDropped) {
     write("flat.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nv 0 -1 0\nf 1 2 4\nf 2 3 4\nf 1 3 5\nf 1 2 3\n");
-    EXPECT_EQ(run("info flat.obj").status, 2);
-    const auto mesh = nlohmann::json::parse(run("info flat.obj --drop-degenerate --json").out);
+    const auto mesh = nlohmann::json::parse(run("info flat.obj --json").out);
     EXPECT_EQ(mesh["dropped_faces"], 1);
+    EXPECT_EQ(mesh["segments"], 0);
     EXPECT_EQ(mesh["closed"], false);
+    EXPECT_EQ(run("info flat.obj --drop-degenerate --json").out, run("info flat.obj --json").out);
 }
 
 } // namespace

@@ -42,6 +42,24 @@ double distance_of(const Corners& a, const Corners& b) {
     return std::sqrt(test::squared_distance_of_triangles<double>(a, b));
 }
 
+TEST(NearTest, NoVertexIsBelowASegment) {
+    test::Body wire = test::triangle({0, 0, -50}, {1, 0, -50}, {0, 1, -50});
+    wire.vertices.insert(wire.vertices.end(), {{-1, 0, 0}, {1, 0, 0}});
+    wire.faces.push_back({3, 4, 4});
+    const Polyhedron fixed = wire.polyhedron();
+    const Polyhedron moving =
+        test::triangle({0, 0, 0}, {1, 0, 5}, {0, 1, 5}).polyhedron(); // its vertex 0 is on the wire
+    const Motion motion = ScrewMotion::between(Pose{}, Pose{});
+    const auto piece = motion.trajectory().pieces()->at(0);
+    const motion::ControlMaps<double> maps = motion::double_maps(piece->cubic());
+    const RelativeConfiguration bodies(moving.body(), fixed.body(), maps, 0);
+    const ContactScene scene{bodies, true, 0.125, 1e-13};
+    NearTest test(scene);
+    EXPECT_FALSE(test.are_near({ContactKind::vertex_face, {0, 0}, {1, 1}}));
+    EXPECT_TRUE(test.are_near({ContactKind::vertex_edge, {0, 0}, {3, 4}}));
+    EXPECT_EQ(test.side_on_fixed_face(1, 0), 0);
+}
+
 TEST(NearTest, SomeFeaturesOfTrianglesAreNearIfTheTrianglesAre) {
     std::mt19937 random(3);
     int near_pairs = 0, far_pairs = 0;

@@ -188,19 +188,22 @@ TEST(Polyhedron, RemovesMergedCornersOfAQuadThatKeepsAnArea) {
     EXPECT_TRUE(cube.report().closed);
 }
 
-TEST(Polyhedron, DropsFacesWithoutAreaOnRequest) {
+TEST(Polyhedron, DropsFacesWithoutAreaThatEdgesCover) {
     Soup soup = test::cube();
     soup.vertices.emplace_back(0.25, 0, 0);
     soup.vertices.emplace_back(0.75, 0, 0);
     soup.faces.push_back({0, 8, 1});    // on one edge of its neighbours
     soup.faces.push_back({0, 0, 1});    // has a vertex twice
     soup.faces.push_back({8, 9, 1, 0}); // four corners on one line
-    EXPECT_EQ(made_from(soup, {.drop_degenerate = true}).report().dropped_faces, 3U);
+    const Polyhedron cube = made_from(soup);
+    EXPECT_EQ(cube.report().dropped_faces, 3U);
+    EXPECT_EQ(cube.report().segments, 0U);
+    EXPECT_EQ(made_from(soup, {.drop_degenerate = true}).report().dropped_faces, 3U) << "the option has no effect";
 }
 
 TEST(Polyhedron, DropsFacesThatShorterEdgesCover) {
     Soup soup{{{0, 0, 0}, {1, 0, 0}, {2, 0, 0}, {0, 1, 0}, {2, 1, 0}}, {{0, 1, 3}, {1, 2, 4}, {0, 2, 1}}};
-    EXPECT_EQ(made_from(soup, {.drop_degenerate = true}).report().dropped_faces, 1U);
+    EXPECT_EQ(made_from(soup).report().dropped_faces, 1U);
 }
 
 TEST(Polyhedron, KeepsPolygonsThatAreNotConvexInOnePiece) {
@@ -301,9 +304,8 @@ TEST(Polyhedron, AgreesWithTheCountsOfOthersOnRealMeshes) {
         GTEST_SKIP() << "no external data";
     for (const test::ManifestRow& row : rows) {
         SCOPED_TRACE(row.file);
-        // The manifest counts equal vertices separately. Faces without area require the option.
-        const Polyhedron body =
-            made_from(test::read_obj(test::shared_data() / row.file), {.drop_degenerate = row.zero_area > 0});
+        // The manifest counts equal vertices separately.
+        const Polyhedron body = made_from(test::read_obj(test::shared_data() / row.file));
         const MeshReport report = body.report();
         EXPECT_EQ(report.vertices, row.vertices);
         EXPECT_EQ(report.distinct_vertices, row.distinct_vertices);

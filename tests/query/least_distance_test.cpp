@@ -10,6 +10,7 @@
 #include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
+#include <set>
 
 namespace chasles::test {
 namespace {
@@ -113,6 +114,32 @@ TEST(LeastDistance, InsideAnotherBody) {
     const LeastDistance found =
         ask(box({0.1, 0.1, 0.1}).polyhedron(), cube(), ScrewMotion::between(shifted(0, 0, 0), shifted(0.7, 0, 0)));
     expect_distance(found, 0.2);
+}
+
+/// The nearest points are on the features that the answer names, whichever the descent followed.
+TEST(LeastDistance, NamesTheNearestFeatures) {
+    std::mt19937 random(8);
+    int apart = 0;
+    std::set<ContactKind> kinds;
+    for (int i = 0; i < 200; ++i) {
+        const Polyhedron moving = random_octahedron(random).polyhedron();
+        const LeastDistance found =
+            ask(moving, cube(), ScrewMotion::between(random_pose(random, 4, 2), random_pose(random, 4, 2)));
+        if (found.distance.upper <= 0)
+            continue;
+        ++apart;
+        ASSERT_EQ(found.contacts.size(), 1u);
+        const Contact& contact = found.contacts[0];
+        kinds.insert(contact.kind);
+        EXPECT_NEAR(contact.gap, found.distance.upper, 2e-6 * found.distance.upper) << i;
+        EXPECT_NEAR(distance_at(moving, cube(), found.pose), found.distance.upper, 1e-12);
+        for (const double step : {1.0, 1e-3}) { // no nearer beside the points: the cube is convex
+            const Eigen::Vector3d outside = contact.point + step * contact.gap * contact.normal;
+            EXPECT_NEAR((outside - outside.cwiseMax(-1).cwiseMin(1)).norm(), step * contact.gap, 1e-9) << i;
+        }
+    }
+    EXPECT_GT(apart, 50);
+    EXPECT_GE(kinds.size(), 4u);
 }
 
 TEST(LeastDistance, ListsAllNearestFeatures) {

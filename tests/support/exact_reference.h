@@ -11,24 +11,47 @@
 
 namespace chasles::reference {
 
-/// All vertices, the vertices that are corners of faces, the edges of faces, and triangles that cover the faces. Every
-/// triangle has an area.
+/// All vertices, the vertices that are corners of faces, the edges of faces, and triangles that cover the faces with an
+/// area. A face without area is its edges.
 struct Surface {
     std::vector<Eigen::Vector3d> vertices;
     std::set<std::uint32_t> corners;
     std::vector<std::array<std::uint32_t, 2>> edges;
     std::vector<std::array<std::uint32_t, 3>> triangles;
+    std::vector<std::array<std::uint32_t, 2>> segments; ///< edges of triangles without area
 
     /// From faces that are convex and exactly planar polygons.
     static Surface from_convex_faces(std::span<const Eigen::Vector3d> vertices,
                                      std::span<const std::vector<std::uint32_t>> faces) {
-        Surface surface{{vertices.begin(), vertices.end()}, {}, {}, {}};
+        Surface surface{{vertices.begin(), vertices.end()}, {}, {}, {}, {}};
         for (const auto& face : faces) {
             surface.add_outline(face);
             for (std::size_t i = 1; i + 1 < face.size(); ++i)
-                surface.triangles.push_back({face[0], face[i], face[i + 1]});
+                surface.add_triangle({face[0], face[i], face[i + 1]});
         }
         return surface;
+    }
+
+    void add_triangle(const std::array<std::uint32_t, 3>& triangle) {
+        if (has_area(triangle))
+            return triangles.push_back(triangle);
+        for (std::size_t i = 0; i < 3; ++i)
+            if (vertices[triangle[i]] != vertices[triangle[(i + 1) % 3]])
+                segments.push_back({triangle[i], triangle[(i + 1) % 3]});
+    }
+
+    [[nodiscard]] bool has_area(const std::array<std::uint32_t, 3>& triangle) const {
+        const auto point = [&](std::size_t i) {
+            const Eigen::Vector3d& v = vertices[triangle[i]];
+            return std::array{Rational(v.x()), Rational(v.y()), Rational(v.z())};
+        };
+        const auto a = point(0), b = point(1), c = point(2);
+        for (std::size_t x = 0; x < 3; ++x) {
+            const std::size_t y = (x + 1) % 3;
+            if ((b[x] - a[x]) * (c[y] - a[y]) != (b[y] - a[y]) * (c[x] - a[x]))
+                return true;
+        }
+        return false;
     }
 
     void add_outline(const std::vector<std::uint32_t>& face) {
@@ -37,7 +60,7 @@ struct Surface {
             const std::uint32_t from = face[i];
             const std::uint32_t to = face[(i + 1) % face.size()];
             const std::array edge{std::min(from, to), std::max(from, to)};
-            if (std::find(edges.begin(), edges.end(), edge) == edges.end())
+            if (vertices[from] != vertices[to] && std::find(edges.begin(), edges.end(), edge) == edges.end())
                 edges.push_back(edge);
         }
     }
@@ -190,9 +213,12 @@ private:
     static bool any_edge_meets(const Surface& a, const std::vector<Point>& at, const Surface& b,
                                const std::vector<Point>& bt) {
         return std::any_of(a.edges.begin(), a.edges.end(), [&](const auto& e) {
-            return std::any_of(b.triangles.begin(), b.triangles.end(), [&](const auto& t) {
-                return segment_meets_triangle(at[e[0]], at[e[1]], {&bt[t[0]], &bt[t[1]], &bt[t[2]]});
-            });
+            return std::any_of(b.triangles.begin(), b.triangles.end(),
+                               [&](const auto& t) {
+                                   return segment_meets_triangle(at[e[0]], at[e[1]], {&bt[t[0]], &bt[t[1]], &bt[t[2]]});
+                               }) ||
+                   std::any_of(b.segments.begin(), b.segments.end(),
+                               [&](const auto& s) { return do_segments_meet(at[e[0]], at[e[1]], bt[s[0]], bt[s[1]]); });
         });
     }
 

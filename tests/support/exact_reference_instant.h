@@ -63,6 +63,13 @@ inline bool meets_in_plane(const Point& p, const Point& q, const Triangle& t) {
 
 } // namespace detail
 
+/// Whether two closed segments have a common point: they are coplanar, and they meet along each axis. Seen along one of
+/// the axes, no two points of their plane or line coincide.
+inline bool do_segments_meet(const Point& p, const Point& q, const Point& a, const Point& b) {
+    return detail::volume_sign(p, q, a, b) == 0 && detail::View{0, 1}.do_segments_meet(p, q, a, b) &&
+           detail::View{1, 2}.do_segments_meet(p, q, a, b) && detail::View{2, 0}.do_segments_meet(p, q, a, b);
+}
+
 /// Whether a closed segment and a closed triangle with an area have a common point.
 inline bool segment_meets_triangle(const Point& p, const Point& q, const Triangle& t) {
     for (std::size_t i = 0; i < 3; ++i) {
