@@ -43,6 +43,7 @@ void add_commands(CLI::App& app, Task& task) {
     app.footer("Exit status: 0 clear, 1 contact, 2 wrong input or usage.");
     app.require_subcommand(1);
     add_check(app, task);
+    add_clearance(app, task);
     add_view(app, task);
     add_path(app, task);
     add_batch(app, task);

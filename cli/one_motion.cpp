@@ -74,7 +74,7 @@ void add_pose_options(CLI::App& command, OneMotionOptions& options) {
 
 } // namespace
 
-void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
+void add_motion_options(CLI::App& command, OneMotionOptions& options) {
     add_body_options(command, options.bodies);
     add_pose_options(command, options);
     command.add_option("--motion", options.motion, "the motion between the poses: screw or sweep")
@@ -82,6 +82,10 @@ void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
         ->capture_default_str();
     command.add_option("--centre", options.centre, "point of the moving body that a sweep carries along a line")
         ->type_name("\"X Y Z\"");
+}
+
+void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
+    add_motion_options(command, options);
     add_query_options(command, options.query);
 }
 

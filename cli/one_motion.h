@@ -27,6 +27,8 @@ struct OneMotion {
     Bodies bodies;
 };
 
+/// The options of the bodies and of the motion, and with those of the query.
+void add_motion_options(CLI::App& command, OneMotionOptions& options);
 void add_one_motion_options(CLI::App& command, OneMotionOptions& options);
 
 /// Reads poses, numbers and bodies. Throws InvalidInput.

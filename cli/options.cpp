@@ -19,10 +19,7 @@ auto naming_option(const std::string& option, const Read& read) {
 
 } // namespace
 
-void add_batch_query_options(CLI::App& command, QuestionOptions& options) {
-    command.add_option("--margin", options.margin, "distance of the surfaces that counts as contact")
-        ->type_name("D")
-        ->capture_default_str();
+void add_search_options(CLI::App& command, QuestionOptions& options) {
     command
         .add_option("--max-turn-deg", options.max_turn_degrees,
                     "a screw that turns by more is cut into equal turns; 180: one screw in one piece")
@@ -31,6 +28,13 @@ void add_batch_query_options(CLI::App& command, QuestionOptions& options) {
     command.add_option("--time-tolerance", options.time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();
+}
+
+void add_batch_query_options(CLI::App& command, QuestionOptions& options) {
+    command.add_option("--margin", options.margin, "distance of the surfaces that counts as contact")
+        ->type_name("D")
+        ->capture_default_str();
+    add_search_options(command, options);
     command.add_flag("--any", options.any, "stop at any contact, which need not be the first one");
 }
 

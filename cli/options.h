@@ -29,9 +29,10 @@ struct Bodies {
     Polyhedron fixed;
 };
 
-/// The options of every question, or without --hold those of a batch.
-void add_query_options(CLI::App& command, QuestionOptions& options);
+/// The options of every search; with those for contacts, but for --hold; and with all.
+void add_search_options(CLI::App& command, QuestionOptions& options);
 void add_batch_query_options(CLI::App& command, QuestionOptions& options);
+void add_query_options(CLI::App& command, QuestionOptions& options);
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options);
 void add_body_options(CLI::App& command, BodyOptions& options);
 

@@ -118,4 +118,20 @@ std::string report(const FirstContact& found, const view::MotionNumbers& motion,
     return headline(found, margin) + details(found, motion, margin);
 }
 
+std::string report(const LeastDistance& found, const view::MotionNumbers& motion) {
+    const bool is_touching = found.distance.upper <= 0;
+    const std::string time = fmt::format("at time {:.12g}", found.time.lower);
+    std::string text = is_touching ? "NO CLEARANCE: the bodies touch " + time + "\n"
+                                   : fmt::format("CLEARANCE {:.9g} {}\n", found.distance.lower, time);
+    text += report(motion) + labelled("distance", text_of(found.distance)) + labelled("time", text_of(found.time)) +
+            labelled("certain", found.certain ? "yes" : "no: the bracket of the distance is wider than asked");
+    if (!found.contacts.empty())
+        text += report(found.contacts, is_touching ? "touching" : "nearest", !is_touching);
+    if (found.overlap)
+        text += report(*found.overlap);
+    else if (found.contacts_cut)
+        text += labelled("", "the list is cut: there are more nearest features");
+    return text + report(found.work);
+}
+
 } // namespace chasles::cli

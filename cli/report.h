@@ -11,6 +11,9 @@ namespace chasles::cli {
 /// report shows the gaps.
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
+/// The answer of `clearance`.
+std::string report(const LeastDistance& found, const view::MotionNumbers& motion);
+
 /// The two parts of report(): the verdict in one line, and the details.
 std::string headline(const FirstContact& found, double margin);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin);

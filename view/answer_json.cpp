@@ -107,4 +107,20 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     return answer;
 }
 
+Json answer_json(const LeastDistance& found) {
+    Json answer;
+    answer["distance"] = found.distance.lower;
+    answer["distance_upper"] = found.distance.upper;
+    answer["time"] = found.time.lower;
+    answer["time_upper"] = found.time.upper;
+    answer["certain"] = found.certain;
+    answer["contacts"] = json_of(found.contacts);
+    if (found.contacts_cut)
+        answer["contacts_cut"] = true;
+    if (found.overlap)
+        answer["overlap"] = json_of(*found.overlap);
+    answer["work"] = json_of(found.work);
+    return answer;
+}
+
 } // namespace chasles::view

@@ -14,6 +14,9 @@ using Json = nlohmann::ordered_json;
 /// and contacts_cut if true.
 Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 
+/// The answer of `clearance`.
+Json answer_json(const LeastDistance& found);
+
 Json vector_json(const Eigen::Vector3d& vector);
 /// x, y, z, qw, qx, qy, qz. The quaternion has length one.
 Json pose_json(const Pose& pose);

@@ -16,6 +16,7 @@ from ._core import (
     Contact,
     FirstContact,
     InvalidInput,
+    LeastDistance,
     MeshReport,
     Overlap,
     PathContact,
@@ -27,12 +28,13 @@ from ._core import (
     constraint_rows,
     first_contact,
     first_contact_on_path,
+    least_distance,
     load,
 )
-from .batch import BatchInterrupted, first_contact_batch, path_is_clear_batch
+from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .enums import ContactKind, Find, Verdict
 from .meshes import from_trimesh
-from .table import empty_table, motion_dtype, path_dtype
+from .table import empty_table, least_dtype, motion_dtype, path_dtype
 from .view import view, write_page
 
 __all__ = [
@@ -42,6 +44,7 @@ __all__ = [
     "Find",
     "FirstContact",
     "InvalidInput",
+    "LeastDistance",
     "MeshReport",
     "Overlap",
     "PathContact",
@@ -57,6 +60,9 @@ __all__ = [
     "first_contact_batch",
     "first_contact_on_path",
     "from_trimesh",
+    "least_distance",
+    "least_distance_batch",
+    "least_dtype",
     "load",
     "motion_dtype",
     "path_dtype",

@@ -13,7 +13,7 @@ import numpy.typing as npt
 from . import _core
 from ._core import InvalidInput, Polyhedron
 from .enums import Find
-from .table import NOT_DONE, empty_table, motion_dtype, path_dtype
+from .table import NOT_DONE, empty_table, least_dtype, motion_dtype, path_dtype
 
 Table = npt.NDArray[np.void]
 Errors = Literal["raise", "mark"]
@@ -90,6 +90,46 @@ def first_contact_batch(
     table = _table_for(table, len(starts) if starts.ndim else 0, motion_dtype)
     answer_rows = partial(_core._first_contact_batch, moving, fixed, starts, goals, table, hold=hold)
     options = {"margin": margin, "time_tolerance": time_tolerance, "max_turn": max_turn, "find": find}
+    return _run(answer_rows, table, options, threads, errors, progress, "motions")
+
+
+def least_distance_batch(
+    moving: Polyhedron,
+    fixed: Polyhedron,
+    starts: npt.ArrayLike,
+    goals: npt.ArrayLike,
+    *,
+    tolerance: float = 1e-6,
+    time_tolerance: float = 1e-12,
+    max_turn: float = math.pi / 18,
+    threads: int = 0,
+    errors: Errors = "raise",
+    progress: bool = False,
+    table: Table | None = None,
+) -> Table:
+    """How near two bodies come during many motions, when, and where.
+
+    Each motion is the screw from its start to its goal.
+
+    Parameters
+    ----------
+    moving, fixed : Polyhedron
+    starts, goals : array (n, 4, 4) or (n, 7)
+        Poses of the moving body in the frame of the fixed body, in the form that `first_contact` takes.
+    tolerance, time_tolerance, max_turn
+        As for `least_distance`. A row holds one pair of nearest features.
+    threads, errors, progress, table
+        As for `first_contact_batch`.
+
+    Returns
+    -------
+    structured array of n rows
+        With the columns of `chasles.table`. The verdict is "clear" where the bodies are proven to stay apart.
+    """
+    starts, goals = _array(starts, "starts"), _array(goals, "goals")
+    table = _table_for(table, len(starts) if starts.ndim else 0, least_dtype)
+    answer_rows = partial(_core._least_distance_batch, moving, fixed, starts, goals, table)
+    options = {"tolerance": tolerance, "time_tolerance": time_tolerance, "max_turn": max_turn}
     return _run(answer_rows, table, options, threads, errors, progress, "motions")
 
 

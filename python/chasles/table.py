@@ -18,6 +18,9 @@ They have the columns of ``chasles batch``, ``clear_until``, and for paths ``seg
 ``nx ny nz``        contact normal, from the fixed body to the moving body
 ``clear_until``     the bodies are proven to stay farther apart than the margin (with ``hold``: than the hold
                     distance) before this time
+``distance``        (least distances only) proven: the surfaces are never nearer; ``time`` and the features are
+                    then those of the least distance
+``distance_upper``  (least distances only) upper end of the bracket of the least distance
 ``segment``         (paths only) the contact is between pose ``segment`` and the next one; -1 if clear
 ==================  =====================================================================================
 """
@@ -46,6 +49,16 @@ motion_dtype = np.dtype(
     align=True,
 )
 
+#: One row of a batch of least distances.
+least_dtype = np.dtype(
+    [
+        *((name, motion_dtype[name]) for name in motion_dtype.names or ()),
+        ("distance", np.float64),
+        ("distance_upper", np.float64),
+    ],
+    align=True,
+)
+
 #: One row of a batch of paths.
 path_dtype = np.dtype(
     [*((name, motion_dtype[name]) for name in motion_dtype.names or ()), ("segment", np.int64)], align=True
@@ -57,6 +70,9 @@ def _blank_row(dtype: np.dtype) -> npt.NDArray[np.void]:
     row["verdict"] = NOT_DONE
     for name in ("time", "time_upper", "tau", "tau_upper", "px", "py", "pz", "nx", "ny", "nz"):
         row[name] = np.nan
+    for name in ("distance", "distance_upper"):
+        if name in (dtype.names or ()):
+            row[name] = np.nan
     for name in ("moving_feature", "fixed_feature", "segment"):
         if name in (dtype.names or ()):
             row[name] = -1

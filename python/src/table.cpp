@@ -34,8 +34,6 @@ void write_times(const FirstContact& found, Row& row) {
     row.time_upper = is_clear ? no_number : found.time.upper;
     row.tau = is_clear ? no_number : found.tau.lower;
     row.tau_upper = is_clear ? no_number : found.tau.upper;
-    row.certain = found.certain;
-    row.clear_until = found.clear_until;
 }
 
 void clear_geometry(Row& row) {
@@ -61,10 +59,9 @@ void write_geometry(const Overlap& overlap, Row& row) {
     write_vector(overlap.point, row.point);
 }
 
-} // namespace
-
-void write(const FirstContact& found, Row& row) {
-    write_times(found, row);
+void write_all_but_times(const FirstContact& found, Row& row) {
+    row.certain = found.certain;
+    row.clear_until = found.clear_until;
     clear_geometry(row);
     if (!found.contacts.empty())
         write_geometry(found.contacts.front(), row);
@@ -73,9 +70,32 @@ void write(const FirstContact& found, Row& row) {
     write_text(view::name_of(found.verdict), row.verdict); // last, because the verdict marks the row as answered
 }
 
+} // namespace
+
+void write(const FirstContact& found, Row& row) {
+    write_times(found, row);
+    write_all_but_times(found, row);
+}
 void write(const PathContact& found, PathRow& row) {
     row.segment = found.contact.verdict == Verdict::clear ? -1 : std::int64_t(found.segment);
     write(found.contact, static_cast<Row&>(row));
+}
+
+void write(const LeastDistance& found, LeastRow& row) {
+    const bool is_apart = found.distance.lower > 0;
+    row.distance = found.distance.lower;
+    row.distance_upper = found.distance.upper;
+    FirstContact contact;
+    contact.verdict = is_apart ? Verdict::clear : found.time.upper <= 0 ? Verdict::contact_at_start : Verdict::contact;
+    contact.certain = found.certain;
+    contact.clear_until = is_apart ? 1 : found.time.lower;
+    contact.contacts = found.contacts;
+    contact.overlap = found.overlap;
+    row.time = found.time.lower;
+    row.time_upper = found.time.upper;
+    row.tau = found.tau.lower;
+    row.tau_upper = found.tau.upper;
+    write_all_but_times(contact, row);
 }
 
 void write_error(Row& row) {
@@ -102,5 +122,6 @@ Table<AnyRow>::Table(nanobind::handle array) {
 
 template class Table<Row>;
 template class Table<PathRow>;
+template class Table<LeastRow>;
 
 } // namespace chasles::python

@@ -2,6 +2,7 @@
 // layout as a NumPy type.
 #pragma once
 
+#include "chasles/query/least_distance.h"
 #include "chasles/query/path.h"
 
 #include <cstdint>
@@ -31,8 +32,15 @@ struct PathRow : Row {
     std::int64_t segment;
 };
 
+/// Its verdict is "clear" if the bodies are proven apart, with the time of the least distance.
+struct LeastRow : Row {
+    double distance;
+    double distance_upper;
+};
+
 void write(const FirstContact& found, Row& row);
 void write(const PathContact& found, PathRow& row);
+void write(const LeastDistance& found, LeastRow& row);
 /// Marks a row whose input is invalid.
 void write_error(Row& row);
 /// Whether an earlier batch has answered the row.

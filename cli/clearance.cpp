@@ -1,0 +1,63 @@
+// chasles clearance: how near two bodies come during a motion.
+#include "cli/commands.h"
+#include "cli/one_motion.h"
+#include "cli/output.h"
+#include "cli/report.h"
+#include "view/answer_json.h"
+
+#include <memory>
+
+namespace chasles::cli {
+namespace {
+
+struct ClearanceOptions {
+    OneMotionOptions question;
+    std::string tolerance = "1e-6";
+    bool json = false;
+};
+
+/// Refuses an option or a flag of `check` and says why. It is not in the help.
+void refuse(CLI::App& command, const std::string& option, const std::string& why) {
+    command
+        .add_option_function<std::string>(
+            option, [option, why](const std::string&) { throw CLI::ValidationError(option, why); })
+        ->group("");
+}
+void refuse_flag(CLI::App& command, const std::string& flag, const std::string& why) {
+    command.add_flag_callback(flag, [flag, why] { throw CLI::ValidationError(flag, why); })->group("");
+}
+
+int run_clearance(const ClearanceOptions& options) {
+    const double tolerance = number_of("--tolerance", options.tolerance);
+    const OneMotion question = read_one_motion(options.question);
+    const LeastDistance found = least_distance({.moving = question.bodies.moving,
+                                                .fixed = question.bodies.fixed,
+                                                .motion = question.motion,
+                                                .options = {.tolerance = tolerance,
+                                                            .time_tolerance = question.options.time_tolerance,
+                                                            .find = question.options.find}});
+    print(options.json ? view::answer_json(found).dump() + "\n" : report(found, question.numbers));
+    return found.distance.lower > 0 ? is_clear : is_contact;
+}
+
+} // namespace
+
+void add_clearance(CLI::App& app, Task& task) {
+    const auto options = std::make_shared<ClearanceOptions>();
+    CLI::App& command =
+        *app.add_subcommand("clearance", "How near do two bodies come during a motion between two poses?");
+    add_motion_options(command, options->question);
+    command.add_option("--tolerance", options->tolerance, "aimed width of the bracket, as a part of the distance")
+        ->type_name("T")
+        ->capture_default_str();
+    add_search_options(command, options->question.query);
+    command.add_flag("--all-contacts", options->question.query.all_contacts,
+                     "list all features that are at the least distance");
+    command.add_flag("--json", options->json, "print one JSON object");
+    refuse(command, "--margin", "a least distance has no margin: ask `chasles check` when the bodies come within one");
+    refuse(command, "--hold", "a least distance has no hold distance");
+    refuse_flag(command, "--any", "a least distance is that of the whole motion, not of any contact");
+    command.callback([options, &task] { task = [options] { return run_clearance(*options); }; });
+}
+
+} // namespace chasles::cli

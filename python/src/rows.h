@@ -1,0 +1,126 @@
+// The rows of a batch: their poses, and how they are answered on several threads.
+#pragma once
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/base/parallel_for.h"
+#include "chasles/mesh/polyhedron.h"
+#include "chasles/motion/motion.h"
+#include "python/src/interruptible.h"
+#include "python/src/poses.h"
+#include "python/src/table.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <vector>
+
+namespace chasles::python {
+
+/// The options of a batch.
+struct RowOptions {
+    double max_turn;
+    unsigned threads;
+    bool marks_errors; ///< whether an invalid pose marks its row instead of ending the batch
+};
+
+/// Refuses invalid options before any row is answered, by one query about two triangles: ask(triangle, motion).
+template <typename Ask>
+void check(const RowOptions& options, const Ask& ask) {
+    const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
+    const std::vector<std::vector<std::uint32_t>> face{{0, 1, 2}};
+    const Pose beside({4, 0, 0}, Eigen::Quaterniond::Identity());
+    ask(Polyhedron::from_polygons(corners, face), Motion(ScrewMotion::between(beside, beside, options.max_turn)));
+}
+
+/// Calls answer(i) for each unanswered row until the batch ends or is stopped.
+template <typename AnyRow, typename AnswerRow>
+void answer_rows(const Table<AnyRow>& table, const RowOptions& options, Progress& progress, const AnswerRow& answer) {
+    parallel_for(options.threads, table.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end && !progress.is_stopping; ++i) {
+            if (!is_answered(table[i]))
+                try {
+                    answer(i);
+                } catch (const InvalidInput&) {
+                    if (!options.marks_errors)
+                        throw;
+                    write_error(table[i]);
+                }
+            ++progress.done;
+        }
+    });
+}
+
+/// All poses of a batch, read and checked before the first query.
+class ReadPoses {
+public:
+    /// `name_of(index)` is the name of a pose in messages.
+    template <typename NameOf>
+    ReadPoses(const PoseArray& array, const RowOptions& options, const Progress& progress, const NameOf& name_of)
+        : poses_(array.size()), is_bad_(array.size()) {
+        parallel_for(options.threads, array.size(), [&](std::size_t begin, std::size_t end) {
+            for (std::size_t i = begin; i < end && !progress.is_stopping; ++i)
+                try {
+                    poses_[i] = array[i];
+                } catch (const InvalidInput&) {
+                    is_bad_[i] = true;
+                }
+        });
+        const auto bad = std::ranges::find(is_bad_, 1);
+        if (bad != is_bad_.end() && !options.marks_errors)
+            throw_reason(array, std::size_t(bad - is_bad_.begin()), name_of);
+    }
+
+    const Pose& operator[](std::size_t i) const {
+        if (is_bad_[i])
+            throw InvalidInput("pose " + std::to_string(i));
+        return poses_[i];
+    }
+
+    /// Throws InvalidInput if operator[] throws for any pose of the range.
+    std::span<const Pose> range(std::size_t begin, std::size_t end) const {
+        const auto bad = std::span(is_bad_).subspan(begin, end - begin);
+        if (const auto first = std::ranges::find(bad, 1); first != bad.end())
+            static_cast<void>((*this)[begin + std::size_t(first - bad.begin())]);
+        return std::span(poses_).subspan(begin, end - begin);
+    }
+
+private:
+    template <typename NameOf>
+    [[noreturn]] static void throw_reason(const PoseArray& array, std::size_t index, const NameOf& name_of) {
+        try {
+            static_cast<void>(array[index]);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput(name_of(index) + ": " + error.what());
+        }
+        throw InvalidInput(name_of(index) + ": changed while the batch read it");
+    }
+
+    std::vector<Pose> poses_;
+    std::vector<std::uint8_t> is_bad_;
+};
+
+/// The rows of motions from starts to goals. `try_options(triangle, motion)` refuses invalid options;
+/// `answer(motion, row)` answers one row.
+template <typename AnyRow, typename TryOptions, typename Answer>
+void motion_rows(nb::handle starts, nb::handle goals, nb::handle array, const RowOptions& options, nb::handle report,
+                 const TryOptions& try_options, const Answer& answer) {
+    const PoseArray start_array(starts, "starts"), goal_array(goals, "goals");
+    const Table<AnyRow> table(array);
+    if (goal_array.size() != start_array.size())
+        throw InvalidInput(fmt::format("goals: there are {} for {} starts", goal_array.size(), start_array.size()));
+    if (table.size() != start_array.size())
+        throw InvalidInput(fmt::format("table: has {} rows for {} starts", table.size(), start_array.size()));
+    check(options, try_options);
+    const auto work = [&](Progress& progress) {
+        const auto named = [](const char* name) {
+            return [name](std::size_t i) { return fmt::format("{}[{}]", name, i); };
+        };
+        const ReadPoses from(start_array, options, progress, named("starts")),
+            to(goal_array, options, progress, named("goals"));
+        answer_rows(table, options, progress, [&](std::size_t i) {
+            answer(Motion(ScrewMotion::between(from[i], to[i], options.max_turn)), table[i]);
+        });
+    };
+    run_interruptibly(work, report);
+}
+
+} // namespace chasles::python
