@@ -3,7 +3,7 @@
 // 14-node-pairs.md.
 #pragma once
 
-#include "chasles/culling/pair_queue.h"
+#include "chasles/culling/node_split.h"
 #include "chasles/culling/time_tree.h"
 
 #include <algorithm>
@@ -65,9 +65,6 @@ private:
     /// margin term the time grows by up to a half; with three times the term it grows more than fourfold.
     static constexpr double deviation_of_size = 0.01;
     static constexpr double deviation_of_margin = 0.001;
-    /// A pair splits both nodes unless the side of one node is smaller than this fraction of the side of the other
-    /// node.
-    static constexpr float much_smaller = 0.5F;
 
     /// An interval whose deferred pairs are to be visited in its halves.
     struct Halving {
@@ -95,12 +92,6 @@ private:
         return false;
     }
 
-    /// The window relative to the earlier or later half of the interval, cut off at the ends of the half. It is exact.
-    static Window in_half(const Window& when, bool later) {
-        const float offset = later ? 1 : 0;
-        return {std::max(0.0F, 2 * when.lower - offset), std::min(1.0F, 2 * when.upper - offset)};
-    }
-
     /// Skips a pair that cannot improve the answer, defers it, tests its faces, or splits its nodes. Once a pair is
     /// deferred, all pairs that may only touch in the later half are deferred with it.
     void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& deferred) {
@@ -112,7 +103,7 @@ private:
         if (moving.is_bare() && fixed.is_bare())
             return;
         if ((!deferred.empty() && pair.when.lower >= 0.5F) ||
-            is_worth_halving(interval, std::max(side(moving), side(fixed))))
+            is_worth_halving(interval, std::max(longest_side(moving), longest_side(fixed))))
             deferred.push_back(pair);
         else if (moving.is_leaf() && fixed.is_leaf())
             leaves_.test(
@@ -128,26 +119,9 @@ private:
                interval.range.width() > shortest_interval;
     }
 
-    /// One node or two siblings.
-    struct NodeRange {
-        std::uint32_t first;
-        std::uint32_t count;
-
-        [[nodiscard]] TwoNodes of(std::span<const BvhNode> nodes) const {
-            return {&nodes[first], &nodes[first + count - 1]};
-        }
-    };
-
     /// Splits both nodes, or only the much larger node. Pushes the pairs with the earliest window last.
     void split(const NodePair& pair, const TimeInterval& interval) {
-        const BvhNode& moving = moving_nodes_[pair.moving];
-        const BvhNode& fixed = fixed_nodes_[pair.fixed];
-        const float moving_side = side(moving);
-        const float fixed_side = side(fixed);
-        const bool moving_splits = !moving.is_leaf() && (fixed.is_leaf() || moving_side >= much_smaller * fixed_side);
-        const bool fixed_splits = !fixed.is_leaf() && (moving.is_leaf() || fixed_side >= much_smaller * moving_side);
-        const NodeRange a = moving_splits ? NodeRange{moving.first, 2} : NodeRange{pair.moving, 1};
-        const NodeRange b = fixed_splits ? NodeRange{fixed.first, 2} : NodeRange{pair.fixed, 1};
+        const auto [a, b] = NodeSplit(pair, moving_nodes_, fixed_nodes_);
         const auto when = interval.boxes.overlap_windows(a.of(moving_nodes_), b.of(fixed_nodes_), pair.when);
         node_pairs_ += a.count * b.count;
         // The queue is a stack within one step of time: the pair that is pushed last is visited first.
@@ -178,10 +152,6 @@ private:
     static void prefetch_children(std::span<const BvhNode> nodes, std::uint32_t node) {
         if (!nodes[node].is_leaf())
             __builtin_prefetch(&nodes[nodes[node].first]);
-    }
-
-    static float side(const BvhNode& node) {
-        return std::max({node.upper[0] - node.lower[0], node.upper[1] - node.lower[1], node.upper[2] - node.lower[2]});
     }
 
     std::span<const BvhNode> moving_nodes_;

@@ -37,6 +37,7 @@ public:
     virtual ~AnyTrajectory() = default;
     [[nodiscard]] virtual std::unique_ptr<const AnyPieces> pieces() const = 0;
     [[nodiscard]] virtual PathBall ball_around_path(const Vector3<double>& point) const = 0;
+    [[nodiscard]] virtual std::optional<CoarseMotion> coarse() const = 0;
     [[nodiscard]] virtual Pose pose_at(double time) const = 0;
     [[nodiscard]] virtual Pose fixed_pose_at(double time) const = 0;
 };
@@ -80,6 +81,7 @@ public:
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const override {
         return trajectory_.ball_around_path(point);
     }
+    [[nodiscard]] std::optional<CoarseMotion> coarse() const override { return trajectory_.coarse(); }
     [[nodiscard]] Pose pose_at(double time) const override { return trajectory_.pose_at(time); }
     [[nodiscard]] Pose fixed_pose_at(double time) const override { return trajectory_.fixed_pose_at(time); }
 

@@ -68,6 +68,7 @@ public:
 
     [[nodiscard]] ScrewPieces pieces() const { return {ends_, max_turn_}; }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
+    [[nodiscard]] std::optional<CoarseMotion> coarse() const { return coarse_screw(ends_); }
     /// Along the pieces.
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose uncut_pose_at(double time) const;

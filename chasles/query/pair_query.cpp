@@ -3,6 +3,7 @@
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/contact/relative_configuration.h"
+#include "chasles/culling/coarse_test.h"
 #include "chasles/culling/far_apart.h"
 #include "chasles/query/report.h"
 
@@ -222,7 +223,9 @@ void check_options(const QueryOptions& options) {
 }
 
 FirstContact answer(const PairQuery& query) {
-    if (culling::are_far_apart(query.moving, query.fixed, query.trajectory, query.options.margin)) {
+    const auto& [moving, fixed, trajectory, options] = query;
+    if (culling::are_far_apart(moving, fixed, trajectory, options.margin) ||
+        culling::are_clearly_apart(moving, fixed, trajectory, options.margin)) {
         FirstContact clear;
         set_clear(clear, query.trajectory.pose_at(1), query.trajectory.fixed_pose_at(1));
         return clear;
