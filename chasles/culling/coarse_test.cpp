@@ -1,9 +1,10 @@
-// Visits pairs of large nodes in space and time, with no memory from the heap and with a small budget.
+// Visits pairs of large nodes in space and time, with a small budget and without memory from the heap.
 // Source: docs/derivations/21-coarse-motion.md.
 #include "chasles/culling/coarse_test.h"
 
 #include "chasles/culling/body_ball.h"
-#include "chasles/culling/node_split.h"
+#include "chasles/culling/near_nodes.h"
+#include "chasles/culling/pair_queue.h"
 #include "chasles/culling/time_tree.h"
 
 #include <algorithm>
@@ -16,24 +17,23 @@ namespace {
 
 using motion::Ball;
 using motion::CoarseMotion;
-using motion::MatrixPose;
-using motion::Vector3;
 
-#ifndef COARSE_BUDGET
-#define COARSE_BUDGET 24
-#define COARSE_DEPTH 3
-#define COARSE_DEV 0.1
-#define COARSE_SMALL 0.12
-#endif
-constexpr int budget = COARSE_BUDGET;
-constexpr int most_halvings = COARSE_DEPTH;
-constexpr double deviation_of_side = COARSE_DEV;
-constexpr double small = COARSE_SMALL;
+// These numbers decide only when the test gives up. They are measured with clear_bench and peers_bench.
 
-/// A stack of pairs of nodes. It refuses pairs when it is full.
+/// The number of splits after which the test gives up.
+constexpr int most_splits = 16;
+/// The number of times that an interval is halved.
+constexpr int most_halvings = 3;
+/// The interval of a pair is halved if its boxes are widened by more than this fraction of their longest side plus this
+/// fraction of the margin.
+constexpr double widening_of_side = 0.1;
+constexpr double widening_of_margin = 0.3;
+
+/// A stack of pairs of nodes that does not grow.
 class PairStack {
 public:
     [[nodiscard]] bool is_empty() const { return count_ == 0; }
+    /// False if the stack is full.
     bool push(const NodePair& pair) {
         if (count_ == pairs_.size())
             return false;
@@ -47,6 +47,50 @@ private:
     std::size_t count_ = 0;
 };
 
+/// One node or two siblings.
+struct Siblings {
+    std::uint32_t first;
+    std::uint32_t count;
+
+    [[nodiscard]] TwoNodes of(std::span<const BvhNode> nodes) const {
+        return {&nodes[first], &nodes[first + count - 1]};
+    }
+};
+
+/// The children of a node, or the node itself if it is a leaf or much smaller than the other node.
+Siblings split_against(std::span<const BvhNode> nodes, std::uint32_t node, const BvhNode& other) {
+    const bool is_much_smaller = !other.is_leaf() && longest_side(nodes[node]) < 0.5F * longest_side(other);
+    return nodes[node].is_leaf() || is_much_smaller ? Siblings{node, 1} : Siblings{nodes[node].first, 2};
+}
+
+Ball enlarged(Ball ball, double margin) {
+    ball.radius += margin;
+    return ball;
+}
+
+/// Two bodies and the coarse motion between them.
+struct CoarseScene {
+    const Bvh& moving;
+    const Bvh& fixed;
+    const CoarseMotion& motion;
+    double margin;
+
+    [[nodiscard]] Placement placement(double tau) const;
+};
+
+Placement CoarseScene::placement(double tau) const {
+    const motion::MatrixPose pose = position_at(motion.path, tau);
+    const auto centre = pose.rotation * motion::vector_in<double>(moving.centre()) +
+                        (pose.translation - motion::vector_in<double>(fixed.centre()));
+    Placement placed;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            placed.rotation(i, j) = pose.rotation.row[i][j];
+        placed.offset[i] = centre[i];
+    }
+    return placed;
+}
+
 /// A part of the motion with the placements at both ends.
 struct Part {
     TimeRange range;
@@ -57,86 +101,63 @@ struct Part {
 
 class CoarseTest {
 public:
-    CoarseTest(const Body& moving, const Body& fixed, const CoarseMotion& coarse, double margin);
+    explicit CoarseTest(const CoarseScene& scene)
+        : scene_(scene), moving_(enlarged(ball_around(scene.moving), scene.margin)),
+          fixed_(enlarged(ball_around(scene.fixed), scene.margin)), deviation_(scene.motion.path, moving_, fixed_),
+          least_side_(small_side * std::min(size_of(scene.moving), size_of(scene.fixed))) {}
 
-    bool proves_clear() {
+    /// Whether all nodes are proven apart during the part.
+    bool separates_all(const Part& part) {
         PairStack roots;
         roots.push({0, 0, {}});
-        return separates(roots, {{}, placement(0), placement(1)});
+        return separates(roots, part);
     }
 
 private:
-    /// Whether all pairs of the stack are proven apart during the part.
     bool separates(PairStack& pairs, const Part& part);
     bool separates_in_halves(PairStack& deferred, const Part& part);
     bool split(const NodePair& pair, const SweptBoxes& boxes, PairStack& pairs);
     [[nodiscard]] BoxSlack slack(const Part& part) const;
-    [[nodiscard]] Placement placement(double tau) const;
 
-    std::span<const BvhNode> moving_nodes_;
-    std::span<const BvhNode> fixed_nodes_;
-    const CoarseMotion& coarse_;
+    const CoarseScene& scene_;
     Ball moving_;
     Ball fixed_;
-    double margin_;
     motion::ChordDeviation deviation_;
-    double small_side_; ///< a pair of nodes of this size that is not separated ends the test
-    int budget_ = budget;
+    double least_side_; ///< pairs of nodes below this size are not split
+    int splits_ = 0;
 };
 
-Ball enlarged(Ball ball, double margin) {
-    ball.radius += margin;
-    return ball;
-}
-
-CoarseTest::CoarseTest(const Body& moving, const Body& fixed, const CoarseMotion& coarse, double margin)
-    : moving_nodes_(moving.bvh().nodes()), fixed_nodes_(fixed.bvh().nodes()), coarse_(coarse),
-      moving_(enlarged(ball_around(moving.bvh()), margin)), fixed_(enlarged(ball_around(fixed.bvh()), margin)),
-      margin_(margin), deviation_(coarse.path, moving_, fixed_),
-      small_side_(small * std::min(longest_side(moving_nodes_[0]), longest_side(fixed_nodes_[0]))) {}
-
-Placement CoarseTest::placement(double tau) const {
-    const motion::MatrixPose pose = position_at(coarse_.path, tau);
-    const Vector3<double> centre = pose.rotation * motion::vector_in<double>(moving_.centre) +
-                                   (pose.translation - motion::vector_in<double>(fixed_.centre));
-    Placement placed;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
-            placed.rotation(i, j) = pose.rotation.row[i][j];
-        placed.offset[i] = centre[i];
-    }
-    return placed;
-}
-
+/// Boxes are widened by the chord deviation, by the deviation of the coarse motion, and by all roundings.
 BoxSlack CoarseTest::slack(const Part& part) const {
     const double distance = std::max(part.start.offset.lpNorm<1>(), part.end.offset.lpNorm<1>());
     const double bodies = moving_.radius + fixed_.radius;
-    const double size = coarse_.size + moving_.centre.lpNorm<1>() + fixed_.centre.lpNorm<1>() + bodies;
-    const double rounding = coarse_.deviation + motion::coarse_rounding * size +
-                            float_rounding(bodies + distance, margin_) + flushed_floats;
-    return {deviation_.of_moving(part.range.lower, part.range.upper) + rounding,
-            deviation_.of_fixed(part.range.lower, part.range.upper) + rounding, margin_};
+    const double size = scene_.motion.size + moving_.centre.lpNorm<1>() + fixed_.centre.lpNorm<1>() + bodies;
+    const double widening = scene_.motion.deviation + motion::coarse_rounding * size +
+                            float_rounding(bodies + distance, scene_.margin) + flushed_floats;
+    const auto& [from, to] = part.range;
+    return {deviation_.of_moving(from, to) + widening, deviation_.of_fixed(from, to) + widening, scene_.margin};
 }
 
+/// Whether all pairs of the stack are proven apart during the part.
 bool CoarseTest::separates(PairStack& pairs, const Part& part) {
-    const BoxSlack widened = slack(part);
-    const double deviation = std::max(widened.moving, widened.fixed);
-    std::optional<SweptBoxes> boxes;
+    const BoxSlack widening = slack(part);
+    const double most = std::max(widening.moving, widening.fixed) - widening_of_margin * scene_.margin;
+    std::optional<SweptBoxes> boxes; // made only if a pair is not deferred
     PairStack deferred;
     while (!pairs.is_empty()) {
         const NodePair pair = pairs.pop();
-        const BvhNode& moving = moving_nodes_[pair.moving];
-        const BvhNode& fixed = fixed_nodes_[pair.fixed];
+        const BvhNode& moving = scene_.moving.nodes()[pair.moving];
+        const BvhNode& fixed = scene_.fixed.nodes()[pair.fixed];
         const double side = std::max(longest_side(moving), longest_side(fixed));
-        if (side < small_side_ || (moving.is_leaf() && fixed.is_leaf()))
-            return false;
-        if (part.halvings < most_halvings && deviation > deviation_of_side * side + 0.3 * margin_) {
+        if (part.halvings < most_halvings && most > widening_of_side * side) {
             if (!deferred.push(pair))
                 return false;
             continue;
         }
+        if (side < least_side_ || (moving.is_leaf() && fixed.is_leaf()))
+            return false;
         if (!boxes)
-            boxes.emplace(part.start, part.end, widened);
+            boxes.emplace(part.start, part.end, widening);
         if (!split(pair, *boxes, pairs))
             return false;
     }
@@ -145,7 +166,7 @@ bool CoarseTest::separates(PairStack& pairs, const Part& part) {
 
 bool CoarseTest::separates_in_halves(PairStack& deferred, const Part& part) {
     const double middle = part.range.at(0.5);
-    const Placement between = placement(middle);
+    const Placement between = scene_.placement(middle);
     PairStack earlier, later;
     while (!deferred.is_empty()) {
         const NodePair pair = deferred.pop();
@@ -158,17 +179,19 @@ bool CoarseTest::separates_in_halves(PairStack& deferred, const Part& part) {
            separates(later, {{middle, part.range.upper}, between, part.end, halvings});
 }
 
-/// Pushes the pairs of children that are not separated. False if the budget is used up.
+/// Pushes the pairs of children that are not proven apart. False if there are too many.
 bool CoarseTest::split(const NodePair& pair, const SweptBoxes& boxes, PairStack& pairs) {
-    if (--budget_ < 0)
+    if (++splits_ > most_splits)
         return false;
-    const NodeSplit nodes(pair, moving_nodes_, fixed_nodes_);
-    const auto when =
-        boxes.overlap_windows(nodes.moving.of(moving_nodes_), nodes.fixed.of(fixed_nodes_), pair.when);
-    for (std::uint32_t i = 0; i < nodes.moving.count; ++i)
-        for (std::uint32_t j = 0; j < nodes.fixed.count; ++j)
+    const std::span<const BvhNode> moving = scene_.moving.nodes();
+    const std::span<const BvhNode> fixed = scene_.fixed.nodes();
+    const Siblings a = split_against(moving, pair.moving, fixed[pair.fixed]);
+    const Siblings b = split_against(fixed, pair.fixed, moving[pair.moving]);
+    const auto when = boxes.overlap_windows(a.of(moving), b.of(fixed), pair.when);
+    for (std::uint32_t i = 0; i < a.count; ++i)
+        for (std::uint32_t j = 0; j < b.count; ++j)
             if (const Window& window = when[2 * i + j]; !window.is_empty())
-                if (!pairs.push({nodes.moving.first + i, nodes.fixed.first + j, window}))
+                if (!pairs.push({a.first + i, b.first + j, window}))
                     return false;
     return true;
 }
@@ -176,8 +199,15 @@ bool CoarseTest::split(const NodePair& pair, const SweptBoxes& boxes, PairStack&
 } // namespace
 
 bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory, double margin) {
-    const std::optional<CoarseMotion> coarse = trajectory.coarse();
-    return coarse && CoarseTest(moving, fixed, *coarse, margin).proves_clear();
+    const std::optional<CoarseMotion> motion = trajectory.coarse();
+    if (!motion)
+        return false;
+    const CoarseScene scene{moving.bvh(), fixed.bvh(), *motion, margin};
+    const Placement start = scene.placement(0);
+    if (have_near_nodes(scene.moving, scene.fixed, start, margin))
+        return false;
+    const Placement end = scene.placement(1);
+    return !have_near_nodes(scene.moving, scene.fixed, end, margin) && CoarseTest(scene).separates_all({{}, start, end});
 }
 
 } // namespace chasles::culling

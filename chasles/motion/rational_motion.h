@@ -86,10 +86,9 @@ Quaternion<S> turn_between(const GeneralPose<S>& start, const GeneralPose<S>& go
 }
 
 /// The screw between two poses, which must not be a half turn apart. The result is exact if S is exact: the formulas
-/// need no square root. Source: docs/derivations/01-screw-from-two-poses.md.
+/// need no square root. `turn` is turn_between(start, goal). Source: docs/derivations/01-screw-from-two-poses.md.
 template <class S>
-RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S>& goal) {
-    const Quaternion<S> turn = turn_between(start, goal);
+RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S>& goal, const Quaternion<S>& turn) {
     const Vector3<S> axis = scale(turn.v, S(S(1) / turn.w));
     const Vector3<S> shift = goal.translation - start.translation;
     const S square = dot(turn.v, turn.v);
@@ -98,6 +97,10 @@ RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S
     const Vector3<S> across = shift - along;
     const Vector3<S> moment = scale(across - cross(axis, across), S(S(1) / S(2)));
     return {S(1), axis, moment, along, start.translation, rotation_matrix(start.rotation)};
+}
+template <class S>
+RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S>& goal) {
+    return screw_between(start, goal, turn_between(start, goal));
 }
 
 /// The sweep about the body point `centre`. `unit_turn` is the rotation from start to goal as a unit quaternion.
