@@ -27,9 +27,13 @@ struct Quaternion {
 /// The rotation matrix of a quaternion of any non-zero length, times its squared norm.
 template <class S>
 Matrix3<S> scaled_rotation_matrix(const Quaternion<S>& q) {
+    const S two(2); // square I + 2 v v^T + 2 w [v], without the products with zeros and ones
     const S square = q.w * q.w - dot(q.v, q.v);
-    return scale(algebra::identity_matrix<S>(), square) + scale(outer(q.v, q.v), S(2)) +
-           scale(cross_matrix(q.v), S(S(2) * q.w));
+    const S xy = S(q.v.x * q.v.y) * two, yz = S(q.v.y * q.v.z) * two, zx = S(q.v.z * q.v.x) * two;
+    const Vector3<S> turned = scale(q.v, S(two * q.w));
+    return {{{S(square + S(q.v.x * q.v.x) * two), S(xy - turned.z), S(zx + turned.y)},
+             {S(xy + turned.z), S(square + S(q.v.y * q.v.y) * two), S(yz - turned.x)},
+             {S(zx - turned.y), S(yz + turned.x), S(square + S(q.v.z * q.v.z) * two)}}};
 }
 
 /// The rotation matrix of a quaternion of any non-zero length.

@@ -3,7 +3,7 @@
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/contact/relative_configuration.h"
-#include "chasles/culling/coarse_test.h"
+#include "chasles/culling/clearly_apart.h"
 #include "chasles/culling/far_apart.h"
 #include "chasles/query/report.h"
 

@@ -1,6 +1,6 @@
 // Visits pairs of large nodes in space and time, with a small budget and without memory from the heap.
 // Source: docs/derivations/21-coarse-motion.md.
-#include "chasles/culling/coarse_test.h"
+#include "chasles/culling/clearly_apart.h"
 
 #include "chasles/culling/body_ball.h"
 #include "chasles/culling/near_nodes.h"
@@ -63,8 +63,10 @@ Siblings split_against(std::span<const BvhNode> nodes, std::uint32_t node, const
     return nodes[node].is_leaf() || is_much_smaller ? Siblings{node, 1} : Siblings{nodes[node].first, 2};
 }
 
-Ball enlarged(Ball ball, double margin) {
-    ball.radius += margin;
+/// The ball around a body, enlarged.
+Ball enlarged_ball(const Bvh& hierarchy, double more) {
+    Ball ball = ball_around(hierarchy);
+    ball.radius += more;
     return ball;
 }
 
@@ -76,7 +78,14 @@ struct CoarseScene {
     double margin;
 
     [[nodiscard]] Placement placement(double tau) const;
+    /// A bound of the distance between the true place of a point and its computed place.
+    [[nodiscard]] double deviation() const;
 };
+
+double CoarseScene::deviation() const {
+    const double bodies = moving.centre().lpNorm<1>() + moving.radius() + fixed.centre().lpNorm<1>() + fixed.radius();
+    return motion.deviation + motion::coarse_rounding * (motion.size + bodies + 2 * margin);
+}
 
 Placement CoarseScene::placement(double tau) const {
     const motion::MatrixPose pose = position_at(motion.path, tau);
@@ -102,8 +111,8 @@ struct Part {
 class CoarseTest {
 public:
     explicit CoarseTest(const CoarseScene& scene)
-        : scene_(scene), moving_(enlarged(ball_around(scene.moving), scene.margin)),
-          fixed_(enlarged(ball_around(scene.fixed), scene.margin)), deviation_(scene.motion.path, moving_, fixed_),
+        : scene_(scene), deviation_(scene.deviation()), moving_(enlarged_ball(scene.moving, scene.margin + deviation_)),
+          fixed_(enlarged_ball(scene.fixed, scene.margin + deviation_)), chords_(scene.motion.path, moving_, fixed_),
           least_side_(small_side * std::min(size_of(scene.moving), size_of(scene.fixed))) {}
 
     /// Whether all nodes are proven apart during the part.
@@ -120,9 +129,10 @@ private:
     [[nodiscard]] BoxSlack slack(const Part& part) const;
 
     const CoarseScene& scene_;
-    Ball moving_;
+    double deviation_; ///< of the scene
+    Ball moving_;      ///< enlarged: true contacts are within the margin and the deviation on the coarse motion
     Ball fixed_;
-    motion::ChordDeviation deviation_;
+    motion::ChordDeviation chords_;
     double least_side_; ///< pairs of nodes below this size are not split
     int splits_ = 0;
 };
@@ -130,12 +140,10 @@ private:
 /// Boxes are widened by the chord deviation, by the deviation of the coarse motion, and by all roundings.
 BoxSlack CoarseTest::slack(const Part& part) const {
     const double distance = std::max(part.start.offset.lpNorm<1>(), part.end.offset.lpNorm<1>());
-    const double bodies = moving_.radius + fixed_.radius;
-    const double size = scene_.motion.size + moving_.centre.lpNorm<1>() + fixed_.centre.lpNorm<1>() + bodies;
-    const double widening = scene_.motion.deviation + motion::coarse_rounding * size +
-                            float_rounding(bodies + distance, scene_.margin) + flushed_floats;
+    const double size = moving_.radius + fixed_.radius + distance;
+    const double widening = deviation_ + float_rounding(size, scene_.margin) + flushed_floats;
     const auto& [from, to] = part.range;
-    return {deviation_.of_moving(from, to) + widening, deviation_.of_fixed(from, to) + widening, scene_.margin};
+    return {chords_.of_moving(from, to) + widening, chords_.of_fixed(from, to) + widening, scene_.margin};
 }
 
 /// Whether all pairs of the stack are proven apart during the part.
