@@ -4,6 +4,8 @@
 #include "bench/draw.h"
 #include "bench/generated_bodies.h"
 #include "chasles/chasles.h"
+#include "chasles/culling/clearly_apart.h"
+#include "chasles/culling/far_apart.h"
 
 #include <algorithm>
 #include <chrono>
@@ -143,6 +145,22 @@ void print_times(const ClearCase& test, Find find) {
     print((name + ", each motion again and again").c_str(), again);
 }
 
+/// Which part of the query proves the motions clear.
+void print_stages(const ClearCase& test) {
+    const Body& body = test.body.body.body();
+    int balls = 0, coarse = 0;
+    for (const Ends& ends : test.motions) {
+        const Motion motion = ScrewMotion::between(ends.start, ends.goal);
+        if (culling::are_far_apart(body, body, motion.trajectory()))
+            ++balls;
+        else if (culling::are_clearly_apart(body, body, motion.trajectory()))
+            ++coarse;
+    }
+    const double unit = 100 / double(test.motions.size());
+    std::printf("%s, %zu clear motions: proven by balls %.0f %%, by the coarse motion %.0f %%, by the search %.0f %%\n",
+                test.body.name.c_str(), test.motions.size(), unit * balls, unit * coarse, 100 - unit * (balls + coarse));
+}
+
 int run() {
     std::vector<ClearCase> cases;
     cases.push_back(case_of({"torus 3.7k", bumpy_torus(43, 43)}, 300));
@@ -153,7 +171,7 @@ int run() {
     cases.push_back(case_of({"ellipsoid 0.3k", ellipsoid({0.5, 0.8, 0.6}, 2)}, 300));
     cases.push_back(case_of({"peg", peg({48, 1, 2})}, 300));
     for (const ClearCase& test : cases) {
-        std::printf("%s, %zu clear motions\n", test.body.name.c_str(), test.motions.size());
+        print_stages(test);
         for (const Find find : {Find::first, Find::any})
             print_times(test, find);
     }

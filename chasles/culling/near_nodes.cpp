@@ -8,7 +8,7 @@ namespace chasles::culling {
 namespace {
 
 /// Bodies count as near within this part of the size of the smaller body. Measured with clear_bench and peers_bench.
-constexpr double near_distance = 0.2;
+constexpr double near_distance = 0.28;
 
 /// A descent through one hierarchy.
 class Descent {

@@ -16,7 +16,7 @@ inline double size_of(const Bvh& body) {
 }
 
 /// Descends from both roots to small nodes, each time to the child with the nearest centre. True if the centres of the
-/// small nodes are nearer than a fifth of the smaller body's size and the margin.
+/// small nodes are nearer than 0.28 of the smaller body's size plus the margin.
 bool have_near_nodes(const Bvh& moving, const Bvh& fixed, const Placement& placed, double margin);
 
 } // namespace chasles::culling

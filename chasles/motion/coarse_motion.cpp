@@ -8,8 +8,6 @@ namespace chasles::motion {
 
 namespace {
 
-/// The greatest |a|^2 of a screw: a turn of 90 degrees.
-constexpr double largest_square = 1;
 /// A screw in any number of pieces slides unlike the screw in one piece by at most this times |a|^2 of its slide.
 constexpr double slide_deviation = 0.1284;
 
@@ -20,26 +18,39 @@ double size_of(const MotionEnds& ends) {
     return ends.fixed ? moving + size(ends.fixed->start) + size(ends.fixed->goal) : moving;
 }
 
+/// Both end poses in the fixed body's frame, and the turn between them.
+struct CoarseEnds {
+    GeneralPose<double> start;
+    GeneralPose<double> goal;
+    Quaternion<double> turn;
+
+    explicit CoarseEnds(const MotionEnds& ends)
+        : start(seen_from<double>(ends.start, ends.start_seen_from())),
+          goal(seen_from<double>(ends.goal, ends.goal_seen_from())), turn(turn_between(start, goal)) {}
+
+    /// At most 90 degrees. Next to a half turn, rounding would decide which way round the body turns.
+    [[nodiscard]] bool turn_is_short() const { return dot(turn.v, turn.v) <= turn.w * turn.w; }
+};
+
 } // namespace
 
-std::optional<CoarseMotion> coarse_screw(const MotionEnds& ends) {
-    const auto start = seen_from<double>(ends.start, ends.start_seen_from());
-    const auto goal = seen_from<double>(ends.goal, ends.goal_seen_from());
-    CoarseMotion coarse{screw_between(start, goal), 0, size_of(ends)};
-    const double square = dot(coarse.path.axis, coarse.path.axis);
-    if (!(square <= largest_square)) // also if the square is not a number
+std::optional<CoarseMotion> coarse_screw(const MotionEnds& given) {
+    const CoarseEnds ends(given);
+    if (!ends.turn_is_short())
         return std::nullopt;
+    CoarseMotion coarse{screw_between(ends.start, ends.goal, ends.turn), 0, size_of(given)};
+    const double square = dot(coarse.path.axis, coarse.path.axis);
     coarse.deviation = slide_deviation * square * length(coarse.path.displacement);
     return coarse;
 }
 
-CoarseMotion coarse_sweep(const MotionEnds& ends, const Vector3<double>& centre) {
-    const auto start = seen_from<double>(ends.start, ends.start_seen_from());
-    const auto goal = seen_from<double>(ends.goal, ends.goal_seen_from());
-    const Quaternion<double> turn = turn_between(start, goal);
-    const double inverse = 1 / std::sqrt(turn.squared_norm());
-    const Quaternion<double> unit{turn.w * inverse, scale(turn.v, inverse)};
-    return {sweep_between(start, goal, unit, centre), 0, size_of(ends) + norm1(centre)};
+std::optional<CoarseMotion> coarse_sweep(const MotionEnds& given, const Vector3<double>& centre) {
+    const CoarseEnds ends(given);
+    if (!ends.turn_is_short())
+        return std::nullopt;
+    const double inverse = 1 / std::sqrt(ends.turn.squared_norm());
+    const Quaternion<double> unit{ends.turn.w * inverse, scale(ends.turn.v, inverse)};
+    return CoarseMotion{sweep_between(ends.start, ends.goal, unit, centre), 0, size_of(given) + norm1(centre)};
 }
 
 MatrixPose position_at(const RationalMotion<double>& path, double tau) {

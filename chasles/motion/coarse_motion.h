@@ -24,11 +24,11 @@ struct CoarseMotion {
 /// rounding is below a thousandth of it.
 inline constexpr double coarse_rounding = 0x1p-30;
 
-/// A screw in any number of pieces. Empty if the screw turns by more than 90 degrees.
-std::optional<CoarseMotion> coarse_screw(const MotionEnds& ends);
+/// A screw in any number of pieces. Empty if it turns by more than 90 degrees.
+std::optional<CoarseMotion> coarse_screw(const MotionEnds& given);
 
-/// The sweep about a point of the moving body.
-CoarseMotion coarse_sweep(const MotionEnds& ends, const Vector3<double>& centre);
+/// The sweep about a point of the moving body. Empty if it turns by more than 90 degrees.
+std::optional<CoarseMotion> coarse_sweep(const MotionEnds& given, const Vector3<double>& centre);
 
 /// The position x -> rotation x + translation of body points in the frame of the fixed body.
 struct MatrixPose {

@@ -99,7 +99,8 @@ RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S
     const bool turns = S(0) < square;
     const Vector3<S> along = turns ? scale(turn.v, S(dot(turn.v, shift) / square)) : shift;
     const Vector3<S> across = shift - along;
-    const Vector3<S> moment = scale(across - cross(axis, across), S(S(1) / S(2)));
+    static const S half = S(1) / S(2);
+    const Vector3<S> moment = scale(across - cross(axis, across), half);
     return {S(1), axis, moment, along, start.translation, rotation_matrix(start.rotation)};
 }
 template <class S>

@@ -69,20 +69,25 @@ TEST(CoarseMotion, AScrewStaysWithinItsDeviation) {
 TEST(CoarseMotion, ASweepHasNoDeviation) {
     Random random(2112);
     for (int trial = 0; trial < 1000; ++trial) {
-        const auto [start, goal] = random_pose_pair(random, {1, random_angle(random, true)});
+        const auto [start, goal] = random_pose_pair(random, {1, random.uniform(0, 1.57)});
         const Motion motion = Motion::sweep(start, goal, eigen(random.vector(10)));
+        ASSERT_TRUE(motion.trajectory().coarse());
         EXPECT_EQ(motion.trajectory().coarse()->deviation, 0);
         greatest_ratio(random, motion, 0);
     }
 }
 
+/// Next to a half turn, rounding would decide which way round the coarse motion turns.
 TEST(CoarseMotion, IsEmptyForLargeTurns) {
-    const auto turned = [](double angle) {
-        return Motion::screw(Pose(), Pose({1, 2, 3}, Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX()))));
-    };
-    EXPECT_TRUE(turned(1.57).trajectory().coarse());
-    EXPECT_FALSE(turned(1.58).trajectory().coarse());
-    EXPECT_FALSE(turned(3.141592653589793).trajectory().coarse());
+    for (const bool sweeps : {false, true}) {
+        const auto has_coarse = [&](double angle) {
+            const Pose goal({1, 2, 3}, Eigen::Quaterniond(Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitX())));
+            return (sweeps ? Motion::sweep({}, goal) : Motion::screw({}, goal)).trajectory().coarse().has_value();
+        };
+        EXPECT_TRUE(has_coarse(1.57));
+        EXPECT_FALSE(has_coarse(1.58));
+        EXPECT_FALSE(has_coarse(3.141592653589793));
+    }
 }
 
 } // namespace
