@@ -1,5 +1,5 @@
-// Clear motions of bodies that stay apart by 0.3 to 1 body size, with turns of 10 to 60 degrees: the queries that robots
-// and scenes send most. Each time includes making the motion. Margin queries check the clearance of each motion.
+// Clear motions of bodies that stay apart by 0.3 to 1 body size, with turns of 10 to 60 degrees: the queries that
+// robots and scenes send most. Each time includes making the motion. Margin queries check the clearance of each motion.
 #include "bench/bodies.h"
 #include "bench/draw.h"
 #include "bench/generated_bodies.h"
@@ -158,7 +158,8 @@ void print_stages(const ClearCase& test) {
     }
     const double unit = 100 / double(test.motions.size());
     std::printf("%s, %zu clear motions: proven by balls %.0f %%, by the coarse motion %.0f %%, by the search %.0f %%\n",
-                test.body.name.c_str(), test.motions.size(), unit * balls, unit * coarse, 100 - unit * (balls + coarse));
+                test.body.name.c_str(), test.motions.size(), unit * balls, unit * coarse,
+                100 - unit * (balls + coarse));
 }
 
 int run() {

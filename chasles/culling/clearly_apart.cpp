@@ -215,7 +215,8 @@ bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyT
     if (have_near_nodes(scene.moving, scene.fixed, start, margin))
         return false;
     const Placement end = scene.placement(1);
-    return !have_near_nodes(scene.moving, scene.fixed, end, margin) && CoarseTest(scene).separates_all({{}, start, end});
+    return !have_near_nodes(scene.moving, scene.fixed, end, margin) &&
+           CoarseTest(scene).separates_all({{}, start, end});
 }
 
 } // namespace chasles::culling

@@ -20,8 +20,8 @@ struct CoarseMotion {
     double size = 0;
 };
 
-/// The rounding of a coarse motion over the sum of all sizes: CoarseMotion::size and the sizes of the bodies. The actual
-/// rounding is below a thousandth of it.
+/// The rounding of a coarse motion over the sum of all sizes: CoarseMotion::size and the sizes of the bodies. The
+/// actual rounding is below a thousandth of it.
 inline constexpr double coarse_rounding = 0x1p-30;
 
 /// A screw in any number of pieces. Empty if it turns by more than 90 degrees.

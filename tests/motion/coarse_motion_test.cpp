@@ -12,7 +12,9 @@ namespace {
 /// The place of a body point, in the frame of the fixed body.
 Vector3<double> place_of(const motion::AnyPiece& piece, const Vector3<double>& point, double tau) {
     const auto maps = motion::control_maps(piece.cubic());
-    const auto path = maps.rotation * Vector3<DoubleDouble>{DoubleDouble(point.x), DoubleDouble(point.y), DoubleDouble(point.z)} + maps.translation;
+    const auto path =
+        maps.rotation * Vector3<DoubleDouble>{DoubleDouble(point.x), DoubleDouble(point.y), DoubleDouble(point.z)} +
+        maps.translation;
     const DoubleDouble at(tau);
     const DoubleDouble weight = value_at(maps.weight, at);
     return {double(value_at(path.x, at) / weight), double(value_at(path.y, at) / weight),
