@@ -96,12 +96,6 @@ private:
         return false;
     }
 
-    /// The window relative to the earlier or later half of the interval, cut off at the ends of the half. It is exact.
-    static Window in_half(const Window& when, bool later) {
-        const float offset = later ? 1 : 0;
-        return {std::max(0.0F, 2 * when.lower - offset), std::min(1.0F, 2 * when.upper - offset)};
-    }
-
     /// Skips a pair that cannot improve the answer, defers it, tests its faces, or splits its nodes. Once a pair is
     /// deferred, all pairs that may only touch in the later half are deferred with it.
     void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& deferred) {
@@ -113,7 +107,7 @@ private:
         if (moving.is_bare() && fixed.is_bare())
             return;
         if ((!deferred.empty() && pair.when.lower >= 0.5F) ||
-            is_worth_halving(interval, std::max(side(moving), side(fixed))))
+            is_worth_halving(interval, std::max(longest_side(moving), longest_side(fixed))))
             deferred.push_back(pair);
         else if (moving.is_leaf() && fixed.is_leaf())
             leaves_.test(FacePair{moving.first, fixed.first, interval.range, pair.when,
@@ -143,8 +137,8 @@ private:
     void split(const NodePair& pair, const TimeInterval& interval) {
         const BvhNode& moving = moving_nodes_[pair.moving];
         const BvhNode& fixed = fixed_nodes_[pair.fixed];
-        const float moving_side = side(moving);
-        const float fixed_side = side(fixed);
+        const float moving_side = longest_side(moving);
+        const float fixed_side = longest_side(fixed);
         const bool moving_splits = !moving.is_leaf() && (fixed.is_leaf() || moving_side >= much_smaller * fixed_side);
         const bool fixed_splits = !fixed.is_leaf() && (moving.is_leaf() || fixed_side >= much_smaller * moving_side);
         const NodeRange a = moving_splits ? NodeRange{moving.first, 2} : NodeRange{pair.moving, 1};
@@ -179,10 +173,6 @@ private:
     static void prefetch_children(std::span<const BvhNode> nodes, std::uint32_t node) {
         if (!nodes[node].is_leaf())
             __builtin_prefetch(&nodes[nodes[node].first]);
-    }
-
-    static float side(const BvhNode& node) {
-        return std::max({node.upper[0] - node.lower[0], node.upper[1] - node.lower[1], node.upper[2] - node.lower[2]});
     }
 
     std::span<const BvhNode> moving_nodes_;

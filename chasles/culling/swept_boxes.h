@@ -5,6 +5,7 @@
 #include "chasles/hierarchy/bvh.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 
 namespace chasles::culling {
@@ -16,6 +17,12 @@ struct Window {
 
     [[nodiscard]] bool is_empty() const { return !(lower <= upper); }
 };
+
+/// The window relative to the earlier or later half of the interval, cut off at the ends of the half. It is exact.
+inline Window in_half(const Window& when, bool later) {
+    const float offset = later ? 1 : 0;
+    return {std::max(0.0F, 2 * when.lower - offset), std::min(1.0F, 2 * when.upper - offset)};
+}
 
 /// The placement of the moving hierarchy at one time: a point y relative to its centre is at rotation * y + offset,
 /// relative to the centre of the fixed hierarchy.

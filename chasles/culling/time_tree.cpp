@@ -7,30 +7,18 @@
 
 namespace chasles::culling {
 
-namespace {
-
-/// The greatest loss of a box where subnormal floats are flushed to zero, in the length unit.
-constexpr double flushed = 0x1p-110;
-/// The rounding error of a gap in single precision over the sum of all lengths. Note 14 counts 90 roundings, note 16
-/// counts 165 with a margin.
-constexpr double float_rounding = 128 * 0x1p-24;
-constexpr double float_rounding_with_margin = 192 * 0x1p-24;
-
-} // namespace
-
 TimeTree::TimeTree(const motion::ControlMaps<double>& whole, const motion::ChordDeviation& deviation,
                    const motion::Ball& moving, const motion::Ball& fixed, const elementary::ErrorScale& scale,
                    double margin)
     : whole_(whole), deviation_(deviation), moving_(moving), fixed_(fixed), margin_(margin),
-      rounding_(elementary::error_unit<double> * scale.length + flushed) {}
+      rounding_(elementary::error_unit<double> * scale.length + flushed_floats) {}
 
 /// Boxes are widened by the chord deviation and by all roundings, at both ends of the interval.
 TimeInterval TimeTree::interval(const TimeRange& range) const {
     const Placement start = placement(range.lower);
     const Placement end = placement(range.upper);
     const double distance = std::max(start.offset.lpNorm<1>(), end.offset.lpNorm<1>());
-    const double unit = margin_ > 0 ? float_rounding_with_margin : float_rounding;
-    const double rounding = rounding_ + unit * (moving_.radius + fixed_.radius + distance);
+    const double rounding = rounding_ + float_rounding(moving_.radius + fixed_.radius + distance, margin_);
     const double moving_deviation = deviation_.of_moving(range.lower, range.upper);
     const double fixed_deviation = deviation_.of_fixed(range.lower, range.upper);
     return {range, SweptBoxes(start, end, {moving_deviation + rounding, fixed_deviation + rounding, margin_}),

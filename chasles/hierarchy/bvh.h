@@ -7,6 +7,7 @@
 #include "chasles/hierarchy/slab.h"
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <cstdint>
@@ -42,6 +43,11 @@ inline BoxMiddle middle_of(const BvhNode& node) {
         box.half[axis] = 0.5F * node.upper[i] - 0.5F * node.lower[i];
     }
     return box;
+}
+
+/// The longest side of a node's box.
+inline float longest_side(const BvhNode& node) {
+    return std::max({node.upper[0] - node.lower[0], node.upper[1] - node.lower[1], node.upper[2] - node.lower[2]});
 }
 
 /// A BVH, built once by a binned surface area heuristic. Node 0 is the root. There are 2 n - 1 nodes for n faces, with

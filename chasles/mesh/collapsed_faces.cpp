@@ -1,5 +1,5 @@
 // The distinct corners of a collapsed face divide its line into pieces. An edge of a kept face between two of the
-// corners covers the pieces between them. Corners are compared exactly.
+// corners covers the pieces between them. CornerIds are compared exactly.
 #include "chasles/mesh/collapsed_faces.h"
 
 #include <algorithm>
@@ -12,11 +12,11 @@
 namespace chasles {
 namespace {
 
-using Corners = std::vector<std::uint32_t>;
+using CornerIds = std::vector<std::uint32_t>;
 
 /// The distinct corners, ordered by coordinates. For points of one line this is the order along the line.
-Corners corners_along_line(std::span<const std::uint32_t> outline, std::span<const Eigen::Vector3d> vertices) {
-    Corners corners(outline.begin(), outline.end());
+CornerIds corners_along_line(std::span<const std::uint32_t> outline, std::span<const Eigen::Vector3d> vertices) {
+    CornerIds corners(outline.begin(), outline.end());
     const auto place = [&](std::uint32_t corner) {
         const Eigen::Vector3d& point = vertices[corner];
         return std::tuple(point.x(), point.y(), point.z());
@@ -29,7 +29,7 @@ Corners corners_along_line(std::span<const std::uint32_t> outline, std::span<con
 /// Finds the edges between the corners of one line.
 class EdgesOnLine {
 public:
-    EdgesOnLine(const MeshEdges& edges, const Corners& corners) : edges_(edges), corners_(corners) {
+    EdgesOnLine(const MeshEdges& edges, const CornerIds& corners) : edges_(edges), corners_(corners) {
         for (std::uint32_t place = 0; place < corners.size(); ++place)
             places_.push_back({corners[place], place});
         std::ranges::sort(places_);
@@ -57,7 +57,7 @@ private:
     }
 
     const MeshEdges& edges_;
-    const Corners& corners_;
+    const CornerIds& corners_;
     std::vector<Place> places_;
 };
 
@@ -94,7 +94,7 @@ FaceOutlines uncovered_segments(const FaceOutlines& collapsed, const FlatLists<s
     Segments segments;
     for (std::size_t i = 0; i < collapsed.source.size(); ++i) {
         const std::uint32_t source = collapsed.source[i];
-        const Corners corners = corners_along_line(collapsed.outlines[i], vertices);
+        const CornerIds corners = corners_along_line(collapsed.outlines[i], vertices);
         if (corners.size() == 1 && !is_kept[corners.front()]) // a point by itself
             segments.add(corners.front(), corners.front(), source);
         const std::vector<std::uint32_t> farthest = EdgesOnLine(edges, corners).farthest();

@@ -37,6 +37,7 @@ public:
     virtual ~AnyTrajectory() = default;
     [[nodiscard]] virtual std::unique_ptr<const AnyPieces> pieces() const = 0;
     [[nodiscard]] virtual PathBall ball_around_path(const Vector3<double>& point) const = 0;
+    [[nodiscard]] virtual std::optional<CoarseMotion> coarse() const = 0;
     [[nodiscard]] virtual Pose pose_at(double time) const = 0;
     [[nodiscard]] virtual Pose fixed_pose_at(double time) const = 0;
 };
@@ -46,6 +47,9 @@ template <TrajectoryPiece P>
 class ErasedPiece final : public AnyPiece {
 public:
     explicit ErasedPiece(P piece) : piece_(std::move(piece)) {}
+    /// One piece of a sequence, without a copy.
+    template <class Pieces>
+    ErasedPiece(const Pieces& pieces, std::size_t index) : piece_(pieces[index]) {}
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const override { return piece_.cubic(); }
     [[nodiscard]] std::optional<ExactMotion> exact() const override { return piece_.exact(); }
@@ -75,11 +79,12 @@ public:
     [[nodiscard]] const T& get() const { return trajectory_; }
 
     [[nodiscard]] std::unique_ptr<const AnyPieces> pieces() const override {
-        return std::make_unique<Pieces>(trajectory_.pieces());
+        return std::make_unique<Pieces>(trajectory_);
     }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const override {
         return trajectory_.ball_around_path(point);
     }
+    [[nodiscard]] std::optional<CoarseMotion> coarse() const override { return trajectory_.coarse(); }
     [[nodiscard]] Pose pose_at(double time) const override { return trajectory_.pose_at(time); }
     [[nodiscard]] Pose fixed_pose_at(double time) const override { return trajectory_.fixed_pose_at(time); }
 
@@ -89,10 +94,10 @@ private:
 
     class Pieces final : public AnyPieces {
     public:
-        explicit Pieces(TypedPieces pieces) : pieces_(std::move(pieces)) {}
+        explicit Pieces(const T& trajectory) : pieces_(trajectory.pieces()) {}
         [[nodiscard]] std::size_t size() const override { return pieces_.size(); }
         [[nodiscard]] std::unique_ptr<const AnyPiece> at(std::size_t index) const override {
-            return std::make_unique<ErasedPiece<TypedPiece>>(pieces_[index]);
+            return std::make_unique<ErasedPiece<TypedPiece>>(pieces_, index);
         }
 
     private:

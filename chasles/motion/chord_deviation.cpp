@@ -16,9 +16,7 @@ constexpr double rounding = 1e-14;
 
 } // namespace
 
-ChordDeviation::ChordDeviation(const RationalMotion<algebra::DoubleDouble>& motion, const Ball& moving,
-                               const Ball& fixed) {
-    const RationalMotion<double> m = rounded(motion);
+ChordDeviation::ChordDeviation(const RationalMotion<double>& m, const Ball& moving, const Ball& fixed) {
     cosine_rate_ = m.end_cosine - 1;
     square_ = cosine_rate_ * cosine_rate_ + dot(m.axis, m.axis);
     turn_ = std::sqrt(square_);

@@ -20,7 +20,9 @@ struct Ball {
 /// touch.
 class ChordDeviation {
 public:
-    ChordDeviation(const RationalMotion<algebra::DoubleDouble>& motion, const Ball& moving, const Ball& fixed);
+    ChordDeviation(const RationalMotion<double>& m, const Ball& moving, const Ball& fixed);
+    ChordDeviation(const RationalMotion<algebra::DoubleDouble>& motion, const Ball& moving, const Ball& fixed)
+        : ChordDeviation(rounded(motion), moving, fixed) {}
 
     /// Both in the length unit, for 0 <= from <= to <= 1.
     [[nodiscard]] double of_moving(double from, double to) const;

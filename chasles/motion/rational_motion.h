@@ -27,9 +27,13 @@ struct Quaternion {
 /// The rotation matrix of a quaternion of any non-zero length, times its squared norm.
 template <class S>
 Matrix3<S> scaled_rotation_matrix(const Quaternion<S>& q) {
+    const S two(2); // square I + 2 v v^T + 2 w [v], without the products with zeros and ones
     const S square = q.w * q.w - dot(q.v, q.v);
-    return scale(algebra::identity_matrix<S>(), square) + scale(outer(q.v, q.v), S(2)) +
-           scale(cross_matrix(q.v), S(S(2) * q.w));
+    const S xy = S(q.v.x * q.v.y) * two, yz = S(q.v.y * q.v.z) * two, zx = S(q.v.z * q.v.x) * two;
+    const Vector3<S> turned = scale(q.v, S(two * q.w));
+    return {{{S(square + S(q.v.x * q.v.x) * two), S(xy - turned.z), S(zx + turned.y)},
+             {S(xy + turned.z), S(square + S(q.v.y * q.v.y) * two), S(yz - turned.x)},
+             {S(zx - turned.y), S(yz + turned.x), S(square + S(q.v.z * q.v.z) * two)}}};
 }
 
 /// The rotation matrix of a quaternion of any non-zero length.
@@ -86,18 +90,22 @@ Quaternion<S> turn_between(const GeneralPose<S>& start, const GeneralPose<S>& go
 }
 
 /// The screw between two poses, which must not be a half turn apart. The result is exact if S is exact: the formulas
-/// need no square root. Source: docs/derivations/01-screw-from-two-poses.md.
+/// need no square root. `turn` is turn_between(start, goal). Source: docs/derivations/01-screw-from-two-poses.md.
 template <class S>
-RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S>& goal) {
-    const Quaternion<S> turn = turn_between(start, goal);
+RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S>& goal, const Quaternion<S>& turn) {
     const Vector3<S> axis = scale(turn.v, S(S(1) / turn.w));
     const Vector3<S> shift = goal.translation - start.translation;
     const S square = dot(turn.v, turn.v);
     const bool turns = S(0) < square;
     const Vector3<S> along = turns ? scale(turn.v, S(dot(turn.v, shift) / square)) : shift;
     const Vector3<S> across = shift - along;
-    const Vector3<S> moment = scale(across - cross(axis, across), S(S(1) / S(2)));
+    static const S half = S(1) / S(2);
+    const Vector3<S> moment = scale(across - cross(axis, across), half);
     return {S(1), axis, moment, along, start.translation, rotation_matrix(start.rotation)};
+}
+template <class S>
+RationalMotion<S> screw_between(const GeneralPose<S>& start, const GeneralPose<S>& goal) {
+    return screw_between(start, goal, turn_between(start, goal));
 }
 
 /// The sweep about the body point `centre`. `unit_turn` is the rotation from start to goal as a unit quaternion.

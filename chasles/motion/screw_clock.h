@@ -13,6 +13,8 @@ class ScrewClock {
 public:
     using Scalar = algebra::DoubleDouble;
     ScrewClock(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal) : turn_(turn_angle(start, goal)) {}
+    /// `turn` is turn_between the two poses.
+    explicit ScrewClock(const Quaternion<Scalar>& turn) : turn_(turn_angle(turn)) {}
 
     [[nodiscard]] double angle() const { return turn_.angle; } ///< in radians, in [0, pi]
 

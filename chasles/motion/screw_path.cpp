@@ -45,15 +45,14 @@ GeneralPose<Scalar> composed(const GeneralPose<Scalar>& outer, const GeneralPose
 }
 
 /// The arc tangent of sine and cosine is accurate for all angles, also next to 0 and to a half turn.
-TurnAngle turn_angle(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal) {
-    const Quaternion<Scalar> turn = turn_between(start, goal);
+TurnAngle turn_angle(const Quaternion<Scalar>& turn) {
     const Scalar sine = length(turn.v);
     return {2 * std::atan2(sine.high(), turn.w.high()), (sine / turn.w).high()};
 }
 
 /// For a pure translation the direction is the direction of the displacement.
-ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal)
-    : start_(start), turn_(normalized(turn_between(start, goal))), half_sine_(length(turn_.v)) {
+ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal, const Quaternion<Scalar>& turn)
+    : start_(start), turn_(normalized(turn)), half_sine_(length(turn_.v)) {
     const Vector shift = goal.translation - start.translation;
     const bool turns = half_sine_.high() > 0;
     const Vector raw = turns ? turn_.v : shift;

@@ -44,7 +44,12 @@ struct TurnAngle {
     double angle;        ///< in radians, in [0, pi]
     double half_tangent; ///< huge or infinite at a half turn
 };
-TurnAngle turn_angle(const GeneralPose<algebra::DoubleDouble>& start, const GeneralPose<algebra::DoubleDouble>& goal);
+/// `turn` is turn_between two poses.
+TurnAngle turn_angle(const Quaternion<algebra::DoubleDouble>& turn);
+inline TurnAngle turn_angle(const GeneralPose<algebra::DoubleDouble>& start,
+                            const GeneralPose<algebra::DoubleDouble>& goal) {
+    return turn_angle(turn_between(start, goal));
+}
 
 /// The progress along a screw: the fractions of its whole rotation and of its whole slide, both in [0, 1].
 struct ScrewProgress {
@@ -65,7 +70,10 @@ struct ScrewNumbers {
 class ScrewPath {
 public:
     using Scalar = algebra::DoubleDouble;
-    ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal);
+    ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal)
+        : ScrewPath(start, goal, turn_between(start, goal)) {}
+    /// `turn` is turn_between(start, goal).
+    ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal, const Quaternion<Scalar>& turn);
 
     /// The pose at a progress, up to rounding.
     [[nodiscard]] Pose at(const ScrewProgress& progress) const;

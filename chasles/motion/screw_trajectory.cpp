@@ -10,10 +10,10 @@ namespace chasles::motion {
 
 static_assert(Trajectory<ScrewTrajectory>);
 
-ScrewPiece::ScrewPiece(const MotionEnds& ends, const PieceClock& clock)
-    : ends_(ends), relative_(ends), screw_clock_(relative_.start, relative_.goal), clock_(clock) {
+ScrewPiece::ScrewPiece(const MotionEnds& ends, const RelativeScrew& relative, const PieceClock& clock)
+    : ends_(ends), relative_(relative.ends), screw_clock_(relative.clock), clock_(clock) {
     if (screw_clock_.is_short())
-        cubic_ = screw_between(relative_.start, relative_.goal);
+        cubic_ = screw_between(relative_.start, relative_.goal, relative.turn);
 }
 
 Bracket ScrewPiece::time_of(const Bracket& tau) const {
@@ -34,31 +34,34 @@ Pose ScrewPiece::pose_at_time(double time) const {
     return ends_.in_world(screw_pose(relative_.start, relative_.goal, {time, screw_clock_.tau_at(time)}), time);
 }
 
-ScrewPieces::ScrewPieces(const MotionEnds& ends, double max_turn)
-    : whole_(ends), count_(whole_.screw_clock().piece_count(max_turn)) {
-    if (count_ > 1)
-        path_.emplace(whole_.relative_ends().start, whole_.relative_ends().goal);
+ScrewPieces::ScrewPieces(const MotionEnds& ends, double max_turn) : ends_(ends) {
+    const RelativeScrew relative(ends);
+    count_ = relative.clock.piece_count(max_turn);
+    if (count_ == 1)
+        whole_.emplace(ends, relative);
+    else
+        path_.emplace(relative.ends.start, relative.ends.goal, relative.turn);
 }
 
 ScrewPiece ScrewPieces::operator[](std::size_t index) const {
-    return count_ == 1 ? whole_ : ScrewPiece(ends_of(index), {index, count_});
+    return whole_ ? *whole_ : ScrewPiece(ends_of(index), {index, count_});
 }
 
 MotionEnds ScrewPieces::ends_of(std::size_t index) const {
     const auto time_of = [&](std::size_t i) { return double(i) / double(count_); };
     const auto pose_of = [&](std::size_t i) { return path_->at({time_of(i), time_of(i)}); }; // the same bits each time
-    MotionEnds piece = whole_.ends();
+    MotionEnds piece = ends_;
     if (index > 0) {
         piece.start = pose_of(index);
         piece.start_is_in_world = false;
         if (piece.fixed)
-            piece.fixed->start = whole_.ends().fixed_pose_at(time_of(index));
+            piece.fixed->start = ends_.fixed_pose_at(time_of(index));
     }
     if (index + 1 < count_) {
         piece.goal = pose_of(index + 1);
         piece.goal_is_in_world = false;
         if (piece.fixed)
-            piece.fixed->goal = whole_.ends().fixed_pose_at(time_of(index + 1));
+            piece.fixed->goal = ends_.fixed_pose_at(time_of(index + 1));
     }
     return piece;
 }

@@ -9,11 +9,23 @@
 
 namespace chasles::motion {
 
+/// The ends of a screw in the frame of the fixed body, with what every use of them needs first.
+struct RelativeScrew {
+    RelativeEnds ends;
+    Quaternion<algebra::DoubleDouble> turn;
+    ScrewClock clock;
+
+    explicit RelativeScrew(const MotionEnds& given)
+        : ends(given), turn(turn_between(ends.start, ends.goal)), clock(turn) {}
+};
+
 /// The screw between two poses. Where it turns too far for the paper's parameter (ScrewClock::is_short), only its clock
 /// and its poses are defined.
 class ScrewPiece {
 public:
-    explicit ScrewPiece(const MotionEnds& ends, const PieceClock& clock = {});
+    explicit ScrewPiece(const MotionEnds& ends, const PieceClock& clock = {})
+        : ScrewPiece(ends, RelativeScrew(ends), clock) {}
+    ScrewPiece(const MotionEnds& ends, const RelativeScrew& relative, const PieceClock& clock = {});
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const { return cubic_; }
     [[nodiscard]] std::optional<ExactMotion> exact() const { return exact_screw(ends_); }
@@ -33,7 +45,6 @@ public:
     [[nodiscard]] Pose pose_at_time(double time) const;
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }
     [[nodiscard]] const RelativeEnds& relative_ends() const { return relative_; }
-    [[nodiscard]] const ScrewClock& screw_clock() const { return screw_clock_; }
 
 private:
     MotionEnds ends_;
@@ -54,9 +65,10 @@ public:
     [[nodiscard]] MotionEnds ends_of(std::size_t index) const;
 
 private:
-    ScrewPiece whole_;
+    MotionEnds ends_;
     std::size_t count_;
-    std::optional<ScrewPath> path_; ///< empty where the screw is the only piece
+    std::optional<ScrewPiece> whole_; ///< only where the screw is the only piece
+    std::optional<ScrewPath> path_;   ///< only where it is not
 };
 
 /// What a ScrewMotion describes. Small: the pieces are computed when they are requested, as most motions of a plan are
@@ -68,6 +80,7 @@ public:
 
     [[nodiscard]] ScrewPieces pieces() const { return {ends_, max_turn_}; }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
+    [[nodiscard]] std::optional<CoarseMotion> coarse() const { return coarse_screw(ends_); }
     /// Along the pieces.
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose uncut_pose_at(double time) const;

@@ -53,7 +53,10 @@ public:
     [[nodiscard]] SweepPiece piece() const { return {ends_, centre_}; }
     [[nodiscard]] Pieces pieces() const { return Pieces(piece()); }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
-    [[nodiscard]] Pose pose_at(double time) const { return piece().pose_at(time); }
+    [[nodiscard]] std::optional<CoarseMotion> coarse() const { return coarse_sweep(ends_, vector_in<double>(centre_)); }
+    [[nodiscard]] Pose pose_at(double time) const {
+        return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : piece().pose_at(time);
+    }
     [[nodiscard]] Pose fixed_pose_at(double time) const { return ends_.fixed_pose_at(time); }
 
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }

@@ -4,6 +4,7 @@
 
 #include "chasles/algebra/bracket.h"
 #include "chasles/motion/chord_deviation.h"
+#include "chasles/motion/coarse_motion.h"
 #include "chasles/motion/exact_motion.h"
 #include "chasles/motion/rational_motion.h"
 
@@ -53,6 +54,8 @@ concept Trajectory = requires(const T& trajectory, std::size_t index, double tim
     requires TrajectoryPiece<std::remove_cvref_t<decltype(trajectory.pieces()[index])>>;
     /// For the test that bodies stay far apart. Encloses the true path, deviation included.
     { trajectory.ball_around_path(point) } -> std::same_as<PathBall>;
+    /// One motion in double near the whole trajectory. Empty if there is none: the pieces are then searched at once.
+    { trajectory.coarse() } -> std::same_as<std::optional<CoarseMotion>>;
     { trajectory.pose_at(time) } -> std::same_as<Pose>;
     { trajectory.fixed_pose_at(time) } -> std::same_as<Pose>;
 };

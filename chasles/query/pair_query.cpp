@@ -3,6 +3,7 @@
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/contact/relative_configuration.h"
+#include "chasles/culling/clearly_apart.h"
 #include "chasles/culling/far_apart.h"
 #include "chasles/query/report.h"
 
@@ -39,12 +40,12 @@ PieceResult contact_of(const search::NearFeatures& near) {
 }
 
 /// Proven clear up to the goal.
-void set_clear(FirstContact& answer, const Pose& goal, const Pose& fixed_goal) {
+void set_clear(FirstContact& answer, const motion::AnyTrajectory& trajectory) {
     answer.verdict = Verdict::clear;
     answer.certain = true;
     answer.clear_until = 1;
-    answer.pose = goal;
-    answer.fixed_pose = fixed_goal;
+    answer.pose = trajectory.pose_at(1);
+    answer.fixed_pose = trajectory.fixed_pose_at(1);
 }
 
 /// One question, piece by piece.
@@ -104,7 +105,7 @@ FirstContact PieceByPiece::run_within(double margin) {
             return found;
         }
         if (i + 1 == pieces_->size())
-            set_clear(found, context.piece().pose_at(1), context.piece().fixed_pose_at(1));
+            set_clear(found, query_.trajectory);
     }
     return found;
 }
@@ -162,7 +163,7 @@ void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece
         if (search_holding_piece(found, context, level, held, i == 0))
             return;
         if (i + 1 == pieces_->size() && found.verdict == Verdict::unknown)
-            set_clear(found, context.piece().pose_at(1), context.piece().fixed_pose_at(1));
+            set_clear(found, query_.trajectory);
     }
     found.clear_until = 1;
 }
@@ -222,9 +223,11 @@ void check_options(const QueryOptions& options) {
 }
 
 FirstContact answer(const PairQuery& query) {
-    if (culling::are_far_apart(query.moving, query.fixed, query.trajectory, query.options.margin)) {
+    const auto& [moving, fixed, trajectory, options] = query;
+    if (culling::are_far_apart(moving, fixed, trajectory, options.margin) ||
+        culling::are_clearly_apart(moving, fixed, trajectory, options.margin)) {
         FirstContact clear;
-        set_clear(clear, query.trajectory.pose_at(1), query.trajectory.fixed_pose_at(1));
+        set_clear(clear, trajectory);
         return clear;
     }
     PieceByPiece pieces(query);

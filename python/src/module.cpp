@@ -35,6 +35,7 @@ NB_MODULE(_core, module) {
     python::bind_answers(module);
     python::bind_queries(module);
     python::bind_batches(module);
+    python::bind_least_distance(module);
     python::bind_view(module);
     python::bind_timing(module);
 }

@@ -142,7 +142,7 @@ TEST(FirstContact, PassingByIsClear) {
     const FirstContact found =
         first_contact({.moving = unit_box(),
                        .fixed = unit_box(),
-                       .motion = ScrewMotion::between(shifted(-5, 1.001, 0), shifted(5, 1.001, 0))});
+                       .motion = ScrewMotion::between(shifted(-5, 1.00001, 0), shifted(5, 1.00001, 0))});
     EXPECT_EQ(found.verdict, Verdict::clear);
     EXPECT_TRUE(found.contacts.empty());
     EXPECT_GT(found.work.node_pairs, 0u);

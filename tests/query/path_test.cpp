@@ -26,7 +26,7 @@ TEST(Path, TellsTheSegmentAndTheTimeWithinIt) {
 
 TEST(Path, ClearPathCountsTheWorkOfAllSegments) {
     const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
-    const std::vector<Pose> poses{shifted(-4, 2, 0), shifted(0, 2, 0), shifted(4, 2, 0)};
+    const std::vector<Pose> poses{shifted(-4, 1.00001, 0), shifted(0, 1.00001, 0), shifted(4, 1.00001, 0)};
     const PathContact found = first_contact_on_path({.moving = body, .fixed = body, .motions = screws_along(poses)});
     EXPECT_EQ(found.contact.verdict, Verdict::clear);
     EXPECT_EQ(found.segment, 1u);

@@ -100,6 +100,7 @@ public:
         return {motion::vector_in<double>((from + to) / 2), (to - from).norm() / 2 + length(point),
                 from.lpNorm<1>() + to.lpNorm<1>() + norm1(point)};
     }
+    [[nodiscard]] static std::optional<motion::CoarseMotion> coarse() { return std::nullopt; }
     [[nodiscard]] Pose pose_at(double time) const { return whole_.at(time); }
     [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
 

@@ -32,6 +32,7 @@ struct Trajectory {
     };
     [[nodiscard]] static Pieces pieces() { return {}; }
     [[nodiscard]] static motion::PathBall ball_around_path(const motion::Vector3<double>& point) { return {point}; }
+    [[nodiscard]] static std::optional<motion::CoarseMotion> coarse() { return std::nullopt; }
     [[nodiscard]] static Pose pose_at(double) { return {}; }
     [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
 };

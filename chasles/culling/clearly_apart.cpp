@@ -1,0 +1,222 @@
+// Visits pairs of large nodes in space and time, with a small budget and without memory from the heap.
+// Source: docs/derivations/23-coarse-motion.md.
+#include "chasles/culling/clearly_apart.h"
+
+#include "chasles/culling/body_ball.h"
+#include "chasles/culling/near_nodes.h"
+#include "chasles/culling/pair_queue.h"
+#include "chasles/culling/time_tree.h"
+
+#include <algorithm>
+#include <array>
+#include <optional>
+
+namespace chasles::culling {
+
+namespace {
+
+using motion::Ball;
+using motion::CoarseMotion;
+
+// These numbers decide only when the test gives up. They are measured with clear_bench and peers_bench.
+
+/// The number of splits after which the test gives up.
+constexpr int most_splits = 16;
+/// The number of times that an interval is halved.
+constexpr int most_halvings = 3;
+/// The interval of a pair is halved if its boxes are widened by more than this fraction of their longest side plus this
+/// fraction of the margin.
+constexpr double widening_of_side = 0.1;
+constexpr double widening_of_margin = 0.3;
+
+/// A stack of pairs of nodes that does not grow.
+class PairStack {
+public:
+    [[nodiscard]] bool is_empty() const { return count_ == 0; }
+    /// False if the stack is full.
+    bool push(const NodePair& pair) {
+        if (count_ == pairs_.size())
+            return false;
+        pairs_[count_++] = pair;
+        return true;
+    }
+    NodePair pop() { return pairs_[--count_]; }
+
+private:
+    std::array<NodePair, 24> pairs_; // NOLINT(cppcoreguidelines-pro-type-member-init): the first count_ are set
+    std::size_t count_ = 0;
+};
+
+/// One node or two siblings.
+struct Siblings {
+    std::uint32_t first;
+    std::uint32_t count;
+
+    [[nodiscard]] TwoNodes of(std::span<const BvhNode> nodes) const {
+        return {&nodes[first], &nodes[first + count - 1]};
+    }
+};
+
+/// The children of a node, or the node itself if it is a leaf or much smaller than the other node.
+Siblings split_against(std::span<const BvhNode> nodes, std::uint32_t node, const BvhNode& other) {
+    const bool is_much_smaller = !other.is_leaf() && longest_side(nodes[node]) < 0.5F * longest_side(other);
+    return nodes[node].is_leaf() || is_much_smaller ? Siblings{node, 1} : Siblings{nodes[node].first, 2};
+}
+
+/// The ball around a body, enlarged.
+Ball enlarged_ball(const Bvh& hierarchy, double more) {
+    Ball ball = ball_around(hierarchy);
+    ball.radius += more;
+    return ball;
+}
+
+/// Two bodies and the coarse motion between them.
+struct CoarseScene {
+    const Bvh& moving;
+    const Bvh& fixed;
+    const CoarseMotion& motion;
+    double margin;
+
+    [[nodiscard]] Placement placement(double tau) const;
+    /// A bound of the distance between the true place of a point and its computed place.
+    [[nodiscard]] double deviation() const;
+};
+
+double CoarseScene::deviation() const {
+    const double bodies = moving.centre().lpNorm<1>() + moving.radius() + fixed.centre().lpNorm<1>() + fixed.radius();
+    return motion.deviation + motion::coarse_rounding * (motion.size + bodies + 2 * margin);
+}
+
+Placement CoarseScene::placement(double tau) const {
+    const motion::MatrixPose pose = position_at(motion.path, tau);
+    const auto centre = pose.rotation * motion::vector_in<double>(moving.centre()) +
+                        (pose.translation - motion::vector_in<double>(fixed.centre()));
+    Placement placed;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            placed.rotation(i, j) = pose.rotation.row[i][j];
+        placed.offset[i] = centre[i];
+    }
+    return placed;
+}
+
+/// A part of the motion with the placements at both ends.
+struct Part {
+    TimeRange range;
+    Placement start;
+    Placement end;
+    int halvings = 0;
+};
+
+class CoarseTest {
+public:
+    explicit CoarseTest(const CoarseScene& scene)
+        : scene_(scene), deviation_(scene.deviation()), moving_(enlarged_ball(scene.moving, scene.margin + deviation_)),
+          fixed_(enlarged_ball(scene.fixed, scene.margin + deviation_)), chords_(scene.motion.path, moving_, fixed_),
+          least_side_(small_side * std::min(size_of(scene.moving), size_of(scene.fixed))) {}
+
+    /// Whether all nodes are proven apart during the part.
+    bool separates_all(const Part& part) {
+        PairStack roots;
+        roots.push({0, 0, {}});
+        return separates(roots, part);
+    }
+
+private:
+    bool separates(PairStack& pairs, const Part& part);
+    bool separates_in_halves(PairStack& deferred, const Part& part);
+    bool split(const NodePair& pair, const SweptBoxes& boxes, PairStack& pairs);
+    [[nodiscard]] BoxSlack slack(const Part& part) const;
+
+    const CoarseScene& scene_;
+    double deviation_; ///< of the scene
+    Ball moving_;      ///< enlarged: true contacts are within the margin and the deviation on the coarse motion
+    Ball fixed_;
+    motion::ChordDeviation chords_;
+    double least_side_; ///< pairs of nodes below this size are not split
+    int splits_ = 0;
+};
+
+/// Boxes are widened by the chord deviation, by the deviation of the coarse motion, and by all roundings.
+BoxSlack CoarseTest::slack(const Part& part) const {
+    const double distance = std::max(part.start.offset.lpNorm<1>(), part.end.offset.lpNorm<1>());
+    const double size = moving_.radius + fixed_.radius + distance;
+    const double widening = deviation_ + float_rounding(size, scene_.margin) + flushed_floats;
+    const auto& [from, to] = part.range;
+    return {chords_.of_moving(from, to) + widening, chords_.of_fixed(from, to) + widening, scene_.margin};
+}
+
+/// Whether all pairs of the stack are proven apart during the part.
+bool CoarseTest::separates(PairStack& pairs, const Part& part) {
+    const BoxSlack widening = slack(part);
+    const double most = std::max(widening.moving, widening.fixed) - widening_of_margin * scene_.margin;
+    std::optional<SweptBoxes> boxes; // made only if a pair is not deferred
+    PairStack deferred;
+    while (!pairs.is_empty()) {
+        const NodePair pair = pairs.pop();
+        const BvhNode& moving = scene_.moving.nodes()[pair.moving];
+        const BvhNode& fixed = scene_.fixed.nodes()[pair.fixed];
+        const double side = std::max(longest_side(moving), longest_side(fixed));
+        if (part.halvings < most_halvings && most > widening_of_side * side) {
+            if (!deferred.push(pair))
+                return false;
+            continue;
+        }
+        if (side < least_side_ || (moving.is_leaf() && fixed.is_leaf()))
+            return false;
+        if (!boxes)
+            boxes.emplace(part.start, part.end, widening);
+        if (!split(pair, *boxes, pairs))
+            return false;
+    }
+    return deferred.is_empty() || separates_in_halves(deferred, part);
+}
+
+bool CoarseTest::separates_in_halves(PairStack& deferred, const Part& part) {
+    const double middle = part.range.at(0.5);
+    const Placement between = scene_.placement(middle);
+    PairStack earlier, later;
+    while (!deferred.is_empty()) {
+        const NodePair pair = deferred.pop();
+        for (const bool is_later : {false, true})
+            if (const Window when = in_half(pair.when, is_later); !when.is_empty())
+                (is_later ? later : earlier).push({pair.moving, pair.fixed, when});
+    }
+    const int halvings = part.halvings + 1;
+    return separates(earlier, {{part.range.lower, middle}, part.start, between, halvings}) &&
+           separates(later, {{middle, part.range.upper}, between, part.end, halvings});
+}
+
+/// Pushes the pairs of children that are not proven apart. False if there are too many.
+bool CoarseTest::split(const NodePair& pair, const SweptBoxes& boxes, PairStack& pairs) {
+    if (++splits_ > most_splits)
+        return false;
+    const std::span<const BvhNode> moving = scene_.moving.nodes();
+    const std::span<const BvhNode> fixed = scene_.fixed.nodes();
+    const Siblings a = split_against(moving, pair.moving, fixed[pair.fixed]);
+    const Siblings b = split_against(fixed, pair.fixed, moving[pair.moving]);
+    const auto when = boxes.overlap_windows(a.of(moving), b.of(fixed), pair.when);
+    for (std::uint32_t i = 0; i < a.count; ++i)
+        for (std::uint32_t j = 0; j < b.count; ++j)
+            if (const Window& window = when[2 * i + j]; !window.is_empty())
+                if (!pairs.push({a.first + i, b.first + j, window}))
+                    return false;
+    return true;
+}
+
+} // namespace
+
+bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory, double margin) {
+    const std::optional<CoarseMotion> motion = trajectory.coarse();
+    if (!motion)
+        return false;
+    const CoarseScene scene{moving.bvh(), fixed.bvh(), *motion, margin};
+    const Placement start = scene.placement(0);
+    if (have_near_nodes(scene.moving, scene.fixed, start, margin))
+        return false;
+    const Placement end = scene.placement(1);
+    return !have_near_nodes(scene.moving, scene.fixed, end, margin) &&
+           CoarseTest(scene).separates_all({{}, start, end});
+}
+
+} // namespace chasles::culling

@@ -1,0 +1,15 @@
+// A test with the largest nodes of both hierarchies. It proves that bodies stay clearly apart before the true motion is
+// computed. Source: docs/derivations/23-coarse-motion.md.
+#pragma once
+
+#include "chasles/mesh/body.h"
+#include "chasles/motion/any_trajectory.h"
+
+namespace chasles::culling {
+
+/// True if the bodies are proven never to come within the margin on the whole trajectory. False proves nothing: the
+/// test gives up as soon as the bodies seem to be near each other.
+bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory,
+                       double margin = 0);
+
+} // namespace chasles::culling
