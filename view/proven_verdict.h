@@ -1,4 +1,4 @@
-// What an answer about the least distance says about contact.
+// The verdict that an answer about the least distance proves.
 #pragma once
 
 #include "chasles/query/least_distance.h"
