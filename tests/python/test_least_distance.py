@@ -48,8 +48,12 @@ def test_the_distance_of_a_round_body_that_flies_over_a_cube(cube):
     assert_distance(found, 0.25)  # its lowest vertex is straight below the centre
     assert 3 / 7 - 1e-9 <= found.time <= found.time_upper <= 4 / 7 + 1e-9
     assert found.contacts[0].kind == "vertex_face" and found.contacts[0].normal == pytest.approx([0, 0, 1])
-    turning = chasles.least_distance(ball, cube, pose(-3, 0.4, 1.75), pose(4, 0.4, 1.75, 0.2, 0.3, 0.9, 0.1))
-    assert 0.25 <= turning.distance_upper < 0.25 + 0.5 * (1 - math.cos(math.radians(12)))
+    sweep = chasles.SweepMotion.between(pose(-3, 0.4, 1.75), pose(4, 0.4, 1.75, 0.2, 0.3, 0.9, 0.1))
+    turning = chasles.least_distance(ball, cube, motion=sweep)  # the centre flies straight on
+    corners = ball.vertices[np.array(ball.faces)]
+    normals = np.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0])
+    inner_radius = np.abs(np.sum(normals * corners[:, 0], 1) / np.linalg.norm(normals, axis=1)).min()
+    assert 0.25 < turning.distance_upper and turning.distance < 0.75 - inner_radius < 0.27
 
 
 def test_the_distance_of_a_turning_edge(cube):
