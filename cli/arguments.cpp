@@ -13,8 +13,8 @@ namespace {
 
 constexpr auto takes_numbers =
     std::to_array<std::string_view>({"--start", "--goal", "--fixed-start", "--fixed-goal", "--centre"});
-constexpr auto takes_number =
-    std::to_array<std::string_view>({"--margin", "--hold", "--max-turn-deg", "--time-tolerance", "--threads"});
+constexpr auto takes_number = std::to_array<std::string_view>(
+    {"--margin", "--hold", "--max-turn-deg", "--time-tolerance", "--tolerance", "--threads"});
 
 template <typename Names>
 bool contains(const Names& names, std::string_view name) {

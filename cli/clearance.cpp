@@ -4,6 +4,7 @@
 #include "cli/output.h"
 #include "cli/report.h"
 #include "view/answer_json.h"
+#include "view/proven_verdict.h"
 
 #include <memory>
 
@@ -16,7 +17,7 @@ struct ClearanceOptions {
     bool json = false;
 };
 
-/// Refuses an option or a flag of `check` and says why. It is not in the help.
+// Refuses an option or a flag of `check` with a reason. The help does not list it.
 void refuse(CLI::App& command, const std::string& option, const std::string& why) {
     command
         .add_option_function<std::string>(
@@ -36,8 +37,8 @@ int run_clearance(const ClearanceOptions& options) {
                                                 .options = {.tolerance = tolerance,
                                                             .time_tolerance = question.options.time_tolerance,
                                                             .find = question.options.find}});
-    print(options.json ? view::answer_json(found).dump() + "\n" : report(found, question.numbers));
-    return found.distance.lower > 0 ? is_clear : is_contact;
+    print(options.json ? view::answer_json(found, question.numbers).dump() + "\n" : report(found, question.numbers));
+    return view::proven_verdict(found) == Verdict::clear ? is_clear : is_contact;
 }
 
 } // namespace
@@ -47,16 +48,19 @@ void add_clearance(CLI::App& app, Task& task) {
     CLI::App& command =
         *app.add_subcommand("clearance", "How near do two bodies come during a motion between two poses?");
     add_motion_options(command, options->question);
-    command.add_option("--tolerance", options->tolerance, "aimed width of the bracket, as a part of the distance")
+    command
+        .add_option("--tolerance", options->tolerance, "aimed width of the bracket of the distance, as a part of it")
         ->type_name("T")
         ->capture_default_str();
     add_search_options(command, options->question.query);
     command.add_flag("--all-contacts", options->question.query.all_contacts,
-                     "list all features that are at the least distance");
+                     "list every feature pair at the least distance, instead of one");
     command.add_flag("--json", options->json, "print one JSON object");
-    refuse(command, "--margin", "a least distance has no margin: ask `chasles check` when the bodies come within one");
-    refuse(command, "--hold", "a least distance has no hold distance");
-    refuse_flag(command, "--any", "a least distance is that of the whole motion, not of any contact");
+    refuse(command, "--margin", "clearance measures the distance and takes no margin; check takes one");
+    refuse(command, "--hold", "clearance measures the distance and has no margin, so it holds no contacts; check does");
+    refuse_flag(
+        command, "--any",
+        "clearance searches the whole motion for the least distance, so it cannot stop at any contact; check can");
     command.callback([options, &task] { task = [options] { return run_clearance(*options); }; });
 }
 

@@ -2,6 +2,7 @@
 #include "cli/report.h"
 
 #include "cli/contact_table.h"
+#include "view/proven_verdict.h"
 
 #include <fmt/format.h>
 #include <numbers>
@@ -46,24 +47,49 @@ std::string report(const view::MotionNumbers& motion) {
                                          vector_text(motion.axis_point)));
 }
 
-std::string progress_of(const view::MotionNumbers& motion, const FirstContact& found) {
+std::string progress_of(const view::MotionNumbers& motion, double time, double tau) {
     const double length = motion.is_sweep ? motion.travel : motion.slide;
-    return fmt::format("turned {:.9g} degrees, {} {:.9g}", degrees(view::turned_so_far(motion, found)),
-                       motion.is_sweep ? "travelled" : "slid", length * found.tau.lower + 0.0);
+    return fmt::format("turned {:.9g} degrees, {} {:.9g}", degrees(view::turned_so_far(motion, time, tau)),
+                       motion.is_sweep ? "travelled" : "slid", length * tau + 0.0);
 }
 
-std::string report_contact(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
-    std::string text =
-        labelled("so far", progress_of(motion, found)) + labelled("time", text_of(found.time)) +
-        labelled("tau", text_of(found.tau)) +
-        labelled("certain", found.certain ? "yes" : "no: the bodies may miss each other by a rounding error");
+// `Found` is FirstContact or LeastDistance.
+template <typename Found>
+std::string report_time(const Found& found, const view::MotionNumbers& motion, const std::string& why_uncertain) {
+    return labelled("so far", progress_of(motion, found.time.lower, found.tau.lower)) +
+           labelled("time", text_of(found.time)) + labelled("tau", text_of(found.tau)) +
+           labelled("certain", found.certain ? "yes" : "no: " + why_uncertain);
+}
+
+template <typename Found>
+std::string report_features(const Found& found, const std::string& label, bool shows_gaps) {
+    std::string text;
     if (!found.contacts.empty())
-        text += report(found.contacts, margin > 0 ? "within" : "touching", margin > 0);
+        text += report(found.contacts, label, shows_gaps);
     if (found.overlap)
         text += report(*found.overlap);
     else if (found.contacts_cut)
         text += labelled("", "the list is cut: there are more contacts");
     return text;
+}
+
+std::string report_contact(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
+    return report_time(found, motion, "the bodies may miss each other by a rounding error") +
+           report_features(found, margin > 0 ? "within" : "touching", margin > 0);
+}
+
+std::string headline(const LeastDistance& found) {
+    switch (view::proven_verdict(found)) {
+    case Verdict::clear:
+        return fmt::format("CLEARANCE {:.9g} at time {:.12g}\n", found.distance.lower, found.time.lower);
+    case Verdict::contact:
+        return fmt::format("TOUCH at time {:.12g}\n", found.time.lower);
+    case Verdict::contact_at_start:
+        return fmt::format("TOUCH AT THE START{}\n", found.overlap ? ": the surfaces pass through each other" : "");
+    case Verdict::unknown:
+        break;
+    }
+    return fmt::format("NO CLEARANCE PROVEN: at most {:.9g} at time {:.12g}\n", found.distance.upper, found.time.lower);
 }
 
 } // namespace
@@ -119,19 +145,10 @@ std::string report(const FirstContact& found, const view::MotionNumbers& motion,
 }
 
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion) {
-    const bool is_touching = found.distance.upper <= 0;
-    const std::string time = fmt::format("at time {:.12g}", found.time.lower);
-    std::string text = is_touching ? "NO CLEARANCE: the bodies touch " + time + "\n"
-                                   : fmt::format("CLEARANCE {:.9g} {}\n", found.distance.lower, time);
-    text += report(motion) + labelled("distance", text_of(found.distance)) + labelled("time", text_of(found.time)) +
-            labelled("certain", found.certain ? "yes" : "no: the bracket of the distance is wider than asked");
-    if (!found.contacts.empty())
-        text += report(found.contacts, is_touching ? "touching" : "nearest", !is_touching);
-    if (found.overlap)
-        text += report(*found.overlap);
-    else if (found.contacts_cut)
-        text += labelled("", "the list is cut: there are more nearest features");
-    return text + report(found.work);
+    const bool is_apart = found.distance.upper > 0;
+    return headline(found) + report(motion) + labelled("distance", text_of(found.distance)) +
+           report_time(found, motion, "the bracket of the distance is wider than the tolerance") +
+           report_features(found, is_apart ? "nearest" : "touching", is_apart) + report(found.work);
 }
 
 } // namespace chasles::cli

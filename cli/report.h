@@ -11,7 +11,7 @@ namespace chasles::cli {
 /// report shows the gaps.
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
-/// The answer of `clearance`.
+/// The answer of `clearance` in the same form. The first line has the proven lower end of the distance.
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion);
 
 /// The two parts of report(): the verdict in one line, and the details.

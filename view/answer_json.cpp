@@ -68,7 +68,9 @@ Json json_of(const Work& work) {
             {"exact", work.exact}};
 }
 
-void add_contact(Json& answer, const FirstContact& found) {
+/// The keys from time to overlap, which both kinds of answers have.
+template <typename Found>
+void add_contacts(Json& answer, const Found& found) {
     answer["time"] = found.time.lower;
     answer["time_upper"] = found.time.upper;
     answer["tau"] = found.tau.lower;
@@ -96,7 +98,7 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     Json answer;
     answer["verdict"] = name_of(found.verdict);
     if (found.verdict != Verdict::clear)
-        add_contact(answer, found);
+        add_contacts(answer, found);
     if (found.contacts_cut)
         answer["contacts_cut"] = true;
     if (!found.held.empty())
@@ -107,18 +109,14 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     return answer;
 }
 
-Json answer_json(const LeastDistance& found) {
+Json answer_json(const LeastDistance& found, const MotionNumbers& motion) {
     Json answer;
     answer["distance"] = found.distance.lower;
     answer["distance_upper"] = found.distance.upper;
-    answer["time"] = found.time.lower;
-    answer["time_upper"] = found.time.upper;
-    answer["certain"] = found.certain;
-    answer["contacts"] = json_of(found.contacts);
+    add_contacts(answer, found);
     if (found.contacts_cut)
         answer["contacts_cut"] = true;
-    if (found.overlap)
-        answer["overlap"] = json_of(*found.overlap);
+    answer["motion"] = json_of(motion);
     answer["work"] = json_of(found.work);
     return answer;
 }

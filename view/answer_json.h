@@ -14,8 +14,9 @@ using Json = nlohmann::ordered_json;
 /// and contacts_cut if true.
 Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 
-/// The answer of `clearance`.
-Json answer_json(const LeastDistance& found);
+/// The answer of `clearance`: distance, time, tau, certain, pose, contacts, motion and work. `overlap` is present if
+/// the surfaces overlap at the start, and contacts_cut if true.
+Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 
 Json vector_json(const Eigen::Vector3d& vector);
 /// x, y, z, qw, qx, qy, qz. The quaternion has length one.

@@ -20,10 +20,9 @@ MotionNumbers numbers_of(const SweepMotion& sweep) {
     return numbers;
 }
 
-double turned_so_far(const MotionNumbers& motion, const FirstContact& found) {
+double turned_so_far(const MotionNumbers& motion, double time, double tau) {
     if (!motion.is_sweep)
-        return motion.angle * found.time.lower;
-    const double tau = found.tau.lower;
+        return motion.angle * time;
     return 2 * std::atan2(tau * std::sin(motion.angle / 2), 1 + tau * (std::cos(motion.angle / 2) - 1));
 }
 

@@ -18,7 +18,7 @@ struct MotionNumbers {
 MotionNumbers numbers_of(const ScrewMotion& screw);
 MotionNumbers numbers_of(const SweepMotion& sweep);
 
-/// The angle turned until the time of `found` (the lower end of its bracket), in radians.
-double turned_so_far(const MotionNumbers& motion, const FirstContact& found);
+/// The angle turned until a time, in radians. `tau` is the same time in the paper's parameter.
+double turned_so_far(const MotionNumbers& motion, double time, double tau);
 
 } // namespace chasles::view

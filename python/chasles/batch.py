@@ -109,7 +109,7 @@ def least_distance_batch(
 ) -> Table:
     """How near two bodies come during many motions, when, and where.
 
-    Each motion is the screw from its start to its goal.
+    Each motion is the screw from its start to its goal. The answers do not depend on the number of threads.
 
     Parameters
     ----------
@@ -124,7 +124,13 @@ def least_distance_batch(
     Returns
     -------
     structured array of n rows
-        With the columns of `chasles.table`. The verdict is "clear" where the bodies are proven to stay apart.
+        With the columns of `chasles.table`. The verdict is "clear" where the bodies are proven to stay apart,
+        "contact" or "contact_at_start" where they are proven to touch, otherwise "unknown".
+
+    Raises
+    ------
+    InvalidInput, BatchInterrupted
+        As for `first_contact_batch`.
     """
     starts, goals = _array(starts, "starts"), _array(goals, "goals")
     table = _table_for(table, len(starts) if starts.ndim else 0, least_dtype)

@@ -1,11 +1,13 @@
 """The structured arrays that batches return.
 
-They have the columns of ``chasles batch``, ``clear_until``, and for paths ``segment``:
+They have the columns of ``chasles batch``, ``clear_until``, for least distances ``distance`` and ``distance_upper``, and
+for paths ``segment``:
 
 ==================  =====================================================================================
 ``id``              number of the row
 ``verdict``         "clear", "contact" or "contact_at_start"; "not_done" for a row that is not yet answered;
-                    "error" for an invalid pose (only with ``errors="mark"``)
+                    "error" for an invalid pose (only with ``errors="mark"``). For least distances, "unknown" if
+                    neither contact nor a distance above 0 is proven
 ``time``            lower end of the bracket around the first contact; NaN if there is no contact
 ``time_upper``      upper end of this bracket
 ``tau``             lower end of the same bracket in the paper's parameter
@@ -18,9 +20,10 @@ They have the columns of ``chasles batch``, ``clear_until``, and for paths ``seg
 ``nx ny nz``        contact normal, from the fixed body to the moving body
 ``clear_until``     the bodies are proven to stay farther apart than the margin (with ``hold``: than the hold
                     distance) before this time
-``distance``        (least distances only) proven: the surfaces are never nearer; ``time`` and the features are
-                    then those of the least distance
-``distance_upper``  (least distances only) upper end of the bracket of the least distance
+``distance``        (least distances only) lower end of the bracket around the least distance: the surfaces
+                    never come nearer. If it is above 0, the times and the features are those of the least
+                    distance
+``distance_upper``  (least distances only) upper end of this bracket
 ``segment``         (paths only) the contact is between pose ``segment`` and the next one; -1 if clear
 ==================  =====================================================================================
 """

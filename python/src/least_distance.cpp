@@ -1,17 +1,14 @@
 // chasles.LeastDistance, chasles.least_distance, and the compiled part of chasles.least_distance_batch.
 #include "chasles/query/least_distance.h"
 
-#include "python/src/answer.h"
+#include "python/src/answer_members.h"
 #include "python/src/bind.h"
-#include "python/src/docstrings.h"
 #include "python/src/names.h"
 #include "python/src/query_options.h"
 #include "python/src/rows.h"
 
 #include <fmt/format.h>
-#include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
-#include <nanobind/stl/variant.h>
 
 namespace chasles::python {
 namespace {
@@ -44,90 +41,54 @@ LeastAnswer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handl
     return answer;
 }
 
-LeastAnswer swapped(const LeastAnswer& answer) {
-    LeastAnswer other = answer;
-    other.found = answer.found.swapped();
-    std::swap(other.moving, other.fixed);
-    other.is_swapped = !answer.is_swapped;
-    return other;
-}
-
+/// "0.25 at time 0.5, vertex 0 on face 4"
 std::string summary(const LeastDistance& found) {
-    std::string text =
-        found.distance.upper <= 0 ? std::string("0, touching") : fmt::format("{:.9g}", found.distance.lower);
+    std::string text = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
     text += fmt::format(" at time {:.12g}", found.time.lower);
     if (!found.certain)
         text += " (uncertain)";
+    if (found.overlap)
+        text += ", overlapping";
     if (!found.contacts.empty())
-        text += ", " + text_of(found.contacts.front());
+        text += fmt::format(", {}{}", text_of(found.contacts.front()), found.contacts.size() > 1 ? ", ..." : "");
     return text;
 }
 
+constexpr MemberDocs member_docs{
+    .time =
+        "Lower end of a bracket of time, in [0, 1]. In the bracket the surfaces come as near as `distance_upper`. If "
+        "the bodies touch, it is the bracket of the first contact.",
+    .certain = doc("LeastDistance.certain"),
+    .contacts = "The nearest features in the world frame at `time`. Their gaps are the distance.",
+    .contacts_cut = doc("LeastDistance.contacts_cut"),
+    .overlap = doc("LeastDistance.overlap"),
+    .pose = doc("LeastDistance.pose"),
+    .motion = "The motion of the query. A swapped answer keeps it.",
+};
+
 void bind_answer(nb::module_& module) {
-    nb::class_<LeastAnswer>(module, "LeastDistance", doc("LeastDistance"))
-        .def_prop_ro(
+    nb::class_<LeastAnswer> type(module, "LeastDistance", doc("LeastDistance"));
+    type.def_prop_ro(
             "distance", [](const LeastAnswer& a) { return a.found.distance.lower; },
-            "Proven: the surfaces are never nearer. Mesh unit; 0 if the bodies touch.")
+            "Lower end of the bracket around the least distance. It is proven: the surfaces never come nearer. Mesh "
+            "unit; "
+            "0 if the bodies touch.")
         .def_prop_ro(
             "distance_upper", [](const LeastAnswer& a) { return a.found.distance.upper; },
-            "Upper end of the bracket of the least distance; 0 if the bodies touch.")
-        .def_prop_ro(
-            "time", [](const LeastAnswer& a) { return a.found.time.lower; },
-            "Lower end of a bracket of time within which the surfaces come as near as `distance_upper`, in [0, 1]; of "
-            "the first contact if they touch.")
-        .def_prop_ro(
-            "time_upper", [](const LeastAnswer& a) { return a.found.time.upper; },
-            "Upper end of the bracket of the time.")
-        .def_prop_ro(
-            "tau", [](const LeastAnswer& a) { return a.found.tau.lower; },
-            "Lower end of the same bracket in the paper's parameter.")
-        .def_prop_ro(
-            "tau_upper", [](const LeastAnswer& a) { return a.found.tau.upper; }, "Upper end of the bracket of tau.")
-        .def_prop_ro(
-            "certain", [](const LeastAnswer& a) { return a.found.certain; }, doc("LeastDistance.certain"))
-        .def_prop_ro(
-            "contacts", [](const LeastAnswer& a) { return tuple_of(a.found.contacts); },
-            nb::sig("def contacts(self) -> tuple[Contact, ...]"), doc("LeastDistance.contacts"))
-        .def_prop_ro(
-            "contacts_cut", [](const LeastAnswer& a) { return a.found.contacts_cut; },
-            doc("LeastDistance.contacts_cut"))
-        .def_prop_ro(
-            "overlap", [](const LeastAnswer& a) { return a.found.overlap; }, doc("LeastDistance.overlap"))
-        .def_prop_ro(
-            "pose", [](const LeastAnswer& a) { return matrix_of(a.found.pose); },
-            nb::sig("def pose(self) -> " CHASLES_ARRAY), doc("LeastDistance.pose"))
-        .def_prop_ro(
-            "fixed_pose", [](const LeastAnswer& a) { return matrix_of(a.found.fixed_pose); },
-            nb::sig("def fixed_pose(self) -> " CHASLES_ARRAY),
-            "The pose of the fixed body in the world at the same time.")
-        .def_prop_ro(
-            "work", [](const LeastAnswer& a) { return a.found.work; }, doc("Work"))
-        .def_prop_ro(
-            "moving", [](const LeastAnswer& a) { return a.moving; }, nb::sig("def moving(self) -> Polyhedron"),
-            "The moving body of the query.")
-        .def_prop_ro(
-            "fixed", [](const LeastAnswer& a) { return a.fixed; }, nb::sig("def fixed(self) -> Polyhedron"),
-            "The fixed body of the query.")
-        .def_prop_ro(
-            "motion", [](const LeastAnswer& a) { return a.motion; },
-            nb::sig("def motion(self) -> ScrewMotion | SweepMotion"),
-            "The motion of the query. A swapped answer keeps it.")
-        .def_ro("is_swapped", &LeastAnswer::is_swapped, "Whether the bodies have swapped their roles since the query.")
-        .def("swapped", swapped, doc("LeastDistance.swapped"))
-        .def("__repr__", [](const LeastAnswer& a) { return "<chasles.LeastDistance: " + summary(a.found) + ">"; });
+            "Upper end of the bracket around the least distance; 0 if the bodies touch.");
+    bind_members(type, member_docs);
+    type.def("__repr__", [](const LeastAnswer& a) { return "<chasles.LeastDistance: " + summary(a.found) + ">"; });
 }
 
 std::string least_distance_doc() {
-    return "How near do two polyhedra come during a motion, when, and where?\n\n"
-           "Parameters\n----------\nmoving, fixed : Polyhedron\n"
-           "start, goal, motion, fixed_start, fixed_goal, time_tolerance, max_turn\n"
-           "    As for `first_contact`.\n"
-           "tolerance : float\n" +
-           indented(doc("LeastDistanceOptions.tolerance")) +
+    return "How near do two polyhedra come during a motion, when, and where?\n\n" + motion_docs() +
+           "tolerance : float\n" + indented(doc("LeastDistanceOptions.tolerance")) + "time_tolerance : float\n" +
+           indented(doc("LeastDistanceOptions.time_tolerance")) + max_turn_docs +
            "find : Find or str\n"
-           "    'first': one pair of nearest features; 'first_with_all_contacts': all of them.\n"
-           "\nReturns\n-------\nLeastDistance\n    From `distance` to `distance_upper` is a proven bracket.\n\n"
-           "Raises\n------\nInvalidInput\n    A ValueError. Its message names the input, the place and the reason.";
+           "    'first': one pair of nearest features; 'first_with_all_contacts': every pair.\n"
+           "\nReturns\n-------\nLeastDistance\n    `distance` to `distance_upper` is a bracket of the least "
+           "distance.\n\n" +
+           invalid_input_docs;
 }
 
 void answer_batch(nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle array,

@@ -50,20 +50,8 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
 }
 
 std::string first_contact_doc() {
-    return "When do two polyhedra first touch, where, and how?\n\n"
-           "The moving body moves from `start` to `goal` by one screw in the frame of the fixed\nbody, or by "
-           "`motion`.\n\n"
-           "Parameters\n----------\nmoving, fixed : Polyhedron\nstart, goal : array (4, 4) or (7,)\n"
-           "    Poses of the moving body: matrices, or x y z qw qx qy qz with a quaternion of any length.\n"
-           "motion : ScrewMotion or SweepMotion\n    Instead of start and goal.\n"
-           "fixed_start, fixed_goal : array (4, 4) or (7,)\n"
-           "    Poses of the fixed body, if it moves too; all poses are then in the world.\n" +
-           option_docs(
-               "max_turn : float, optional\n"
-               "    Largest turn of one piece of the screw from start to goal, radians; 10 degrees by default. A\n"
-               "    given motion has its own.\n") +
-           "\nReturns\n-------\nFirstContact\n    Its verdict states the proven result.\n\n"
-           "Raises\n------\nInvalidInput\n    A ValueError. Its message names the input, the place and the reason.";
+    return "When do two polyhedra first touch, where, and how?\n\n" + motion_docs() + option_docs(max_turn_docs) +
+           "\nReturns\n-------\nFirstContact\n    Its verdict states the proven result.\n\n" + invalid_input_docs;
 }
 
 std::string path_doc() {

@@ -20,6 +20,25 @@ inline std::string indented(std::string text) {
     return "    " + text + "\n";
 }
 
+/// The descriptions of the bodies and of the motion, after the first paragraph of a docstring.
+inline std::string motion_docs() {
+    return "The moving body moves from `start` to `goal` by one screw in the frame of the fixed\nbody, or by "
+           "`motion`.\n\n"
+           "Parameters\n----------\nmoving, fixed : Polyhedron\nstart, goal : array (4, 4) or (7,)\n"
+           "    Poses of the moving body: matrices, or x y z qw qx qy qz with a quaternion of any length.\n"
+           "motion : ScrewMotion or SweepMotion\n    Instead of start and goal.\n"
+           "fixed_start, fixed_goal : array (4, 4) or (7,)\n"
+           "    Poses of the fixed body, if it moves too; all poses are then in the world.\n";
+}
+
+inline constexpr const char* max_turn_docs =
+    "max_turn : float, optional\n"
+    "    Largest turn of one piece of the screw from start to goal, radians; 10 degrees by default. A\n"
+    "    given motion has its own.\n";
+
+inline constexpr const char* invalid_input_docs =
+    "Raises\n------\nInvalidInput\n    A ValueError. Its message names the input, the place and the reason.";
+
 /// The descriptions of the shared options for a docstring. `max_turn` is the text of the option of that name.
 inline std::string option_docs(const std::string& max_turn) {
     return "margin : float\n" + indented(doc("QueryOptions.margin")) + "hold : float, optional\n" +

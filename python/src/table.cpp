@@ -2,6 +2,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "view/names.h"
+#include "view/proven_verdict.h"
 
 #include <algorithm>
 #include <limits>
@@ -28,12 +29,14 @@ void write_vector(const Eigen::Vector3d& vector, double (&cells)[3]) {
     std::ranges::copy(std::span(vector.data(), 3), cells);
 }
 
-void write_times(const FirstContact& found, Row& row) {
-    const bool is_clear = found.verdict == Verdict::clear;
-    row.time = is_clear ? no_number : found.time.lower;
-    row.time_upper = is_clear ? no_number : found.time.upper;
-    row.tau = is_clear ? no_number : found.tau.lower;
-    row.tau_upper = is_clear ? no_number : found.tau.upper;
+/// `Found` is FirstContact or LeastDistance.
+template <typename Found>
+void write_times(const Found& found, Row& row) {
+    row.time = found.time.lower;
+    row.time_upper = found.time.upper;
+    row.tau = found.tau.lower;
+    row.tau_upper = found.tau.upper;
+    row.certain = found.certain;
 }
 
 void clear_geometry(Row& row) {
@@ -59,43 +62,44 @@ void write_geometry(const Overlap& overlap, Row& row) {
     write_vector(overlap.point, row.point);
 }
 
-void write_all_but_times(const FirstContact& found, Row& row) {
-    row.certain = found.certain;
-    row.clear_until = found.clear_until;
+template <typename Found>
+void write_geometry_of(const Found& found, Row& row) {
     clear_geometry(row);
     if (!found.contacts.empty())
         write_geometry(found.contacts.front(), row);
     else if (found.overlap)
         write_geometry(*found.overlap, row);
-    write_text(view::name_of(found.verdict), row.verdict); // last, because the verdict marks the row as answered
+}
+
+/// The last cell to write, because the verdict marks the row as answered.
+void write_verdict(Verdict verdict, Row& row) {
+    write_text(view::name_of(verdict), row.verdict);
 }
 
 } // namespace
 
 void write(const FirstContact& found, Row& row) {
     write_times(found, row);
-    write_all_but_times(found, row);
+    if (found.verdict == Verdict::clear)
+        row.time = row.time_upper = row.tau = row.tau_upper = no_number;
+    row.clear_until = found.clear_until;
+    write_geometry_of(found, row);
+    write_verdict(found.verdict, row);
 }
+
 void write(const PathContact& found, PathRow& row) {
     row.segment = found.contact.verdict == Verdict::clear ? -1 : std::int64_t(found.segment);
     write(found.contact, static_cast<Row&>(row));
 }
 
 void write(const LeastDistance& found, LeastRow& row) {
-    const bool is_apart = found.distance.lower > 0;
+    const Verdict verdict = view::proven_verdict(found);
     row.distance = found.distance.lower;
     row.distance_upper = found.distance.upper;
-    FirstContact contact;
-    contact.verdict = is_apart ? Verdict::clear : found.time.upper <= 0 ? Verdict::contact_at_start : Verdict::contact;
-    contact.certain = found.certain;
-    contact.clear_until = is_apart ? 1 : found.time.lower;
-    contact.contacts = found.contacts;
-    contact.overlap = found.overlap;
-    row.time = found.time.lower;
-    row.time_upper = found.time.upper;
-    row.tau = found.tau.lower;
-    row.tau_upper = found.tau.upper;
-    write_all_but_times(contact, row);
+    write_times(found, row);
+    row.clear_until = verdict == Verdict::clear ? 1 : verdict == Verdict::unknown ? 0 : found.time.lower;
+    write_geometry_of(found, row);
+    write_verdict(verdict, row);
 }
 
 void write_error(Row& row) {

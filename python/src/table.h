@@ -32,7 +32,8 @@ struct PathRow : Row {
     std::int64_t segment;
 };
 
-/// Its verdict is "clear" if the bodies are proven apart, with the time of the least distance.
+/// The verdict is that of view::proven_verdict. If it is "clear", the times and the features are those of the least
+/// distance.
 struct LeastRow : Row {
     double distance;
     double distance_upper;

@@ -125,8 +125,8 @@ TEST_F(Errors, OutputThatCannotBeWritten) {
 }
 
 TEST_F(Errors, HelpIsNone) {
-    for (const char* const arguments :
-         {"--help", "check --help", "view --help", "path --help", "batch --help", "info --help", "demo --help"}) {
+    for (const char* const arguments : {"--help", "check --help", "clearance --help", "view --help", "path --help",
+                                        "batch --help", "info --help", "demo --help"}) {
         const auto finished = run(arguments);
         EXPECT_EQ(finished.status, 0) << arguments;
         EXPECT_EQ(finished.err, "") << arguments;

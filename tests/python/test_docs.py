@@ -65,7 +65,10 @@ def test_help_reads_well():
     assert max(map(len, body.splitlines())) <= 110
 
 
-@pytest.mark.parametrize("function", [chasles.first_contact, chasles.first_contact_on_path, chasles.Polyhedron.__init__])
+@pytest.mark.parametrize(
+    "function",
+    [chasles.first_contact, chasles.first_contact_on_path, chasles.least_distance, chasles.Polyhedron.__init__],
+)
 def test_parameters_are_laid_out(function):
     parameters = re.search(r"----------\n(.*?)(\n\n|\Z)", inspect.cleandoc(function.__doc__), re.DOTALL)[1]
     for line in parameters.splitlines():
@@ -78,6 +81,6 @@ def test_stubs_are_shipped():
         pytest.skip("run from a build folder, not installed")
     stubs = (folder / "_core.pyi").read_text("utf-8")
     compile(stubs, "_core.pyi", "exec")
-    for name in ("class Polyhedron", "def first_contact(", "def verdict(self) -> chasles.enums.Verdict"):
+    for name in ("class Polyhedron", "def first_contact(", "def least_distance(", "def verdict(self) -> chasles.enums.Verdict"):
         assert name in stubs
     assert (folder / "py.typed").is_file()

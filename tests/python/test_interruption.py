@@ -96,6 +96,11 @@ def test_it_takes_less_than_a_second(request):
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
+def test_a_batch_of_least_distances(request):
+    interrupted_after(program_for(request, "least_distance_batch(cube, cube, starts, goals)"), 0.5)
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="signals are sent otherwise there")
 def test_a_batch_of_long_paths(request):
     prepare = "paths = np.tile([[3, 1.1, 0, 1, 0, 0, 0], [-1, 1.1, 0, 1, 0, 0, 0]], (50_000, 20, 1))"
     interrupted_after(program_for(request, "path_is_clear_batch(cube, cube, paths)", prepare=prepare), 1)
