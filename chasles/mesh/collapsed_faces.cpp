@@ -31,7 +31,7 @@ class EdgesOnLine {
 public:
     EdgesOnLine(const MeshEdges& edges, const CornerIds& corners) : edges_(edges), corners_(corners) {
         for (std::uint32_t place = 0; place < corners.size(); ++place)
-            places_.push_back({corners[place], place});
+            places_.emplace_back(corners[place], place);
         std::ranges::sort(places_);
     }
 

@@ -56,7 +56,9 @@ private:
     void descend_from_samples();
     void descend(std::size_t piece, double tau, const contact::FeaturePair& features);
     [[nodiscard]] double upper() const { return nearest_.at.near.distance + rounding_ + deviation_; }
-    [[nodiscard]] bool is_narrow() const { return upper() - lower_ <= question_.options.tolerance * upper(); }
+    [[nodiscard]] bool is_narrow() const {
+        return lower_ > 0 && upper() - lower_ <= question_.options.tolerance * upper();
+    }
     [[nodiscard]] double next_level() const;
     bool is_clear_of(double level);
     FirstContact first_touch();
@@ -71,7 +73,6 @@ private:
     double deviation_ = 0; ///< the greatest one of a piece, mesh unit
     double lower_ = 0;     ///< proven
     Moment nearest_;
-    bool touch_is_excluded_ = false;
     int finds_ = 0; ///< searches that found something nearer
     /// Before this tau of this piece nothing is within `clear_level_`.
     double clear_level_ = 0;
@@ -93,18 +94,16 @@ LeastDistanceSearch::LeastDistanceSearch(const Question& question) : question_(q
 
 LeastDistance LeastDistanceSearch::run() {
     constexpr int most_searches = 64;
+    const FirstContact touch = first_touch();
+    if (touch.verdict != Verdict::clear && touch.certain)
+        return of_touch(touch);
     descend_from_samples();
-    for (int searches = 0; !is_narrow() && searches < most_searches; ++searches) {
+    if (touch.verdict != Verdict::clear)
+        return of_touch(touch);
+    for (int searches = 0; !is_narrow() && next_level() > 0 && searches < most_searches; ++searches) {
         const double level = next_level();
-        if (level > 0 && is_clear_of(level))
+        if (is_clear_of(level))
             lower_ = std::max(lower_, level);
-        else if (touch_is_excluded_ && level <= 0)
-            break;
-        else if (!touch_is_excluded_) {
-            const FirstContact touch = first_touch();
-            if (touch.verdict != Verdict::clear)
-                return of_touch(touch);
-        }
     }
     return of_nearest();
 }
@@ -146,7 +145,6 @@ bool LeastDistanceSearch::is_clear_of(double level) {
 }
 
 FirstContact LeastDistanceSearch::first_touch() {
-    touch_is_excluded_ = true;
     FirstContact touch =
         query::answer({question_.moving,
                        question_.fixed,

@@ -102,6 +102,14 @@ TEST(LeastDistance, IsZeroWhereTheBodiesTouch) {
     EXPECT_EQ(found.pose.translation, touch.pose.translation);
 }
 
+/// The widest bracket that can be asked for still tells whether the bodies touch.
+TEST(LeastDistance, AToleranceOfOneStillProvesSomething) {
+    const Motion apart = ScrewMotion::between(shifted(-6, 2.25, 0.5), shifted(5, 2.25, 0.5));
+    EXPECT_GT(ask(cube(), cube(), apart, {.tolerance = 1}).distance.lower, 0);
+    const Motion through = ScrewMotion::between(shifted(6, 0.1, 0.2), turned({-6, 0, 0}, {1, 0, 0}, 0.5));
+    EXPECT_EQ(ask(cube(), cube(), through, {.tolerance = 1}).distance.upper, 0);
+}
+
 TEST(LeastDistance, IsZeroWhereTheBodiesOverlapAtTheStart) {
     const LeastDistance found = ask(cube(), cube(), ScrewMotion::between(shifted(0.5, 0.4, 0.3), shifted(9, 0, 0)));
     EXPECT_EQ(found.distance.upper, 0);
