@@ -4,6 +4,7 @@
 //
 //     contacts_bench [--questions=24]
 #include "bench/bodies.h"
+#include "bench/draw.h"
 #include "bench/generated_bodies.h"
 #include "chasles/chasles.h"
 #include "chasles/mesh/body.h"
@@ -13,7 +14,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 #include <span>
 #include <string_view>
 
@@ -21,22 +21,6 @@ namespace chasles::bench {
 namespace {
 
 using Eigen::Vector3d;
-
-class Random {
-public:
-    double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine_); }
-    Vector3d direction() {
-        std::normal_distribution<double> normal;
-        const double x = normal(engine_), y = normal(engine_);
-        return Vector3d(x, y, normal(engine_)).normalized();
-    }
-    Eigen::Quaterniond turn(double most) {
-        return Eigen::Quaterniond(Eigen::AngleAxisd(uniform(0, most), direction()));
-    }
-
-private:
-    std::mt19937_64 engine_{17};
-};
 
 /// Where two copies of a body start. Lengths count in radii of the body.
 struct Family {
@@ -96,7 +80,7 @@ Number median(std::vector<Number> numbers) {
 }
 
 void run(const NamedBody& body, const Family& family, int count) {
-    Random random;
+    Draw random(17);
     const double radius = body.body.body().bvh().radius();
     const Vector3d centre = body.body.body().bvh().centre();
     const auto beside = [&](const Eigen::Quaterniond& turn, const Vector3d& place) {
@@ -107,10 +91,10 @@ void run(const NamedBody& body, const Family& family, int count) {
     double worst = 0;
     int slow = 0, cut = 0;
     for (int i = 0; i < count; ++i) {
-        const Eigen::Quaterniond turn = random.turn(family.turn);
+        const Eigen::Quaterniond turn = random.turn(0, family.turn);
         const Vector3d way = random.direction();
-        const Pose start = beside(turn, random.uniform(family.from, family.to) * way);
-        const Pose goal = beside(random.turn(0.3) * turn, family.goal * way + 0.2 * random.direction());
+        const Pose start = beside(turn, random.between(family.from, family.to) * way);
+        const Pose goal = beside(random.turn(0, 0.3) * turn, family.goal * way + 0.2 * random.direction());
         const Times times = time_of({.moving = body.body,
                                      .fixed = body.body,
                                      .motion = ScrewMotion::between(start, goal),

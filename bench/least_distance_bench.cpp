@@ -4,6 +4,7 @@
 //
 //     least_distance_bench [--questions=24]
 #include "bench/bodies.h"
+#include "bench/draw.h"
 #ifdef CHASLES_BENCH_FCL
 #include "bench/fcl_distance.h"
 #endif
@@ -16,7 +17,6 @@
 #include <chrono>
 #include <cstdio>
 #include <cstdlib>
-#include <random>
 #include <span>
 #include <string_view>
 
@@ -24,22 +24,6 @@ namespace chasles::bench {
 namespace {
 
 using Eigen::Vector3d;
-
-class Random {
-public:
-    double uniform(double from, double to) { return std::uniform_real_distribution<double>(from, to)(engine_); }
-    Vector3d direction() {
-        std::normal_distribution<double> normal;
-        const double x = normal(engine_), y = normal(engine_);
-        return Vector3d(x, y, normal(engine_)).normalized();
-    }
-    Eigen::Quaterniond turn(double most) {
-        return Eigen::Quaterniond(Eigen::AngleAxisd(uniform(0, most), direction()));
-    }
-
-private:
-    std::mt19937_64 engine_{17};
-};
 
 /// How a body passes a copy of itself. Lengths count in radii of the body.
 struct Family {
@@ -111,7 +95,7 @@ double median(std::vector<double> numbers) {
 }
 
 void run(const NamedBody& body, const Family& family, int count, Samples samples) {
-    Random random;
+    Draw random(17);
     const double radius = body.body.body().bvh().radius();
     const Vector3d centre = body.body.body().bvh().centre();
     const auto beside = [&](const Eigen::Quaterniond& turn, const Vector3d& place) {
@@ -121,13 +105,13 @@ void run(const NamedBody& body, const Family& family, int count, Samples samples
     int touching = 0, wide = 0;
     double worst = 0;
     for (int i = 0; i < count; ++i) {
-        const Eigen::Quaterniond turn = random.turn(3);
+        const Eigen::Quaterniond turn = random.turn(0, 3);
         const Vector3d side = random.direction();
         const Vector3d along = side.cross(random.direction()).normalized();
-        const Vector3d middle = random.uniform(family.from, family.to) * side;
-        const Pose start = beside(turn, middle - family.travel * random.uniform(0, 1) * along);
+        const Vector3d middle = random.between(family.from, family.to) * side;
+        const Pose start = beside(turn, middle - family.travel * random.between(0, 1) * along);
         const Pose goal = beside(Eigen::AngleAxisd(family.turn, random.direction()) * turn,
-                                 middle + family.travel * random.uniform(0, 1) * along);
+                                 middle + family.travel * random.between(0, 1) * along);
         const LeastDistanceQuery query{body.body, body.body, ScrewMotion::between(start, goal), {}};
         LeastDistance least;
         const double time = microseconds([&] { least = least_distance(query); });

@@ -101,12 +101,6 @@ Vector3d FaceAtRest::nearest_of_rim(const Vector3d& point) const {
     return nearest;
 }
 
-const FaceAtRest& NearTest::face_of(const Body& body, std::uint32_t face, std::optional<FaceAtRest>& last) {
-    if (!last || last->face() != face)
-        last.emplace(body, face);
-    return *last;
-}
-
 /// In the frame of the fixed body.
 Vector3d NearTest::moving_vertex(std::uint32_t vertex) const {
     return scene_.bodies.moved(scene_.bodies.moving().vertices()[vertex]);

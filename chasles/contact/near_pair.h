@@ -44,6 +44,20 @@ private:
     double highest_ = 0; ///< likewise
 };
 
+/// The last face that was asked for. Consecutive questions often share a face.
+class LastFaceAtRest {
+public:
+    /// Valid until another face is asked for.
+    const FaceAtRest& of(const Body& body, std::uint32_t face) {
+        if (!face_ || face_->face() != face)
+            face_.emplace(body, face);
+        return *face_;
+    }
+
+private:
+    std::optional<FaceAtRest> face_;
+};
+
 /// The tests of one scene. Keeps what it knows of the last face of each body.
 class NearTest {
 public:
@@ -64,16 +78,15 @@ public:
     bool are_in_contact(const FeaturePair& features);
 
 private:
-    static const FaceAtRest& face_of(const Body& body, std::uint32_t face, std::optional<FaceAtRest>& last);
-    const FaceAtRest& moving_face(std::uint32_t face) { return face_of(scene_.bodies.moving(), face, moving_face_); }
-    const FaceAtRest& fixed_face(std::uint32_t face) { return face_of(scene_.bodies.fixed(), face, fixed_face_); }
+    const FaceAtRest& moving_face(std::uint32_t face) { return moving_face_.of(scene_.bodies.moving(), face); }
+    const FaceAtRest& fixed_face(std::uint32_t face) { return fixed_face_.of(scene_.bodies.fixed(), face); }
     [[nodiscard]] Eigen::Vector3d moving_vertex(std::uint32_t vertex) const;
     [[nodiscard]] Eigen::Vector3d fixed_vertex(std::uint32_t vertex) const;
     [[nodiscard]] double reach() const { return scene_.margin + scene_.slack; }
 
     const ContactScene& scene_;
-    std::optional<FaceAtRest> moving_face_;
-    std::optional<FaceAtRest> fixed_face_;
+    LastFaceAtRest moving_face_;
+    LastFaceAtRest fixed_face_;
 };
 
 /// Whether the distance of features at these points is a local minimum, up to the slack.

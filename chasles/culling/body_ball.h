@@ -7,9 +7,9 @@
 
 namespace chasles::culling {
 
-/// The ball around the centre of the hierarchy, in the body's frame and length unit.
-inline motion::Ball ball_around(const Bvh& hierarchy) {
-    return {hierarchy.centre(), hierarchy.radius()};
+/// The ball around the centre of the hierarchy, larger by `more`, in the body's frame and length unit.
+inline motion::Ball ball_around(const Bvh& hierarchy, double more = 0) {
+    return {hierarchy.centre(), hierarchy.radius() + more};
 }
 
 } // namespace chasles::culling

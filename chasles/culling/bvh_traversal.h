@@ -4,6 +4,7 @@
 #pragma once
 
 #include "chasles/culling/pair_queue.h"
+#include "chasles/culling/split_nodes.h"
 #include "chasles/culling/time_tree.h"
 
 #include <algorithm>
@@ -66,9 +67,6 @@ private:
     /// margin term the time grows by up to a half; with three times the term it grows more than fourfold.
     static constexpr double deviation_of_size = 0.01;
     static constexpr double deviation_of_margin = 0.001;
-    /// A pair splits both nodes unless the side of one node is smaller than this fraction of the side of the other
-    /// node.
-    static constexpr float much_smaller = 0.5F;
 
     /// An interval whose deferred pairs are to be visited in its halves.
     struct Halving {
@@ -123,26 +121,10 @@ private:
                interval.range.width() > shortest_interval;
     }
 
-    /// One node or two siblings.
-    struct NodeRange {
-        std::uint32_t first;
-        std::uint32_t count;
-
-        [[nodiscard]] TwoNodes of(std::span<const BvhNode> nodes) const {
-            return {&nodes[first], &nodes[first + count - 1]};
-        }
-    };
-
     /// Splits both nodes, or only the much larger node. Pushes the pairs with the earliest window last.
     void split(const NodePair& pair, const TimeInterval& interval) {
-        const BvhNode& moving = moving_nodes_[pair.moving];
-        const BvhNode& fixed = fixed_nodes_[pair.fixed];
-        const float moving_side = longest_side(moving);
-        const float fixed_side = longest_side(fixed);
-        const bool moving_splits = !moving.is_leaf() && (fixed.is_leaf() || moving_side >= much_smaller * fixed_side);
-        const bool fixed_splits = !fixed.is_leaf() && (moving.is_leaf() || fixed_side >= much_smaller * moving_side);
-        const NodeRange a = moving_splits ? NodeRange{moving.first, 2} : NodeRange{pair.moving, 1};
-        const NodeRange b = fixed_splits ? NodeRange{fixed.first, 2} : NodeRange{pair.fixed, 1};
+        const NodeRange a = split_against(moving_nodes_, pair.moving, fixed_nodes_[pair.fixed]);
+        const NodeRange b = split_against(fixed_nodes_, pair.fixed, moving_nodes_[pair.moving]);
         const auto when = interval.boxes.overlap_windows(a.of(moving_nodes_), b.of(fixed_nodes_), pair.when);
         node_pairs_ += a.count * b.count;
         // The queue is a stack within one step of time: the pair that is pushed last is visited first.

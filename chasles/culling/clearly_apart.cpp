@@ -5,6 +5,7 @@
 #include "chasles/culling/body_ball.h"
 #include "chasles/culling/near_nodes.h"
 #include "chasles/culling/pair_queue.h"
+#include "chasles/culling/split_nodes.h"
 #include "chasles/culling/time_tree.h"
 
 #include <algorithm>
@@ -47,29 +48,6 @@ private:
     std::size_t count_ = 0;
 };
 
-/// One node or two siblings.
-struct Siblings {
-    std::uint32_t first;
-    std::uint32_t count;
-
-    [[nodiscard]] TwoNodes of(std::span<const BvhNode> nodes) const {
-        return {&nodes[first], &nodes[first + count - 1]};
-    }
-};
-
-/// The children of a node, or the node itself if it is a leaf or much smaller than the other node.
-Siblings split_against(std::span<const BvhNode> nodes, std::uint32_t node, const BvhNode& other) {
-    const bool is_much_smaller = !other.is_leaf() && longest_side(nodes[node]) < 0.5F * longest_side(other);
-    return nodes[node].is_leaf() || is_much_smaller ? Siblings{node, 1} : Siblings{nodes[node].first, 2};
-}
-
-/// The ball around a body, enlarged.
-Ball enlarged_ball(const Bvh& hierarchy, double more) {
-    Ball ball = ball_around(hierarchy);
-    ball.radius += more;
-    return ball;
-}
-
 /// Two bodies and the coarse motion between them.
 struct CoarseScene {
     const Bvh& moving;
@@ -111,8 +89,8 @@ struct Part {
 class CoarseTest {
 public:
     explicit CoarseTest(const CoarseScene& scene)
-        : scene_(scene), deviation_(scene.deviation()), moving_(enlarged_ball(scene.moving, scene.margin + deviation_)),
-          fixed_(enlarged_ball(scene.fixed, scene.margin + deviation_)), chords_(scene.motion.path, moving_, fixed_),
+        : scene_(scene), deviation_(scene.deviation()), moving_(ball_around(scene.moving, scene.margin + deviation_)),
+          fixed_(ball_around(scene.fixed, scene.margin + deviation_)), chords_(scene.motion.path, moving_, fixed_),
           least_side_(small_side * std::min(size_of(scene.moving), size_of(scene.fixed))) {}
 
     /// Whether all nodes are proven apart during the part.
@@ -193,8 +171,8 @@ bool CoarseTest::split(const NodePair& pair, const SweptBoxes& boxes, PairStack&
         return false;
     const std::span<const BvhNode> moving = scene_.moving.nodes();
     const std::span<const BvhNode> fixed = scene_.fixed.nodes();
-    const Siblings a = split_against(moving, pair.moving, fixed[pair.fixed]);
-    const Siblings b = split_against(fixed, pair.fixed, moving[pair.moving]);
+    const NodeRange a = split_against(moving, pair.moving, fixed[pair.fixed]);
+    const NodeRange b = split_against(fixed, pair.fixed, moving[pair.moving]);
     const auto when = boxes.overlap_windows(a.of(moving), b.of(fixed), pair.when);
     for (std::uint32_t i = 0; i < a.count; ++i)
         for (std::uint32_t j = 0; j < b.count; ++j)

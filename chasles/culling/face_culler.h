@@ -7,7 +7,7 @@
 
 namespace chasles::culling {
 
-/// A part of an interval in which two faces may meet, and which of their corners may come to the other face's plane.
+/// A part of an interval in which two faces may meet, with the corners that may come to the plane of the other face.
 /// Valid until the next pair is culled.
 struct MeetingFaces {
     TimeRange part;

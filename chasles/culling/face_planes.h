@@ -57,8 +57,8 @@ public:
     /// Sets the maps of an interval. Keeps them by reference.
     void use(const motion::ControlMaps<double>& maps) {
         maps_ = &maps;
-        of_moving_.face = of_fixed_.face = no_face;
-        of_moving_.chord_face = of_fixed_.chord_face = no_face;
+        for (LastPlane* const last : {&of_moving_, &of_fixed_})
+            last->plane.face = last->chord.face = no_face;
         ends_ = IntervalEnds(maps);
         if (margin_ > 0)
             separation_.use(ends_);
@@ -71,29 +71,30 @@ public:
                              double deviation) {
         if (margin_ > 0)
             return false; // a direction between the faces tells more
-        of_fixed_.update_chord(fixed_face, [&] {
+        const ChordPlane& of_fixed = of_fixed_.chord.update(fixed_face, [&] {
             const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
-            const auto seen = [&](const RigidMap& map) {
-                return SeenPlane{map.turned_back(shape.normal), dot(map.offset, shape.normal) - shape.offset};
+            const auto seen = [&](const MatrixPose& pose) {
+                return SeenPlane{pose.rotation.transposed() * shape.normal,
+                                 dot(pose.translation, shape.normal) - shape.offset};
             };
             return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
         });
-        if (of_fixed_.chord.keeps_on_one_side(moving_, moving_face, when))
+        if (of_fixed.keeps_on_one_side(moving_, moving_face, when))
             return true;
-        of_moving_.update_chord(moving_face, [&] {
+        const ChordPlane& of_moving = of_moving_.chord.update(moving_face, [&] {
             const auto& shape = of_moving_.shape.shape_of(moving_, moving_face);
-            const auto seen = [&](const RigidMap& map) {
-                const Vector3<double> normal = map.turned(shape.normal);
-                return SeenPlane{normal, 0 - dot(map.offset, normal) - shape.offset};
+            const auto seen = [&](const MatrixPose& pose) {
+                const Vector3<double> normal = pose.rotation * shape.normal;
+                return SeenPlane{normal, 0 - dot(pose.translation, normal) - shape.offset};
             };
             return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
         });
-        return of_moving_.chord.keeps_on_one_side(fixed_, fixed_face, when);
+        return of_moving.keeps_on_one_side(fixed_, fixed_face, when);
     }
 
     /// The sides of a moving face's corners on the plane of a fixed face. Valid until the next call.
     CornerSides sides_of_moving(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
-        of_fixed_.update(fixed_face, [&] {
+        of_fixed_.plane.update(fixed_face, [&] {
             const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
             return elementary::plane_of_fixed_face(*maps_, shape, scale_, offset_of(shape));
         });
@@ -101,7 +102,7 @@ public:
     }
     /// The sides of a fixed face's corners on the plane of a moving face. Valid until the next call.
     CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
-        of_moving_.update(moving_face, [&] {
+        of_moving_.plane.update(moving_face, [&] {
             const auto& shape = of_moving_.shape.shape_of(moving_, moving_face);
             return elementary::plane_of_moving_face(*maps_, shape, scale_, offset_of(shape));
         });
@@ -138,29 +139,28 @@ private:
         return margin_ > 0 ? margin_ * length(face.normal) : 0;
     }
 
-    /// The plane of the last requested face.
-    struct LastPlane {
+    /// What was made of the last requested face.
+    template <class Plane>
+    struct OfLastFace {
         std::uint32_t face = no_face;
-        std::uint32_t chord_face = no_face;
-        ChordPlane chord;
-        CachedFace<double> shape;
-        elementary::RelativePlane<double> plane;
-        std::vector<int> sides; ///< of the corners of the other face
+        Plane plane;
 
-        /// Computes the plane if the requested face is another one.
+        /// Makes it if the requested face is another one.
         template <class Make>
-        void update(std::uint32_t requested, Make make) {
+        const Plane& update(std::uint32_t requested, Make make) {
             if (requested != face)
                 plane = make();
             face = requested;
+            return plane;
         }
+    };
 
-        template <class Make>
-        void update_chord(std::uint32_t requested, Make make) {
-            if (requested != chord_face)
-                chord = make();
-            chord_face = requested;
-        }
+    /// The plane of the last requested face, in both forms.
+    struct LastPlane {
+        CachedFace<double> shape;
+        OfLastFace<ChordPlane> chord;
+        OfLastFace<elementary::RelativePlane<double>> plane;
+        std::vector<int> sides; ///< of the corners of the other face
     };
 
     /// How far from a face's plane points must be on their chords to be proven off the face.
@@ -170,9 +170,11 @@ private:
     }
 
     static CornerSides sides_of(const Body& body, std::uint32_t face, LastPlane& plane, const Restriction& part) {
-        const auto band = part(plane.plane.band);
-        return {body.face(face), plane.sides,
-                [&](std::uint32_t corner) { return plane.plane.side_of(point_of<double>(body, corner), part, band); }};
+        const elementary::RelativePlane<double>& relative = plane.plane.plane;
+        const auto band = part(relative.band);
+        return {body.face(face), plane.sides, [&, band](std::uint32_t corner) {
+                    return relative.side_of(point_of<double>(body, corner), part, band);
+                }};
     }
 
     const Body& moving_;

@@ -26,7 +26,7 @@ std::optional<Vector3<double>> FaceSeparation::direction(std::uint32_t moving_fa
 }
 
 void FaceSeparation::place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time) {
-    const RigidMap place = ends_.at(time);
+    const MatrixPose place = ends_.at(time);
     moving_corners_.clear();
     for (const std::uint32_t corner : moving_.face(moving_face))
         moving_corners_.push_back(place(point_of<double>(moving_, corner)));

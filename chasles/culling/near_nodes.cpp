@@ -26,11 +26,7 @@ public:
     }
 
 private:
-    static Eigen::Vector3d centre_of(const BvhNode& node) {
-        return {0.5 * (double(node.lower[0]) + double(node.upper[0])),
-                0.5 * (double(node.lower[1]) + double(node.upper[1])),
-                0.5 * (double(node.lower[2]) + double(node.upper[2]))};
-    }
+    static Eigen::Vector3d centre_of(const BvhNode& node) { return middle_of(node).centre.cast<double>(); }
     static double distance(const BvhNode& node, const Eigen::Vector3d& point) {
         return (centre_of(node) - point).squaredNorm();
     }

@@ -82,7 +82,7 @@ bool fits_into_memory(std::size_t bytes) {
 #if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
     return bytes / 1024 <= std::size_t(::sysconf(_SC_PHYS_PAGES)) * (std::size_t(::sysconf(_SC_PAGESIZE)) / 1024) / 2;
 #else
-    return bytes < bytes + 1;
+    return bytes < std::string().max_size();
 #endif
 }
 
@@ -99,7 +99,7 @@ std::string read_up_to(std::FILE& opened, std::size_t most, std::size_t first_ca
     return bytes;
 }
 
-// The whole file. One byte more than the file may have shows that it does not end there.
+// The whole file. Reading one byte more than allowed shows whether the file ends there.
 std::string read_to_end(const std::filesystem::path& file, FileType type) {
     const OpenFile opened = open_file(file, type);
     constexpr std::size_t step = 1 << 16;

@@ -2,6 +2,7 @@
 // number of the true motion is computed. Source: docs/derivations/23-coarse-motion.md.
 #pragma once
 
+#include "chasles/motion/matrix_pose.h"
 #include "chasles/motion/motion_ends.h"
 #include "chasles/motion/rational_motion.h"
 
@@ -29,12 +30,6 @@ std::optional<CoarseMotion> coarse_screw(const MotionEnds& given);
 
 /// The sweep about a point of the moving body. Empty if it turns by more than 90 degrees.
 std::optional<CoarseMotion> coarse_sweep(const MotionEnds& given, const Vector3<double>& centre);
-
-/// The position x -> rotation x + translation of body points in the frame of the fixed body.
-struct MatrixPose {
-    Matrix3<double> rotation;
-    Vector3<double> translation;
-};
 
 /// The position at a tau of a motion in double.
 MatrixPose position_at(const RationalMotion<double>& path, double tau);

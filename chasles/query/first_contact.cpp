@@ -1,8 +1,7 @@
 #include "chasles/query/first_contact.h"
 
 #include "chasles/query/pair_query.h"
-
-#include <utility>
+#include "chasles/query/swap_roles.h"
 
 namespace chasles {
 
@@ -13,12 +12,8 @@ FirstContact first_contact(const FirstContactQuery& query) {
 
 FirstContact FirstContact::swapped() const {
     FirstContact other = *this;
-    for (std::vector<Contact>* list : {&other.contacts, &other.held})
-        for (Contact& contact : *list)
-            contact = contact.swapped();
-    if (other.overlap)
-        other.overlap->edge_is_moving = !other.overlap->edge_is_moving;
-    std::swap(other.pose, other.fixed_pose);
+    query::swap_roles(other);
+    query::swap_roles(other.held);
     return other;
 }
 

@@ -1,9 +1,9 @@
 #include "chasles/query/least_distance.h"
 
-#include "chasles/base/invalid_input.h"
 #include "chasles/query/all_answers.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/query/report.h"
+#include "chasles/query/swap_roles.h"
 #include "chasles/search/descent.h"
 
 #include <algorithm>
@@ -28,17 +28,13 @@ struct Question {
 };
 
 void check_options(const LeastDistanceOptions& options) {
-    const auto require = [](bool holds, const char* option, const char* why) {
-        if (!holds)
-            throw InvalidInput(std::string("query: ") + option + ": " + why);
-    };
-    require(options.tolerance >= 1e-12 && options.tolerance <= 1, "tolerance", "must be in [1e-12, 1]");
-    require(options.find != Find::any, "find", "a least distance has no use for `any`");
+    query::require(options.tolerance >= 1e-12 && options.tolerance <= 1, "tolerance", "must be in [1e-12, 1]");
+    query::require(options.find != Find::any, "find", "a least distance has no use for `any`");
     query::check_options({.time_tolerance = options.time_tolerance});
 }
 
-/// One question. An upper bound by descent, and the proof that nothing comes nearer: a search with a margin just below
-/// the bound. What that search finds leads to a smaller bound, and to the next search, which goes on from there.
+/// One question. A descent gives an upper bound. A search with a margin just below the bound proves that nothing comes
+/// nearer. If it finds something that does, a descent from there gives a smaller bound for the next search.
 /// Source: docs/derivations/21-least-distance.md.
 class LeastDistanceSearch {
 public:
@@ -62,7 +58,7 @@ private:
     [[nodiscard]] double next_level() const;
     bool is_clear_of(double level);
     FirstContact first_touch();
-    std::optional<PieceResult> first_within(double level, std::size_t& piece);
+    std::optional<PieceResult> first_within(double level);
     [[nodiscard]] LeastDistance of_touch(const FirstContact& touch) const;
     [[nodiscard]] LeastDistance of_nearest();
     void list_contacts(LeastDistance& answer, const ContactMoment& moment);
@@ -73,11 +69,10 @@ private:
     double deviation_ = 0; ///< the greatest one of a piece, mesh unit
     double lower_ = 0;     ///< proven
     Moment nearest_;
-    int finds_ = 0; ///< searches that found something nearer
-    /// Before this tau of this piece nothing is within `clear_level_`.
-    double clear_level_ = 0;
-    std::size_t clear_pieces_ = 0;
-    double clear_until_ = 0;
+    int finds_ = 0;                ///< searches that found something nearer
+    double clear_level_ = 0;       ///< of the last search: nothing is within it
+    std::size_t clear_pieces_ = 0; ///< in so many pieces
+    double clear_until_ = 0;       ///< and up to this tau of the next one
     Work work_;
 };
 
@@ -134,13 +129,12 @@ double LeastDistanceSearch::next_level() const {
 
 /// Whether the bodies are proven to stay farther apart than the level. If not, goes on to where they come nearer.
 bool LeastDistanceSearch::is_clear_of(double level) {
-    std::size_t piece = 0;
-    const auto found = first_within(level, piece);
+    const auto found = first_within(level);
     if (!found)
         return true;
     ++finds_;
     for (const search::Candidate& candidate : found->candidates)
-        descend(piece, candidate.tau.lower, candidate);
+        descend(clear_pieces_, candidate.tau.lower, candidate);
     return false;
 }
 
@@ -155,7 +149,7 @@ FirstContact LeastDistanceSearch::first_touch() {
 }
 
 /// What comes within the level first, from where larger levels are not yet excluded.
-std::optional<PieceResult> LeastDistanceSearch::first_within(double level, std::size_t& piece) {
+std::optional<PieceResult> LeastDistanceSearch::first_within(double level) {
     if (level > clear_level_) {
         clear_pieces_ = 0;
         clear_until_ = 0;
@@ -172,7 +166,6 @@ std::optional<PieceResult> LeastDistanceSearch::first_within(double level, std::
         work_ += result.work;
         if (query::has_contact(result)) {
             constexpr double grid = 0x1p20;
-            piece = clear_pieces_;
             clear_until_ = std::max(clear_until_, std::floor(query::enclosing(result).lower * grid) / grid);
             return result;
         }
@@ -250,11 +243,7 @@ std::vector<LeastDistance> least_distance_batch(const LeastDistanceBatchQuery& q
 
 LeastDistance LeastDistance::swapped() const {
     LeastDistance other = *this;
-    for (Contact& contact : other.contacts)
-        contact = contact.swapped();
-    if (other.overlap)
-        other.overlap->edge_is_moving = !other.overlap->edge_is_moving;
-    std::swap(other.pose, other.fixed_pose);
+    query::swap_roles(other);
     return other;
 }
 

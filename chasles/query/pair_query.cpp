@@ -20,11 +20,6 @@ using search::PieceResult;
 /// The largest coordinate of a scene (docs/decisions/0012-range-of-coordinates.md).
 constexpr double largest_margin = 1e30;
 
-void require(bool holds, const char* option, const char* why) {
-    if (!holds)
-        throw InvalidInput(std::string("query: ") + option + ": " + why);
-}
-
 /// Distances of held contacts are those of the true motion only without a deviation.
 void require_no_deviation(const PieceContext& context) {
     require(context.piece().deviation() <= 0, "hold", "is not supported for motions with a deviation");
@@ -213,6 +208,11 @@ double PieceByPiece::least_distance(const ContactMoment& start, const search::Ne
 }
 
 } // namespace
+
+void require(bool holds, const char* option, const char* why) {
+    if (!holds)
+        throw InvalidInput(std::string("query: ") + option + ": " + why);
+}
 
 void check_options(const QueryOptions& options) {
     require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");

@@ -15,6 +15,9 @@ struct PairQuery {
     const QueryOptions& options;
 };
 
+/// Throws InvalidInput "query: OPTION: WHY" unless it holds.
+void require(bool holds, const char* option, const char* why);
+
 /// Throws InvalidInput for an option out of its range.
 void check_options(const QueryOptions& options);
 

@@ -27,9 +27,9 @@ public:
     /// Half the rate of the square of the distance. For bodies that pass each other it is nearly linear in tau.
     double rate_at(double tau) {
         const contact::RelativeConfiguration bodies = bodies_at(context_, tau);
-        const contact::NearestPoints points = nearest_.points(bodies, features_);
-        if (const double distance = nearest_.distance(bodies, features_); distance < least_) {
-            least_ = distance;
+        const NearPoints points = nearest_.points(bodies, features_);
+        if (points.distance < least_) {
+            least_ = points.distance;
             best_ = tau;
         }
         return points.apart().dot(bodies.velocity_at(points.on_moving));

@@ -1,11 +1,12 @@
 #include "chasles/search/nearest_features.h"
 
 #include "chasles/culling/face_separation.h"
-#include "chasles/culling/swept_boxes.h"
+#include "chasles/culling/split_nodes.h"
+#include "chasles/culling/time_tree.h"
 #include "chasles/search/owned_pairs.h"
 
 #include <algorithm>
-#include <array>
+#include <functional>
 
 namespace chasles::search {
 
@@ -26,15 +27,12 @@ class BoxesAtRest {
 public:
     explicit BoxesAtRest(const contact::RelativeConfiguration& bodies)
         : moving_(bodies.moving().bvh()), fixed_(bodies.fixed().bvh()), place_(placement_of(bodies)),
-          farthest_(place_.offset.norm() + moving_.radius() + fixed_.radius()),
-          boxes_(place_, place_, {rounding * farthest_, rounding * farthest_, 0}) {}
+          farthest_(place_.offset.norm() + moving_.radius() + fixed_.radius()), boxes_(place_, place_, slack()) {}
 
-    [[nodiscard]] const BvhNode& moving(std::uint32_t node) const { return moving_.nodes()[node]; }
-    [[nodiscard]] const BvhNode& fixed(std::uint32_t node) const { return fixed_.nodes()[node]; }
+    [[nodiscard]] std::span<const BvhNode> moving_nodes() const { return moving_.nodes(); }
+    [[nodiscard]] std::span<const BvhNode> fixed_nodes() const { return fixed_.nodes(); }
     /// No points of the bodies are farther apart.
     [[nodiscard]] double farthest() const { return farthest_; }
-
-    [[nodiscard]] const Eigen::Matrix3d& turn() const { return place_.rotation; }
 
     void set_bound(double bound) { boxes_.set_margin(bound); }
     /// Whether points of two nodes of either body may be within the bound, in the order 00, 01, 10, 11.
@@ -43,20 +41,23 @@ public:
         return boxes_.overlap_windows(moving, fixed, {});
     }
     [[nodiscard]] NodesAtRest placed(std::uint32_t moving_node, std::uint32_t fixed_node) const {
-        const Vector3d between = place_.rotation * middle_of(moving(moving_node)).centre.cast<double>() +
-                                 place_.offset - middle_of(fixed(fixed_node)).centre.cast<double>();
+        const Vector3d between = place_.rotation * middle_of(moving_.nodes()[moving_node]).centre.cast<double>() +
+                                 place_.offset - middle_of(fixed_.nodes()[fixed_node]).centre.cast<double>();
         return {moving_node, fixed_node, between.norm()};
     }
 
 private:
-    static constexpr double rounding = 0x1p-16; // as in culling/time_tree.cpp
-
     static culling::Placement placement_of(const contact::RelativeConfiguration& bodies) {
         culling::Placement place;
         for (int i = 0; i < 3; ++i)
             place.rotation.col(i) = bodies.turned(Vector3d::Unit(i));
         place.offset = bodies.moved(bodies.moving().bvh().centre()) - bodies.fixed().bvh().centre();
         return place;
+    }
+
+    [[nodiscard]] culling::BoxSlack slack() const {
+        const double rounding = culling::float_rounding(farthest_, farthest_);
+        return {rounding, rounding, 0};
     }
 
     const Bvh& moving_;
@@ -66,10 +67,12 @@ private:
     culling::SweptBoxes boxes_;
 };
 
-const contact::FaceAtRest& face_of(const Body& body, std::uint32_t face, std::optional<contact::FaceAtRest>& last) {
-    if (!last || last->face() != face)
-        last.emplace(body, face);
-    return *last;
+motion::MatrixPose pose_of(const contact::RelativeConfiguration& bodies) {
+    motion::MatrixPose pose;
+    pose.translation = motion::vector_in<double>(bodies.moved(Vector3d::Zero()));
+    for (int i = 0; i < 3; ++i)
+        pose.rotation.row[i] = motion::vector_in<double>(bodies.turned_back(Vector3d::Unit(i)));
+    return pose;
 }
 
 /// All features of a face, as the filter of owned pairs.
@@ -84,7 +87,7 @@ public:
     NearestSearch(const contact::RelativeConfiguration& bodies, double bound, double accuracy)
         : bodies_(bodies), boxes_(bodies), separation_(bodies.moving(), bodies.fixed()), bound_(bound),
           accuracy_(accuracy) {
-        separation_.use({boxes_.turn(), bodies.moved(Vector3d::Zero())});
+        separation_.use(culling::IntervalEnds(pose_of(bodies)));
     }
 
     std::optional<NearestFeatures> run() {
@@ -104,21 +107,19 @@ private:
     static constexpr std::uint64_t most_visits = 1 << 15;
 
     void visit(const NodesAtRest& nodes) {
-        const BvhNode& moving = boxes_.moving(nodes.moving);
-        const BvhNode& fixed = boxes_.fixed(nodes.fixed);
+        const BvhNode& moving = boxes_.moving_nodes()[nodes.moving];
+        const BvhNode& fixed = boxes_.fixed_nodes()[nodes.fixed];
         if (moving.is_leaf() && fixed.is_leaf())
             return test({moving.first, fixed.first});
-        const std::uint32_t first_moving = moving.is_leaf() ? nodes.moving : moving.first;
-        const std::uint32_t last_moving = moving.is_leaf() ? nodes.moving : moving.first + 1;
-        const std::uint32_t first_fixed = fixed.is_leaf() ? nodes.fixed : fixed.first;
-        const std::uint32_t last_fixed = fixed.is_leaf() ? nodes.fixed : fixed.first + 1;
-        const auto windows = boxes_.within_bound({&boxes_.moving(first_moving), &boxes_.moving(last_moving)},
-                                                 {&boxes_.fixed(first_fixed), &boxes_.fixed(last_fixed)});
+        const culling::NodeRange a = culling::split_against(boxes_.moving_nodes(), nodes.moving, fixed);
+        const culling::NodeRange b = culling::split_against(boxes_.fixed_nodes(), nodes.fixed, moving);
+        const auto windows = boxes_.within_bound(a.of(boxes_.moving_nodes()), b.of(boxes_.fixed_nodes()));
+        work_.node_pairs += a.count * b.count;
         const std::size_t before = stack_.size();
-        for (std::uint32_t i = first_moving; i <= last_moving; ++i)
-            for (std::uint32_t j = first_fixed; j <= last_fixed; ++j, ++work_.node_pairs)
-                if (!windows[2 * (i - first_moving) + (j - first_fixed)].is_empty())
-                    stack_.push_back(boxes_.placed(i, j));
+        for (std::uint32_t i = 0; i < a.count; ++i)
+            for (std::uint32_t j = 0; j < b.count; ++j)
+                if (!windows[2 * i + j].is_empty())
+                    stack_.push_back(boxes_.placed(a.first + i, b.first + j));
         std::ranges::sort(stack_.begin() + std::ptrdiff_t(before), stack_.end(), std::greater(),
                           &NodesAtRest::distance);
     }
@@ -132,7 +133,7 @@ private:
     }
 
     void test(const FeaturePair& features) {
-        const double distance = nearest_.distance(bodies_, features);
+        const double distance = nearest_.points(bodies_, features).distance;
         if (!(distance < bound_))
             return;
         bound_ = accuracy_ * distance;
@@ -153,30 +154,21 @@ private:
 
 } // namespace
 
-contact::NearestPoints NearestAtRest::points(const contact::RelativeConfiguration& bodies,
-                                             const FeaturePair& features) {
+NearPoints NearestAtRest::points(const contact::RelativeConfiguration& bodies, const FeaturePair& features) {
+    const auto apart = [](const contact::NearestPoints& points, double error) {
+        return NearPoints{points, points.apart().norm() + error};
+    };
     if (features.kind == ContactKind::vertex_face) {
         const Vector3d vertex = bodies.moved(bodies.moving().vertices()[features.moving.first]);
-        return {vertex, face_of(bodies.fixed(), features.fixed.first, fixed_face_).nearest(vertex)};
+        const contact::FaceAtRest& face = fixed_face_.of(bodies.fixed(), features.fixed.first);
+        return apart({vertex, face.nearest(vertex)}, face.nearest_error());
     }
     if (features.kind == ContactKind::face_vertex) {
         const Vector3d& vertex = bodies.fixed().vertices()[features.fixed.first];
-        const contact::FaceAtRest& face = face_of(bodies.moving(), features.moving.first, moving_face_);
-        return {bodies.moved(face.nearest(bodies.moved_back(vertex))), vertex};
+        const contact::FaceAtRest& face = moving_face_.of(bodies.moving(), features.moving.first);
+        return apart({bodies.moved(face.nearest(bodies.moved_back(vertex))), vertex}, face.nearest_error());
     }
-    return bodies.nearest(features);
-}
-
-double NearestAtRest::distance(const contact::RelativeConfiguration& bodies, const FeaturePair& features) {
-    const double distance = points(bodies, features).apart().norm();
-    switch (features.kind) {
-    case ContactKind::vertex_face:
-        return distance + fixed_face_->nearest_error();
-    case ContactKind::face_vertex:
-        return distance + moving_face_->nearest_error();
-    default:
-        return distance;
-    }
+    return apart(bodies.nearest(features), 0);
 }
 
 std::optional<NearestFeatures> nearest_features(const contact::RelativeConfiguration& bodies, double bound,

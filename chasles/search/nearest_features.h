@@ -15,18 +15,20 @@ struct NearestFeatures {
     double distance = 0;
 };
 
-/// The nearest points of features at one moment, or at one after another. Keeps what it knows of the last faces.
+/// Points of two features that are near each other, in the frame of the fixed body.
+struct NearPoints : contact::NearestPoints {
+    double distance = 0; ///< of the features at most, up to rounding
+};
+
+/// The nearest points of features at one moment, or at one after another. Between edges their distance may be greater
+/// than the least one where an end of an edge is nearer.
 class NearestAtRest {
 public:
-    /// Points of the features, in the frame of the fixed body.
-    contact::NearestPoints points(const contact::RelativeConfiguration& bodies, const contact::FeaturePair& features);
-    /// A distance that the nearest points do not exceed, up to rounding. Between edges it may be greater than the least
-    /// one where an end of an edge is nearer.
-    double distance(const contact::RelativeConfiguration& bodies, const contact::FeaturePair& features);
+    NearPoints points(const contact::RelativeConfiguration& bodies, const contact::FeaturePair& features);
 
 private:
-    std::optional<contact::FaceAtRest> moving_face_;
-    std::optional<contact::FaceAtRest> fixed_face_;
+    contact::LastFaceAtRest moving_face_;
+    contact::LastFaceAtRest fixed_face_;
 };
 
 /// Features that are nearer to each other than `bound`. No other features are nearer than `accuracy` times their

@@ -20,12 +20,6 @@ double extent(const Bvh& bvh) {
     return result;
 }
 
-/// Points that meet are within the margin of each other: either body counts as larger by the margin.
-motion::Ball enlarged(motion::Ball ball, double margin) {
-    ball.radius += margin;
-    return ball;
-}
-
 } // namespace
 
 PieceContext::PieceContext(const Body& moving, const Body& fixed, std::unique_ptr<const motion::AnyPiece> piece)
@@ -40,8 +34,9 @@ elementary::ErrorScale PieceContext::error_scale(double margin) const {
 }
 
 culling::TimeTree PieceContext::time_tree(double margin, const elementary::ErrorScale& scale) const {
-    const motion::Ball moving = enlarged(culling::ball_around(moving_.bvh()), margin);
-    const motion::Ball fixed = enlarged(culling::ball_around(fixed_.bvh()), margin);
+    // Points that meet are within the margin of each other: either body counts as larger by the margin.
+    const motion::Ball moving = culling::ball_around(moving_.bvh(), margin);
+    const motion::Ball fixed = culling::ball_around(fixed_.bvh(), margin);
     return {maps_, piece_->chord_deviation(moving, fixed), moving, fixed, scale, margin};
 }
 

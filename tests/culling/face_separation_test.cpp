@@ -24,6 +24,16 @@ Eigen::Vector3d eigen(const Vector3<double>& v) {
     return {v.x, v.y, v.z};
 }
 
+IntervalEnds at_rest(const Eigen::Isometry3d& pose) {
+    MatrixPose matrix;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            matrix.rotation.row[i][j] = pose(i, j);
+        matrix.translation[i] = pose(i, 3);
+    }
+    return IntervalEnds(matrix);
+}
+
 /// How far two triangles are apart along a direction; negative where they are not.
 double gap_along(const Eigen::Vector3d& direction, const test::Vertices& moved, const test::Vertices& fixed) {
     double nearest = 1e300, farthest = -1e300;
@@ -50,7 +60,7 @@ TEST(FaceSeparation, ADirectionKeepsTheFacesApartByTheDistance) {
         const test::Triangle3<double> b{fixed.vertices[0], fixed.vertices[1], fixed.vertices[2]};
         const double distance = std::sqrt(test::squared_distance_of_triangles<double>(a, b));
         FaceSeparation separation(mover.body(), target.body());
-        separation.use({pose.linear(), pose.translation()});
+        separation.use(at_rest(pose));
         const double asked = uniform(random, 0, 1.5) * distance;
         const auto direction = separation.direction(0, 0, 0.5, asked);
         apart += asked < 0.9 * distance ? 1 : 0;
@@ -67,7 +77,7 @@ TEST(FaceSeparation, FindsNothingBetweenFacesThatCross) {
     const Polyhedron a = test::triangle({-1, 0, -1}, {1, 0, -1}, {0, 0, 2}).polyhedron();
     const Polyhedron b = test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 2, 0}).polyhedron();
     FaceSeparation separation(a.body(), b.body());
-    separation.use({Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()});
+    separation.use(at_rest(Eigen::Isometry3d::Identity()));
     EXPECT_FALSE(separation.direction(0, 0, 0, 0));
 }
 

@@ -85,7 +85,7 @@ TEST(NearestFeatures, PointsAreOnTheFeatures) {
             const test::Triangle3<double> at_point{point, point, point};
             const test::Triangle3<double> triangle{face.vertices[0], face.vertices[1], face.vertices[2]};
             const double distance = std::sqrt(test::squared_distance_of_triangles<double>(at_point, triangle));
-            EXPECT_NEAR(nearest.distance(bodies, pair), distance, 1e-9 * (1 + distance)) << i;
+            EXPECT_NEAR(nearest.points(bodies, pair).distance, distance, 1e-9 * (1 + distance)) << i;
         }
     }
 }
