@@ -123,8 +123,7 @@ private:
 
     /// Splits both nodes, or only the much larger node. Pushes the pairs with the earliest window last.
     void split(const NodePair& pair, const TimeInterval& interval) {
-        const NodeRange a = split_against(moving_nodes_, pair.moving, fixed_nodes_[pair.fixed]);
-        const NodeRange b = split_against(fixed_nodes_, pair.fixed, moving_nodes_[pair.moving]);
+        const auto [a, b] = split_nodes(moving_nodes_, pair.moving, fixed_nodes_, pair.fixed);
         const auto when = interval.boxes.overlap_windows(a.of(moving_nodes_), b.of(fixed_nodes_), pair.when);
         node_pairs_ += a.count * b.count;
         // The queue is a stack within one step of time: the pair that is pushed last is visited first.

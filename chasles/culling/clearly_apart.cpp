@@ -171,8 +171,7 @@ bool CoarseTest::split(const NodePair& pair, const SweptBoxes& boxes, PairStack&
         return false;
     const std::span<const BvhNode> moving = scene_.moving.nodes();
     const std::span<const BvhNode> fixed = scene_.fixed.nodes();
-    const NodeRange a = split_against(moving, pair.moving, fixed[pair.fixed]);
-    const NodeRange b = split_against(fixed, pair.fixed, moving[pair.moving]);
+    const auto [a, b] = split_nodes(moving, pair.moving, fixed, pair.fixed);
     const auto when = boxes.overlap_windows(a.of(moving), b.of(fixed), pair.when);
     for (std::uint32_t i = 0; i < a.count; ++i)
         for (std::uint32_t j = 0; j < b.count; ++j)

@@ -17,13 +17,25 @@ struct NodeRange {
     }
 };
 
-/// The children of a node, or the node itself: if it is a leaf, or if its side is shorter than half of the side of the
-/// other node, which then splits alone.
-inline NodeRange split_against(std::span<const BvhNode> nodes, std::uint32_t node, const BvhNode& other) {
+/// What takes the place of a pair of nodes.
+struct SplitPair {
+    NodeRange moving;
+    NodeRange fixed;
+};
+
+/// The children of both nodes. A leaf stays itself, and so does a node whose side is shorter than half of the side of
+/// the other node, if that one has children.
+inline SplitPair split_nodes(std::span<const BvhNode> moving_nodes, std::uint32_t moving_node,
+                             std::span<const BvhNode> fixed_nodes, std::uint32_t fixed_node) {
     constexpr float much_smaller = 0.5F;
-    const BvhNode& own = nodes[node];
-    const bool splits = !own.is_leaf() && (other.is_leaf() || longest_side(own) >= much_smaller * longest_side(other));
-    return splits ? NodeRange{own.first, 2} : NodeRange{node, 1};
+    const BvhNode& moving = moving_nodes[moving_node];
+    const BvhNode& fixed = fixed_nodes[fixed_node];
+    const float moving_side = longest_side(moving);
+    const float fixed_side = longest_side(fixed);
+    const bool moving_splits = !moving.is_leaf() && (fixed.is_leaf() || moving_side >= much_smaller * fixed_side);
+    const bool fixed_splits = !fixed.is_leaf() && (moving.is_leaf() || fixed_side >= much_smaller * moving_side);
+    return {moving_splits ? NodeRange{moving.first, 2} : NodeRange{moving_node, 1},
+            fixed_splits ? NodeRange{fixed.first, 2} : NodeRange{fixed_node, 1}};
 }
 
 } // namespace chasles::culling

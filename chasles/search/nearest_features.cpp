@@ -111,8 +111,8 @@ private:
         const BvhNode& fixed = boxes_.fixed_nodes()[nodes.fixed];
         if (moving.is_leaf() && fixed.is_leaf())
             return test({moving.first, fixed.first});
-        const culling::NodeRange a = culling::split_against(boxes_.moving_nodes(), nodes.moving, fixed);
-        const culling::NodeRange b = culling::split_against(boxes_.fixed_nodes(), nodes.fixed, moving);
+        const auto [a, b] =
+            culling::split_nodes(boxes_.moving_nodes(), nodes.moving, boxes_.fixed_nodes(), nodes.fixed);
         const auto windows = boxes_.within_bound(a.of(boxes_.moving_nodes()), b.of(boxes_.fixed_nodes()));
         work_.node_pairs += a.count * b.count;
         const std::size_t before = stack_.size();
