@@ -72,22 +72,39 @@ TEST(LeastDistance, OfAllToleranceAsked) {
         expect_distance(ask(cube(), cube(), motion, {.tolerance = tolerance}), distance * (1 + 5e-11), tolerance);
 }
 
-/// Two gaps at two times; the first one is not the least.
-TEST(LeastDistance, OfTwoLocalMinima) {
-    Body two = box({0.1, 1, 0.1});
-    const Body second = box({0.1, 1.5, 0.1});
-    for (const Eigen::Vector3d& v : second.vertices)
-        two.vertices.emplace_back(v + Eigen::Vector3d(4, 0, 0));
-    for (std::vector<std::uint32_t> face : second.faces) {
+/// Two posts at x = 0 and at `x`, with these heights.
+Polyhedron two_posts(double first, double x, double second) {
+    Body two = box({0.1, first, 0.1});
+    for (const Eigen::Vector3d& v : box({0.1, second, 0.1}).vertices)
+        two.vertices.emplace_back(v + Eigen::Vector3d(x, 0, 0));
+    for (std::vector<std::uint32_t> face : box({0.1, second, 0.1}).faces) {
         for (std::uint32_t& v : face)
             v += 8;
         two.faces.push_back(face);
     }
-    // Passes the teeth at times about 1/4 and 3/4.
-    const LeastDistance found = ask(box({0.1, 0.1, 0.1}).polyhedron(), two.polyhedron(),
+    return two.polyhedron();
+}
+
+/// Two gaps at two times; the first one is not the least.
+TEST(LeastDistance, OfTwoLocalMinima) {
+    // Passes the posts at times about 1/4 and 3/4.
+    const LeastDistance found = ask(box({0.1, 0.1, 0.1}).polyhedron(), two_posts(1, 4, 1.5),
                                     ScrewMotion::between(shifted(-2, 3, 0), shifted(6, 3, 0)));
     expect_distance(found, 1.4);
     EXPECT_NEAR(found.time.lower, 0.75, 0.03);
+}
+
+/// The descent ends at the lower post, which is below the middle of the way. The level of the proof is then below the
+/// higher post too, but not by the deviation: the true motion may come that much nearer.
+TEST(LeastDistance, CountsTheDeviationWhereTheDescentMissedTheMinimum) {
+    const ConstantVelocity trajectory({shifted(-4, 3, 0), turned({4, 3, 0}, {0, 0, 1}, 0.01)}, {1}, 1000);
+    const double deviation = trajectory.piece_of(1).deviation();
+    ASSERT_GT(deviation, 0.02);
+    const LeastDistance found =
+        ask(box({0.1, 0.1, 0.1}).polyhedron(), two_posts(1.5, 2.2, 1.52), motion_of(trajectory));
+    EXPECT_GT(found.distance.lower, 1.3);
+    EXPECT_LE(found.distance.lower, 1.38 + 0.002 - deviation); // the turn moves corners by less than 0.002
+    EXPECT_GE(found.distance.upper, 1.38);
 }
 
 TEST(LeastDistance, IsZeroWhereTheBodiesTouch) {
@@ -217,6 +234,27 @@ TEST(LeastDistance, CountsTheDeviationOfAMotion) {
         EXPECT_LE(found.distance.upper - found.distance.lower, 2.1 * deviation + 1e-6);
         EXPECT_FALSE(found.certain);
     }
+}
+
+/// Where the true motion comes nearer than its pieces, the lower end is still below the true distance.
+TEST(LeastDistance, OfTheTrueMotionAndNotOfItsPieces) {
+    std::mt19937 random(6);
+    int nearer_than_the_piece = 0, apart = 0;
+    for (int i = 0; i < 30; ++i) {
+        const Pose start = turned(random_vector(random, 1) + Eigen::Vector3d(7, -2, 0), {0, 0, 1}, 0);
+        const Pose goal = turned(random_vector(random, 1) + Eigen::Vector3d(7, 2, 0), random_vector(random, 1), 1.5);
+        const ConstantVelocity trajectory({start, goal}, {1}, 2);
+        const LeastDistance found = ask(cube(), cube(), motion_of(trajectory));
+        double least = 1e300;
+        for (int k = 0; k <= 300; ++k)
+            least = std::min(least, distance_at(cube(), cube(), trajectory.pose_at(k / 300.0)));
+        EXPECT_LE(found.distance.lower, least) << i;
+        const double of_piece = found.distance.upper - trajectory.piece_of(1).deviation();
+        apart += found.distance.lower > 0 ? 1 : 0;
+        nearer_than_the_piece += least < of_piece - 1e-5 ? 1 : 0;
+    }
+    EXPECT_GT(apart, 5);
+    EXPECT_GT(nearer_than_the_piece, 3);
 }
 
 /// A small share of `chasles_attack --least`.
