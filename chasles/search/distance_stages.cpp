@@ -142,25 +142,25 @@ bool DistanceStages::advance(Step& step, const FeaturePair& features, const Sear
     constexpr double growth = 64;
     culling::TimeRange where = part_from(step.next.tau.lower, step.width);
     where.lower = std::max(where.lower, step.after);
-    const auto crossing = state.is_final(step.next.tau) ? std::optional(step.next) : refined(features, where);
-    if (crossing && crossing->tau.lower > state.best())
-        return false;
-    if (crossing && !crossing->tau.certain && step.width > shortest) {
-        step.width = shortest;
-        step.was_uncertain = true;
-        step.next = *crossing;
-        return true;
-    }
-    double passed = where.upper;
-    if (crossing) {
-        const auto until = passed_until(*crossing, features);
-        if (!until) {
+    const bool is_narrow = step.next.tau.certain && width_of(step.next.tau) <= 2 * options_.tolerance;
+    std::optional<double> passed = is_narrow ? passed_until(step.next, features) : std::nullopt;
+    if (!passed) {
+        const auto crossing = state.is_final(step.next.tau) ? std::optional(step.next) : refined(features, where);
+        if (crossing && crossing->tau.lower > state.best())
+            return false;
+        if (crossing && !crossing->tau.certain && step.width > shortest) {
+            step.width = shortest;
+            step.was_uncertain = true;
+            step.next = *crossing;
+            return true;
+        }
+        passed = crossing ? passed_until(*crossing, features) : where.upper;
+        if (!passed) {
             step.found = crossing->tau;
             return false;
         }
-        passed = *until;
     }
-    step.after = std::max(passed, step.next.tau.lower + rim);
+    step.after = std::max(*passed, step.next.tau.lower + rim);
     if (step.after >= state.best())
         return false;
     next_filter_.use({step.after, 1});

@@ -145,30 +145,40 @@ NearFeatures search_once(PieceContext& context, const ContactScene& scene, doubl
     return leaves.take(node_pairs);
 }
 
-} // namespace
-
-NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
+/// What is near within growing parts of the margin, up to the greatest that the bounds of the search allow. `whole` was
+/// found within the whole margin, and is cut.
+NearFeatures search_upwards(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search,
+                            NearFeatures whole) {
     constexpr int doublings = 6;
-    NearFeatures last;
-    double complete_within = 0;
-    Work work;
-    for (int step = scene.at_start && scene.margin > 0 ? doublings : 0; step >= 0; --step) {
+    Work work = whole.work;
+    NearFeatures last = std::move(whole);
+    for (int step = doublings; step > 0 && !last.overlap; --step) {
         ContactScene nearer = scene;
         nearer.margin = std::ldexp(scene.margin, -step);
         NearFeatures found = search_once(context, nearer, tau, search);
         work += found.work;
         const bool is_cut = found.is_cut;
-        if (!is_cut)
-            complete_within = nearer.margin;
-        if (!is_cut || last.pairs.empty())
+        if (!is_cut || step == doublings) {
             last = std::move(found);
-        last.is_cut = is_cut;
-        if (is_cut || last.overlap)
+            last.complete_within = is_cut ? 0 : nearer.margin;
+        }
+        if (is_cut)
             break;
     }
-    last.complete_within = complete_within;
+    last.is_cut = true;
     last.work = work;
     return last;
+}
+
+} // namespace
+
+NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
+    NearFeatures near = search_once(context, scene, tau, search);
+    const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
+    if (near.is_cut && may_be_much_nearer)
+        return search_upwards(context, scene, tau, search, std::move(near));
+    near.complete_within = near.is_cut ? 0 : scene.margin;
+    return near;
 }
 
 } // namespace chasles::search

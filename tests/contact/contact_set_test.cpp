@@ -127,36 +127,43 @@ TEST(ContactSet, NormalAtATipIsTheWayFromWhereTheTipsWereNearest) {
     EXPECT_LT((normal_for({1, -2, -0.5}) - Eigen::Vector3d(1, 0, 0)).norm(), 1e-9);
 }
 
+/// An octahedron with tips at x = length and x = -length, and at a distance of 1 along the other axes.
+Polyhedron octahedron(double length) {
+    Body body;
+    for (int axis = 0; axis < 3; ++axis)
+        for (const double sign : {1.0, -1.0})
+            body.vertices.push_back(sign * (axis == 0 ? length : 1) * Eigen::Vector3d::Unit(axis));
+    body.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    return body.polyhedron();
+}
+
 /// Whether both tips of octahedra allow a normal: no direction along a side from the fixed tip (at +x) or against one
 /// from the moving tip (at -x) leads against it.
-double excess_of(const Eigen::Vector3d& normal) {
+double excess_of(const Eigen::Vector3d& normal, double moving_length) {
     double excess = -1;
-    for (const double y : {1.0, -1.0})
-        for (const Eigen::Vector3d& side : {Eigen::Vector3d(-1, y, 0), Eigen::Vector3d(-1, 0, y)})
-            for (const double sign : {1.0, -1.0}) // the moving tip is the mirror image
-                excess = std::max(excess, normal.dot(Eigen::Vector3d(side.x(), sign * side.y(), sign * side.z())));
+    for (const double length : {1.0, moving_length})
+        for (const double y : {1.0, -1.0})
+            for (const Eigen::Vector3d& side : {Eigen::Vector3d(-length, y, 0), Eigen::Vector3d(-length, 0, y)})
+                excess = std::max(excess, normal.dot(side));
     return excess;
 }
 
 TEST(ContactSet, NormalAtTipsOfFourSidesIsTheBestThatBothAllow) {
-    Body octahedron;
-    for (int axis = 0; axis < 3; ++axis)
-        for (const double sign : {1.0, -1.0})
-            octahedron.vertices.push_back(sign * Eigen::Vector3d::Unit(axis));
-    octahedron.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
-    const Polyhedron body = octahedron.polyhedron();
     std::mt19937 random(8);
-    for (int i = 0; i < 12; ++i) {
-        const Eigen::Vector3d from(1, uniform(random, -3, 3), uniform(random, -3, 3));
-        const auto found = contacts_of(body, body, shifted(2 + from.x(), from.y(), from.z()), shifted(2, 0, 0));
-        ASSERT_EQ(kinds_of(found), Kinds{vertex_vertex});
-        const Eigen::Vector3d normal = found.contacts[0].normal;
-        EXPECT_LT(excess_of(normal), 1e-9);
-        for (int sample = 0; sample < 3000; ++sample) {
-            const Eigen::Vector3d other = (normal + random_vector(random, 0.5)).normalized();
-            EXPECT_TRUE(excess_of(other) > 0 || other.dot(from) <= normal.dot(from) + 1e-9);
+    for (const double length : {1.0, 4.0}) // the sides of a long tip allow more than those of the fixed tip
+        for (int i = 0; i < 12; ++i) {
+            const Eigen::Vector3d from(1, uniform(random, -3, 3), uniform(random, -3, 3));
+            const auto found =
+                contacts_of(octahedron(length), octahedron(1), shifted(length + 1 + from.x(), from.y(), from.z()),
+                            shifted(length + 1, 0, 0));
+            ASSERT_EQ(kinds_of(found), Kinds{vertex_vertex});
+            const Eigen::Vector3d normal = found.contacts[0].normal;
+            EXPECT_LT(excess_of(normal, length), 1e-9);
+            for (int sample = 0; sample < 3000; ++sample) {
+                const Eigen::Vector3d other = (normal + random_vector(random, 0.5)).normalized();
+                EXPECT_TRUE(excess_of(other, length) > 0 || other.dot(from) <= normal.dot(from) + 1e-9);
+            }
         }
-    }
 }
 
 TEST(ContactSet, ABoundedListSaysThatItIsCut) {

@@ -23,7 +23,7 @@ struct SlideTally {
     int touching = 0;  ///< contact_at_start
     double lowest = std::numeric_limits<double>::infinity(); ///< least ratio of distance to hold
     double peer_error = 0;                                   ///< greatest error of the other distance
-    double slowest = 0;                                      ///< slowest query, in seconds
+    std::vector<double> seconds = {};                        ///< of each query
 
     SlideTally& operator+=(const SlideTally& other) {
         steps += other.steps;
@@ -37,8 +37,15 @@ struct SlideTally {
         touching += other.touching;
         lowest = std::min(lowest, other.lowest);
         peer_error = std::max(peer_error, other.peer_error);
-        slowest = std::max(slowest, other.slowest);
+        seconds.insert(seconds.end(), other.seconds.begin(), other.seconds.end());
         return *this;
+    }
+
+    /// The time that this part of the queries does not exceed, in milliseconds. There must be a query.
+    [[nodiscard]] double milliseconds(double part) const {
+        std::vector<double> sorted = seconds;
+        std::ranges::sort(sorted);
+        return 1e3 * sorted[static_cast<std::size_t>(part * double(sorted.size() - 1))];
     }
 };
 
@@ -104,7 +111,7 @@ private:
         tally.clear += found.verdict == Verdict::clear ? 1 : 0;
         tally.touching += found.verdict == Verdict::contact_at_start ? 1 : 0;
         tally.stuck += found.verdict != Verdict::clear && found.clear_until == 0 ? 1 : 0;
-        tally.slowest = std::max(tally.slowest, seconds);
+        tally.seconds.push_back(seconds);
         if (found.verdict == Verdict::clear) {
             EXPECT_EQ(found.clear_until, 1);
         }
