@@ -1,4 +1,4 @@
-// The cost of a least distance, beside one query with a margin of that distance, which is the proof alone. For each
+// Compares the cost of a least distance with that of its proof alone: one query with that distance as margin. For each
 // family of motions it prints medians. Where FCL is installed: its distances at 100 poses, and by how much the least of
 // them is greater than the true one.
 //

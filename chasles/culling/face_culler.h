@@ -7,8 +7,8 @@
 
 namespace chasles::culling {
 
-/// A part of an interval in which two faces may meet, with the corners that may come to the plane of the other face.
-/// Valid until the next pair is culled.
+/// A part of an interval in which two faces may meet. `moving` and `fixed` tell which corners may come to the other
+/// face's plane. Valid until the next pair is culled.
 struct MeetingFaces {
     TimeRange part;
     CornerSides moving;

@@ -25,7 +25,7 @@ void require_no_deviation(const PieceContext& context) {
     require(context.piece().deviation() <= 0, "hold", "is not supported for motions with a deviation");
 }
 
-/// What is near at the start as a contact there.
+/// A contact at the start, made of what is near there.
 PieceResult contact_of(const search::NearFeatures& near) {
     PieceResult result;
     for (const contact::FeaturePair& features : near.pairs)

@@ -94,15 +94,10 @@ std::optional<FeasibleInterval> DistanceStages::narrow(const Candidate& candidat
     return narrow && narrow->tau.certain ? narrow->tau : candidate.tau;
 }
 
-/// The time until which a crossing does not count; empty if it counts. Without held contacts every crossing counts.
-/// Otherwise a crossing that leaves the margin does not count. A crossing that is no local minimum of the distance
-/// belongs to a contact that spreads or slides; it does not count until directions have had time to change.
-std::optional<double> DistanceStages::passed_until(const Crossing& crossing, const FeaturePair& features) const {
-    if (!options_.held)
-        return std::nullopt;
+/// With held contacts: the time from the start of a crossing's bracket until which the distance is proven to be no
+/// local minimum where it is the margin. Empty if it may be one at the crossing.
+std::optional<double> DistanceStages::no_minimum_until(const Crossing& crossing, const FeaturePair& features) const {
     const FeasibleInterval& tau = crossing.tau;
-    if (crossing.leaves)
-        return tau.upper;
     const contact::RelativeConfiguration bodies(context_.moving(), context_.fixed(), context_.maps(), tau.lower);
     const contact::NearestPoints nearest = bodies.nearest(features);
     const double speed = bodies.velocity_at(nearest.on_moving).norm();
@@ -113,7 +108,27 @@ std::optional<double> DistanceStages::passed_until(const Crossing& crossing, con
     // Rates at most double within a steady while.
     const double steady = 0x1p-4 / std::sqrt(std::max(1.0, context_.maps().weight[3]));
     const double turning = 4 * (2 * speed / options_.margin + bodies.turn_rate());
-    return std::max(tau.upper, tau.lower + std::min(steady, excess / turning));
+    return tau.lower + std::min(steady, excess / turning);
+}
+
+/// The time until which a crossing does not count; empty if it counts. Without held contacts every crossing counts.
+/// Otherwise a crossing that leaves the margin does not count. A crossing that is no local minimum of the distance
+/// belongs to a contact that spreads or slides; it does not count until directions have had time to change.
+std::optional<double> DistanceStages::passed_until(const Crossing& crossing, const FeaturePair& features) const {
+    if (!options_.held)
+        return std::nullopt;
+    if (crossing.leaves)
+        return crossing.tau.upper;
+    const auto until = no_minimum_until(crossing, features);
+    return until ? std::optional(std::max(crossing.tau.upper, *until)) : std::nullopt;
+}
+
+/// The same for a crossing of the filter, whose bracket may be wide: empty also if directions may change within it.
+std::optional<double> DistanceStages::passed_in_double(const Crossing& crossing, const FeaturePair& features) const {
+    if (!options_.held || !crossing.tau.certain)
+        return std::nullopt;
+    const auto until = no_minimum_until(crossing, features);
+    return until && *until >= crossing.tau.upper ? until : std::nullopt;
 }
 
 /// The search for the first crossing that counts, from a crossing of the filter on.
@@ -138,29 +153,37 @@ std::optional<FeasibleInterval> DistanceStages::decide(const Candidate& candidat
 
 /// False when the search is over: with a crossing that counts, or without.
 bool DistanceStages::advance(Step& step, const FeaturePair& features, const SearchState& state) {
+    if (const auto passed = passed_in_double(step.next, features))
+        return go_on_after(*passed, step, features, state);
     constexpr double shortest = 4 * rim;
     constexpr double growth = 64;
     culling::TimeRange where = part_from(step.next.tau.lower, step.width);
     where.lower = std::max(where.lower, step.after);
-    const bool is_narrow = step.next.tau.certain && width_of(step.next.tau) <= 2 * options_.tolerance;
-    std::optional<double> passed = is_narrow ? passed_until(step.next, features) : std::nullopt;
-    if (!passed) {
-        const auto crossing = state.is_final(step.next.tau) ? std::optional(step.next) : refined(features, where);
-        if (crossing && crossing->tau.lower > state.best())
-            return false;
-        if (crossing && !crossing->tau.certain && step.width > shortest) {
-            step.width = shortest;
-            step.was_uncertain = true;
-            step.next = *crossing;
-            return true;
-        }
-        passed = crossing ? passed_until(*crossing, features) : where.upper;
-        if (!passed) {
+    const auto crossing = state.is_final(step.next.tau) ? std::optional(step.next) : refined(features, where);
+    if (crossing && crossing->tau.lower > state.best())
+        return false;
+    if (crossing && !crossing->tau.certain && step.width > shortest) {
+        step.width = shortest;
+        step.was_uncertain = true;
+        step.next = *crossing;
+        return true;
+    }
+    double passed = where.upper;
+    if (crossing) {
+        const auto until = passed_until(*crossing, features);
+        if (!until) {
             step.found = crossing->tau;
             return false;
         }
+        passed = *until;
     }
-    step.after = std::max(*passed, step.next.tau.lower + rim);
+    step.width *= growth;
+    return go_on_after(passed, step, features, state);
+}
+
+/// Goes on to the filter's first crossing after a time. False if there is none that matters.
+bool DistanceStages::go_on_after(double passed, Step& step, const FeaturePair& features, const SearchState& state) {
+    step.after = std::max(passed, step.next.tau.lower + rim);
     if (step.after >= state.best())
         return false;
     next_filter_.use({step.after, 1});
@@ -170,7 +193,7 @@ bool DistanceStages::advance(Step& step, const FeaturePair& features, const Sear
         return false;
     step.next = *next;
     // Where double-double was uncertain, the filter is uncertain for longer.
-    step.width = std::max(growth * step.width, step.was_uncertain ? 0.0 : width_of(next->tau));
+    step.width = std::max(step.width, step.was_uncertain ? 0.0 : width_of(next->tau));
     return true;
 }
 

@@ -46,8 +46,11 @@ private:
     struct Step;
 
     void test_at_start(const FeaturePair& features, WithinAtStart::Answer answer);
+    [[nodiscard]] std::optional<double> no_minimum_until(const Crossing& crossing, const FeaturePair& features) const;
     [[nodiscard]] std::optional<double> passed_until(const Crossing& crossing, const FeaturePair& features) const;
+    [[nodiscard]] std::optional<double> passed_in_double(const Crossing& crossing, const FeaturePair& features) const;
     bool advance(Step& step, const FeaturePair& features, const SearchState& state);
+    bool go_on_after(double passed, Step& step, const FeaturePair& features, const SearchState& state);
     std::optional<Crossing> refined(const FeaturePair& features, const culling::TimeRange& where);
     PartTests<algebra::DoubleDouble>& refinement();
 

@@ -145,27 +145,30 @@ NearFeatures search_once(PieceContext& context, const ContactScene& scene, doubl
     return leaves.take(node_pairs);
 }
 
-/// What is near within growing parts of the margin, up to the greatest that the bounds of the search allow. `whole` was
-/// found within the whole margin, and is cut.
-NearFeatures search_upwards(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search,
-                            NearFeatures whole) {
+/// A search within the whole margin was cut. The answer is that within the greatest part of the margin, a power of two,
+/// for which no bound of the search is reached; the pairs of a search that was cut if none is near within that part.
+NearFeatures search_nearer(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search,
+                           NearFeatures whole) {
     constexpr int doublings = 6;
+    NearFeatures last;
+    double complete_within = 0;
     Work work = whole.work;
-    NearFeatures last = std::move(whole);
-    for (int step = doublings; step > 0 && !last.overlap; --step) {
+    for (int step = doublings; step >= 0; --step) {
         ContactScene nearer = scene;
         nearer.margin = std::ldexp(scene.margin, -step);
-        NearFeatures found = search_once(context, nearer, tau, search);
-        work += found.work;
+        NearFeatures found = step > 0 ? search_once(context, nearer, tau, search) : std::move(whole);
+        if (step > 0)
+            work += found.work;
         const bool is_cut = found.is_cut;
-        if (!is_cut || step == doublings) {
+        if (!is_cut)
+            complete_within = nearer.margin;
+        if (!is_cut || last.pairs.empty())
             last = std::move(found);
-            last.complete_within = is_cut ? 0 : nearer.margin;
-        }
-        if (is_cut)
+        last.is_cut = is_cut;
+        if (is_cut || last.overlap)
             break;
     }
-    last.is_cut = true;
+    last.complete_within = complete_within;
     last.work = work;
     return last;
 }
@@ -176,7 +179,7 @@ NearFeatures near_features(PieceContext& context, const ContactScene& scene, dou
     NearFeatures near = search_once(context, scene, tau, search);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)
-        return search_upwards(context, scene, tau, search, std::move(near));
+        return search_nearer(context, scene, tau, search, std::move(near));
     near.complete_within = near.is_cut ? 0 : scene.margin;
     return near;
 }

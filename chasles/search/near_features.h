@@ -29,8 +29,9 @@ struct NearSearch {
 /// The feature pairs of a scene that touch or, with a margin, are within it at a local minimum of the distance
 /// (`contact::NearTest`). `tau` is that of the scene.
 ///
-/// At the start, bodies may be much nearer than the margin, and many pairs within it. Then the pairs are searched for
-/// at growing distances, and the answer is that of the greatest distance that the bounds of the search allow.
+/// At the start, bodies may be much nearer than the margin, and many pairs within it. If a bound of the search is
+/// reached, the pairs are searched for at growing distances. The answer is that of the greatest distance that the
+/// bounds allow.
 NearFeatures near_features(PieceContext& context, const contact::ContactScene& scene, double tau,
                            const NearSearch& search);
 

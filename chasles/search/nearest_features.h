@@ -32,7 +32,7 @@ private:
 };
 
 /// Features that are nearer to each other than `bound`. No other features are nearer than `accuracy` times their
-/// distance, unless the search visits so many pairs of nodes that it stops before. Empty if it found none.
+/// distance; this is not promised where the search reaches its bound of visited nodes. Empty if it found none.
 std::optional<NearestFeatures> nearest_features(const contact::RelativeConfiguration& bodies, double bound,
                                                 double accuracy, Work& work);
 
