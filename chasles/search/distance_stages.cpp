@@ -1,9 +1,9 @@
 #include "chasles/search/distance_stages.h"
 
+#include "chasles/search/no_minimum.h"
 #include "chasles/search/touch_stages.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace chasles::search {
 
@@ -94,40 +94,19 @@ std::optional<FeasibleInterval> DistanceStages::narrow(const Candidate& candidat
     return narrow && narrow->tau.certain ? narrow->tau : candidate.tau;
 }
 
-/// With held contacts: the time from the start of a crossing's bracket until which the distance is proven to be no
-/// local minimum where it is the margin. Empty if it may be one at the crossing.
-std::optional<double> DistanceStages::no_minimum_until(const Crossing& crossing, const FeaturePair& features) const {
-    const FeasibleInterval& tau = crossing.tau;
-    const contact::RelativeConfiguration bodies(context_.moving(), context_.fixed(), context_.maps(), tau.lower);
-    const contact::NearestPoints nearest = bodies.nearest(features);
-    const double speed = bodies.velocity_at(nearest.on_moving).norm();
-    const double error = elementary::error_unit<double> * scale_.length + speed * width_of(tau);
-    const double excess = bodies.descent(features, nearest) - 4 * error / options_.margin;
-    if (excess <= 0)
-        return std::nullopt;
-    // Rates at most double within a steady while.
-    const double steady = 0x1p-4 / std::sqrt(std::max(1.0, context_.maps().weight[3]));
-    const double turning = 4 * (2 * speed / options_.margin + bodies.turn_rate());
-    return tau.lower + std::min(steady, excess / turning);
+/// The time until which a crossing of the refinement does not count; empty if it counts. Without held contacts every
+/// crossing counts. Otherwise a crossing that leaves the margin does not count.
+std::optional<double> DistanceStages::passed_until(const Crossing& crossing, const FeaturePair& features) const {
+    return options_.held && crossing.leaves ? std::optional(crossing.tau.upper) : not_new_until(crossing, features);
 }
 
-/// The time until which a crossing does not count; empty if it counts. Without held contacts every crossing counts.
-/// Otherwise a crossing that leaves the margin does not count. A crossing that is no local minimum of the distance
-/// belongs to a contact that spreads or slides; it does not count until directions have had time to change.
-std::optional<double> DistanceStages::passed_until(const Crossing& crossing, const FeaturePair& features) const {
+/// With held contacts: a crossing that is no local minimum of the distance belongs to a contact that spreads or slides.
+/// It does not count, and no other one counts until directions have had time to change. Empty if they have that time
+/// within the bracket.
+std::optional<double> DistanceStages::not_new_until(const Crossing& crossing, const FeaturePair& features) const {
     if (!options_.held)
         return std::nullopt;
-    if (crossing.leaves)
-        return crossing.tau.upper;
-    const auto until = no_minimum_until(crossing, features);
-    return until ? std::optional(std::max(crossing.tau.upper, *until)) : std::nullopt;
-}
-
-/// The same for a crossing of the filter, whose bracket may be wide: empty also if directions may change within it.
-std::optional<double> DistanceStages::passed_in_double(const Crossing& crossing, const FeaturePair& features) const {
-    if (!options_.held || !crossing.tau.certain)
-        return std::nullopt;
-    const auto until = no_minimum_until(crossing, features);
+    const auto until = no_minimum_until(context_, features, crossing.tau.lower, options_.margin, scale_.length);
     return until && *until >= crossing.tau.upper ? until : std::nullopt;
 }
 
@@ -153,7 +132,7 @@ std::optional<FeasibleInterval> DistanceStages::decide(const Candidate& candidat
 
 /// False when the search is over: with a crossing that counts, or without.
 bool DistanceStages::advance(Step& step, const FeaturePair& features, const SearchState& state) {
-    if (const auto passed = passed_in_double(step.next, features))
+    if (const auto passed = not_new_until(step.next, features)) // decided in double
         return go_on_after(*passed, step, features, state);
     constexpr double shortest = 4 * rim;
     constexpr double growth = 64;

@@ -3,7 +3,6 @@
 // Source: docs/derivations/16-margin.md, "Stages", and 17-hold.md.
 #pragma once
 
-#include "chasles/contact/relative_configuration.h"
 #include "chasles/search/candidates.h"
 #include "chasles/search/distance_crossing.h"
 #include "chasles/search/piece_search.h"
@@ -46,9 +45,8 @@ private:
     struct Step;
 
     void test_at_start(const FeaturePair& features, WithinAtStart::Answer answer);
-    [[nodiscard]] std::optional<double> no_minimum_until(const Crossing& crossing, const FeaturePair& features) const;
     [[nodiscard]] std::optional<double> passed_until(const Crossing& crossing, const FeaturePair& features) const;
-    [[nodiscard]] std::optional<double> passed_in_double(const Crossing& crossing, const FeaturePair& features) const;
+    [[nodiscard]] std::optional<double> not_new_until(const Crossing& crossing, const FeaturePair& features) const;
     bool advance(Step& step, const FeaturePair& features, const SearchState& state);
     bool go_on_after(double passed, Step& step, const FeaturePair& features, const SearchState& state);
     std::optional<Crossing> refined(const FeaturePair& features, const culling::TimeRange& where);
