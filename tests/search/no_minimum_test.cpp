@@ -123,6 +123,17 @@ TEST(NoMinimum, EndsBeforeACornerComesOverTheEdge) {
     }
 }
 
+TEST(NoMinimum, EndsBeforeACornerComesToThePlaneOfAFace) {
+    // Beyond the plane, beside the face, the other side of the face is nearer.
+    const Scene scene{test::triangle({0, 0, 0}, {-0.02, 0.01, -0.1}, {-0.02, -0.01, -0.1}).polyhedron(),
+                      test::box({1, 1, 1}).polyhedron(),
+                      ScrewMotion::between(test::shifted(3, 0, 1.2), test::shifted(3, 0, -8))};
+    const FeaturePair corner_and_top{ContactKind::vertex_face, {0, 0}, {5, 5}};
+    const auto until = scene.until(corner_and_top, 0, 0.2);
+    ASSERT_TRUE(until);
+    EXPECT_GE(scene.at(*until).moved(Eigen::Vector3d::Zero()).z(), 1.1);
+}
+
 TEST(NoMinimum, NothingIsProvenWhereRoundingHidesTheDirection) {
     const Orbit orbit{1};
     EXPECT_TRUE(orbit.scene.until(orbit.corner_and_edge, 0, Orbit::distance));
