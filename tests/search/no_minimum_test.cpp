@@ -67,6 +67,17 @@ Scene random_scene(std::mt19937& random) {
             ScrewMotion::between(start, uniform(random, 0, 1) < 0.2 ? Pose(goal.translation, start.rotation) : goal)};
 }
 
+/// Checks that the distance falls beside the features at many times. Returns the number of times that tell.
+int descents(const Scene& scene, const FeaturePair& features, double tau, double until) {
+    int count = 0;
+    for (int sample = 0; sample <= 20; ++sample) {
+        const auto descent = scene.descent(features, std::min(1.0, tau + (until - tau) * sample / 20));
+        EXPECT_GT(descent.value_or(1), 0) << "kind " << int(features.kind) << " at tau " << tau;
+        count += descent ? 1 : 0;
+    }
+    return count;
+}
+
 TEST(NoMinimum, TheDistanceFallsBesideTheFeaturesForAsLongAsIsProven) {
     std::mt19937 random(71);
     for (const ContactKind kind : {ContactKind::vertex_face, ContactKind::face_vertex, ContactKind::edge_edge,
@@ -81,14 +92,25 @@ TEST(NoMinimum, TheDistanceFallsBesideTheFeaturesForAsLongAsIsProven) {
             if (!until)
                 continue;
             EXPECT_GT(*until, tau);
-            for (int sample = 0; sample <= 20; ++sample) {
-                const double then = std::min(1.0, tau + (*until - tau) * sample / 20);
-                const auto descent = scene.descent(features, then);
-                samples += descent ? 1 : 0;
-                EXPECT_GT(descent.value_or(1), 0) << "kind " << int(kind) << ", question " << i;
-            }
+            samples += descents(scene, features, tau, *until);
         }
         EXPECT_GT(samples, 1000) << "kind " << int(kind);
+    }
+}
+
+TEST(NoMinimum, EndsBeforeTheConnectionOfNearlyParallelEdgesTurnsAway) {
+    // The upper edge turns about an axis across both. Their connection turns twenty times as fast.
+    constexpr double angle = 0.05;
+    constexpr double slope = 0.2; // of the face beside the lower edge
+    const FeaturePair edges{ContactKind::edge_edge, {0, 1}, {0, 1}};
+    for (const double turn : {0.5, -0.5}) {
+        const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0);
+        const Scene scene{test::triangle(-along, along, {0, 0, 1}).polyhedron(),
+                          test::triangle({-1, 0, 0}, {1, 0, 0}, {0, std::cos(slope), std::sin(slope)}).polyhedron(),
+                          ScrewMotion::between(test::shifted(0, 0, 0.2), test::turned({0, 0, 0.2}, {0, 1, 0}, turn))};
+        const auto until = scene.until(edges, 0, 0.2);
+        ASSERT_TRUE(until);
+        EXPECT_EQ(descents(scene, edges, 0, *until), 21);
     }
 }
 
@@ -121,6 +143,22 @@ TEST(NoMinimum, EndsBeforeACornerComesOverTheEdge) {
         }
         EXPECT_NEAR(orbit.scene.at(tau).moved(Eigen::Vector3d::Zero()).x(), 1, 1e-3) << "turn " << turn;
     }
+}
+
+TEST(NoMinimum, EndsBeforeACornerPassesOverAnEdge) {
+    const Scene scene{test::triangle({0, 0, 0}, {-0.02, 0.01, 0.1}, {-0.02, -0.01, 0.1}).polyhedron(),
+                      test::box({1, 1, 1}).polyhedron(),
+                      ScrewMotion::between(test::shifted(0.91, 0, 1.2), test::shifted(1.51, 0, 1.2))};
+    const FeaturePair corner_and_edge{ContactKind::vertex_edge, {0, 0}, {5, 7}};
+    double tau = 0;
+    for (int step = 0; step < 1000; ++step) {
+        const auto until = scene.until(corner_and_edge, tau, 0.2);
+        if (!until)
+            break;
+        tau = *until;
+    }
+    EXPECT_NEAR(tau, 0.15, 1e-3);
+    EXPECT_LE(tau, 0.15);
 }
 
 TEST(NoMinimum, EndsBeforeACornerComesToThePlaneOfAFace) {
