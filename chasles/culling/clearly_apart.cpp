@@ -62,7 +62,9 @@ struct CoarseScene {
 
 double CoarseScene::deviation() const {
     const double bodies = moving.centre().lpNorm<1>() + moving.radius() + fixed.centre().lpNorm<1>() + fixed.radius();
-    return motion.deviation + motion::coarse_rounding * (motion.size + bodies + 2 * margin);
+    const double arm = length(motion::vector_in<double>(moving.centre()) - motion.reference) + moving.radius();
+    return motion.deviation + motion.turn_deviation * arm +
+           motion::coarse_rounding * (motion.size + bodies + 2 * margin);
 }
 
 Placement CoarseScene::placement(double tau) const {

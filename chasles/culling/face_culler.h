@@ -19,16 +19,15 @@ struct MeetingFaces {
 class FaceCuller {
 public:
     /// Keeps all references. Points within `margin` of a plane count as touching the plane.
-    FaceCuller(const Body& moving, const Body& fixed, const motion::ControlMaps<double>& whole,
-               const elementary::ErrorScale& scale, double margin)
-        : planes_(moving, fixed, scale, margin), maps_(whole) {}
+    FaceCuller(const Body& moving, const Body& fixed, const PieceParts& parts, double margin)
+        : planes_(moving, fixed, margin), maps_(parts) {}
 
     /// The features of two faces that may meet up to `best`; empty if a plane separates the faces until then. The
     /// answer of a search does not depend on what is culled (note 13). Planes are computed once for the interval.
     std::optional<MeetingFaces> cull(const FacePair& pair, double best) {
         const TimeRange& interval = pair.interval;
         if (maps_.set(interval))
-            planes_.use(maps_.maps());
+            planes_.use(maps_.maps(), maps_.scale());
         if (++pairs_ > pairs_of_a_brief_search &&
             planes_.are_apart_on_chords(pair.moving, pair.fixed, pair.when, pair.deviation))
             return std::nullopt;
@@ -55,7 +54,7 @@ private:
     static constexpr std::uint64_t pairs_of_a_brief_search = 256;
 
     FacePlanes planes_;
-    RangeMaps maps_;
+    PartMaps maps_;
     std::uint64_t pairs_ = 0;
 };
 

@@ -51,12 +51,13 @@ private:
 class FacePlanes {
 public:
     /// Keeps the bodies by reference. Points within `margin` of a plane count as touching the plane.
-    FacePlanes(const Body& moving, const Body& fixed, const elementary::ErrorScale& scale, double margin)
-        : moving_(moving), fixed_(fixed), scale_(scale), margin_(margin), separation_(moving, fixed) {}
+    FacePlanes(const Body& moving, const Body& fixed, double margin)
+        : moving_(moving), fixed_(fixed), margin_(margin), separation_(moving, fixed) {}
 
-    /// Sets the maps of an interval. Keeps them by reference.
-    void use(const motion::ControlMaps<double>& maps) {
+    /// Sets the maps of an interval, kept by reference, and the bound of their errors.
+    void use(const motion::ControlMaps<double>& maps, const elementary::ErrorScale& scale) {
         maps_ = &maps;
+        scale_ = scale;
         for (LastPlane* const last : {&of_moving_, &of_fixed_})
             last->plane.face = last->chord.face = no_face;
         ends_ = IntervalEnds(maps);
@@ -165,7 +166,7 @@ private:
 
     /// How far from a face's plane points must be on their chords to be proven off the face.
     [[nodiscard]] double band_of(const elementary::FaceShape<double>& face, double deviation) const {
-        const double rounding = elementary::relative_error<double>(scale_) * scale_.length * face.size;
+        const double rounding = elementary::position_error<double>(scale_) * face.size;
         return elementary::with_underflow<double>(rounding + face.deviation + deviation * length(face.normal));
     }
 

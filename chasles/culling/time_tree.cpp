@@ -1,55 +1,70 @@
-// Evaluates the control maps at both ends of an interval and sums up by how much its boxes must be widened.
-// Source: docs/derivations/14-node-pairs.md, "Rounding".
+// Evaluates the placements at both ends of an interval and sums up by how much its boxes must be widened.
+// Source: docs/derivations/14-node-pairs.md, "Rounding"; docs/derivations/24-enclosures.md, "Nodes".
 #include "chasles/culling/time_tree.h"
 
+#include "chasles/motion/coarse_motion.h"
+#include "chasles/motion/screw_path.h"
+
 #include <algorithm>
-#include <cmath>
 
 namespace chasles::culling {
 
-TimeTree::TimeTree(const motion::ControlMaps<double>& whole, const motion::ChordDeviation& deviation,
-                   const motion::Ball& moving, const motion::Ball& fixed, const elementary::ErrorScale& scale,
-                   double margin)
-    : whole_(whole), deviation_(deviation), moving_(moving), fixed_(fixed), margin_(margin),
-      rounding_(elementary::error_unit<double> * scale.length + flushed_floats) {}
+TimeTree::TimeTree(const PieceParts& parts, const motion::ChordDeviation& chords, const motion::Ball& moving,
+                   const motion::Ball& fixed, double margin)
+    : parts_(parts), chords_(chords), moving_(moving), fixed_(fixed), margin_(margin),
+      rounding_(elementary::error_unit<double> * parts.scale().length + flushed_floats) {}
+
+TimeInterval TimeTree::interval(const TimeRange& range) const {
+    if (parts_.are_enclosed())
+        return enclosed_interval(range);
+    return interval_between(range, placement(range.lower), placement(range.upper),
+                            {chords_.of_moving(range.lower, range.upper), chords_.of_fixed(range.lower, range.upper)});
+}
+
+/// The true paths are as far from their chords as those of the cubic motion and the distance between both motions.
+/// Points that truly touch may be apart by the deviation on the cubic motion, so the balls are larger by it.
+TimeInterval TimeTree::enclosed_interval(const TimeRange& range) const {
+    const motion::Enclosure part = parts_.enclosure(range);
+    const double deviation = parts_.deviation_of(part);
+    const double from_chord = deviation + parts_.rounding_of(part);
+    const motion::ChordDeviation chords(part.cubic, {moving_.centre, moving_.radius + deviation},
+                                        {fixed_.centre, fixed_.radius + deviation});
+    return interval_between(range, placement(position_at(part.cubic, 0)), placement(position_at(part.cubic, 1)),
+                            {chords.of_moving(0, 1) + from_chord, chords.of_fixed(0, 1) + from_chord});
+}
 
 /// Boxes are widened by the chord deviation and by all roundings, at both ends of the interval.
-TimeInterval TimeTree::interval(const TimeRange& range) const {
-    const Placement start = placement(range.lower);
-    const Placement end = placement(range.upper);
+TimeInterval TimeTree::interval_between(const TimeRange& range, const Placement& start, const Placement& end,
+                                        const Deviations& deviations) const {
     const double distance = std::max(start.offset.lpNorm<1>(), end.offset.lpNorm<1>());
     const double rounding = rounding_ + float_rounding(moving_.radius + fixed_.radius + distance, margin_);
-    const double moving_deviation = deviation_.of_moving(range.lower, range.upper);
-    const double fixed_deviation = deviation_.of_fixed(range.lower, range.upper);
-    return {range, SweptBoxes(start, end, {moving_deviation + rounding, fixed_deviation + rounding, margin_}),
-            std::max(moving_deviation, fixed_deviation), rounding};
+    return {range, SweptBoxes(start, end, {deviations.moving + rounding, deviations.fixed + rounding, margin_}),
+            std::max(deviations.moving, deviations.fixed), rounding};
 }
 
 Placement TimeTree::placement(double tau) const {
-    const double weight = value_at(whole_.weight, tau);
+    const motion::ControlMaps<double>& whole = parts_.whole();
+    const double weight = value_at(whole.weight, tau);
     const auto value = [&](const algebra::Bernstein<3, double>& p) { return value_at(p, tau) / weight; };
     Placement placed;
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j)
-            placed.rotation(i, j) = value(whole_.rotation.row[i][j]);
-        placed.offset[i] = value(whole_.translation[i]);
+            placed.rotation(i, j) = value(whole.rotation.row[i][j]);
+        placed.offset[i] = value(whole.translation[i]);
     }
     placed.offset += placed.rotation * moving_.centre - fixed_.centre;
     return placed;
 }
 
-TimeRange part_around(const TimeRange& interval, const TimeRange& needed, double least) {
-    int exponent = 0;
-    std::frexp(std::max(least, needed.width()), &exponent);
-    double width = std::ldexp(1.0, exponent);
-    while (width < interval.width()) {
-        const double grid = 0.25 * width;
-        const double lower = std::clamp(std::floor(needed.lower / grid) * grid, interval.lower, interval.upper - width);
-        if (lower + width >= needed.upper)
-            return {lower, lower + width};
-        width *= 2;
+Placement TimeTree::placement(const motion::MatrixPose& pose) const {
+    Placement placed;
+    for (int i = 0; i < 3; ++i) {
+        for (int j = 0; j < 3; ++j)
+            placed.rotation(i, j) = pose.rotation.row[i][j];
+        placed.offset[i] = pose.translation[i];
     }
-    return interval;
+    placed.offset += placed.rotation * moving_.centre - fixed_.centre;
+    return placed;
 }
 
 } // namespace chasles::culling

@@ -133,7 +133,7 @@ void visit_unless_separated(const SquareProblem<S>& problem, Workspace<S>& works
 
 template <class S>
 S unit_of(const Accuracy& accuracy) {
-    return S(relative_error<S>(accuracy.scale) * accuracy.scale.length);
+    return position_error<S>(accuracy.scale);
 }
 
 } // namespace detail
@@ -204,7 +204,7 @@ std::optional<EdgeDistance<S>> edge_distance(const EdgePair<S>& pair, const Cubi
     const S crossing_bound =
         margin * (crossing.x.size + crossing.y.size + crossing.z.size + pair.crossing_error() * S(3));
     if (keeps_one_sign(volume.polynomial, weight * S(volume.error + crossing_bound)) ||
-        widest <= S(nearly_parallel) * pair.size())
+        pair.are_nearly_parallel(widest, nearly_parallel))
         return std::nullopt;
     return EdgeDistance<S>{volume, crossing, dot_product<S>(crossing, crossing)};
 }

@@ -61,8 +61,8 @@ public:
     using Vector = Vector3<Polynomial>;
 
     EdgePair(const EdgeMotion<S>& edges, const ErrorScale& scale)
-        : maps_(edges.maps), moving_(edges.moving), fixed_(edges.fixed), unit_(relative_error<S>(scale) * scale.length),
-          norm_unit_(relative_error<S>(scale) * scale.norm_bound) {}
+        : maps_(edges.maps), moving_(edges.moving), fixed_(edges.fixed), unit_(position_error<S>(scale)),
+          norm_unit_(direction_error<S>(scale)), turn_deviation_(scale.turn_deviation) {}
 
     /// W times the reciprocal product of the two lines: v . M + (c x v) . U.
     [[nodiscard]] Bounded<3, S> volume() const {
@@ -115,7 +115,16 @@ public:
     }
 
     [[nodiscard]] S end_arm_error() const { return with_underflow<S>(unit_ * fixed_.size); }
-    [[nodiscard]] S line_arm_error() const { return with_underflow<S>(unit_ * moving_.size); }
+    /// The arm runs from the moving edge to an end of the fixed edge, which may be long.
+    [[nodiscard]] S line_arm_error() const {
+        const S rounding = unit_ * moving_.size;
+        return with_underflow<S>(turn_deviation_ > 0 ? S(rounding + S(turn_deviation_) * size()) : rounding);
+    }
+    /// Whether the edges are so nearly parallel that the tests of their ends stand for them, for a greatest component
+    /// of U x v, at most `parallel` times the product of both sizes.
+    [[nodiscard]] bool are_nearly_parallel(const S& widest, double parallel) const {
+        return widest <= S(parallel - turn_deviation_) * size();
+    }
 
 private:
     /// Adds the constraint that the projection of the edge from p to q on `along` overlaps the edge that starts at
@@ -154,6 +163,7 @@ private:
     const FixedEdge<S>& fixed_;
     S unit_;
     S norm_unit_;
+    double turn_deviation_;
 };
 
 /// If no component of U x v is beyond this fraction of the lengths, all three components are tested. Both sets of

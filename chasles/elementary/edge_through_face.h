@@ -109,7 +109,7 @@ Vector3<S> point_at_plane(const Segment<S>& segment, const S& from, const S& to)
 template <class S>
 std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const FaceShape<S>& face,
                                             const ErrorScale& bounds, Ends ends = Ends::proven_opposite) {
-    const S unit(relative_error<S>(bounds) * bounds.length);
+    const S unit = position_error<S>(bounds);
     const S band = with_underflow<S>(unit * face.size + face.deviation);
     const S limit = (ends == Ends::proven_opposite ? band : S(0) - band) * segment.weight;
     const Vector3<S> anchor = scale(face.corners[0], segment.weight);

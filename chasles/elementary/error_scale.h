@@ -11,13 +11,17 @@
 
 namespace chasles::elementary {
 
-/// Bounds every coefficient error by error_unit * length * (norms of the directions in the product) * weight.
+/// Bounds every coefficient error by error_unit * length * (norms of the directions in the product) * weight. Where the
+/// motion is only enclosed by the maps, the last two numbers are added: they bound how far the true motion is from the
+/// maps (docs/derivations/24-enclosures.md).
 struct ErrorScale {
     double length = 0; ///< bound of positions, their differences, and moments of unit directions, over the weight
     double norm_bound =
         1; ///< bound of rotated unit directions over the weight; 1 for a rotation, more for control maps
     double half_angle_secant =
         1; ///< 1 / cos of half of the turn of a screw: the factor by which errors in double-double grow
+    double deviation = 0;      ///< of points of the moving body from their true places, in the length unit
+    double turn_deviation = 0; ///< of the orientation, in radians
 };
 
 /// The relative error of a coefficient, counted in docs/derivations/10-error-bounds.md. Most of it is the error of the
@@ -33,6 +37,18 @@ inline constexpr double error_unit<algebra::DoubleDouble> = 1024 * algebra::unit
 template <class S>
 double relative_error(const ErrorScale& scale) {
     return std::is_same_v<S, double> ? error_unit<S> : error_unit<S> * scale.half_angle_secant;
+}
+
+/// The error of a position, in the length unit: rounding, and the distance to the true motion.
+template <class S>
+S position_error(const ErrorScale& scale) {
+    return S(relative_error<S>(scale) * scale.length + scale.deviation);
+}
+
+/// The error of a rotated unit direction, likewise.
+template <class S>
+S direction_error(const ErrorScale& scale) {
+    return S(relative_error<S>(scale) * scale.norm_bound + scale.turn_deviation);
 }
 
 /// The greatest error by underflow. It is far below any other bound for bodies of size 1e-30 with features of 1e-46. It

@@ -39,7 +39,7 @@ template <class S>
 RelativePlane<S> relative_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<3, S>& height,
                                 const Bernstein<3, S>& weight, const FaceShape<S>& face, const ErrorScale& scale,
                                 const S& offset = S(0)) {
-    const S error = S(relative_error<S>(scale) * scale.length) * face.size + face.deviation + offset;
+    const S error = position_error<S>(scale) * face.size + face.deviation + offset;
     return {normal, height - weight * face.offset, weight * with_underflow<S>(error)};
 }
 

@@ -119,7 +119,7 @@ template <class S>
 [[gnu::noinline]] std::optional<FeasibleInterval> first_meeting(const VertexPath<S>& path, const FaceShape<S>& face,
                                                                 const Bounded<3, S>& plane, const Accuracy& accuracy,
                                                                 Workspace<S>& workspace) {
-    const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
+    const S unit = position_error<S>(accuracy.scale);
     std::optional<FeasibleInterval> first;
     for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i) {
         if (!add_inside_constraints(path, convex_part(face, i), unit, workspace.constraints))
@@ -141,7 +141,7 @@ template <class S>
 std::optional<FeasibleInterval> vertex_face(const VertexPath<S>& path, const FaceShape<S>& face,
                                             const Accuracy& accuracy, Workspace<S>& workspace) {
     ++workspace.elementary_tests;
-    const S unit(relative_error<S>(accuracy.scale) * accuracy.scale.length);
+    const S unit = position_error<S>(accuracy.scale);
     const Bounded<3, S> plane = detail::plane(path, face, unit);
     if (keeps_one_sign(plane.polynomial, path.weight * plane.error))
         return std::nullopt;

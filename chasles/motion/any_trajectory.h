@@ -14,8 +14,7 @@ public:
 
     [[nodiscard]] virtual const RationalMotion<algebra::DoubleDouble>& cubic() const = 0;
     [[nodiscard]] virtual std::optional<ExactMotion> exact() const = 0;
-    [[nodiscard]] virtual double deviation() const = 0;
-    [[nodiscard]] virtual ChordDeviation chord_deviation(const Ball& moving, const Ball& fixed) const = 0;
+    [[nodiscard]] virtual std::optional<Enclosure> enclosure(const Bracket& part) const = 0;
     [[nodiscard]] virtual Bracket time_of(const Bracket& tau) const = 0;
     [[nodiscard]] virtual Bracket tau_of(const Bracket& tau) const = 0;
     [[nodiscard]] virtual double tau_rate(double tau) const = 0;
@@ -53,9 +52,8 @@ public:
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const override { return piece_.cubic(); }
     [[nodiscard]] std::optional<ExactMotion> exact() const override { return piece_.exact(); }
-    [[nodiscard]] double deviation() const override { return piece_.deviation(); }
-    [[nodiscard]] ChordDeviation chord_deviation(const Ball& moving, const Ball& fixed) const override {
-        return piece_.chord_deviation(moving, fixed);
+    [[nodiscard]] std::optional<Enclosure> enclosure(const Bracket& part) const override {
+        return piece_.enclosure(part);
     }
     [[nodiscard]] Bracket time_of(const Bracket& tau) const override { return piece_.time_of(tau); }
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const override { return piece_.tau_of(tau); }

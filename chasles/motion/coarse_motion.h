@@ -19,6 +19,10 @@ struct CoarseMotion {
     /// The sum of the sizes of everything that enters. With the sizes of the bodies, it bounds roundings (2^-30 of the
     /// sum).
     double size = 0;
+    /// Of the orientation, in radians: points of the moving body deviate by this times their distance to `reference`,
+    /// in addition.
+    double turn_deviation = 0;
+    Vector3<double> reference{};
 };
 
 /// The rounding of a coarse motion over the sum of all sizes: CoarseMotion::size and the sizes of the bodies. The

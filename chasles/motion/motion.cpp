@@ -2,6 +2,7 @@
 #include "chasles/motion/motion.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/motion/even_trajectory.h"
 #include "chasles/motion/screw_trajectory.h"
 #include "chasles/motion/sweep_trajectory.h"
 
@@ -9,6 +10,7 @@ namespace chasles {
 
 namespace {
 
+using motion::EvenTrajectory;
 using motion::MotionEnds;
 using motion::ScrewTrajectory;
 using motion::SweepTrajectory;
@@ -140,6 +142,29 @@ Eigen::Vector3d SweepMotion::displacement() const {
 
 Pose SweepMotion::pose_at(double time) const {
     return trajectory().pose_at(time);
+}
+
+namespace {
+
+/// Without a turn it is a sweep, which is exact.
+Motion even_motion(const EvenTrajectory& trajectory) {
+    if (trajectory.motion().angle <= 0)
+        return erased(SweepTrajectory(trajectory.ends(), Eigen::Vector3d::Zero()));
+    return erased(trajectory);
+}
+
+} // namespace
+
+ConstantVelocity ConstantVelocity::between(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
+    const EvenTrajectory trajectory(EvenTrajectory::Kind::velocity, MotionEnds::between(start, goal), centre);
+    const motion::Vector3<double>& travel = trajectory.motion().travel;
+    return {even_motion(trajectory), trajectory.motion().angle, {travel.x, travel.y, travel.z}};
+}
+
+ConstantTwist ConstantTwist::between(const Pose& start, const Pose& goal) {
+    const MotionEnds ends = MotionEnds::between(start, goal);
+    return {even_motion(EvenTrajectory(EvenTrajectory::Kind::twist, ends, Eigen::Vector3d::Zero())),
+            ScrewMotion::between(start, goal)};
 }
 
 std::vector<Motion> screws_along(std::span<const Pose> poses, double max_turn) {

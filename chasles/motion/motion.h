@@ -13,6 +13,7 @@ namespace chasles {
 
 namespace motion {
 class AnyTrajectory;
+class EvenTrajectory;
 class ScrewTrajectory;
 class SweepTrajectory;
 } // namespace motion
@@ -133,6 +134,57 @@ public:
 private:
     explicit SweepMotion(Motion motion) : motion_(std::move(motion)) {}
     Motion motion_;
+};
+
+/// Constant velocity: the body turns evenly about one direction, the shorter way round, while a point of it moves evenly
+/// on a straight line ("slerp and lerp"). Keeps both end poses. Source: docs/derivations/25-even-motions.md.
+///
+/// The motion is no rational one. A query encloses it by cubic motions and follows a contact until the bracket is as
+/// narrow as asked or as rounding allows (docs/derivations/24-enclosures.md). A motion that does not turn is a sweep.
+class CHASLES_EXPORT ConstantVelocity {
+public:
+    /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world. `centre`
+    /// is the point that moves straight, in the moving body's frame (default its origin). Throws InvalidInput for a
+    /// pose or a centre that cannot be used.
+    static ConstantVelocity between(const Pose& start, const Pose& goal,
+                                    const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
+
+    [[nodiscard]] double angle() const { return angle_; } ///< turn in [0, pi], radians
+    /// Of the centre during the whole motion, in the fixed body's frame and the mesh unit.
+    [[nodiscard]] const Eigen::Vector3d& displacement() const { return displacement_; }
+    [[nodiscard]] Pose pose_at(double time) const { return motion_.pose_at(time); } ///< of the moving body in the world
+
+    operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
+
+private:
+    ConstantVelocity(Motion motion, double angle, const Eigen::Vector3d& displacement)
+        : motion_(std::move(motion)), angle_(angle), displacement_(displacement) {}
+
+    Motion motion_;
+    double angle_;
+    Eigen::Vector3d displacement_;
+};
+
+/// Constant twist: even turn about the axis of the screw between two poses, the shorter way round, and even slide along
+/// it, so that every point runs on a uniform helix. The paper's screw between the same poses has the same paths, but
+/// slides unevenly. Keeps both end poses. Enclosed like ConstantVelocity. Source: docs/derivations/25-even-motions.md.
+class CHASLES_EXPORT ConstantTwist {
+public:
+    /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world. Throws
+    /// InvalidInput for a pose that cannot be used.
+    static ConstantTwist between(const Pose& start, const Pose& goal);
+
+    /// The paper's screw between the same poses, which has the same axis, angle and slide.
+    [[nodiscard]] const ScrewMotion& screw_of_same_poses() const { return screw_; }
+    [[nodiscard]] Pose pose_at(double time) const { return motion_.pose_at(time); } ///< of the moving body in the world
+
+    operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
+
+private:
+    ConstantTwist(Motion motion, ScrewMotion screw) : motion_(std::move(motion)), screw_(std::move(screw)) {}
+
+    Motion motion_;
+    ScrewMotion screw_;
 };
 
 /// The screws from each pose of a path to the next. Throws InvalidInput for fewer than two poses.

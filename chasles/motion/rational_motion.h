@@ -120,6 +120,20 @@ RationalMotion<S> sweep_between(const GeneralPose<S>& start, const GeneralPose<S
             start.translation, orientation, static_cast<double>(norm1(centre))};
 }
 
+/// The motion in double-double, without rounding.
+inline RationalMotion<algebra::DoubleDouble> widened(const RationalMotion<double>& motion) {
+    using Wide = algebra::DoubleDouble;
+    const auto vector = [](const Vector3<double>& v) { return Vector3<Wide>{Wide(v.x), Wide(v.y), Wide(v.z)}; };
+    const Matrix3<double>& turn = motion.orientation;
+    return {Wide(motion.end_cosine),
+            vector(motion.axis),
+            vector(motion.moment),
+            vector(motion.displacement),
+            vector(motion.origin),
+            {vector(turn.row[0]), vector(turn.row[1]), vector(turn.row[2])},
+            motion.reference_extent};
+}
+
 /// The motion with every number rounded to double.
 inline RationalMotion<double> rounded(const RationalMotion<algebra::DoubleDouble>& motion) {
     const auto vector = [](const Vector3<algebra::DoubleDouble>& v) {

@@ -14,10 +14,7 @@ public:
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const { return cubic_; }
     [[nodiscard]] std::optional<ExactMotion> exact() const { return exact_sweep(ends_, centre_); }
-    [[nodiscard]] double deviation() const { return 0; }
-    [[nodiscard]] ChordDeviation chord_deviation(const Ball& moving, const Ball& fixed) const {
-        return {cubic_, moving, fixed};
-    }
+    [[nodiscard]] static std::optional<Enclosure> enclosure(const Bracket&) { return std::nullopt; }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const;
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return time_of(tau); }

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "chasles/algebra/bracket.h"
-#include "chasles/motion/chord_deviation.h"
 #include "chasles/motion/coarse_motion.h"
+#include "chasles/motion/enclosure.h"
 #include "chasles/motion/exact_motion.h"
 #include "chasles/motion/rational_motion.h"
 
@@ -22,18 +22,17 @@ struct PathBall {
                      ///< (1e-13 of it)
 };
 
-/// One piece of a trajectory: a cubic motion over tau in [0, 1], and how far the true motion may be from it.
+/// One piece of a trajectory: a cubic motion over tau in [0, 1] with the true ends, and enclosures of the true motion if
+/// that is another one.
 template <class P>
-concept TrajectoryPiece = requires(const P& piece, const Ball& ball, double number, const Bracket& bracket) {
+concept TrajectoryPiece = requires(const P& piece, double number, const Bracket& bracket) {
     /// The cubic motion. The control maps in double and in double-double are made from it.
     { piece.cubic() } -> std::same_as<const RationalMotion<algebra::DoubleDouble>&>;
     /// The control maps of the cubic motion without rounding; empty where there are none.
     { piece.exact() } -> std::same_as<std::optional<ExactMotion>>;
-    /// How far any point of either body, seen from the other body, may be from where the cubic motion has it at the
-    /// same tau, at most; mesh unit. 0 if the cubic motion is the true one.
-    { piece.deviation() } -> std::same_as<double>;
-    /// How far the cubic paths of points of two balls leave their chords.
-    { piece.chord_deviation(ball, ball) } -> std::same_as<ChordDeviation>;
+    /// A cubic motion near the true one over a part of the piece, and how near: the shorter the part, the nearer. Empty
+    /// if the cubic motion of the piece is the true one.
+    { piece.enclosure(bracket) } -> std::same_as<std::optional<Enclosure>>;
 
     /// The piece's own clock: brackets of tau within the piece as brackets of the trajectory's time and of its tau,
     /// rounded outward; dtau/dtime at a tau; and the width in tau that is no wider than a width in time anywhere.

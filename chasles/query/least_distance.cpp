@@ -51,7 +51,7 @@ private:
 
     void descend_from_samples();
     void descend(std::size_t piece, double tau, const contact::FeaturePair& features);
-    [[nodiscard]] double upper() const { return nearest_.at.near.distance + rounding_ + deviation_; }
+    [[nodiscard]] double upper() const { return nearest_.at.near.distance + rounding_; }
     [[nodiscard]] bool is_narrow() const {
         return lower_ > 0 && upper() - lower_ <= question_.options.tolerance * upper();
     }
@@ -66,7 +66,6 @@ private:
     const Question& question_;
     std::vector<PieceContext> pieces_;
     double rounding_ = 0;  ///< a bound of the rounding of distances at rest, mesh unit
-    double deviation_ = 0; ///< the greatest one of a piece, mesh unit
     double lower_ = 0;     ///< proven
     Moment nearest_;
     int finds_ = 0;                ///< searches that found something nearer
@@ -82,7 +81,6 @@ LeastDistanceSearch::LeastDistanceSearch(const Question& question) : question_(q
     for (std::size_t i = 0; i < pieces->size(); ++i) {
         const PieceContext& piece = pieces_.emplace_back(question.moving, question.fixed, pieces->at(i));
         rounding_ = std::max(rounding_, 4 * elementary::error_unit<double> * piece.error_scale(0).length);
-        deviation_ = std::max(deviation_, piece.piece().deviation());
     }
     nearest_.at.near.distance = std::numeric_limits<double>::infinity();
 }
@@ -122,7 +120,7 @@ void LeastDistanceSearch::descend(std::size_t piece, double tau, const contact::
 double LeastDistanceSearch::next_level() const {
     constexpr int patience = 8;
     const double step = std::ldexp(question_.options.tolerance, std::max(0, finds_ - patience));
-    const double found = nearest_.at.near.distance - deviation_ - rounding_ / 8;
+    const double found = nearest_.at.near.distance - rounding_ / 8;
     const double level = std::min(upper() * (1 - 0.875 * step), found * (1 - 0.25 * step));
     return finds_ < patience ? level : std::max(level, 0.5 * (lower_ + upper()));
 }
@@ -159,8 +157,8 @@ std::optional<PieceResult> LeastDistanceSearch::first_within(double level) {
         PieceContext& context = pieces_[clear_pieces_];
         search::SearchOptions options;
         options.tolerance = 0x1p-20;
-        options.margin = level + context.piece().deviation();
-        options.check_start = clear_pieces_ == 0 || context.piece().deviation() > 0;
+        options.margin = level;
+        options.check_start = clear_pieces_ == 0;
         options.from = clear_until_;
         PieceResult result = search_piece(context, options);
         work_ += result.work;

@@ -20,9 +20,9 @@ using search::PieceResult;
 /// The largest coordinate of a scene (docs/decisions/0012-range-of-coordinates.md).
 constexpr double largest_margin = 1e30;
 
-/// Distances of held contacts are those of the true motion only without a deviation.
-void require_no_deviation(const PieceContext& context) {
-    require(context.piece().deviation() <= 0, "hold", "is not supported for motions with a deviation");
+/// Which contacts are new is told only on cubic motions.
+void require_no_enclosure(const PieceContext& context) {
+    require(!context.is_enclosed(), "hold", "is supported for screws and sweeps only");
 }
 
 /// A contact at the start, made of what is near there.
@@ -68,13 +68,11 @@ private:
     [[nodiscard]] PieceContext piece(std::size_t index) const {
         return {query_.moving, query_.fixed, pieces_->at(index)};
     }
-    /// The surfaces of the true motion are within the margin only where those of the piece are within it and the
-    /// deviation.
     [[nodiscard]] search::SearchOptions search_of(const PieceContext& piece, double margin) const {
         search::SearchOptions search;
         search.tolerance = piece.piece().tau_tolerance(options_.time_tolerance);
         search.finds_any = options_.find == Find::any;
-        search.margin = margin + piece.piece().deviation();
+        search.margin = margin;
         return search;
     }
     [[nodiscard]] double resting_slack(const PieceContext& piece) const;
@@ -90,8 +88,7 @@ FirstContact PieceByPiece::run_within(double margin) {
     for (std::size_t i = 0; i < pieces_->size(); ++i) {
         PieceContext context = piece(i);
         search::SearchOptions search = search_of(context, margin);
-        // The piece before proves the distance of the true surfaces: those of a piece that deviates may begin nearer.
-        search.check_start = i == 0 || context.piece().deviation() > 0;
+        search.check_start = i == 0;
         const PieceResult result = search_piece(context, search);
         found.work += result.work;
         if (has_contact(result)) {
@@ -109,7 +106,7 @@ FirstContact PieceByPiece::run_within(double margin) {
 /// contacts, which are local minima of the distance, count at the margin. Source: docs/derivations/17-hold.md.
 FirstContact PieceByPiece::run_holding() {
     PieceContext first_piece = piece(0);
-    require_no_deviation(first_piece);
+    require_no_enclosure(first_piece);
     // A motion that stopped at the margin ended within it, up to rounding.
     const ContactMoment start(first_piece, 0, true, options_.margin + resting_slack(first_piece), 0);
     const search::NearFeatures near = start.find({.finds_overlaps = true});
@@ -166,7 +163,7 @@ void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece
 /// True when something comes within the level.
 bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece, double level,
                                         const search::HeldContacts& held, bool is_first) {
-    require_no_deviation(piece);
+    require_no_enclosure(piece);
     search::SearchOptions near = search_of(piece, level);
     near.check_start = false;
     near.finds_any = false; // `clear_until` needs the first

@@ -105,8 +105,7 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
     const Bracket tau = enclosing(result);
     answer.tau = piece.tau_of(tau);
     answer.time = piece.time_of(tau);
-    answer.certain =
-        piece.deviation() <= 0 && (result.overlap ? result.overlap->certain : is_certain(result.candidates, tau));
+    answer.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
     const bool at_start = scope.is_first_piece && search::may_be_at_start({tau.lower, tau.upper, answer.certain});
     answer.verdict = at_start ? Verdict::contact_at_start : Verdict::contact;
     answer.pose = piece.pose_at(tau.lower);
@@ -122,7 +121,7 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
 }
 
 ContactMoment::ContactMoment(search::PieceContext& context, double tau, bool is_at_start, double margin, double width)
-    : context_(context), tau_(tau), bodies_(context.moving(), context.fixed(), context.maps(), tau),
+    : context_(context), tau_(tau), bodies_(context.configuration_at(tau)),
       scene_{bodies_, is_at_start, margin, contact::touch_slack(bodies_, context.error_scale(margin), width)},
       to_world_(context.piece().fixed_pose_at(tau).isometry()) {}
 

@@ -12,7 +12,7 @@ using contact::FeaturePair;
 using culling::TimeRange;
 
 contact::RelativeConfiguration bodies_at(const PieceContext& context, double tau) {
-    return {context.moving(), context.fixed(), context.maps(), tau};
+    return context.configuration_at(tau);
 }
 
 /// How two features approach each other over the piece.

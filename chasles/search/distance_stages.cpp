@@ -28,9 +28,9 @@ double width_of(const FeasibleInterval& tau) {
 } // namespace
 
 DistanceStages::DistanceStages(PieceContext& context, const SearchOptions& options)
-    : context_(context), options_(options), scale_(context.error_scale(options.margin)),
-      filter_({context.moving(), context.fixed(), scale_, options.margin}, context.maps()), next_filter_(filter_),
-      start_tests_(context.moving(), context.fixed(), scale_), overlaps_(context, scale_),
+    : context_(context), options_(options), parts_(context.parts(options.margin)),
+      filter_({context.moving(), context.fixed(), parts_.scale(), options.margin}, context.maps()), next_filter_(filter_),
+      start_tests_(context.moving(), context.fixed(), parts_.scale()), overlaps_(context, parts_.scale()),
       candidates_({options.finds_any, options.tolerance, true}) {}
 
 void DistanceStages::use(const culling::TimeRange& part) {
@@ -106,7 +106,7 @@ std::optional<double> DistanceStages::passed_until(const Crossing& crossing, con
 std::optional<double> DistanceStages::not_new_until(const Crossing& crossing, const FeaturePair& features) const {
     if (!options_.held)
         return std::nullopt;
-    const auto until = no_minimum_until(context_, features, crossing.tau.lower, options_.margin, scale_.length);
+    const auto until = no_minimum_until(context_, features, crossing.tau.lower, options_.margin, parts_.scale().length);
     return until && *until >= crossing.tau.upper ? until : std::nullopt;
 }
 
@@ -191,7 +191,7 @@ std::optional<Crossing> DistanceStages::refined(const FeaturePair& features, con
 PartTests<algebra::DoubleDouble>& DistanceStages::refinement() {
     if (!refinement_)
         refinement_ = std::make_unique<PartTests<algebra::DoubleDouble>>(
-            FeatureTests<algebra::DoubleDouble>(context_.moving(), context_.fixed(), scale_, options_.margin),
+            FeatureTests<algebra::DoubleDouble>(context_.moving(), context_.fixed(), parts_.scale(), options_.margin),
             context_.refined_maps());
     return *refinement_;
 }

@@ -19,8 +19,10 @@ public:
     DistanceStages(PieceContext& context, const SearchOptions& options);
 
     static constexpr bool tests_all_kinds = true;
-    [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
-    [[nodiscard]] double culling_margin() const { return options_.margin + elementary::parallel_slack * scale_.length; }
+    [[nodiscard]] const culling::PieceParts& parts() const { return parts_; }
+    [[nodiscard]] double culling_margin() const {
+        return options_.margin + elementary::parallel_slack * parts_.scale().length;
+    }
     [[nodiscard]] double best() const { return candidates_.best(); }
     [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
 
@@ -54,7 +56,7 @@ private:
 
     PieceContext& context_;
     const SearchOptions& options_;
-    elementary::ErrorScale scale_;
+    culling::PieceParts parts_;
     PartTests<double> filter_;
     PartTests<double> next_filter_; ///< for the time after a crossing that does not count
     FeatureTests<double> start_tests_;

@@ -32,6 +32,12 @@ public:
         path_is_set_ = false;
     }
 
+    /// Likewise for maps whose errors have another bound.
+    void use(const Maps& maps, const elementary::ErrorScale& scale, const algebra::Tolerance& tolerance) {
+        use(maps, tolerance);
+        accuracy_.scale = scale;
+    }
+
     /// The first tau at which the features may touch; empty if they are proven never to. Features at the rims of faces
     /// touch as one of three kinds: for the other kinds the answer is empty.
     std::optional<FeasibleInterval> touch(const FeaturePair& features) {

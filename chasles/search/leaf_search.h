@@ -17,9 +17,9 @@ public:
     /// Both are kept by reference.
     LeafSearch(PieceContext& context, const SearchOptions& options)
         : context_(context), stages_(context, options),
-          culler_(context.moving(), context.fixed(), context.maps(), stages_.scale(), stages_.culling_margin()) {}
+          culler_(context.moving(), context.fixed(), stages_.parts(), stages_.culling_margin()) {}
 
-    [[nodiscard]] const elementary::ErrorScale& scale() const { return stages_.scale(); }
+    [[nodiscard]] const culling::PieceParts& parts() const { return stages_.parts(); }
 
     // The functions that a traversal requires of its leaves.
     [[nodiscard]] double best() const { return stages_.best(); }
@@ -57,7 +57,7 @@ private:
         if (until <= pair.first_left)
             return;
         plane_ = culling::SeparatingPlane::faces(
-            {context_.moving(), context_.fixed(), context_.refined_maps(), scale(), {pair.first_left, until}},
+            {context_.moving(), context_.fixed(), context_.refined_maps(), stages_.parts().scale(), {pair.first_left, until}},
             pair.moving, pair.fixed);
         if (plane_)
             stages_.stop_search_at(until);

@@ -138,7 +138,7 @@ private:
 
 NearFeatures search_once(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     const double reach = scene.margin + scene.slack;
-    const culling::TimeTree times = context.time_tree(reach, context.error_scale(reach));
+    const culling::TimeTree times = context.time_tree(reach, context.parts(reach));
     NearLeaves leaves(context, scene, search);
     culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, reach, false, leaves);
     const std::uint64_t node_pairs = traversal.run({tau, tau});

@@ -56,7 +56,7 @@ Connection connection_of(const RelativeConfiguration& bodies, const FeaturePair&
 
 std::optional<double> no_minimum_until(const PieceContext& context, const contact::FeaturePair& features, double tau,
                                        double margin, double length) {
-    const RelativeConfiguration bodies(context.moving(), context.fixed(), context.maps(), tau);
+    const RelativeConfiguration bodies = context.configuration_at(tau);
     const Connection connection = connection_of(bodies, features, margin);
     if (!(connection.vector.norm() >= 0.75 * margin))
         return std::nullopt;

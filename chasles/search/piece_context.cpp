@@ -23,21 +23,47 @@ double extent(const Bvh& bvh) {
 } // namespace
 
 PieceContext::PieceContext(const Body& moving, const Body& fixed, std::unique_ptr<const motion::AnyPiece> piece)
-    : moving_(moving), fixed_(fixed), piece_(std::move(piece)), maps_(motion::double_maps(piece_->cubic())),
+    : moving_(moving), fixed_(fixed), piece_(std::move(piece)),
+      is_enclosed_(piece_->enclosure({0, 0}).has_value()), maps_(motion::double_maps(piece_->cubic())),
       norms_(maps_) {}
 
 elementary::ErrorScale PieceContext::error_scale(double margin) const {
     const motion::RationalMotion<algebra::DoubleDouble>& cubic = piece_->cubic();
     const double moving_extent =
         std::max(extent(moving_.bvh()), cubic.reference_extent) + motion::rounding_extent(cubic) + margin;
-    return norms_.error_scale(moving_extent, extent(fixed_.bvh()));
+    elementary::ErrorScale scale = norms_.error_scale(moving_extent, extent(fixed_.bvh()));
+    if (is_enclosed_) {
+        const motion::Enclosure start = *piece_->enclosure({0, 0});
+        scale.deviation = start.rounding_of(culling::ball_around(moving_.bvh(), moving_.bvh().radius() + margin));
+        scale.turn_deviation = start.turn_rounding;
+    }
+    return scale;
 }
 
-culling::TimeTree PieceContext::time_tree(double margin, const elementary::ErrorScale& scale) const {
+culling::PieceParts PieceContext::parts(double margin) const {
+    const elementary::ErrorScale scale = error_scale(margin);
+    if (!is_enclosed_)
+        return {maps_, scale};
+    return {maps_, scale, *piece_,
+            {culling::ball_around(moving_.bvh(), margin), extent(moving_.bvh()) + margin, extent(fixed_.bvh())}};
+}
+
+culling::TimeTree PieceContext::time_tree(double margin, const culling::PieceParts& parts) const {
     // Points that meet are within the margin of each other: either body counts as larger by the margin.
     const motion::Ball moving = culling::ball_around(moving_.bvh(), margin);
     const motion::Ball fixed = culling::ball_around(fixed_.bvh(), margin);
-    return {maps_, piece_->chord_deviation(moving, fixed), moving, fixed, scale, margin};
+    return {parts, motion::ChordDeviation(piece_->cubic(), moving, fixed), moving, fixed, margin};
+}
+
+/// Where the maps only enclose the true motion: by those of a part about the moment. It is so short that its sweep has
+/// the velocity of the true motion to six digits or more, and so long that roundings leave as many.
+contact::RelativeConfiguration PieceContext::configuration_at(double tau) const {
+    if (!is_enclosed_)
+        return {moving_, fixed_, maps_, tau};
+    constexpr double width = 0x1p-20;
+    const double lower = std::clamp(tau - 0.5 * width, 0.0, 1 - width);
+    const motion::Enclosure part = *piece_->enclosure({lower, lower + width});
+    return {moving_, fixed_, motion::control_maps(part.cubic), (tau - lower) / width, 1 / width};
 }
 
 const motion::ControlMaps<algebra::DoubleDouble>& PieceContext::refined_maps() {

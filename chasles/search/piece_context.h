@@ -1,6 +1,7 @@
 // What every search of one piece of a motion uses, computed once for the piece.
 #pragma once
 
+#include "chasles/contact/relative_configuration.h"
 #include "chasles/culling/time_tree.h"
 #include "chasles/elementary/error_scale.h"
 #include "chasles/mesh/body.h"
@@ -24,9 +25,15 @@ public:
     [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
     /// The bound of rounding errors, for distances up to `margin`.
     [[nodiscard]] elementary::ErrorScale error_scale(double margin) const;
-    /// The intervals of a traversal in which points within `margin` of each other count as meeting; `scale` is
-    /// error_scale(margin).
-    [[nodiscard]] culling::TimeTree time_tree(double margin, const elementary::ErrorScale& scale) const;
+    /// The maps over parts of the piece, for distances up to `margin`.
+    [[nodiscard]] culling::PieceParts parts(double margin) const;
+    /// The intervals of a traversal in which points within `margin` of each other count as meeting; `parts` is
+    /// parts(margin).
+    [[nodiscard]] culling::TimeTree time_tree(double margin, const culling::PieceParts& parts) const;
+    /// Whether the maps only enclose the true motion.
+    [[nodiscard]] bool is_enclosed() const { return is_enclosed_; }
+    /// The bodies at one tau.
+    [[nodiscard]] contact::RelativeConfiguration configuration_at(double tau) const;
 
     /// Maps over the whole piece in double-double, and without rounding where the piece has such (null if not).
     /// Computed on the first call: most searches need neither.
@@ -37,6 +44,7 @@ private:
     const Body& moving_;
     const Body& fixed_;
     std::unique_ptr<const motion::AnyPiece> piece_;
+    bool is_enclosed_;
     motion::ControlMaps<double> maps_;
     elementary::MapNorms norms_;
     std::unique_ptr<const motion::ControlMaps<algebra::DoubleDouble>> refined_maps_;

@@ -1,6 +1,7 @@
 #include "chasles/search/piece_search.h"
 
 #include "chasles/search/distance_stages.h"
+#include "chasles/search/enclosed_stages.h"
 #include "chasles/search/leaf_search.h"
 #include "chasles/search/touch_stages.h"
 
@@ -11,7 +12,7 @@ namespace {
 template <class Stages>
 PieceResult traverse(PieceContext& context, const SearchOptions& options) {
     LeafSearch<Stages> leaves(context, options);
-    const culling::TimeTree times = context.time_tree(options.margin, leaves.scale());
+    const culling::TimeTree times = context.time_tree(options.margin, leaves.parts());
     culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, options.margin,
                                     !options.finds_any, leaves);
     const std::uint64_t node_pairs = traversal.run({options.from, 1});
@@ -23,7 +24,11 @@ PieceResult traverse(PieceContext& context, const SearchOptions& options) {
 } // namespace
 
 PieceResult search_piece(PieceContext& context, const SearchOptions& options) {
-    return options.margin > 0 ? traverse<DistanceStages>(context, options) : traverse<TouchStages>(context, options);
+    const bool within_margin = options.margin > 0;
+    if (context.is_enclosed())
+        return within_margin ? traverse<EnclosedStages<true>>(context, options)
+                             : traverse<EnclosedStages<false>>(context, options);
+    return within_margin ? traverse<DistanceStages>(context, options) : traverse<TouchStages>(context, options);
 }
 
 } // namespace chasles::search

@@ -7,8 +7,9 @@ namespace chasles::search {
 static_assert(LaterStages<TouchStages>);
 
 TouchStages::TouchStages(PieceContext& context, const SearchOptions& options)
-    : context_(context), options_(options), scale_(context.error_scale(0)),
-      filter_(context.moving(), context.fixed(), scale_), filter_maps_(context.maps()), overlaps_(context, scale_),
+    : context_(context), options_(options), parts_(context.parts(0)),
+      filter_(context.moving(), context.fixed(), parts_.scale()), filter_maps_(parts_),
+      overlaps_(context, parts_.scale()),
       candidates_({options.finds_any, options.tolerance, false}) {}
 
 void TouchStages::use(const culling::TimeRange& part) {
@@ -81,7 +82,7 @@ std::optional<FeasibleInterval> TouchStages::narrow(const Candidate& candidate, 
 FeatureTests<algebra::DoubleDouble>& TouchStages::refinement(const algebra::Tolerance& tolerance) {
     if (!refinement_)
         refinement_ =
-            std::make_unique<FeatureTests<algebra::DoubleDouble>>(context_.moving(), context_.fixed(), scale_);
+            std::make_unique<FeatureTests<algebra::DoubleDouble>>(context_.moving(), context_.fixed(), parts_.scale());
     refinement_->use(context_.refined_maps(), tolerance);
     return *refinement_;
 }

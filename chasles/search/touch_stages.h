@@ -35,8 +35,8 @@ public:
 
     /// Edges near vertices and vertices near vertices touch as one of the other three kinds.
     static constexpr bool tests_all_kinds = false;
-    /// The bound of rounding errors of this search.
-    [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
+    /// The piece of this search.
+    [[nodiscard]] const culling::PieceParts& parts() const { return parts_; }
     /// How far points may be from a plane and still count as reaching it.
     [[nodiscard]] double culling_margin() const { return 0; }
     /// No candidate after this time matters; nothing matters at all any more.
@@ -71,9 +71,9 @@ private:
 
     PieceContext& context_;
     const SearchOptions& options_;
-    elementary::ErrorScale scale_;
+    culling::PieceParts parts_;
     FeatureTests<double> filter_;
-    culling::RangeMaps filter_maps_;
+    culling::PartMaps filter_maps_;
     culling::TimeRange part_;
     std::unique_ptr<FeatureTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
     std::unique_ptr<ExactStage> exact_stage_;                         ///< likewise, and large

@@ -1,0 +1,59 @@
+// Restricts the maps of a piece, or encloses the true motion over a part of it.
+// Source: docs/derivations/24-enclosures.md, "Parts".
+#include "chasles/culling/piece_parts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chasles::culling {
+
+PieceParts::PieceParts(const motion::ControlMaps<double>& whole, const elementary::ErrorScale& scale,
+                       const motion::AnyPiece& piece, const BodySizes& sizes)
+    : whole_(&whole), scale_(scale), piece_(&piece), sizes_(sizes),
+      twice_{sizes.moving.centre, 2 * sizes.moving.radius} {}
+
+motion::Enclosure PieceParts::enclosure(const TimeRange& range) const {
+    return *piece_->enclosure({range.lower, range.upper});
+}
+
+elementary::ErrorScale PieceParts::scale_of(const motion::Enclosure& part,
+                                            const motion::ControlMaps<double>& maps) const {
+    const double size = norm1(part.cubic.moment) + norm1(part.cubic.displacement);
+    const double moving_extent = std::max(sizes_.moving_extent, part.cubic.reference_extent) + size;
+    elementary::ErrorScale scale = elementary::error_scale(maps, moving_extent, sizes_.fixed_extent);
+    scale.deviation = deviation_of(part);
+    scale.turn_deviation = part.turn_deviation;
+    return scale;
+}
+
+bool PartMaps::set(const TimeRange& part) {
+    if (part == part_)
+        return false;
+    part_ = part;
+    if (parts_.are_enclosed()) {
+        const motion::Enclosure enclosure = parts_.enclosure(part);
+        maps_ = motion::control_maps(enclosure.cubic);
+        scale_ = parts_.scale_of(enclosure, maps_);
+        is_worth_shortening_ = parts_.is_worth_shortening(enclosure);
+        is_short_ = parts_.is_short(enclosure);
+    } else {
+        maps_ = part == TimeRange() ? parts_.whole() : motion::restricted(parts_.whole(), part.lower, part.upper);
+    }
+    return true;
+}
+
+TimeRange part_around(const TimeRange& interval, const TimeRange& needed, double least) {
+    int exponent = 0;
+    std::frexp(std::max(least, needed.width()), &exponent);
+    double width = std::ldexp(1.0, exponent);
+    while (width < interval.width()) {
+        const double grid = 0.25 * width;
+        const double lower = std::clamp(std::floor(needed.lower / grid) * grid, interval.lower, interval.upper - width);
+        if (lower + width >= needed.upper)
+            return {lower, lower + width};
+        width *= 2;
+    }
+    return interval;
+}
+
+} // namespace chasles::culling

@@ -1,0 +1,87 @@
+// The control maps of a piece over any part of it, in double, with the bound of their errors.
+// Source: docs/derivations/24-enclosures.md, "Parts".
+#pragma once
+
+#include "chasles/culling/time_range.h"
+#include "chasles/elementary/error_scale.h"
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/control_maps.h"
+
+namespace chasles::culling {
+
+/// The sizes of two bodies, each with the margin of a search.
+struct BodySizes {
+    motion::Ball moving; ///< encloses the moving body
+    double moving_extent = 0; ///< the largest coordinate, in the frame of the body
+    double fixed_extent = 0;
+};
+
+/// How a piece is divided: its maps are restricted or, where they only enclose the true motion, made anew for each
+/// part. Kept by value; the maps and the piece are kept by reference.
+class PieceParts {
+public:
+    /// For a piece whose cubic motion is the true one.
+    PieceParts(const motion::ControlMaps<double>& whole, const elementary::ErrorScale& scale)
+        : whole_(&whole), scale_(scale) {}
+    /// For a piece whose parts are enclosed.
+    PieceParts(const motion::ControlMaps<double>& whole, const elementary::ErrorScale& scale,
+               const motion::AnyPiece& piece, const BodySizes& sizes);
+
+    [[nodiscard]] bool are_enclosed() const { return piece_ != nullptr; }
+    /// The whole piece. Where parts are enclosed, the scale does not count how far the true motion is from the maps.
+    [[nodiscard]] const motion::ControlMaps<double>& whole() const { return *whole_; }
+    [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
+
+    /// Only where parts are enclosed.
+    [[nodiscard]] motion::Enclosure enclosure(const TimeRange& range) const;
+    /// How far any point of the moving body may be from its true place. It is counted for a ball of twice the body's
+    /// radius, so that the bounds of elementary tests hold (note 24, "Features").
+    [[nodiscard]] double deviation_of(const motion::Enclosure& part) const { return part.deviation_of(twice_); }
+    /// Whether a shorter part would deviate much less.
+    [[nodiscard]] bool is_worth_shortening(const motion::Enclosure& part) const {
+        return deviation_of(part) > 1.5 * rounding_of(part);
+    }
+    /// The share of the deviation that shorter parts do not reduce.
+    [[nodiscard]] double rounding_of(const motion::Enclosure& part) const { return part.rounding_of(twice_); }
+    /// Whether no point of the moving body moves by more than the body's radius.
+    [[nodiscard]] bool is_short(const motion::Enclosure& part) const {
+        return part.travel_of(twice_) <= 0.5 * twice_.radius;
+    }
+    /// The bound of errors for the maps of an enclosed part.
+    [[nodiscard]] elementary::ErrorScale scale_of(const motion::Enclosure& part,
+                                                  const motion::ControlMaps<double>& maps) const;
+
+private:
+    const motion::ControlMaps<double>* whole_;
+    elementary::ErrorScale scale_;
+    const motion::AnyPiece* piece_ = nullptr;
+    BodySizes sizes_;
+    motion::Ball twice_; ///< a ball of twice the radius around the moving body
+};
+
+/// The control maps over the current part.
+class PartMaps {
+public:
+    explicit PartMaps(const PieceParts& parts) : parts_(parts), scale_(parts.scale()) {}
+
+    /// Changes the part. Returns false if it is the current part. The maps are always made from the whole piece,
+    /// therefore rounding errors do not accumulate.
+    bool set(const TimeRange& part);
+    [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
+    [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
+    [[nodiscard]] const TimeRange& part() const { return part_; }
+
+    // Only where parts are enclosed; as for PieceParts.
+    [[nodiscard]] bool is_worth_shortening() const { return is_worth_shortening_; }
+    [[nodiscard]] bool is_short() const { return is_short_; }
+
+private:
+    PieceParts parts_;
+    TimeRange part_{0, 0}; ///< empty before the first call of `set`
+    elementary::ErrorScale scale_;
+    motion::ControlMaps<double> maps_;
+    bool is_worth_shortening_ = false;
+    bool is_short_ = true;
+};
+
+} // namespace chasles::culling

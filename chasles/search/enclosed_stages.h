@@ -1,0 +1,77 @@
+// When do features touch, or come within a distance, on a motion that the maps only enclose? A filter over a part of the
+// piece, then the same test over ever shorter parts, which deviate less and less.
+// Source: docs/derivations/24-enclosures.md, "Refinement".
+#pragma once
+
+#include "chasles/search/candidates.h"
+#include "chasles/search/feature_tests.h"
+#include "chasles/search/piece_search.h"
+#include "chasles/search/start_overlaps.h"
+
+#include <vector>
+
+namespace chasles::search {
+
+/// The stages of one search on an enclosed motion. `within_margin`: for features that come within a distance, not for
+/// those that touch.
+template <bool within_margin>
+class EnclosedStages {
+public:
+    /// Both are kept by reference.
+    EnclosedStages(PieceContext& context, const SearchOptions& options);
+
+    static constexpr bool tests_all_kinds = within_margin;
+    [[nodiscard]] const culling::PieceParts& parts() const { return parts_; }
+    [[nodiscard]] double culling_margin() const;
+    [[nodiscard]] double best() const { return candidates_.best(); }
+    [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
+
+    void use(const culling::TimeRange& part);
+    void test_start(const TwoFaces& faces);
+    void test(const FeaturePair& features);
+
+    /// Features that touch at once are not separated by a plane.
+    static std::optional<double> early_enough() { return std::nullopt; }
+    void stop_search_at(double tau) { candidates_.stop_search_at(tau); }
+
+    /// Once, and last.
+    PieceResult take();
+
+    // The functions that Candidates requires of the later stages.
+    [[nodiscard]] static bool is_proven(const Candidate& candidate) {
+        return candidate.tau.certain && candidate.tau.lower > 0;
+    }
+    [[nodiscard]] static bool is_settled(const Candidate&) { return false; }
+    std::optional<FeasibleInterval> decide(const Candidate& candidate, const SearchState& state);
+    std::optional<FeasibleInterval> narrow(const Candidate& candidate, const SearchState& state);
+
+private:
+    /// The tests over one part of the piece.
+    struct PartTests {
+        FeatureTests<double> tests;
+        culling::PartMaps maps;
+
+        void use(const culling::TimeRange& part, double tolerance);
+        /// In terms of the whole piece. Ends of brackets are rounded outward.
+        std::optional<FeasibleInterval> first(const FeaturePair& features, double tolerance);
+    };
+
+    void test_at_start(const FeaturePair& features);
+
+    PieceContext& context_;
+    const SearchOptions& options_;
+    culling::PieceParts parts_;
+    PartTests filter_;
+    PartTests shorter_;
+    FeatureTests<double> start_tests_;
+    StartOverlaps overlaps_;
+    Candidates candidates_;
+    bool is_at_start_ = false;
+    std::vector<culling::TimeRange> later_; ///< parts that wait for their refinement, the earliest last
+    Work work_;
+};
+
+extern template class EnclosedStages<false>;
+extern template class EnclosedStages<true>;
+
+} // namespace chasles::search
