@@ -12,15 +12,25 @@ PieceParts::PieceParts(const motion::ControlMaps<double>& whole, const elementar
     : whole_(&whole), scale_(scale), piece_(&piece), sizes_(sizes),
       twice_{sizes.moving.centre, 2 * sizes.moving.radius} {}
 
-motion::Enclosure PieceParts::enclosure(const TimeRange& range) const {
+motion::Enclosure<double> PieceParts::enclosure(const TimeRange& range) const {
     return *piece_->enclosure({range.lower, range.upper});
 }
 
-elementary::ErrorScale PieceParts::scale_of(const motion::Enclosure& part,
+elementary::ErrorScale PieceParts::scale_of(const motion::Enclosure<double>& part,
                                             const motion::ControlMaps<double>& maps) const {
     const double size = norm1(part.cubic.moment) + norm1(part.cubic.displacement);
     const double moving_extent = std::max(sizes_.moving_extent, part.cubic.reference_extent) + size;
     elementary::ErrorScale scale = elementary::error_scale(maps, moving_extent, sizes_.fixed_extent);
+    scale.deviation = deviation_of(part.bounds);
+    scale.turn_deviation = part.bounds.turn_deviation;
+    return scale;
+}
+
+/// The maps of a part are within the deviation of those of the whole piece, whose norms bound them.
+elementary::ErrorScale PieceParts::refined_scale_of(const motion::EnclosureBounds& part) const {
+    elementary::ErrorScale scale = scale_;
+    scale.length *= 2;
+    scale.norm_bound *= 2;
     scale.deviation = deviation_of(part);
     scale.turn_deviation = part.turn_deviation;
     return scale;
@@ -31,11 +41,11 @@ bool PartMaps::set(const TimeRange& part) {
         return false;
     part_ = part;
     if (parts_.are_enclosed()) {
-        const motion::Enclosure enclosure = parts_.enclosure(part);
+        const motion::Enclosure<double> enclosure = parts_.enclosure(part);
         maps_ = motion::control_maps(enclosure.cubic);
         scale_ = parts_.scale_of(enclosure, maps_);
-        is_worth_shortening_ = parts_.is_worth_shortening(enclosure);
-        is_short_ = parts_.is_short(enclosure);
+        is_worth_shortening_ = parts_.is_worth_shortening(enclosure.bounds);
+        is_short_ = parts_.is_short(enclosure.bounds);
     } else {
         maps_ = part == TimeRange() ? parts_.whole() : motion::restricted(parts_.whole(), part.lower, part.upper);
     }

@@ -33,23 +33,25 @@ public:
     [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
 
     /// Only where parts are enclosed.
-    [[nodiscard]] motion::Enclosure enclosure(const TimeRange& range) const;
+    [[nodiscard]] motion::Enclosure<double> enclosure(const TimeRange& range) const;
     /// How far any point of the moving body may be from its true place. It is counted for a ball of twice the body's
     /// radius, so that the bounds of elementary tests hold (note 24, "Features").
-    [[nodiscard]] double deviation_of(const motion::Enclosure& part) const { return part.deviation_of(twice_); }
+    [[nodiscard]] double deviation_of(const motion::EnclosureBounds& part) const { return part.deviation_of(twice_); }
     /// Whether a shorter part would deviate much less.
-    [[nodiscard]] bool is_worth_shortening(const motion::Enclosure& part) const {
+    [[nodiscard]] bool is_worth_shortening(const motion::EnclosureBounds& part) const {
         return deviation_of(part) > 1.5 * rounding_of(part);
     }
     /// The share of the deviation that shorter parts do not reduce.
-    [[nodiscard]] double rounding_of(const motion::Enclosure& part) const { return part.rounding_of(twice_); }
+    [[nodiscard]] double rounding_of(const motion::EnclosureBounds& part) const { return part.rounding_of(twice_); }
     /// Whether no point of the moving body moves by more than the body's radius.
-    [[nodiscard]] bool is_short(const motion::Enclosure& part) const {
+    [[nodiscard]] bool is_short(const motion::EnclosureBounds& part) const {
         return part.travel_of(twice_) <= 0.5 * twice_.radius;
     }
     /// The bound of errors for the maps of an enclosed part.
-    [[nodiscard]] elementary::ErrorScale scale_of(const motion::Enclosure& part,
+    [[nodiscard]] elementary::ErrorScale scale_of(const motion::Enclosure<double>& part,
                                                   const motion::ControlMaps<double>& maps) const;
+    /// Likewise for an enclosure in double-double.
+    [[nodiscard]] elementary::ErrorScale refined_scale_of(const motion::EnclosureBounds& part) const;
 
 private:
     const motion::ControlMaps<double>* whole_;

@@ -24,9 +24,9 @@ TimeInterval TimeTree::interval(const TimeRange& range) const {
 /// The true paths are as far from their chords as those of the cubic motion and the distance between both motions.
 /// Points that truly touch may be apart by the deviation on the cubic motion, so the balls are larger by it.
 TimeInterval TimeTree::enclosed_interval(const TimeRange& range) const {
-    const motion::Enclosure part = parts_.enclosure(range);
-    const double deviation = parts_.deviation_of(part);
-    const double from_chord = deviation + parts_.rounding_of(part);
+    const motion::Enclosure<double> part = parts_.enclosure(range);
+    const double deviation = parts_.deviation_of(part.bounds);
+    const double from_chord = deviation + parts_.rounding_of(part.bounds);
     const motion::ChordDeviation chords(part.cubic, {moving_.centre, moving_.radius + deviation},
                                         {fixed_.centre, fixed_.radius + deviation});
     return interval_between(range, placement(position_at(part.cubic, 0)), placement(position_at(part.cubic, 1)),

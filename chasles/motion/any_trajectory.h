@@ -14,7 +14,9 @@ public:
 
     [[nodiscard]] virtual const RationalMotion<algebra::DoubleDouble>& cubic() const = 0;
     [[nodiscard]] virtual std::optional<ExactMotion> exact() const = 0;
-    [[nodiscard]] virtual std::optional<Enclosure> enclosure(const Bracket& part) const = 0;
+    [[nodiscard]] virtual std::optional<Enclosure<double>> enclosure(const Bracket& part) const = 0;
+    [[nodiscard]] virtual std::optional<Enclosure<algebra::DoubleDouble>>
+    refined_enclosure(const Bracket& part) const = 0;
     [[nodiscard]] virtual Bracket time_of(const Bracket& tau) const = 0;
     [[nodiscard]] virtual Bracket tau_of(const Bracket& tau) const = 0;
     [[nodiscard]] virtual double tau_rate(double tau) const = 0;
@@ -52,8 +54,12 @@ public:
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const override { return piece_.cubic(); }
     [[nodiscard]] std::optional<ExactMotion> exact() const override { return piece_.exact(); }
-    [[nodiscard]] std::optional<Enclosure> enclosure(const Bracket& part) const override {
+    [[nodiscard]] std::optional<Enclosure<double>> enclosure(const Bracket& part) const override {
         return piece_.enclosure(part);
+    }
+    [[nodiscard]] std::optional<Enclosure<algebra::DoubleDouble>>
+    refined_enclosure(const Bracket& part) const override {
+        return piece_.refined_enclosure(part);
     }
     [[nodiscard]] Bracket time_of(const Bracket& tau) const override { return piece_.time_of(tau); }
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const override { return piece_.tau_of(tau); }

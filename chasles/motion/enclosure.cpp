@@ -35,37 +35,31 @@ double distance_to(const Ball& ball, const Vector3<double>& reference) {
 
 } // namespace
 
-double Enclosure::deviation_of(const Ball& ball) const {
+double EnclosureBounds::deviation_of(const Ball& ball) const {
     return deviation + turn_deviation * distance_to(ball, reference);
 }
 
-double Enclosure::rounding_of(const Ball& ball) const {
+double EnclosureBounds::rounding_of(const Ball& ball) const {
     return rounding + turn_rounding * distance_to(ball, reference);
 }
 
-double Enclosure::travel_of(const Ball& ball) const {
+double EnclosureBounds::travel_of(const Ball& ball) const {
     return travel + turn * distance_to(ball, reference);
 }
 
-Enclosure enclosure_between(const PartEnds& ends, const Vector3<double>& reference, const RateBounds& bounds,
-                            double size) {
-    Quaternion<double> turn = turn_between(ends.start, ends.goal);
-    const double inverse = 1 / std::sqrt(turn.squared_norm());
-    turn = {turn.w * inverse, scale(turn.v, inverse)};
-    Enclosure result;
-    result.cubic = sweep_between(ends.start, ends.goal, turn, reference);
-    result.reference = reference;
-    result.turn = bounds.turn_rate * ends.duration;
-    result.travel = bounds.speed * ends.duration;
-    // Both ends of the part have the rounding of poses, and the sweep is computed in double.
-    result.turn_rounding = 8 * pose_rounding;
-    result.rounding = 2 * pose_rounding * size;
-    result.turn_deviation =
-        outward * deviation_from_even_turn(bounds.turn_rate, bounds.turn_acceleration, ends.duration) +
-        result.turn_rounding;
-    result.deviation = outward * deviation_from_straight(bounds.speed, bounds.acceleration, ends.duration) +
-                       result.rounding;
-    return result;
+EnclosureBounds enclosure_bounds(const Vector3<double>& reference, const RateBounds& rates, double duration,
+                                 double rounding, double size) {
+    EnclosureBounds bounds;
+    bounds.reference = reference;
+    bounds.turn = rates.turn_rate * duration;
+    bounds.travel = rates.speed * duration;
+    // Both ends of the part have the rounding of poses, and the sweep is computed with as much.
+    bounds.turn_rounding = 8 * rounding;
+    bounds.rounding = 2 * rounding * size;
+    bounds.turn_deviation =
+        outward * deviation_from_even_turn(rates.turn_rate, rates.turn_acceleration, duration) + bounds.turn_rounding;
+    bounds.deviation = outward * deviation_from_straight(rates.speed, rates.acceleration, duration) + bounds.rounding;
+    return bounds;
 }
 
 } // namespace chasles::motion

@@ -6,6 +6,8 @@
 #include "chasles/motion/chord_deviation.h"
 #include "chasles/motion/rational_motion.h"
 
+#include <cmath>
+
 namespace chasles::motion {
 
 /// Bounds that hold during a part of a trajectory, in the frame of the fixed body and per unit of time. The reference
@@ -21,13 +23,11 @@ struct RateBounds {
 /// rotation (`is_small_rotation`) whose maps are made in double.
 inline constexpr double most_turn_of_part = 0.25;
 
-/// The sweep between the true poses at both ends of a part, and how far the true motion is from it at any time. The
-/// parameter of the sweep is the share of the part's time.
-struct Enclosure {
-    RationalMotion<double> cubic;
+/// How far the true motion is from a cubic one over a part, and how far it goes.
+struct EnclosureBounds {
     Vector3<double> reference; ///< a point of the moving body
-    double travel = 0;         ///< a bound of how far the reference moves during the part, mesh unit
-    double turn = 0;           ///< a bound of how far the body turns during the part, radians
+    double travel = 0;         ///< of the reference during the part, mesh unit
+    double turn = 0;           ///< of the body during the part, radians
     double deviation = 0;      ///< of the reference, mesh unit
     double turn_deviation = 0; ///< of the orientation: the norm of the difference of rotation matrices is at most this
     double rounding = 0;       ///< the share of `deviation` that shorter parts do not reduce, mesh unit
@@ -41,20 +41,40 @@ struct Enclosure {
     [[nodiscard]] double travel_of(const Ball& ball) const;
 };
 
-/// The ends of a part, in the frame of the fixed body.
-struct PartEnds {
-    GeneralPose<double> start; ///< with quaternions of unit length up to rounding
-    GeneralPose<double> goal;
-    double duration; ///< in the unit of time of the bounds
+/// The sweep between the true poses at both ends of a part. Its parameter is the share of the part's time.
+template <class S>
+struct Enclosure {
+    RationalMotion<S> cubic;
+    EnclosureBounds bounds;
 };
 
-/// The error of poses that are computed in double, relative to the size of all numbers that enter: quaternions have
-/// this error, and translations this times their size. The actual error of a trajectory of the library is at most a
-/// quarter of it.
-inline constexpr double pose_rounding = 0x1p-46;
+/// The ends of a part, in the frame of the fixed body.
+template <class S>
+struct PartEnds {
+    GeneralPose<S> start; ///< with quaternions of unit length up to rounding
+    GeneralPose<S> goal;
+};
 
-/// `size` is the sum of the sizes of all lengths that enter. The body must turn by less than a half turn.
-Enclosure enclosure_between(const PartEnds& ends, const Vector3<double>& reference, const RateBounds& bounds,
-                            double size);
+/// The error of poses that a trajectory computes, relative to the size of all numbers that enter: quaternions have this
+/// error, and translations this times their size. The actual error of a trajectory of the library is at most a quarter
+/// of it.
+template <class S>
+inline constexpr double pose_rounding = 0x1p-46;
+template <>
+inline constexpr double pose_rounding<algebra::DoubleDouble> = 0x1p-90;
+
+/// The bounds of the enclosure between the ends of a part. `rounding` is that of poses; `size` is the sum of the sizes
+/// of all lengths that enter.
+EnclosureBounds enclosure_bounds(const Vector3<double>& reference, const RateBounds& rates, double duration,
+                                 double rounding, double size);
+
+/// The sweep about the reference, a point of the moving body. The body must turn by less than a half turn.
+template <class S>
+RationalMotion<S> sweep_between_ends(const PartEnds<S>& ends, const Vector3<S>& reference) {
+    using std::sqrt;
+    const Quaternion<S> turn = turn_between(ends.start, ends.goal);
+    const S inverse = S(1) / sqrt(turn.squared_norm());
+    return sweep_between(ends.start, ends.goal, {turn.w * inverse, scale(turn.v, inverse)}, reference);
+}
 
 } // namespace chasles::motion

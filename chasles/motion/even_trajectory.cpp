@@ -28,35 +28,30 @@ Quaternion<Scalar> unit(const Quaternion<Scalar>& q) {
     return {q.w * inverse, scale(q.v, inverse)};
 }
 
-/// The turn between two poses.
-struct EvenTurn {
-    Quaternion<Scalar> quaternion;   ///< of unit length
-    double angle;                    ///< in radians, in [0, pi]
-    Scalar half_sine;
-    Vector3<Scalar> direction{Scalar(0.0), Scalar(0.0), Scalar(1.0)};
-
-    explicit EvenTurn(const RelativeEnds& ends)
-        : quaternion(unit(turn_between(ends.start, ends.goal))), angle(turn_angle(quaternion).angle),
-          half_sine(sqrt(dot(quaternion.v, quaternion.v))) {
-        if (turns())
-            direction = scale(quaternion.v, Scalar(1.0) / half_sine);
-    }
-    [[nodiscard]] bool turns() const { return Scalar(0.0) < half_sine; }
-};
-
 /// The motion without the path of the reference.
-EvenMotion turn_of(const RelativeEnds& ends, const EvenTurn& turn) {
-    const Quaternion<Scalar> orientation = unit(ends.start.rotation);
-    EvenMotion motion;
-    motion.orientation = {double(orientation.w), in_double(orientation.v)};
-    motion.angle = turn.angle;
-    motion.direction = in_double(turn.direction);
+EvenMotion<Scalar> turn_between_ends(const RelativeEnds& ends) {
+    const Quaternion<Scalar> turn = unit(turn_between(ends.start, ends.goal));
+    const Scalar half_sine = sqrt(dot(turn.v, turn.v));
+    EvenMotion<Scalar> motion;
+    motion.orientation = unit(ends.start.rotation);
+    motion.angle = Scalar(2.0) * algebra::angle_of({half_sine, turn.w});
+    motion.direction = Scalar(0.0) < half_sine ? scale(turn.v, Scalar(1.0) / half_sine)
+                                               : Vector3<Scalar>{Scalar(0.0), Scalar(0.0), Scalar(1.0)};
     return motion;
 }
 
-double size_of(const EvenMotion& motion) {
-    return norm1(motion.reference) + norm1(motion.start) + norm1(motion.travel) +
-           std::min(1.0, motion.angle) * norm1(motion.arm);
+bool turns(const EvenMotion<Scalar>& motion) {
+    return Scalar(0.0) < motion.angle;
+}
+
+double size_of(const EvenMotion<Scalar>& motion) {
+    return norm1(in_double(motion.reference)) + norm1(in_double(motion.start)) + norm1(in_double(motion.travel)) +
+           std::min(1.0, double(motion.angle)) * norm1(in_double(motion.arm));
+}
+
+RateBounds rates_of(const EvenMotion<double>& motion) {
+    const double radius = length(motion.arm);
+    return {motion.angle, 0, length(motion.travel) + motion.angle * radius, motion.angle * motion.angle * radius};
 }
 
 Pose pose_of(const GeneralPose<double>& pose) {
@@ -66,69 +61,76 @@ Pose pose_of(const GeneralPose<double>& pose) {
 
 } // namespace
 
-GeneralPose<double> EvenMotion::at(double time) const {
-    const double half = 0.5 * angle * time;
-    const double sine = std::sin(half);
-    const double cosine = std::cos(half);
-    const Quaternion<double> turn{cosine, scale(direction, sine)};
-    const Quaternion<double> rotation = turn * orientation;
-    const Vector3<double> across = cross(direction, arm);
-    const Vector3<double> swing = scale(across, 2 * sine * cosine) + scale(cross(direction, across), 2 * sine * sine);
-    const Vector3<double> place = start + scale(travel, time) + swing;
-    return {place - rotated(rotation, reference), rotation};
+EvenMotion<double> rounded(const EvenMotion<Scalar>& motion) {
+    return {{double(motion.orientation.w), in_double(motion.orientation.v)},
+            double(motion.angle),
+            in_double(motion.direction),
+            in_double(motion.reference),
+            in_double(motion.start),
+            in_double(motion.travel),
+            in_double(motion.arm),
+            motion.size};
 }
 
-RateBounds EvenMotion::rates() const {
-    const double radius = length(arm);
-    return {angle, 0, length(travel) + angle * radius, angle * angle * radius};
-}
-
-EvenMotion constant_velocity(const RelativeEnds& ends, const Vector3<double>& centre) {
-    EvenMotion motion = turn_of(ends, EvenTurn(ends));
-    const Vector3<Scalar> reference{Scalar(centre.x), Scalar(centre.y), Scalar(centre.z)};
-    const Vector3<Scalar> start = rotation_matrix(ends.start.rotation) * reference + ends.start.translation;
-    const Vector3<Scalar> goal = rotation_matrix(ends.goal.rotation) * reference + ends.goal.translation;
-    motion.reference = centre;
-    motion.start = in_double(start);
-    motion.travel = in_double(goal - start);
+EvenMotion<Scalar> constant_velocity(const RelativeEnds& ends, const Eigen::Vector3d& centre) {
+    EvenMotion<Scalar> motion = turn_between_ends(ends);
+    motion.reference = vector_in<Scalar>(centre);
+    motion.start = rotation_matrix(ends.start.rotation) * motion.reference + ends.start.translation;
+    motion.travel = rotation_matrix(ends.goal.rotation) * motion.reference + ends.goal.translation - motion.start;
     motion.size = size_of(motion);
     return motion;
 }
 
-EvenMotion constant_twist(const RelativeEnds& ends) {
-    const EvenTurn turn(ends);
-    EvenMotion motion = turn_of(ends, turn);
-    const Vector3<Scalar> shift = ends.goal.translation - ends.start.translation;
-    motion.start = in_double(ends.start.translation);
-    motion.travel = in_double(shift);
-    if (turn.turns()) {
-        const Vector3<Scalar> along = scale(turn.direction, dot(turn.direction, shift));
-        const Vector3<Scalar> across = shift - along;
-        const Scalar cotangent = turn.quaternion.w / turn.half_sine;
+EvenMotion<Scalar> constant_twist(const RelativeEnds& ends) {
+    EvenMotion<Scalar> motion = turn_between_ends(ends);
+    motion.start = ends.start.translation;
+    motion.travel = ends.goal.translation - ends.start.translation;
+    if (turns(motion)) {
+        const Vector3<Scalar> along = scale(motion.direction, dot(motion.direction, motion.travel));
+        const Vector3<Scalar> across = motion.travel - along;
+        const auto [sine, cosine] = algebra::sine_cosine(Scalar(0.5) * motion.angle);
         const Vector3<Scalar> arm =
-            scale(across + scale(cross(turn.direction, across), cotangent), Scalar(-0.5));
-        motion.travel = in_double(along);
-        if (turn.angle < least_turn_for_axis) {
-            motion.arm = in_double(arm);
+            scale(across + scale(cross(motion.direction, across), Scalar(cosine / sine)), Scalar(-0.5));
+        motion.travel = along;
+        if (double(motion.angle) < least_turn_for_axis) {
+            motion.arm = arm;
         } else {
-            motion.start = in_double(ends.start.translation - arm);
-            motion.reference =
-                in_double(rotation_matrix(ends.start.rotation).transposed() * (Vector3<Scalar>() - arm));
+            motion.start = motion.start - arm;
+            motion.reference = rotation_matrix(ends.start.rotation).transposed() * (Vector3<Scalar>() - arm);
         }
     }
     motion.size = size_of(motion);
     return motion;
 }
 
-EvenPiece::EvenPiece(const MotionEnds& ends, const EvenMotion& motion, const PieceClock& clock)
-    : ends_(ends), motion_(motion), clock_(clock), cubic_(widened(enclosure({0, 1})->cubic)) {}
+EvenWhole::EvenWhole(const MotionEnds& given, const EvenMotion<Scalar>& even)
+    : ends(given), motion(even), in_double(rounded(even)), rates(rates_of(in_double)),
+      count(static_cast<std::size_t>(std::max(1.0, std::ceil(in_double.angle / most_turn_of_part)))) {}
 
-std::optional<Enclosure> EvenPiece::enclosure(const Bracket& part) const {
-    const double start = time_at(part.lower);
-    const double goal = time_at(part.upper);
-    constexpr double rounding = 0x1p-51; // of both times
-    return enclosure_between({motion_.at(start), motion_.at(goal), goal - start + rounding}, motion_.reference,
-                             motion_.rates(), motion_.size);
+EvenPiece::EvenPiece(std::shared_ptr<const EvenWhole> whole, std::size_t index)
+    : whole_(std::move(whole)), clock_{index, whole_->count}, cubic_(widened(enclosure({0, 1})->cubic)) {}
+
+EnclosureBounds EvenPiece::bounds(const Bracket& part, double rounding) const {
+    constexpr double of_times = 0x1p-51;
+    const double duration = (part.upper - part.lower) / double(clock_.count) + of_times;
+    return enclosure_bounds(whole_->in_double.reference, whole_->rates, duration, rounding, whole_->in_double.size);
+}
+
+std::optional<Enclosure<double>> EvenPiece::enclosure(const Bracket& part) const {
+    const EvenMotion<double>& motion = whole_->in_double;
+    return Enclosure<double>{
+        sweep_between_ends<double>({motion.at(time_at(part.lower)), motion.at(time_at(part.upper))},
+                                   motion.reference),
+        bounds(part, pose_rounding<double>)};
+}
+
+std::optional<Enclosure<Scalar>> EvenPiece::refined_enclosure(const Bracket& part) const {
+    const EvenMotion<Scalar>& motion = whole_->motion;
+    const auto at = [&](double tau) {
+        return motion.at((Scalar(double(clock_.index)) + Scalar(tau)) / Scalar(double(clock_.count)));
+    };
+    return Enclosure<Scalar>{sweep_between_ends<Scalar>({at(part.lower), at(part.upper)}, motion.reference),
+                             bounds(part, pose_rounding<Scalar>)};
 }
 
 double EvenPiece::tau_tolerance(double time_tolerance) const {
@@ -137,7 +139,8 @@ double EvenPiece::tau_tolerance(double time_tolerance) const {
 
 Pose EvenPiece::pose_at(double tau) const {
     const double time = time_at(tau);
-    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ends_.in_world(pose_of(motion_.at(time)), time);
+    const MotionEnds& ends = whole_->ends;
+    return time <= 0 || time >= 1 ? ends.pose_at_end(time) : ends.in_world(pose_of(whole_->in_double.at(time)), time);
 }
 
 EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre) : ends_(ends) {
@@ -146,36 +149,34 @@ EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::V
     if (centre.cwiseAbs().maxCoeff() > Pose::largest_length)
         throw InvalidInput("motion: centre: a number is larger than 1e30");
     const RelativeEnds relative(ends);
-    motion_ = kind == Kind::velocity ? constant_velocity(relative, vector_in<double>(centre))
-                                     : constant_twist(relative);
+    motion_ = kind == Kind::velocity ? constant_velocity(relative, centre) : constant_twist(relative);
 }
 
-EvenTrajectory::Pieces::Pieces(const EvenTrajectory& trajectory)
-    : ends_(trajectory.ends_), motion_(trajectory.motion_),
-      count_(static_cast<std::size_t>(std::max(1.0, std::ceil(motion_.angle / most_turn_of_part)))) {}
-
-/// The reference stays in a ball around the middle of its way, and the point at one distance from the reference.
+/// The point stays near the chord of its path, whose ends are known.
 PathBall EvenTrajectory::ball_around_path(const Vector3<double>& point) const {
     const PathEnds path(ends_, point);
-    const RateBounds rates = motion_.rates();
-    const double arm = length(point - motion_.reference);
-    const double acceleration = rates.acceleration + rates.turn_rate * rates.turn_rate * arm;
-    const double speed = rates.speed + rates.turn_rate * arm;
+    const EvenMotion<double> motion = rounded(motion_);
+    const RateBounds rates = rates_of(motion);
+    const double distance = length(point - motion.reference);
+    const double acceleration = rates.acceleration + rates.turn_rate * rates.turn_rate * distance;
+    const double speed = rates.speed + rates.turn_rate * distance;
     const double radius = length(path.chord()) / 2 + std::min(acceleration / 8, speed / 2);
-    return {path.middle(), radius, motion_.size + norm1(point) + size_of_fixed_ends(ends_)};
+    return {path.middle(), radius, motion.size + norm1(point) + size_of_fixed_ends(ends_)};
 }
 
 std::optional<CoarseMotion> EvenTrajectory::coarse() const {
     constexpr double quarter_turn = 1.5707963;
-    if (motion_.angle > quarter_turn)
+    const EvenMotion<double> motion = rounded(motion_);
+    if (motion.angle > quarter_turn)
         return std::nullopt;
-    const RateBounds rates = motion_.rates();
-    const Enclosure whole = enclosure_between({motion_.at(0), motion_.at(1), 1}, motion_.reference, rates, motion_.size);
-    return CoarseMotion{whole.cubic, whole.deviation, motion_.size, whole.turn_deviation, whole.reference};
+    const EnclosureBounds bounds =
+        enclosure_bounds(motion.reference, rates_of(motion), 1, pose_rounding<double>, motion.size);
+    return CoarseMotion{sweep_between_ends<double>({motion.at(0), motion.at(1)}, motion.reference), bounds.deviation,
+                        motion.size, bounds.turn_deviation, motion.reference};
 }
 
 Pose EvenTrajectory::pose_at(double time) const {
-    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ends_.in_world(pose_of(motion_.at(time)), time);
+    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ends_.in_world(pose_of(rounded(motion_).at(time)), time);
 }
 
 } // namespace chasles::motion

@@ -148,7 +148,7 @@ namespace {
 
 /// Without a turn it is a sweep, which is exact.
 Motion even_motion(const EvenTrajectory& trajectory) {
-    if (trajectory.motion().angle <= 0)
+    if (double(trajectory.motion().angle) <= 0)
         return erased(SweepTrajectory(trajectory.ends(), Eigen::Vector3d::Zero()));
     return erased(trajectory);
 }
@@ -157,8 +157,8 @@ Motion even_motion(const EvenTrajectory& trajectory) {
 
 ConstantVelocity ConstantVelocity::between(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
     const EvenTrajectory trajectory(EvenTrajectory::Kind::velocity, MotionEnds::between(start, goal), centre);
-    const motion::Vector3<double>& travel = trajectory.motion().travel;
-    return {even_motion(trajectory), trajectory.motion().angle, {travel.x, travel.y, travel.z}};
+    const motion::EvenMotion<double> even = motion::rounded(trajectory.motion());
+    return {even_motion(trajectory), even.angle, {even.travel.x, even.travel.y, even.travel.z}};
 }
 
 ConstantTwist ConstantTwist::between(const Pose& start, const Pose& goal) {

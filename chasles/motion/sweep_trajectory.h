@@ -14,7 +14,10 @@ public:
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const { return cubic_; }
     [[nodiscard]] std::optional<ExactMotion> exact() const { return exact_sweep(ends_, centre_); }
-    [[nodiscard]] static std::optional<Enclosure> enclosure(const Bracket&) { return std::nullopt; }
+    [[nodiscard]] static std::optional<Enclosure<double>> enclosure(const Bracket&) { return std::nullopt; }
+    [[nodiscard]] static std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
+        return std::nullopt;
+    }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const;
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return time_of(tau); }

@@ -32,7 +32,9 @@ concept TrajectoryPiece = requires(const P& piece, double number, const Bracket&
     { piece.exact() } -> std::same_as<std::optional<ExactMotion>>;
     /// A cubic motion near the true one over a part of the piece, and how near: the shorter the part, the nearer. Empty
     /// if the cubic motion of the piece is the true one.
-    { piece.enclosure(bracket) } -> std::same_as<std::optional<Enclosure>>;
+    { piece.enclosure(bracket) } -> std::same_as<std::optional<Enclosure<double>>>;
+    /// Likewise in double-double; empty, too, if the trajectory is known in double only.
+    { piece.refined_enclosure(bracket) } -> std::same_as<std::optional<Enclosure<algebra::DoubleDouble>>>;
 
     /// The piece's own clock: brackets of tau within the piece as brackets of the trajectory's time and of its tau,
     /// rounded outward; dtau/dtime at a tau; and the width in tau that is no wider than a width in time anywhere.

@@ -19,42 +19,71 @@ constexpr double first_share = 0.125;
 /// Ordinary refinements take six steps, grazing ones some sixty.
 constexpr int most_steps = 400;
 
+/// The first time in [0, 1] of the maps.
+template <bool within_margin, class S>
+std::optional<FeasibleInterval> first_time(FeatureTests<S>& tests, const FeaturePair& features,
+                                           const algebra::Tolerance& tolerance) {
+    if constexpr (within_margin) {
+        FirstCrossing collect(tolerance); // NOLINT(misc-const-correctness): changed through the generic lambda
+        tests.distance(features, [&](const auto& problem) { collect(problem); });
+        return collect.first() ? std::optional(collect.first()->tau) : std::nullopt;
+    } else {
+        return tests.touch(features);
+    }
+}
+
+/// In terms of the whole piece. Ends of brackets are rounded outward. A contact is proven only where no point of the
+/// moving body goes far (note 24, "Features").
+std::optional<FeasibleInterval> in_piece(std::optional<FeasibleInterval> found, const culling::TimeRange& part,
+                                         bool is_short) {
+    constexpr double rounding = 0x1p-51;
+    if (found)
+        found = FeasibleInterval{std::max(part.lower, part.at(found->lower) * (1 - rounding)),
+                                 std::min(part.upper, part.at(found->upper) * (1 + rounding)),
+                                 found->certain && is_short};
+    return found;
+}
+
+/// How the refinement in double-double searches.
+algebra::Tolerance refined_tolerance(double width) {
+    constexpr double finest = 0x1p-90;
+    constexpr int restrictions = 200;
+    return {width, std::min(width, finest), restrictions};
+}
+
 } // namespace
 
 template <bool within_margin>
-void EnclosedStages<within_margin>::PartTests::use(const culling::TimeRange& part, double tolerance) {
-    if (maps.set(part))
-        tests.use(maps.maps(), maps.scale(), filter_tolerance(std::min(1.0, tolerance / part.width())));
+void EnclosedStages<within_margin>::PartTests::use(const culling::TimeRange& part) {
+    if (maps_.set(part))
+        tests_.use(maps_.maps(), maps_.scale(), filter_tolerance(std::min(1.0, tolerance_ / part.width())));
 }
 
 template <bool within_margin>
-std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests::first(const FeaturePair& features,
-                                                                                double tolerance) {
-    const culling::TimeRange& part = maps.part();
-    std::optional<FeasibleInterval> found;
-    if constexpr (within_margin) {
-        FirstCrossing collect(filter_tolerance(std::min(1.0, tolerance / part.width())));
-        tests.distance(features, [&](const auto& problem) { collect(problem); });
-        if (collect.first())
-            found = collect.first()->tau;
-    } else {
-        found = tests.touch(features);
-    }
-    if (found) {
-        constexpr double rounding = 0x1p-51;
-        found->lower = std::max(part.lower, part.at(found->lower) * (1 - rounding));
-        found->upper = std::min(part.upper, part.at(found->upper) * (1 + rounding));
-        // A contact is proven only where no part of the moving body goes far (note 24, "Features").
-        found->certain = found->certain && maps.is_short();
-    }
-    return found;
+std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests::first(const FeaturePair& features) {
+    const algebra::Tolerance tolerance = filter_tolerance(std::min(1.0, tolerance_ / part().width()));
+    return in_piece(first_time<within_margin>(tests_, features, tolerance), part(), maps_.is_short());
+}
+
+template <bool within_margin>
+void EnclosedStages<within_margin>::RefinedPartTests::use(const culling::TimeRange& part) {
+    const auto enclosure = *piece_.refined_enclosure({part.lower, part.upper});
+    part_ = part;
+    bounds_ = enclosure.bounds;
+    maps_ = motion::control_maps(enclosure.cubic);
+    tests_.use(maps_, parts_.refined_scale_of(bounds_), refined_tolerance(std::min(1.0, tolerance_ / part.width())));
+}
+
+template <bool within_margin>
+std::optional<FeasibleInterval> EnclosedStages<within_margin>::RefinedPartTests::first(const FeaturePair& features) {
+    const algebra::Tolerance tolerance = refined_tolerance(std::min(1.0, tolerance_ / part_.width()));
+    return in_piece(first_time<within_margin>(tests_, features, tolerance), part_, parts_.is_short(bounds_));
 }
 
 template <bool within_margin>
 EnclosedStages<within_margin>::EnclosedStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), parts_(context.parts(options.margin)),
-      filter_{{context.moving(), context.fixed(), parts_.scale(), options.margin}, culling::PartMaps(parts_)},
-      shorter_(filter_), start_tests_(context.moving(), context.fixed(), parts_.scale(), options.margin),
+      filter_(context, options, parts_), shorter_(context, options, parts_), start_tests_(context.moving(), context.fixed(), parts_.scale(), options.margin),
       overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, within_margin}) {
     start_tests_.use(context.maps(), {});
 }
@@ -66,7 +95,7 @@ double EnclosedStages<within_margin>::culling_margin() const {
 
 template <bool within_margin>
 void EnclosedStages<within_margin>::use(const culling::TimeRange& part) {
-    filter_.use(part, options_.tolerance);
+    filter_.use(part);
     is_at_start_ = options_.check_start && part.lower <= 0;
 }
 
@@ -80,9 +109,9 @@ template <bool within_margin>
 void EnclosedStages<within_margin>::test(const FeaturePair& features) {
     if (within_margin && is_at_start_)
         test_at_start(features);
-    if (auto found = filter_.first(features, options_.tolerance)) {
+    if (auto found = filter_.first(features)) {
         if (!found->certain)
-            found->upper = filter_.maps.part().upper; // so far the contact may be anywhere in the part
+            found->upper = filter_.part().upper; // so far the contact may be anywhere in the part
         candidates_.add({features, *found}, *this);
     }
 }
@@ -105,25 +134,26 @@ PieceResult EnclosedStages<within_margin>::take() {
         candidates_.end_at_start();
     work_ += overlaps_.work();
     for (const PartTests* part : {&filter_, &shorter_}) {
-        work_.elementary_tests += part->tests.workspace().elementary_tests;
-        work_.root_brackets += part->tests.workspace().root_brackets;
+        work_.elementary_tests += part->workspace().elementary_tests;
+        work_.root_brackets += part->workspace().root_brackets;
     }
     return {candidates_.take(), candidates_.searched_until(), overlaps_.found(), work_};
 }
 
-/// Tests ever shorter parts, the earliest first. The bracket of a proven contact is the next part; it is far shorter,
-/// as brackets are as wide as the deviation, which falls with the square of the width.
+/// Tests ever shorter parts of a bracket, the earliest first. The bracket of a proven contact is the next part; it is far
+/// shorter, as a bracket is as wide as the deviation, which falls with the square of the width or faster.
 template <bool within_margin>
-std::optional<FeasibleInterval> EnclosedStages<within_margin>::decide(const Candidate& candidate,
-                                                                      const SearchState& state) {
+template <class Tests>
+std::optional<FeasibleInterval>
+EnclosedStages<within_margin>::follow(Tests& tests, const FeaturePair& features, const FeasibleInterval& where,
+                                      const SearchState& state) {
     constexpr double never = 2;
-    double proven_upper = candidate.tau.certain ? candidate.tau.upper : never;
+    double proven_upper = where.certain ? where.upper : never;
     later_.clear();
-    culling::TimeRange part{candidate.tau.lower, candidate.tau.upper};
-    ++work_.refined;
+    culling::TimeRange part{where.lower, where.upper};
     for (int step = 0; part.lower <= state.best(); ++step) {
-        shorter_.use(part, options_.tolerance);
-        const auto found = shorter_.first(candidate, options_.tolerance);
+        tests.use(part);
+        const auto found = tests.first(features);
         if (!found) {
             if (later_.empty())
                 return std::nullopt;
@@ -137,7 +167,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::decide(const Cand
         }
         const bool is_proven = proven_upper < never;
         const bool is_narrow = is_proven && proven_upper - found->lower <= options_.tolerance;
-        if (is_narrow || !shorter_.maps.is_worth_shortening() || part.width() <= shortest_part || step > most_steps)
+        if (is_narrow || !tests.is_worth_shortening() || part.width() <= shortest_part || step > most_steps)
             return FeasibleInterval{found->lower, is_proven ? proven_upper : found->upper, is_proven};
         const double upper = found->certain ? found->upper : part.upper;
         const double share = found->certain ? 0.5 : first_share;
@@ -148,10 +178,35 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::decide(const Cand
     return std::nullopt;
 }
 
+/// In double-double, within what double leaves in doubt; the same bracket if the trajectory is known in double only.
+template <bool within_margin>
+std::optional<FeasibleInterval> EnclosedStages<within_margin>::refine(const FeaturePair& features,
+                                                                      const FeasibleInterval& where,
+                                                                      const SearchState& state) {
+    if (!refinement_) {
+        if (!context_.piece().refined_enclosure({0, 0}))
+            return where;
+        refinement_ = std::make_unique<RefinedPartTests>(context_, options_, parts_);
+    }
+    ++work_.refined;
+    return follow(*refinement_, features, where, state);
+}
+
+template <bool within_margin>
+std::optional<FeasibleInterval> EnclosedStages<within_margin>::decide(const Candidate& candidate,
+                                                                      const SearchState& state) {
+    const auto found = follow(shorter_, candidate, candidate.tau, state);
+    if (!found || found->certain)
+        return found;
+    return refine(candidate, {found->lower, std::max(found->upper, candidate.tau.upper), false}, state);
+}
+
 template <bool within_margin>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::narrow(const Candidate& candidate,
                                                                       const SearchState& state) {
-    const auto narrow = decide(candidate, state);
+    auto narrow = follow(shorter_, candidate, candidate.tau, state);
+    if (narrow && narrow->certain && !state.is_final(*narrow))
+        narrow = refine(candidate, *narrow, state);
     return narrow && !narrow->certain ? candidate.tau : narrow;
 }
 

@@ -8,6 +8,7 @@
 #include "chasles/search/piece_search.h"
 #include "chasles/search/start_overlaps.h"
 
+#include <memory>
 #include <vector>
 
 namespace chasles::search {
@@ -47,15 +48,51 @@ public:
 
 private:
     /// The tests over one part of the piece.
-    struct PartTests {
-        FeatureTests<double> tests;
-        culling::PartMaps maps;
+    class PartTests {
+    public:
+        PartTests(PieceContext& context, const SearchOptions& options, const culling::PieceParts& parts)
+            : tests_(context.moving(), context.fixed(), parts.scale(), options.margin), maps_(parts),
+              tolerance_(options.tolerance) {}
 
-        void use(const culling::TimeRange& part, double tolerance);
-        /// In terms of the whole piece. Ends of brackets are rounded outward.
-        std::optional<FeasibleInterval> first(const FeaturePair& features, double tolerance);
+        void use(const culling::TimeRange& part);
+        /// In terms of the whole piece.
+        std::optional<FeasibleInterval> first(const FeaturePair& features);
+        [[nodiscard]] const culling::TimeRange& part() const { return maps_.part(); }
+        [[nodiscard]] bool is_worth_shortening() const { return maps_.is_worth_shortening(); }
+        [[nodiscard]] const elementary::Workspace<double>& workspace() const { return tests_.workspace(); }
+
+    private:
+        FeatureTests<double> tests_;
+        culling::PartMaps maps_;
+        double tolerance_;
     };
 
+    /// Likewise in double-double.
+    class RefinedPartTests {
+    public:
+        RefinedPartTests(PieceContext& context, const SearchOptions& options, const culling::PieceParts& parts)
+            : tests_(context.moving(), context.fixed(), parts.scale(), options.margin), piece_(context.piece()),
+              parts_(parts), tolerance_(options.tolerance) {}
+
+        void use(const culling::TimeRange& part);
+        std::optional<FeasibleInterval> first(const FeaturePair& features);
+        [[nodiscard]] bool is_worth_shortening() const { return parts_.is_worth_shortening(bounds_); }
+
+    private:
+        FeatureTests<algebra::DoubleDouble> tests_;
+        const motion::AnyPiece& piece_;
+        culling::PieceParts parts_;
+        double tolerance_;
+        culling::TimeRange part_;
+        motion::EnclosureBounds bounds_;
+        motion::ControlMaps<algebra::DoubleDouble> maps_;
+    };
+
+    template <class Tests>
+    std::optional<FeasibleInterval> follow(Tests& tests, const FeaturePair& features, const FeasibleInterval& where,
+                                           const SearchState& state);
+    std::optional<FeasibleInterval> refine(const FeaturePair& features, const FeasibleInterval& where,
+                                           const SearchState& state);
     void test_at_start(const FeaturePair& features);
 
     PieceContext& context_;
@@ -63,6 +100,7 @@ private:
     culling::PieceParts parts_;
     PartTests filter_;
     PartTests shorter_;
+    std::unique_ptr<RefinedPartTests> refinement_; ///< made on the first use
     FeatureTests<double> start_tests_;
     StartOverlaps overlaps_;
     Candidates candidates_;

@@ -33,7 +33,7 @@ elementary::ErrorScale PieceContext::error_scale(double margin) const {
         std::max(extent(moving_.bvh()), cubic.reference_extent) + motion::rounding_extent(cubic) + margin;
     elementary::ErrorScale scale = norms_.error_scale(moving_extent, extent(fixed_.bvh()));
     if (is_enclosed_) {
-        const motion::Enclosure start = *piece_->enclosure({0, 0});
+        const motion::EnclosureBounds start = piece_->enclosure({0, 0})->bounds;
         scale.deviation = start.rounding_of(culling::ball_around(moving_.bvh(), moving_.bvh().radius() + margin));
         scale.turn_deviation = start.turn_rounding;
     }
@@ -62,7 +62,7 @@ contact::RelativeConfiguration PieceContext::configuration_at(double tau) const 
         return {moving_, fixed_, maps_, tau};
     constexpr double width = 0x1p-20;
     const double lower = std::clamp(tau - 0.5 * width, 0.0, 1 - width);
-    const motion::Enclosure part = *piece_->enclosure({lower, lower + width});
+    const motion::Enclosure<double> part = *piece_->enclosure({lower, lower + width});
     return {moving_, fixed_, motion::control_maps(part.cubic), (tau - lower) / width, 1 / width};
 }
 
