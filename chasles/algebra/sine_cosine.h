@@ -17,6 +17,10 @@ inline SineCosine<double> sine_cosine(double angle) {
     return {std::sin(angle), std::cos(angle)};
 }
 
+inline double angle_of(const SineCosine<double>& direction) {
+    return std::atan2(direction.sine, direction.cosine);
+}
+
 /// With an error of at most 2^-96, for angles up to 1000 radians.
 SineCosine<DoubleDouble> sine_cosine(const DoubleDouble& angle);
 

@@ -23,30 +23,69 @@ Vector3<double> in_double(const Vector3<Scalar>& v) {
     return {double(v.x), double(v.y), double(v.z)};
 }
 
-Quaternion<Scalar> unit(const Quaternion<Scalar>& q) {
-    const Scalar inverse = Scalar(1.0) / sqrt(q.squared_norm());
+template <class S>
+Quaternion<S> unit(const Quaternion<S>& q) {
+    using std::sqrt;
+    const S inverse = S(1.0) / sqrt(q.squared_norm());
     return {q.w * inverse, scale(q.v, inverse)};
 }
 
 /// The motion without the path of the reference.
-EvenMotion<Scalar> turn_between_ends(const RelativeEnds& ends) {
-    const Quaternion<Scalar> turn = unit(turn_between(ends.start, ends.goal));
-    const Scalar half_sine = sqrt(dot(turn.v, turn.v));
-    EvenMotion<Scalar> motion;
-    motion.orientation = unit(ends.start.rotation);
-    motion.angle = Scalar(2.0) * algebra::angle_of({half_sine, turn.w});
-    motion.direction = Scalar(0.0) < half_sine ? scale(turn.v, Scalar(1.0) / half_sine)
-                                               : Vector3<Scalar>{Scalar(0.0), Scalar(0.0), Scalar(1.0)};
+template <class S>
+EvenMotion<S> turn_between_ends(const GeneralPose<S>& from, const GeneralPose<S>& to) {
+    const Quaternion<S> turn = unit(turn_between(from, to));
+    const S half_sine = length(turn.v);
+    EvenMotion<S> motion;
+    motion.orientation = unit(from.rotation);
+    motion.angle = S(2.0) * algebra::angle_of(algebra::SineCosine<S>{half_sine, turn.w});
+    motion.direction = S(0.0) < half_sine ? scale(turn.v, S(S(1.0) / half_sine)) : Vector3<S>{S(0.0), S(0.0), S(1.0)};
     return motion;
 }
 
-bool turns(const EvenMotion<Scalar>& motion) {
-    return Scalar(0.0) < motion.angle;
+double size_of(const Vector3<double>& v) {
+    return norm1(v);
+}
+double size_of(const Vector3<Scalar>& v) {
+    return norm1(in_double(v));
+}
+template <class S>
+double size_of(const EvenMotion<S>& motion) {
+    return size_of(motion.reference) + size_of(motion.start) + size_of(motion.travel) +
+           std::min(1.0, double(motion.angle)) * size_of(motion.arm);
 }
 
-double size_of(const EvenMotion<Scalar>& motion) {
-    return norm1(in_double(motion.reference)) + norm1(in_double(motion.start)) + norm1(in_double(motion.travel)) +
-           std::min(1.0, double(motion.angle)) * norm1(in_double(motion.arm));
+/// Slerp, the shorter way round, while the body point `centre` moves on a straight line.
+template <class S>
+EvenMotion<S> constant_velocity(const GeneralPose<S>& from, const GeneralPose<S>& to, const Vector3<S>& centre) {
+    EvenMotion<S> motion = turn_between_ends(from, to);
+    motion.reference = centre;
+    motion.start = rotated(from.rotation, centre) + from.translation;
+    motion.travel = rotated(to.rotation, centre) + to.translation - motion.start;
+    motion.size = size_of(motion);
+    return motion;
+}
+
+/// Even turn about, and even slide along, the axis of the screw between both poses: a uniform helix.
+template <class S>
+EvenMotion<S> constant_twist(const GeneralPose<S>& from, const GeneralPose<S>& to) {
+    EvenMotion<S> motion = turn_between_ends(from, to);
+    motion.start = from.translation;
+    motion.travel = to.translation - from.translation;
+    if (S(0.0) < motion.angle) {
+        const Vector3<S> along = scale(motion.direction, dot(motion.direction, motion.travel));
+        const Vector3<S> across = motion.travel - along;
+        const auto [sine, cosine] = algebra::sine_cosine(S(S(0.5) * motion.angle));
+        const Vector3<S> arm = scale(across + scale(cross(motion.direction, across), S(cosine / sine)), S(-0.5));
+        motion.travel = along;
+        if (double(motion.angle) < least_turn_for_axis) {
+            motion.arm = arm;
+        } else {
+            motion.start = motion.start - arm;
+            motion.reference = rotated(from.rotation.conjugate(), Vector3<S>() - arm);
+        }
+    }
+    motion.size = size_of(motion);
+    return motion;
 }
 
 RateBounds rates_of(const EvenMotion<double>& motion) {
@@ -70,37 +109,6 @@ EvenMotion<double> rounded(const EvenMotion<Scalar>& motion) {
             in_double(motion.travel),
             in_double(motion.arm),
             motion.size};
-}
-
-EvenMotion<Scalar> constant_velocity(const RelativeEnds& ends, const Eigen::Vector3d& centre) {
-    EvenMotion<Scalar> motion = turn_between_ends(ends);
-    motion.reference = vector_in<Scalar>(centre);
-    motion.start = rotation_matrix(ends.start.rotation) * motion.reference + ends.start.translation;
-    motion.travel = rotation_matrix(ends.goal.rotation) * motion.reference + ends.goal.translation - motion.start;
-    motion.size = size_of(motion);
-    return motion;
-}
-
-EvenMotion<Scalar> constant_twist(const RelativeEnds& ends) {
-    EvenMotion<Scalar> motion = turn_between_ends(ends);
-    motion.start = ends.start.translation;
-    motion.travel = ends.goal.translation - ends.start.translation;
-    if (turns(motion)) {
-        const Vector3<Scalar> along = scale(motion.direction, dot(motion.direction, motion.travel));
-        const Vector3<Scalar> across = motion.travel - along;
-        const auto [sine, cosine] = algebra::sine_cosine(Scalar(0.5) * motion.angle);
-        const Vector3<Scalar> arm =
-            scale(across + scale(cross(motion.direction, across), Scalar(cosine / sine)), Scalar(-0.5));
-        motion.travel = along;
-        if (double(motion.angle) < least_turn_for_axis) {
-            motion.arm = arm;
-        } else {
-            motion.start = motion.start - arm;
-            motion.reference = rotation_matrix(ends.start.rotation).transposed() * (Vector3<Scalar>() - arm);
-        }
-    }
-    motion.size = size_of(motion);
-    return motion;
 }
 
 EvenWhole::EvenWhole(const MotionEnds& given, const EvenMotion<Scalar>& even)
@@ -143,19 +151,29 @@ Pose EvenPiece::pose_at(double tau) const {
     return time <= 0 || time >= 1 ? ends.pose_at_end(time) : ends.in_world(pose_of(whole_->in_double.at(time)), time);
 }
 
-EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre) : ends_(ends) {
+EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre)
+    : ends_(ends), centre_(centre), kind_(kind) {
     if (!centre.allFinite())
         throw InvalidInput("motion: centre: a number is NaN or infinite");
     if (centre.cwiseAbs().maxCoeff() > Pose::largest_length)
         throw InvalidInput("motion: centre: a number is larger than 1e30");
-    const RelativeEnds relative(ends);
-    motion_ = kind == Kind::velocity ? constant_velocity(relative, centre) : constant_twist(relative);
+}
+
+template <class S>
+EvenMotion<S> EvenTrajectory::motion_in() const {
+    const auto from = seen_from<S>(ends_.start, ends_.start_seen_from());
+    const auto to = seen_from<S>(ends_.goal, ends_.goal_seen_from());
+    return kind_ == Kind::velocity ? constant_velocity(from, to, vector_in<S>(centre_)) : constant_twist(from, to);
+}
+
+EvenMotion<Scalar> EvenTrajectory::motion() const {
+    return motion_in<Scalar>();
 }
 
 /// The point stays near the chord of its path, whose ends are known.
 PathBall EvenTrajectory::ball_around_path(const Vector3<double>& point) const {
     const PathEnds path(ends_, point);
-    const EvenMotion<double> motion = rounded(motion_);
+    const EvenMotion<double> motion = motion_in<double>();
     const RateBounds rates = rates_of(motion);
     const double distance = length(point - motion.reference);
     const double acceleration = rates.acceleration + rates.turn_rate * rates.turn_rate * distance;
@@ -166,17 +184,19 @@ PathBall EvenTrajectory::ball_around_path(const Vector3<double>& point) const {
 
 std::optional<CoarseMotion> EvenTrajectory::coarse() const {
     constexpr double quarter_turn = 1.5707963;
-    const EvenMotion<double> motion = rounded(motion_);
+    const EvenMotion<double> motion = motion_in<double>();
     if (motion.angle > quarter_turn)
         return std::nullopt;
     const EnclosureBounds bounds =
         enclosure_bounds(motion.reference, rates_of(motion), 1, pose_rounding<double>, motion.size);
-    return CoarseMotion{sweep_between_ends<double>({motion.at(0), motion.at(1)}, motion.reference), bounds.deviation,
-                        motion.size, bounds.turn_deviation, motion.reference};
+    const PartEnds<double> ends{seen_from<double>(ends_.start, ends_.start_seen_from()),
+                                seen_from<double>(ends_.goal, ends_.goal_seen_from())};
+    return CoarseMotion{sweep_between_ends(ends, motion.reference), bounds.deviation,
+                        motion.size + size_of_fixed_ends(ends_), bounds.turn_deviation, motion.reference};
 }
 
 Pose EvenTrajectory::pose_at(double time) const {
-    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ends_.in_world(pose_of(rounded(motion_).at(time)), time);
+    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ends_.in_world(pose_of(rounded(motion()).at(time)), time);
 }
 
 } // namespace chasles::motion

@@ -42,12 +42,6 @@ struct EvenMotion {
 
 EvenMotion<double> rounded(const EvenMotion<algebra::DoubleDouble>& motion);
 
-/// Slerp, the shorter way round, while the body point `centre` moves on a straight line.
-EvenMotion<algebra::DoubleDouble> constant_velocity(const RelativeEnds& ends, const Eigen::Vector3d& centre);
-
-/// Even turn about, and even slide along, the axis of the screw between both poses: a uniform helix.
-EvenMotion<algebra::DoubleDouble> constant_twist(const RelativeEnds& ends);
-
 /// What all pieces of an even motion share.
 struct EvenWhole {
     MotionEnds ends;
@@ -85,7 +79,8 @@ private:
     RationalMotion<algebra::DoubleDouble> cubic_;
 };
 
-/// What a ConstantVelocity or a ConstantTwist describes.
+/// What a ConstantVelocity or a ConstantTwist describes. Small: the numbers of the motion are computed when they are
+/// requested, as most motions of a plan are proven clear without them.
 class EvenTrajectory {
 public:
     enum class Kind : std::uint8_t { velocity, twist };
@@ -97,7 +92,7 @@ public:
     class Pieces {
     public:
         explicit Pieces(const EvenTrajectory& trajectory)
-            : whole_(std::make_shared<const EvenWhole>(trajectory.ends_, trajectory.motion_)) {}
+            : whole_(std::make_shared<const EvenWhole>(trajectory.ends_, trajectory.motion())) {}
         [[nodiscard]] std::size_t size() const { return whole_->count; }
         [[nodiscard]] EvenPiece operator[](std::size_t index) const { return {whole_, index}; }
 
@@ -112,11 +107,15 @@ public:
     [[nodiscard]] Pose fixed_pose_at(double time) const { return ends_.fixed_pose_at(time); }
 
     [[nodiscard]] const MotionEnds& ends() const { return ends_; }
-    [[nodiscard]] const EvenMotion<algebra::DoubleDouble>& motion() const { return motion_; }
+    [[nodiscard]] EvenMotion<algebra::DoubleDouble> motion() const;
 
 private:
+    template <class S>
+    [[nodiscard]] EvenMotion<S> motion_in() const;
+
     MotionEnds ends_;
-    EvenMotion<algebra::DoubleDouble> motion_;
+    Eigen::Vector3d centre_;
+    Kind kind_;
 };
 
 } // namespace chasles::motion

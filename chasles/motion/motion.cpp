@@ -146,25 +146,37 @@ Pose SweepMotion::pose_at(double time) const {
 
 namespace {
 
-/// Without a turn it is a sweep, which is exact.
-Motion even_motion(const EvenTrajectory& trajectory) {
-    if (double(trajectory.motion().angle) <= 0)
-        return erased(SweepTrajectory(trajectory.ends(), Eigen::Vector3d::Zero()));
+/// Without a turn it is a sweep, which is exact. Only a quick test tells, as most motions turn.
+Motion even_motion(EvenTrajectory::Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre) {
+    const EvenTrajectory trajectory(kind, ends, centre);
+    const auto turn = turn_between(motion::pose_in<double>(ends.start), motion::pose_in<double>(ends.goal));
+    const bool may_not_turn = norm1(turn.v) <= 0x1p-40 * turn.w;
+    if (may_not_turn && !(0 < double(trajectory.motion().angle)))
+        return erased(SweepTrajectory(ends, centre));
     return erased(trajectory);
 }
 
 } // namespace
 
 ConstantVelocity ConstantVelocity::between(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
-    const EvenTrajectory trajectory(EvenTrajectory::Kind::velocity, MotionEnds::between(start, goal), centre);
-    const motion::EvenMotion<double> even = motion::rounded(trajectory.motion());
-    return {even_motion(trajectory), even.angle, {even.travel.x, even.travel.y, even.travel.z}};
+    return {even_motion(EvenTrajectory::Kind::velocity, MotionEnds::between(start, goal), centre), centre};
+}
+
+double ConstantVelocity::angle() const {
+    return motion::turn_angle(motion::exact(pose_at(0)), motion::exact(pose_at(1))).angle;
+}
+
+Eigen::Vector3d ConstantVelocity::displacement() const {
+    return pose_at(1).isometry() * centre_ - pose_at(0).isometry() * centre_;
 }
 
 ConstantTwist ConstantTwist::between(const Pose& start, const Pose& goal) {
-    const MotionEnds ends = MotionEnds::between(start, goal);
-    return {even_motion(EvenTrajectory(EvenTrajectory::Kind::twist, ends, Eigen::Vector3d::Zero())),
-            ScrewMotion::between(start, goal)};
+    return ConstantTwist(
+        even_motion(EvenTrajectory::Kind::twist, MotionEnds::between(start, goal), Eigen::Vector3d::Zero()));
+}
+
+ScrewMotion ConstantTwist::screw_of_same_poses() const {
+    return ScrewMotion::between(pose_at(0), pose_at(1));
 }
 
 std::vector<Motion> screws_along(std::span<const Pose> poses, double max_turn) {

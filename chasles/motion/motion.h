@@ -149,20 +149,19 @@ public:
     static ConstantVelocity between(const Pose& start, const Pose& goal,
                                     const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
-    [[nodiscard]] double angle() const { return angle_; } ///< turn in [0, pi], radians
+    [[nodiscard]] double angle() const; ///< turn in [0, pi], radians
     /// Of the centre during the whole motion, in the fixed body's frame and the mesh unit.
-    [[nodiscard]] const Eigen::Vector3d& displacement() const { return displacement_; }
+    [[nodiscard]] Eigen::Vector3d displacement() const;
+    [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; } ///< in the moving body's frame
     [[nodiscard]] Pose pose_at(double time) const { return motion_.pose_at(time); } ///< of the moving body in the world
 
     operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
 
 private:
-    ConstantVelocity(Motion motion, double angle, const Eigen::Vector3d& displacement)
-        : motion_(std::move(motion)), angle_(angle), displacement_(displacement) {}
+    ConstantVelocity(Motion motion, const Eigen::Vector3d& centre) : motion_(std::move(motion)), centre_(centre) {}
 
     Motion motion_;
-    double angle_;
-    Eigen::Vector3d displacement_;
+    Eigen::Vector3d centre_;
 };
 
 /// Constant twist: even turn about the axis of the screw between two poses, the shorter way round, and even slide along
@@ -175,16 +174,15 @@ public:
     static ConstantTwist between(const Pose& start, const Pose& goal);
 
     /// The paper's screw between the same poses, which has the same axis, angle and slide.
-    [[nodiscard]] const ScrewMotion& screw_of_same_poses() const { return screw_; }
+    [[nodiscard]] ScrewMotion screw_of_same_poses() const;
     [[nodiscard]] Pose pose_at(double time) const { return motion_.pose_at(time); } ///< of the moving body in the world
 
     operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion
 
 private:
-    ConstantTwist(Motion motion, ScrewMotion screw) : motion_(std::move(motion)), screw_(std::move(screw)) {}
+    explicit ConstantTwist(Motion motion) : motion_(std::move(motion)) {}
 
     Motion motion_;
-    ScrewMotion screw_;
 };
 
 /// The screws from each pose of a path to the next. Throws InvalidInput for fewer than two poses.
