@@ -93,11 +93,6 @@ RateBounds rates_of(const EvenMotion<double>& motion) {
     return {motion.angle, 0, length(motion.travel) + motion.angle * radius, motion.angle * motion.angle * radius};
 }
 
-Pose pose_of(const GeneralPose<double>& pose) {
-    const auto& [w, v] = pose.rotation;
-    return {{pose.translation.x, pose.translation.y, pose.translation.z}, Eigen::Quaterniond(w, v.x, v.y, v.z)};
-}
-
 } // namespace
 
 EvenMotion<double> rounded(const EvenMotion<Scalar>& motion) {
@@ -111,45 +106,8 @@ EvenMotion<double> rounded(const EvenMotion<Scalar>& motion) {
             motion.size};
 }
 
-EvenWhole::EvenWhole(const MotionEnds& given, const EvenMotion<Scalar>& even)
-    : ends(given), motion(even), in_double(rounded(even)), rates(rates_of(in_double)),
-      count(static_cast<std::size_t>(std::max(1.0, std::ceil(in_double.angle / most_turn_of_part)))) {}
-
-EvenPiece::EvenPiece(std::shared_ptr<const EvenWhole> whole, std::size_t index)
-    : whole_(std::move(whole)), clock_{index, whole_->count}, cubic_(widened(enclosure({0, 1})->cubic)) {}
-
-EnclosureBounds EvenPiece::bounds(const Bracket& part, double rounding) const {
-    constexpr double of_times = 0x1p-51;
-    const double duration = (part.upper - part.lower) / double(clock_.count) + of_times;
-    return enclosure_bounds(whole_->in_double.reference, whole_->rates, duration, rounding, whole_->in_double.size);
-}
-
-std::optional<Enclosure<double>> EvenPiece::enclosure(const Bracket& part) const {
-    const EvenMotion<double>& motion = whole_->in_double;
-    return Enclosure<double>{
-        sweep_between_ends<double>({motion.at(time_at(part.lower)), motion.at(time_at(part.upper))},
-                                   motion.reference),
-        bounds(part, pose_rounding<double>)};
-}
-
-std::optional<Enclosure<Scalar>> EvenPiece::refined_enclosure(const Bracket& part) const {
-    const EvenMotion<Scalar>& motion = whole_->motion;
-    const auto at = [&](double tau) {
-        return motion.at((Scalar(double(clock_.index)) + Scalar(tau)) / Scalar(double(clock_.count)));
-    };
-    return Enclosure<Scalar>{sweep_between_ends<Scalar>({at(part.lower), at(part.upper)}, motion.reference),
-                             bounds(part, pose_rounding<Scalar>)};
-}
-
-double EvenPiece::tau_tolerance(double time_tolerance) const {
-    return std::min(1.0, time_tolerance * double(clock_.count));
-}
-
-Pose EvenPiece::pose_at(double tau) const {
-    const double time = time_at(tau);
-    const MotionEnds& ends = whole_->ends;
-    return time <= 0 || time >= 1 ? ends.pose_at_end(time) : ends.in_world(pose_of(whole_->in_double.at(time)), time);
-}
+EvenFrame::EvenFrame(const EvenMotion<Wide>& motion)
+    : motion_(motion), in_double_(rounded(motion)), rates_(rates_of(in_double_)) {}
 
 EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre)
     : ends_(ends), centre_(centre), kind_(kind) {
@@ -196,7 +154,7 @@ std::optional<CoarseMotion> EvenTrajectory::coarse() const {
 }
 
 Pose EvenTrajectory::pose_at(double time) const {
-    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ends_.in_world(pose_of(rounded(motion()).at(time)), time);
+    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : public_pose(rounded(motion()).at(time));
 }
 
 } // namespace chasles::motion

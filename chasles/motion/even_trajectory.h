@@ -3,12 +3,9 @@
 // Source: docs/derivations/25-even-motions.md.
 #pragma once
 
-#include "chasles/motion/coarse_motion.h"
-#include "chasles/motion/enclosure.h"
 #include "chasles/motion/motion_ends.h"
-#include "chasles/motion/piece_clock.h"
+#include "chasles/motion/smooth_trajectory.h"
 #include "chasles/algebra/sine_cosine.h"
-#include "chasles/motion/any_trajectory.h"
 
 #include <memory>
 #include <optional>
@@ -42,41 +39,22 @@ struct EvenMotion {
 
 EvenMotion<double> rounded(const EvenMotion<algebra::DoubleDouble>& motion);
 
-/// What all pieces of an even motion share.
-struct EvenWhole {
-    MotionEnds ends;
-    EvenMotion<algebra::DoubleDouble> motion;
-    EvenMotion<double> in_double;
-    RateBounds rates; ///< at all times
-    std::size_t count; ///< of pieces
-
-    EvenWhole(const MotionEnds& given, const EvenMotion<algebra::DoubleDouble>& even);
-};
-
-/// A part of an even motion that turns little.
-class EvenPiece {
+/// An even motion as a frame.
+class EvenFrame final : public MovingFrame {
 public:
-    EvenPiece(std::shared_ptr<const EvenWhole> whole, std::size_t index);
+    explicit EvenFrame(const EvenMotion<Wide>& motion);
 
-    [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const { return cubic_; }
-    [[nodiscard]] std::optional<ExactMotion> exact() const { return std::nullopt; }
-    [[nodiscard]] std::optional<Enclosure<double>> enclosure(const Bracket& part) const;
-    [[nodiscard]] std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket& part) const;
-
-    [[nodiscard]] Bracket time_of(const Bracket& tau) const { return clock_.whole(tau); }
-    [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return time_of(tau); }
-    [[nodiscard]] double tau_rate(double) const { return double(clock_.count); }
-    [[nodiscard]] double tau_tolerance(double time_tolerance) const;
-    [[nodiscard]] Pose pose_at(double tau) const;
-    [[nodiscard]] Pose fixed_pose_at(double tau) const { return whole_->ends.fixed_pose_at(time_at(tau)); }
+    [[nodiscard]] GeneralPose<double> at(double time) const override { return in_double_.at(time); }
+    [[nodiscard]] GeneralPose<Wide> refined_at(const Wide& time) const override { return motion_.at(time); }
+    [[nodiscard]] bool is_refined() const override { return true; }
+    [[nodiscard]] Vector3<Wide> reference() const override { return motion_.reference; }
+    [[nodiscard]] RateBounds rates(const Bracket& /*times*/) const override { return rates_; }
+    [[nodiscard]] double size() const override { return motion_.size; }
 
 private:
-    [[nodiscard]] double time_at(double tau) const { return (double(clock_.index) + tau) / double(clock_.count); }
-    [[nodiscard]] EnclosureBounds bounds(const Bracket& part, double rounding) const;
-
-    std::shared_ptr<const EvenWhole> whole_;
-    PieceClock clock_;
-    RationalMotion<algebra::DoubleDouble> cubic_;
+    EvenMotion<Wide> motion_;
+    EvenMotion<double> in_double_;
+    RateBounds rates_; ///< at all times
 };
 
 /// What a ConstantVelocity or a ConstantTwist describes. Small: the numbers of the motion are computed when they are
@@ -89,18 +67,8 @@ public:
     /// InvalidInput if it cannot be used.
     EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre);
 
-    class Pieces {
-    public:
-        explicit Pieces(const EvenTrajectory& trajectory)
-            : whole_(std::make_shared<const EvenWhole>(trajectory.ends_, trajectory.motion())) {}
-        [[nodiscard]] std::size_t size() const { return whole_->count; }
-        [[nodiscard]] EvenPiece operator[](std::size_t index) const { return {whole_, index}; }
-
-    private:
-        std::shared_ptr<const EvenWhole> whole_;
-    };
-
-    [[nodiscard]] Pieces pieces() const { return Pieces(*this); }
+    [[nodiscard]] SharedFrame frame() const { return std::make_shared<const EvenFrame>(motion()); }
+    [[nodiscard]] SmoothPieces pieces() const { return SmoothPieces(SmoothMotion::of_one(frame())); }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
     [[nodiscard]] std::optional<CoarseMotion> coarse() const;
     [[nodiscard]] Pose pose_at(double time) const;

@@ -1,0 +1,49 @@
+// A rigid frame that moves with time: what trajectories are made of that are no rational motions.
+// Source: docs/derivations/24-enclosures.md, "What a trajectory states".
+#pragma once
+
+#include "chasles/algebra/bracket.h"
+#include "chasles/motion/enclosure.h"
+
+#include <memory>
+#include <vector>
+
+namespace chasles::motion {
+
+/// Poses at any time in [0, 1], and bounds of their rates. The only base class of the library: frames are composed at
+/// run time.
+class MovingFrame {
+public:
+    using Wide = algebra::DoubleDouble;
+
+    virtual ~MovingFrame() = default;
+
+    /// The frame at a time, with a quaternion of unit length up to rounding. The error is at most a quarter of
+    /// rounding() * pose_rounding.
+    [[nodiscard]] virtual GeneralPose<double> at(double time) const = 0;
+    /// Likewise in double-double; only if `is_refined()`.
+    [[nodiscard]] virtual GeneralPose<Wide> refined_at(const Wide& time) const = 0;
+    [[nodiscard]] virtual bool is_refined() const = 0;
+    /// The point that the bounds of speed and acceleration are for, in this frame.
+    [[nodiscard]] virtual Vector3<Wide> reference() const = 0;
+    /// Bounds during an interval that has no cut inside.
+    [[nodiscard]] virtual RateBounds rates(const Bracket& times) const = 0;
+    /// The sum of the sizes of all lengths that enter the poses, mesh unit.
+    [[nodiscard]] virtual double size() const = 0;
+    /// The error of poses, in units of `pose_rounding`: the number of elementary motions in the frame.
+    [[nodiscard]] virtual double rounding() const { return 1; }
+    /// Adds the times in (0, 1) at which rates jump.
+    virtual void add_cuts(std::vector<double>& /*cuts*/) const {}
+};
+
+using SharedFrame = std::shared_ptr<const MovingFrame>;
+
+/// The pose in double-double, rounded to double.
+inline GeneralPose<double> rounded_pose(const GeneralPose<algebra::DoubleDouble>& pose) {
+    const auto vector = [](const Vector3<algebra::DoubleDouble>& v) {
+        return Vector3<double>{double(v.x), double(v.y), double(v.z)};
+    };
+    return {vector(pose.translation), {double(pose.rotation.w), vector(pose.rotation.v)}};
+}
+
+} // namespace chasles::motion
