@@ -1,6 +1,7 @@
 // Any trajectory behind one type, so that searches are compiled once. The only virtual functions of the library.
 #pragma once
 
+#include "chasles/motion/moving_frame.h"
 #include "chasles/motion/trajectory.h"
 
 #include <memory>
@@ -41,6 +42,8 @@ public:
     [[nodiscard]] virtual std::optional<CoarseMotion> coarse() const = 0;
     [[nodiscard]] virtual Pose pose_at(double time) const = 0;
     [[nodiscard]] virtual Pose fixed_pose_at(double time) const = 0;
+    /// The moving body in the world as a frame, for products; null if it is none.
+    [[nodiscard]] virtual SharedFrame frame() const = 0;
 };
 
 /// A piece of a known type as AnyPiece.
@@ -91,6 +94,12 @@ public:
     [[nodiscard]] std::optional<CoarseMotion> coarse() const override { return trajectory_.coarse(); }
     [[nodiscard]] Pose pose_at(double time) const override { return trajectory_.pose_at(time); }
     [[nodiscard]] Pose fixed_pose_at(double time) const override { return trajectory_.fixed_pose_at(time); }
+    [[nodiscard]] SharedFrame frame() const override {
+        if constexpr (requires { trajectory_.frame(); })
+            return trajectory_.frame();
+        else
+            return nullptr;
+    }
 
 private:
     using TypedPieces = decltype(std::declval<const T&>().pieces());

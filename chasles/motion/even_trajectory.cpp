@@ -67,7 +67,8 @@ EvenMotion<S> constant_velocity(const GeneralPose<S>& from, const GeneralPose<S>
 
 /// Even turn about, and even slide along, the axis of the screw between both poses: a uniform helix.
 template <class S>
-EvenMotion<S> constant_twist(const GeneralPose<S>& from, const GeneralPose<S>& to) {
+EvenMotion<S> constant_twist(const GeneralPose<S>& from, const GeneralPose<S>& to,
+                             double least_turn = least_turn_for_axis) {
     EvenMotion<S> motion = turn_between_ends(from, to);
     motion.start = from.translation;
     motion.travel = to.translation - from.translation;
@@ -77,7 +78,7 @@ EvenMotion<S> constant_twist(const GeneralPose<S>& from, const GeneralPose<S>& t
         const auto [sine, cosine] = algebra::sine_cosine(S(S(0.5) * motion.angle));
         const Vector3<S> arm = scale(across + scale(cross(motion.direction, across), S(cosine / sine)), S(-0.5));
         motion.travel = along;
-        if (double(motion.angle) < least_turn_for_axis) {
+        if (double(motion.angle) < least_turn) {
             motion.arm = arm;
         } else {
             motion.start = motion.start - arm;
@@ -108,6 +109,19 @@ EvenMotion<double> rounded(const EvenMotion<Scalar>& motion) {
 
 EvenFrame::EvenFrame(const EvenMotion<Wide>& motion)
     : motion_(motion), in_double_(rounded(motion)), rates_(rates_of(in_double_)) {}
+
+EvenMotion<Scalar> EvenFrame::turn_between(const Pose& from, const Pose& to) {
+    return turn_between_ends(exact(from), exact(to));
+}
+
+SharedFrame velocity_frame(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
+    return std::make_shared<const EvenFrame>(constant_velocity(exact(start), exact(goal), vector_in<Scalar>(centre)));
+}
+
+SharedFrame twist_frame(const Pose& start, const Pose& goal) {
+    constexpr double always = 4;
+    return std::make_shared<const EvenFrame>(constant_twist(exact(start), exact(goal), always));
+}
 
 EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre)
     : ends_(ends), centre_(centre), kind_(kind) {

@@ -44,6 +44,9 @@ class EvenFrame final : public MovingFrame {
 public:
     explicit EvenFrame(const EvenMotion<Wide>& motion);
 
+    /// The turn from one orientation to another, the shorter way round; without a path.
+    static EvenMotion<Wide> turn_between(const Pose& from, const Pose& to);
+
     [[nodiscard]] GeneralPose<double> at(double time) const override { return in_double_.at(time); }
     [[nodiscard]] GeneralPose<Wide> refined_at(const Wide& time) const override { return motion_.at(time); }
     [[nodiscard]] bool is_refined() const override { return true; }
@@ -56,6 +59,11 @@ private:
     EvenMotion<double> in_double_;
     RateBounds rates_; ///< at all times
 };
+
+/// Slerp, the shorter way round, while the body point `centre` moves on a straight line.
+SharedFrame velocity_frame(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre);
+/// A uniform helix, with the body's origin as its reference.
+SharedFrame twist_frame(const Pose& start, const Pose& goal);
 
 /// What a ConstantVelocity or a ConstantTwist describes. Small: the numbers of the motion are computed when they are
 /// requested, as most motions of a plan are proven clear without them.

@@ -11,6 +11,8 @@
 
 namespace chasles {
 
+struct OwnTrajectory;
+
 namespace motion {
 class AnyTrajectory;
 class EvenTrajectory;
@@ -30,6 +32,39 @@ public:
     static Motion screw(const Pose& start, const Pose& goal, double max_turn = default_max_turn);
     static Motion sweep(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
+    /// ConstantVelocity::between and ConstantTwist::between as plain motions.
+    static Motion velocity(const Pose& start, const Pose& goal,
+                           const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
+    static Motion twist(const Pose& start, const Pose& goal);
+
+    /// No motion.
+    static Motion at_rest(const Pose& pose);
+    /// The turn about the line through `point` along `direction` (of any non-zero length) by the angle
+    /// sum of angle[k] time^k, in radians, and at most 1000. At the angle 0 the body is where its coordinates are.
+    /// Throws InvalidInput for numbers that cannot be used.
+    static Motion hinge(const Eigen::Vector3d& point, const Eigen::Vector3d& direction,
+                        const std::vector<double>& angle);
+    /// The translation by (sum of way[k] time^k) along the unit vector of `direction`, mesh unit. Throws InvalidInput for
+    /// numbers that cannot be used.
+    static Motion slider(const Eigen::Vector3d& direction, const std::vector<double>& way);
+    /// The translation by the sum of places[k] time^k, mesh unit. Throws InvalidInput for numbers that cannot be used.
+    static Motion polynomial(const std::vector<Eigen::Vector3d>& places);
+    /// Through poses at ascending times from 0 to 1: the body's origin on the natural cubic spline, slerp from each
+    /// orientation to the next, the shorter way round. Throws InvalidInput for fewer than two poses, and for times that
+    /// do not ascend from 0 to 1.
+    static Motion spline(const std::vector<double>& times, const std::vector<Pose>& poses);
+    /// The uniform cumulative cubic B-spline of positions and of orientations: smooth in velocity and acceleration, near
+    /// its control poses but not through them. The first and the last pose count three times, so that the motion starts
+    /// and ends there. Consecutive orientations must differ by less than a half turn. Throws InvalidInput for fewer than
+    /// two poses. Source: Kim, Kim, Shin, "A general construction scheme for unit quaternion curves", 1995.
+    static Motion b_spline(const std::vector<Pose>& poses);
+    /// A trajectory of the user's own (chasles/motion/own_trajectory.h).
+    static Motion along(const OwnTrajectory& trajectory);
+
+    /// `inner`, carried by `outer`: pose_at(t) is outer.pose_at(t) * inner.pose_at(t). Throws InvalidInput if one of
+    /// them is the paper's screw or a sweep, or has a fixed body that moves.
+    friend CHASLES_EXPORT Motion operator*(const Motion& outer, const Motion& inner);
+
     /// The pose of the moving body in the world, and that of the fixed body, at a time in [0, 1]. A screw is followed
     /// piece by piece, as a query does.
     [[nodiscard]] Pose pose_at(double time) const;
@@ -42,6 +77,11 @@ public:
 private:
     std::shared_ptr<const motion::AnyTrajectory> trajectory_;
 };
+
+/// The motion of one body as seen from another one; both move in the world. A query with it has the body of `moving` as
+/// its moving body and that of `fixed` as its fixed body. Throws InvalidInput if one of them is the paper's screw or a
+/// sweep, or has a fixed body that moves.
+CHASLES_EXPORT Motion relative(const Motion& moving, const Motion& fixed);
 
 /// The paper's motion between two poses: rotation by angle() * time about a fixed axis while sliding along it by
 /// slide() * tau(time), where tau(time) = tan(angle * time / 2) / tan(angle / 2), and tau = time for a translation.

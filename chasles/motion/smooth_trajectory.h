@@ -70,7 +70,7 @@ public:
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
-    [[nodiscard]] const SmoothMotion& motion() const { return motion_; }
+    [[nodiscard]] SharedFrame frame() const { return motion_.moving; }
 
 private:
     SmoothMotion motion_;

@@ -1,0 +1,122 @@
+// Motions that are made of frames: joints, polynomials, splines, the user's own, and products.
+// Source: docs/derivations/26-frames.md.
+#include "chasles/base/invalid_input.h"
+#include "chasles/motion/even_trajectory.h"
+#include "chasles/motion/frames.h"
+#include "chasles/motion/motion.h"
+#include "chasles/motion/own_frame.h"
+#include "chasles/motion/splines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+namespace chasles {
+
+namespace {
+
+using motion::SharedFrame;
+using motion::SmoothMotion;
+using motion::SmoothPolynomial;
+
+Motion motion_of(SmoothMotion motion) {
+    return Motion(std::make_shared<const motion::ErasedTrajectory<motion::SmoothTrajectory>>(
+        motion::SmoothTrajectory(std::move(motion))));
+}
+
+void require(bool holds, const std::string& what) {
+    if (!holds)
+        throw InvalidInput("motion: " + what);
+}
+
+/// Numbers that are finite and sum up to at most `most`.
+void require_usable(std::span<const double> numbers, const char* name, double most) {
+    double sum = 0;
+    for (const double number : numbers)
+        sum += std::abs(number);
+    require(std::isfinite(sum), std::string(name) + ": a number is NaN or infinite");
+    require(sum <= most, std::string(name) + ": the numbers are too large");
+}
+
+void require_usable(const Eigen::Vector3d& vector, const char* name) {
+    require_usable(std::span(vector.data(), 3), name, 3 * Pose::largest_length);
+}
+
+/// The frame of a factor, in the world.
+SharedFrame frame_of(const Motion& motion, const char* what) {
+    SharedFrame frame = motion.trajectory().frame();
+    require(frame != nullptr, std::string(what) +
+                                  ": takes no screw and no sweep (constant twist and constant velocity are the even "
+                                  "ones), and no motion whose fixed body moves");
+    return frame;
+}
+
+} // namespace
+
+Motion Motion::velocity(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
+    return ConstantVelocity::between(start, goal, centre);
+}
+
+Motion Motion::twist(const Pose& start, const Pose& goal) {
+    return ConstantTwist::between(start, goal);
+}
+
+Motion Motion::at_rest(const Pose& pose) {
+    return motion_of(SmoothMotion::of_one(motion::frame_at_rest(motion::MotionEnds::between(pose, pose).start)));
+}
+
+Motion Motion::hinge(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, const std::vector<double>& angle) {
+    constexpr double largest_angle = 1000;
+    require_usable(point, "point");
+    require_usable(direction, "direction");
+    require(direction.cwiseAbs().maxCoeff() > 0, "direction: is zero");
+    require_usable(angle, "angle", largest_angle);
+    return motion_of(SmoothMotion::of_one(motion::hinge_frame(point, direction, SmoothPolynomial(angle))));
+}
+
+Motion Motion::slider(const Eigen::Vector3d& direction, const std::vector<double>& way) {
+    require_usable(direction, "direction");
+    require(direction.cwiseAbs().maxCoeff() > 0, "direction: is zero");
+    const Eigen::Vector3d unit = direction.stableNormalized();
+    std::vector<Eigen::Vector3d> places;
+    for (const double part : way)
+        places.emplace_back(part * unit);
+    return polynomial(places);
+}
+
+Motion Motion::polynomial(const std::vector<Eigen::Vector3d>& places) {
+    std::array<std::vector<double>, 3> coefficients;
+    for (const Eigen::Vector3d& place : places)
+        for (Eigen::Index i = 0; i < 3; ++i)
+            coefficients[std::size_t(i)].push_back(place[i]);
+    for (const std::vector<double>& part : coefficients)
+        require_usable(part, "coefficients", Pose::largest_length);
+    return motion_of(SmoothMotion::of_one(motion::path_frame({SmoothPolynomial(coefficients[0]),
+                                                              SmoothPolynomial(coefficients[1]),
+                                                              SmoothPolynomial(coefficients[2])})));
+}
+
+Motion Motion::spline(const std::vector<double>& times, const std::vector<Pose>& poses) {
+    return motion_of(SmoothMotion::of_one(motion::natural_spline(times, poses)));
+}
+
+Motion Motion::b_spline(const std::vector<Pose>& poses) {
+    return motion_of(SmoothMotion::of_one(motion::cumulative_b_spline(poses)));
+}
+
+Motion Motion::along(const OwnTrajectory& trajectory) {
+    return motion_of(SmoothMotion::of_one(motion::own_frame(trajectory)));
+}
+
+Motion operator*(const Motion& outer, const Motion& inner) {
+    return motion_of(
+        SmoothMotion::of_one(motion::product_frame(frame_of(outer, "product"), frame_of(inner, "product"))));
+}
+
+Motion relative(const Motion& moving, const Motion& fixed) {
+    const SharedFrame of_moving = frame_of(moving, "relative");
+    const SharedFrame of_fixed = frame_of(fixed, "relative");
+    return motion_of({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed});
+}
+
+} // namespace chasles
