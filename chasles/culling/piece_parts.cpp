@@ -9,18 +9,18 @@ namespace chasles::culling {
 
 PieceParts::PieceParts(const motion::ControlMaps<double>& whole, const elementary::ErrorScale& scale,
                        const motion::AnyPiece& piece, const BodySizes& sizes)
-    : whole_(&whole), scale_(scale), piece_(&piece), sizes_(sizes),
-      twice_{sizes.moving.centre, 2 * sizes.moving.radius} {}
+    : whole_(&whole), scale_(scale),
+      enclosed_{{&piece, sizes, {sizes.moving.centre, 2 * sizes.moving.radius}}} {}
 
 motion::Enclosure<double> PieceParts::enclosure(const TimeRange& range) const {
-    return *piece_->enclosure({range.lower, range.upper});
+    return *enclosed_->piece->enclosure({range.lower, range.upper});
 }
 
 elementary::ErrorScale PieceParts::scale_of(const motion::Enclosure<double>& part,
                                             const motion::ControlMaps<double>& maps) const {
     const double size = norm1(part.cubic.moment) + norm1(part.cubic.displacement);
-    const double moving_extent = std::max(sizes_.moving_extent, part.cubic.reference_extent) + size;
-    elementary::ErrorScale scale = elementary::error_scale(maps, moving_extent, sizes_.fixed_extent);
+    const double moving_extent = std::max(enclosed_->sizes.moving_extent, part.cubic.reference_extent) + size;
+    elementary::ErrorScale scale = elementary::error_scale(maps, moving_extent, enclosed_->sizes.fixed_extent);
     scale.deviation = deviation_of(part.bounds);
     scale.turn_deviation = part.bounds.turn_deviation;
     return scale;
@@ -42,7 +42,7 @@ bool PartMaps::set(const TimeRange& part) {
     part_ = part;
     if (parts_.are_enclosed()) {
         const motion::Enclosure<double> enclosure = parts_.enclosure(part);
-        maps_ = motion::control_maps(enclosure.cubic);
+        maps_ = motion::double_maps(enclosure.cubic);
         scale_ = parts_.scale_of(enclosure, maps_);
         is_worth_shortening_ = parts_.is_worth_shortening(enclosure.bounds);
         is_short_ = parts_.is_short(enclosure.bounds);

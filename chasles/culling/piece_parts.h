@@ -7,6 +7,8 @@
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/motion/control_maps.h"
 
+#include <optional>
+
 namespace chasles::culling {
 
 /// The sizes of two bodies, each with the margin of a search.
@@ -27,7 +29,7 @@ public:
     PieceParts(const motion::ControlMaps<double>& whole, const elementary::ErrorScale& scale,
                const motion::AnyPiece& piece, const BodySizes& sizes);
 
-    [[nodiscard]] bool are_enclosed() const { return piece_ != nullptr; }
+    [[nodiscard]] bool are_enclosed() const { return enclosed_.has_value(); }
     /// The whole piece. Where parts are enclosed, the scale does not count how far the true motion is from the maps.
     [[nodiscard]] const motion::ControlMaps<double>& whole() const { return *whole_; }
     [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
@@ -36,16 +38,16 @@ public:
     [[nodiscard]] motion::Enclosure<double> enclosure(const TimeRange& range) const;
     /// How far any point of the moving body may be from its true place. It is counted for a ball of twice the body's
     /// radius, so that the bounds of elementary tests hold (note 24, "Features").
-    [[nodiscard]] double deviation_of(const motion::EnclosureBounds& part) const { return part.deviation_of(twice_); }
+    [[nodiscard]] double deviation_of(const motion::EnclosureBounds& part) const { return part.deviation_of(enclosed_->twice); }
     /// Whether a shorter part would deviate much less.
     [[nodiscard]] bool is_worth_shortening(const motion::EnclosureBounds& part) const {
         return deviation_of(part) > 1.5 * rounding_of(part);
     }
     /// The share of the deviation that shorter parts do not reduce.
-    [[nodiscard]] double rounding_of(const motion::EnclosureBounds& part) const { return part.rounding_of(twice_); }
+    [[nodiscard]] double rounding_of(const motion::EnclosureBounds& part) const { return part.rounding_of(enclosed_->twice); }
     /// Whether no point of the moving body moves by more than the body's radius.
     [[nodiscard]] bool is_short(const motion::EnclosureBounds& part) const {
-        return part.travel_of(twice_) <= 0.5 * twice_.radius;
+        return part.travel_of(enclosed_->twice) <= 0.5 * enclosed_->twice.radius;
     }
     /// The bound of errors for the maps of an enclosed part.
     [[nodiscard]] elementary::ErrorScale scale_of(const motion::Enclosure<double>& part,
@@ -54,11 +56,15 @@ public:
     [[nodiscard]] elementary::ErrorScale refined_scale_of(const motion::EnclosureBounds& part) const;
 
 private:
+    struct Enclosed {
+        const motion::AnyPiece* piece;
+        BodySizes sizes;
+        motion::Ball twice; ///< a ball of twice the radius around the moving body
+    };
+
     const motion::ControlMaps<double>* whole_;
     elementary::ErrorScale scale_;
-    const motion::AnyPiece* piece_ = nullptr;
-    BodySizes sizes_;
-    motion::Ball twice_; ///< a ball of twice the radius around the moving body
+    std::optional<Enclosed> enclosed_;
 };
 
 /// The control maps over the current part.

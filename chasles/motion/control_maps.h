@@ -220,7 +220,8 @@ ControlMaps<double> rounded(const ControlMaps<S>& maps) {
 }
 
 /// Whether |a| <= 1/8: a screw then rotates by at most 14 degrees.
-inline bool is_small_rotation(const RationalMotion<algebra::DoubleDouble>& motion) {
+template <class S>
+bool is_small_rotation(const RationalMotion<S>& motion) {
     return double(dot(motion.axis, motion.axis)) <= 0x1p-6;
 }
 
@@ -234,6 +235,9 @@ inline double rounding_extent(const RationalMotion<algebra::DoubleDouble>& motio
 /// Otherwise the maps are rounded last (docs/derivations/10-error-bounds.md, "Maps in double precision").
 inline ControlMaps<double> double_maps(const RationalMotion<algebra::DoubleDouble>& motion) {
     return is_small_rotation(motion) ? control_maps(rounded(motion)) : rounded(control_maps(motion));
+}
+inline ControlMaps<double> double_maps(const RationalMotion<double>& motion) {
+    return is_small_rotation(motion) ? control_maps(motion) : rounded(control_maps(widened(motion)));
 }
 
 } // namespace chasles::motion

@@ -12,12 +12,13 @@ static_assert(LaterStages<EnclosedStages<true>>);
 
 namespace {
 
-/// Parts of the piece are not divided below this width in tau.
-constexpr double shortest_part = 0x1p-50;
+/// Parts of the piece are not divided below this width in tau, nor below half of the tolerance.
+constexpr double shortest_part = 0x1p-44;
 /// A part in which features may touch for long is refined by its first eighth.
 constexpr double first_share = 0.125;
-/// Ordinary refinements take six steps, grazing ones some sixty.
-constexpr int most_steps = 400;
+/// Ordinary refinements take six steps, grazing ones some sixty, and those of motions with a bound of speed only some
+/// hundreds.
+constexpr int most_steps = 4000;
 
 /// The first time in [0, 1] of the maps.
 template <bool within_margin, class S>
@@ -148,6 +149,7 @@ std::optional<FeasibleInterval>
 EnclosedStages<within_margin>::follow(Tests& tests, const FeaturePair& features, const FeasibleInterval& where,
                                       const SearchState& state) {
     constexpr double never = 2;
+    const double shortest = std::min(shortest_part, 0.5 * options_.tolerance);
     double proven_upper = where.certain ? where.upper : never;
     later_.clear();
     culling::TimeRange part{where.lower, where.upper};
@@ -167,7 +169,7 @@ EnclosedStages<within_margin>::follow(Tests& tests, const FeaturePair& features,
         }
         const bool is_proven = proven_upper < never;
         const bool is_narrow = is_proven && proven_upper - found->lower <= options_.tolerance;
-        if (is_narrow || !tests.is_worth_shortening() || part.width() <= shortest_part || step > most_steps)
+        if (is_narrow || !tests.is_worth_shortening() || part.width() <= shortest || step > most_steps)
             return FeasibleInterval{found->lower, is_proven ? proven_upper : found->upper, is_proven};
         const double upper = found->certain ? found->upper : part.upper;
         const double share = found->certain ? 0.5 : first_share;
@@ -178,16 +180,19 @@ EnclosedStages<within_margin>::follow(Tests& tests, const FeaturePair& features,
     return std::nullopt;
 }
 
-/// In double-double, within what double leaves in doubt; the same bracket if the trajectory is known in double only.
+/// Whether the trajectory is known in double-double.
+template <bool within_margin>
+bool EnclosedStages<within_margin>::can_refine() {
+    if (!refinement_ && context_.piece().refined_enclosure({0, 0}))
+        refinement_ = std::make_unique<RefinedPartTests>(context_, options_, parts_);
+    return refinement_ != nullptr;
+}
+
+/// In double-double, within what double leaves in doubt.
 template <bool within_margin>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::refine(const FeaturePair& features,
                                                                       const FeasibleInterval& where,
                                                                       const SearchState& state) {
-    if (!refinement_) {
-        if (!context_.piece().refined_enclosure({0, 0}))
-            return where;
-        refinement_ = std::make_unique<RefinedPartTests>(context_, options_, parts_);
-    }
     ++work_.refined;
     return follow(*refinement_, features, where, state);
 }
@@ -196,7 +201,7 @@ template <bool within_margin>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::decide(const Candidate& candidate,
                                                                       const SearchState& state) {
     const auto found = follow(shorter_, candidate, candidate.tau, state);
-    if (!found || found->certain)
+    if (!found || found->certain || !can_refine())
         return found;
     return refine(candidate, {found->lower, std::max(found->upper, candidate.tau.upper), false}, state);
 }
@@ -205,7 +210,7 @@ template <bool within_margin>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::narrow(const Candidate& candidate,
                                                                       const SearchState& state) {
     auto narrow = follow(shorter_, candidate, candidate.tau, state);
-    if (narrow && narrow->certain && !state.is_final(*narrow))
+    if (narrow && narrow->certain && !state.is_final(*narrow) && can_refine())
         narrow = refine(candidate, *narrow, state);
     return narrow && !narrow->certain ? candidate.tau : narrow;
 }

@@ -91,6 +91,7 @@ private:
     template <class Tests>
     std::optional<FeasibleInterval> follow(Tests& tests, const FeaturePair& features, const FeasibleInterval& where,
                                            const SearchState& state);
+    bool can_refine();
     std::optional<FeasibleInterval> refine(const FeaturePair& features, const FeasibleInterval& where,
                                            const SearchState& state);
     void test_at_start(const FeaturePair& features);

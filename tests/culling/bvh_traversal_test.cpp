@@ -62,8 +62,8 @@ struct Scene {
         mover.radius += margin;
         target.radius += margin;
         const double extent = 10;
-        const TimeTree times(maps, piece->chord_deviation(mover, target), mover, target,
-                             elementary::error_scale(maps, extent, extent), margin);
+        const TimeTree times({maps, elementary::error_scale(maps, extent, extent)},
+                             motion::ChordDeviation(piece->cubic(), mover, target), mover, target, margin);
         BvhTraversal traversal(a, b, times, margin, by_time, recorder);
         traversal.run();
     }

@@ -3,7 +3,7 @@
 
 #include "chasles/culling/near_nodes.h"
 #include "tests/query/bodies.h"
-#include "tests/support/constant_velocity.h"
+#include "tests/support/even_turn_motion.h"
 #include "tests/support/posed_motions.h"
 #include "tests/support/random_poses.h"
 
@@ -172,7 +172,7 @@ TEST(ClearlyApart, SeparatesBodiesWhoseBallsMeet) {
 TEST(ClearlyApart, ProvesNothingWithoutACoarseMotion) {
     const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();
     const Pose start = shifted(2, 0, 0);
-    const Motion motion = motion_of(ConstantVelocity({start, shifted(2, 0.1, 0)}, {1}, 1));
+    const Motion motion = motion_of(EvenTurnMotion({start, shifted(2, 0.1, 0)}, {1}));
     EXPECT_FALSE(are_clearly_apart(body.body(), body.body(), motion.trajectory()));
     EXPECT_EQ(first_contact({.moving = body, .fixed = body, .motion = motion}).verdict, Verdict::clear);
 }

@@ -36,7 +36,7 @@ struct Scene {
 
     /// The answer of a new culler.
     [[nodiscard]] std::optional<TimeRange> part_of(const FacePair& pair, double best, double margin) const {
-        FaceCuller culler(moving_body.body(), fixed_body.body(), maps, elementary::error_scale(maps, 10, 10), margin);
+        FaceCuller culler(moving_body.body(), fixed_body.body(), {maps, elementary::error_scale(maps, 10, 10)}, margin);
         const auto faces = culler.cull(pair, best);
         return faces ? std::optional(faces->part) : std::nullopt;
     }
@@ -148,8 +148,8 @@ TEST(FaceCuller, SaysWhichCornersMayReachTheOtherPlane) {
     const Corners small{Eigen::Vector3d(0, 0, 0), Eigen::Vector3d(1, 0, 5), Eigen::Vector3d(0, 1, 5)};
     const Corners large{Eigen::Vector3d(-5, -5, 0), Eigen::Vector3d(5, -5, 0), Eigen::Vector3d(0, 5, 0)};
     const Scene scene(small, large, Motion::sweep(shifted(0, 0, 1), shifted(0, 0, -1)));
-    FaceCuller culler(scene.moving_body.body(), scene.fixed_body.body(), scene.maps,
-                      elementary::error_scale(scene.maps, 10, 10), 0);
+    FaceCuller culler(scene.moving_body.body(), scene.fixed_body.body(),
+                      {scene.maps, elementary::error_scale(scene.maps, 10, 10)}, 0);
     const auto faces = culler.cull({0, 0, {}, {}, 0, never_used}, 1);
     ASSERT_TRUE(faces);
     EXPECT_TRUE(faces->moving.may_meet(0U));
@@ -165,8 +165,8 @@ TEST(FaceCuller, OneCullerAnswersLikeANewOne) {
     int culled = 0, open = 0;
     for (int trial = 0; trial < 100; ++trial) {
         const Scene scene = random_scene(random, 2);
-        FaceCuller culler(scene.moving_body.body(), scene.fixed_body.body(), scene.maps,
-                          elementary::error_scale(scene.maps, 10, 10), 0);
+        FaceCuller culler(scene.moving_body.body(), scene.fixed_body.body(),
+                      {scene.maps, elementary::error_scale(scene.maps, 10, 10)}, 0);
         for (int i = 0; i < 10; ++i) {
             const FacePair pair = random_pair(random);
             const auto faces = culler.cull(pair, 1);

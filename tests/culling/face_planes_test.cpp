@@ -50,8 +50,8 @@ TEST(FacePlanes, TheWayTellsFacesApartThatStayFartherThanTheMargin) {
         const elementary::ErrorScale scale = elementary::error_scale(
             maps, reach + posed.made.reference_extent + motion::rounding_extent(posed.made), reach);
         const auto are_separated = [&](double margin) {
-            FacePlanes planes(moving_body.body(), fixed_body.body(), scale, margin);
-            planes.use(maps);
+            FacePlanes planes(moving_body.body(), fixed_body.body(), margin);
+            planes.use(maps, scale);
             return planes.are_separated(0, 0, FacePlanes::Restriction(from, from + width), from + 0.5 * width);
         };
         const double rounding = 4 * elementary::error_unit<double> * scale.length;
@@ -76,7 +76,7 @@ struct ChordScene {
 
     [[nodiscard]] double deviation() const {
         const motion::Ball ball{Eigen::Vector3d::Zero(), 3};
-        const motion::ChordDeviation deviation = piece->chord_deviation(ball, ball);
+        const motion::ChordDeviation deviation(piece->cubic(), ball, ball);
         return std::max(deviation.of_moving(interval.lower, interval.upper),
                         deviation.of_fixed(interval.lower, interval.upper));
     }
@@ -85,8 +85,8 @@ struct ChordScene {
         const Polyhedron target = body_of(fixed);
         const auto whole = motion::double_maps(piece->cubic());
         const auto maps = motion::restricted(whole, interval.lower, interval.upper);
-        FacePlanes planes(mover.body(), target.body(), elementary::error_scale(whole, 3, 3), 0);
-        planes.use(maps);
+        FacePlanes planes(mover.body(), target.body(), 0);
+        planes.use(maps, elementary::error_scale(whole, 3, 3));
         return planes.are_apart_on_chords(0, 0, when, deviation);
     }
     /// The least distance in the window, sampled.

@@ -80,7 +80,7 @@ struct Scene {
         const motion::Ball b = culling::ball_around(fixed.body().bvh());
         const auto scale = elementary::error_scale(
             maps, std::max(reach(moving), motion.reference_extent) + motion::rounding_extent(motion), reach(fixed));
-        return culling::TimeTree(maps, motion::ChordDeviation(motion, a, b), a, b, scale).interval(range);
+        return culling::TimeTree({maps, scale}, motion::ChordDeviation(motion, a, b), a, b).interval(range);
     }
 
     /// Two nodes of a hierarchy and their indices.

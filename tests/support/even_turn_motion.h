@@ -30,28 +30,37 @@ struct EvenTurn {
 /// The part [from, to] of the time of an even turn: the sweep between the true poses at both ends.
 class EvenTurnPiece {
 public:
-    /// `radius`: of a ball around the body's origin that holds the body.
-    EvenTurnPiece(const EvenTurn& whole, double from, double to, double radius)
-        : whole_(whole), from_(from), to_(to), radius_(radius),
+    EvenTurnPiece(const EvenTurn& whole, double from, double to)
+        : whole_(whole), from_(from), to_(to),
           sweep_(motion::MotionEnds::between(whole.at(from), whole.at(to)), Eigen::Vector3d::Zero()) {}
 
     [[nodiscard]] const motion::RationalMotion<algebra::DoubleDouble>& cubic() const { return sweep_.cubic(); }
     [[nodiscard]] std::optional<motion::ExactMotion> exact() const { return std::nullopt; }
 
     /// Two paths with the same ends over a duration h, with accelerations of at most A and B, are h^2 / 8 (A + B) apart
-    /// at most: so far each may leave the common chord. Let the piece turn by phi. The truth turns evenly about an
-    /// origin that runs evenly: h^2 A = phi^2 r. The origin of the sweep runs just so; its angle is 2 atan(s k) and a
-    /// constant, with k = tan(phi / 4) and s = 2 tau - 1. The rate of the angle is at most 4 k and that rate's at most
-    /// 16 k^3, so h^2 B <= (16 k^2 + 16 k^3) r. A point of the fixed body that meets the moving body is within r of its
-    /// origin, too. The last term covers the rounding of poses.
-    [[nodiscard]] double deviation() const {
-        const double phi = whole_.angle() * (to_ - from_);
+    /// at most: so far each may leave the common chord. Let the part turn by phi. The truth turns evenly about an origin
+    /// that runs evenly: at a distance of 1, h^2 A = phi^2. The origin of the sweep runs just so; its angle is
+    /// 2 atan(s k) and a constant, with k = tan(phi / 4) and s = 2 tau - 1. The rate of the angle is at most 4 k and
+    /// that rate's at most 16 k^3, so h^2 B <= 16 k^2 + 16 k^3. The other terms cover the rounding of poses.
+    [[nodiscard]] std::optional<motion::Enclosure<double>> enclosure(const Bracket& part) const {
+        const Pose start = whole_.at(time_at(part.lower));
+        const Pose goal = whole_.at(time_at(part.upper));
+        const double share = (time_at(part.upper) - time_at(part.lower)) + 1e-15;
+        const double phi = whole_.angle() * share;
         const double k = std::tan(phi / 4);
-        const double size = radius_ + whole_.start.translation.norm() + whole_.goal.translation.norm();
-        return (phi * phi + 16 * k * k + 16 * k * k * k) * radius_ / 8 + 1e-14 * size;
+        const double size = whole_.start.translation.norm() + whole_.goal.translation.norm();
+        motion::EnclosureBounds bounds;
+        bounds.turn = phi;
+        bounds.travel = (whole_.goal.translation - whole_.start.translation).norm() * share;
+        bounds.rounding = 1e-14 * size;
+        bounds.turn_rounding = 1e-14;
+        bounds.deviation = bounds.rounding;
+        bounds.turn_deviation = (phi * phi + 16 * k * k + 16 * k * k * k) / 8 + bounds.turn_rounding;
+        const motion::SweepPiece sweep(motion::MotionEnds::between(start, goal), Eigen::Vector3d::Zero());
+        return motion::Enclosure<double>{rounded(sweep.cubic()), bounds};
     }
-    [[nodiscard]] motion::ChordDeviation chord_deviation(const motion::Ball& moving, const motion::Ball& fixed) const {
-        return sweep_.chord_deviation(moving, fixed);
+    [[nodiscard]] static std::optional<motion::Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
+        return std::nullopt;
     }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const {
@@ -72,25 +81,23 @@ private:
     EvenTurn whole_;
     double from_;
     double to_;
-    double radius_;
     motion::SweepPiece sweep_;
 };
 
 /// An even turn in pieces that end at given times.
-class ConstantVelocity {
+class EvenTurnMotion {
 public:
-    /// `ends`: the ends of the pieces in ascending order, the last one 1. `radius`: of the body, around its origin.
-    ConstantVelocity(const EvenTurn& whole, std::vector<double> ends, double radius)
-        : whole_(whole), ends_(std::move(ends)), radius_(radius) {}
+    /// `ends`: the ends of the pieces in ascending order, the last one 1.
+    EvenTurnMotion(const EvenTurn& whole, std::vector<double> ends) : whole_(whole), ends_(std::move(ends)) {}
 
     class Pieces {
     public:
-        explicit Pieces(const ConstantVelocity& motion) : motion_(motion) {}
+        explicit Pieces(const EvenTurnMotion& motion) : motion_(motion) {}
         [[nodiscard]] std::size_t size() const { return motion_.ends_.size(); }
         [[nodiscard]] EvenTurnPiece operator[](std::size_t index) const { return motion_.piece(index); }
 
     private:
-        const ConstantVelocity& motion_;
+        const EvenTurnMotion& motion_;
     };
 
     [[nodiscard]] Pieces pieces() const { return Pieces(*this); }
@@ -105,7 +112,7 @@ public:
     [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
 
     [[nodiscard]] EvenTurnPiece piece(std::size_t index) const {
-        return {whole_, index == 0 ? 0 : ends_[index - 1], ends_[index], radius_};
+        return {whole_, index == 0 ? 0 : ends_[index - 1], ends_[index]};
     }
     /// The piece that holds a time.
     [[nodiscard]] EvenTurnPiece piece_of(double time) const {
@@ -119,11 +126,10 @@ public:
 private:
     EvenTurn whole_;
     std::vector<double> ends_;
-    double radius_;
 };
 
-inline Motion motion_of(const ConstantVelocity& trajectory) {
-    return Motion(std::make_shared<const motion::ErasedTrajectory<ConstantVelocity>>(trajectory));
+inline Motion motion_of(const EvenTurnMotion& trajectory) {
+    return Motion(std::make_shared<const motion::ErasedTrajectory<EvenTurnMotion>>(trajectory));
 }
 
 } // namespace chasles::test

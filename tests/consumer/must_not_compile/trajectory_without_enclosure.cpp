@@ -1,4 +1,4 @@
-// A motion without a stated deviation must not count as a motion that follows its pieces exactly.
+// A motion that does not say how its pieces enclose it must not count as a motion that follows them exactly.
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/motion/motion.h"
 
@@ -10,10 +10,10 @@ struct Piece {
     [[nodiscard]] const motion::RationalMotion<algebra::DoubleDouble>& cubic() const { return path; }
     [[nodiscard]] static std::optional<motion::ExactMotion> exact() { return std::nullopt; }
 #ifndef MISUSE
-    [[nodiscard]] static double deviation() { return 0.001; }
+    [[nodiscard]] static std::optional<motion::Enclosure<double>> enclosure(const Bracket&) { return std::nullopt; }
 #endif
-    [[nodiscard]] motion::ChordDeviation chord_deviation(const motion::Ball& moving, const motion::Ball& fixed) const {
-        return {path, moving, fixed};
+    [[nodiscard]] static std::optional<motion::Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
+        return std::nullopt;
     }
     [[nodiscard]] static Bracket time_of(const Bracket& tau) { return tau; }
     [[nodiscard]] static Bracket tau_of(const Bracket& tau) { return tau; }
