@@ -21,7 +21,7 @@ inline double angle_of(const SineCosine<double>& direction) {
     return std::atan2(direction.sine, direction.cosine);
 }
 
-/// With an error of at most 2^-96, for angles up to 1000 radians.
+/// With an error of at most 2^-96 for angles up to 200 radians, and 2^-94 up to 1000.
 SineCosine<DoubleDouble> sine_cosine(const DoubleDouble& angle);
 
 /// The angle in (-pi, pi] of a direction, for a sine and a cosine whose squares sum up to one, with an error of at most

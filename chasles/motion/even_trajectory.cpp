@@ -19,10 +19,6 @@ using Scalar = algebra::DoubleDouble;
 /// A twist that turns by less has its axis so far away that a point on it is no good reference. In radians.
 constexpr double least_turn_for_axis = 0.1;
 
-Vector3<double> in_double(const Vector3<Scalar>& v) {
-    return {double(v.x), double(v.y), double(v.z)};
-}
-
 template <class S>
 Quaternion<S> unit(const Quaternion<S>& q) {
     using std::sqrt;

@@ -15,10 +15,6 @@ namespace {
 
 using Wide = algebra::DoubleDouble;
 
-Vector3<double> in_double(const Vector3<Wide>& v) {
-    return {double(v.x), double(v.y), double(v.z)};
-}
-
 Vector3<Wide> origin() {
     return {Wide(0.0), Wide(0.0), Wide(0.0)};
 }

@@ -40,10 +40,7 @@ using SharedFrame = std::shared_ptr<const MovingFrame>;
 
 /// The pose in double-double, rounded to double.
 inline GeneralPose<double> rounded_pose(const GeneralPose<algebra::DoubleDouble>& pose) {
-    const auto vector = [](const Vector3<algebra::DoubleDouble>& v) {
-        return Vector3<double>{double(v.x), double(v.y), double(v.z)};
-    };
-    return {vector(pose.translation), {double(pose.rotation.w), vector(pose.rotation.v)}};
+    return {in_double(pose.translation), {double(pose.rotation.w), in_double(pose.rotation.v)}};
 }
 
 } // namespace chasles::motion

@@ -134,15 +134,17 @@ inline RationalMotion<algebra::DoubleDouble> widened(const RationalMotion<double
             motion.reference_extent};
 }
 
+/// The vector rounded to double.
+inline Vector3<double> in_double(const Vector3<algebra::DoubleDouble>& v) {
+    return {double(v.x), double(v.y), double(v.z)};
+}
+
 /// The motion with every number rounded to double.
 inline RationalMotion<double> rounded(const RationalMotion<algebra::DoubleDouble>& motion) {
-    const auto vector = [](const Vector3<algebra::DoubleDouble>& v) {
-        return Vector3<double>{double(v.x), double(v.y), double(v.z)};
-    };
     const Matrix3<algebra::DoubleDouble>& turn = motion.orientation;
-    return {double(motion.end_cosine), vector(motion.axis),
-            vector(motion.moment),     vector(motion.displacement),
-            vector(motion.origin),     {vector(turn.row[0]), vector(turn.row[1]), vector(turn.row[2])},
+    return {double(motion.end_cosine), in_double(motion.axis),
+            in_double(motion.moment),     in_double(motion.displacement),
+            in_double(motion.origin),     {in_double(turn.row[0]), in_double(turn.row[1]), in_double(turn.row[2])},
             motion.reference_extent};
 }
 

@@ -22,10 +22,6 @@ constexpr double rounding_of_times = 0x1p-51;
 /// Pieces are not cut below this duration.
 constexpr double shortest_piece = 0x1p-20;
 
-Vector3<double> in_double(const Vector3<Wide>& v) {
-    return {double(v.x), double(v.y), double(v.z)};
-}
-
 RateBounds largest(const RateBounds& a, const RateBounds& b) {
     return {std::max(a.turn_rate, b.turn_rate), std::max(a.turn_acceleration, b.turn_acceleration),
             std::max(a.speed, b.speed), std::max(a.acceleration, b.acceleration)};

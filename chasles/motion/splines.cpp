@@ -17,7 +17,7 @@ namespace {
 using Eigen::Vector3d;
 
 /// Between two control orientations of a B-spline, in radians: just below a half turn, whose direction is not unique.
-constexpr double largest_turn = 3.14159;
+constexpr double largest_control_turn = 3.14159;
 
 Pose usable(const Pose& pose) {
     return MotionEnds::between(pose, pose).start;
@@ -75,7 +75,7 @@ std::vector<Vector3d> second_derivatives(const std::vector<double>& times, std::
 /// The turn from one orientation to another, times a polynomial share of its angle.
 SharedFrame turn_by_share(const Pose& from, const Pose& to, const std::array<Wide, 4>& share) {
     const EvenMotion<Wide> turn = EvenFrame::turn_between(from, to);
-    if (double(turn.angle) > largest_turn)
+    if (double(turn.angle) > largest_control_turn)
         throw InvalidInput("motion: b_spline: two consecutive orientations are a half turn apart");
     std::vector<Wide> angle;
     for (const Wide& c : share)

@@ -18,7 +18,7 @@ constexpr double shortest_part = 0x1p-44;
 constexpr double first_share = 0.125;
 /// Ordinary refinements take six steps, grazing ones some sixty, and those of motions with a bound of speed only some
 /// hundreds.
-constexpr int most_steps = 4000;
+constexpr int most_refinements = 4000;
 
 /// The first time in [0, 1] of the maps.
 template <bool within_margin, class S>
@@ -169,7 +169,7 @@ EnclosedStages<within_margin>::follow(Tests& tests, const FeaturePair& features,
         }
         const bool is_proven = proven_upper < never;
         const bool is_narrow = is_proven && proven_upper - found->lower <= options_.tolerance;
-        if (is_narrow || !tests.is_worth_shortening() || part.width() <= shortest || step > most_steps)
+        if (is_narrow || !tests.is_worth_shortening() || part.width() <= shortest || step > most_refinements)
             return FeasibleInterval{found->lower, is_proven ? proven_upper : found->upper, is_proven};
         const double upper = found->certain ? found->upper : part.upper;
         const double share = found->certain ? 0.5 : first_share;

@@ -1,0 +1,236 @@
+// Composed motions: their poses by their definitions, and the bounds of their rates by the test kit, which samples.
+#include "chasles/motion/frames.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/motion.h"
+#include "chasles/motion/own_trajectory.h"
+#include "tests/support/random_poses.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace chasles::test {
+namespace {
+
+using Eigen::Isometry3d;
+using Eigen::Vector3d;
+
+std::vector<double> random_numbers(Random& random, int count, double size) {
+    std::vector<double> numbers;
+    for (int i = 0; i < count; ++i)
+        numbers.push_back(random.uniform(-size, size));
+    return numbers;
+}
+
+std::vector<Pose> random_poses(Random& random, int count) {
+    std::vector<Pose> poses{random_pose(random, 2)};
+    while (int(poses.size()) < count)
+        poses.push_back(random_goal(random, poses.back(), random.uniform(0, 3), 2));
+    return poses;
+}
+
+/// A frame as a trajectory of the user's own, so that the test kit can attack its bounds.
+OwnTrajectory as_own(const motion::SharedFrame& frame) {
+    OwnTrajectory own;
+    own.pose_at = [frame](double time) {
+        const auto [place, turn] = frame->at(time);
+        return Pose({place.x, place.y, place.z}, Eigen::Quaterniond(turn.w, turn.v.x, turn.v.y, turn.v.z));
+    };
+    own.bounds = [frame](double from, double to) {
+        const motion::RateBounds rates = frame->rates({from, to});
+        return MotionBounds{rates.turn_rate, rates.turn_acceleration, rates.speed, rates.acceleration};
+    };
+    const auto reference = frame->reference();
+    own.reference = {double(reference.x), double(reference.y), double(reference.z)};
+    frame->add_cuts(own.knots);
+    std::erase_if(own.knots, [](double knot) { return knot <= 0 || knot >= 1; });
+    return own;
+}
+
+void expect_bounds_hold(const Motion& motion, std::uint64_t seed) {
+    const motion::SharedFrame frame = motion.trajectory().frame();
+    ASSERT_TRUE(frame);
+    const auto broken = find_broken_bound(as_own(frame), 300, seed);
+    EXPECT_FALSE(broken) << broken->bound << " from " << broken->from << " to " << broken->to << ": stated "
+                         << broken->stated << ", found " << broken->found;
+}
+
+/// Of all kinds.
+Motion random_motion(Random& random, int kind) {
+    switch (kind % 7) {
+    case 0:
+        return Motion::hinge(random_point(random, 2), random_point(random, 1), random_numbers(random, 4, 2));
+    case 1:
+        return Motion::slider(random_point(random, 1), random_numbers(random, 3, 2));
+    case 2:
+        return Motion::polynomial({random_point(random, 1), random_point(random, 2), random_point(random, 1)});
+    case 3:
+        return Motion::velocity(random_pose(random, 2), random_pose(random, 2), random_point(random, 1));
+    case 4:
+        return Motion::twist(random_pose(random, 2), random_pose(random, 2));
+    case 5:
+        return Motion::spline({0, 0.3, 0.5, 1}, random_poses(random, 4));
+    default:
+        return Motion::b_spline(random_poses(random, 4));
+    }
+}
+
+TEST(Hinge, TurnsAboutItsLineByThePolynomial) {
+    const Vector3d point(1, 2, 3), direction(0, 3, 4);
+    const Motion hinge = Motion::hinge(point, direction, {0.5, -1, 4});
+    for (const double time : {0.0, 0.3, 1.0}) {
+        const double angle = 0.5 - time + 4 * time * time;
+        const Isometry3d expected = Eigen::Translation3d(point) *
+                                    Eigen::AngleAxisd(angle, direction.normalized()) * Eigen::Translation3d(-point);
+        EXPECT_TRUE(hinge.pose_at(time).isometry().isApprox(expected, 1e-14));
+    }
+    EXPECT_THROW((void)Motion::hinge(point, Vector3d::Zero(), {1}), InvalidInput);
+    EXPECT_THROW((void)Motion::hinge(point, direction, {1, NAN}), InvalidInput);
+    EXPECT_THROW((void)Motion::hinge(point, direction, {1, 1000}), InvalidInput);
+}
+
+TEST(Slider, GoesAlongItsDirection) {
+    const Motion slider = Motion::slider({0, 3, 4}, {1, 2, 3});
+    EXPECT_TRUE(slider.pose_at(0.5).translation.isApprox(2.75 * Vector3d(0, 0.6, 0.8), 1e-14));
+    EXPECT_THROW((void)Motion::slider({0, 0, 0}, {1}), InvalidInput);
+}
+
+TEST(Polynomial, GoesThroughItsPlaces) {
+    const Motion path = Motion::polynomial({{1, 0, 0}, {0, 2, 0}, {0, 0, 3}});
+    EXPECT_TRUE(path.pose_at(0.5).translation.isApprox(Vector3d(1, 1, 0.75), 1e-15));
+    EXPECT_THROW((void)Motion::polynomial({{INFINITY, 0, 0}}), InvalidInput);
+}
+
+TEST(Product, CarriesTheInnerMotion) {
+    Random random(1821);
+    for (int trial = 0; trial < 49; ++trial) {
+        const Motion outer = random_motion(random, trial), inner = random_motion(random, trial / 7);
+        const Motion both = outer * inner;
+        for (const double time : {0.0, 0.37, 1.0})
+            EXPECT_TRUE(both.pose_at(time).isometry().isApprox(
+                outer.pose_at(time).isometry() * inner.pose_at(time).isometry(), 1e-12));
+        EXPECT_TRUE(both.fixed_pose_at(0.3).isometry().matrix() == Isometry3d::Identity().matrix());
+    }
+    EXPECT_THROW((void)(Motion::screw(Pose(), Pose()) * Motion::at_rest(Pose())), InvalidInput);
+}
+
+TEST(Relative, KeepsBothBodiesInTheWorld) {
+    Random random(1822);
+    for (int trial = 0; trial < 49; ++trial) {
+        const Motion moving = random_motion(random, trial), fixed = random_motion(random, trial / 7);
+        const Motion seen = relative(moving, fixed);
+        for (const double time : {0.0, 0.61, 1.0}) {
+            EXPECT_TRUE(seen.pose_at(time).isometry().isApprox(moving.pose_at(time).isometry(), 1e-13));
+            EXPECT_TRUE(seen.fixed_pose_at(time).isometry().isApprox(fixed.pose_at(time).isometry(), 1e-13));
+        }
+    }
+    EXPECT_THROW((void)relative(Motion::sweep(Pose(), Pose()), Motion::at_rest(Pose())), InvalidInput);
+    const Motion seen = relative(Motion::at_rest(Pose()), Motion::at_rest(Pose()));
+    EXPECT_THROW((void)(seen * Motion::at_rest(Pose())), InvalidInput) << "its fixed body is no world";
+}
+
+TEST(Frames, NoBoundOfRatesIsBroken) {
+    Random random(1823);
+    for (int trial = 0; trial < 49; ++trial) {
+        const Motion a = random_motion(random, trial), b = random_motion(random, trial / 7);
+        expect_bounds_hold(a, std::uint64_t(trial));
+        expect_bounds_hold(a * b, std::uint64_t(trial));
+        expect_bounds_hold(a * b * random_motion(random, trial / 3), std::uint64_t(trial));
+        const motion::SharedFrame seen = motion::relative_frame(a.trajectory().frame(), b.trajectory().frame());
+        EXPECT_FALSE(find_broken_bound(as_own(seen), 300, std::uint64_t(trial)));
+    }
+}
+
+/// Frames in double are those in double-double, to within the rounding that they state.
+TEST(Frames, PosesInDoubleHaveTheRoundingThatIsStated) {
+    Random random(1824);
+    double greatest = 0;
+    for (int trial = 0; trial < 140; ++trial) {
+        const Motion motion = random_motion(random, trial) * random_motion(random, trial / 7);
+        const motion::SharedFrame frame = motion.trajectory().frame();
+        ASSERT_TRUE(frame->is_refined());
+        for (int k = 0; k < 5; ++k) {
+            const double time = random.uniform(0, 1);
+            const auto rough = frame->at(time);
+            const auto fine = rounded_pose(frame->refined_at(algebra::DoubleDouble(time)));
+            const double sign = rough.rotation.w * fine.rotation.w + dot(rough.rotation.v, fine.rotation.v) < 0 ? -1 : 1;
+            const double turn = std::hypot(rough.rotation.w - sign * fine.rotation.w,
+                                           length(rough.rotation.v - scale(fine.rotation.v, sign)));
+            const double shift = length(rough.translation - fine.translation);
+            const double unit = 0.25 * frame->rounding() * motion::pose_rounding<double>;
+            greatest = std::max({greatest, turn / unit, shift / (unit * frame->size())});
+        }
+    }
+    std::cout << "at most " << greatest << " of a quarter of the rounding\n";
+    EXPECT_LE(greatest, 1);
+}
+
+TEST(Spline, GoesThroughItsPosesWithoutAJumpOfVelocityOrAcceleration) {
+    Random random(1825);
+    const std::vector<double> times{0, 0.1, 0.45, 0.7, 1};
+    const std::vector<Pose> poses = random_poses(random, 5);
+    const Motion spline = Motion::spline(times, poses);
+    for (std::size_t i = 0; i < times.size(); ++i)
+        EXPECT_TRUE(spline.pose_at(times[i]).isometry().isApprox(poses[i].isometry(), 1e-14));
+    const auto second_difference = [&](double time, double step) -> Vector3d {
+        return (spline.pose_at(time + step).translation + spline.pose_at(time - step).translation -
+                2 * spline.pose_at(time).translation) /
+               (step * step);
+    };
+    for (const double knot : {0.1, 0.45, 0.7}) {
+        const double step = 1e-4;
+        EXPECT_LT((second_difference(knot - step, step) - second_difference(knot + step, step)).norm(), 0.1)
+            << "it would jump by tens";
+    }
+    EXPECT_LT(second_difference(2e-4, 1e-4).norm(), 0.2) << "natural: no acceleration at the ends";
+    const Pose middle = spline.pose_at(0.275); // half way between two knots: slerp
+    const Eigen::Quaterniond slerp =
+        Eigen::Quaterniond(poses[1].rotation.normalized()).slerp(0.5, poses[2].rotation.normalized());
+    EXPECT_LT(middle.rotation.angularDistance(slerp), 1e-13);
+}
+
+TEST(Spline, RefusesKnotsThatCannotBeUsed) {
+    const std::vector<Pose> two(2), three(3);
+    EXPECT_THROW((void)Motion::spline({0}, {Pose()}), InvalidInput);
+    EXPECT_THROW((void)Motion::spline({0, 0.5, 1}, two), InvalidInput);
+    EXPECT_THROW((void)Motion::spline({0, 2}, two), InvalidInput);
+    EXPECT_THROW((void)Motion::spline({0, 0, 1}, three), InvalidInput);
+    EXPECT_THROW((void)Motion::spline({0, NAN, 1}, three), InvalidInput);
+    EXPECT_THROW((void)Motion::b_spline({Pose()}), InvalidInput);
+    const Pose back({0, 0, 0}, Eigen::Quaterniond(0, 0, 0, 1));
+    EXPECT_THROW((void)Motion::b_spline({Pose(), back}), InvalidInput) << "a half turn has two directions";
+}
+
+TEST(BSpline, StartsAndEndsAtItsPosesAndIsSmooth) {
+    Random random(1826);
+    const std::vector<Pose> poses = random_poses(random, 5);
+    const Motion spline = Motion::b_spline(poses);
+    EXPECT_TRUE(spline.pose_at(0).isometry().isApprox(poses.front().isometry(), 1e-14));
+    EXPECT_TRUE(spline.pose_at(1).isometry().isApprox(poses.back().isometry(), 1e-14));
+    const motion::SharedFrame frame = spline.trajectory().frame();
+    std::vector<double> cuts;
+    frame->add_cuts(cuts);
+    for (const double cut : cuts) {
+        if (cut <= 0 || cut >= 1)
+            continue;
+        const double step = 1e-5;
+        const Isometry3d before = spline.pose_at(cut - step).isometry(), at = spline.pose_at(cut).isometry();
+        const Isometry3d after = spline.pose_at(cut + step).isometry();
+        const Eigen::Matrix4d bend = before.matrix() + after.matrix() - 2 * at.matrix();
+        EXPECT_LT(bend.norm(), 1e-6) << "the velocity jumps at " << cut;
+    }
+}
+
+/// Equal steps of orientation and position: a B-spline that runs evenly in its inner segments.
+TEST(BSpline, OfEqualStepsIsEvenInside) {
+    std::vector<Pose> poses;
+    for (int i = 0; i < 8; ++i)
+        poses.emplace_back(Vector3d(i, 0, 0), Eigen::Quaterniond(Eigen::AngleAxisd(0.3 * i, Vector3d::UnitZ())));
+    const Motion spline = Motion::b_spline(poses);
+    for (int i = 1; i <= 6; ++i) // nine segments; pose i is at the knot i + 1
+        EXPECT_TRUE(spline.pose_at((i + 1) / 9.0).isometry().isApprox(poses[std::size_t(i)].isometry(), 1e-13)) << i;
+}
+
+} // namespace
+} // namespace chasles::test
