@@ -48,11 +48,15 @@ public:
         const Vector3<double> bend = place(start_) + place(end_) - scale(place(middle_), 2);
         return 4 * (length(bend) - 4 * noise_) / (duration_ * duration_);
     }
-    /// For a body that turns at most at `rate`: note 24, "Turns", with the orientation half way.
+    /// For a body that turns at most at `rate`: note 24, "Turns", with the orientation half way. Nothing for a large
+    /// turn, which may be more than a half turn.
     [[nodiscard]] double turn_acceleration(double rate) const {
+        constexpr double large = 1;
         const double turn = rate * duration_;
+        if (turn > large)
+            return 0;
         const double sine = half_sine_between(half_way(start_.rotation, end_.rotation), middle_.rotation);
-        return 16 * (sine * std::cos(std::min(1.0, 0.25 * turn)) - turn * turn * turn / 384 - turn_noise_) /
+        return 16 * (sine * std::cos(0.25 * turn) - turn * turn * turn / 384 - turn_noise_) /
                (duration_ * duration_);
     }
 

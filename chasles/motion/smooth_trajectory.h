@@ -34,6 +34,8 @@ public:
     [[nodiscard]] Pose pose_at(double tau) const;
     [[nodiscard]] Pose fixed_pose_at(double tau) const;
 
+    [[nodiscard]] const Bracket& times() const { return times_; } ///< of the whole motion
+
 private:
     [[nodiscard]] double time_at(double tau) const;
     [[nodiscard]] EnclosureBounds bounds(const Bracket& part, double rounding) const;
@@ -70,7 +72,7 @@ public:
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
-    [[nodiscard]] SharedFrame frame() const { return motion_.moving; }
+    [[nodiscard]] SharedFrame frame() const { return motion_.fixed ? nullptr : motion_.moving; }
 
 private:
     SmoothMotion motion_;

@@ -33,6 +33,13 @@ std::optional<FeasibleInterval> first_time(FeatureTests<S>& tests, const Feature
     }
 }
 
+template <class S>
+WithinAtStart::Answer within_at_start(FeatureTests<S>& tests, const FeaturePair& features) {
+    WithinAtStart collect;
+    tests.distance(features, [&](const auto& problem) { collect(problem); });
+    return collect.answer();
+}
+
 /// In terms of the whole piece. Ends of brackets are rounded outward. A contact is proven only where no point of the
 /// moving body goes far (note 24, "Features").
 std::optional<FeasibleInterval> in_piece(std::optional<FeasibleInterval> found, const culling::TimeRange& part,
@@ -117,15 +124,27 @@ void EnclosedStages<within_margin>::test(const FeaturePair& features) {
     }
 }
 
-/// Whether the features are within the margin at the start. The end poses have no deviation but their rounding.
+/// Whether the features are within the margin at the start. The end poses have no deviation but their rounding. Over a
+/// short part, bounds follow the numbers.
 template <bool within_margin>
 void EnclosedStages<within_margin>::test_at_start(const FeaturePair& features) {
+    using enum WithinAtStart::Answer;
     if (is_over())
         return;
-    WithinAtStart collect;
-    start_tests_.distance(features, [&](const auto& problem) { collect(problem); });
-    if (collect.answer() != WithinAtStart::Answer::no)
-        candidates_.keep({features, {0, 0, collect.answer() == WithinAtStart::Answer::yes}});
+    constexpr culling::TimeRange short_part{0, 0x1p-45};
+    auto answer = within_at_start(start_tests_, features);
+    if (answer == uncertain) {
+        if (can_refine()) {
+            refinement_->use(short_part);
+            answer = within_at_start(refinement_->tests(), features);
+        } else {
+            shorter_.use(short_part);
+            answer = within_at_start(shorter_.tests(), features);
+        }
+        ++work_.refined;
+    }
+    if (answer != no)
+        candidates_.keep({features, {0, 0, answer == yes}});
 }
 
 template <bool within_margin>

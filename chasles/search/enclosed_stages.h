@@ -57,6 +57,7 @@ private:
         void use(const culling::TimeRange& part);
         /// In terms of the whole piece.
         std::optional<FeasibleInterval> first(const FeaturePair& features);
+        [[nodiscard]] FeatureTests<double>& tests() { return tests_; }
         [[nodiscard]] const culling::TimeRange& part() const { return maps_.part(); }
         [[nodiscard]] bool is_worth_shortening() const { return maps_.is_worth_shortening(); }
         [[nodiscard]] const elementary::Workspace<double>& workspace() const { return tests_.workspace(); }
@@ -76,6 +77,7 @@ private:
 
         void use(const culling::TimeRange& part);
         std::optional<FeasibleInterval> first(const FeaturePair& features);
+        [[nodiscard]] FeatureTests<algebra::DoubleDouble>& tests() { return tests_; }
         [[nodiscard]] bool is_worth_shortening() const { return parts_.is_worth_shortening(bounds_); }
 
     private:

@@ -77,8 +77,8 @@ TEST_P(EvenMotions, KeepBothEndPoses) {
     for (int trial = 0; trial < 50; ++trial) {
         const EvenCase test = random_case(random);
         const EvenTrajectory trajectory = test.trajectory(GetParam());
-        EXPECT_TRUE(trajectory.pose_at(0).isometry().matrix() == test.start.isometry().matrix());
-        EXPECT_TRUE(trajectory.pose_at(1).isometry().matrix() == test.goal.isometry().matrix());
+        EXPECT_TRUE(trajectory.pose_at(0).isometry().isApprox(test.start.isometry(), 1e-15));
+        EXPECT_TRUE(trajectory.pose_at(1).isometry().isApprox(test.goal.isometry(), 1e-15));
         EXPECT_TRUE(trajectory.pose_at(1e-14).isometry().isApprox(test.start.isometry(), 1e-12));
         EXPECT_TRUE(trajectory.pose_at(1 - 1e-14).isometry().isApprox(test.goal.isometry(), 1e-12));
     }
@@ -98,9 +98,9 @@ TEST_P(EvenMotions, EveryPartEnclosesTheTrueMotion) {
         const double upper = std::min(1.0, lower + std::pow(10, random.uniform(-9, 0)));
         const Eigen::Vector3d point = random_point(random, 1);
         const double share = random.uniform(0, 1);
-        const double time = piece.time_of({0, 0}).lower;
-        const double duration = 1 / piece.tau_rate(0);
-        const Digits at = Digits(time) + (Digits(lower) + Digits(share) * (Digits(upper) - lower)) * duration;
+        const auto& [from, to] = piece.times();
+        const Digits at =
+            Digits(from) + (Digits(lower) + Digits(share) * (Digits(upper) - lower)) * (Digits(to) - Digits(from));
         const LongVector truth = test.place(GetParam(), point, at);
         const auto ratio = [&](const auto& enclosure) {
             const motion::RationalMotion<Wide> cubic = [&] {

