@@ -67,7 +67,7 @@ double touch_slack(const RelativeConfiguration& bodies, const elementary::ErrorS
         speed +=
             (bodies.velocity_at(centre + hierarchy.radius() * Eigen::Vector3d::Unit(i)) - bodies.velocity_at(centre))
                 .norm();
-    return elementary::error_unit<double> * scale.length + speed * width;
+    return elementary::position_error<double>(scale) + speed * width;
 }
 
 Contact described(const ContactScene& scene, const FeaturePair& features) {

@@ -62,7 +62,7 @@ struct CoarseScene {
 
 double CoarseScene::deviation() const {
     const double bodies = moving.centre().lpNorm<1>() + moving.radius() + fixed.centre().lpNorm<1>() + fixed.radius();
-    const double arm = length(motion::vector_in<double>(moving.centre()) - motion.reference) + moving.radius();
+    const double arm = length(motion::vector_in<double>(moving.centre()) - motion.reference) + moving.radius() + margin;
     return motion.deviation + motion.turn_deviation * arm +
            motion::coarse_rounding * (motion.size + bodies + 2 * margin);
 }

@@ -80,7 +80,7 @@ LeastDistanceSearch::LeastDistanceSearch(const Question& question) : question_(q
     pieces_.reserve(pieces->size());
     for (std::size_t i = 0; i < pieces->size(); ++i) {
         const PieceContext& piece = pieces_.emplace_back(question.moving, question.fixed, pieces->at(i));
-        rounding_ = std::max(rounding_, 4 * elementary::error_unit<double> * piece.error_scale(0).length);
+        rounding_ = std::max(rounding_, 4 * elementary::position_error<double>(piece.error_scale(0)));
     }
     nearest_.at.near.distance = std::numeric_limits<double>::infinity();
 }
