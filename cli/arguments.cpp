@@ -11,8 +11,8 @@
 namespace chasles::cli {
 namespace {
 
-constexpr auto takes_numbers =
-    std::to_array<std::string_view>({"--start", "--goal", "--fixed-start", "--fixed-goal", "--centre"});
+constexpr auto takes_numbers = std::to_array<std::string_view>(
+    {"--start", "--goal", "--fixed-start", "--fixed-goal", "--centre", "--fixed-centre"});
 constexpr auto takes_number = std::to_array<std::string_view>(
     {"--margin", "--hold", "--max-turn-deg", "--time-tolerance", "--tolerance", "--threads"});
 

@@ -5,6 +5,7 @@
 #include "cli/batch_rows.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
+#include "cli/motion_rule.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress_bar.h"
@@ -40,6 +41,7 @@ private:
 struct BatchOptions {
     BodyOptions bodies;
     QuestionOptions query;
+    MotionOptions motion;
     std::string motions;
     std::string out;
 };
@@ -58,11 +60,11 @@ struct Tally {
 
 using Rows = std::span<const io::MotionRow>;
 
-std::vector<Motion> readable_motions(Rows rows, double max_turn) {
+std::vector<Motion> readable_motions(Rows rows, const MotionRule& rule) {
     std::vector<Motion> motions;
     for (const io::MotionRow& row : rows)
         if (row.error.empty())
-            motions.emplace_back(ScrewMotion::between(row.start, row.goal, max_turn));
+            motions.push_back(motion_between(rule, row.start, row.goal));
     return motions;
 }
 
@@ -77,11 +79,11 @@ void count(Tally& tally, const io::MotionRow& row, const FirstContact* found) {
 }
 
 // The rows of one chunk. `answers` belong to its readable motions, in order.
-std::string table_of(Rows rows, std::span<const FirstContact> answers, Tally& tally) {
+std::string table_of(Rows rows, std::span<const FirstContact> answers, view::MotionKind kind, Tally& tally) {
     std::string table;
     for (const io::MotionRow& row : rows) {
         const FirstContact* const found = row.error.empty() ? &answers.front() : nullptr;
-        table += found ? batch_row(row.id, *found) : batch_error_row(row.id, row.error);
+        table += found ? batch_row(row.id, *found, kind) : batch_error_row(row.id, row.error);
         count(tally, row, found);
         if (found)
             answers = answers.subspan(1);
@@ -103,7 +105,8 @@ class BatchRun {
 public:
     BatchRun(const BatchOptions& options, Rows rows)
         : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
-          max_turn_(max_turn_of(options.query)), threads_(options.bodies.polyhedron.threads), out_(options.out) {}
+          rule_(rule_of(options.motion, options.query)), threads_(options.bodies.polyhedron.threads),
+          out_(options.out) {}
 
     /// All rows, or those before an interruption.
     Tally run() {
@@ -115,8 +118,8 @@ public:
             const auto start = std::chrono::steady_clock::now();
             const std::size_t done = tally.rows();
             const Rows chunk = rows_.subspan(done, std::min(size.get(), rows_.size() - done));
-            const auto answers = answer(readable_motions(chunk, max_turn_), [&](std::size_t n) { bar.show(done + n); });
-            out_.write(table + table_of(chunk, answers, tally));
+            const auto answers = answer(readable_motions(chunk, rule_), [&](std::size_t n) { bar.show(done + n); });
+            out_.write(table + table_of(chunk, answers, rule_.kind, tally));
             table.clear();
             size.adapt(std::chrono::steady_clock::now() - start);
         }
@@ -138,7 +141,7 @@ private:
     Rows rows_;
     Bodies bodies_;
     QueryOptions query_;
-    double max_turn_; ///< radians
+    MotionRule rule_;
     unsigned threads_;
     OutputFile out_; // last: opened only after all other input has been read
 };
@@ -179,6 +182,7 @@ void add_batch(CLI::App& app, Task& task) {
     command.add_option("--out", options->out, "CSV file to write, one answer a row")->required()->type_name("FILE");
     command.add_option("--threads", options->bodies.polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();
+    add_motion_rule_options(command, options->motion);
     add_batch_query_options(command, options->query);
     command.callback([options, &task] { task = [options] { return run_batch(*options); }; });
 }

@@ -44,12 +44,13 @@ std::string batch_header() {
     return "id,verdict,time,time_upper,tau,tau_upper,certain,kind,moving_feature,fixed_feature,px,py,pz,nx,ny,nz\n";
 }
 
-std::string batch_row(const std::string& id, const FirstContact& found) {
+std::string batch_row(const std::string& id, const FirstContact& found, view::MotionKind kind) {
     const std::string start = fmt::format("{},{},", io::csv_cell(id), view::name_of(found.verdict));
     if (found.verdict == Verdict::clear)
         return start + ",,,,," + std::string(contact_columns - 1, ',') + "\n";
-    return start + fmt::format("{},{},{},{},{},{}\n", found.time.lower, found.time.upper, found.tau.lower,
-                               found.tau.upper, found.certain, geometry_cells(found));
+    const std::string tau = view::has_tau(kind) ? fmt::format("{},{}", found.tau.lower, found.tau.upper) : ",";
+    return start + fmt::format("{},{},{},{},{}\n", found.time.lower, found.time.upper, tau, found.certain,
+                               geometry_cells(found));
 }
 
 std::string batch_error_row(const std::string& id, const std::string& why) {

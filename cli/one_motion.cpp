@@ -27,34 +27,38 @@ EndPoses read_poses(const OneMotionOptions& options) {
     return poses;
 }
 
-ScrewMotion screw_between(const EndPoses& poses, double max_turn) {
-    return poses.is_fixed_moving
-               ? ScrewMotion::relative(poses.start, poses.goal, poses.fixed_start, poses.fixed_goal, max_turn)
-               : ScrewMotion::between(poses.start, poses.goal, max_turn);
-}
-
-SweepMotion sweep_between(const EndPoses& poses, const Eigen::Vector3d& centre) {
-    return poses.is_fixed_moving
-               ? SweepMotion::relative(poses.start, poses.goal, poses.fixed_start, poses.fixed_goal).about(centre)
-               : SweepMotion::between(poses.start, poses.goal, centre);
-}
-
 struct NamedMotion {
     Motion motion;
     view::MotionNumbers numbers;
 };
 
+template <typename Typed>
+NamedMotion named(const Typed& motion) {
+    return {motion, view::numbers_of(motion)};
+}
+
+// Screws and sweeps are motions of one body as seen from the other one. The even motions are motions in the world.
+NamedMotion motion_of_two(const EndPoses& poses, const MotionRule& rule, const Eigen::Vector3d& fixed_centre) {
+    const auto& [start, goal, fixed_start, fixed_goal, is_fixed_moving] = poses;
+    if (rule.kind == view::MotionKind::screw)
+        return named(ScrewMotion::relative(start, goal, fixed_start, fixed_goal, rule.max_turn));
+    if (rule.kind == view::MotionKind::sweep)
+        return named(SweepMotion::relative(start, goal, fixed_start, fixed_goal).about(rule.centre));
+    MotionRule fixed_rule = rule;
+    fixed_rule.centre = fixed_centre;
+    view::MotionNumbers numbers = numbers_between(rule, start, goal);
+    numbers.is_in_world = true;
+    return {relative(motion_between(rule, start, goal), motion_between(fixed_rule, fixed_start, fixed_goal)), numbers};
+}
+
 NamedMotion read_motion(const OneMotionOptions& options) {
     const EndPoses poses = read_poses(options);
-    if (options.motion == "screw") {
-        if (!options.centre.empty())
-            throw InvalidInput("--centre: is for --motion sweep, but the motion is a screw");
-        const ScrewMotion screw = screw_between(poses, max_turn_of(options.query));
-        return {screw, view::numbers_of(screw)};
-    }
-    const SweepMotion sweep =
-        sweep_between(poses, point_of("--centre", options.centre.empty() ? "0 0 0" : options.centre));
-    return {sweep, view::numbers_of(sweep)};
+    const MotionRule rule = rule_of(options.motion, options.query);
+    const Eigen::Vector3d fixed_centre =
+        centre_of("--fixed-centre", options.fixed_centre, rule.kind, {view::MotionKind::velocity});
+    if (poses.is_fixed_moving)
+        return motion_of_two(poses, rule, fixed_centre);
+    return {motion_between(rule, poses.start, poses.goal), numbers_between(rule, poses.start, poses.goal)};
 }
 
 void add_pose_options(CLI::App& command, OneMotionOptions& options) {
@@ -70,6 +74,11 @@ void add_pose_options(CLI::App& command, OneMotionOptions& options) {
         command.add_option("--fixed-goal", options.fixed_goal, "pose of the fixed body at time 1")->type_name("POSE");
     fixed_start->needs(fixed_goal);
     fixed_goal->needs(fixed_start);
+    command
+        .add_option("--fixed-centre", options.fixed_centre,
+                    "point of the fixed body that --motion velocity carries along a line")
+        ->needs(fixed_start)
+        ->type_name("\"X Y Z\"");
 }
 
 } // namespace
@@ -77,11 +86,7 @@ void add_pose_options(CLI::App& command, OneMotionOptions& options) {
 void add_motion_options(CLI::App& command, OneMotionOptions& options) {
     add_body_options(command, options.bodies);
     add_pose_options(command, options);
-    command.add_option("--motion", options.motion, "the motion between the poses: screw or sweep")
-        ->check(CLI::IsMember({"screw", "sweep"}))
-        ->capture_default_str();
-    command.add_option("--centre", options.centre, "point of the moving body that a sweep carries along a line")
-        ->type_name("\"X Y Z\"");
+    add_motion_rule_options(command, options.motion);
 }
 
 void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {

@@ -1,8 +1,8 @@
 // One motion between two poses, shared by several subcommands: the options, the query and its answer.
 #pragma once
 
+#include "cli/motion_rule.h"
 #include "cli/options.h"
-#include "view/motion_numbers.h"
 
 #include <optional>
 
@@ -15,8 +15,8 @@ struct OneMotionOptions {
     std::string goal;
     std::string fixed_start;
     std::string fixed_goal;
-    std::string motion = "screw";
-    std::string centre; ///< empty: the origin of the moving body
+    MotionOptions motion;
+    std::string fixed_centre; ///< empty: the origin of the fixed body
 };
 
 /// A query that owns its bodies.

@@ -1,6 +1,7 @@
-// chasles path: a sequence of screws through the poses of a file.
+// chasles path: the motions through the poses of a file. With time stamps, times count in stamps.
 #include "chasles/io/motion_files.h"
 #include "cli/commands.h"
+#include "cli/motion_rule.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/progress_bar.h"
@@ -16,9 +17,87 @@ namespace {
 struct PathOptions {
     BodyOptions bodies;
     QuestionOptions query;
+    MotionOptions motion;
     std::string poses;
     bool json = false;
 };
+
+struct PathQuestion {
+    io::Path path;
+    MotionRule rule;
+    QueryOptions options;
+    Bodies bodies;
+
+    [[nodiscard]] bool has_stamps() const { return !path.stamps.empty(); }
+};
+
+// Poses and numbers are read before meshes, which may be large.
+PathQuestion read_path_question(const PathOptions& options) {
+    const io::Path path = io::load_path(options.poses);
+    const auto if_not_given = path.stamps.empty() ? view::MotionKind::screw : view::MotionKind::velocity;
+    const MotionRule rule = rule_of(options.motion, options.query, if_not_given);
+    const QueryOptions query = options_of(options.query);
+    return {path, rule, query, load_bodies(options.bodies)};
+}
+
+/// The poses `first` to `last` and their stamps as one motion.
+TimedPoses track_of(const PathQuestion& question, std::size_t first, std::size_t last) {
+    const auto& [poses, stamps] = question.path;
+    const auto begin = static_cast<std::ptrdiff_t>(first), end = static_cast<std::ptrdiff_t>(last) + 1;
+    const auto between =
+        question.rule.kind == view::MotionKind::twist ? TimedPoses::Between::twist : TimedPoses::Between::velocity;
+    return TimedPoses::through({stamps.begin() + begin, stamps.begin() + end},
+                               {poses.begin() + begin, poses.begin() + end}, between, question.rule.centre);
+}
+
+// The ends keep their stamps exactly. Speeds become lengths per unit of the stamps.
+void count_in_stamps(FirstContact& found, const TimedPoses& track) {
+    const double first = track.stamps().front(), last = track.stamps().back();
+    found.time = found.time.upper == 0 ? Bracket{first, first} : track.stamp_of(found.time);
+    found.clear_until = found.clear_until == 1 ? last : track.stamp_of({found.clear_until, found.clear_until}).lower;
+    for (auto* const contacts : {&found.contacts, &found.held})
+        for (Contact& contact : *contacts)
+            contact.approach_speed /= last - first;
+}
+
+/// The whole path as one motion.
+PathContact answer_track(const PathQuestion& question) {
+    const std::size_t segments = question.path.poses.size() - 1;
+    const TimedPoses track = track_of(question, 0, segments);
+    PathContact found;
+    found.contact = first_contact({.moving = question.bodies.moving,
+                                   .fixed = question.bodies.fixed,
+                                   .motion = track,
+                                   .options = question.options});
+    found.segment = found.contact.verdict == Verdict::clear ? segments - 1 : track.segment_of(found.contact.time.lower);
+    count_in_stamps(found.contact, track);
+    return found;
+}
+
+/// The path segment by segment.
+PathContact answer_segments(const PathQuestion& question) {
+    const std::vector<Pose>& poses = question.path.poses;
+    std::vector<Motion> motions;
+    for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+        motions.push_back(motion_between(question.rule, poses[i], poses[i + 1]));
+    ProgressBar bar("segments", motions.size());
+    PathContact found = first_contact_on_path({.moving = question.bodies.moving,
+                                               .fixed = question.bodies.fixed,
+                                               .motions = std::move(motions),
+                                               .options = question.options,
+                                               .progress = [&](std::size_t done) { bar.show(done); }});
+    if (question.has_stamps())
+        count_in_stamps(found.contact, track_of(question, found.segment, found.segment + 1));
+    return found;
+}
+
+view::MotionNumbers numbers_of_segment(const PathQuestion& question, std::size_t segment) {
+    const auto& [poses, stamps] = question.path;
+    view::MotionNumbers numbers = numbers_between(question.rule, poses[segment], poses[segment + 1]);
+    if (question.has_stamps())
+        numbers.span = {stamps[segment], stamps[segment + 1]};
+    return numbers;
+}
 
 // The JSON of `check`, with the segment that the time and the motion belong to (for a clear path, the last segment).
 view::Json path_json(const PathContact& found, const view::MotionNumbers& motion) {
@@ -27,35 +106,30 @@ view::Json path_json(const PathContact& found, const view::MotionNumbers& motion
     return answer;
 }
 
-std::string path_report(const PathContact& found, const view::MotionNumbers& motion, std::size_t poses, double margin) {
+std::string segment_text(const PathQuestion& question, std::size_t segment) {
+    const auto& [poses, stamps] = question.path;
+    const std::string place = fmt::format("{} of {} (from 0)", segment, poses.size() - 1);
+    if (question.has_stamps())
+        return fmt::format("{}, from pose {} at t = {} to pose {} at t = {}; the time counts as t", place, segment,
+                           stamps[segment], segment + 1, stamps[segment + 1]);
+    return fmt::format("{}; the time counts from pose {} to pose {}", place, segment, segment + 1);
+}
+
+std::string path_report(const PathContact& found, const view::MotionNumbers& motion, const PathQuestion& question) {
+    const double margin = question.options.margin;
     if (found.contact.verdict == Verdict::clear)
-        return headline(found.contact, margin) + labelled("path", counted(poses - 1, "segment")) +
+        return headline(found.contact, margin) + labelled("path", counted(question.path.poses.size() - 1, "segment")) +
                report(found.contact.work);
-    return headline(found.contact, margin) +
-           labelled("segment", fmt::format("{} of {} (from 0); the time counts from pose {} to pose {}", found.segment,
-                                           poses - 1, found.segment, found.segment + 1)) +
+    return headline(found.contact, margin) + labelled("segment", segment_text(question, found.segment)) +
            details(found.contact, motion, margin);
 }
 
-PathContact answer_path(const PathOptions& options, const std::vector<Pose>& poses) {
-    const QueryOptions query = options_of(options.query);
-    std::vector<Motion> motions = screws_along(poses, max_turn_of(options.query));
-    const Bodies bodies = load_bodies(options.bodies);
-    ProgressBar bar("segments", motions.size());
-    return first_contact_on_path({.moving = bodies.moving,
-                                  .fixed = bodies.fixed,
-                                  .motions = std::move(motions),
-                                  .options = query,
-                                  .progress = [&](std::size_t done) { bar.show(done); }});
-}
-
 int run_path(const PathOptions& options) {
-    const std::vector<Pose> poses = io::load_path(options.poses);
-    const PathContact found = answer_path(options, poses);
-    const view::MotionNumbers motion =
-        view::numbers_of(ScrewMotion::between(poses[found.segment], poses[found.segment + 1]));
-    print(options.json ? path_json(found, motion).dump() + "\n"
-                       : path_report(found, motion, poses.size(), options_of(options.query).margin));
+    const PathQuestion question = read_path_question(options);
+    const bool is_one_motion = question.has_stamps() && !view::has_tau(question.rule.kind);
+    const PathContact found = is_one_motion ? answer_track(question) : answer_segments(question);
+    const view::MotionNumbers motion = numbers_of_segment(question, found.segment);
+    print(options.json ? path_json(found, motion).dump() + "\n" : path_report(found, motion, question));
     return found.contact.verdict == Verdict::clear ? is_clear : is_contact;
 }
 
@@ -65,9 +139,12 @@ void add_path(CLI::App& app, Task& task) {
     const auto options = std::make_shared<PathOptions>();
     CLI::App& command = *app.add_subcommand("path", "When do two bodies first touch on a path of many poses?");
     add_body_options(command, options->bodies);
-    command.add_option("--poses", options->poses, "CSV file with the header x,y,z,qw,qx,qy,qz, one pose a row")
+    command
+        .add_option("--poses", options->poses,
+                    "CSV file with the header x,y,z,qw,qx,qy,qz, one pose a row; a first column t holds time stamps")
         ->required()
         ->type_name("FILE");
+    add_motion_rule_options(command, options->motion, "screw, or velocity with a column t");
     add_query_options(command, options->query);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_path(*options); }; });

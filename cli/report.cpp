@@ -2,6 +2,7 @@
 #include "cli/report.h"
 
 #include "cli/contact_table.h"
+#include "view/names.h"
 #include "view/proven_verdict.h"
 
 #include <fmt/format.h>
@@ -39,25 +40,28 @@ std::string report(const Overlap& overlap) {
 }
 
 std::string report(const view::MotionNumbers& motion) {
-    if (motion.is_sweep)
-        return labelled("sweep", fmt::format("turns {:.9g} degrees about {}, travels {:.9g} straight on",
-                                             degrees(motion.angle), vector_text(motion.axis_direction), motion.travel));
-    return labelled("screw", fmt::format("turns {:.9g} degrees and slides {:.9g}, axis {} through {}",
-                                         degrees(motion.angle), motion.slide + 0.0, vector_text(motion.axis_direction),
-                                         vector_text(motion.axis_point)));
+    const std::string turn = fmt::format("turns {:.9g} degrees", degrees(motion.angle));
+    const std::string direction = vector_text(motion.axis_direction);
+    const std::string way =
+        view::moves_straight(motion.kind)
+            ? fmt::format(" about {}, travels {:.9g} straight on", direction, motion.displacement.norm())
+            : fmt::format(" and slides {:.9g}, axis {} through {}", motion.slide + 0.0, direction,
+                          vector_text(motion.axis_point));
+    const std::string in_world = motion.is_in_world ? ", in the world; the fixed body moves too" : "";
+    return labelled(std::string(view::name_of(motion.kind)), turn + way + in_world);
 }
 
-std::string progress_of(const view::MotionNumbers& motion, double time, double tau) {
-    const double length = motion.is_sweep ? motion.travel : motion.slide;
-    return fmt::format("turned {:.9g} degrees, {} {:.9g}", degrees(view::turned_so_far(motion, time, tau)),
-                       motion.is_sweep ? "travelled" : "slid", length * tau + 0.0);
+std::string text_of(const view::Progress& progress, view::MotionKind kind) {
+    return fmt::format("turned {:.9g} degrees, {} {:.9g}", degrees(progress.turned),
+                       view::moves_straight(kind) ? "travelled" : "slid", progress.length + 0.0);
 }
 
 // `Found` is FirstContact or LeastDistance.
 template <typename Found>
 std::string report_time(const Found& found, const view::MotionNumbers& motion, const std::string& why_uncertain) {
-    return labelled("so far", progress_of(motion, found.time.lower, found.tau.lower)) +
-           labelled("time", text_of(found.time)) + labelled("tau", text_of(found.tau)) +
+    const view::Progress progress = view::progress_at(motion, found.time.lower, found.tau.lower);
+    return labelled("so far", text_of(progress, motion.kind)) + labelled("time", text_of(found.time)) +
+           (view::has_tau(motion.kind) ? labelled("tau", text_of(found.tau)) : "") +
            labelled("certain", found.certain ? "yes" : "no: " + why_uncertain);
 }
 

@@ -53,10 +53,13 @@ Json json_of(const Overlap& overlap) {
 }
 
 Json json_of(const MotionNumbers& motion) {
-    return {{"angle", motion.angle},
-            {"slide", motion.slide},
-            {"axis_point", vector_json(motion.axis_point)},
-            {"axis_direction", vector_json(motion.axis_direction)}};
+    Json json = {{"angle", motion.angle},
+                 {"slide", motion.slide},
+                 {"axis_point", vector_json(motion.axis_point)},
+                 {"axis_direction", vector_json(motion.axis_direction)}};
+    if (motion.kind == MotionKind::velocity)
+        json["displacement"] = vector_json(motion.displacement);
+    return json;
 }
 
 Json json_of(const Work& work) {
@@ -70,11 +73,13 @@ Json json_of(const Work& work) {
 
 /// The keys from time to overlap, which both kinds of answers have.
 template <typename Found>
-void add_contacts(Json& answer, const Found& found) {
+void add_contacts(Json& answer, const Found& found, MotionKind kind) {
     answer["time"] = found.time.lower;
     answer["time_upper"] = found.time.upper;
-    answer["tau"] = found.tau.lower;
-    answer["tau_upper"] = found.tau.upper;
+    if (has_tau(kind)) {
+        answer["tau"] = found.tau.lower;
+        answer["tau_upper"] = found.tau.upper;
+    }
     answer["certain"] = found.certain;
     answer["pose"] = pose_json(found.pose);
     answer["contacts"] = json_of(found.contacts);
@@ -98,7 +103,7 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     Json answer;
     answer["verdict"] = name_of(found.verdict);
     if (found.verdict != Verdict::clear)
-        add_contacts(answer, found);
+        add_contacts(answer, found, motion.kind);
     if (found.contacts_cut)
         answer["contacts_cut"] = true;
     if (!found.held.empty())
@@ -113,7 +118,7 @@ Json answer_json(const LeastDistance& found, const MotionNumbers& motion) {
     Json answer;
     answer["distance"] = found.distance.lower;
     answer["distance_upper"] = found.distance.upper;
-    add_contacts(answer, found);
+    add_contacts(answer, found, motion.kind);
     if (found.contacts_cut)
         answer["contacts_cut"] = true;
     answer["motion"] = json_of(motion);

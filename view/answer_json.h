@@ -10,12 +10,12 @@ namespace chasles::view {
 using Json = nlohmann::ordered_json;
 
 /// The answer of `check`. Every answer has verdict, clear_until, motion and work. An answer with contact also has time,
-/// tau, certain, pose and contacts, and overlap if the surfaces overlap at the start. `held` is present if not empty,
-/// and contacts_cut if true.
+/// tau if the motion has it, certain, pose and contacts, and overlap if the surfaces overlap at the start. `held` is
+/// present if not empty, and contacts_cut if true.
 Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 
-/// The answer of `clearance`: distance, time, tau, certain, pose, contacts, motion and work. `overlap` is present if
-/// the surfaces overlap at the start, and contacts_cut if true.
+/// The answer of `clearance`: distance, time, tau if the motion has it, certain, pose, contacts, motion and work.
+/// `overlap` is present if the surfaces overlap at the start, and contacts_cut if true.
 Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 
 Json vector_json(const Eigen::Vector3d& vector);

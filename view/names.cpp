@@ -34,4 +34,18 @@ std::string_view name_of(ContactKind kind) {
     return "edge_edge";
 }
 
+std::string_view name_of(MotionKind kind) {
+    switch (kind) {
+    case MotionKind::screw:
+        return "screw";
+    case MotionKind::sweep:
+        return "sweep";
+    case MotionKind::velocity:
+        return "velocity";
+    case MotionKind::twist:
+        break;
+    }
+    return "twist";
+}
+
 } // namespace chasles::view

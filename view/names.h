@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/query/first_contact.h"
+#include "view/motion_numbers.h"
 
 #include <string_view>
 
@@ -10,5 +11,6 @@ namespace chasles::view {
 /// The name of the C++ enumerator, for example "contact_at_start".
 std::string_view name_of(Verdict verdict);
 std::string_view name_of(ContactKind kind);
+std::string_view name_of(MotionKind kind);
 
 } // namespace chasles::view

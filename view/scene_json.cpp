@@ -4,6 +4,7 @@
 #include "view/answer_json.h"
 #include "view/base64.h"
 #include "view/drawn_mesh.h"
+#include "view/names.h"
 #include "view/sampled_poses.h"
 
 namespace chasles::view {
@@ -49,7 +50,9 @@ std::string scene_json(const Scene& scene) {
     json["format"] = scene_format;
     json["title"] = scene.title;
     json["margin"] = scene.margin;
-    json["is_sweep"] = scene.numbers.is_sweep;
+    json["is_sweep"] = scene.numbers.kind == MotionKind::sweep;
+    json["motion"] = name_of(scene.numbers.kind);
+    json["is_in_world"] = scene.numbers.is_in_world;
     json["meshes"] = Json::array({mesh_json(scene.moving)});
     if (!is_same_body(scene))
         json["meshes"].push_back(mesh_json(scene.fixed));

@@ -3,11 +3,13 @@
 #include "chasles/io/motion_files.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/io/csv_table.h"
 #include "chasles/io/pose_text.h"
 #include "chasles/io/read_file.h"
 
 #include <algorithm>
+#include <cmath>
 #include <span>
 
 namespace chasles::io {
@@ -15,6 +17,7 @@ namespace {
 
 // The exact headers. Quaternions have the order w, x, y, z.
 constexpr std::string_view path_header = "x,y,z,qw,qx,qy,qz";
+constexpr std::string_view stamped_path_header = "t,x,y,z,qw,qx,qy,qz";
 constexpr std::string_view motion_header = "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1";
 
 using Cells = std::span<const std::string>;
@@ -46,10 +49,22 @@ std::vector<double> numbers_in(Cells cells, std::string_view header) {
     return numbers;
 }
 
+// Adds the stamp of a row. The distance of two stamps has to be finite too.
+void add_stamp(double stamp, std::vector<double>& stamps) {
+    if (!stamps.empty() && !(stamps.back() < stamp))
+        throw InvalidInput("t: must increase, but is " + number_text(stamp) + " after " + number_text(stamps.back()));
+    if (!stamps.empty() && !std::isfinite(stamp - stamps.front()))
+        throw InvalidInput("t: " + number_text(stamp) + " is too far from the first stamp");
+    stamps.push_back(stamp);
+}
+
 // Reads one row of a path. Messages start with the line number.
-Pose read_pose(const CsvRow& row) {
+void read_pose(const CsvRow& row, bool has_stamps, Path& path) {
     try {
-        return pose_from_numbers(numbers_in(row.cells, path_header));
+        const std::vector<double> numbers = numbers_in(row.cells, has_stamps ? stamped_path_header : path_header);
+        if (has_stamps)
+            add_stamp(numbers.front(), path.stamps);
+        path.poses.push_back(pose_from_numbers(std::span(numbers).last(7)));
     } catch (const InvalidInput& error) {
         fail_at_line(row.line, error.what());
     }
@@ -67,16 +82,15 @@ void read_motion(const CsvRow& row, bool has_id, MotionRow& motion) {
     }
 }
 
-// Checks the header. Returns whether the first column is "id".
-bool read_motion_header(CsvTable& table) {
+// Checks the header. Returns whether it begins with the optional column `first`.
+bool read_header(CsvTable& table, std::string_view names, const std::string& first) {
     const auto header = table.next();
-    if (header && is_header(header->cells, motion_header))
+    if (header && is_header(header->cells, names))
         return false;
-    const bool has_id =
-        header && header->cells.front() == "id" && is_header(without_first(header->cells), motion_header);
-    if (!has_id)
+    const bool has_first = header && header->cells.front() == first && is_header(without_first(header->cells), names);
+    if (!has_first)
         fail_at_line(header ? header->line : 1,
-                     "the header must be " + std::string(motion_header) + ", with an optional first column id");
+                     "the header must be " + std::string(names) + ", with an optional first column " + first);
     return true;
 }
 
@@ -100,19 +114,24 @@ void for_each_row(CsvTable& table, const Read& read) {
 
 } // namespace
 
-std::vector<Pose> read_path(std::string_view text) {
+Path read_path(std::string_view text) {
     CsvTable table(text);
-    const auto header = table.next();
-    if (!header || !is_header(header->cells, path_header))
-        fail_at_line(header ? header->line : 1, "the header must be " + std::string(path_header));
-    std::vector<Pose> poses;
-    for_each_row(table, [&](const CsvRow& row) { poses.push_back(read_pose(row)); });
-    return poses;
+    const bool has_stamps = read_header(table, path_header, "t");
+    Path path;
+    std::size_t last_line = 1;
+    for_each_row(table, [&](const CsvRow& row) {
+        read_pose(row, has_stamps, path);
+        last_line = row.line;
+    });
+    if (path.poses.size() < 2)
+        fail_at_line(last_line, "the path has " + std::to_string(path.poses.size()) +
+                                    (path.poses.size() == 1 ? " pose" : " poses") + ", but needs at least two");
+    return path;
 }
 
 std::vector<MotionRow> read_motions(std::string_view text) {
     CsvTable table(text);
-    const bool has_id = read_motion_header(table);
+    const bool has_id = read_header(table, motion_header, "id");
     std::vector<MotionRow> motions;
     for_each_row(table, [&](const CsvRow& row) {
         MotionRow motion;
@@ -123,7 +142,7 @@ std::vector<MotionRow> read_motions(std::string_view text) {
     return motions;
 }
 
-std::vector<Pose> load_path(const std::filesystem::path& file) {
+Path load_path(const std::filesystem::path& file) {
     return read_naming_file(file, read_path);
 }
 

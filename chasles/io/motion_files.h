@@ -11,9 +11,16 @@
 
 namespace chasles::io {
 
-/// Reads the poses of a path, one pose per row, with the header "x,y,z,qw,qx,qy,qz". Lengths are in the length unit of
-/// the meshes. Throws InvalidInput with the file name, the line number and the reason.
-std::vector<Pose> load_path(const std::filesystem::path& file);
+/// The poses of a path, at least two.
+struct Path {
+    std::vector<Pose> poses;
+    std::vector<double> stamps; ///< the column "t", increasing, one stamp per pose; empty without this column
+};
+
+/// Reads a path, one pose per row, with the header "x,y,z,qw,qx,qy,qz" and an optional first column "t". Lengths are in
+/// the length unit of the meshes, stamps in any unit. Throws InvalidInput with the file name, the line number and the
+/// reason.
+Path load_path(const std::filesystem::path& file);
 
 /// One row of a list of motions: two poses, or the reason why they could not be read.
 struct MotionRow {
@@ -29,7 +36,7 @@ struct MotionRow {
 std::vector<MotionRow> load_motions(const std::filesystem::path& file);
 
 /// The same readers for the content of a file. Their messages do not contain the file name.
-std::vector<Pose> read_path(std::string_view text);
+Path read_path(std::string_view text);
 std::vector<MotionRow> read_motions(std::string_view text);
 
 } // namespace chasles::io

@@ -76,10 +76,28 @@ TEST_F(Errors, OptionsWithoutTheirNumbers) {
               "chasles: --margin: is empty, but takes numbers");
 }
 
-TEST_F(Errors, ACentreIsForASweep) {
-    EXPECT_EQ(error_line("check cube.obj cube.obj --centre 1,2,3" + poses),
-              "chasles: --centre: is for --motion sweep, but the motion is a screw");
-    EXPECT_NE(run("check cube.obj cube.obj --motion sweep --centre 1,2,3" + poses).status, 2);
+TEST_F(Errors, ACentreMovesStraight) {
+    const std::string check = "check cube.obj cube.obj" + poses;
+    const std::string right = "chasles: --centre: is for --motion sweep and --motion velocity, but the motion is a ";
+    EXPECT_EQ(error_line(check + " --centre 1,2,3"), right + "screw");
+    EXPECT_EQ(error_line(check + " --motion twist --centre -1 -2 -3"), right + "twist");
+    EXPECT_NE(run(check + " --motion sweep --centre 1,2,3").status, 2);
+    EXPECT_NE(run(check + " --motion velocity --centre -1 -2 -3").status, 2);
+    EXPECT_EQ(error_line(check + " --motion velocity --centre 1 2"),
+              "chasles: --centre: a point needs three numbers, but 2 were found");
+    EXPECT_EQ(error_line("batch cube.obj cube.obj --motions no.csv --out out.csv --centre 1 2 3"),
+              "chasles: no.csv: no such file");
+}
+
+TEST_F(Errors, ACentreOfTheFixedBodyIsForTwoBodiesAtConstantVelocity) {
+    const std::string check = "check cube.obj cube.obj" + poses;
+    const std::string both = check + " --fixed-start 0 0 0 --fixed-goal 0 0 1 --fixed-centre -1 -2 -3 --motion ";
+    for (const std::string motion : {"screw", "sweep", "twist"})
+        EXPECT_EQ(error_line(both + motion),
+                  "chasles: --fixed-centre: is for --motion velocity, but the motion is a " + motion);
+    EXPECT_NE(run(both + "velocity").status, 2);
+    EXPECT_EQ(error_line(check + " --motion velocity --fixed-centre 1 2 3"),
+              "chasles check: --fixed-centre requires --fixed-start (see chasles check --help)");
 }
 
 TEST_F(Errors, Poses) {
@@ -110,7 +128,8 @@ TEST_F(Errors, Usage) {
     EXPECT_EQ(error_line("check cube.obj cube.obj --start 0 0 0"), "chasles check: --goal is required" + hint);
     EXPECT_EQ(error_line("check cube.obj"), "chasles check: FIXED is required" + hint);
     EXPECT_EQ(error_line(check + " --fixed-start 0 0 0"), "chasles check: --fixed-start requires --fixed-goal" + hint);
-    EXPECT_EQ(error_line(check + " --motion helix"), "chasles check: --motion: helix not in {screw,sweep}" + hint);
+    EXPECT_EQ(error_line(check + " --motion helix"),
+              "chasles check: --motion: helix not in {screw,sweep,velocity,twist}" + hint);
     EXPECT_EQ(error_line(""), "chasles: A subcommand is required (see chasles --help)");
     EXPECT_EQ(error_line("unscrew"), "chasles: no subcommand 'unscrew' (see chasles --help)");
 }

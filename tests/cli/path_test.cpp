@@ -40,7 +40,7 @@ TEST_F(Path, RefusesBadFiles) {
     write("bad.csv", around + "1,2,x,1,0,0,0\n");
     EXPECT_EQ(error_line(path + "bad.csv"), "chasles: bad.csv: line 5: z: not a finite number: 'x'");
     write("one.csv", header + "3,0,0,1,0,0,0\n");
-    EXPECT_EQ(error_line(path + "one.csv"), "chasles: path: poses: at least two are needed");
+    EXPECT_EQ(error_line(path + "one.csv"), "chasles: one.csv: line 2: the path has 1 pose, but needs at least two");
 }
 
 } // namespace

@@ -5,6 +5,7 @@
 #include "chasles/io/pose_text.h"
 #include "tests/fuzz/bytes.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chasles::fuzz {
@@ -41,8 +42,11 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     fuzz::unless_refused([&] { fuzz::demand_sound(io::parse_pose(text)); });
     fuzz::unless_refused([&] { fuzz::demand(io::parse_point(text).allFinite(), "points are finite"); });
     fuzz::unless_refused([&] {
-        for (const Pose& pose : io::read_path(text))
+        const io::Path path = io::read_path(text);
+        for (const Pose& pose : path.poses)
             fuzz::demand_sound(pose);
+        fuzz::demand(path.stamps.empty() || path.stamps.size() == path.poses.size(), "every pose has a stamp");
+        fuzz::demand(std::ranges::is_sorted(path.stamps), "stamps increase");
     });
     fuzz::unless_refused([&] {
         for (const io::MotionRow& row : io::read_motions(text)) {

@@ -36,21 +36,51 @@ TEST(CsvCell, ReadsBackToTheSameText) {
 }
 
 TEST_F(MotionFiles, ReadsPaths) {
-    const auto poses =
+    const Path path =
         load_path(write("path.csv", "\xEF\xBB\xBF x, y,z,qw,qx,qy,qz\r\n1,2,3,1,0,0,0\r\n\r\n-.5,0,1e-3,0,0,0,2\r\n"));
-    ASSERT_EQ(poses.size(), 2U);
-    EXPECT_EQ(poses[1].translation, Eigen::Vector3d(-0.5, 0, 1e-3));
+    ASSERT_EQ(path.poses.size(), 2U);
+    EXPECT_EQ(path.poses[1].translation, Eigen::Vector3d(-0.5, 0, 1e-3));
+    EXPECT_TRUE(path.stamps.empty());
 }
 
 TEST_F(MotionFiles, RefusesBadPaths) {
-    EXPECT_EQ(path_message("x,y,z,qx,qy,qz,qw\n"), "path.csv: line 1: the header must be x,y,z,qw,qx,qy,qz");
-    EXPECT_EQ(path_message("\n\n"), "path.csv: line 1: the header must be x,y,z,qw,qx,qy,qz");
+    const std::string header_line =
+        "path.csv: line 1: the header must be x,y,z,qw,qx,qy,qz, with an optional first column t";
+    for (const char* const header :
+         {"x,y,z,qx,qy,qz,qw\n", "\n\n", "time,x,y,z,qw,qx,qy,qz\n", "x,y,z,qw,qx,qy,qz,t\n"})
+        EXPECT_EQ(path_message(header), header_line);
     EXPECT_EQ(path_message(path_header + "1,2,3\n"), "path.csv: line 2: 3 columns found, 7 expected");
     EXPECT_EQ(path_message(path_header + "1,2,3,1,0,0,0\n1,2,nan,1,0,0,0\n"),
               "path.csv: line 3: z: not a finite number: 'nan'");
     EXPECT_EQ(path_message(path_header + "1,2,,1,0,0,0\n"), "path.csv: line 2: z: not a finite number: ''");
     EXPECT_TRUE(path_message(path_header + "1,2,3,0,0,0,0\n").starts_with("path.csv: line 2: pose: quaternion: "));
     EXPECT_EQ(without_folder(message_of([&] { (void)load_path(path("no.csv")); })), "no.csv: no such file");
+    EXPECT_EQ(path_message(path_header), "path.csv: line 1: the path has 0 poses, but needs at least two");
+    EXPECT_EQ(path_message(path_header + "\n1,2,3,1,0,0,0\n"),
+              "path.csv: line 3: the path has 1 pose, but needs at least two");
+}
+
+TEST_F(MotionFiles, ReadsStamps) {
+    const Path path = load_path(
+        write("path.csv", " t ," + path_header + "-1.5,1,2,3,1,0,0,0\n1e-3,1,2,4,1,0,0,0\n0.1,1,2,5,0,0,0,2\n"));
+    EXPECT_EQ(path.stamps, (std::vector<double>{-1.5, 1e-3, 0.1}));
+    ASSERT_EQ(path.poses.size(), 3U);
+    EXPECT_EQ(path.poses[1].translation, Eigen::Vector3d(1, 2, 4));
+}
+
+TEST_F(MotionFiles, RefusesBadStamps) {
+    const auto message = [&](const std::string& second, const std::string& first = "1") {
+        return path_message("t," + path_header + first + ",1,2,3,1,0,0,0\n" + second + ",1,2,4,1,0,0,0\n");
+    };
+    EXPECT_EQ(message("0.5"), "path.csv: line 3: t: must increase, but is 0.5 after 1");
+    EXPECT_EQ(message("1"), "path.csv: line 3: t: must increase, but is 1 after 1");
+    EXPECT_EQ(message("nan"), "path.csv: line 3: t: not a finite number: 'nan'");
+    EXPECT_EQ(message("2", "-inf"), "path.csv: line 2: t: not a finite number: '-inf'");
+    EXPECT_EQ(message(""), "path.csv: line 3: t: not a finite number: ''");
+    EXPECT_EQ(message("1e308", "-1e308"), "path.csv: line 3: t: 1e+308 is too far from the first stamp");
+    EXPECT_EQ(path_message("t," + path_header + "1,2,3,1,0,0,0\n"), "path.csv: line 2: 7 columns found, 8 expected");
+    EXPECT_EQ(path_message("t," + path_header + "7,1,2,3,1,0,0,0\n"),
+              "path.csv: line 2: the path has 1 pose, but needs at least two");
 }
 
 TEST_F(MotionFiles, NumbersRowsFromZeroOrTakesTheirIds) {

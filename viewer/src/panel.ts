@@ -65,23 +65,31 @@ function meaning(answer: Answer, margin: number): string {
 }
 
 function timeRows(answer: Answer): [string, string | number][] {
+  const tau: [string, number][] = answer.tau === undefined ? [] : [["tau from", answer.tau], ["to", answer.tau_upper!]];
   return [
     ["time from", answer.time!],
     ["to", answer.time_upper!],
-    ["tau from", answer.tau!],
-    ["to", answer.tau_upper!],
+    ...tau,
     ["certain", answer.certain ? "yes" : "no: the bodies may just miss each other"],
   ];
 }
 
-function motionRows({ motion }: Answer, isSweep: boolean): [string, number | string | Vector][] {
-  const screw: [string, number | string | Vector][] = [
-    ["turn", `${motion.angle} rad`],
-    ["slide", motion.slide],
-    ["axis", motion.axis_direction],
-    ["through", motion.axis_point],
-  ];
-  return isSweep ? [["motion", "sweep; the screw with equal end poses:"], ...screw] : screw;
+/** What the screw between the end poses is to the motion. */
+const motionNames = {
+  screw: "",
+  sweep: "sweep; the screw with equal end poses:",
+  velocity: "constant velocity; the screw with equal end poses:",
+  twist: "constant twist: even turn and slide",
+};
+
+function motionRows({ motion }: Answer, scene: Scene): [string, number | string | Vector][] {
+  const rows: [string, number | string | Vector][] = [];
+  if (motionNames[scene.motion]) rows.push(["motion", motionNames[scene.motion]]);
+  if (scene.is_in_world) rows.push(["body", "the moving one, in the world; the fixed one moves too"]);
+  rows.push(["turn", `${motion.angle} rad`], ["slide", motion.slide], ["axis", motion.axis_direction]);
+  rows.push(["through", motion.axis_point]);
+  if (motion.displacement) rows.push(["centre goes", motion.displacement]);
+  return rows;
 }
 
 function contactDetails(contact: Contact): HTMLElement {
@@ -134,6 +142,6 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
     section("Safe", table([["clear until", answer.clear_until!]]));
   }
   if (answer.overlap) section("Overlap", element("div", overlapName(answer.overlap)), table([["point", answer.overlap.point]]));
-  section("Motion", table(motionRows(answer, scene.is_sweep)));
+  section("Motion", table(motionRows(answer, scene)));
   section("Work", table(workRows(answer)));
 }

@@ -21,7 +21,10 @@ export interface Overlap {
   point: Vector;
 }
 
-/** The object that `chasles check --json` prints. When clear, time, tau, certain, pose, contacts and overlap are absent. */
+/**
+ * The object that `chasles check --json` prints. When clear, time, tau, certain, pose, contacts and overlap are absent.
+ * Constant velocity and constant twist have no tau; displacement belongs to constant velocity.
+ */
 export interface Answer {
   verdict: "clear" | "contact" | "contact_at_start";
   time?: number;
@@ -35,7 +38,7 @@ export interface Answer {
   contacts_cut?: boolean; // there are more contacts than `contacts` or `held` lists
   held?: Contact[]; // contacts within the margin at time 0
   overlap?: Overlap;
-  motion: { angle: number; slide: number; axis_point: Vector; axis_direction: Vector };
+  motion: { angle: number; slide: number; axis_point: Vector; axis_direction: Vector; displacement?: Vector };
   work: Record<string, number>;
 }
 
@@ -57,7 +60,8 @@ export interface Scene {
   format: number;
   title: string;
   margin: number;
-  is_sweep: boolean;
+  motion: "screw" | "sweep" | "velocity" | "twist";
+  is_in_world: boolean; // the numbers of the motion are those of the moving body in the world; the fixed one moves too
   meshes: PackedMesh[];
   moving: PackedBody;
   fixed: PackedBody;
