@@ -1,5 +1,5 @@
-// What other motions than the paper's screw cost: constant velocity and constant twist beside the screw between the same
-// poses, in one run. Each time includes making the motion. A ratio is that of the least of several calls in turn.
+// What other motions than the paper's screw cost: constant velocity and constant twist beside the screw between the
+// same poses, in one run. Each time includes making the motion. A ratio is that of the least of several calls in turn.
 #include "bench/bodies.h"
 #include "bench/draw.h"
 #include "bench/generated_bodies.h"
@@ -63,9 +63,10 @@ std::vector<Ends> motions_of(const Polyhedron& body, double turn) {
         const Quaterniond orientation = draw.turn(0, std::numbers::pi);
         const Vector3d from = draw.between(0.9, 1.5) * length * draw.direction();
         const Vector3d to = draw.between(0.2, 1.2) * length * draw.direction();
-        const Ends ends{pose(from, orientation),
-                        pose(from + 0.5 * (to - from), Quaterniond(Eigen::AngleAxisd(turn, draw.direction())) * orientation),
-                        centre};
+        const Ends ends{
+            pose(from, orientation),
+            pose(from + 0.5 * (to - from), Quaterniond(Eigen::AngleAxisd(turn, draw.direction())) * orientation),
+            centre};
         if (answer(body, ends, Kind::screw).verdict != Verdict::contact_at_start)
             motions.push_back(ends);
     }

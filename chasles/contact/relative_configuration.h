@@ -29,7 +29,8 @@ struct NearestPoints {
     [[nodiscard]] Eigen::Vector3d apart() const { return on_moving - on_fixed; }
 };
 
-/// `tau` in [0, 1] within the range of the maps; rates are `rate` times those of the maps. Bodies are kept by reference.
+/// `tau` in [0, 1] within the range of the maps; rates are `rate` times those of the maps. Bodies are kept by
+/// reference.
 class RelativeConfiguration {
 public:
     RelativeConfiguration(const Body& moving, const Body& fixed, const motion::ControlMaps<double>& maps, double tau,

@@ -9,8 +9,7 @@ namespace chasles::culling {
 
 PieceParts::PieceParts(const motion::ControlMaps<double>& whole, const elementary::ErrorScale& scale,
                        const motion::AnyPiece& piece, const BodySizes& sizes)
-    : whole_(&whole), scale_(scale),
-      enclosed_{{&piece, sizes, {sizes.moving.centre, 2 * sizes.moving.radius}}} {}
+    : whole_(&whole), scale_(scale), enclosed_{{&piece, sizes, {sizes.moving.centre, 2 * sizes.moving.radius}}} {}
 
 motion::Enclosure<double> PieceParts::enclosure(const TimeRange& range) const {
     return *enclosed_->piece->enclosure({range.lower, range.upper});

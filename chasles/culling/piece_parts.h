@@ -13,7 +13,7 @@ namespace chasles::culling {
 
 /// The sizes of two bodies, each with the margin of a search.
 struct BodySizes {
-    motion::Ball moving; ///< encloses the moving body
+    motion::Ball moving;      ///< encloses the moving body
     double moving_extent = 0; ///< the largest coordinate, in the frame of the body
     double fixed_extent = 0;
 };
@@ -38,13 +38,17 @@ public:
     [[nodiscard]] motion::Enclosure<double> enclosure(const TimeRange& range) const;
     /// How far any point of the moving body may be from its true place. It is counted for a ball of twice the body's
     /// radius, so that the bounds of elementary tests hold (note 24, "Features").
-    [[nodiscard]] double deviation_of(const motion::EnclosureBounds& part) const { return part.deviation_of(enclosed_->twice); }
+    [[nodiscard]] double deviation_of(const motion::EnclosureBounds& part) const {
+        return part.deviation_of(enclosed_->twice);
+    }
     /// Whether a shorter part would deviate much less.
     [[nodiscard]] bool is_worth_shortening(const motion::EnclosureBounds& part) const {
         return deviation_of(part) > 1.5 * rounding_of(part);
     }
     /// The share of the deviation that shorter parts do not reduce.
-    [[nodiscard]] double rounding_of(const motion::EnclosureBounds& part) const { return part.rounding_of(enclosed_->twice); }
+    [[nodiscard]] double rounding_of(const motion::EnclosureBounds& part) const {
+        return part.rounding_of(enclosed_->twice);
+    }
     /// Whether no point of the moving body moves by more than the body's radius.
     [[nodiscard]] bool is_short(const motion::EnclosureBounds& part) const {
         return part.travel_of(enclosed_->twice) <= 0.5 * enclosed_->twice.radius;

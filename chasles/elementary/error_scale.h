@@ -19,8 +19,8 @@ struct ErrorScale {
     double norm_bound =
         1; ///< bound of rotated unit directions over the weight; 1 for a rotation, more for control maps
     double half_angle_secant =
-        1; ///< 1 / cos of half of the turn of a screw: the factor by which errors in double-double grow
-    double deviation = 0;      ///< of points of the moving body from their true places, in the length unit
+        1;                ///< 1 / cos of half of the turn of a screw: the factor by which errors in double-double grow
+    double deviation = 0; ///< of points of the moving body from their true places, in the length unit
     double turn_deviation = 0; ///< of the orientation, in radians
 };
 

@@ -91,9 +91,8 @@ Motion Motion::polynomial(const std::vector<Eigen::Vector3d>& places) {
             coefficients[std::size_t(i)].push_back(place[i]);
     for (const std::vector<double>& part : coefficients)
         require_usable(part, "coefficients", Pose::largest_length);
-    return motion_of(SmoothMotion::of_one(motion::path_frame({SmoothPolynomial(coefficients[0]),
-                                                              SmoothPolynomial(coefficients[1]),
-                                                              SmoothPolynomial(coefficients[2])})));
+    return motion_of(SmoothMotion::of_one(motion::path_frame(
+        {SmoothPolynomial(coefficients[0]), SmoothPolynomial(coefficients[1]), SmoothPolynomial(coefficients[2])})));
 }
 
 Motion Motion::spline(const std::vector<double>& times, const std::vector<Pose>& poses) {

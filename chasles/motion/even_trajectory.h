@@ -3,9 +3,9 @@
 // Source: docs/derivations/25-even-motions.md.
 #pragma once
 
+#include "chasles/algebra/sine_cosine.h"
 #include "chasles/motion/motion_ends.h"
 #include "chasles/motion/smooth_trajectory.h"
-#include "chasles/algebra/sine_cosine.h"
 
 #include <memory>
 #include <optional>

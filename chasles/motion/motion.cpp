@@ -146,13 +146,22 @@ Pose SweepMotion::pose_at(double time) const {
 
 namespace {
 
+/// A sweep that does not turn, which is also an even motion.
+class StraightTrajectory : public SweepTrajectory {
+public:
+    using SweepTrajectory::SweepTrajectory;
+    [[nodiscard]] motion::SharedFrame frame() const {
+        return motion::velocity_frame(ends().start, ends().goal, centre());
+    }
+};
+
 /// Without a turn it is a sweep, which is exact. Only a quick test tells, as most motions turn.
 Motion even_motion(EvenTrajectory::Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre) {
     const EvenTrajectory trajectory(kind, ends, centre);
     const auto turn = turn_between(motion::pose_in<double>(ends.start), motion::pose_in<double>(ends.goal));
     const bool may_not_turn = norm1(turn.v) <= 0x1p-40 * turn.w;
     if (may_not_turn && !(0 < double(trajectory.motion().angle)))
-        return erased(SweepTrajectory(ends, centre));
+        return erased(StraightTrajectory(ends, centre));
     return erased(trajectory);
 }
 

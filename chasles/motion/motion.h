@@ -44,8 +44,8 @@ public:
     /// Throws InvalidInput for numbers that cannot be used.
     static Motion hinge(const Eigen::Vector3d& point, const Eigen::Vector3d& direction,
                         const std::vector<double>& angle);
-    /// The translation by (sum of way[k] time^k) along the unit vector of `direction`, mesh unit. Throws InvalidInput for
-    /// numbers that cannot be used.
+    /// The translation by (sum of way[k] time^k) along the unit vector of `direction`, mesh unit. Throws InvalidInput
+    /// for numbers that cannot be used.
     static Motion slider(const Eigen::Vector3d& direction, const std::vector<double>& way);
     /// The translation by the sum of places[k] time^k, mesh unit. Throws InvalidInput for numbers that cannot be used.
     static Motion polynomial(const std::vector<Eigen::Vector3d>& places);
@@ -53,10 +53,10 @@ public:
     /// orientation to the next, the shorter way round. Throws InvalidInput for fewer than two poses, and for times that
     /// do not ascend from 0 to 1.
     static Motion spline(const std::vector<double>& times, const std::vector<Pose>& poses);
-    /// The uniform cumulative cubic B-spline of positions and of orientations: smooth in velocity and acceleration, near
-    /// its control poses but not through them. The first and the last pose count three times, so that the motion starts
-    /// and ends there. Consecutive orientations must differ by less than a half turn. Throws InvalidInput for fewer than
-    /// two poses. Source: Kim, Kim, Shin, "A general construction scheme for unit quaternion curves", 1995.
+    /// The uniform cumulative cubic B-spline of positions and of orientations: smooth in velocity and acceleration,
+    /// near its control poses but not through them. The first and the last pose count three times, so that the motion
+    /// starts and ends there. Consecutive orientations must differ by less than a half turn. Throws InvalidInput for
+    /// fewer than two poses. Source: Kim, Kim, Shin, "A general construction scheme for unit quaternion curves", 1995.
     static Motion b_spline(const std::vector<Pose>& poses);
     /// A trajectory of the user's own (chasles/motion/own_trajectory.h).
     static Motion along(const OwnTrajectory& trajectory);
@@ -176,8 +176,8 @@ private:
     Motion motion_;
 };
 
-/// Constant velocity: the body turns evenly about one direction, the shorter way round, while a point of it moves evenly
-/// on a straight line ("slerp and lerp"). Keeps both end poses. Source: docs/derivations/25-even-motions.md.
+/// Constant velocity: the body turns evenly about one direction, the shorter way round, while a point of it moves
+/// evenly on a straight line ("slerp and lerp"). Keeps both end poses. Source: docs/derivations/25-even-motions.md.
 ///
 /// The motion is no rational one. A query encloses it by cubic motions and follows a contact until the bracket is as
 /// narrow as asked or as rounding allows (docs/derivations/24-enclosures.md). A motion that does not turn is a sweep.
@@ -192,7 +192,7 @@ public:
     [[nodiscard]] double angle() const; ///< turn in [0, pi], radians
     /// Of the centre during the whole motion, in the fixed body's frame and the mesh unit.
     [[nodiscard]] Eigen::Vector3d displacement() const;
-    [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; } ///< in the moving body's frame
+    [[nodiscard]] const Eigen::Vector3d& centre() const { return centre_; }         ///< in the moving body's frame
     [[nodiscard]] Pose pose_at(double time) const { return motion_.pose_at(time); } ///< of the moving body in the world
 
     operator Motion() const { return motion_; } // NOLINT(google-explicit-constructor): a query takes any motion

@@ -24,7 +24,8 @@ public:
 
     [[nodiscard]] GeneralPose<double> at(double time) const override {
         const Pose given = given_.pose_at(time);
-        auto pose = pose_in<double>(is_ordinary(given) ? given : Pose(given.translation, Eigen::Quaterniond(given.rotation)));
+        auto pose =
+            pose_in<double>(is_ordinary(given) ? given : Pose(given.translation, Eigen::Quaterniond(given.rotation)));
         const double inverse = 1 / std::sqrt(pose.rotation.squared_norm());
         pose.rotation = {pose.rotation.w * inverse, scale(pose.rotation.v, inverse)};
         return pose;

@@ -35,8 +35,8 @@ class Sample {
 public:
     Sample(const motion::MovingFrame& frame, const OwnTrajectory& trajectory, double from, double to)
         : duration_(to - from), reference_(motion::vector_in<double>(trajectory.reference)), start_(frame.at(from)),
-          middle_(frame.at(0.5 * (from + to))), end_(frame.at(to)),
-          turn_noise_(8 * trajectory.rounding + 0x1p-49), noise_(turn_noise_ * frame.size()) {}
+          middle_(frame.at(0.5 * (from + to))), end_(frame.at(to)), turn_noise_(8 * trajectory.rounding + 0x1p-49),
+          noise_(turn_noise_ * frame.size()) {}
 
     // What the poses prove of each rate, at least.
 
@@ -56,8 +56,7 @@ public:
         if (turn > large)
             return 0;
         const double sine = half_sine_between(half_way(start_.rotation, end_.rotation), middle_.rotation);
-        return 16 * (sine * std::cos(0.25 * turn) - turn * turn * turn / 384 - turn_noise_) /
-               (duration_ * duration_);
+        return 16 * (sine * std::cos(0.25 * turn) - turn * turn * turn / 384 - turn_noise_) / (duration_ * duration_);
     }
 
 private:

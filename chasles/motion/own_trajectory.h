@@ -17,7 +17,7 @@ namespace chasles {
 /// known, it stays infinite: then the query takes more steps, as the speed alone bounds how far the body is from a
 /// straight way.
 struct MotionBounds {
-    double turn_rate = 0; ///< of the angular velocity, radians
+    double turn_rate = 0;                                               ///< of the angular velocity, radians
     double turn_acceleration = std::numeric_limits<double>::infinity(); ///< of the angular acceleration, radians
     double speed = 0;                                                   ///< of the reference point, mesh unit
     double acceleration = std::numeric_limits<double>::infinity();      ///< of the reference point, mesh unit
@@ -28,8 +28,8 @@ struct MotionBounds {
 struct OwnTrajectory {
     /// The pose of the moving body in the frame of the fixed body, at a time in [0, 1].
     std::function<Pose(double time)> pose_at;
-    /// Bounds that hold from one time to another, within [0, 1]. The interval has no knot inside. The tighter the bounds
-    /// for short intervals, the fewer steps a query takes.
+    /// Bounds that hold from one time to another, within [0, 1]. The interval has no knot inside. The tighter the
+    /// bounds for short intervals, the fewer steps a query takes.
     std::function<MotionBounds(double from, double to)> bounds;
     /// The point of the moving body, in its frame, whose speed and acceleration are bounded. Best where it accelerates
     /// least.
@@ -43,12 +43,12 @@ struct OwnTrajectory {
 
 /// A bound that does not hold.
 struct BrokenBound {
-    std::string bound;  ///< the name in MotionBounds
-    double from = 0;    ///< the interval
+    std::string bound; ///< the name in MotionBounds
+    double from = 0;   ///< the interval
     double to = 0;
-    double at = 0;      ///< the time in it at which it breaks
-    double stated = 0;  ///< the bound
-    double found = 0;   ///< what the poses show, at least
+    double at = 0;     ///< the time in it at which it breaks
+    double stated = 0; ///< the bound
+    double found = 0;  ///< what the poses show, at least
 };
 
 /// Samples the poses of a trajectory at random times and compares them with its bounds. Returns the first bound that it

@@ -125,12 +125,9 @@ inline RationalMotion<algebra::DoubleDouble> widened(const RationalMotion<double
     using Wide = algebra::DoubleDouble;
     const auto vector = [](const Vector3<double>& v) { return Vector3<Wide>{Wide(v.x), Wide(v.y), Wide(v.z)}; };
     const Matrix3<double>& turn = motion.orientation;
-    return {Wide(motion.end_cosine),
-            vector(motion.axis),
-            vector(motion.moment),
-            vector(motion.displacement),
-            vector(motion.origin),
-            {vector(turn.row[0]), vector(turn.row[1]), vector(turn.row[2])},
+    return {Wide(motion.end_cosine), vector(motion.axis),
+            vector(motion.moment),   vector(motion.displacement),
+            vector(motion.origin),   {vector(turn.row[0]), vector(turn.row[1]), vector(turn.row[2])},
             motion.reference_extent};
 }
 
@@ -143,8 +140,8 @@ inline Vector3<double> in_double(const Vector3<algebra::DoubleDouble>& v) {
 inline RationalMotion<double> rounded(const RationalMotion<algebra::DoubleDouble>& motion) {
     const Matrix3<algebra::DoubleDouble>& turn = motion.orientation;
     return {double(motion.end_cosine), in_double(motion.axis),
-            in_double(motion.moment),     in_double(motion.displacement),
-            in_double(motion.origin),     {in_double(turn.row[0]), in_double(turn.row[1]), in_double(turn.row[2])},
+            in_double(motion.moment),  in_double(motion.displacement),
+            in_double(motion.origin),  {in_double(turn.row[0]), in_double(turn.row[1]), in_double(turn.row[2])},
             motion.reference_extent};
 }
 

@@ -54,7 +54,9 @@ public:
     explicit SmoothPieces(SmoothMotion motion);
 
     [[nodiscard]] std::size_t size() const { return cuts_.size() - 1; }
-    [[nodiscard]] SmoothPiece operator[](std::size_t index) const { return {motion_, {cuts_[index], cuts_[index + 1]}}; }
+    [[nodiscard]] SmoothPiece operator[](std::size_t index) const {
+        return {motion_, {cuts_[index], cuts_[index + 1]}};
+    }
 
 private:
     SmoothMotion motion_;

@@ -22,8 +22,8 @@ struct PathBall {
                      ///< (1e-13 of it)
 };
 
-/// One piece of a trajectory: a cubic motion over tau in [0, 1] with the true ends, and enclosures of the true motion if
-/// that is another one.
+/// One piece of a trajectory: a cubic motion over tau in [0, 1] with the true ends, and enclosures of the true motion
+/// if that is another one.
 template <class P>
 concept TrajectoryPiece = requires(const P& piece, double number, const Bracket& bracket) {
     /// The cubic motion. The control maps in double and in double-double are made from it.

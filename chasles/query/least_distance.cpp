@@ -65,8 +65,8 @@ private:
 
     const Question& question_;
     std::vector<PieceContext> pieces_;
-    double rounding_ = 0;  ///< a bound of the rounding of distances at rest, mesh unit
-    double lower_ = 0;     ///< proven
+    double rounding_ = 0; ///< a bound of the rounding of distances at rest, mesh unit
+    double lower_ = 0;    ///< proven
     Moment nearest_;
     int finds_ = 0;                ///< searches that found something nearer
     double clear_level_ = 0;       ///< of the last search: nothing is within it

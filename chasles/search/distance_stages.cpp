@@ -29,9 +29,9 @@ double width_of(const FeasibleInterval& tau) {
 
 DistanceStages::DistanceStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), parts_(context.parts(options.margin)),
-      filter_({context.moving(), context.fixed(), parts_.scale(), options.margin}, context.maps()), next_filter_(filter_),
-      start_tests_(context.moving(), context.fixed(), parts_.scale()), overlaps_(context, parts_.scale()),
-      candidates_({options.finds_any, options.tolerance, true}) {}
+      filter_({context.moving(), context.fixed(), parts_.scale(), options.margin}, context.maps()),
+      next_filter_(filter_), start_tests_(context.moving(), context.fixed(), parts_.scale()),
+      overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, true}) {}
 
 void DistanceStages::use(const culling::TimeRange& part) {
     if (part != filter_.part())

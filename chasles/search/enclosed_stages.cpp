@@ -46,9 +46,9 @@ std::optional<FeasibleInterval> in_piece(std::optional<FeasibleInterval> found, 
                                          bool is_short) {
     constexpr double rounding = 0x1p-51;
     if (found)
-        found = FeasibleInterval{std::max(part.lower, part.at(found->lower) * (1 - rounding)),
-                                 std::min(part.upper, part.at(found->upper) * (1 + rounding)),
-                                 found->certain && is_short};
+        found =
+            FeasibleInterval{std::max(part.lower, part.at(found->lower) * (1 - rounding)),
+                             std::min(part.upper, part.at(found->upper) * (1 + rounding)), found->certain && is_short};
     return found;
 }
 
@@ -90,8 +90,9 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::RefinedPartTests:
 
 template <bool within_margin>
 EnclosedStages<within_margin>::EnclosedStages(PieceContext& context, const SearchOptions& options)
-    : context_(context), options_(options), parts_(context.parts(options.margin)),
-      filter_(context, options, parts_), shorter_(context, options, parts_), start_tests_(context.moving(), context.fixed(), parts_.scale(), options.margin),
+    : context_(context), options_(options), parts_(context.parts(options.margin)), filter_(context, options, parts_),
+      shorter_(context, options, parts_),
+      start_tests_(context.moving(), context.fixed(), parts_.scale(), options.margin),
       overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, within_margin}) {
     start_tests_.use(context.maps(), {});
 }
@@ -160,13 +161,13 @@ PieceResult EnclosedStages<within_margin>::take() {
     return {candidates_.take(), candidates_.searched_until(), overlaps_.found(), work_};
 }
 
-/// Tests ever shorter parts of a bracket, the earliest first. The bracket of a proven contact is the next part; it is far
-/// shorter, as a bracket is as wide as the deviation, which falls with the square of the width or faster.
+/// Tests ever shorter parts of a bracket, the earliest first. The bracket of a proven contact is the next part; it is
+/// far shorter, as a bracket is as wide as the deviation, which falls with the square of the width or faster.
 template <bool within_margin>
 template <class Tests>
-std::optional<FeasibleInterval>
-EnclosedStages<within_margin>::follow(Tests& tests, const FeaturePair& features, const FeasibleInterval& where,
-                                      const SearchState& state) {
+std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tests, const FeaturePair& features,
+                                                                      const FeasibleInterval& where,
+                                                                      const SearchState& state) {
     constexpr double never = 2;
     const double shortest = std::min(shortest_part, 0.5 * options_.tolerance);
     double proven_upper = where.certain ? where.upper : never;

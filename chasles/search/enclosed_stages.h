@@ -1,6 +1,6 @@
-// When do features touch, or come within a distance, on a motion that the maps only enclose? A filter over a part of the
-// piece, then the same test over ever shorter parts, which deviate less and less.
-// Source: docs/derivations/24-enclosures.md, "Refinement".
+// When do features touch, or come within a distance, on a motion that the maps only enclose? A filter over a part of
+// the piece, then the same test over ever shorter parts, which deviate less and less. Source:
+// docs/derivations/24-enclosures.md, "Refinement".
 #pragma once
 
 #include "chasles/search/candidates.h"

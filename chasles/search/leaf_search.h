@@ -56,9 +56,12 @@ private:
     void search_plane(const culling::FacePair& pair, double until) {
         if (until <= pair.first_left)
             return;
-        plane_ = culling::SeparatingPlane::faces(
-            {context_.moving(), context_.fixed(), context_.refined_maps(), stages_.parts().scale(), {pair.first_left, until}},
-            pair.moving, pair.fixed);
+        plane_ = culling::SeparatingPlane::faces({context_.moving(),
+                                                  context_.fixed(),
+                                                  context_.refined_maps(),
+                                                  stages_.parts().scale(),
+                                                  {pair.first_left, until}},
+                                                 pair.moving, pair.fixed);
         if (plane_)
             stages_.stop_search_at(until);
     }

@@ -23,9 +23,8 @@ double extent(const Bvh& bvh) {
 } // namespace
 
 PieceContext::PieceContext(const Body& moving, const Body& fixed, std::unique_ptr<const motion::AnyPiece> piece)
-    : moving_(moving), fixed_(fixed), piece_(std::move(piece)),
-      is_enclosed_(piece_->enclosure({0, 0}).has_value()), maps_(motion::double_maps(piece_->cubic())),
-      norms_(maps_) {}
+    : moving_(moving), fixed_(fixed), piece_(std::move(piece)), is_enclosed_(piece_->enclosure({0, 0}).has_value()),
+      maps_(motion::double_maps(piece_->cubic())), norms_(maps_) {}
 
 elementary::ErrorScale PieceContext::error_scale(double margin) const {
     const motion::RationalMotion<algebra::DoubleDouble>& cubic = piece_->cubic();
@@ -44,7 +43,9 @@ culling::PieceParts PieceContext::parts(double margin) const {
     const elementary::ErrorScale scale = error_scale(margin);
     if (!is_enclosed_)
         return {maps_, scale};
-    return {maps_, scale, *piece_,
+    return {maps_,
+            scale,
+            *piece_,
             {culling::ball_around(moving_.bvh(), margin), extent(moving_.bvh()) + margin, extent(fixed_.bvh())}};
 }
 

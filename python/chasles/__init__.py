@@ -13,16 +13,22 @@ Lengths are in the meshes' own unit, angles in radians, times in [0, 1]. The gui
 from typing import Any
 
 from ._core import (
+    ConstantTwist,
+    ConstantVelocity,
     Contact,
     FirstContact,
     InvalidInput,
     LeastDistance,
     MeshReport,
+    Motion,
     Overlap,
     PathContact,
     Polyhedron,
     ScrewMotion,
+    Spline,
     SweepMotion,
+    TimedPoses,
+    Trajectory,
     Work,
     __version__,
     constraint_rows,
@@ -30,6 +36,7 @@ from ._core import (
     first_contact_on_path,
     least_distance,
     load,
+    relative,
 )
 from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .enums import ContactKind, Find, Verdict
@@ -39,6 +46,8 @@ from .view import view, write_page
 
 __all__ = [
     "BatchInterrupted",
+    "ConstantTwist",
+    "ConstantVelocity",
     "Contact",
     "ContactKind",
     "Find",
@@ -46,11 +55,15 @@ __all__ = [
     "InvalidInput",
     "LeastDistance",
     "MeshReport",
+    "Motion",
     "Overlap",
     "PathContact",
     "Polyhedron",
     "ScrewMotion",
+    "Spline",
     "SweepMotion",
+    "TimedPoses",
+    "Trajectory",
     "Verdict",
     "Work",
     "__version__",

@@ -17,6 +17,7 @@ from .table import NOT_DONE, empty_table, least_dtype, motion_dtype, path_dtype
 
 Table = npt.NDArray[np.void]
 Errors = Literal["raise", "mark"]
+MotionKind = Literal["screw", "sweep", "velocity", "twist"]
 
 
 class BatchInterrupted(KeyboardInterrupt):
@@ -43,6 +44,7 @@ def first_contact_batch(
     margin: float = 0.0,
     hold: float | None = None,
     time_tolerance: float = 1e-12,
+    motion: MotionKind = "screw",
     max_turn: float = math.pi / 18,
     find: Find | str = "first",
     threads: int = 0,
@@ -52,7 +54,7 @@ def first_contact_batch(
 ) -> Table:
     """The first contact of many motions of one pair of bodies.
 
-    Each motion is the screw from its start to its goal. The batch runs without the GIL (Python's global interpreter
+    Each motion goes from its start to its goal. The batch runs without the GIL (Python's global interpreter
     lock). The answers do not depend on the number of threads.
 
     Parameters
@@ -62,6 +64,9 @@ def first_contact_batch(
         Poses of the moving body in the frame of the fixed body, in the form that `first_contact` takes.
     margin, hold, time_tolerance, max_turn, find
         As for `first_contact`. A row holds one contact.
+    motion : "screw", "sweep", "velocity" or "twist"
+        What lies between start and goal. A sweep and a constant velocity have the body's origin on a straight line.
+        "velocity" and "twist" have no tau: it is NaN.
     threads : int
         The maximal number of threads; 0 for all cores.
     errors : "raise" or "mark"
@@ -88,7 +93,7 @@ def first_contact_batch(
     """
     starts, goals = _array(starts, "starts"), _array(goals, "goals")
     table = _table_for(table, len(starts) if starts.ndim else 0, motion_dtype)
-    answer_rows = partial(_core._first_contact_batch, moving, fixed, starts, goals, table, hold=hold)
+    answer_rows = partial(_core._first_contact_batch, moving, fixed, starts, goals, table, hold=hold, motion=motion)
     options = {"margin": margin, "time_tolerance": time_tolerance, "max_turn": max_turn, "find": find}
     return _run(answer_rows, table, options, threads, errors, progress, "motions")
 
@@ -101,6 +106,7 @@ def least_distance_batch(
     *,
     tolerance: float = 1e-6,
     time_tolerance: float = 1e-12,
+    motion: MotionKind = "screw",
     max_turn: float = math.pi / 18,
     threads: int = 0,
     errors: Errors = "raise",
@@ -109,7 +115,7 @@ def least_distance_batch(
 ) -> Table:
     """How near two bodies come during many motions, when, and where.
 
-    Each motion is the screw from its start to its goal. The answers do not depend on the number of threads.
+    Each motion goes from its start to its goal. The answers do not depend on the number of threads.
 
     Parameters
     ----------
@@ -118,6 +124,8 @@ def least_distance_batch(
         Poses of the moving body in the frame of the fixed body, in the form that `first_contact` takes.
     tolerance, time_tolerance, max_turn
         As for `least_distance`. A row holds one pair of nearest features.
+    motion
+        As for `first_contact_batch`.
     threads, errors, progress, table
         As for `first_contact_batch`.
 
@@ -134,7 +142,7 @@ def least_distance_batch(
     """
     starts, goals = _array(starts, "starts"), _array(goals, "goals")
     table = _table_for(table, len(starts) if starts.ndim else 0, least_dtype)
-    answer_rows = partial(_core._least_distance_batch, moving, fixed, starts, goals, table)
+    answer_rows = partial(_core._least_distance_batch, moving, fixed, starts, goals, table, motion=motion)
     options = {"tolerance": tolerance, "time_tolerance": time_tolerance, "max_turn": max_turn}
     return _run(answer_rows, table, options, threads, errors, progress, "motions")
 

@@ -17,7 +17,8 @@ from typing import Any
 import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
-from ._core import Polyhedron, first_contact
+from ._core import Polyhedron
+from .batch import MotionKind, first_contact_batch
 from .enums import Find
 from .partitions import Partition, answer_partition, manifest_of, motion_files, partitions_of, prepare
 
@@ -51,6 +52,7 @@ def first_contact_parquet(
     margin: float = 0.0,
     hold: float | None = None,
     time_tolerance: float = 1e-12,
+    motion: MotionKind = "screw",
     max_turn: float = math.pi / 18,
     find: Find | str = "first",
     threads: int | None = None,
@@ -76,7 +78,7 @@ def first_contact_parquet(
         results in the order of the motions.
     client : dask.distributed.Client, optional
         The cluster. Without a client, this process answers all partitions.
-    margin, hold, time_tolerance, max_turn, find
+    margin, hold, time_tolerance, motion, max_turn, find
         As for `first_contact_batch`.
     threads : int, optional
         Threads per partition. The default is 1 on a cluster, because its workers have several threads, otherwise all
@@ -91,6 +93,7 @@ def first_contact_parquet(
         "margin": margin,
         "hold": hold,
         "time_tolerance": time_tolerance,
+        "motion": motion,
         "max_turn": max_turn,
         "find": str(Find(find)) if find in list(Find) else find,
     }
@@ -120,8 +123,8 @@ def _check(moving: Polyhedron, fixed: Polyhedron, options: dict[str, Any]) -> No
     for body in (moving, fixed):
         if not isinstance(body, Polyhedron):
             raise TypeError(f"a {type(body).__name__} is not a chasles.Polyhedron")
-    far_away = [1e20, 0, 0, 1, 0, 0, 0]
-    first_contact(moving, fixed, far_away, far_away, **options)
+    far_away = [[1e20, 0, 0, 1, 0, 0, 0]]
+    first_contact_batch(moving, fixed, far_away, far_away, threads=1, **options)
 
 
 def _in_this_process(partitions: list[Partition], arguments: tuple[Any, ...]) -> Iterator[int]:

@@ -78,7 +78,9 @@ void bind_query(nb::class_<AnyAnswer>& type, const MemberDocs& docs) {
             "The fixed body of the query.")
         .def_prop_ro(
             "motion", [](const AnyAnswer& a) { return a.motion; },
-            nb::sig("def motion(self) -> ScrewMotion | SweepMotion"), docs.motion)
+            nb::sig("def motion(self) -> ScrewMotion | SweepMotion | ConstantVelocity | ConstantTwist | TimedPoses | "
+                    "Trajectory | Motion"),
+            docs.motion)
         .def_ro("is_swapped", &AnyAnswer::is_swapped, "Whether the bodies have swapped their roles since the query.")
         .def("swapped", swapped<AnyAnswer>, doc("FirstContact.swapped"));
 }

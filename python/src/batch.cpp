@@ -73,22 +73,23 @@ void bind_batches(nb::module_& module) {
     module.def(
         "_first_contact_batch",
         [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle table, double margin,
-           std::optional<double> hold, double time_tolerance, double max_turn, nb::handle find, unsigned threads,
-           bool marks_errors, nb::handle report) {
+           std::optional<double> hold, double time_tolerance, nb::handle motion, double max_turn, nb::handle find,
+           unsigned threads, bool marks_errors, nb::handle report) {
             first_contact_rows({polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")}, starts, goals, table,
-                               {margin, hold, time_tolerance, find_from(find)}, {max_turn, threads, marks_errors},
-                               report);
+                               {margin, hold, time_tolerance, find_from(find)},
+                               {kind_from(motion), max_turn, threads, marks_errors}, report);
         },
         "moving"_a.none(), "fixed"_a.none(), "starts"_a, "goals"_a, "table"_a, nb::kw_only(), "margin"_a,
-        "hold"_a.none(), "time_tolerance"_a, "max_turn"_a, "find"_a.none(), "threads"_a, "marks_errors"_a,
-        "report"_a.none());
+        "hold"_a.none(), "time_tolerance"_a, "motion"_a.none(), "max_turn"_a, "find"_a.none(), "threads"_a,
+        "marks_errors"_a, "report"_a.none());
     module.def(
         "_path_is_clear_batch",
         [](nb::handle moving, nb::handle fixed, nb::handle poses, nb::handle offsets, nb::handle table, double margin,
            double time_tolerance, double max_turn, nb::handle find, unsigned threads, bool marks_errors,
            nb::handle report) {
             path_rows({polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")}, poses, offsets, table,
-                      {margin, {}, time_tolerance, find_from(find)}, {max_turn, threads, marks_errors}, report);
+                      {margin, {}, time_tolerance, find_from(find)},
+                      {view::MotionKind::screw, max_turn, threads, marks_errors}, report);
         },
         "moving"_a.none(), "fixed"_a.none(), "poses"_a, "offsets"_a, "table"_a, nb::kw_only(), "margin"_a,
         "time_tolerance"_a, "max_turn"_a, "find"_a.none(), "threads"_a, "marks_errors"_a, "report"_a.none());

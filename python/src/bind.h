@@ -6,6 +6,8 @@
 namespace chasles::python {
 
 void bind_polyhedron(nanobind::module_& module);
+void bind_own_trajectories(nanobind::module_& module);
+void bind_trajectories(nanobind::module_& module);
 void bind_motions(nanobind::module_& module);
 void bind_contacts(nanobind::module_& module);
 void bind_answers(nanobind::module_& module);

@@ -92,15 +92,14 @@ std::string least_distance_doc() {
 }
 
 void answer_batch(nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle array,
-                  const LeastDistanceOptions& options, double max_turn, unsigned threads, bool marks_errors,
-                  nb::handle report) {
+                  const LeastDistanceOptions& options, const RowOptions& rows, nb::handle report) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     const auto ask_about = [&](const Polyhedron& a, const Polyhedron& b, const Motion& motion) {
         return least_distance({a, b, motion, options});
     };
     motion_rows<LeastRow>(
-        starts, goals, array, {max_turn, threads, marks_errors}, report,
+        starts, goals, array, rows, report,
         [&](const Polyhedron& triangle, const Motion& rest) { static_cast<void>(ask_about(triangle, triangle, rest)); },
         [&](const Motion& motion, LeastRow& row) { write(ask_about(moving_body, fixed_body, motion), row); });
 }
@@ -110,28 +109,31 @@ void answer_batch(nb::handle moving, nb::handle fixed, nb::handle starts, nb::ha
 void bind_least_distance(nb::module_& module) {
     static const std::string text = least_distance_doc();
     bind_answer(module);
-    module.def("least_distance", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(),
-               "goal"_a = nb::none(), nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(),
-               "fixed_goal"_a = nb::none(), "tolerance"_a = default_tolerance,
-               "time_tolerance"_a = default_time_tolerance, "max_turn"_a = nb::none(), "find"_a.none() = "first",
-               nb::sig("def least_distance(moving: Polyhedron, fixed: Polyhedron, "
-                       "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
-                       "motion: ScrewMotion | SweepMotion | None = None, "
-                       "fixed_start: numpy.typing.ArrayLike | None = None, "
-                       "fixed_goal: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-06, "
-                       "time_tolerance: float = 1e-12, max_turn: float | None = None, " CHASLES_FIND_TYPE
-                       ") -> LeastDistance"),
-               text.c_str());
+    module.def(
+        "least_distance", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(), "goal"_a = nb::none(),
+        nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(), "fixed_goal"_a = nb::none(),
+        "tolerance"_a = default_tolerance, "time_tolerance"_a = default_time_tolerance, "max_turn"_a = nb::none(),
+        "find"_a.none() = "first",
+        nb::sig(
+            "def least_distance(moving: Polyhedron, fixed: Polyhedron, "
+            "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
+            "motion: ScrewMotion | SweepMotion | ConstantVelocity | ConstantTwist | TimedPoses | Trajectory | Motion | "
+            "None = None, "
+            "fixed_start: numpy.typing.ArrayLike | None = None, "
+            "fixed_goal: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-06, "
+            "time_tolerance: float = 1e-12, max_turn: float | None = None, " CHASLES_FIND_TYPE ") -> LeastDistance"),
+        text.c_str());
     module.def(
         "_least_distance_batch",
         [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle table, double tolerance,
-           double time_tolerance, double max_turn, unsigned threads, bool marks_errors, nb::handle report) {
+           double time_tolerance, nb::handle motion, double max_turn, unsigned threads, bool marks_errors,
+           nb::handle report) {
             answer_batch(moving, fixed, starts, goals, table,
-                         {.tolerance = tolerance, .time_tolerance = time_tolerance}, max_turn, threads, marks_errors,
-                         report);
+                         {.tolerance = tolerance, .time_tolerance = time_tolerance},
+                         {kind_from(motion), max_turn, threads, marks_errors}, report);
         },
         "moving"_a.none(), "fixed"_a.none(), "starts"_a, "goals"_a, "table"_a, nb::kw_only(), "tolerance"_a,
-        "time_tolerance"_a, "max_turn"_a, "threads"_a, "marks_errors"_a, "report"_a.none());
+        "time_tolerance"_a, "motion"_a.none(), "max_turn"_a, "threads"_a, "marks_errors"_a, "report"_a.none());
 }
 
 } // namespace chasles::python

@@ -31,6 +31,8 @@ NB_MODULE(_core, module) {
     nanobind::register_exception_translator(raise_invalid_input, invalid_input.ptr());
     python::bind_polyhedron(module);
     python::bind_motions(module);
+    python::bind_trajectories(module);
+    python::bind_own_trajectories(module);
     python::bind_contacts(module);
     python::bind_answers(module);
     python::bind_queries(module);

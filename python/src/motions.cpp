@@ -210,14 +210,6 @@ bool none_of(std::initializer_list<nb::handle> arguments) {
     return true;
 }
 
-TypedMotion given_motion(nb::handle motion) {
-    if (const ScrewMotion* screw = nullptr; nb::try_cast(motion, screw) && screw)
-        return *screw;
-    if (const SweepMotion* sweep = nullptr; nb::try_cast(motion, sweep) && sweep)
-        return *sweep;
-    throw InvalidInput("motion: must be a ScrewMotion or a SweepMotion");
-}
-
 /// The screw from start to goal.
 ScrewMotion screw_from(const MotionArguments& a, double max_turn) {
     const Pose start = pose_from(a.start, "start"), goal = pose_from(a.goal, "goal");
@@ -230,6 +222,28 @@ ScrewMotion screw_from(const MotionArguments& a, double max_turn) {
 }
 
 } // namespace
+
+namespace {
+
+/// The first of these kinds that the object is.
+template <typename... Kinds>
+std::optional<TypedMotion> cast_to(nb::handle motion, const std::variant<Kinds...>* /*kinds*/) {
+    std::optional<TypedMotion> found;
+    const auto try_kind = [&]<typename M>(const M* typed) {
+        if (!found && nb::try_cast(motion, typed) && typed)
+            found = *typed;
+    };
+    (try_kind(static_cast<const Kinds*>(nullptr)), ...);
+    return found;
+}
+
+} // namespace
+
+TypedMotion given_motion(nb::handle motion) {
+    if (auto found = cast_to(motion, static_cast<const TypedMotion*>(nullptr)))
+        return *found;
+    throw InvalidInput("motion: must be a motion, such as ScrewMotion or ConstantVelocity");
+}
 
 Motion plain(const TypedMotion& motion) {
     return std::visit([](const auto& typed) -> Motion { return typed; }, motion);

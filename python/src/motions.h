@@ -2,6 +2,8 @@
 #pragma once
 
 #include "chasles/motion/motion.h"
+#include "chasles/motion/own_trajectory.h"
+#include "chasles/motion/timed_poses.h"
 #include "python/src/poses.h"
 
 #include <optional>
@@ -9,11 +11,23 @@
 
 namespace chasles::python {
 
+/// A trajectory of the user's own and the motion along it.
+struct OwnMotion {
+    OwnTrajectory trajectory;
+    Motion motion;
+
+    operator Motion() const { return motion; } // NOLINT(google-explicit-constructor): like the other motions
+};
+
 /// A motion whose kind Python sees; the library's Motion hides it.
-using TypedMotion = std::variant<ScrewMotion, SweepMotion>;
+using TypedMotion =
+    std::variant<ScrewMotion, SweepMotion, ConstantVelocity, ConstantTwist, TimedPoses, OwnMotion, Motion>;
 
 /// The motion for a query.
 Motion plain(const TypedMotion& motion);
+
+/// The motion that an argument is. Throws InvalidInput if it is none.
+TypedMotion given_motion(nb::handle motion);
 
 /// The arguments of a query that describe the motion. Omitted arguments are None.
 struct MotionArguments {

@@ -46,4 +46,16 @@ Find find_from(nb::handle argument) {
                        ": must be 'first', 'any' or 'first_with_all_contacts'");
 }
 
+view::MotionKind kind_from(nb::handle argument) {
+    constexpr std::array kinds{view::MotionKind::screw, view::MotionKind::sweep, view::MotionKind::velocity,
+                               view::MotionKind::twist};
+    std::string_view name;
+    if (nb::try_cast(argument, name))
+        for (const view::MotionKind kind : kinds)
+            if (name == view::name_of(kind))
+                return kind;
+    throw InvalidInput("motion: " + nb::cast<std::string>(nb::repr(argument)) +
+                       ": must be 'screw', 'sweep', 'velocity' or 'twist'");
+}
+
 } // namespace chasles::python

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/query/first_contact.h"
+#include "view/motion_numbers.h"
 
 #include <nanobind/nanobind.h>
 
@@ -15,5 +16,8 @@ nb::object member_of(ContactKind kind);
 
 /// The enumerator of a member or of a name. Throws InvalidInput with a list of the names.
 Find find_from(nb::handle argument);
+
+/// The kind of motion with this name. Throws InvalidInput with a list of the names.
+view::MotionKind kind_from(nb::handle argument);
 
 } // namespace chasles::python

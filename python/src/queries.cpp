@@ -68,17 +68,20 @@ std::string path_doc() {
 
 void bind_queries(nb::module_& module) {
     static const std::string first_contact_text = first_contact_doc(), path_text = path_doc();
-    module.def("first_contact", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(), "goal"_a = nb::none(),
-               nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(), "fixed_goal"_a = nb::none(),
-               "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
-               "max_turn"_a = nb::none(), "find"_a.none() = "first",
-               nb::sig("def first_contact(moving: Polyhedron, fixed: Polyhedron, "
-                       "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
-                       "motion: ScrewMotion | SweepMotion | None = None, "
-                       "fixed_start: numpy.typing.ArrayLike | None = None, "
-                       "fixed_goal: numpy.typing.ArrayLike | None = None, " CHASLES_OPTION_TYPES
-                       "max_turn: float | None = None, " CHASLES_FIND_TYPE ") -> FirstContact"),
-               first_contact_text.c_str());
+    module.def(
+        "first_contact", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(), "goal"_a = nb::none(),
+        nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(), "fixed_goal"_a = nb::none(),
+        "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance, "max_turn"_a = nb::none(),
+        "find"_a.none() = "first",
+        nb::sig(
+            "def first_contact(moving: Polyhedron, fixed: Polyhedron, "
+            "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
+            "motion: ScrewMotion | SweepMotion | ConstantVelocity | ConstantTwist | TimedPoses | Trajectory | Motion | "
+            "None = None, "
+            "fixed_start: numpy.typing.ArrayLike | None = None, "
+            "fixed_goal: numpy.typing.ArrayLike | None = None, " CHASLES_OPTION_TYPES
+            "max_turn: float | None = None, " CHASLES_FIND_TYPE ") -> FirstContact"),
+        first_contact_text.c_str());
     module.def("first_contact_on_path", ask_path, "moving"_a.none(), "fixed"_a.none(), "poses"_a.none(), nb::kw_only(),
                "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
                "max_turn"_a = ScrewMotion::default_max_turn, "find"_a.none() = "first",

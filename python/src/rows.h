@@ -6,18 +6,21 @@
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
 #include "python/src/interruptible.h"
+#include "python/src/names.h"
 #include "python/src/poses.h"
 #include "python/src/table.h"
 
 #include <algorithm>
 #include <fmt/format.h>
+#include <limits>
 #include <vector>
 
 namespace chasles::python {
 
 /// The options of a batch.
 struct RowOptions {
-    double max_turn;
+    view::MotionKind motion; ///< from the start of a row to its goal
+    double max_turn;         ///< of a screw
     unsigned threads;
     bool marks_errors; ///< whether an invalid pose marks its row instead of ending the batch
 };
@@ -98,6 +101,20 @@ private:
     std::vector<std::uint8_t> is_bad_;
 };
 
+/// The motion of a row. About the body's origin, if it has a centre.
+inline Motion row_motion(const RowOptions& options, const Pose& start, const Pose& goal) {
+    switch (options.motion) {
+    case view::MotionKind::sweep:
+        return SweepMotion::between(start, goal);
+    case view::MotionKind::velocity:
+        return ConstantVelocity::between(start, goal);
+    case view::MotionKind::twist:
+        return ConstantTwist::between(start, goal);
+    default:
+        return ScrewMotion::between(start, goal, options.max_turn);
+    }
+}
+
 /// The rows of motions from starts to goals. `try_options(triangle, motion)` refuses invalid options;
 /// `answer(motion, row)` answers one row.
 template <typename AnyRow, typename TryOptions, typename Answer>
@@ -117,7 +134,9 @@ void motion_rows(nb::handle starts, nb::handle goals, nb::handle array, const Ro
         const ReadPoses from(start_array, options, progress, named("starts")),
             to(goal_array, options, progress, named("goals"));
         answer_rows(table, options, progress, [&](std::size_t i) {
-            answer(Motion(ScrewMotion::between(from[i], to[i], options.max_turn)), table[i]);
+            answer(row_motion(options, from[i], to[i]), table[i]);
+            if (!view::has_tau(options.motion))
+                table[i].tau = table[i].tau_upper = std::numeric_limits<double>::quiet_NaN();
         });
     };
     run_interruptibly(work, report);

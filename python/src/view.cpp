@@ -1,4 +1,5 @@
 // chasles._core.view_page: the page of an answer. python/chasles/view.py writes it to a file.
+#include "chasles/base/invalid_input.h"
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/query_options.h"
@@ -17,8 +18,14 @@ using namespace nb::literals;
 std::string view_page(const Answer& answer, const std::string& title, const std::string& moving_name,
                       const std::string& fixed_name) {
     const Motion motion = plain(answer.motion);
-    const view::MotionNumbers numbers =
-        std::visit([](const auto& typed) { return view::numbers_of(typed); }, answer.motion);
+    const view::MotionNumbers numbers = std::visit(
+        [](const auto& typed) -> view::MotionNumbers {
+            if constexpr (requires { view::numbers_of(typed); })
+                return view::numbers_of(typed);
+            else
+                throw InvalidInput("view: shows screws, sweeps, constant velocity and constant twist");
+        },
+        answer.motion);
     const view::Scene scene{.moving = nb::cast<const Body&>(answer.moving).polyhedron,
                             .fixed = nb::cast<const Body&>(answer.fixed).polyhedron,
                             .motion = motion,

@@ -166,7 +166,7 @@ TEST(FaceCuller, OneCullerAnswersLikeANewOne) {
     for (int trial = 0; trial < 100; ++trial) {
         const Scene scene = random_scene(random, 2);
         FaceCuller culler(scene.moving_body.body(), scene.fixed_body.body(),
-                      {scene.maps, elementary::error_scale(scene.maps, 10, 10)}, 0);
+                          {scene.maps, elementary::error_scale(scene.maps, 10, 10)}, 0);
         for (int i = 0; i < 10; ++i) {
             const FacePair pair = random_pair(random);
             const auto faces = culler.cull(pair, 1);

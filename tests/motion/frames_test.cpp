@@ -81,8 +81,8 @@ TEST(Hinge, TurnsAboutItsLineByThePolynomial) {
     const Motion hinge = Motion::hinge(point, direction, {0.5, -1, 4});
     for (const double time : {0.0, 0.3, 1.0}) {
         const double angle = 0.5 - time + 4 * time * time;
-        const Isometry3d expected = Eigen::Translation3d(point) *
-                                    Eigen::AngleAxisd(angle, direction.normalized()) * Eigen::Translation3d(-point);
+        const Isometry3d expected = Eigen::Translation3d(point) * Eigen::AngleAxisd(angle, direction.normalized()) *
+                                    Eigen::Translation3d(-point);
         EXPECT_TRUE(hinge.pose_at(time).isometry().isApprox(expected, 1e-14));
     }
     EXPECT_THROW((void)Motion::hinge(point, Vector3d::Zero(), {1}), InvalidInput);
@@ -126,6 +126,9 @@ TEST(Relative, KeepsBothBodiesInTheWorld) {
         }
     }
     EXPECT_THROW((void)relative(Motion::sweep(Pose(), Pose()), Motion::at_rest(Pose())), InvalidInput);
+    const Motion straight = Motion::velocity(Pose(), Pose({1, 2, 3}, Eigen::Quaterniond::Identity()));
+    EXPECT_TRUE((straight * Motion::at_rest(Pose())).pose_at(0.5).translation.isApprox(Vector3d(0.5, 1, 1.5)))
+        << "it is searched as a sweep, but is an even motion";
     const Motion seen = relative(Motion::at_rest(Pose()), Motion::at_rest(Pose()));
     EXPECT_THROW((void)(seen * Motion::at_rest(Pose())), InvalidInput) << "its fixed body is no world";
 }
@@ -154,7 +157,8 @@ TEST(Frames, PosesInDoubleHaveTheRoundingThatIsStated) {
             const double time = random.uniform(0, 1);
             const auto rough = frame->at(time);
             const auto fine = rounded_pose(frame->refined_at(algebra::DoubleDouble(time)));
-            const double sign = rough.rotation.w * fine.rotation.w + dot(rough.rotation.v, fine.rotation.v) < 0 ? -1 : 1;
+            const double sign =
+                rough.rotation.w * fine.rotation.w + dot(rough.rotation.v, fine.rotation.v) < 0 ? -1 : 1;
             const double turn = std::hypot(rough.rotation.w - sign * fine.rotation.w,
                                            length(rough.rotation.v - scale(fine.rotation.v, sign)));
             const double shift = length(rough.translation - fine.translation);

@@ -27,9 +27,8 @@ TEST(TimedPoses, GoesThroughItsPosesAtTheirStamps) {
         for (std::size_t i = 0; i < stamps.size(); ++i)
             EXPECT_TRUE(track.pose_at(track.time_of(stamps[i])).isometry().isApprox(poses[i].isometry(), 1e-13));
         const double inside = track.time_of(4); // a quarter of the last segment
-        const Motion last = between == TimedPoses::Between::velocity
-                                ? Motion::velocity(poses[2], poses[3], {0.3, 0, 0})
-                                : Motion::twist(poses[2], poses[3]);
+        const Motion last = between == TimedPoses::Between::velocity ? Motion::velocity(poses[2], poses[3], {0.3, 0, 0})
+                                                                     : Motion::twist(poses[2], poses[3]);
         EXPECT_TRUE(track.pose_at(inside).isometry().isApprox(last.pose_at(0.25).isometry(), 1e-13));
     }
 }
@@ -53,14 +52,23 @@ TEST(TimedPoses, TellsStampsAndSegments) {
 TEST(TimedPoses, RefusesStampsThatCannotBeUsed) {
     const std::vector<Pose> two(2), three(3);
     EXPECT_EQ(refusal([] { (void)TimedPoses::through({0}, {Pose()}); }), "timed poses: poses: at least two are needed");
-    EXPECT_EQ(refusal([&] { (void)TimedPoses::through({0, 1, 2}, two); }),
+    EXPECT_EQ(refusal([&] {
+                  (void)TimedPoses::through({0, 1, 2}, two);
+              }),
               "timed poses: stamps: there are 3 for 2 poses");
-    EXPECT_EQ(refusal([&] { (void)TimedPoses::through({0, 2, 1}, three); }),
+    EXPECT_EQ(refusal([&] {
+                  (void)TimedPoses::through({0, 2, 1}, three);
+              }),
               "timed poses: stamps: must ascend, but stamp 2 is 1 after 2");
-    EXPECT_EQ(refusal([&] { (void)TimedPoses::through({0, NAN, 1}, three); }),
+    EXPECT_EQ(refusal([&] {
+                  (void)TimedPoses::through({0, NAN, 1}, three);
+              }),
               "timed poses: stamps: stamp 1 is NaN or infinite");
     EXPECT_NE(refusal([&] { (void)TimedPoses::through({-1e308, 1e308}, two); }), "accepted");
-    EXPECT_NE(refusal([&] { (void)TimedPoses::through({0, 1}, two, TimedPoses::Between::velocity, {NAN, 0, 0}); }), "accepted");
+    EXPECT_NE(refusal([&] {
+                  (void)TimedPoses::through({0, 1}, two, TimedPoses::Between::velocity, {NAN, 0, 0});
+              }),
+              "accepted");
 }
 
 } // namespace

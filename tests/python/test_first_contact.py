@@ -153,7 +153,7 @@ def test_what_is_no_pose_is_refused_by_name(cube, name, bad, why):
         ({"fixed_start": START}, "fixed_start and fixed_goal are needed together"),
         ({"motion": chasles.ScrewMotion.between(START, GOAL)}, "only one of them is allowed"),
         ({"start": None}, "start and goal are needed"),
-        ({"start": None, "goal": None, "motion": 5}, "motion: must be a ScrewMotion"),
+        ({"start": None, "goal": None, "motion": 5}, "motion: must be a motion"),
     ],
 )
 def test_options_out_of_range_are_refused(cube, options, why):

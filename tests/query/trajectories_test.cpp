@@ -45,7 +45,8 @@ TEST(Trajectories, ABarTurnsIntoAWall) {
     const double reach = std::sqrt(4.01), beside = std::atan(0.05);
     for (const double place : {0.5, 1.0, 1.9}) {
         // It starts along y and turns towards x by the turn of 1.5.
-        const Motion motion = Motion::velocity(turned({0, 0, 0}, {0, 0, 1}, pi / 2), turned({0, 0, 0}, {0, 0, 1}, pi / 2 - 1.5));
+        const Motion motion =
+            Motion::velocity(turned({0, 0, 0}, {0, 0, 1}, pi / 2), turned({0, 0, 0}, {0, 0, 1}, pi / 2 - 1.5));
         const double first = pi / 2 - beside - std::acos(place / reach);
         expect_contact_at(first / 1.5, ask(bar(), wall(place), motion));
         const Motion hinge = Motion::hinge({0, 0, 0}, {0, 0, 1}, {pi / 2, 0, -1.5});
@@ -146,7 +147,8 @@ TEST(Trajectories, ScrewsCutAtEverSmallerTurnsBecomeATwist) {
     std::mt19937 random(1841);
     int contacts = 0;
     for (int trial = 0; trial < 40; ++trial) {
-        const Polyhedron moving = random_octahedron(random).polyhedron(), fixed = random_octahedron(random).polyhedron();
+        const Polyhedron moving = random_octahedron(random).polyhedron(),
+                         fixed = random_octahedron(random).polyhedron();
         const Pose start = random_pose(random, 3, 3), goal = random_pose(random, 0.7, 3);
         const FirstContact twist = ask(moving, fixed, Motion::twist(start, goal));
         if (twist.verdict != Verdict::contact)
@@ -183,9 +185,9 @@ Motion random_motion(std::mt19937& random, int kind) {
 }
 
 double distance_of(const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion, double time) {
-    return distance_at(moving, fixed,
-                       Pose(Eigen::Isometry3d(motion.fixed_pose_at(time).isometry().inverse() *
-                                              motion.pose_at(time).isometry())));
+    return distance_at(
+        moving, fixed,
+        Pose(Eigen::Isometry3d(motion.fixed_pose_at(time).isometry().inverse() * motion.pose_at(time).isometry())));
 }
 
 /// Dense sampling refutes a time that is late; the distance at the answer one that is early.
@@ -209,7 +211,8 @@ TEST(Trajectories, OfAllKindsAreNeitherLateNorEarly) {
     int contacts = 0, clear = 0;
     for (int trial = 0; trial < 120; ++trial) {
         SCOPED_TRACE(trial);
-        const Polyhedron moving = random_octahedron(random).polyhedron(), fixed = random_octahedron(random).polyhedron();
+        const Polyhedron moving = random_octahedron(random).polyhedron(),
+                         fixed = random_octahedron(random).polyhedron();
         const double margin = trial % 3 == 0 ? 0.1 : 0;
         const Motion motion = trial % 2 == 0 ? random_motion(random, trial / 2)
                                              : relative(random_motion(random, trial / 2), random_motion(random, trial));
@@ -228,7 +231,8 @@ TEST(Trajectories, EitherBodyMayBeTheMovingOne) {
     std::mt19937 random(1843);
     int contacts = 0;
     for (int trial = 0; trial < 60; ++trial) {
-        const Polyhedron first = random_octahedron(random).polyhedron(), second = random_octahedron(random).polyhedron();
+        const Polyhedron first = random_octahedron(random).polyhedron(),
+                         second = random_octahedron(random).polyhedron();
         const Motion a = random_motion(random, trial), b = random_motion(random, trial / 6);
         const FirstContact one = ask(first, second, relative(a, b)), other = ask(second, first, relative(b, a));
         ASSERT_EQ(one.verdict, other.verdict) << trial;
@@ -245,7 +249,8 @@ TEST(Trajectories, TheUsersOwnAgreesWithTheLibrarys) {
     std::mt19937 random(1844);
     int contacts = 0;
     for (int trial = 0; trial < 40; ++trial) {
-        const Polyhedron moving = random_octahedron(random).polyhedron(), fixed = random_octahedron(random).polyhedron();
+        const Polyhedron moving = random_octahedron(random).polyhedron(),
+                         fixed = random_octahedron(random).polyhedron();
         const Pose start = random_pose(random, 2, 3), goal = random_pose(random, 2, 3);
         const auto motion = ConstantVelocity::between(start, goal);
         const bool knows_accelerations = trial % 4 != 0;
@@ -278,8 +283,9 @@ TEST(Trajectories, TheUsersOwnAgreesWithTheLibrarys) {
 
 TEST(Trajectories, ATrackIsOneQuestion) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
-    const TimedPoses track = TimedPoses::through({0, 2, 3, 7}, {shifted(-5, 3, 0), shifted(-3, 3, 0),
-                                                                turned({-3, 0, 0}, {0, 0, 1}, 2), turned({9, 0, 0}, {0, 0, 1}, 2)});
+    const TimedPoses track =
+        TimedPoses::through({0, 2, 3, 7}, {shifted(-5, 3, 0), shifted(-3, 3, 0), turned({-3, 0, 0}, {0, 0, 1}, 2),
+                                           turned({9, 0, 0}, {0, 0, 1}, 2)});
     const FirstContact found = ask(cube, cube, track);
     ASSERT_EQ(found.verdict, Verdict::contact);
     EXPECT_EQ(track.segment_of(found.time.lower), 2u);

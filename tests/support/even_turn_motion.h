@@ -38,8 +38,8 @@ public:
     [[nodiscard]] std::optional<motion::ExactMotion> exact() const { return std::nullopt; }
 
     /// Two paths with the same ends over a duration h, with accelerations of at most A and B, are h^2 / 8 (A + B) apart
-    /// at most: so far each may leave the common chord. Let the part turn by phi. The truth turns evenly about an origin
-    /// that runs evenly: at a distance of 1, h^2 A = phi^2. The origin of the sweep runs just so; its angle is
+    /// at most: so far each may leave the common chord. Let the part turn by phi. The truth turns evenly about an
+    /// origin that runs evenly: at a distance of 1, h^2 A = phi^2. The origin of the sweep runs just so; its angle is
     /// 2 atan(s k) and a constant, with k = tan(phi / 4) and s = 2 tau - 1. The rate of the angle is at most 4 k and
     /// that rate's at most 16 k^3, so h^2 B <= 16 k^2 + 16 k^3. The other terms cover the rounding of poses.
     [[nodiscard]] std::optional<motion::Enclosure<double>> enclosure(const Bracket& part) const {

@@ -1,0 +1,138 @@
+// chasles.Trajectory: a motion by two Python functions.
+#include "chasles/base/invalid_input.h"
+#include "chasles/motion/own_trajectory.h"
+#include "python/src/bind.h"
+#include "python/src/docstrings.h"
+#include "python/src/motions.h"
+
+#include <fmt/format.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace chasles::python {
+namespace {
+
+using namespace nb::literals;
+
+/// Python objects may be released only with the GIL, and queries copy and destroy motions without it.
+using SharedObject = std::shared_ptr<nb::object>;
+
+SharedObject shared(nb::handle object) {
+    return {new nb::object(nb::borrow(object)), [](const nb::object* last) {
+                const nb::gil_scoped_acquire acquire;
+                delete last;
+            }};
+}
+
+double bound_from(const nb::dict& bounds, const char* name, std::optional<double> unknown) {
+    if (!bounds.contains(name)) {
+        if (unknown)
+            return *unknown;
+        throw InvalidInput(fmt::format("trajectory: bounds: {} is missing", name));
+    }
+    double bound = 0;
+    if (!nb::try_cast(bounds[name], bound))
+        throw InvalidInput(fmt::format("trajectory: bounds: {} must be a number", name));
+    return bound;
+}
+
+MotionBounds bounds_from(nb::handle result) {
+    nb::dict bounds;
+    if (!nb::try_cast(result, bounds))
+        throw InvalidInput("trajectory: bounds: must return a dict");
+    for (const auto& [name, bound] : bounds) {
+        const std::string text = nb::cast<std::string>(nb::str(name));
+        if (text != "turn_rate" && text != "turn_acceleration" && text != "speed" && text != "acceleration")
+            throw InvalidInput(fmt::format("trajectory: bounds: there is no bound with the name {}", text));
+    }
+    constexpr double unknown = std::numeric_limits<double>::infinity();
+    return {bound_from(bounds, "turn_rate", {}), bound_from(bounds, "turn_acceleration", unknown),
+            bound_from(bounds, "speed", {}), bound_from(bounds, "acceleration", unknown)};
+}
+
+OwnTrajectory trajectory_from(nb::handle pose_at, nb::handle bounds, nb::handle reference, std::vector<double> knots,
+                              double rounding) {
+    if (!nb::hasattr(pose_at, "__call__") || !nb::hasattr(bounds, "__call__"))
+        throw InvalidInput("trajectory: pose_at and bounds must be functions");
+    OwnTrajectory own;
+    own.pose_at = [function = shared(pose_at)](double time) {
+        const nb::gil_scoped_acquire acquire;
+        return pose_from((*function)(time), "trajectory: pose_at");
+    };
+    own.bounds = [function = shared(bounds)](double from, double to) {
+        const nb::gil_scoped_acquire acquire;
+        return bounds_from((*function)(from, to));
+    };
+    if (!reference.is_none())
+        own.reference = vector_from(reference, "reference");
+    own.knots = std::move(knots);
+    own.rounding = rounding;
+    return own;
+}
+
+nb::object broken_bound(const OwnMotion& own, int intervals, std::uint64_t seed) {
+    const auto broken = find_broken_bound(own.trajectory, intervals, seed);
+    if (!broken)
+        return nb::none();
+    nb::dict result;
+    result["bound"] = broken->bound;
+    result["from"] = broken->from;
+    result["to"] = broken->to;
+    result["at"] = broken->at;
+    result["stated"] = broken->stated;
+    result["found"] = broken->found;
+    return result;
+}
+
+constexpr const char* trajectory_text =
+    "A motion over time in [0, 1] by two functions of your own. The proof of a query holds if the bounds hold.\n\n"
+    "Parameters\n----------\n"
+    "pose_at : function of a time\n"
+    "    The pose (4, 4) or (7,) of the moving body in the frame of the fixed body.\n"
+    "bounds : function of two times, from and to\n"
+    "    A dict with bounds that hold between both times, per unit of the time in [0, 1]: turn_rate and\n"
+    "    turn_acceleration in radians, speed and acceleration of the reference point. The accelerations may be left\n"
+    "    out; a query then takes far more steps, and no contact is certain.\n"
+    "reference : (3,), default the origin\n"
+    "    The point of the moving body, in its frame, whose speed and acceleration are bounded.\n"
+    "knots : times in (0, 1) at which velocities jump\n"
+    "rounding : float\n"
+    "    A bound of the error of poses by rounding: of unit quaternions, and of translations over their size.\n";
+
+} // namespace
+
+void bind_own_trajectories(nb::module_& module) {
+    nb::class_<OwnMotion>(module, "Trajectory", trajectory_text)
+        .def(
+            "__init__",
+            [](OwnMotion* self, nb::handle pose_at, nb::handle bounds, nb::handle reference, std::vector<double> knots,
+               double rounding) {
+                const OwnTrajectory own = trajectory_from(pose_at, bounds, reference, std::move(knots), rounding);
+                new (self) OwnMotion{own, Motion::along(own)};
+            },
+            "pose_at"_a, "bounds"_a, nb::kw_only(), "reference"_a = nb::none(), "knots"_a = std::vector<double>(),
+            "rounding"_a = OwnTrajectory().rounding,
+            nb::sig("def __init__(self, pose_at: collections.abc.Callable[[float], numpy.typing.ArrayLike], "
+                    "bounds: collections.abc.Callable[[float, float], dict[str, float]], *, "
+                    "reference: numpy.typing.ArrayLike | None = None, "
+                    "knots: collections.abc.Sequence[float] = (), rounding: float = 2**-47) -> None"))
+        .def(
+            "find_broken_bound", broken_bound, "intervals"_a = 2000, "seed"_a = 1,
+            nb::sig(
+                "def find_broken_bound(self, intervals: int = 2000, seed: int = 1) -> dict[str, typing.Any] | None"),
+            "Samples the poses at random times and compares them with the bounds. Returns the first bound that it "
+            "finds broken: its name, the interval, the time, what is stated and what the poses show. None is no proof.")
+        .def(
+            "pose_at", [](const OwnMotion& m, double time) { return matrix_of(m.motion.pose_at(time)); }, "time"_a,
+            nb::sig("def pose_at(self, time: float) -> " CHASLES_ARRAY),
+            "The pose (4, 4) of the moving body at a time in [0, 1].")
+        .def(
+            "__mul__", [](const OwnMotion& m, nb::handle inner) { return m.motion * plain(given_motion(inner)); },
+            "inner"_a, nb::sig("def __mul__(self, inner: typing.Any) -> Motion"),
+            "The motion `inner`, carried by this one.")
+        .def("__repr__", [](const OwnMotion&) { return "<chasles.Trajectory>"; });
+}
+
+} // namespace chasles::python
