@@ -58,15 +58,17 @@ bool are_same(const Pose& a, const Pose& b) {
 } // namespace
 
 SampledPoses sampled_poses(const Motion& motion) {
-    const auto pose_at = [&](double time) { return motion.pose_at(time); };
-    std::vector<Pose> poses = poses_at_equal_times(fewest_poses, pose_at);
-    while (deviation(poses) > largest_deviation && poses.size() < most_poses)
-        poses = poses_at_equal_times(2 * poses.size() - 1, pose_at);
-    std::vector<Pose> fixed =
-        poses_at_equal_times(poses.size(), [&](double time) { return motion.fixed_pose_at(time); });
+    std::vector<Pose> moving, fixed;
+    const auto sample = [&](std::size_t count) {
+        moving = poses_at_equal_times(count, [&](double time) { return motion.pose_at(time); });
+        fixed = poses_at_equal_times(count, [&](double time) { return motion.fixed_pose_at(time); });
+    };
+    sample(fewest_poses);
+    while (std::max(deviation(moving), deviation(fixed)) > largest_deviation && moving.size() < most_poses)
+        sample(2 * moving.size() - 1);
     if (std::ranges::all_of(fixed, [&](const Pose& pose) { return are_same(pose, fixed.front()); }))
         fixed.resize(1);
-    return {rows_of(poses), rows_of(fixed)};
+    return {rows_of(moving), rows_of(fixed)};
 }
 
 } // namespace chasles::view
