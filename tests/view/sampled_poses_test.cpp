@@ -4,6 +4,7 @@
 #include "tests/query/bodies.h"
 #include "tests/support/even_poses.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -123,12 +124,24 @@ TEST(SampledPoses, FollowTwoBodiesThatMoveEvenly) {
               1e-3);
 }
 
+/// The fixed body moves by time^40, and the moving body rests, exactly or up to rounding errors.
 TEST(SampledPoses, AreCloserWhereTheFixedBodyMovesSuddenly) {
-    const Pose fixed_goal = test::turned({-1, 0.2, 3}, {0, 0, 1}, whole * 0.98);
-    const Motion motion = ScrewMotion::relative(start, start, start, fixed_goal, whole);
-    const auto rows = view::sampled_poses(motion).fixed;
-    for (double time = 0; time < 1; time += 0.00037)
-        EXPECT_LE((position_at(rows, time) - motion.fixed_pose_at(time).translation).norm(), 1e-3) << time;
+    std::vector<double> way(41, 0.0);
+    way.back() = 3;
+    const Motion sudden = Motion::slider({1, 0, 0}, way);
+    for (const Motion& rest : {Motion::at_rest(start), Motion::slider({0, 1, 0}, {1, 1e-15})}) {
+        const auto poses = view::sampled_poses(relative(rest, sudden));
+        ASSERT_EQ(poses.fixed.size(), poses.moving.size());
+        EXPECT_GT(poses.fixed.size(), 241U);
+        for (double time = 0; time < 1; time += 0.00037)
+            EXPECT_NEAR(position_at(poses.fixed, time).x(), 3 * std::pow(time, 40), 1e-3) << time;
+    }
+}
+
+TEST(SampledPoses, AreFewWhereABodyRestsUpToRounding) {
+    const Motion nearly_at_rest = Motion::polynomial({{1, 0, 0}, {1e-16, 0, 0}, {0, 1e-15, 0}, {0, 0, 1e-15}});
+    const Motion fixed = Motion::twist(test::shifted(0, 0, 0), far_turned);
+    EXPECT_EQ(view::sampled_poses(relative(nearly_at_rest, fixed)).moving.size(), 241U);
 }
 
 } // namespace
