@@ -39,7 +39,7 @@ TEST_F(View, TakesTheOptionsOfCheck) {
 TEST_F(View, TakesTheEvenMotions) {
     const std::string both = poses + " --fixed-start '0 0 0' --fixed-goal '0 0 1 .9 0 0 .1'";
     for (const std::string& options : {poses + " --motion velocity --centre '1 0 0'", poses + " --motion twist",
-                                      both + " --motion twist", both + " --motion velocity --fixed-centre -1 0 0"}) {
+                                       both + " --motion twist", both + " --motion velocity --fixed-centre -1 0 0"}) {
         const auto checked = run("check cube.obj cube.obj" + options);
         const auto viewed = run("view cube.obj cube.obj" + options + " --out page.html");
         EXPECT_EQ(viewed.status, 1) << options;
