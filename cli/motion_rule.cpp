@@ -70,6 +70,11 @@ Motion motion_between(const MotionRule& rule, const Pose& start, const Pose& goa
     return Motion::twist(start, goal);
 }
 
+TimedPoses track_through(const MotionRule& rule, const std::vector<double>& stamps, const std::vector<Pose>& poses) {
+    const auto between = rule.kind == MotionKind::twist ? TimedPoses::Between::twist : TimedPoses::Between::velocity;
+    return TimedPoses::through(stamps, poses, between, rule.centre);
+}
+
 view::MotionNumbers numbers_between(const MotionRule& rule, const Pose& start, const Pose& goal) {
     switch (rule.kind) {
     case MotionKind::screw:

@@ -6,6 +6,7 @@
 
 #include <initializer_list>
 #include <string>
+#include <vector>
 
 namespace chasles::cli {
 
@@ -34,6 +35,8 @@ Eigen::Vector3d centre_of(const std::string& option, const std::string& text, vi
                           std::initializer_list<view::MotionKind> right_kinds);
 
 Motion motion_between(const MotionRule& rule, const Pose& start, const Pose& goal);
+/// Through stamped poses at constant velocity or by constant twists.
+TimedPoses track_through(const MotionRule& rule, const std::vector<double>& stamps, const std::vector<Pose>& poses);
 view::MotionNumbers numbers_between(const MotionRule& rule, const Pose& start, const Pose& goal);
 
 } // namespace chasles::cli

@@ -44,10 +44,8 @@ PathQuestion read_path_question(const PathOptions& options) {
 TimedPoses track_of(const PathQuestion& question, std::size_t first, std::size_t last) {
     const auto& [poses, stamps] = question.path;
     const auto begin = static_cast<std::ptrdiff_t>(first), end = static_cast<std::ptrdiff_t>(last) + 1;
-    const auto between =
-        question.rule.kind == view::MotionKind::twist ? TimedPoses::Between::twist : TimedPoses::Between::velocity;
-    return TimedPoses::through({stamps.begin() + begin, stamps.begin() + end},
-                               {poses.begin() + begin, poses.begin() + end}, between, question.rule.centre);
+    return track_through(question.rule, {stamps.begin() + begin, stamps.begin() + end},
+                         {poses.begin() + begin, poses.begin() + end});
 }
 
 // The ends keep their stamps exactly. Speeds become lengths per unit of the stamps.

@@ -10,7 +10,7 @@ namespace {
 constexpr std::size_t fewest_poses = 241;
 constexpr std::size_t most_poses = 3841; ///< too few only for a screw of nearly half a turn in one piece
 
-/// Relative to the extent of the trajectory: less than half a pixel if the trajectory fills a screen.
+/// Relative to the extent of the longer trajectory: less than half a pixel if this trajectory fills a screen.
 constexpr double largest_deviation = 1e-4;
 
 template <class PoseAt>
@@ -21,20 +21,27 @@ std::vector<Pose> poses_at_equal_times(std::size_t count, PoseAt pose_at) {
     return poses;
 }
 
-// The largest distance of an odd pose from the middle of its two neighbours, relative to the extent of the trajectory.
-// Rotations need no test: at most half a turn in 240 equal steps is interpolated to an accuracy of 1e-6.
+// The largest distance of an odd pose from the middle of its two neighbours. Rotations need no test: at most half a
+// turn in 240 equal steps is interpolated to an accuracy of 1e-6.
 double deviation(const std::vector<Pose>& poses) {
-    Eigen::AlignedBox3d box;
     double largest = 0;
-    for (std::size_t i = 0; i < poses.size(); ++i) {
-        box.extend(poses[i].translation);
-        if (i % 2 == 1) {
-            const Eigen::Vector3d middle = (poses[i - 1].translation + poses[i + 1].translation) / 2;
-            largest = std::max(largest, (poses[i].translation - middle).norm());
-        }
+    for (std::size_t i = 1; i + 1 < poses.size(); i += 2) {
+        const Eigen::Vector3d middle = (poses[i - 1].translation + poses[i + 1].translation) / 2;
+        largest = std::max(largest, (poses[i].translation - middle).norm());
     }
-    const double extent = box.diagonal().norm();
-    return extent > 0 ? largest / extent : 0;
+    return largest;
+}
+
+double extent(const std::vector<Pose>& poses) {
+    Eigen::AlignedBox3d box;
+    for (const Pose& pose : poses)
+        box.extend(pose.translation);
+    return box.diagonal().norm();
+}
+
+// A body that rests up to rounding errors needs no more poses, therefore the longer way counts.
+bool are_dense(const std::vector<Pose>& moving, const std::vector<Pose>& fixed) {
+    return std::max(deviation(moving), deviation(fixed)) <= largest_deviation * std::max(extent(moving), extent(fixed));
 }
 
 std::vector<PoseRow> rows_of(const std::vector<Pose>& poses) {
@@ -58,15 +65,17 @@ bool are_same(const Pose& a, const Pose& b) {
 } // namespace
 
 SampledPoses sampled_poses(const Motion& motion) {
-    const auto pose_at = [&](double time) { return motion.pose_at(time); };
-    std::vector<Pose> poses = poses_at_equal_times(fewest_poses, pose_at);
-    while (deviation(poses) > largest_deviation && poses.size() < most_poses)
-        poses = poses_at_equal_times(2 * poses.size() - 1, pose_at);
-    std::vector<Pose> fixed =
-        poses_at_equal_times(poses.size(), [&](double time) { return motion.fixed_pose_at(time); });
+    std::vector<Pose> moving, fixed;
+    const auto sample = [&](std::size_t count) {
+        moving = poses_at_equal_times(count, [&](double time) { return motion.pose_at(time); });
+        fixed = poses_at_equal_times(count, [&](double time) { return motion.fixed_pose_at(time); });
+    };
+    sample(fewest_poses);
+    while (!are_dense(moving, fixed) && moving.size() < most_poses)
+        sample(2 * moving.size() - 1);
     if (std::ranges::all_of(fixed, [&](const Pose& pose) { return are_same(pose, fixed.front()); }))
         fixed.resize(1);
-    return {rows_of(poses), rows_of(fixed)};
+    return {rows_of(moving), rows_of(fixed)};
 }
 
 } // namespace chasles::view

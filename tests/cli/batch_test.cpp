@@ -3,6 +3,9 @@
 
 #include "chasles/io/csv_table.h"
 
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
 namespace chasles {
 namespace {
 
@@ -80,6 +83,35 @@ TEST_F(Batch, DoesNotDependOnThreads) {
     EXPECT_EQ(batch(motions, "--threads 4").status, 1);
     EXPECT_EQ(output(), alone);
     EXPECT_EQ(rows().size(), 1501U) << "more than one chunk";
+}
+
+TEST_F(Batch, TakesTheMotionsOfCheck) {
+    const std::string turning = "3,.2,.3,1,0,0,0,-1,.2,.3,.9,.1,.2,.3\n";
+    for (const std::string motion : {"screw", "sweep --centre -1 .5 .5", "velocity --centre -1 .5 .5", "twist"}) {
+        EXPECT_EQ(batch(columns + turning + misses, "--motion " + motion).status, 1);
+        const auto table = rows();
+        const auto checked =
+            run("check cube.obj cube.obj --json --start '3 .2 .3' --goal '-1 .2 .3 .9 .1 .2 .3' --motion " + motion);
+        const auto answer = nlohmann::json::parse(checked.out);
+        ASSERT_EQ(table.size(), 3U);
+        for (const auto& row : table)
+            EXPECT_EQ(row.size(), 16U) << motion;
+        EXPECT_EQ(std::stod(table[1][2]), answer["time"]) << motion;
+        EXPECT_EQ(std::stod(table[1][3]), answer["time_upper"]) << motion;
+        EXPECT_EQ(table[1][6], "true");
+        EXPECT_EQ(table[1][7], answer["contacts"][0]["kind"]) << motion;
+        const bool has_tau = motion == "screw" || motion.starts_with("sweep");
+        EXPECT_EQ(answer.contains("tau"), has_tau) << motion;
+        EXPECT_EQ(table[1][4], has_tau ? fmt::format("{}", answer["tau"].get<double>()) : "") << motion;
+        EXPECT_EQ(table[1][5], has_tau ? fmt::format("{}", answer["tau_upper"].get<double>()) : "") << motion;
+        EXPECT_EQ(table[2][1], "clear") << motion;
+    }
+}
+
+TEST_F(Batch, RefusesACentreThatHasNoMeaning) {
+    write("motions.csv", columns + misses);
+    EXPECT_EQ(error_line("batch cube.obj cube.obj --motions motions.csv --out out.csv --motion twist --centre 1 2 3"),
+              "chasles: --centre: is for --motion sweep and --motion velocity, but the motion is a twist");
 }
 
 TEST_F(Batch, FindsOutBeforeTheWorkThatItCannotWrite) {

@@ -35,6 +35,24 @@ TEST_F(View, TakesTheOptionsOfCheck) {
     EXPECT_EQ(run("view cube.obj cube.obj" + poses + options + " --out page.html").status, 1);
 }
 
+/// Quotes of JSON stand in the page as they are.
+TEST_F(View, TakesTheEvenMotions) {
+    const std::string both = poses + " --fixed-start '0 0 0' --fixed-goal '0 0 1 .9 0 0 .1'";
+    for (const std::string& options : {poses + " --motion velocity --centre '1 0 0'", poses + " --motion twist",
+                                       both + " --motion twist", both + " --motion velocity --fixed-centre -1 0 0"}) {
+        const auto checked = run("check cube.obj cube.obj" + options);
+        const auto viewed = run("view cube.obj cube.obj" + options + " --out page.html");
+        EXPECT_EQ(viewed.status, 1) << options;
+        EXPECT_EQ(viewed.out.substr(0, viewed.out.find('\n')), checked.out.substr(0, checked.out.find('\n')));
+        const std::string page = content("page.html");
+        const std::string kind = options.find("twist") != std::string::npos ? "twist" : "velocity";
+        EXPECT_NE(page.find(R"("motion":")" + kind + "\""), std::string::npos) << options;
+        const std::string in_world = options.starts_with(both) ? "true" : "false";
+        EXPECT_NE(page.find(R"("is_in_world":)" + in_world), std::string::npos) << options;
+        EXPECT_EQ(page.find(R"("tau":)"), std::string::npos) << options;
+    }
+}
+
 TEST_F(View, NamesThePage) {
     EXPECT_NE(content("page.html").find(R"("title":"cube.obj and cube.obj")"), std::string::npos);
     static_cast<void>(run("view cube.obj cube.obj" + poses + " --out page.html --title 'Peg & <hole>'"));

@@ -18,6 +18,7 @@ from png import pixels
 CUBE = """v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"""
 TURNING_PAST = ["--start", "3 0.2 0.3", "--goal", "-1 0.2 0.3 0.9 0.1 0.2 0.3"]
+BOTH_AT_VELOCITY = ["--motion", "velocity", "--fixed-start", "0 0 0", "--fixed-goal", "0.5 0 0.2 1 0 0 0.4"]
 SIZE = (900, 560)
 TITLE = "Two cubes </script><script>document.title = 'broken out'</script>"
 
@@ -67,6 +68,8 @@ class Page(unittest.TestCase):
         run("view", "cube.obj", "cube.obj", *resting, "--goal", "3 0 1.05", *on, "--out", "slide.html")
         run("view", "cube.obj", "cube.obj", *resting, "--goal", "0 0 0.95", *on, "--out", "push.html")
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--any", "--out", "any.html")
+        run("view", "cube.obj", "cube.obj", *TURNING_PAST, *BOTH_AT_VELOCITY, "--out", "velocity.html")
+        run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--motion", "twist", "--out", "twist.html")
         cls.browser = Browser(chromium, *SIZE)
 
     @classmethod
@@ -171,6 +174,24 @@ class Page(unittest.TestCase):
         numbers += [*contact["point"], *contact["normal"], contact["gap"], contact["approach_speed"]]
         numbers += self.answer["work"].values()
         self.assertEqual([number for number in numbers if number not in shown], [])
+
+    def test_even_motions_have_no_tau(self) -> None:
+        names = {"velocity": "constant velocity", "twist": "constant twist"}
+        for motion, name in names.items():
+            options = BOTH_AT_VELOCITY if motion == "velocity" else ["--motion", "twist"]
+            answer = json.loads(run("check", "cube.obj", "cube.obj", *TURNING_PAST, *options, "--json").stdout)
+            self.browser.events.clear()
+            self.open(f"{motion}.html")
+            text = self.text("#numbers")
+            self.assertIn(name, text)
+            self.assertNotIn("tau", text)
+            self.assertNotIn("undefined", text)
+            self.assertEqual("the fixed one moves too" in text, motion == "velocity")
+            numbers = [answer["time"], answer["time_upper"], *answer["motion"].get("displacement", [])]
+            self.assertEqual([number for number in numbers if number not in numbers_in(text)], [])
+            self.slide(1)
+            self.assertEqual(self.time(), answer["time"], "it stops at the contact")
+            self.assertGreater(count(self.picture(motion), is_contact_colour), 50)
 
     def test_a_margin_keeps_a_gap(self) -> None:
         self.open("margin.html")

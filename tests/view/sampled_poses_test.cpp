@@ -2,7 +2,9 @@
 #include "view/sampled_poses.h"
 
 #include "tests/query/bodies.h"
+#include "tests/support/even_poses.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <numbers>
 
@@ -79,6 +81,67 @@ TEST(SampledPoses, HaveTheFixedBodysOwnWay) {
     ASSERT_EQ(poses.fixed.size(), poses.moving.size());
     EXPECT_LE((position(poses.fixed.back()) - Eigen::Vector3d(0, 4, 0)).norm(), 1e-12);
     EXPECT_LE((position(poses.moving.back()) - far_turned.translation).norm(), 1e-12) << "in the world";
+}
+
+/// The greatest distance of the drawn pose from another one over dense times, for a point away from the origin.
+template <class At>
+double farthest(const std::vector<view::PoseRow>& rows, At at) {
+    const Eigen::Vector3d point(0.5, -1, 2);
+    double largest = 0;
+    for (double time = 0; time < 1; time += 0.00371) {
+        const auto index = static_cast<std::size_t>(time * static_cast<double>(rows.size() - 1));
+        const double part = time * static_cast<double>(rows.size() - 1) - static_cast<double>(index);
+        const auto turn = [&](std::size_t i) {
+            return Eigen::Quaterniond(rows[i][3], rows[i][4], rows[i][5], rows[i][6]);
+        };
+        const Eigen::Vector3d drawn = position_at(rows, time) + turn(index).slerp(part, turn(index + 1)) * point;
+        largest = std::max(largest, (drawn - at(time) * point).norm());
+    }
+    return largest;
+}
+
+TEST(SampledPoses, FollowTheEvenMotions) {
+    const Eigen::Vector3d centre(1, -2, 0.5);
+    const auto velocity = [&](double time) { return test::velocity_at(start, far_turned, centre, time); };
+    const auto twist = [&](double time) { return test::twist_at(start, far_turned, time); };
+    const auto by_velocity = view::sampled_poses(Motion::velocity(start, far_turned, centre)).moving;
+    const auto by_twist = view::sampled_poses(Motion::twist(start, far_turned)).moving;
+    EXPECT_LE(farthest(by_velocity, velocity), 1e-3);
+    EXPECT_LE(farthest(by_twist, twist), 1e-3);
+    EXPECT_GE(farthest(by_velocity, twist), 0.1) << "the two motions differ";
+}
+
+TEST(SampledPoses, FollowTwoBodiesThatMoveEvenly) {
+    const Pose fixed_start = test::shifted(0, 0, 0), fixed_goal = test::turned({0, 4, 0}, {0.2, 0, 1}, 2);
+    const Eigen::Vector3d centre(1, -2, 0.5), fixed_centre(0, 1, 3);
+    const auto poses = view::sampled_poses(
+        relative(Motion::velocity(start, far_turned, centre), Motion::velocity(fixed_start, fixed_goal, fixed_centre)));
+    ASSERT_EQ(poses.fixed.size(), poses.moving.size());
+    EXPECT_LE(farthest(poses.moving, [&](double time) { return test::velocity_at(start, far_turned, centre, time); }),
+              1e-3);
+    EXPECT_LE(farthest(poses.fixed,
+                       [&](double time) { return test::velocity_at(fixed_start, fixed_goal, fixed_centre, time); }),
+              1e-3);
+}
+
+/// The fixed body moves by time^40, and the moving body rests, exactly or up to rounding errors.
+TEST(SampledPoses, AreCloserWhereTheFixedBodyMovesSuddenly) {
+    std::vector<double> way(41, 0.0);
+    way.back() = 3;
+    const Motion sudden = Motion::slider({1, 0, 0}, way);
+    for (const Motion& rest : {Motion::at_rest(start), Motion::slider({0, 1, 0}, {1, 1e-15})}) {
+        const auto poses = view::sampled_poses(relative(rest, sudden));
+        ASSERT_EQ(poses.fixed.size(), poses.moving.size());
+        EXPECT_GT(poses.fixed.size(), 241U);
+        for (double time = 0; time < 1; time += 0.00037)
+            EXPECT_NEAR(position_at(poses.fixed, time).x(), 3 * std::pow(time, 40), 1e-3) << time;
+    }
+}
+
+TEST(SampledPoses, AreFewWhereABodyRestsUpToRounding) {
+    const Motion nearly_at_rest = Motion::polynomial({{1, 0, 0}, {1e-16, 0, 0}, {0, 1e-15, 0}, {0, 0, 1e-15}});
+    const Motion fixed = Motion::twist(test::shifted(0, 0, 0), far_turned);
+    EXPECT_EQ(view::sampled_poses(relative(nearly_at_rest, fixed)).moving.size(), 241U);
 }
 
 } // namespace

@@ -72,6 +72,58 @@ TEST_F(SceneJson, HoldsTheWay) {
     EXPECT_EQ(json()["fixed"]["poses"].get<std::string>().size(), 4U * 19) << "one pose of 56 bytes";
 }
 
+TEST_F(SceneJson, NamesTheMotion) {
+    EXPECT_EQ(json()["motion"], "screw");
+    EXPECT_EQ(json()["is_sweep"], false);
+    EXPECT_EQ(json()["is_in_world"], false);
+    const SweepMotion sweep = SweepMotion::between(test::shifted(0, 0, 2), test::shifted(0, 0, -2));
+    const view::MotionNumbers of_sweep = view::numbers_of(sweep);
+    const Motion plain = sweep;
+    const view::Scene other{.moving = moving, .fixed = fixed, .motion = plain, .numbers = of_sweep, .found = found};
+    EXPECT_EQ(Json::parse(view::scene_json(other))["motion"], "sweep");
+    EXPECT_EQ(Json::parse(view::scene_json(other))["is_sweep"], true);
+}
+
+TEST_F(SceneJson, HoldsNoTauOfAnEvenMotion) {
+    const Pose start = test::shifted(0, 0, 2), goal = test::turned({0.1, 0.2, -2}, {0.3, 0.5, 1}, 1.1);
+    const ConstantVelocity velocity = ConstantVelocity::between(start, goal, {0.1, 0.2, 0.3});
+    const ConstantTwist twist = ConstantTwist::between(start, goal);
+    const auto scene_of = [&](const Motion& even, const view::MotionNumbers& of_even) {
+        const FirstContact met = first_contact({.moving = moving, .fixed = fixed, .motion = even});
+        EXPECT_EQ(met.verdict, Verdict::contact);
+        return Json::parse(
+            view::scene_json({.moving = moving, .fixed = fixed, .motion = even, .numbers = of_even, .found = met}));
+    };
+    const Json by_velocity = scene_of(velocity, view::numbers_of(velocity));
+    const Json by_twist = scene_of(twist, view::numbers_of(twist));
+    EXPECT_EQ(by_velocity["motion"], "velocity");
+    EXPECT_EQ(by_twist["motion"], "twist");
+    for (const Json& scene : {by_velocity, by_twist}) {
+        EXPECT_TRUE(scene["answer"].contains("time"));
+        EXPECT_FALSE(scene["answer"].contains("tau"));
+        EXPECT_FALSE(scene["answer"].contains("tau_upper"));
+        EXPECT_NEAR(scene["answer"]["motion"]["angle"], 1.1, 1e-14);
+    }
+    EXPECT_EQ(by_velocity["answer"]["motion"]["displacement"][2], velocity.displacement().z());
+    EXPECT_FALSE(by_twist["answer"]["motion"].contains("displacement"));
+}
+
+TEST_F(SceneJson, HoldsTheWaysOfTwoBodies) {
+    const Motion one = Motion::twist(test::shifted(0, 0, 2), test::turned({0.1, 0.2, -2}, {0.3, 0.5, 1}, 1.1));
+    const Motion two = Motion::velocity(test::shifted(0, 0, -1), test::turned({0, 0, 1}, {1, 0, 0}, 0.5));
+    const Motion both = relative(one, two);
+    const FirstContact met = first_contact({.moving = moving, .fixed = fixed, .motion = both});
+    ASSERT_EQ(met.verdict, Verdict::contact);
+    const Json scene = Json::parse(
+        view::scene_json({.moving = moving, .fixed = fixed, .motion = both, .numbers = numbers, .found = met}));
+    const auto poses = tests::unpacked<double>(scene["fixed"]["poses"].get<std::string>());
+    ASSERT_GE(poses.size(), 7U * 241);
+    EXPECT_NEAR(poses[2], -1, 1e-14);
+    EXPECT_NEAR(poses[poses.size() - 5], 1, 1e-14);
+    EXPECT_NEAR(scene["fixed_pose"][2], -1 + 2 * met.time.lower, 1e-12);
+    EXPECT_NEAR(scene["fixed_pose"][2], met.fixed_pose.translation.z(), 1e-9);
+}
+
 TEST_F(SceneJson, NothingInItEndsAScript) {
     view::Scene named = scene();
     named.title = "</script><script>alert('\xE2\x80\xA8')</script><!-- \\ \" \n";
