@@ -22,6 +22,10 @@ constexpr double rounding_of_times = 0x1p-51;
 /// Pieces are not cut below this duration.
 constexpr double shortest_piece = 0x1p-20;
 
+/// Where pieces are divided: a contact at exactly the end of a piece cannot be told from a miss, and round times are
+/// frequent.
+constexpr double uneven_half = 0.4837;
+
 RateBounds largest(const RateBounds& a, const RateBounds& b) {
     return {std::max(a.turn_rate, b.turn_rate), std::max(a.turn_acceleration, b.turn_acceleration),
             std::max(a.speed, b.speed), std::max(a.acceleration, b.acceleration)};
@@ -46,7 +50,7 @@ void append_pieces(const MovingFrame& frame, const Bracket& times, std::vector<d
     }
     if (!(duration > shortest_piece))
         throw InvalidInput("motion: bounds: the body turns by more than 0.25 radians within a millionth of the motion");
-    const double middle = times.lower + 0.5 * duration;
+    const double middle = times.lower + uneven_half * duration;
     append_pieces(frame, {times.lower, middle}, ends);
     append_pieces(frame, {middle, times.upper}, ends);
 }

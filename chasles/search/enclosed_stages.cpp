@@ -119,8 +119,9 @@ void EnclosedStages<within_margin>::test(const FeaturePair& features) {
     if (within_margin && is_at_start_)
         test_at_start(features);
     if (auto found = filter_.first(features)) {
+        // So far the contact may be anywhere in the part, and just after it: at its very end no sign changes.
         if (!found->certain)
-            found->upper = filter_.part().upper; // so far the contact may be anywhere in the part
+            found->upper = std::min(1.0, filter_.part().at(1.25));
         candidates_.add({features, *found}, *this);
     }
 }

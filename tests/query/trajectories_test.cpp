@@ -296,6 +296,18 @@ TEST(Trajectories, ATrackIsOneQuestion) {
     EXPECT_GE(track.stamp_of(found.time).upper, stamp);
 }
 
+/// Times at which pieces and intervals might end.
+TEST(Trajectories, ContactsAtRoundTimesAreCertain) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    for (int k = 1; k < 16; ++k) {
+        const double time = k / 16.0;
+        const Pose start({0.25, 0.5, 1 + time}, Eigen::Quaterniond::Identity());
+        const Pose goal({0.25, 0.5, time}, Eigen::Quaterniond(1, 0, 0, 0.3)); // down by one, turning
+        expect_contact_at(time, ask(cube, cube, Motion::velocity(start, goal)));
+        expect_contact_at(time, ask(cube, cube, Motion::twist(start, goal)));
+    }
+}
+
 TEST(Trajectories, WhatIsNotSupportedIsRefused) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
     const Motion motion = Motion::velocity(shifted(3, 0, 0), turned({1.1, 0, 0}, {0, 0, 1}, 1));
