@@ -52,19 +52,22 @@ using Moment = std::shared_ptr<const Points>;
 /// A triangle and the sizes of its rigid shape.
 struct Part {
     Triangle corners{};
-    std::array<double, 3> edges{}; ///< lengths
-    double radius = 0;             ///< of a ball around the centroid
-    double reach = 0;              ///< greatest distance from the motion's reference
+    TriangleSize size;
+    double radius = 0; ///< of a ball around the centroid
+    double reach = 0;  ///< greatest distance from the motion's reference
 };
 
 Part part_of(const Triangle& t, const std::vector<Eigen::Vector3d>& v, const Eigen::Vector3d& reference) {
-    Part part{t, {}, 0, 0};
+    Part part{t, {}};
     const Eigen::Vector3d centre = (v[t[0]] + v[t[1]] + v[t[2]]) / 3;
     for (std::size_t i = 0; i < 3; ++i) {
-        part.edges[i] = (v[t[(i + 1) % 3]] - v[t[i]]).norm() * outward;
+        part.size.edges[i] = (v[t[(i + 1) % 3]] - v[t[i]]).norm() * outward;
         part.radius = std::max(part.radius, (v[t[i]] - centre).norm() * outward);
         part.reach = std::max(part.reach, (v[t[i]] - reference).norm() * outward);
     }
+    part.size.normal = normal_of(Corners<double>{v[t[0]], v[t[1]], v[t[2]]}).norm() * outward;
+    const double rounding = double_slack * (part.reach + reference.norm());
+    part.size.normal += rounding * (part.size.edges[0] + part.size.edges[1]);
     return part;
 }
 
@@ -194,7 +197,7 @@ private:
         const auto fixed = still_.corners<double>(b.corners);
         const std::array<Corners<double>, 2> moving{from.corners<double>(a.corners), to.corners<double>(a.corners)};
         for (int axis = 0; axis < axis_count; ++axis) {
-            const AxisSize size = axis_size(axis, a.edges, b.edges);
+            const AxisSize size = axis_size(axis, a.size, b.size);
             const double needed = options_.margin * size.length * outward +
                                   bend(axis, size.length, distance, a.reach) * width * width / 8;
             const double error = size_ * (size.sensitivity * distance + size.length);

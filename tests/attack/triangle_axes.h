@@ -54,20 +54,26 @@ struct AxisSize {
     double sensitivity = 0;
 };
 
-/// The axis is a product of two or three edges with these lengths.
-inline AxisSize axis_size(int axis, const std::array<double, 3>& moving, const std::array<double, 3>& fixed) {
-    const auto two = [](double a, double b) { return AxisSize{a * b, a + b}; };
-    const auto three = [](const std::array<double, 3>& e, int edge) {
+/// The lengths of a triangle's edges and of its normal, or slightly more.
+struct TriangleSize {
+    std::array<double, 3> edges{};
+    double normal = 0;
+};
+
+/// The axis is a product of two or three edges.
+inline AxisSize axis_size(int axis, const TriangleSize& moving, const TriangleSize& fixed) {
+    const auto of_normal = [](const TriangleSize& t) { return AxisSize{t.normal, t.edges[0] + t.edges[1]}; };
+    const auto of_edges = [](double a, double b) { return AxisSize{a * b, a + b}; };
+    const auto in_plane = [](const TriangleSize& t, int edge) {
+        const auto& e = t.edges;
         const double c = e[std::size_t(edge)];
-        return AxisSize{e[0] * e[1] * c, e[0] * e[1] + (e[0] + e[1]) * c};
+        return AxisSize{t.normal * c, e[0] * e[1] + (e[0] + e[1]) * c};
     };
-    if (axis == 0)
-        return two(moving[0], moving[1]);
-    if (axis == 1)
-        return two(fixed[0], fixed[1]);
+    if (axis < 2)
+        return of_normal(axis == 0 ? moving : fixed);
     if (axis < 11)
-        return two(moving[std::size_t((axis - 2) / 3)], fixed[std::size_t((axis - 2) % 3)]);
-    return axis < 14 ? three(moving, axis - 11) : three(fixed, axis - 14);
+        return of_edges(moving.edges[std::size_t((axis - 2) / 3)], fixed.edges[std::size_t((axis - 2) % 3)]);
+    return axis < 14 ? in_plane(moving, axis - 11) : in_plane(fixed, axis - 14);
 }
 
 /// Whether the segment passes through the inside of the triangle, with all volumes greater than `slack`.
