@@ -15,8 +15,8 @@ using Clock = std::chrono::steady_clock;
 
 /// A contact that is not certain is no false alarm if the surfaces come as near as this, relative to the scene.
 constexpr double nearly_touching = 1e-10;
-/// Certain brackets are as wide as asked, and by a few roundings more.
-constexpr double widest_bracket = 1e-12 + 0x1p-50;
+/// A certain bracket is as wide as the time tolerance, or wider by a few roundings.
+constexpr double widest_bracket = 1e-12 + 0x1p-48;
 
 /// The reference has found a touch that does not graze.
 constexpr double decided_width = 0x1p-47;
@@ -102,8 +102,9 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
         return "";
     }
     const double width = found.time.upper - found.time.lower;
-    tally.widest = std::max(tally.widest, width);
-    if (width > widest_bracket) {
+    if (posed.find != Find::any) // a verdict, whose bracket may be wide
+        tally.widest = std::max(tally.widest, width);
+    if (posed.find != Find::any && width > widest_bracket) {
         ++tally.wide;
         return "certain of a wide bracket";
     }
@@ -112,18 +113,21 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
 
 /// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits.
 std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& query, const FirstContact& found) {
-    const double size = scene_size(posed.moving, posed.fixed, posed.motion.truth);
-    const auto error = [&](const Pose& pose, double time) {
-        const Eigen::Isometry3d truth = narrowed(posed.motion.truth.at(time));
+    const TrueMotion& motion = posed.motion.truth;
+    const double size = scene_size(posed.moving, posed.fixed, motion) + motion.rates.reference.norm();
+    const auto error = [&](const Pose& moving, const Pose& fixed, double time) {
+        const Eigen::Isometry3d truth = narrowed(motion.at(time));
+        const Eigen::Isometry3d seen = fixed.isometry().inverse() * moving.isometry();
         double most = 0;
         for (const Eigen::Vector3d& v : posed.moving.vertices)
-            most = std::max(most, (truth * v - pose.isometry() * v).norm());
+            most = std::max(most, (truth * v - seen * v).norm());
         return most;
     };
-    if (!(error(query.motion.pose_at(posed.time), posed.time) <= 1e-13 * size))
+    const Motion& claimed = query.motion;
+    if (!(error(claimed.pose_at(posed.time), claimed.fixed_pose_at(posed.time), posed.time) <= 1e-13 * size))
         return "a pose is not that of the motion";
     const double time = found.verdict == Verdict::clear ? 1 : found.time.lower;
-    if (!(error(found.pose, time) <= 1e-13 * size))
+    if (!(error(found.pose, found.fixed_pose, time) <= 1e-13 * size))
         return "the pose of the answer is not that of the motion";
     return found.certain && found.verdict == Verdict::contact ? misplaced(query, found, size) : "";
 }

@@ -1,4 +1,4 @@
-// Families of questions about motions that are no rational ones: each motion in each placement of the bodies.
+// Families of questions about motions that are not rational: each motion in each placement of the bodies.
 #pragma once
 
 #include "tests/attack/shapes.h"
@@ -10,7 +10,7 @@
 
 namespace chasles::attack {
 
-/// A motion of the library with its truth and its text.
+/// A motion of the library, its truth as seen from the fixed body, and its text.
 struct MotionCase {
     Motion motion;
     TrueMotion truth;

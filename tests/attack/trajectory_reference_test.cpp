@@ -117,40 +117,78 @@ TEST(TrajectoryReference, AMarginIsKept) {
     EXPECT_FALSE(first_touch(above, floor, motion, {.margin = 0.51}).is_clear);
 }
 
-/// The poses at both ends are those that were given, and sampled speeds and accelerations are within their bounds.
+/// Compares bounds with differences over a short step. True if the bound of accelerations is nearly reached.
+bool expect_within_bounds(const TrueMotion& motion, const Vector3d& point, double time) {
+    const auto at = [&](double when) -> WideVector {
+        const TruePose pose = motion.at(when);
+        return pose.turn * widened(point) + pose.place;
+    };
+    const TrueRates& rates = motion.rates;
+    const double reach = (point - rates.reference).norm();
+    const double speed = rates.speed + rates.turn_rate * reach;
+    const double turn = rates.turn_rate * rates.turn_rate + rates.turn_acceleration;
+    const double bend = rates.acceleration + turn * reach;
+    const double step = 0x1p-10;
+    EXPECT_LE(double((at(time + step) - at(time)).norm()), speed * step * (1 + 1e-9));
+    const WideVector second = at(time + step) + at(time - step) - at(time) * Wide(2);
+    const double allowed = bend * step * step;
+    EXPECT_LE(double(second.norm()), allowed * (1 + 1e-9) + 1e-60);
+    return double(second.norm()) > 0.3 * allowed;
+}
+
+struct RandomEnds {
+    Pose start;
+    Pose goal;
+};
+
+RandomEnds random_ends(AttackRandom& random) {
+    const auto quaternion = [&] {
+        const Vector3d v = random.vector(1);
+        return Quaterniond(random.uniform(-1, 1), v.x(), v.y(), v.z());
+    };
+    const Quaterniond from = quaternion();
+    const double turn = std::pow(10, random.uniform(-12, 1));
+    const Quaterniond to(from.coeffs() + turn * quaternion().coeffs());
+    return {Pose(random.vector(3), from), Pose(random.vector(3), to)};
+}
+
+/// Sampled: 200 motions of each kind.
 TEST(TrajectoryReference, MotionsKeepTheirEndsAndTheirBounds) {
-    int turning = 0;
+    int tight = 0;
     for (std::uint64_t index = 0; index < 200; ++index) {
         AttackRandom random(5, 1, index);
-        const auto number = [&] { return random.uniform(-1, 1); };
-        const Quaterniond from(number(), number(), number(), number());
-        const double turn = std::pow(10, random.uniform(-12, 0));
-        const Quaterniond goal(from.coeffs() + turn * Quaterniond(number(), number(), number(), number()).coeffs());
-        const Pose start(random.vector(3), from);
-        const Pose end(random.vector(3), goal);
+        const auto [start, goal] = random_ends(random);
         const Vector3d point = random.vector(2);
-        for (const TrueMotion& motion : {true_velocity(start, end, random.vector(100)), true_twist(start, end)}) {
+        const double time = random.integer(100, 900) * 0x1p-10; // sums with the step are exact
+        for (const TrueMotion& motion : {true_velocity(start, goal, random.vector(100)), true_twist(start, goal)}) {
             EXPECT_LT((narrowed(motion.at(0)) * point - start.isometry() * point).norm(), 1e-14);
-            EXPECT_LT((narrowed(motion.at(1)) * point - end.isometry() * point).norm(), 1e-14);
+            EXPECT_LT((narrowed(motion.at(1)) * point - goal.isometry() * point).norm(), 1e-14);
             const WideMatrix square = motion.at(1).turn.transpose() * motion.at(1).turn;
             EXPECT_LT(double((square - WideMatrix::Identity()).norm()), 0x1p-200);
-            const auto at = [&](double time) -> WideVector {
-                const TruePose pose = motion.at(time);
-                return pose.turn * widened(point) + pose.place;
-            };
-            const TrueRates& rates = motion.rates;
-            const double reach = (point - rates.reference).norm();
-            const double speed = rates.speed + rates.turn_rate * reach;
-            const double bend = rates.acceleration + rates.turn_rate * rates.turn_rate * reach;
-            const double time = random.integer(100, 900) * 0x1p-10; // sums with the step are exact
-            const double step = 0x1p-10;
-            EXPECT_LE(double((at(time + step) - at(time)).norm()), speed * step * (1 + 1e-9));
-            const WideVector second = at(time + step) + at(time - step) - at(time) * Wide(2);
-            EXPECT_LE(double(second.norm()), bend * step * step * (1 + 1e-9) + 1e-60);
-            turning += double(second.norm()) > 0.3 * bend * step * step ? 1 : 0;
+            tight += expect_within_bounds(motion, point, time) ? 1 : 0;
         }
     }
-    EXPECT_GT(turning, 200); // the bounds are tight
+    EXPECT_GT(tight, 200);
+}
+
+TEST(TrajectoryReference, ProductsAndInversesKeepTheirBounds) {
+    int tight = 0;
+    for (std::uint64_t index = 0; index < 200; ++index) {
+        AttackRandom random(5, 2, index);
+        const auto [start, goal] = random_ends(random);
+        const auto [from, to] = random_ends(random);
+        const Vector3d point = random.vector(2);
+        const double time = random.integer(100, 900) * 0x1p-10;
+        const TrueMotion moving = true_velocity(start, goal, random.vector(2));
+        const TrueMotion frame = true_twist(from, to);
+        const TrueMotion seen = true_product(true_inverse(frame), moving);
+        tight += expect_within_bounds(true_inverse(moving), point, time) ? 1 : 0;
+        tight += expect_within_bounds(true_product(moving, frame), point, time) ? 1 : 0;
+        tight += expect_within_bounds(seen, point, time) ? 1 : 0;
+        const Vector3d back = narrowed(frame.at(time)) * (narrowed(seen.at(time)) * point);
+        EXPECT_LT((back - narrowed(moving.at(time)) * point).norm(), 1e-13);
+    }
+    EXPECT_GT(tight, 30);
 }
 
 } // namespace

@@ -105,6 +105,50 @@ TrueMotion true_twist(const Pose& start, const Pose& goal) {
     return {at, rates};
 }
 
+/// The reference is that of the inner motion. It stays within D of the outer reference. As seen from the world it has
+/// the speed of the frame at D, and its own. Its acceleration is that of the frame at D, its own, and Coriolis' one.
+/// The angular velocities add up, and the frame turns the inner one.
+TrueMotion true_product(const TrueMotion& outer, const TrueMotion& inner) {
+    const TrueRates& a = outer.rates;
+    const TrueRates& b = inner.rates;
+    const Eigen::Vector3d start = narrowed(inner.at(0)) * b.reference;
+    const double distance = ((start - a.reference).norm() + b.speed) * outward + 1e-12 * start.norm();
+    TrueRates rates;
+    rates.reference = b.reference;
+    rates.turn_rate = (a.turn_rate + b.turn_rate) * outward;
+    rates.turn_acceleration = (a.turn_acceleration + b.turn_acceleration + a.turn_rate * b.turn_rate) * outward;
+    rates.speed = (a.speed + a.turn_rate * distance + b.speed) * outward;
+    rates.acceleration = (a.acceleration + (a.turn_rate * a.turn_rate + a.turn_acceleration) * distance +
+                          2 * a.turn_rate * b.speed + b.acceleration) *
+                         outward;
+    const auto at = [outer = outer.at, inner = inner.at](double time) {
+        const TruePose frame = outer(time);
+        const TruePose body = inner(time);
+        return TruePose{frame.turn * body.turn, frame.turn * body.place + frame.place};
+    };
+    return {at, rates};
+}
+
+/// The reference is a resting point P, where the moving reference c starts. It stays within D = the speed of c. Seen
+/// from the moving body it is at turn^T (P - c), up to a constant. The product rule bounds both derivatives.
+TrueMotion true_inverse(const TrueMotion& motion) {
+    const TrueRates& a = motion.rates;
+    TrueRates rates;
+    rates.reference = narrowed(motion.at(0)) * a.reference;
+    const double distance = a.speed * outward + 1e-12 * rates.reference.norm();
+    const double turn = a.turn_rate * a.turn_rate + a.turn_acceleration;
+    rates.turn_rate = a.turn_rate;
+    rates.turn_acceleration = a.turn_acceleration;
+    rates.speed = (a.turn_rate * distance + a.speed) * outward;
+    rates.acceleration = (turn * distance + 2 * a.turn_rate * a.speed + a.acceleration) * outward;
+    const auto at = [at = motion.at](double time) {
+        const TruePose pose = at(time);
+        const WideMatrix back = pose.turn.transpose();
+        return TruePose{back, back * (-pose.place)};
+    };
+    return {at, rates};
+}
+
 Eigen::Isometry3d narrowed(const TruePose& pose) {
     Eigen::Isometry3d result = Eigen::Isometry3d::Identity();
     for (int i = 0; i < 3; ++i)

@@ -41,6 +41,12 @@ TrueMotion true_velocity(const Pose& start, const Pose& goal, const Eigen::Vecto
 /// The body turns evenly the shorter way round about the axis of the screw, and slides evenly along the axis.
 TrueMotion true_twist(const Pose& start, const Pose& goal);
 
+/// The body moves in a frame, which moves itself: `outer` of the frame after `inner` of the body.
+TrueMotion true_product(const TrueMotion& outer, const TrueMotion& inner);
+
+/// The resting body seen from the moving one. Two bodies in one world: true_product(true_inverse(fixed), moving).
+TrueMotion true_inverse(const TrueMotion& motion);
+
 inline WideVector widened(const Eigen::Vector3d& v) {
     return v.cast<Wide>();
 }
