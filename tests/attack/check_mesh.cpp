@@ -74,25 +74,6 @@ void append(std::string& text, const char* format, double a, double b, double c)
     text += buffer;
 }
 
-void append(std::string& text, const char* name, const Pose& pose) {
-    text += name;
-    append(text, " %a %a %a", pose.translation.x(), pose.translation.y(), pose.translation.z());
-    append(text, "  %a %a %a", pose.rotation.w(), pose.rotation.x(), pose.rotation.y());
-    append(text, " %a\n", pose.rotation.z(), 0, 0);
-}
-
-void append(std::string& text, const char* name, const Shape& shape) {
-    text.append(name).append("\n");
-    for (const Eigen::Vector3d& v : shape.vertices)
-        append(text, "  v %a %a %a\n", v.x(), v.y(), v.z());
-    for (const auto& face : shape.faces) {
-        text += "  f";
-        for (const std::uint32_t vertex : face)
-            text.append(" ").append(std::to_string(vertex));
-        text += "\n";
-    }
-}
-
 } // namespace
 
 std::string check(const MeshCase& posed, Tally& tally) {
@@ -128,17 +109,38 @@ std::string check(const MeshCase& posed, Tally& tally) {
     return wrong;
 }
 
+std::string described(const char* name, const Pose& pose) {
+    std::string text = name;
+    append(text, " %a %a %a", pose.translation.x(), pose.translation.y(), pose.translation.z());
+    append(text, "  %a %a %a", pose.rotation.w(), pose.rotation.x(), pose.rotation.y());
+    append(text, " %a\n", pose.rotation.z(), 0, 0);
+    return text;
+}
+
+std::string described(const char* name, const Shape& shape) {
+    std::string text = std::string(name) + "\n";
+    for (const Eigen::Vector3d& v : shape.vertices)
+        append(text, "  v %a %a %a\n", v.x(), v.y(), v.z());
+    for (const auto& face : shape.faces) {
+        text += "  f";
+        for (const std::uint32_t vertex : face)
+            text.append(" ").append(std::to_string(vertex));
+        text += "\n";
+    }
+    return text;
+}
+
 std::string described(const MeshCase& posed) {
     std::string text;
-    append(text, "moving", posed.moving);
-    append(text, "fixed", posed.fixed);
+    text += described("moving", posed.moving);
+    text += described("fixed", posed.fixed);
     text += posed.posed.kind == MotionKind::screw ? "screw" : "sweep";
     text += posed.posed.is_relative ? ", both bodies move\n" : ", the fixed body stands still\n";
     append(text, "max_turn %a\n", posed.posed.max_turn, 0, 0);
-    append(text, "moving_start", posed.posed.moving_start);
-    append(text, "moving_goal", posed.posed.moving_goal);
-    append(text, "fixed_start", posed.posed.fixed_start);
-    append(text, "fixed_goal", posed.posed.fixed_goal);
+    text += described("moving_start", posed.posed.moving_start);
+    text += described("moving_goal", posed.posed.moving_goal);
+    text += described("fixed_start", posed.posed.fixed_start);
+    text += described("fixed_goal", posed.posed.fixed_goal);
     return text;
 }
 

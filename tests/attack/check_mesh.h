@@ -11,5 +11,7 @@ std::string check(const MeshCase& posed, Tally& tally);
 
 /// The case with every number in hexadecimal.
 std::string described(const MeshCase& posed);
+std::string described(const char* name, const Pose& pose);
+std::string described(const char* name, const Shape& shape);
 
 } // namespace chasles::attack

@@ -5,6 +5,7 @@
 #include "tests/attack/check_least.h"
 #include "tests/attack/check_margin.h"
 #include "tests/attack/check_mesh.h"
+#include "tests/attack/check_trajectory.h"
 
 #include <CLI/CLI.hpp>
 #include <atomic>
@@ -21,6 +22,7 @@ struct Options {
     std::uint64_t elementary = 10'000'000;
     std::uint64_t margins = 100'000;
     std::uint64_t least = 10'000;
+    std::uint64_t trajectories = 20'000;
     unsigned threads = std::max(1u, std::thread::hardware_concurrency());
     std::string family;
     std::int64_t index = -1;
@@ -195,6 +197,9 @@ int attack_all(const Options& options) {
     number = 300;
     if (options.least > 0) // distances as small as their rounding are uncertain
         attack_all_pairs("least distances", options.least, least_families(), "least ");
+    number = 400;
+    if (options.trajectories > 0) // grazes are uncertain: there is no exact stage for motions that are not rational
+        attack_all_pairs("trajectories", options.trajectories, trajectory_families(), "trajectory ");
     return is_broken || (options.certain && is_in_doubt) ? 1 : 0;
 }
 
@@ -209,6 +214,8 @@ int main(int argc, char** argv) {
     app.add_option("--elementary", options.elementary, "how many elementary queries")->capture_default_str();
     app.add_option("--margins", options.margins, "how many mesh pairs with a margin")->capture_default_str();
     app.add_option("--least", options.least, "how many least distances")->capture_default_str();
+    app.add_option("--trajectories", options.trajectories, "how many questions for each motion that is not rational")
+        ->capture_default_str();
     app.add_option("--threads", options.threads, "at most")->capture_default_str();
     app.add_option("--family", options.family, "only this one");
     app.add_option("--index", options.index, "only this case of the family");

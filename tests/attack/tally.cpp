@@ -16,6 +16,8 @@ Tally& Tally::operator+=(const Tally& other) {
     loose += other.loose;
     misplaced += other.misplaced;
     near += other.near;
+    wide += other.wide;
+    doubted += other.doubted;
     at_start += other.at_start;
     uncertain += other.uncertain;
     refused += other.refused;
@@ -30,21 +32,22 @@ Tally& Tally::operator+=(const Tally& other) {
 }
 
 void print_header(const std::string& title) {
-    std::printf("%-26s %10s %10s %7s %7s %7s %7s %7s %7s %7s %7s %7s %9s %9s %8s %8s %8s %8s\n", title.c_str(),
+    std::printf("%-26s %10s %10s %7s %7s %7s %7s %7s %7s %7s %7s %7s %7s %7s %9s %9s %8s %8s %8s %8s\n", title.c_str(),
                 "queries", "touches", "start", "missed", "false", "late", "outside", "misnam.", "mispl.", "loose",
-                "near", "uncertain", "widest", "refined", "exact", "seconds", "truth");
+                "near", "wide", "doubted", "uncertain", "widest", "refined", "exact", "seconds", "truth");
 }
 
 void print_line(const NamedTally& one) {
     const Tally& t = one.tally;
     const auto count = [](std::uint64_t x) { return static_cast<unsigned long long>(x); };
     const auto share = [&](std::uint64_t x) { return t.tests == 0 ? 0 : 100.0 * double(x) / double(t.tests); };
-    std::printf("%-26s %10llu %10llu %7llu %7llu %7llu %7llu %7llu %7llu %7llu %7llu %7llu %9llu %9.1e %7.3f%% %7.3f%% "
+    std::printf("%-26s %10llu %10llu %7llu %7llu %7llu %7llu %7llu %7llu %7llu %7llu %7llu %7llu %7llu %9llu %9.1e "
+                "%7.3f%% %7.3f%% "
                 "%8.1f %8.1f\n",
                 one.name.c_str(), count(t.queries), count(t.touches), count(t.at_start), count(t.missed),
                 count(t.false_alarms), count(t.late), count(t.outside), count(t.misnamed), count(t.misplaced),
-                count(t.loose), count(t.near), count(t.uncertain), t.widest, share(t.refined), share(t.exact),
-                t.seconds, t.reference_seconds);
+                count(t.loose), count(t.near), count(t.wide), count(t.doubted), count(t.uncertain), t.widest,
+                share(t.refined), share(t.exact), t.seconds, t.reference_seconds);
     std::fflush(stdout);
 }
 

@@ -18,6 +18,8 @@ struct Tally {
     std::uint64_t loose = 0;        ///< not certain, and the exact tau is after the bracket
     std::uint64_t misplaced = 0;    ///< a contact's point, normal or gap does not fit its features
     std::uint64_t near = 0;         ///< differs from the exact answer by less than the documented resolution
+    std::uint64_t wide = 0;         ///< certain brackets that are wider than the time tolerance
+    std::uint64_t doubted = 0;      ///< uncertain contacts that the reference proves to within a few roundings of time
     std::uint64_t at_start = 0;     ///< touches at the start
     std::uint64_t uncertain = 0;    ///< uncertain answers
     std::uint64_t refused = 0;      ///< refused meshes
@@ -30,7 +32,7 @@ struct Tally {
     double reference_seconds = 0;
 
     [[nodiscard]] bool is_broken() const {
-        return missed + false_alarms + late + outside + misnamed + misplaced + failed > 0;
+        return missed + false_alarms + late + outside + misnamed + misplaced + wide + failed > 0;
     }
     /// Whether any answer is uncertain although the exact reference decides it.
     [[nodiscard]] bool is_in_doubt() const { return uncertain + loose > 0; }

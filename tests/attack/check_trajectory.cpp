@@ -1,0 +1,180 @@
+#include "tests/attack/check_trajectory.h"
+
+#include "chasles/base/invalid_input.h"
+#include "tests/attack/check_mesh.h"
+#include "tests/attack/contact_geometry.h"
+#include "tests/attack/touch_search.h"
+
+#include <chrono>
+
+namespace chasles::attack {
+
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+/// A contact that is not certain is no false alarm if the surfaces come as near as this, relative to the scene.
+constexpr double nearly_touching = 1e-10;
+/// A certain bracket is as wide as the time tolerance, or wider by a few roundings.
+constexpr double widest_bracket = 1e-12 + 0x1p-48;
+
+/// The reference has found a touch that does not graze.
+constexpr double decided_width = 0x1p-47;
+
+/// Where a proof of the reference contradicts the answer.
+enum class Fault : std::uint8_t { none, missed, false_alarm, late, outside, misnamed };
+
+Fault fault_of(const TrueTouch& truth, const FirstContact& found) {
+    if (found.verdict == Verdict::clear)
+        return truth.upper ? Fault::missed : Fault::none;
+    if (truth.is_clear && found.certain)
+        return Fault::false_alarm;
+    if (truth.upper && std::min(found.time.lower, found.clear_until) > *truth.upper)
+        return Fault::late;
+    if (truth.upper && found.clear_until > *truth.upper)
+        return Fault::late;
+    if (!found.certain || truth.is_clear)
+        return Fault::none;
+    if (found.verdict == Verdict::contact_at_start && truth.lower > 0)
+        return Fault::misnamed;
+    return found.time.upper < truth.lower ? Fault::outside : Fault::none;
+}
+
+/// For Find::first. The bracket of Find::any is of some contact, which may be a late one.
+Fault fault_of_first(const TrueTouch& truth, const FirstContact& found) {
+    return truth.upper && found.verdict != Verdict::clear && found.time.lower > *truth.upper ? Fault::late
+                                                                                             : Fault::none;
+}
+
+Fault fault_of(const TrueTouch& truth, const FirstContact& found, Find find) {
+    const Fault fault = fault_of(truth, found);
+    return fault == Fault::none && find != Find::any ? fault_of_first(truth, found) : fault;
+}
+
+std::string counted(Fault fault, Tally& tally) {
+    switch (fault) {
+    case Fault::none:
+        return "";
+    case Fault::missed:
+        ++tally.missed;
+        return "missed";
+    case Fault::false_alarm:
+        ++tally.false_alarms;
+        return "a false alarm that is certain";
+    case Fault::late:
+        ++tally.late;
+        return "late";
+    case Fault::outside:
+        ++tally.outside;
+        return "certain of a bracket that the touch is not in";
+    default:
+        ++tally.misnamed;
+        return "called a contact at the start";
+    }
+}
+
+/// Contacts without certainty must be nearly touches.
+bool is_far_from_touching(const TrajectoryCase& posed, double size) {
+    const TouchOptions options{.margin = nearly_touching * size, .wide_only = true};
+    return first_touch(posed.moving, posed.fixed, posed.motion.truth, options).is_clear;
+}
+
+std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally& tally) {
+    TrueTouch truth = first_touch(posed.moving, posed.fixed, posed.motion.truth);
+    tally.touches += truth.upper ? 1 : 0;
+    tally.at_start += truth.upper == 0.0 ? 1 : 0;
+    tally.near += !truth.upper && !truth.is_clear ? 1 : 0;
+    const bool touches = found.verdict != Verdict::clear;
+    if (fault_of(truth, found, posed.find) != Fault::none) { // only multiprecision refutes
+        truth = first_touch(posed.moving, posed.fixed, posed.motion.truth, {.wide_only = true});
+        if (const Fault fault = fault_of(truth, found, posed.find); fault != Fault::none)
+            return counted(fault, tally) + ", truth in [" + std::to_string(truth.lower) + ", " +
+                   std::to_string(truth.upper.value_or(2)) + "]";
+    }
+    const double size = scene_size(posed.moving, posed.fixed, posed.motion.truth);
+    if (touches && truth.is_clear && is_far_from_touching(posed, size)) {
+        ++tally.false_alarms;
+        return "a false alarm";
+    }
+    if (!found.certain) {
+        tally.loose += truth.upper && found.time.upper < truth.lower ? 1 : 0;
+        tally.doubted += truth.upper && *truth.upper - truth.lower < decided_width ? 1 : 0;
+        return "";
+    }
+    const double width = found.time.upper - found.time.lower;
+    if (posed.find != Find::any) // a verdict, whose bracket may be wide
+        tally.widest = std::max(tally.widest, width);
+    if (posed.find != Find::any && width > widest_bracket) {
+        ++tally.wide;
+        return "certain of a wide bracket";
+    }
+    return "";
+}
+
+/// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits.
+std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& query, const FirstContact& found) {
+    const TrueMotion& motion = posed.motion.truth;
+    const double size = scene_size(posed.moving, posed.fixed, motion) + motion.rates.reference.norm();
+    const auto error = [&](const Pose& moving, const Pose& fixed, double time) {
+        const Eigen::Isometry3d truth = narrowed(motion.at(time));
+        const Eigen::Isometry3d seen = fixed.isometry().inverse() * moving.isometry();
+        double most = 0;
+        for (const Eigen::Vector3d& v : posed.moving.vertices)
+            most = std::max(most, (truth * v - seen * v).norm());
+        return most;
+    };
+    const Motion& claimed = query.motion;
+    if (!(error(claimed.pose_at(posed.time), claimed.fixed_pose_at(posed.time), posed.time) <= 1e-13 * size))
+        return "a pose is not that of the motion";
+    const double time = found.verdict == Verdict::clear ? 1 : found.time.lower;
+    if (!(error(found.pose, found.fixed_pose, time) <= 1e-13 * size))
+        return "the pose of the answer is not that of the motion";
+    return found.certain && found.verdict == Verdict::contact ? misplaced(query, found, size) : "";
+}
+
+std::string text_of(const FirstContact& found) {
+    char buffer[200];
+    std::snprintf(buffer, sizeof buffer, ": verdict %d, time in [%.17g, %.17g], clear until %.17g%s",
+                  int(found.verdict), found.time.lower, found.time.upper, found.clear_until,
+                  found.certain ? ", certain" : "");
+    return buffer;
+}
+
+} // namespace
+
+std::string check(const TrajectoryCase& posed, Tally& tally) {
+    std::optional<Polyhedron> moving;
+    std::optional<Polyhedron> fixed;
+    try {
+        moving = Polyhedron::from_polygons(posed.moving.vertices, posed.moving.faces);
+        fixed = Polyhedron::from_polygons(posed.fixed.vertices, posed.fixed.faces);
+    } catch (const InvalidInput&) {
+        ++tally.refused;
+        return "";
+    }
+    const FirstContactQuery query{
+        .moving = *moving, .fixed = *fixed, .motion = posed.motion.motion, .options = {.find = posed.find}};
+    const auto start = Clock::now();
+    const FirstContact found = first_contact(query);
+    const auto end = Clock::now();
+    ++tally.queries;
+    tally.uncertain += found.certain ? 0 : 1;
+    tally.tests += found.work.elementary_tests;
+    tally.refined += found.work.refined;
+    tally.exact += found.work.exact;
+    tally.seconds += std::chrono::duration<double>(end - start).count();
+    std::string wrong = judged(posed, found, tally);
+    if (wrong.empty()) {
+        wrong = misplaced_in(posed, query, found);
+        tally.misplaced += wrong.empty() ? 0 : 1;
+    }
+    tally.reference_seconds += std::chrono::duration<double>(Clock::now() - end).count();
+    return wrong.empty() ? "" : wrong + text_of(found);
+}
+
+std::string described(const TrajectoryCase& posed) {
+    return posed.motion.text + described("moving", posed.moving) + described("fixed", posed.fixed) + "find " +
+           std::to_string(int(posed.find)) + "\n";
+}
+
+} // namespace chasles::attack
