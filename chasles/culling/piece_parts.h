@@ -41,9 +41,9 @@ public:
     [[nodiscard]] double deviation_of(const motion::EnclosureBounds& part) const {
         return part.deviation_of(enclosed_->twice);
     }
-    /// Whether a shorter part would deviate much less.
+    /// Whether a shorter part would deviate much less or tell more.
     [[nodiscard]] bool is_worth_shortening(const motion::EnclosureBounds& part) const {
-        return deviation_of(part) > 1.5 * rounding_of(part);
+        return deviation_of(part) > 1.5 * rounding_of(part) || !is_short(part);
     }
     /// The share of the deviation that shorter parts do not reduce.
     [[nodiscard]] double rounding_of(const motion::EnclosureBounds& part) const {

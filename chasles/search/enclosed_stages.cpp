@@ -151,6 +151,7 @@ void EnclosedStages<within_margin>::test_at_start(const FeaturePair& features) {
 
 template <bool within_margin>
 PieceResult EnclosedStages<within_margin>::take() {
+    is_settling_ = true;
     candidates_.settle(*this);
     if (candidates_.best() > 0 && overlaps_.decide())
         candidates_.end_at_start();
@@ -222,9 +223,12 @@ template <bool within_margin>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::decide(const Candidate& candidate,
                                                                       const SearchState& state) {
     const auto found = follow(shorter_, candidate, candidate.tau, state);
-    if (!found || found->certain || !can_refine())
+    const bool may_stay_wide = found && found->certain && !is_settling_; // is narrowed at the end if it still matters
+    if (!found || may_stay_wide || state.is_final(*found) || !can_refine())
         return found;
-    return refine(candidate, {found->lower, std::max(found->upper, candidate.tau.upper), false}, state);
+    const double upper = found->certain ? found->upper : std::max(found->upper, candidate.tau.upper);
+    const auto refined = refine(candidate, {found->lower, upper, found->certain}, state);
+    return !refined && found->certain ? found : refined;
 }
 
 template <bool within_margin>

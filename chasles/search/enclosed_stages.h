@@ -108,6 +108,7 @@ private:
     StartOverlaps overlaps_;
     Candidates candidates_;
     bool is_at_start_ = false;
+    bool is_settling_ = false;
     std::vector<culling::TimeRange> later_; ///< parts that wait for their refinement, the earliest last
     Work work_;
 };
