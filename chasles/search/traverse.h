@@ -1,5 +1,5 @@
-// The traversal of one search with given stages. Each kind of stages is compiled in a file of its own: compiled together,
-// the traversals would be inlined less, which costs screws 5 % of all instructions.
+// The traversal of one search with given stages. Each kind of stages is compiled in a file of its own: compiled
+// together, the traversals would be inlined less, which costs screws 5 % of all instructions.
 #pragma once
 
 #include "chasles/search/leaf_search.h"
