@@ -5,10 +5,12 @@
 #include "bench/generated_bodies.h"
 #include "chasles/chasles.h"
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <numbers>
 #include <string>
 #include <vector>
@@ -29,8 +31,22 @@ struct Ends {
     Vector3d centre; ///< of the body, which moves straight
 };
 
-enum class Kind : std::uint8_t { screw, velocity, twist };
-constexpr std::array kinds{Kind::screw, Kind::velocity, Kind::twist};
+enum class Kind : std::uint8_t { screw, velocity, twist, both };
+constexpr std::array kinds{Kind::screw, Kind::velocity, Kind::twist, Kind::both};
+
+Pose product(const Pose& outer, const Pose& inner) {
+    return {outer.isometry() * inner.translation,
+            Quaterniond(outer.rotation.normalized()) * Quaterniond(inner.rotation)};
+}
+
+/// Both bodies at constant velocity in the world: the fixed one moves by half of the way of the other and turns by a
+/// third of a radian. Seen from it, the ends are the same.
+Motion both_moving(const Ends& ends) {
+    const Vector3d way = 0.5 * (ends.goal.translation - ends.start.translation);
+    const Pose goal(way, Quaterniond(Eigen::AngleAxisd(0.3, Vector3d(1, 2, 3).normalized())));
+    return relative(ConstantVelocity::between(ends.start, product(goal, ends.goal), ends.centre),
+                    ConstantVelocity::between(Pose(), goal));
+}
 
 Motion motion_between(const Ends& ends, Kind kind) {
     switch (kind) {
@@ -38,6 +54,8 @@ Motion motion_between(const Ends& ends, Kind kind) {
         return ConstantVelocity::between(ends.start, ends.goal, ends.centre);
     case Kind::twist:
         return ConstantTwist::between(ends.start, ends.goal);
+    case Kind::both:
+        return both_moving(ends);
     default:
         return ScrewMotion::between(ends.start, ends.goal);
     }
@@ -97,27 +115,81 @@ std::array<double, kinds.size()> times_of(const Polyhedron& body, const Ends& en
     return least;
 }
 
+/// Ratios to the screw, of the motions with one verdict.
+struct Ratios {
+    std::vector<double> screw, velocity, twist, both;
+};
+
 void print_case(const NamedBody& body, double turn) {
-    struct Times {
-        std::vector<double> screw, velocity, twist;
-    };
-    std::array<Times, 2> of_verdict; // clear, contact
+    std::array<Ratios, 2> of_verdict; // clear, contact
     for (const Ends& ends : motions_of(body.body, turn)) {
-        const bool touches = answer(body.body, ends, Kind::velocity).verdict != Verdict::clear;
-        if (touches != (answer(body.body, ends, Kind::screw).verdict != Verdict::clear))
+        const auto touches = [&](Kind kind) { return answer(body.body, ends, kind).verdict != Verdict::clear; };
+        if (!std::ranges::all_of(kinds, [&](Kind kind) { return touches(kind) == touches(Kind::screw); }))
             continue;
-        const auto [screw, velocity, twist] = times_of(body.body, ends);
-        Times& times = of_verdict[touches ? 1 : 0];
-        times.screw.push_back(screw);
-        times.velocity.push_back(velocity / screw);
-        times.twist.push_back(twist / screw);
+        const auto [screw, velocity, twist, both] = times_of(body.body, ends);
+        Ratios& ratios = of_verdict[touches(Kind::screw) ? 1 : 0];
+        ratios.screw.push_back(screw);
+        ratios.velocity.push_back(velocity / screw);
+        ratios.twist.push_back(twist / screw);
+        ratios.both.push_back(both / screw);
     }
     for (const bool touches : {false, true}) {
-        const Times& times = of_verdict[touches ? 1 : 0];
-        std::printf("%-16s %3.0f degrees  %-8s %4zu motions  screw %8.2f us  velocity %5.2f  twist %5.2f times\n",
-                    body.name.c_str(), turn / degree, touches ? "contact" : "clear", times.screw.size(),
-                    median(times.screw), median(times.velocity), median(times.twist));
+        const Ratios& ratios = of_verdict[touches ? 1 : 0];
+        std::printf("%-15s %3.0f degrees  %-8s %4zu motions  screw %7.2f us  velocity %5.2f  twist %5.2f  both %5.2f\n",
+                    body.name.c_str(), turn / degree, touches ? "contact" : "clear", ratios.screw.size(),
+                    median(ratios.screw), median(ratios.velocity), median(ratios.twist), median(ratios.both));
     }
+}
+
+/// A body at the end of seven hinges, as far apart as the body is long; each turns by `turn` / 7.
+Motion chain(Draw& draw, double length, double turn, const Pose& mounted) {
+    Motion arm = Motion::at_rest(Pose());
+    for (int i = 0; i < 7; ++i)
+        arm = arm * Motion::hinge(Vector3d::Zero(), draw.direction(), {0, turn / 7}) *
+              Motion::at_rest(Pose(length * draw.direction(), Quaterniond::Identity()));
+    return arm * Motion::at_rest(mounted);
+}
+
+/// The fixed body is placed beside the goal of the body on the chain, or beyond it.
+void print_chain(const NamedBody& body, double turn) {
+    Draw draw(58);
+    const double length = (body.body.vertices()[0] - body.body.vertices()[body.body.vertices().size() / 2]).norm();
+    std::array<std::vector<double>, 2> screws, ratios;
+    for (int i = 0; i < 200; ++i) {
+        const Pose mounted(Vector3d::Zero(), draw.turn(0, std::numbers::pi));
+        const Motion free = chain(draw, length, turn, mounted);
+        const Vector3d away = draw.between(0.2, 1.2) * length * draw.direction();
+        const Pose place(free.pose_at(1).translation + away, Quaterniond::Identity());
+        const Motion motion = relative(free, Motion::at_rest(place));
+        const auto seen = [&](double time) { return Pose(place.isometry().inverse() * free.pose_at(time).isometry()); };
+        const auto time_of = [&](const auto& make) {
+            double least = 1e9;
+            for (int call = 0; call < calls; ++call) {
+                const auto start = std::chrono::steady_clock::now();
+                const FirstContact found = first_contact({.moving = body.body, .fixed = body.body, .motion = make()});
+                const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
+                least = std::min(least, taken.count());
+                if (found.verdict == Verdict::unknown)
+                    std::abort();
+            }
+            return least;
+        };
+        const Pose start = seen(0), goal = seen(1);
+        const auto verdict = [&](const Motion& m) {
+            return first_contact({.moving = body.body, .fixed = body.body, .motion = m}).verdict;
+        };
+        const Verdict of_chain = verdict(motion);
+        if (of_chain == Verdict::contact_at_start || of_chain != verdict(Motion::screw(start, goal)))
+            continue;
+        const double screw = time_of([&] { return Motion::screw(start, goal); });
+        const std::size_t touches = of_chain == Verdict::clear ? 0 : 1;
+        screws[touches].push_back(screw);
+        ratios[touches].push_back(time_of([&] { return motion; }) / screw);
+    }
+    for (const std::size_t touches : {0, 1})
+        std::printf("%-15s %3.0f degrees  %-8s %4zu chains   screw %7.2f us  seven hinges %5.2f\n", body.name.c_str(),
+                    turn / degree, touches ? "contact" : "clear", screws[touches].size(), median(screws[touches]),
+                    median(ratios[touches]));
 }
 
 int run() {
@@ -130,6 +202,9 @@ int run() {
     for (const NamedBody& body : bodies)
         for (const double turn : {10 * degree, 90 * degree})
             print_case(body, turn);
+    for (const NamedBody& body : bodies)
+        for (const double turn : {10 * degree, 90 * degree})
+            print_chain(body, turn);
     return 0;
 }
 
