@@ -86,18 +86,23 @@ Eigen::Vector3d foot_on_segment(const Eigen::Vector3d& from, const Eigen::Vector
 }
 
 RelativeConfiguration::RelativeConfiguration(const Body& moving, const Body& fixed,
-                                             const motion::ControlMaps<double>& maps, double tau, double rate)
+                                             const motion::ControlMaps<double>& maps, double tau)
     : moving_(moving), fixed_(fixed) {
     for (int i = 0; i < 3; ++i) {
         for (int j = 0; j < 3; ++j) {
             const Quotient entry = quotient_at(maps.rotation.row[i][j], maps.weight, tau);
             turn_(i, j) = entry.value;
-            turn_rate_(i, j) = entry.rate * rate;
+            turn_rate_(i, j) = entry.rate;
         }
         const Quotient entry = quotient_at(maps.translation[i], maps.weight, tau);
         shift_[i] = entry.value;
-        shift_rate_[i] = entry.rate * rate;
+        shift_rate_[i] = entry.rate;
     }
+}
+
+void RelativeConfiguration::take_rates(const RelativeConfiguration& other, double factor) {
+    turn_rate_ = factor * other.turn_rate_;
+    shift_rate_ = factor * other.shift_rate_;
 }
 
 Eigen::Vector3d RelativeConfiguration::moved(const Eigen::Vector3d& body_point) const {

@@ -29,12 +29,13 @@ struct NearestPoints {
     [[nodiscard]] Eigen::Vector3d apart() const { return on_moving - on_fixed; }
 };
 
-/// `tau` in [0, 1] within the range of the maps; rates are `rate` times those of the maps. Bodies are kept by
-/// reference.
+/// `tau` in [0, 1] within the piece; `maps` over the whole piece. Bodies are kept by reference.
 class RelativeConfiguration {
 public:
-    RelativeConfiguration(const Body& moving, const Body& fixed, const motion::ControlMaps<double>& maps, double tau,
-                          double rate = 1);
+    RelativeConfiguration(const Body& moving, const Body& fixed, const motion::ControlMaps<double>& maps, double tau);
+
+    /// Takes the velocities of another configuration, times a factor.
+    void take_rates(const RelativeConfiguration& other, double factor);
 
     [[nodiscard]] const Body& moving() const { return moving_; }
     [[nodiscard]] const Body& fixed() const { return fixed_; }

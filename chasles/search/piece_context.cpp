@@ -56,15 +56,18 @@ culling::TimeTree PieceContext::time_tree(double margin, const culling::PiecePar
     return {parts, motion::ChordDeviation(piece_->cubic(), moving, fixed), moving, fixed, margin};
 }
 
-/// Where the maps only enclose the true motion: by those of a part about the moment. It is so short that its sweep has
-/// the velocity of the true motion to six digits or more, and so long that roundings leave as many.
+/// Where the maps only enclose the true motion, the pose is the true one, and the velocity that of the sweep of a part
+/// about the moment. In its middle it is the true velocity up to the square of its width. The part is so short that
+/// this is some 1e-10 for turns of a radian, and so long that roundings are no more.
 contact::RelativeConfiguration PieceContext::configuration_at(double tau) const {
     if (!is_enclosed_)
         return {moving_, fixed_, maps_, tau};
-    constexpr double width = 0x1p-20;
+    constexpr double width = 0x1p-15;
     const double lower = std::clamp(tau - 0.5 * width, 0.0, 1 - width);
-    const motion::Enclosure<double> part = *piece_->enclosure({lower, lower + width});
-    return {moving_, fixed_, motion::control_maps(part.cubic), (tau - lower) / width, 1 / width};
+    const auto maps_of = [&](const Bracket& part) { return motion::control_maps(piece_->enclosure(part)->cubic); };
+    contact::RelativeConfiguration bodies(moving_, fixed_, maps_of({tau, tau}), 0);
+    bodies.take_rates({moving_, fixed_, maps_of({lower, lower + width}), (tau - lower) / width}, 1 / width);
+    return bodies;
 }
 
 const motion::ControlMaps<algebra::DoubleDouble>& PieceContext::refined_maps() {
