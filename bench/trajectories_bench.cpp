@@ -1,5 +1,6 @@
-// What other motions than the paper's screw cost: constant velocity and constant twist beside the screw between the
-// same poses, in one run. Each time includes making the motion. A ratio is that of the least of several calls in turn.
+// The cost of motions that are no screws: constant velocity, constant twist, both bodies moving, a chain of seven
+// hinges. Each is measured beside the screw between the same relative poses, in one run. Times include making the
+// motion, except for chains. Each time is the least of several calls.
 #include "bench/bodies.h"
 #include "bench/draw.h"
 #include "bench/generated_bodies.h"

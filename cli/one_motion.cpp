@@ -37,8 +37,7 @@ NamedMotion named(const Typed& motion) {
     return {motion, view::numbers_of(motion)};
 }
 
-// Screws and sweeps are motions of one body as seen from the other one. The even motions are motions in the world, as
-// tracks of one segment: relative() takes no motion that is a sweep, as a ConstantVelocity is that does not turn.
+// Screws and sweeps are motions of one body as seen from the other one. The even motions are motions in the world.
 NamedMotion motion_of_two(const EndPoses& poses, const MotionRule& rule, const Eigen::Vector3d& fixed_centre) {
     const auto& [start, goal, fixed_start, fixed_goal, is_fixed_moving] = poses;
     if (rule.kind == view::MotionKind::screw)
@@ -49,9 +48,7 @@ NamedMotion motion_of_two(const EndPoses& poses, const MotionRule& rule, const E
     fixed_rule.centre = fixed_centre;
     view::MotionNumbers numbers = numbers_between(rule, start, goal);
     numbers.is_in_world = true;
-    return {relative(track_through(rule, {0, 1}, {start, goal}),
-                     track_through(fixed_rule, {0, 1}, {fixed_start, fixed_goal})),
-            numbers};
+    return {relative(motion_between(rule, start, goal), motion_between(fixed_rule, fixed_start, fixed_goal)), numbers};
 }
 
 NamedMotion read_motion(const OneMotionOptions& options) {

@@ -26,12 +26,13 @@ elementary::ErrorScale PieceParts::scale_of(const motion::Enclosure<double>& par
 }
 
 /// The maps of a part are within the deviation of those of the whole piece, whose norms bound them.
-elementary::ErrorScale PieceParts::refined_scale_of(const motion::EnclosureBounds& part) const {
+elementary::ErrorScale PieceParts::scale_of(const motion::Enclosure<algebra::DoubleDouble>& part,
+                                            const motion::ControlMaps<algebra::DoubleDouble>& /*maps*/) const {
     elementary::ErrorScale scale = scale_;
     scale.length *= 2;
     scale.norm_bound *= 2;
-    scale.deviation = deviation_of(part);
-    scale.turn_deviation = part.turn_deviation;
+    scale.deviation = deviation_of(part.bounds);
+    scale.turn_deviation = part.bounds.turn_deviation;
     return scale;
 }
 
@@ -43,8 +44,6 @@ bool PartMaps::set(const TimeRange& part) {
         const motion::Enclosure<double> enclosure = parts_.enclosure(part);
         maps_ = motion::double_maps(enclosure.cubic);
         scale_ = parts_.scale_of(enclosure, maps_);
-        is_worth_shortening_ = parts_.is_worth_shortening(enclosure.bounds);
-        is_short_ = parts_.is_short(enclosure.bounds);
     } else {
         maps_ = part == TimeRange() ? parts_.whole() : motion::restricted(parts_.whole(), part.lower, part.upper);
     }

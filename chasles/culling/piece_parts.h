@@ -56,8 +56,9 @@ public:
     /// The bound of errors for the maps of an enclosed part.
     [[nodiscard]] elementary::ErrorScale scale_of(const motion::Enclosure<double>& part,
                                                   const motion::ControlMaps<double>& maps) const;
-    /// Likewise for an enclosure in double-double.
-    [[nodiscard]] elementary::ErrorScale refined_scale_of(const motion::EnclosureBounds& part) const;
+    /// Likewise in double-double.
+    [[nodiscard]] elementary::ErrorScale scale_of(const motion::Enclosure<algebra::DoubleDouble>& part,
+                                                  const motion::ControlMaps<algebra::DoubleDouble>& maps) const;
 
 private:
     struct Enclosed {
@@ -81,19 +82,12 @@ public:
     bool set(const TimeRange& part);
     [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
     [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
-    [[nodiscard]] const TimeRange& part() const { return part_; }
-
-    // Only where parts are enclosed; as for PieceParts.
-    [[nodiscard]] bool is_worth_shortening() const { return is_worth_shortening_; }
-    [[nodiscard]] bool is_short() const { return is_short_; }
 
 private:
     PieceParts parts_;
     TimeRange part_{0, 0}; ///< empty before the first call of `set`
     elementary::ErrorScale scale_;
     motion::ControlMaps<double> maps_;
-    bool is_worth_shortening_ = false;
-    bool is_short_ = true;
 };
 
 } // namespace chasles::culling

@@ -1,4 +1,5 @@
-// Any trajectory behind one type, so that searches are compiled once. The only virtual functions of the library.
+// Any trajectory behind one type, so that searches are compiled once. With `MovingFrame` the only virtual functions of
+// the library.
 #pragma once
 
 #include "chasles/motion/moving_frame.h"

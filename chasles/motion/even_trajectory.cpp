@@ -2,7 +2,6 @@
 // Source: docs/derivations/25-even-motions.md.
 #include "chasles/motion/even_trajectory.h"
 
-#include "chasles/base/invalid_input.h"
 #include "chasles/motion/path_ends.h"
 
 #include <algorithm>
@@ -120,17 +119,12 @@ SharedFrame twist_frame(const Pose& start, const Pose& goal) {
 }
 
 EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre)
-    : ends_(ends), centre_(centre), kind_(kind) {
-    if (!centre.allFinite())
-        throw InvalidInput("motion: centre: a number is NaN or infinite");
-    if (centre.cwiseAbs().maxCoeff() > Pose::largest_length)
-        throw InvalidInput("motion: centre: a number is larger than 1e30");
-}
+    : ends_(ends), centre_(checked_centre(centre)), kind_(kind) {}
 
 template <class S>
 EvenMotion<S> EvenTrajectory::motion_in() const {
-    const auto from = seen_from<S>(ends_.start, ends_.start_seen_from());
-    const auto to = seen_from<S>(ends_.goal, ends_.goal_seen_from());
+    const auto from = pose_in<S>(ends_.start);
+    const auto to = pose_in<S>(ends_.goal);
     return kind_ == Kind::velocity ? constant_velocity(from, to, vector_in<S>(centre_)) : constant_twist(from, to);
 }
 
@@ -147,7 +141,7 @@ PathBall EvenTrajectory::ball_around_path(const Vector3<double>& point) const {
     const double acceleration = rates.acceleration + rates.turn_rate * rates.turn_rate * distance;
     const double speed = rates.speed + rates.turn_rate * distance;
     const double radius = length(path.chord()) / 2 + std::min(acceleration / 8, speed / 2);
-    return {path.middle(), radius, motion.size + norm1(point) + size_of_fixed_ends(ends_)};
+    return {path.middle(), radius, motion.size + norm1(point)};
 }
 
 std::optional<CoarseMotion> EvenTrajectory::coarse() const {
@@ -157,10 +151,9 @@ std::optional<CoarseMotion> EvenTrajectory::coarse() const {
         return std::nullopt;
     const EnclosureBounds bounds =
         enclosure_bounds(motion.reference, rates_of(motion), 1, pose_rounding<double>, motion.size);
-    const PartEnds<double> ends{seen_from<double>(ends_.start, ends_.start_seen_from()),
-                                seen_from<double>(ends_.goal, ends_.goal_seen_from())};
-    return CoarseMotion{sweep_between_ends(ends, motion.reference), bounds.deviation,
-                        motion.size + size_of_fixed_ends(ends_), bounds.turn_deviation, motion.reference};
+    const PartEnds<double> ends{pose_in<double>(ends_.start), pose_in<double>(ends_.goal)};
+    return CoarseMotion{sweep_between_ends(ends, motion.reference), bounds.deviation, motion.size,
+                        bounds.turn_deviation, motion.reference};
 }
 
 Pose EvenTrajectory::pose_at(double time) const {

@@ -71,8 +71,8 @@ class EvenTrajectory {
 public:
     enum class Kind : std::uint8_t { velocity, twist };
 
-    /// `centre` is the point that moves straight, in the moving body's frame; without effect for a twist. Throws
-    /// InvalidInput if it cannot be used.
+    /// The fixed body stands still. `centre` is the point that moves straight, in the moving body's frame; without
+    /// effect for a twist. Throws InvalidInput if it cannot be used.
     EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre);
 
     [[nodiscard]] SharedFrame frame() const { return std::make_shared<const EvenFrame>(motion()); }
@@ -80,9 +80,8 @@ public:
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
     [[nodiscard]] std::optional<CoarseMotion> coarse() const;
     [[nodiscard]] Pose pose_at(double time) const;
-    [[nodiscard]] Pose fixed_pose_at(double time) const { return ends_.fixed_pose_at(time); }
+    [[nodiscard]] static Pose fixed_pose_at(double /*time*/) { return {}; }
 
-    [[nodiscard]] const MotionEnds& ends() const { return ends_; }
     [[nodiscard]] EvenMotion<algebra::DoubleDouble> motion() const;
 
 private:

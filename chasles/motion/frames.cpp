@@ -245,15 +245,7 @@ public:
     }
     [[nodiscard]] double size() const override { return size_; }
     [[nodiscard]] double rounding() const override { return rounding_; }
-    void add_cuts(std::vector<double>& cuts) const override {
-        cuts.insert(cuts.end(), ends_.begin(), ends_.end());
-        for (std::size_t i = 0; i < frames_.size(); ++i) {
-            std::vector<double> inner;
-            frames_[i]->add_cuts(inner);
-            for (const double cut : inner)
-                cuts.push_back(ends_[i] + cut * (ends_[i + 1] - ends_[i]));
-        }
-    }
+    void add_cuts(std::vector<double>& cuts) const override { cuts.insert(cuts.end(), ends_.begin(), ends_.end()); }
 
 private:
     /// Of the frame that lasts at this time; at an end, of the later one.

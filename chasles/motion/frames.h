@@ -28,7 +28,7 @@ SharedFrame product_frame(SharedFrame outer, SharedFrame inner);
 SharedFrame relative_frame(SharedFrame moving, SharedFrame fixed);
 
 /// Frames one after another: frame i lasts from ends[i] to ends[i + 1], during which its own time runs from 0 to 1. All
-/// must have the same reference. `ends` ascends from 0 to 1.
+/// must have the same reference and no cut. `ends` ascends from 0 to 1.
 SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> frames);
 
 } // namespace chasles::motion

@@ -35,6 +35,14 @@ MotionEnds MotionEnds::relative(const Pose& moving_start, const Pose& moving_goa
     return ends;
 }
 
+const Eigen::Vector3d& checked_centre(const Eigen::Vector3d& centre) {
+    if (!centre.allFinite())
+        throw InvalidInput("motion: centre: a number is NaN or infinite");
+    if (centre.cwiseAbs().maxCoeff() > Pose::largest_length)
+        throw InvalidInput("motion: centre: a number is larger than 1e30");
+    return centre;
+}
+
 Pose MotionEnds::fixed_pose_at(double time) const {
     if (!fixed)
         return {};

@@ -61,6 +61,9 @@ struct MotionEnds {
     [[nodiscard]] Pose in_world(const Pose& pose, double time) const;
 };
 
+/// The point, which is in the frame of a body. Throws InvalidInput "motion: centre: WHY" if it cannot be used.
+const Eigen::Vector3d& checked_centre(const Eigen::Vector3d& centre);
+
 /// An end pose in the fixed body's frame, in a scalar that holds every double.
 template <class S>
 GeneralPose<S> seen_from(const Pose& pose, const Pose* frame) {

@@ -10,8 +10,7 @@
 
 namespace chasles::motion {
 
-/// Poses at any time in [0, 1], and bounds of their rates. The only base class of the library: frames are composed at
-/// run time.
+/// Poses at any time in [0, 1], and bounds of their rates. A base class, because frames are composed at run time.
 class MovingFrame {
 public:
     using Wide = algebra::DoubleDouble;

@@ -24,7 +24,8 @@ struct MotionBounds {
 };
 
 /// A motion over time in [0, 1] that the library does not know. The proof of a query holds if the bounds do: see
-/// find_broken_bound(). Functions are called by every thread that queries the motion. What they throw is passed on.
+/// find_broken_bound(). Every thread that queries the motion calls the functions. An exception of a function reaches
+/// the caller of the query.
 struct OwnTrajectory {
     /// The pose of the moving body in the frame of the fixed body, at a time in [0, 1].
     std::function<Pose(double time)> pose_at;

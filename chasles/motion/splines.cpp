@@ -34,7 +34,8 @@ WideVector place_of(const Pose& pose) {
     return vector_in<Wide>(pose.translation);
 }
 
-/// A path from four coefficients in the time of its segment. They are in double-double, so that segments meet.
+/// A path from four coefficients in the time of its segment. With coefficients in double-double, segments meet without
+/// a jump.
 SharedFrame path_of(const std::array<WideVector, 4>& coefficients) {
     std::array<SmoothPolynomial, 3> place;
     for (int i = 0; i < 3; ++i) {
@@ -118,13 +119,15 @@ void require_track(std::span<const double> times, std::span<const Pose> poses) {
                    " after " + number_text(times[i]));
 }
 
-SharedFrame even_track(std::vector<double> times, std::span<const Pose> poses, Between kind, const Vector3d& centre) {
+SharedFrame even_track(std::vector<double> times, std::span<const Pose> poses, TimedPoses::Between kind,
+                       const Vector3d& centre) {
     require_track(times, poses);
     std::vector<SharedFrame> frames;
     for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
         const Pose start = usable(poses[i]);
         const Pose goal = usable(poses[i + 1]);
-        frames.push_back(kind == Between::velocity ? velocity_frame(start, goal, centre) : twist_frame(start, goal));
+        frames.push_back(kind == TimedPoses::Between::velocity ? velocity_frame(start, goal, centre)
+                                                               : twist_frame(start, goal));
     }
     return joined_frames(std::move(times), std::move(frames));
 }

@@ -2,17 +2,14 @@
 #pragma once
 
 #include "chasles/motion/moving_frame.h"
-#include "chasles/motion/pose.h"
+#include "chasles/motion/timed_poses.h"
 
 #include <span>
 
 namespace chasles::motion {
 
-/// What lies between two poses.
-enum class Between : std::uint8_t { velocity, twist };
-
 /// Even motions from pose to pose; a velocity has the body point `centre` on straight lines. Times ascend from 0 to 1.
-SharedFrame even_track(std::vector<double> times, std::span<const Pose> poses, Between kind,
+SharedFrame even_track(std::vector<double> times, std::span<const Pose> poses, TimedPoses::Between kind,
                        const Eigen::Vector3d& centre);
 
 /// The body's origin on the natural cubic spline through all positions, with slerp from orientation to orientation.

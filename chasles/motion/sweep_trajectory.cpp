@@ -1,6 +1,5 @@
 #include "chasles/motion/sweep_trajectory.h"
 
-#include "chasles/base/invalid_input.h"
 #include "chasles/motion/control_maps.h"
 #include "chasles/motion/path_ends.h"
 #include "chasles/motion/piece_clock.h"
@@ -44,12 +43,8 @@ Pose SweepPiece::pose_at(double tau) const {
     return ends_.in_world(rounded({position, turn * relative_.start.rotation}), tau);
 }
 
-SweepTrajectory::SweepTrajectory(const MotionEnds& ends, const Eigen::Vector3d& centre) : ends_(ends), centre_(centre) {
-    if (!centre.allFinite())
-        throw InvalidInput("motion: centre: a number is NaN or infinite");
-    if (centre.cwiseAbs().maxCoeff() > Pose::largest_length)
-        throw InvalidInput("motion: centre: a number is larger than 1e30");
-}
+SweepTrajectory::SweepTrajectory(const MotionEnds& ends, const Eigen::Vector3d& centre)
+    : ends_(ends), centre_(checked_centre(centre)) {}
 
 PathBall SweepTrajectory::ball_around_path(const Vector3<double>& point) const {
     const Vector3<double> reference = vector_in<double>(centre_);

@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
+#include "chasles/motion/motion_ends.h"
 #include "chasles/motion/smooth_trajectory.h"
 #include "chasles/motion/splines.h"
 
@@ -38,14 +39,11 @@ void require_stamps(const std::vector<double>& stamps, const std::vector<Pose>& 
 TimedPoses TimedPoses::through(std::vector<double> stamps, const std::vector<Pose>& poses, Between between,
                                const Eigen::Vector3d& centre) {
     require_stamps(stamps, poses);
-    if (!centre.allFinite() || centre.cwiseAbs().maxCoeff() > Pose::largest_length)
-        throw InvalidInput("timed poses: centre: a number is NaN, infinite or larger than 1e30");
     std::vector<double> times;
     for (const double stamp : stamps)
         times.push_back((stamp - stamps.front()) / (stamps.back() - stamps.front()));
-    const auto kind = between == Between::velocity ? motion::Between::velocity : motion::Between::twist;
-    const motion::SmoothTrajectory trajectory(
-        motion::SmoothMotion::of_one(motion::even_track(std::move(times), poses, kind, centre)));
+    const motion::SmoothTrajectory trajectory(motion::SmoothMotion::of_one(
+        motion::even_track(std::move(times), poses, between, motion::checked_centre(centre))));
     return {std::move(stamps),
             Motion(std::make_shared<const motion::ErasedTrajectory<motion::SmoothTrajectory>>(trajectory))};
 }

@@ -1,6 +1,5 @@
 #include "chasles/search/enclosed_stages.h"
 
-#include "chasles/search/distance_crossing.h"
 #include "chasles/search/touch_stages.h"
 
 #include <algorithm>
@@ -20,79 +19,80 @@ constexpr double first_share = 0.125;
 /// hundreds.
 constexpr int most_refinements = 4000;
 
-/// The first time in [0, 1] of the maps.
-template <bool within_margin, class S>
-std::optional<FeasibleInterval> first_time(FeatureTests<S>& tests, const FeaturePair& features,
-                                           const algebra::Tolerance& tolerance) {
-    if constexpr (within_margin) {
-        FirstCrossing collect(tolerance); // NOLINT(misc-const-correctness): changed through the generic lambda
-        tests.distance(features, [&](const auto& problem) { collect(problem); });
-        return collect.first() ? std::optional(collect.first()->tau) : std::nullopt;
-    } else {
-        return tests.touch(features);
-    }
-}
-
+/// How a search over a part looks for brackets of this width in the part.
 template <class S>
-WithinAtStart::Answer within_at_start(FeatureTests<S>& tests, const FeaturePair& features) {
-    WithinAtStart collect;
-    tests.distance(features, [&](const auto& problem) { collect(problem); });
-    return collect.answer();
-}
-
-/// In terms of the whole piece. Ends of brackets are rounded outward. A contact is proven only where no point of the
-/// moving body goes far (note 24, "Features").
-std::optional<FeasibleInterval> in_piece(std::optional<FeasibleInterval> found, const culling::TimeRange& part,
-                                         bool is_short) {
-    constexpr double rounding = 0x1p-51;
-    if (found)
-        found =
-            FeasibleInterval{std::max(part.lower, part.at(found->lower) * (1 - rounding)),
-                             std::min(part.upper, part.at(found->upper) * (1 + rounding)), found->certain && is_short};
-    return found;
-}
-
-/// How the refinement in double-double searches.
-algebra::Tolerance refined_tolerance(double width) {
+algebra::Tolerance part_tolerance(double width) {
+    if constexpr (std::is_same_v<S, double>)
+        return filter_tolerance(width);
     constexpr double finest = 0x1p-90;
     constexpr int restrictions = 200;
     return {width, std::min(width, finest), restrictions};
 }
 
+template <class S>
+motion::Enclosure<S> enclosure_of(const motion::AnyPiece& piece, const culling::TimeRange& part) {
+    if constexpr (std::is_same_v<S, double>)
+        return *piece.enclosure({part.lower, part.upper});
+    else
+        return *piece.refined_enclosure({part.lower, part.upper});
+}
+
+motion::ControlMaps<double> maps_of(const motion::RationalMotion<double>& cubic) {
+    return motion::double_maps(cubic);
+}
+motion::ControlMaps<algebra::DoubleDouble> maps_of(const motion::RationalMotion<algebra::DoubleDouble>& cubic) {
+    return motion::control_maps(cubic);
+}
+
 } // namespace
 
 template <bool within_margin>
-void EnclosedStages<within_margin>::PartTests::use(const culling::TimeRange& part) {
-    if (maps_.set(part))
-        tests_.use(maps_.maps(), maps_.scale(), filter_tolerance(std::min(1.0, tolerance_ / part.width())));
-}
-
-template <bool within_margin>
-std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests::first(const FeaturePair& features) {
-    const algebra::Tolerance tolerance = filter_tolerance(std::min(1.0, tolerance_ / part().width()));
-    return in_piece(first_time<within_margin>(tests_, features, tolerance), part(), maps_.is_short());
-}
-
-template <bool within_margin>
-void EnclosedStages<within_margin>::RefinedPartTests::use(const culling::TimeRange& part) {
-    const auto enclosure = *piece_.refined_enclosure({part.lower, part.upper});
+template <class S>
+void EnclosedStages<within_margin>::PartTests<S>::use(const culling::TimeRange& part) {
+    if (part == part_)
+        return;
     part_ = part;
+    tolerance_ = part_tolerance<S>(std::min(1.0, time_tolerance_ / part.width()));
+    const motion::Enclosure<S> enclosure = enclosure_of<S>(piece_, part);
     bounds_ = enclosure.bounds;
-    maps_ = motion::control_maps(enclosure.cubic);
-    tests_.use(maps_, parts_.refined_scale_of(bounds_), refined_tolerance(std::min(1.0, tolerance_ / part.width())));
+    maps_ = maps_of(enclosure.cubic);
+    tests_.use(maps_, parts_.scale_of(enclosure, maps_), tolerance_);
+}
+
+/// Ends of brackets are rounded outward. A contact is proven only where no point of the moving body goes far (note 24,
+/// "Features").
+template <bool within_margin>
+template <class S>
+std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::first(const FeaturePair& features) {
+    std::optional<FeasibleInterval> found;
+    if constexpr (within_margin) {
+        FirstCrossing collect(tolerance_); // NOLINT(misc-const-correctness): changed through the generic lambda
+        tests_.distance(features, [&](const auto& problem) { collect(problem); });
+        if (collect.first())
+            found = collect.first()->tau;
+    } else {
+        found = tests_.touch(features);
+    }
+    constexpr double rounding = 0x1p-51;
+    if (found)
+        found = FeasibleInterval{std::max(part_.lower, part_.at(found->lower) * (1 - rounding)),
+                                 std::min(part_.upper, part_.at(found->upper) * (1 + rounding)),
+                                 found->certain && parts_.is_short(bounds_)};
+    return found;
 }
 
 template <bool within_margin>
-std::optional<FeasibleInterval> EnclosedStages<within_margin>::RefinedPartTests::first(const FeaturePair& features) {
-    const algebra::Tolerance tolerance = refined_tolerance(std::min(1.0, tolerance_ / part_.width()));
-    return in_piece(first_time<within_margin>(tests_, features, tolerance), part_, parts_.is_short(bounds_));
+template <class S>
+WithinAtStart::Answer EnclosedStages<within_margin>::PartTests<S>::within_at_start(const FeaturePair& features) {
+    WithinAtStart collect;
+    tests_.distance(features, [&](const auto& problem) { collect(problem); });
+    return collect.answer();
 }
 
 template <bool within_margin>
 EnclosedStages<within_margin>::EnclosedStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), parts_(context.parts(options.margin)), filter_(context, options, parts_),
-      shorter_(context, options, parts_),
-      start_tests_(context.moving(), context.fixed(), parts_.scale(), options.margin),
+      shorter_(context, options, parts_), start_tests_(context.moving(), context.fixed(), parts_.scale()),
       overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, within_margin}) {
     start_tests_.use(context.maps(), {});
 }
@@ -134,16 +134,12 @@ void EnclosedStages<within_margin>::test_at_start(const FeaturePair& features) {
     if (is_over())
         return;
     constexpr culling::TimeRange short_part{0, 0x1p-45};
-    auto answer = within_at_start(start_tests_, features);
-    if (answer == uncertain) {
-        if (can_refine()) {
-            refinement_->use(short_part);
-            answer = within_at_start(refinement_->tests(), features);
-        } else {
-            shorter_.use(short_part);
-            answer = within_at_start(shorter_.tests(), features);
-        }
+    shorter_.use(short_part);
+    auto answer = shorter_.within_at_start(features);
+    if (answer == uncertain && can_refine()) {
         ++work_.refined;
+        refinement_->use(short_part);
+        answer = refinement_->within_at_start(features);
     }
     if (answer != no)
         candidates_.keep({features, {0, 0, answer == yes}});
@@ -156,7 +152,7 @@ PieceResult EnclosedStages<within_margin>::take() {
     if (candidates_.best() > 0 && overlaps_.decide())
         candidates_.end_at_start();
     work_ += overlaps_.work();
-    for (const PartTests* part : {&filter_, &shorter_}) {
+    for (const PartTests<double>* part : {&filter_, &shorter_}) {
         work_.elementary_tests += part->workspace().elementary_tests;
         work_.root_brackets += part->workspace().root_brackets;
     }
@@ -206,7 +202,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
 template <bool within_margin>
 bool EnclosedStages<within_margin>::can_refine() {
     if (!refinement_ && context_.piece().refined_enclosure({0, 0}))
-        refinement_ = std::make_unique<RefinedPartTests>(context_, options_, parts_);
+        refinement_ = std::make_unique<RefinedTests>(context_, options_, parts_);
     return refinement_ != nullptr;
 }
 

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "chasles/search/candidates.h"
+#include "chasles/search/distance_crossing.h"
 #include "chasles/search/feature_tests.h"
 #include "chasles/search/piece_search.h"
 #include "chasles/search/start_overlaps.h"
@@ -47,48 +48,35 @@ public:
     std::optional<FeasibleInterval> narrow(const Candidate& candidate, const SearchState& state);
 
 private:
-    /// The tests over one part of the piece.
+    /// The tests over one part of the piece, in double or in double-double.
+    template <class S>
     class PartTests {
     public:
         PartTests(PieceContext& context, const SearchOptions& options, const culling::PieceParts& parts)
-            : tests_(context.moving(), context.fixed(), parts.scale(), options.margin), maps_(parts),
-              tolerance_(options.tolerance) {}
+            : tests_(context.moving(), context.fixed(), parts.scale(), options.margin), piece_(context.piece()),
+              parts_(parts), time_tolerance_(options.tolerance) {}
 
         void use(const culling::TimeRange& part);
         /// In terms of the whole piece.
         std::optional<FeasibleInterval> first(const FeaturePair& features);
-        [[nodiscard]] FeatureTests<double>& tests() { return tests_; }
-        [[nodiscard]] const culling::TimeRange& part() const { return maps_.part(); }
-        [[nodiscard]] bool is_worth_shortening() const { return maps_.is_worth_shortening(); }
-        [[nodiscard]] const elementary::Workspace<double>& workspace() const { return tests_.workspace(); }
+        /// Whether they are within the margin at the start of the part.
+        WithinAtStart::Answer within_at_start(const FeaturePair& features);
 
-    private:
-        FeatureTests<double> tests_;
-        culling::PartMaps maps_;
-        double tolerance_;
-    };
-
-    /// Likewise in double-double.
-    class RefinedPartTests {
-    public:
-        RefinedPartTests(PieceContext& context, const SearchOptions& options, const culling::PieceParts& parts)
-            : tests_(context.moving(), context.fixed(), parts.scale(), options.margin), piece_(context.piece()),
-              parts_(parts), tolerance_(options.tolerance) {}
-
-        void use(const culling::TimeRange& part);
-        std::optional<FeasibleInterval> first(const FeaturePair& features);
-        [[nodiscard]] FeatureTests<algebra::DoubleDouble>& tests() { return tests_; }
+        [[nodiscard]] const culling::TimeRange& part() const { return part_; }
         [[nodiscard]] bool is_worth_shortening() const { return parts_.is_worth_shortening(bounds_); }
+        [[nodiscard]] const elementary::Workspace<S>& workspace() const { return tests_.workspace(); }
 
     private:
-        FeatureTests<algebra::DoubleDouble> tests_;
+        FeatureTests<S> tests_;
         const motion::AnyPiece& piece_;
         culling::PieceParts parts_;
-        double tolerance_;
-        culling::TimeRange part_;
+        double time_tolerance_;
+        culling::TimeRange part_{0, 0}; ///< empty before the first call of `use`
+        algebra::Tolerance tolerance_;  ///< in the part
         motion::EnclosureBounds bounds_;
-        motion::ControlMaps<algebra::DoubleDouble> maps_;
+        motion::ControlMaps<S> maps_;
     };
+    using RefinedTests = PartTests<algebra::DoubleDouble>;
 
     template <class Tests>
     std::optional<FeasibleInterval> follow(Tests& tests, const FeaturePair& features, const FeasibleInterval& where,
@@ -101,9 +89,9 @@ private:
     PieceContext& context_;
     const SearchOptions& options_;
     culling::PieceParts parts_;
-    PartTests filter_;
-    PartTests shorter_;
-    std::unique_ptr<RefinedPartTests> refinement_; ///< made on the first use
+    PartTests<double> filter_;
+    PartTests<double> shorter_;
+    std::unique_ptr<RefinedTests> refinement_; ///< made on the first use
     FeatureTests<double> start_tests_;
     StartOverlaps overlaps_;
     Candidates candidates_;
@@ -112,6 +100,9 @@ private:
     std::vector<culling::TimeRange> later_; ///< parts that wait for their refinement, the earliest last
     Work work_;
 };
+
+/// The search of a piece whose motion is enclosed.
+PieceResult search_enclosed_piece(PieceContext& context, const SearchOptions& options);
 
 extern template class EnclosedStages<false>;
 extern template class EnclosedStages<true>;

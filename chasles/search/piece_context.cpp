@@ -20,10 +20,15 @@ double extent(const Bvh& bvh) {
     return result;
 }
 
+std::optional<motion::EnclosureBounds> bounds_of_start(const motion::AnyPiece& piece) {
+    const auto start = piece.enclosure({0, 0});
+    return start ? std::optional(start->bounds) : std::nullopt;
+}
+
 } // namespace
 
 PieceContext::PieceContext(const Body& moving, const Body& fixed, std::unique_ptr<const motion::AnyPiece> piece)
-    : moving_(moving), fixed_(fixed), piece_(std::move(piece)), is_enclosed_(piece_->enclosure({0, 0}).has_value()),
+    : moving_(moving), fixed_(fixed), piece_(std::move(piece)), start_(bounds_of_start(*piece_)),
       maps_(motion::double_maps(piece_->cubic())), norms_(maps_) {}
 
 elementary::ErrorScale PieceContext::error_scale(double margin) const {
@@ -31,17 +36,16 @@ elementary::ErrorScale PieceContext::error_scale(double margin) const {
     const double moving_extent =
         std::max(extent(moving_.bvh()), cubic.reference_extent) + motion::rounding_extent(cubic) + margin;
     elementary::ErrorScale scale = norms_.error_scale(moving_extent, extent(fixed_.bvh()));
-    if (is_enclosed_) {
-        const motion::EnclosureBounds start = piece_->enclosure({0, 0})->bounds;
-        scale.deviation = start.rounding_of(culling::ball_around(moving_.bvh(), moving_.bvh().radius() + margin));
-        scale.turn_deviation = start.turn_rounding;
+    if (start_) { // poses are computed with a rounding of their own
+        scale.deviation = start_->rounding_of(culling::ball_around(moving_.bvh(), moving_.bvh().radius() + margin));
+        scale.turn_deviation = start_->turn_rounding;
     }
     return scale;
 }
 
 culling::PieceParts PieceContext::parts(double margin) const {
     const elementary::ErrorScale scale = error_scale(margin);
-    if (!is_enclosed_)
+    if (!is_enclosed())
         return {maps_, scale};
     return {maps_,
             scale,
@@ -60,7 +64,7 @@ culling::TimeTree PieceContext::time_tree(double margin, const culling::PiecePar
 /// about the moment. In its middle it is the true velocity up to the square of its width. The part is so short that
 /// this is some 1e-10 for turns of a radian, and so long that roundings are no more.
 contact::RelativeConfiguration PieceContext::configuration_at(double tau) const {
-    if (!is_enclosed_)
+    if (!is_enclosed())
         return {moving_, fixed_, maps_, tau};
     constexpr double width = 0x1p-15;
     const double lower = std::clamp(tau - 0.5 * width, 0.0, 1 - width);

@@ -31,7 +31,7 @@ public:
     /// parts(margin).
     [[nodiscard]] culling::TimeTree time_tree(double margin, const culling::PieceParts& parts) const;
     /// Whether the maps only enclose the true motion.
-    [[nodiscard]] bool is_enclosed() const { return is_enclosed_; }
+    [[nodiscard]] bool is_enclosed() const { return start_.has_value(); }
     /// The bodies at one tau.
     [[nodiscard]] contact::RelativeConfiguration configuration_at(double tau) const;
 
@@ -44,7 +44,8 @@ private:
     const Body& moving_;
     const Body& fixed_;
     std::unique_ptr<const motion::AnyPiece> piece_;
-    bool is_enclosed_;
+    std::optional<motion::EnclosureBounds>
+        start_; ///< of the enclosure of the start; empty if the maps are the true motion
     motion::ControlMaps<double> maps_;
     elementary::MapNorms norms_;
     std::unique_ptr<const motion::ControlMaps<algebra::DoubleDouble>> refined_maps_;

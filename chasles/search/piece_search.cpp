@@ -1,6 +1,7 @@
 #include "chasles/search/piece_search.h"
 
 #include "chasles/search/distance_stages.h"
+#include "chasles/search/enclosed_stages.h"
 #include "chasles/search/touch_stages.h"
 #include "chasles/search/traverse.h"
 

@@ -18,7 +18,4 @@ PieceResult traverse(PieceContext& context, const SearchOptions& options) {
     return result;
 }
 
-/// The search of a piece whose motion is enclosed.
-PieceResult search_enclosed_piece(PieceContext& context, const SearchOptions& options);
-
 } // namespace chasles::search

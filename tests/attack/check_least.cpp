@@ -3,6 +3,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/least_distance.h"
 #include "tests/attack/check_margin.h"
+#include "tests/attack/two_bodies.h"
 #include "tests/support/margin_reference.h"
 
 #include <chrono>
@@ -82,18 +83,13 @@ std::vector<LeastFamily> least_families() {
 std::string check(const LeastCase& posed, Tally& tally) {
     using Clock = std::chrono::steady_clock;
     const MeshCase& mesh = posed.posed.mesh;
-    std::optional<Polyhedron> moving;
-    std::optional<Polyhedron> fixed;
-    try {
-        moving = Polyhedron::from_polygons(mesh.moving.vertices, mesh.moving.faces);
-        fixed = Polyhedron::from_polygons(mesh.fixed.vertices, mesh.fixed.faces);
-    } catch (const InvalidInput&) {
-        ++tally.refused;
+    const auto bodies = bodies_of(mesh.moving, mesh.fixed, tally);
+    if (!bodies)
         return "";
-    }
+    const auto& [moving, fixed] = *bodies;
     const auto start = Clock::now();
     const LeastDistance found =
-        least_distance({.moving = *moving, .fixed = *fixed, .motion = mesh.posed.motion(), .options = {}});
+        least_distance({.moving = moving, .fixed = fixed, .motion = mesh.posed.motion(), .options = {}});
     const auto end = Clock::now();
     ++tally.queries;
     tally.uncertain += found.certain ? 0 : 1;

@@ -5,6 +5,7 @@
 #include "tests/attack/check_mesh.h"
 #include "tests/attack/contact_geometry.h"
 #include "tests/attack/piecewise_tau.h"
+#include "tests/attack/two_bodies.h"
 #include "tests/support/margin_reference.h"
 #include "tests/support/sampled_distance.h"
 
@@ -179,17 +180,12 @@ private:
 
 std::string check(const MarginCase& posed, Tally& tally) {
     const PosedMotion& motion = posed.mesh.posed;
-    std::optional<Polyhedron> moving;
-    std::optional<Polyhedron> fixed;
-    try {
-        moving = Polyhedron::from_polygons(posed.mesh.moving.vertices, posed.mesh.moving.faces);
-        fixed = Polyhedron::from_polygons(posed.mesh.fixed.vertices, posed.mesh.fixed.faces);
-    } catch (const InvalidInput&) {
-        ++tally.refused;
+    const auto bodies = bodies_of(posed.mesh.moving, posed.mesh.fixed, tally);
+    if (!bodies)
         return "";
-    }
+    const auto& [moving, fixed] = *bodies;
     const FirstContactQuery query{
-        .moving = *moving, .fixed = *fixed, .motion = motion.motion(), .options = {.margin = posed.margin}};
+        .moving = moving, .fixed = fixed, .motion = motion.motion(), .options = {.margin = posed.margin}};
     double before = now();
     const FirstContact found = first_contact(query);
     tally.seconds += now() - before;

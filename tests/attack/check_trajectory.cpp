@@ -4,6 +4,7 @@
 #include "tests/attack/check_mesh.h"
 #include "tests/attack/contact_geometry.h"
 #include "tests/attack/touch_search.h"
+#include "tests/attack/two_bodies.h"
 
 #include <chrono>
 
@@ -144,17 +145,12 @@ std::string text_of(const FirstContact& found) {
 } // namespace
 
 std::string check(const TrajectoryCase& posed, Tally& tally) {
-    std::optional<Polyhedron> moving;
-    std::optional<Polyhedron> fixed;
-    try {
-        moving = Polyhedron::from_polygons(posed.moving.vertices, posed.moving.faces);
-        fixed = Polyhedron::from_polygons(posed.fixed.vertices, posed.fixed.faces);
-    } catch (const InvalidInput&) {
-        ++tally.refused;
+    const auto bodies = bodies_of(posed.moving, posed.fixed, tally);
+    if (!bodies)
         return "";
-    }
+    const auto& [moving, fixed] = *bodies;
     const FirstContactQuery query{
-        .moving = *moving, .fixed = *fixed, .motion = posed.motion.motion, .options = {.find = posed.find}};
+        .moving = moving, .fixed = fixed, .motion = posed.motion.motion, .options = {.find = posed.find}};
     const auto start = Clock::now();
     const FirstContact found = first_contact(query);
     const auto end = Clock::now();

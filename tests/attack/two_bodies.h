@@ -1,0 +1,29 @@
+// The polyhedra of a question.
+#pragma once
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/mesh/polyhedron.h"
+#include "tests/attack/shapes.h"
+#include "tests/attack/tally.h"
+
+#include <optional>
+
+namespace chasles::attack {
+
+struct TwoBodies {
+    Polyhedron moving;
+    Polyhedron fixed;
+};
+
+/// Empty, and counted, if the library refuses one of the meshes.
+inline std::optional<TwoBodies> bodies_of(const Shape& moving, const Shape& fixed, Tally& tally) {
+    try {
+        return TwoBodies{Polyhedron::from_polygons(moving.vertices, moving.faces),
+                         Polyhedron::from_polygons(fixed.vertices, fixed.faces)};
+    } catch (const InvalidInput&) {
+        ++tally.refused;
+        return std::nullopt;
+    }
+}
+
+} // namespace chasles::attack
