@@ -16,11 +16,14 @@ namespace {
 
 using Wide = algebra::DoubleDouble;
 
-/// Both ends of a part are rounded to doubles.
-constexpr double rounding_of_times = 0x1p-51;
+/// The rounding of the times at both ends of a part, in double and in double-double.
+template <class S>
+inline constexpr double rounding_of_times = 0x1p-51;
+template <>
+inline constexpr double rounding_of_times<Wide> = 0x1p-98;
 
-/// Pieces are not cut below this duration.
-constexpr double shortest_piece = 0x1p-20;
+/// How often the time between two cuts is divided.
+constexpr int most_divisions = 20;
 
 /// Where pieces are divided: a contact at exactly the end of a piece cannot be told from a miss, and round times are
 /// frequent.
@@ -41,18 +44,19 @@ std::vector<double> cuts_of(const MovingFrame& frame) {
 }
 
 /// Appends the ends of pieces within an interval that has no cut inside.
-void append_pieces(const MovingFrame& frame, const Bracket& times, std::vector<double>& ends) {
+void append_pieces(const MovingFrame& frame, const Bracket& times, std::vector<double>& ends, int divisions = 0) {
     const double duration = times.upper - times.lower;
     const double turn = frame.rates(times).turn_rate * duration;
     if (turn <= most_turn_of_part) {
         ends.push_back(times.upper);
         return;
     }
-    if (!(duration > shortest_piece))
-        throw InvalidInput("motion: bounds: the body turns by more than 0.25 radians within a millionth of the motion");
+    if (divisions == most_divisions)
+        throw InvalidInput("motion: bounds: the body turns by more than 0.25 radians within a millionth of the time "
+                           "between two knots");
     const double middle = times.lower + uneven_half * duration;
-    append_pieces(frame, {times.lower, middle}, ends);
-    append_pieces(frame, {middle, times.upper}, ends);
+    append_pieces(frame, {times.lower, middle}, ends, divisions + 1);
+    append_pieces(frame, {middle, times.upper}, ends, divisions + 1);
 }
 
 } // namespace
@@ -70,18 +74,28 @@ double SmoothPiece::time_at(double tau) const {
     return tau == 1 ? times_.upper : times_.lower + tau * (times_.upper - times_.lower);
 }
 
-EnclosureBounds SmoothPiece::bounds(const Bracket& part, double rounding) const {
+/// A body that is fast for a short while is displaced by the rounding of times.
+template <class S>
+EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
     const MovingFrame& frame = *motion_.relative;
     const Bracket times{time_at(part.lower), time_at(part.upper)};
-    const double duration = (part.upper - part.lower) * (times_.upper - times_.lower) + rounding_of_times;
-    return enclosure_bounds(reference_in_double_, frame.rates(times), duration, rounding * frame.rounding(),
-                            frame.size());
+    const RateBounds rates = frame.rates(times);
+    const double duration = (part.upper - part.lower) * (times_.upper - times_.lower) + rounding_of_times<double>;
+    EnclosureBounds bounds =
+        enclosure_bounds(reference_in_double_, rates, duration, pose_rounding<S> * frame.rounding(), frame.size());
+    const double shift = rates.speed * rounding_of_times<S>;
+    const double turn = rates.turn_rate * rounding_of_times<S>;
+    bounds.rounding += shift;
+    bounds.deviation += shift;
+    bounds.turn_rounding += turn;
+    bounds.turn_deviation += turn;
+    return bounds;
 }
 
 std::optional<Enclosure<double>> SmoothPiece::enclosure(const Bracket& part) const {
     const MovingFrame& frame = *motion_.relative;
     const PartEnds<double> ends{frame.at(time_at(part.lower)), frame.at(time_at(part.upper))};
-    return Enclosure<double>{sweep_between_ends(ends, reference_in_double_), bounds(part, pose_rounding<double>)};
+    return Enclosure<double>{sweep_between_ends(ends, reference_in_double_), bounds<double>(part)};
 }
 
 std::optional<Enclosure<Wide>> SmoothPiece::refined_enclosure(const Bracket& part) const {
@@ -93,7 +107,7 @@ std::optional<Enclosure<Wide>> SmoothPiece::refined_enclosure(const Bracket& par
         return frame.refined_at(Wide(times_.lower) + Wide(tau) * duration);
     };
     const PartEnds<Wide> ends{at(part.lower), at(part.upper)};
-    return Enclosure<Wide>{sweep_between_ends(ends, reference_), bounds(part, pose_rounding<Wide>)};
+    return Enclosure<Wide>{sweep_between_ends(ends, reference_), bounds<Wide>(part)};
 }
 
 Bracket SmoothPiece::time_of(const Bracket& tau) const {

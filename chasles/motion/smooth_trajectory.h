@@ -38,7 +38,8 @@ public:
 
 private:
     [[nodiscard]] double time_at(double tau) const;
-    [[nodiscard]] EnclosureBounds bounds(const Bracket& part, double rounding) const;
+    template <class S>
+    [[nodiscard]] EnclosureBounds bounds(const Bracket& part) const;
 
     SmoothMotion motion_;
     Bracket times_;

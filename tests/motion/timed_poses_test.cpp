@@ -2,6 +2,9 @@
 #include "chasles/motion/timed_poses.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/motion/smooth_trajectory.h"
+#include "chasles/motion/splines.h"
+#include "tests/support/long_poses.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
 
@@ -47,6 +50,49 @@ TEST(TimedPoses, TellsStampsAndSegments) {
     EXPECT_EQ(track.segment_of(track.time_of(1.5)), 0u);
     EXPECT_EQ(track.segment_of(track.time_of(1.75)), 1u);
     EXPECT_EQ(track.segment_of(1), 2u);
+}
+
+/// The distance of a point's place at the start of an enclosure from its true place, over the bound.
+template <class S>
+double ratio_to_bound(const motion::Enclosure<S>& enclosure, const Eigen::Vector3d& point, const LongVector& truth) {
+    const auto digits = [](const S& number) {
+        if constexpr (std::is_same_v<S, double>)
+            return Digits(number);
+        else
+            return Digits(number.high()) + Digits(number.low());
+    };
+    const auto there = enclosure.cubic.orientation * motion::vector_in<S>(point) + enclosure.cubic.origin;
+    const LongVector place(digits(there.x), digits(there.y), digits(there.z));
+    return double((place - truth).norm()) / enclosure.bounds.deviation_of({point, 0});
+}
+
+/// Between two stamps that are next to each other the body is so fast that the rounding of a time displaces it.
+TEST(TimedPoses, AFastSegmentIsEnclosedToo) {
+    Random random(1833);
+    const std::vector<Pose> poses = random_track(random);
+    const std::vector<double> times{0, 1.0 / 3, 1.0 / 3 + 3e-10, 1};
+    const motion::SmoothPieces pieces(motion::SmoothMotion::of_one(
+        motion::even_track(times, poses, TimedPoses::Between::velocity, Eigen::Vector3d::Zero())));
+    double in_double = 0, in_wide = 0;
+    for (std::size_t i = 0; i < pieces.size(); ++i) {
+        const motion::SmoothPiece piece = pieces[i];
+        const auto& [from, to] = piece.times();
+        if (from < times[1] || to > times[2])
+            continue;
+        for (int k = 0; k < 50; ++k) {
+            const double tau = random.uniform(0, 1);
+            const Eigen::Vector3d point = random_point(random, 1);
+            const Digits time = Digits(from) + Digits(tau) * (Digits(to) - Digits(from));
+            const Digits share = (time - Digits(times[1])) / (Digits(times[2]) - Digits(times[1]));
+            const LongVector truth = at_constant_velocity(poses[1], poses[2], Eigen::Vector3d::Zero(), point, share);
+            in_double = std::max(in_double, ratio_to_bound(*piece.enclosure({tau, tau}), point, truth));
+            in_wide = std::max(in_wide, ratio_to_bound(*piece.refined_enclosure({tau, tau}), point, truth));
+        }
+    }
+    std::cout << "at most " << in_double << " of the bound in double, " << in_wide << " in double-double\n";
+    EXPECT_LE(in_double, 1);
+    EXPECT_LE(in_wide, 1);
+    EXPECT_GT(in_double, 0.01) << "the segment is not fast enough to matter";
 }
 
 TEST(TimedPoses, RefusesStampsThatCannotBeUsed) {
