@@ -3,6 +3,7 @@
 
 #include "chasles/culling/near_nodes.h"
 #include "tests/query/bodies.h"
+#include "tests/query/posed_distance.h"
 #include "tests/support/even_turn_motion.h"
 #include "tests/support/posed_motions.h"
 #include "tests/support/random_poses.h"
@@ -175,6 +176,27 @@ TEST(ClearlyApart, ProvesNothingWithoutACoarseMotion) {
     const Motion motion = motion_of(EvenTurnMotion({start, shifted(2, 0.1, 0)}, {1}));
     EXPECT_FALSE(are_clearly_apart(body.body(), body.body(), motion.trajectory()));
     EXPECT_EQ(first_contact({.moving = body, .fixed = body, .motion = motion}).verdict, Verdict::clear);
+}
+
+/// The least sampled distance is at least the true one. Within a margin just above it, nothing may be proven, though
+/// the coarse motion stays farther away.
+TEST(ClearlyApart, CountsHowFarTheCoarseMotionTurnsOtherwise) {
+    std::mt19937 random(868);
+    const Polyhedron bar = box({4, 0.1, 0.1}).polyhedron(), cube = box({0.1, 0.1, 0.1}).polyhedron();
+    int proven = 0;
+    for (int trial = 0; trial < 400; ++trial) {
+        const Pose start = random_pose(random, 3, 3);
+        const Motion motion =
+            Motion::velocity(start, composed(Pose(random_vector(random, 3), Quaterniond::Identity()),
+                                             composed(start, turned({0, 0, 0}, random_vector(random, 1), 1.5))));
+        double least = 1e300;
+        for (int k = 0; k <= 100; ++k)
+            least = std::min(least, distance_at(bar, cube, motion.pose_at(k / 100.0)));
+        EXPECT_FALSE(are_clearly_apart(bar.body(), cube.body(), motion.trajectory(), least * (1 + 1e-9) + 1e-9))
+            << trial;
+        proven += are_clearly_apart(bar.body(), cube.body(), motion.trajectory(), 0.5 * least) ? 1 : 0;
+    }
+    EXPECT_GT(proven, 100);
 }
 
 } // namespace

@@ -302,9 +302,11 @@ TEST(Trajectories, ContactsAtRoundTimesAreCertain) {
     for (int k = 1; k < 16; ++k) {
         const double time = k / 16.0;
         const Pose start({0.25, 0.5, 1 + time}, Eigen::Quaterniond::Identity());
-        const Pose goal({0.25, 0.5, time}, Eigen::Quaterniond(1, 0, 0, 0.3)); // down by one, turning
-        expect_contact_at(time, ask(cube, cube, Motion::velocity(start, goal)));
-        expect_contact_at(time, ask(cube, cube, Motion::twist(start, goal)));
+        for (const double turn : {0.3, 0.1}) {                                     // in several pieces, and in one
+            const Pose goal({0.25, 0.5, time}, Eigen::Quaterniond(1, 0, 0, turn)); // down by one
+            expect_contact_at(time, ask(cube, cube, Motion::velocity(start, goal)));
+            expect_contact_at(time, ask(cube, cube, Motion::twist(start, goal)));
+        }
     }
 }
 
