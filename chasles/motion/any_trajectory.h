@@ -19,6 +19,7 @@ public:
     [[nodiscard]] virtual std::optional<Enclosure<double>> enclosure(const Bracket& part) const = 0;
     [[nodiscard]] virtual std::optional<Enclosure<algebra::DoubleDouble>>
     refined_enclosure(const Bracket& part) const = 0;
+    [[nodiscard]] virtual bool is_refined() const = 0;
     [[nodiscard]] virtual Bracket time_of(const Bracket& tau) const = 0;
     [[nodiscard]] virtual Bracket tau_of(const Bracket& tau) const = 0;
     [[nodiscard]] virtual double tau_rate(double tau) const = 0;
@@ -40,7 +41,8 @@ public:
     virtual ~AnyTrajectory() = default;
     [[nodiscard]] virtual std::unique_ptr<const AnyPieces> pieces() const = 0;
     [[nodiscard]] virtual PathBall ball_around_path(const Vector3<double>& point) const = 0;
-    [[nodiscard]] virtual std::optional<CoarseMotion> coarse() const = 0;
+    [[nodiscard]] virtual std::size_t coarse_count() const = 0;
+    [[nodiscard]] virtual std::optional<CoarseMotion> coarse(std::size_t part = 0) const = 0;
     [[nodiscard]] virtual Pose pose_at(double time) const = 0;
     [[nodiscard]] virtual Pose fixed_pose_at(double time) const = 0;
     /// The moving body in the world as a frame, for products; null if it is none.
@@ -65,6 +67,7 @@ public:
     refined_enclosure(const Bracket& part) const override {
         return piece_.refined_enclosure(part);
     }
+    [[nodiscard]] bool is_refined() const override { return piece_.is_refined(); }
     [[nodiscard]] Bracket time_of(const Bracket& tau) const override { return piece_.time_of(tau); }
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const override { return piece_.tau_of(tau); }
     [[nodiscard]] double tau_rate(double tau) const override { return piece_.tau_rate(tau); }
@@ -92,7 +95,10 @@ public:
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const override {
         return trajectory_.ball_around_path(point);
     }
-    [[nodiscard]] std::optional<CoarseMotion> coarse() const override { return trajectory_.coarse(); }
+    [[nodiscard]] std::size_t coarse_count() const override { return trajectory_.coarse_count(); }
+    [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part) const override {
+        return trajectory_.coarse(part);
+    }
     [[nodiscard]] Pose pose_at(double time) const override { return trajectory_.pose_at(time); }
     [[nodiscard]] Pose fixed_pose_at(double time) const override { return trajectory_.fixed_pose_at(time); }
     [[nodiscard]] SharedFrame frame() const override {

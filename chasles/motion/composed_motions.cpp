@@ -17,7 +17,7 @@ namespace {
 
 using motion::SharedFrame;
 using motion::SmoothMotion;
-using motion::SmoothPolynomial;
+using motion::TimePolynomial;
 
 Motion motion_of(SmoothMotion motion) {
     return Motion(std::make_shared<const motion::ErasedTrajectory<motion::SmoothTrajectory>>(
@@ -71,7 +71,7 @@ Motion Motion::hinge(const Eigen::Vector3d& point, const Eigen::Vector3d& direct
     require_usable(direction, "direction");
     require(direction.cwiseAbs().maxCoeff() > 0, "direction: is zero");
     require_usable(angle, "angle", largest_angle);
-    return motion_of(SmoothMotion::of_one(motion::hinge_frame(point, direction, SmoothPolynomial(angle))));
+    return motion_of(SmoothMotion::of_one(motion::hinge_frame(point, direction, TimePolynomial(angle))));
 }
 
 Motion Motion::slider(const Eigen::Vector3d& direction, const std::vector<double>& way) {
@@ -92,7 +92,7 @@ Motion Motion::polynomial(const std::vector<Eigen::Vector3d>& places) {
     for (const std::vector<double>& part : coefficients)
         require_usable(part, "coefficients", Pose::largest_length);
     return motion_of(SmoothMotion::of_one(motion::path_frame(
-        {SmoothPolynomial(coefficients[0]), SmoothPolynomial(coefficients[1]), SmoothPolynomial(coefficients[2])})));
+        {TimePolynomial(coefficients[0]), TimePolynomial(coefficients[1]), TimePolynomial(coefficients[2])})));
 }
 
 Motion Motion::spline(const std::vector<double>& times, const std::vector<Pose>& poses) {

@@ -13,10 +13,10 @@ namespace chasles::motion {
 /// Bounds that hold during a part of a trajectory, in the frame of the fixed body and per unit of time. The reference
 /// is a point of the moving body. A bound that is not known is infinite.
 struct RateBounds {
-    double turn_rate;         ///< of the angular velocity, radians
-    double turn_acceleration; ///< of the angular acceleration, radians
-    double speed;             ///< of the reference, mesh unit
-    double acceleration;      ///< of the reference, mesh unit
+    double turn_rate = 0;         ///< of the angular velocity, radians
+    double turn_acceleration = 0; ///< of the angular acceleration, radians
+    double speed = 0;             ///< of the reference, mesh unit
+    double acceleration = 0;      ///< of the reference, mesh unit
 };
 
 /// A part of a trajectory is enclosed only if its turn is at most this, in radians. So the cubic motion is one of small

@@ -17,6 +17,9 @@ using Scalar = algebra::DoubleDouble;
 
 /// A twist that turns by less has its axis so far away that a point on it is no good reference. In radians.
 constexpr double least_turn_for_axis = 0.1;
+constexpr double never_on_axis = 4;
+/// Just below a half turn: there, rounding in double would decide which way round the body turns.
+constexpr double certain_turn = 3.1415926;
 
 template <class S>
 Quaternion<S> unit(const Quaternion<S>& q) {
@@ -25,13 +28,28 @@ Quaternion<S> unit(const Quaternion<S>& q) {
     return {q.w * inverse, scale(q.v, inverse)};
 }
 
-/// The motion without the path of the reference.
+template <class S>
+S product_sum(const Quaternion<S>& a, const Quaternion<S>& b) {
+    return a.w * b.w + dot(a.v, b.v);
+}
+
+/// The quaternion or its negative: the one nearer to `from`.
+template <class S>
+Quaternion<S> shorter_way(const Quaternion<S>& from, const Quaternion<S>& to) {
+    return product_sum(from, to) < S(0.0) ? Quaternion<S>{S(S(0.0) - to.w), Vector3<S>() - to.v} : to;
+}
+
+/// The motion without the path of the reference. The turn is made from the difference of both quaternions, whose
+/// relative rounding is small however little the body turns.
 template <class S>
 EvenMotion<S> turn_between_ends(const GeneralPose<S>& from, const GeneralPose<S>& to) {
-    const Quaternion<S> turn = unit(turn_between(from, to));
+    const Quaternion<S>& a = from.rotation;
+    const Quaternion<S> b = shorter_way(a, to.rotation);
+    const Quaternion<S> difference{b.w - a.w, b.v - a.v};
+    const Quaternion<S> turn = unit(Quaternion<S>{product_sum(a, b), (difference * a.conjugate()).v});
     const S half_sine = length(turn.v);
     EvenMotion<S> motion;
-    motion.orientation = unit(from.rotation);
+    motion.orientation = unit(a);
     motion.angle = S(2.0) * algebra::angle_of(algebra::SineCosine<S>{half_sine, turn.w});
     motion.direction = S(0.0) < half_sine ? scale(turn.v, S(S(1.0) / half_sine)) : Vector3<S>{S(0.0), S(0.0), S(1.0)};
     return motion;
@@ -61,9 +79,9 @@ EvenMotion<S> constant_velocity(const GeneralPose<S>& from, const GeneralPose<S>
 }
 
 /// Even turn about, and even slide along, the axis of the screw between both poses: a uniform helix.
+/// The reference is on the axis if the body turns by at least `least_turn`.
 template <class S>
-EvenMotion<S> constant_twist(const GeneralPose<S>& from, const GeneralPose<S>& to,
-                             double least_turn = least_turn_for_axis) {
+EvenMotion<S> constant_twist(const GeneralPose<S>& from, const GeneralPose<S>& to, double least_turn) {
     EvenMotion<S> motion = turn_between_ends(from, to);
     motion.start = from.translation;
     motion.travel = to.translation - from.translation;
@@ -84,12 +102,14 @@ EvenMotion<S> constant_twist(const GeneralPose<S>& from, const GeneralPose<S>& t
     return motion;
 }
 
-RateBounds rates_of(const EvenMotion<double>& motion) {
-    const double radius = length(motion.arm);
-    return {motion.angle, 0, length(motion.travel) + motion.angle * radius, motion.angle * motion.angle * radius};
+template <class S>
+EvenMotion<S> even_motion(EvenKind kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre,
+                          double least_turn) {
+    const auto from = pose_in<S>(start);
+    const auto to = pose_in<S>(goal);
+    return kind == EvenKind::velocity ? constant_velocity(from, to, vector_in<S>(centre))
+                                      : constant_twist(from, to, least_turn);
 }
-
-} // namespace
 
 EvenMotion<double> rounded(const EvenMotion<Scalar>& motion) {
     return {{double(motion.orientation.w), in_double(motion.orientation.v)},
@@ -102,40 +122,74 @@ EvenMotion<double> rounded(const EvenMotion<Scalar>& motion) {
             motion.size};
 }
 
-EvenFrame::EvenFrame(const EvenMotion<Wide>& motion)
-    : motion_(motion), in_double_(rounded(motion)), rates_(rates_of(in_double_)) {}
+RateBounds rates_of(const EvenMotion<double>& motion) {
+    const double radius = length(motion.arm);
+    return {motion.angle, 0, length(motion.travel) + motion.angle * radius, motion.angle * motion.angle * radius};
+}
+
+} // namespace
+
+EvenFrame::EvenFrame(EvenKind kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre,
+                     bool may_be_on_axis)
+    : kind_(kind), start_(start), goal_(goal), centre_(centre),
+      motion_(even_motion<double>(kind, start, goal, centre, may_be_on_axis ? least_turn_for_axis : never_on_axis)) {
+    if (motion_.angle > certain_turn)
+        motion_ = rounded(refined());
+    rates_ = rates_of(motion_);
+}
+
+/// With the same point as reference as in double.
+const EvenMotion<Scalar>& EvenFrame::refined() const {
+    std::call_once(is_made_, [this] {
+        const double least_turn = norm1(motion_.arm) > 0 ? never_on_axis : 0;
+        refined_ = even_motion<Scalar>(kind_, start_, goal_, centre_, least_turn);
+    });
+    return *refined_;
+}
+
+RateExpansion EvenFrame::expansion(const Bracket& times) const {
+    const double middle = 0.5 * (times.lower + times.upper);
+    const EvenMotion<double>& motion = motion_;
+    const auto pose = motion.at(middle);
+    RateExpansion expansion{.pose = pose, .reference = rotated(pose.rotation, motion.reference) + pose.translation};
+    const Vector3<double> arm = rotated(pose.rotation * motion.orientation.conjugate(), motion.arm);
+    expansion.turn_rate = scale(motion.direction, motion.angle);
+    const Vector3<double> swing = cross(expansion.turn_rate, arm);
+    expansion.velocity = motion.travel + swing;
+    expansion.acceleration = cross(expansion.turn_rate, swing);
+    expansion.bounds = expansion.sums = rates_;
+    expansion.turn_jerk = 0;
+    expansion.jerk = motion.angle * rates_.acceleration;
+    return expansion;
+}
 
 EvenMotion<Scalar> EvenFrame::turn_between(const Pose& from, const Pose& to) {
     return turn_between_ends(exact(from), exact(to));
 }
 
 SharedFrame velocity_frame(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
-    return std::make_shared<const EvenFrame>(constant_velocity(exact(start), exact(goal), vector_in<Scalar>(centre)));
+    return std::make_shared<const EvenFrame>(EvenKind::velocity, start, goal, centre, false);
 }
 
 SharedFrame twist_frame(const Pose& start, const Pose& goal) {
-    constexpr double always = 4;
-    return std::make_shared<const EvenFrame>(constant_twist(exact(start), exact(goal), always));
+    return std::make_shared<const EvenFrame>(EvenKind::twist, start, goal, Eigen::Vector3d::Zero(), false);
 }
 
 EvenTrajectory::EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre)
     : ends_(ends), centre_(checked_centre(centre)), kind_(kind) {}
 
-template <class S>
-EvenMotion<S> EvenTrajectory::motion_in() const {
-    const auto from = pose_in<S>(ends_.start);
-    const auto to = pose_in<S>(ends_.goal);
-    return kind_ == Kind::velocity ? constant_velocity(from, to, vector_in<S>(centre_)) : constant_twist(from, to);
+SharedFrame EvenTrajectory::frame() const {
+    return std::make_shared<const EvenFrame>(kind_, ends_.start, ends_.goal, centre_, true);
 }
 
-EvenMotion<Scalar> EvenTrajectory::motion() const {
-    return motion_in<Scalar>();
+EvenMotion<double> EvenTrajectory::numbers() const {
+    return even_motion<double>(kind_, ends_.start, ends_.goal, centre_, least_turn_for_axis);
 }
 
 /// The point stays near the chord of its path, whose ends are known.
 PathBall EvenTrajectory::ball_around_path(const Vector3<double>& point) const {
     const PathEnds path(ends_, point);
-    const EvenMotion<double> motion = motion_in<double>();
+    const EvenMotion<double> motion = numbers();
     const RateBounds rates = rates_of(motion);
     const double distance = length(point - motion.reference);
     const double acceleration = rates.acceleration + rates.turn_rate * rates.turn_rate * distance;
@@ -144,9 +198,9 @@ PathBall EvenTrajectory::ball_around_path(const Vector3<double>& point) const {
     return {path.middle(), radius, motion.size + norm1(point)};
 }
 
-std::optional<CoarseMotion> EvenTrajectory::coarse() const {
+std::optional<CoarseMotion> EvenTrajectory::coarse(std::size_t /*part*/) const {
     constexpr double quarter_turn = 1.5707963;
-    const EvenMotion<double> motion = motion_in<double>();
+    const EvenMotion<double> motion = numbers();
     if (motion.angle > quarter_turn)
         return std::nullopt;
     const EnclosureBounds bounds =
@@ -156,8 +210,13 @@ std::optional<CoarseMotion> EvenTrajectory::coarse() const {
                         bounds.turn_deviation, motion.reference};
 }
 
+SmoothPieces EvenTrajectory::pieces() const {
+    const SharedFrame moving = frame();
+    return {SmoothMotion::of_one(moving), std::make_shared<const Sections>(moving)};
+}
+
 Pose EvenTrajectory::pose_at(double time) const {
-    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : public_pose(rounded(motion()).at(time));
+    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : public_pose(frame()->at(time));
 }
 
 } // namespace chasles::motion

@@ -7,7 +7,7 @@
 #include "chasles/motion/motion_ends.h"
 #include "chasles/motion/smooth_trajectory.h"
 
-#include <memory>
+#include <mutex>
 #include <optional>
 
 namespace chasles::motion {
@@ -37,27 +37,42 @@ struct EvenMotion {
     }
 };
 
-EvenMotion<double> rounded(const EvenMotion<algebra::DoubleDouble>& motion);
+enum class EvenKind : std::uint8_t {
+    velocity, ///< slerp, the shorter way round, while a point of the body moves straight
+    twist     ///< a uniform helix
+};
 
-/// An even motion as a frame.
+/// An even motion as a frame. Most motions of a plan are proven clear in double: the motion in double-double is made
+/// when it is requested.
 class EvenFrame final : public MovingFrame {
 public:
-    explicit EvenFrame(const EvenMotion<Wide>& motion);
+    /// The reference is `centre` for a velocity; for a twist it is the body's origin, or a point of the axis if
+    /// `may_be_on_axis` and the axis is not far away.
+    EvenFrame(EvenKind kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre, bool may_be_on_axis);
 
     /// The turn from one orientation to another, the shorter way round; without a path.
     static EvenMotion<Wide> turn_between(const Pose& from, const Pose& to);
 
-    [[nodiscard]] GeneralPose<double> at(double time) const override { return in_double_.at(time); }
-    [[nodiscard]] GeneralPose<Wide> refined_at(const Wide& time) const override { return motion_.at(time); }
+    [[nodiscard]] GeneralPose<double> at(double time) const override { return motion_.at(time); }
+    [[nodiscard]] GeneralPose<Wide> refined_at(const Wide& time) const override { return refined().at(time); }
     [[nodiscard]] bool is_refined() const override { return true; }
-    [[nodiscard]] Vector3<Wide> reference() const override { return motion_.reference; }
+    [[nodiscard]] Vector3<double> reference() const override { return motion_.reference; }
+    [[nodiscard]] Vector3<Wide> refined_reference() const override { return refined().reference; }
     [[nodiscard]] RateBounds rates(const Bracket& /*times*/) const override { return rates_; }
+    [[nodiscard]] RateExpansion expansion(const Bracket& times) const override;
     [[nodiscard]] double size() const override { return motion_.size; }
 
 private:
-    EvenMotion<Wide> motion_;
-    EvenMotion<double> in_double_;
+    [[nodiscard]] const EvenMotion<Wide>& refined() const;
+
+    EvenKind kind_;
+    Pose start_;
+    Pose goal_;
+    Eigen::Vector3d centre_;
+    EvenMotion<double> motion_;
     RateBounds rates_; ///< at all times
+    mutable std::once_flag is_made_;
+    mutable std::optional<EvenMotion<Wide>> refined_;
 };
 
 /// Slerp, the shorter way round, while the body point `centre` moves on a straight line.
@@ -66,27 +81,25 @@ SharedFrame velocity_frame(const Pose& start, const Pose& goal, const Eigen::Vec
 SharedFrame twist_frame(const Pose& start, const Pose& goal);
 
 /// What a ConstantVelocity or a ConstantTwist describes. Small: the numbers of the motion are computed when they are
-/// requested, as most motions of a plan are proven clear without them.
+/// requested.
 class EvenTrajectory {
 public:
-    enum class Kind : std::uint8_t { velocity, twist };
+    using Kind = EvenKind;
 
     /// The fixed body stands still. `centre` is the point that moves straight, in the moving body's frame; without
     /// effect for a twist. Throws InvalidInput if it cannot be used.
     EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre);
 
-    [[nodiscard]] SharedFrame frame() const { return std::make_shared<const EvenFrame>(motion()); }
-    [[nodiscard]] SmoothPieces pieces() const { return SmoothPieces(SmoothMotion::of_one(frame())); }
+    [[nodiscard]] SharedFrame frame() const;
+    [[nodiscard]] SmoothPieces pieces() const;
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
-    [[nodiscard]] std::optional<CoarseMotion> coarse() const;
+    [[nodiscard]] static std::size_t coarse_count() { return 1; }
+    [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part = 0) const;
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] static Pose fixed_pose_at(double /*time*/) { return {}; }
 
-    [[nodiscard]] EvenMotion<algebra::DoubleDouble> motion() const;
-
 private:
-    template <class S>
-    [[nodiscard]] EvenMotion<S> motion_in() const;
+    [[nodiscard]] EvenMotion<double> numbers() const;
 
     MotionEnds ends_;
     Eigen::Vector3d centre_;

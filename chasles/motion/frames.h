@@ -14,12 +14,12 @@ namespace chasles::motion {
 SharedFrame frame_at_rest(const Pose& pose);
 
 /// The turn about a line by a polynomial angle in radians. The direction has any non-zero length.
-SharedFrame hinge_frame(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, SmoothPolynomial angle);
+SharedFrame hinge_frame(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, TimePolynomial angle);
 /// Likewise about a line through the origin, whose direction has unit length.
-SharedFrame hinge_frame(const Vector3<algebra::DoubleDouble>& direction, SmoothPolynomial angle);
+SharedFrame hinge_frame(const Vector3<algebra::DoubleDouble>& direction, TimePolynomial angle);
 
 /// A translation by three polynomials, mesh unit.
-SharedFrame path_frame(std::array<SmoothPolynomial, 3> place);
+SharedFrame path_frame(std::array<TimePolynomial, 3> place);
 
 /// The frame `inner`, carried by the frame `outer`.
 SharedFrame product_frame(SharedFrame outer, SharedFrame inner);

@@ -160,7 +160,7 @@ Motion even_motion(EvenTrajectory::Kind kind, const MotionEnds& ends, const Eige
     const EvenTrajectory trajectory(kind, ends, centre);
     const auto turn = turn_between(motion::pose_in<double>(ends.start), motion::pose_in<double>(ends.goal));
     const bool may_not_turn = norm1(turn.v) <= 0x1p-40 * turn.w;
-    if (may_not_turn && !(0 < double(trajectory.motion().angle)))
+    if (may_not_turn && !(0 < double(motion::EvenFrame::turn_between(ends.start, ends.goal).angle)))
         return erased(StraightTrajectory(ends, centre));
     return erased(trajectory);
 }

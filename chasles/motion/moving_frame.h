@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chasles/algebra/bracket.h"
-#include "chasles/motion/enclosure.h"
+#include "chasles/motion/rate_expansion.h"
 
 #include <memory>
 #include <vector>
@@ -24,9 +24,13 @@ public:
     [[nodiscard]] virtual GeneralPose<Wide> refined_at(const Wide& time) const = 0;
     [[nodiscard]] virtual bool is_refined() const = 0;
     /// The point that the bounds of speed and acceleration are for, in this frame.
-    [[nodiscard]] virtual Vector3<Wide> reference() const = 0;
+    [[nodiscard]] virtual Vector3<double> reference() const = 0;
+    /// Likewise in double-double; only if `is_refined()`.
+    [[nodiscard]] virtual Vector3<Wide> refined_reference() const = 0;
     /// Bounds during an interval that has no cut inside.
-    [[nodiscard]] virtual RateBounds rates(const Bracket& times) const = 0;
+    [[nodiscard]] virtual RateBounds rates(const Bracket& times) const { return expansion(times).bounds; }
+    /// Likewise, with the rates in the middle of the interval.
+    [[nodiscard]] virtual RateExpansion expansion(const Bracket& times) const = 0;
     /// The sum of the sizes of all lengths that enter the poses, mesh unit.
     [[nodiscard]] virtual double size() const = 0;
     /// The error of poses, in units of `pose_rounding`: the number of elementary motions in the frame.

@@ -32,10 +32,18 @@ public:
     }
     [[nodiscard]] GeneralPose<Wide> refined_at(const Wide& /*time*/) const override { return {}; }
     [[nodiscard]] bool is_refined() const override { return false; }
-    [[nodiscard]] Vector3<Wide> reference() const override { return vector_in<Wide>(given_.reference); }
+    [[nodiscard]] Vector3<double> reference() const override { return vector_in<double>(given_.reference); }
+    [[nodiscard]] Vector3<Wide> refined_reference() const override { return {}; }
     [[nodiscard]] RateBounds rates(const Bracket& times) const override {
         const MotionBounds bounds = checked_bounds(given_, times.lower, times.upper);
         return {bounds.turn_rate, bounds.turn_acceleration, bounds.speed, bounds.acceleration};
+    }
+    /// Third rates are not known.
+    [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
+        const auto pose = at(0.5 * (times.lower + times.upper));
+        RateExpansion expansion{.pose = pose, .reference = rotated(pose.rotation, reference()) + pose.translation};
+        expansion.bounds = expansion.sums = rates(times);
+        return expansion;
     }
     [[nodiscard]] double size() const override { return size_; }
     [[nodiscard]] double rounding() const override { return 1 + 4 * given_.rounding / pose_rounding<double>; }

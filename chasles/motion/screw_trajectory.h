@@ -33,6 +33,7 @@ public:
     [[nodiscard]] static std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
         return std::nullopt;
     }
+    [[nodiscard]] static bool is_refined() { return false; }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const;
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return clock_.whole(tau); }
@@ -80,7 +81,8 @@ public:
 
     [[nodiscard]] ScrewPieces pieces() const { return {ends_, max_turn_}; }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
-    [[nodiscard]] std::optional<CoarseMotion> coarse() const { return coarse_screw(ends_); }
+    [[nodiscard]] static std::size_t coarse_count() { return 1; }
+    [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t /*part*/) const { return coarse_screw(ends_); }
     /// Along the pieces.
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose uncut_pose_at(double time) const;

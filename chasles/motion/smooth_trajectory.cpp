@@ -29,34 +29,37 @@ constexpr int most_divisions = 20;
 /// frequent.
 constexpr double uneven_half = 0.4837;
 
-RateBounds largest(const RateBounds& a, const RateBounds& b) {
-    return {std::max(a.turn_rate, b.turn_rate), std::max(a.turn_acceleration, b.turn_acceleration),
-            std::max(a.speed, b.speed), std::max(a.acceleration, b.acceleration)};
+/// All sections in one, at whose ends velocities may jump.
+Section whole_of(const std::vector<Section>& sections) {
+    RateBounds rates{0, INFINITY, 0, INFINITY};
+    for (const Section& section : sections) {
+        rates.turn_rate = std::max(rates.turn_rate, section.rates.turn_rate);
+        rates.speed = std::max(rates.speed, section.rates.speed);
+    }
+    return {{0, 1}, rates, {sections.front().ends.start, sections.back().ends.goal}};
 }
 
-/// The times 0 and 1, and those at which rates jump, in order.
-std::vector<double> cuts_of(const MovingFrame& frame) {
-    std::vector<double> cuts{0, 1};
-    frame.add_cuts(cuts);
-    std::ranges::sort(cuts);
-    cuts.erase(std::unique(cuts.begin(), cuts.end()), cuts.end());
-    return cuts;
+bool are_finite(const RateBounds& rates) {
+    return std::isfinite(rates.turn_acceleration) && std::isfinite(rates.acceleration);
 }
 
-/// Appends the ends of pieces within an interval that has no cut inside.
-void append_pieces(const MovingFrame& frame, const Bracket& times, std::vector<double>& ends, int divisions = 0) {
+/// Appends the interval between two times, or parts of it in which the body turns little. `poses` are those at its
+/// ends.
+void append_sections(const MovingFrame& frame, const Bracket& times, const PartEnds<double>& poses,
+                     std::vector<Section>& sections, int divisions = 0) {
     const double duration = times.upper - times.lower;
-    const double turn = frame.rates(times).turn_rate * duration;
-    if (turn <= most_turn_of_part) {
-        ends.push_back(times.upper);
+    const RateBounds rates = frame.rates(times);
+    if (rates.turn_rate * duration <= most_turn_of_part) {
+        sections.push_back({times, rates, poses});
         return;
     }
     if (divisions == most_divisions)
         throw InvalidInput("motion: bounds: the body turns by more than 0.25 radians within a millionth of the time "
                            "between two knots");
     const double middle = times.lower + uneven_half * duration;
-    append_pieces(frame, {times.lower, middle}, ends, divisions + 1);
-    append_pieces(frame, {middle, times.upper}, ends, divisions + 1);
+    const GeneralPose<double> between = frame.at(middle);
+    append_sections(frame, {times.lower, middle}, {poses.start, between}, sections, divisions + 1);
+    append_sections(frame, {middle, times.upper}, {between, poses.goal}, sections, divisions + 1);
 }
 
 } // namespace
@@ -66,23 +69,24 @@ Pose public_pose(const GeneralPose<double>& pose) {
     return {{pose.translation.x, pose.translation.y, pose.translation.z}, Eigen::Quaterniond(w, v.x, v.y, v.z)};
 }
 
-SmoothPiece::SmoothPiece(SmoothMotion motion, const Bracket& times)
-    : motion_(std::move(motion)), times_(times), reference_(motion_.relative->reference()),
-      reference_in_double_(in_double(reference_)), cubic_(widened(enclosure({0, 1})->cubic)) {}
+SmoothPiece::SmoothPiece(SmoothMotion motion, const Section& section)
+    : motion_(std::move(motion)), times_(section.times), rates_(section.rates),
+      reference_(motion_.relative->reference()),
+      whole_{sweep_between_ends(section.ends, reference_), bounds<double>({0, 1})}, cubic_(widened(whole_.cubic)) {}
 
 double SmoothPiece::time_at(double tau) const {
     return tau == 1 ? times_.upper : times_.lower + tau * (times_.upper - times_.lower);
 }
 
-/// A body that is fast for a short while is displaced by the rounding of times.
+/// The rates of the piece serve all its parts: those of a part are little smaller, and cost as much as two poses. A
+/// body that is fast for a short while is displaced by the rounding of times.
 template <class S>
 EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
     const MovingFrame& frame = *motion_.relative;
-    const Bracket times{time_at(part.lower), time_at(part.upper)};
-    const RateBounds rates = frame.rates(times);
+    const RateBounds rates = are_finite(rates_) ? rates_ : frame.rates({time_at(part.lower), time_at(part.upper)});
     const double duration = (part.upper - part.lower) * (times_.upper - times_.lower) + rounding_of_times<double>;
     EnclosureBounds bounds =
-        enclosure_bounds(reference_in_double_, rates, duration, pose_rounding<S> * frame.rounding(), frame.size());
+        enclosure_bounds(reference_, rates, duration, pose_rounding<S> * frame.rounding(), frame.size());
     const double shift = rates.speed * rounding_of_times<S>;
     const double turn = rates.turn_rate * rounding_of_times<S>;
     bounds.rounding += shift;
@@ -92,10 +96,10 @@ EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
     return bounds;
 }
 
-std::optional<Enclosure<double>> SmoothPiece::enclosure(const Bracket& part) const {
+Enclosure<double> SmoothPiece::enclosed(const Bracket& part) const {
     const MovingFrame& frame = *motion_.relative;
     const PartEnds<double> ends{frame.at(time_at(part.lower)), frame.at(time_at(part.upper))};
-    return Enclosure<double>{sweep_between_ends(ends, reference_in_double_), bounds<double>(part)};
+    return {sweep_between_ends(ends, reference_), bounds<double>(part)};
 }
 
 std::optional<Enclosure<Wide>> SmoothPiece::refined_enclosure(const Bracket& part) const {
@@ -107,7 +111,7 @@ std::optional<Enclosure<Wide>> SmoothPiece::refined_enclosure(const Bracket& par
         return frame.refined_at(Wide(times_.lower) + Wide(tau) * duration);
     };
     const PartEnds<Wide> ends{at(part.lower), at(part.upper)};
-    return Enclosure<Wide>{sweep_between_ends(ends, reference_), bounds<Wide>(part)};
+    return Enclosure<Wide>{sweep_between_ends(ends, frame.refined_reference()), bounds<Wide>(part)};
 }
 
 Bracket SmoothPiece::time_of(const Bracket& tau) const {
@@ -127,50 +131,79 @@ Pose SmoothPiece::fixed_pose_at(double tau) const {
     return motion_.fixed ? public_pose(motion_.fixed->at(time_at(tau))) : Pose();
 }
 
-SmoothPieces::SmoothPieces(SmoothMotion motion) : motion_(std::move(motion)), cuts_{0} {
-    const std::vector<double> cuts = cuts_of(*motion_.relative);
-    for (std::size_t i = 1; i < cuts.size(); ++i)
-        append_pieces(*motion_.relative, {cuts[i - 1], cuts[i]}, cuts_);
+const std::vector<Section>& Sections::all() const {
+    std::call_once(is_made_, [this] { make(); });
+    return sections_;
 }
 
-/// The point is never farther from the middle of a motion without cuts than half of its way.
+void Sections::make() const {
+    std::vector<double> cuts;
+    frame_->add_cuts(cuts);
+    std::erase_if(cuts, [](double cut) { return !(0 < cut && cut < 1); });
+    cuts.push_back(1);
+    std::ranges::sort(cuts);
+    sections_.clear(); // the first try may have ended in an error
+    Bracket times{0, 0};
+    PartEnds<double> poses{{}, frame_->at(0)};
+    for (const double cut : cuts) {
+        if (cut == times.upper)
+            continue; // twice the same
+        times = {times.upper, cut};
+        poses = {poses.goal, frame_->at(cut)};
+        append_sections(*frame_, times, poses, sections_);
+    }
+}
+
+/// From any place, the point is never farther than half of the way of a section and half of the way to its ends. Nor is
+/// it farther than the farther end, and how far the point leaves its chord.
 PathBall SmoothTrajectory::ball_around_path(const Vector3<double>& point) const {
     const MovingFrame& frame = *motion_.relative;
-    const Vector3<double> reference = in_double(frame.reference());
-    const std::vector<double> cuts = cuts_of(frame);
-    const auto place = [&](double time) {
-        const GeneralPose<double> pose = frame.at(time);
+    const std::vector<Section>& sections = sections_->all();
+    const double arm = length(point - frame.reference());
+    const auto place = [&](const GeneralPose<double>& pose) {
         return rotated(pose.rotation, point) + pose.translation;
     };
+    const Vector3<double> first = place(sections.front().ends.start);
+    const Vector3<double> centre = scale(first + place(sections.back().ends.goal), 0.5);
     double radius = 0;
-    const Vector3<double> centre = place(0.5);
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-        const RateBounds rates = frame.rates({cuts[i - 1], cuts[i]});
-        const double duration = cuts[i] - cuts[i - 1];
-        const double way = duration * (rates.speed + rates.turn_rate * length(point - reference));
-        const double start = length(place(cuts[i - 1]) - centre);
-        const double goal = length(place(cuts[i]) - centre);
-        radius = std::max(radius, 0.5 * (start + goal + way));
+    double start = length(first - centre);
+    for (const auto& [times, rates, ends] : sections) {
+        const double duration = times.upper - times.lower;
+        const double speed = rates.speed + rates.turn_rate * arm;
+        const double acceleration =
+            rates.acceleration + (rates.turn_acceleration + rates.turn_rate * rates.turn_rate) * arm;
+        const double goal = length(place(ends.goal) - centre);
+        const double by_speed = 0.5 * (start + goal + speed * duration);
+        const double by_acceleration = std::max(start, goal) + 0.125 * acceleration * duration * duration;
+        radius = std::max(radius, std::min(by_speed, by_acceleration));
+        start = goal;
     }
     return {centre, radius, frame.size() + norm1(point)};
 }
 
-std::optional<CoarseMotion> SmoothTrajectory::coarse() const {
+/// Few sections have a coarse motion each; many have one in common.
+std::size_t SmoothTrajectory::coarse_count() const {
+    constexpr std::size_t few = 8;
+    const std::size_t count = sections_->all().size();
+    return count <= few ? count : 1;
+}
+
+std::optional<CoarseMotion> SmoothTrajectory::coarse(std::size_t part) const {
+    const std::vector<Section>& sections = sections_->all();
+    return coarse_count() == sections.size() ? coarse_over(sections[part]) : coarse_over(whole_of(sections));
+}
+
+std::optional<CoarseMotion> SmoothTrajectory::coarse_over(const Section& section) const {
     constexpr double quarter_turn = 1.5707963;
-    const MovingFrame& frame = *motion_.relative;
-    const std::vector<double> cuts = cuts_of(frame);
-    RateBounds rates = frame.rates({0, cuts[1]});
-    for (std::size_t i = 2; i < cuts.size(); ++i)
-        rates = largest(rates, frame.rates({cuts[i - 1], cuts[i]}));
-    if (!(rates.turn_rate <= quarter_turn))
+    const auto& [times, rates, ends] = section;
+    const double duration = times.upper - times.lower;
+    if (!(rates.turn_rate * duration <= quarter_turn))
         return std::nullopt;
-    if (cuts.size() > 2) // rates jump: only the speeds hold for the whole
-        rates.acceleration = rates.turn_acceleration = INFINITY;
-    const Vector3<double> reference = in_double(frame.reference());
+    const MovingFrame& frame = *motion_.relative;
     const EnclosureBounds bounds =
-        enclosure_bounds(reference, rates, 1, pose_rounding<double> * frame.rounding(), frame.size());
-    return CoarseMotion{sweep_between_ends<double>({frame.at(0), frame.at(1)}, reference), bounds.deviation,
-                        frame.size(), bounds.turn_deviation, reference};
+        enclosure_bounds(frame.reference(), rates, duration, pose_rounding<double> * frame.rounding(), frame.size());
+    return CoarseMotion{sweep_between_ends<double>(ends, bounds.reference), bounds.deviation, frame.size(),
+                        bounds.turn_deviation, bounds.reference};
 }
 
 Pose SmoothTrajectory::pose_at(double time) const {

@@ -5,6 +5,8 @@
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/motion/moving_frame.h"
 
+#include <mutex>
+
 namespace chasles::motion {
 
 /// The moving body seen from the fixed body, and both in the world.
@@ -17,15 +19,25 @@ struct SmoothMotion {
     static SmoothMotion of_one(const SharedFrame& frame) { return {frame, frame, nullptr}; }
 };
 
-/// A part of a smooth motion that turns little and has no cut inside.
+/// A part of a motion without a cut inside.
+struct Section {
+    Bracket times;
+    RateBounds rates;
+    PartEnds<double> ends;
+};
+
+/// A section of a smooth motion that turns little.
 class SmoothPiece {
 public:
-    SmoothPiece(SmoothMotion motion, const Bracket& times);
+    SmoothPiece(SmoothMotion motion, const Section& section);
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const { return cubic_; }
     [[nodiscard]] static std::optional<ExactMotion> exact() { return std::nullopt; }
-    [[nodiscard]] std::optional<Enclosure<double>> enclosure(const Bracket& part) const;
+    [[nodiscard]] std::optional<Enclosure<double>> enclosure(const Bracket& part) const {
+        return part.lower == 0 && part.upper == 1 ? whole_ : enclosed(part);
+    }
     [[nodiscard]] std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket& part) const;
+    [[nodiscard]] bool is_refined() const { return motion_.relative->is_refined(); }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const;
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return time_of(tau); }
@@ -38,47 +50,69 @@ public:
 
 private:
     [[nodiscard]] double time_at(double tau) const;
+    [[nodiscard]] Enclosure<double> enclosed(const Bracket& part) const;
     template <class S>
     [[nodiscard]] EnclosureBounds bounds(const Bracket& part) const;
 
     SmoothMotion motion_;
     Bracket times_;
-    Vector3<algebra::DoubleDouble> reference_;
-    Vector3<double> reference_in_double_;
+    RateBounds rates_;
+    Vector3<double> reference_;
+    Enclosure<double> whole_;
     RationalMotion<algebra::DoubleDouble> cubic_;
 };
 
-/// The pieces of a smooth motion, in order of time.
+/// The sections of a frame, made on the first use. From several threads at once, too.
+class Sections {
+public:
+    explicit Sections(SharedFrame frame) : frame_(std::move(frame)) {}
+
+    /// In order of time; the body turns little in each. Throws InvalidInput where the motion turns so fast, by its
+    /// bounds, that they would be too many.
+    [[nodiscard]] const std::vector<Section>& all() const;
+
+private:
+    void make() const;
+
+    SharedFrame frame_;
+    mutable std::once_flag is_made_;
+    mutable std::vector<Section> sections_;
+};
+
+/// The pieces of a smooth motion, in order of time: its sections.
 class SmoothPieces {
 public:
-    /// Throws InvalidInput where the motion turns so fast, by its bounds, that pieces would be too many.
-    explicit SmoothPieces(SmoothMotion motion);
+    SmoothPieces(SmoothMotion motion, std::shared_ptr<const Sections> sections)
+        : motion_(std::move(motion)), sections_(std::move(sections)) {}
 
-    [[nodiscard]] std::size_t size() const { return cuts_.size() - 1; }
-    [[nodiscard]] SmoothPiece operator[](std::size_t index) const {
-        return {motion_, {cuts_[index], cuts_[index + 1]}};
-    }
+    [[nodiscard]] std::size_t size() const { return sections_->all().size(); }
+    [[nodiscard]] SmoothPiece operator[](std::size_t index) const { return {motion_, sections_->all()[index]}; }
 
 private:
     SmoothMotion motion_;
-    std::vector<double> cuts_; ///< from 0 to 1
+    std::shared_ptr<const Sections> sections_;
 };
 
 /// A smooth motion as a trajectory.
 class SmoothTrajectory {
 public:
-    explicit SmoothTrajectory(SmoothMotion motion) : motion_(std::move(motion)) {}
+    explicit SmoothTrajectory(SmoothMotion motion)
+        : motion_(std::move(motion)), sections_(std::make_shared<const Sections>(motion_.relative)) {}
 
-    [[nodiscard]] SmoothPieces pieces() const { return SmoothPieces(motion_); }
+    [[nodiscard]] SmoothPieces pieces() const { return {motion_, sections_}; }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
-    [[nodiscard]] std::optional<CoarseMotion> coarse() const;
+    [[nodiscard]] std::size_t coarse_count() const;
+    [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part) const;
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
     [[nodiscard]] SharedFrame frame() const { return motion_.fixed ? nullptr : motion_.moving; }
 
 private:
+    [[nodiscard]] std::optional<CoarseMotion> coarse_over(const Section& section) const;
+
     SmoothMotion motion_;
+    std::shared_ptr<const Sections> sections_;
 };
 
 /// A pose with a quaternion of any length, as a public pose.

@@ -37,12 +37,12 @@ WideVector place_of(const Pose& pose) {
 /// A path from four coefficients in the time of its segment. With coefficients in double-double, segments meet without
 /// a jump.
 SharedFrame path_of(const std::array<WideVector, 4>& coefficients) {
-    std::array<SmoothPolynomial, 3> place;
+    std::array<TimePolynomial, 3> place;
     for (int i = 0; i < 3; ++i) {
         std::vector<Wide> part;
         for (const WideVector& c : coefficients)
             part.push_back(c[i]);
-        place[std::size_t(i)] = SmoothPolynomial(std::move(part));
+        place[std::size_t(i)] = TimePolynomial(std::move(part));
     }
     return path_frame(std::move(place));
 }
@@ -83,7 +83,7 @@ SharedFrame turn_by_share(const Pose& from, const Pose& to, const std::array<Wid
         angle.push_back(c * turn.angle);
     // The direction is in the frame of the fixed body; the turn is carried by the orientation before.
     const Quaternion<Wide> back = turn.orientation.conjugate();
-    return hinge_frame(rotated(back, turn.direction), SmoothPolynomial(std::move(angle)));
+    return hinge_frame(rotated(back, turn.direction), TimePolynomial(std::move(angle)));
 }
 
 /// The segment of a cumulative B-spline with four control poses.

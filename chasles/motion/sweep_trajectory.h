@@ -18,6 +18,7 @@ public:
     [[nodiscard]] static std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
         return std::nullopt;
     }
+    [[nodiscard]] static bool is_refined() { return false; }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const;
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return time_of(tau); }
@@ -53,7 +54,10 @@ public:
     [[nodiscard]] SweepPiece piece() const { return {ends_, centre_}; }
     [[nodiscard]] Pieces pieces() const { return Pieces(piece()); }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
-    [[nodiscard]] std::optional<CoarseMotion> coarse() const { return coarse_sweep(ends_, vector_in<double>(centre_)); }
+    [[nodiscard]] static std::size_t coarse_count() { return 1; }
+    [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t /*part*/) const {
+        return coarse_sweep(ends_, vector_in<double>(centre_));
+    }
     [[nodiscard]] Pose pose_at(double time) const {
         return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : piece().pose_at(time);
     }

@@ -35,6 +35,8 @@ concept TrajectoryPiece = requires(const P& piece, double number, const Bracket&
     { piece.enclosure(bracket) } -> std::same_as<std::optional<Enclosure<double>>>;
     /// Likewise in double-double; empty, too, if the trajectory is known in double only.
     { piece.refined_enclosure(bracket) } -> std::same_as<std::optional<Enclosure<algebra::DoubleDouble>>>;
+    /// Whether there are enclosures in double-double.
+    { piece.is_refined() } -> std::same_as<bool>;
 
     /// The piece's own clock: brackets of tau within the piece as brackets of the trajectory's time and of its tau,
     /// rounded outward; dtau/dtime at a tau; and the width in tau that is no wider than a width in time anywhere.
@@ -55,8 +57,10 @@ concept Trajectory = requires(const T& trajectory, std::size_t index, double tim
     requires TrajectoryPiece<std::remove_cvref_t<decltype(trajectory.pieces()[index])>>;
     /// For the test that bodies stay far apart. Encloses the true path, deviation included.
     { trajectory.ball_around_path(point) } -> std::same_as<PathBall>;
-    /// One motion in double near the whole trajectory. Empty if there is none: the pieces are then searched at once.
-    { trajectory.coarse() } -> std::same_as<std::optional<CoarseMotion>>;
+    /// Motions in double near the trajectory, one after another; most have one for the whole. Empty if there is none:
+    /// the pieces are then searched at once.
+    { trajectory.coarse_count() } -> std::same_as<std::size_t>;
+    { trajectory.coarse(index) } -> std::same_as<std::optional<CoarseMotion>>;
     { trajectory.pose_at(time) } -> std::same_as<Pose>;
     { trajectory.fixed_pose_at(time) } -> std::same_as<Pose>;
 };

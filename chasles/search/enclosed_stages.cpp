@@ -201,7 +201,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
 /// Whether the trajectory is known in double-double.
 template <bool within_margin>
 bool EnclosedStages<within_margin>::can_refine() {
-    if (!refinement_ && context_.piece().refined_enclosure({0, 0}))
+    if (!refinement_ && context_.piece().is_refined())
         refinement_ = std::make_unique<RefinedTests>(context_, options_, parts_);
     return refinement_ != nullptr;
 }

@@ -21,7 +21,7 @@ double extent(const Bvh& bvh) {
 }
 
 std::optional<motion::EnclosureBounds> bounds_of_start(const motion::AnyPiece& piece) {
-    const auto start = piece.enclosure({0, 0});
+    const auto start = piece.enclosure({0, 1});
     return start ? std::optional(start->bounds) : std::nullopt;
 }
 

@@ -58,7 +58,8 @@ TEST_P(EvenMotions, FollowTheirDefinitionToWithinAQuarterOfTheRounding) {
     double in_double = 0, in_wide = 0;
     for (int trial = 0; trial < 400; ++trial) {
         const EvenCase test = random_case(random);
-        const motion::EvenFrame frame(test.trajectory(GetParam()).motion());
+        const motion::SharedFrame made = test.trajectory(GetParam()).frame();
+        const motion::MovingFrame& frame = *made;
         const Eigen::Vector3d point = random_point(random, 1);
         const double time = random.uniform(0, 1);
         const LongVector truth = test.place(GetParam(), point, Digits(time));

@@ -145,6 +145,57 @@ TEST(Frames, NoBoundOfRatesIsBroken) {
     }
 }
 
+/// The second difference of a path over a short time, as a share of the stated bound of the acceleration.
+double share_of_bound(const motion::MovingFrame& frame, double time) {
+    constexpr double half = 0x1p-10;
+    const auto reference = frame.reference();
+    const auto place = [&](double when) {
+        const auto pose = frame.at(when);
+        return rotated(pose.rotation, reference) + pose.translation;
+    };
+    const auto bend = place(time + half) - scale(place(time), 2.0) + place(time - half);
+    return length(bend) / (half * half * frame.rates({time - half, time + half}).acceleration);
+}
+
+/// Bounds that were composed from bounds alone are four to twelve times too wide here.
+TEST(Frames, BoundsOfChainsOverShortTimesAreSharp) {
+    Random random(1826);
+    double least = 1, sum = 0;
+    constexpr int trials = 40;
+    for (int trial = 0; trial < trials; ++trial) {
+        Motion arm = Motion::at_rest(Pose());
+        for (int joint = 0; joint < 7; ++joint)
+            arm = arm * Motion::hinge(Vector3d::Zero(), random_point(random, 1), random_numbers(random, 3, 1)) *
+                  Motion::at_rest(random_pose(random, 1));
+        const Motion other = Motion::velocity(random_pose(random, 2), random_pose(random, 2));
+        const motion::SharedFrame frame = arm.trajectory().frame();
+        const double share = trial % 2
+                                 ? share_of_bound(*frame, 0.4)
+                                 : share_of_bound(*motion::relative_frame(frame, other.trajectory().frame()), 0.4);
+        least = std::min(least, share);
+        sum += share / trials;
+        expect_bounds_hold(arm, std::uint64_t(trial));
+    }
+    std::cout << "the true acceleration is at least " << least << " of its bound, " << sum << " on average\n";
+    EXPECT_GT(least, 0.8);
+    EXPECT_GT(sum, 0.95);
+}
+
+/// A bound that is not known may be infinite; no bound becomes a NaN.
+TEST(Frames, UnknownBoundsStayUnknown) {
+    OwnTrajectory own;
+    own.pose_at = [](double time) { return Pose({time, 0, 0}, Eigen::Quaterniond::Identity()); };
+    own.bounds = [](double, double) { return MotionBounds{0, INFINITY, 1, INFINITY}; };
+    const Motion unknown = Motion::along(own), rest = Motion::at_rest(Pose());
+    for (const Motion& motion : {unknown * rest, rest * unknown, unknown * unknown}) {
+        const motion::RateBounds rates = motion.trajectory().frame()->rates({0.25, 0.5});
+        EXPECT_EQ(rates.turn_rate, 0);
+        EXPECT_GE(rates.speed, 1);
+        EXPECT_LT(rates.speed, 2.001);
+        EXPECT_EQ(rates.acceleration, INFINITY);
+    }
+}
+
 /// Frames in double are those in double-double, to within the rounding that they state.
 TEST(Frames, PosesInDoubleHaveTheRoundingThatIsStated) {
     Random random(1824);

@@ -71,8 +71,9 @@ TEST(TimedPoses, AFastSegmentIsEnclosedToo) {
     Random random(1833);
     const std::vector<Pose> poses = random_track(random);
     const std::vector<double> times{0, 1.0 / 3, 1.0 / 3 + 3e-10, 1};
-    const motion::SmoothPieces pieces(motion::SmoothMotion::of_one(
+    const motion::SmoothTrajectory trajectory(motion::SmoothMotion::of_one(
         motion::even_track(times, poses, TimedPoses::Between::velocity, Eigen::Vector3d::Zero())));
+    const motion::SmoothPieces pieces = trajectory.pieces();
     double in_double = 0, in_wide = 0;
     for (std::size_t i = 0; i < pieces.size(); ++i) {
         const motion::SmoothPiece piece = pieces[i];

@@ -62,6 +62,7 @@ public:
     [[nodiscard]] static std::optional<motion::Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
         return std::nullopt;
     }
+    [[nodiscard]] static bool is_refined() { return false; }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const {
         constexpr double rounding = 0x1p-50;
@@ -107,7 +108,8 @@ public:
         return {motion::vector_in<double>((from + to) / 2), (to - from).norm() / 2 + length(point),
                 from.lpNorm<1>() + to.lpNorm<1>() + norm1(point)};
     }
-    [[nodiscard]] static std::optional<motion::CoarseMotion> coarse() { return std::nullopt; }
+    [[nodiscard]] static std::size_t coarse_count() { return 1; }
+    [[nodiscard]] static std::optional<motion::CoarseMotion> coarse(std::size_t) { return std::nullopt; }
     [[nodiscard]] Pose pose_at(double time) const { return whole_.at(time); }
     [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
 

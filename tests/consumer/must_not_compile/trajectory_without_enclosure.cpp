@@ -15,6 +15,7 @@ struct Piece {
     [[nodiscard]] static std::optional<motion::Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
         return std::nullopt;
     }
+    [[nodiscard]] static bool is_refined() { return false; }
     [[nodiscard]] static Bracket time_of(const Bracket& tau) { return tau; }
     [[nodiscard]] static Bracket tau_of(const Bracket& tau) { return tau; }
     [[nodiscard]] static double tau_rate(double) { return 1; }
@@ -32,7 +33,8 @@ struct Trajectory {
     };
     [[nodiscard]] static Pieces pieces() { return {}; }
     [[nodiscard]] static motion::PathBall ball_around_path(const motion::Vector3<double>& point) { return {point}; }
-    [[nodiscard]] static std::optional<motion::CoarseMotion> coarse() { return std::nullopt; }
+    [[nodiscard]] static std::size_t coarse_count() { return 1; }
+    [[nodiscard]] static std::optional<motion::CoarseMotion> coarse(std::size_t) { return std::nullopt; }
     [[nodiscard]] static Pose pose_at(double) { return {}; }
     [[nodiscard]] static Pose fixed_pose_at(double) { return {}; }
 };

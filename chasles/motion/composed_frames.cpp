@@ -1,0 +1,174 @@
+// Frames that are made of other frames. Source: docs/derivations/26-frames.md.
+#include "chasles/motion/frame_in_both.h"
+#include "chasles/motion/frames.h"
+#include "chasles/motion/screw_path.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace chasles::motion {
+
+namespace {
+
+template <class S>
+Vector3<S> placed(const GeneralPose<S>& pose, const Vector3<S>& point) {
+    return rotated(pose.rotation, point) + pose.translation;
+}
+
+template <class S>
+GeneralPose<S> product(const GeneralPose<S>& outer, const GeneralPose<S>& inner) {
+    return {placed(outer, inner.translation), outer.rotation * inner.rotation};
+}
+
+/// `pose` relative to `frame`, both with quaternions of unit length.
+template <class S>
+GeneralPose<S> relative(const GeneralPose<S>& frame, const GeneralPose<S>& pose) {
+    const Quaternion<S> back = frame.rotation.conjugate();
+    return {rotated(back, pose.translation - frame.translation), back * pose.rotation};
+}
+
+/// Two frames that make a third one.
+template <class Derived>
+class FrameOfTwo : public FrameInBoth<Derived> {
+public:
+    FrameOfTwo(SharedFrame first, SharedFrame second)
+        : first_(std::move(first)), second_(std::move(second)),
+          size_(first_->size() + second_->size() + norm1(first_->reference()) + norm1(second_->reference())),
+          rounding_(first_->rounding() + second_->rounding() + 1),
+          is_refined_(first_->is_refined() && second_->is_refined()) {}
+
+    [[nodiscard]] bool is_refined() const final { return is_refined_; }
+    [[nodiscard]] double size() const final { return size_; }
+    [[nodiscard]] double rounding() const final { return rounding_; }
+    void add_cuts(std::vector<double>& cuts) const final {
+        first_->add_cuts(cuts);
+        second_->add_cuts(cuts);
+    }
+
+protected:
+    template <class S>
+    static GeneralPose<S> place_of(const MovingFrame& frame, const S& time) {
+        if constexpr (std::is_same_v<S, double>)
+            return frame.at(time);
+        else
+            return frame.refined_at(time);
+    }
+
+    static double half_of(const Bracket& times) { return 0.5 * (times.upper - times.lower); }
+
+    SharedFrame first_;
+    SharedFrame second_;
+
+private:
+    double size_;
+    double rounding_;
+    bool is_refined_;
+};
+
+class ProductFrame final : public FrameOfTwo<ProductFrame> {
+public:
+    using FrameOfTwo::FrameOfTwo;
+
+    template <class S>
+    [[nodiscard]] GeneralPose<S> place(const S& time) const {
+        return product(place_of<S>(*first_, time), place_of<S>(*second_, time));
+    }
+    [[nodiscard]] Vector3<double> reference() const override { return second_->reference(); }
+    [[nodiscard]] Vector3<Wide> refined_reference() const override { return second_->refined_reference(); }
+
+    [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
+        return carried(first_->expansion(times), second_->expansion(times), half_of(times), size());
+    }
+};
+
+class RelativeFrame final : public FrameOfTwo<RelativeFrame> {
+public:
+    using FrameOfTwo::FrameOfTwo;
+
+    template <class S>
+    [[nodiscard]] GeneralPose<S> place(const S& time) const {
+        return relative(place_of<S>(*second_, time), place_of<S>(*first_, time));
+    }
+    [[nodiscard]] Vector3<double> reference() const override { return first_->reference(); }
+    [[nodiscard]] Vector3<Wide> refined_reference() const override { return first_->refined_reference(); }
+
+    [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
+        return seen_from(first_->expansion(times), second_->expansion(times), half_of(times), size());
+    }
+};
+
+class JoinedFrames final : public FrameInBoth<JoinedFrames> {
+public:
+    JoinedFrames(std::vector<double> ends, std::vector<SharedFrame> frames)
+        : ends_(std::move(ends)), frames_(std::move(frames)) {
+        for (const SharedFrame& frame : frames_) {
+            size_ = std::max(size_, frame->size());
+            rounding_ = std::max(rounding_, frame->rounding());
+            is_refined_ = is_refined_ && frame->is_refined();
+        }
+    }
+    template <class S>
+    [[nodiscard]] GeneralPose<S> place(const S& time) const {
+        const std::size_t i = index_at(double(time));
+        const S local = (time - S(ends_[i])) / (S(ends_[i + 1]) - S(ends_[i]));
+        if constexpr (std::is_same_v<S, double>)
+            return frames_[i]->at(local);
+        else
+            return frames_[i]->refined_at(local);
+    }
+    [[nodiscard]] bool is_refined() const override { return is_refined_; }
+    [[nodiscard]] Vector3<double> reference() const override { return frames_.front()->reference(); }
+    [[nodiscard]] Vector3<Wide> refined_reference() const override { return frames_.front()->refined_reference(); }
+    [[nodiscard]] RateBounds rates(const Bracket& times) const override {
+        const Segment segment = segment_of(times);
+        return slowed(segment.frame.rates(segment.times), segment.duration);
+    }
+    [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
+        const Segment segment = segment_of(times);
+        return slowed(segment.frame.expansion(segment.times), segment.duration);
+    }
+    [[nodiscard]] double size() const override { return size_; }
+    [[nodiscard]] double rounding() const override { return rounding_; }
+    void add_cuts(std::vector<double>& cuts) const override { cuts.insert(cuts.end(), ends_.begin(), ends_.end()); }
+
+private:
+    struct Segment {
+        const MovingFrame& frame;
+        Bracket times; ///< of the frame
+        double duration;
+    };
+
+    [[nodiscard]] Segment segment_of(const Bracket& times) const {
+        const std::size_t i = index_at(middle_of(times));
+        const double duration = ends_[i + 1] - ends_[i];
+        const auto local = [&](double time) { return std::clamp((time - ends_[i]) / duration, 0.0, 1.0); };
+        return {*frames_[i], {local(times.lower), local(times.upper)}, duration};
+    }
+    /// Of the frame that lasts at this time; at an end, of the later one.
+    [[nodiscard]] std::size_t index_at(double time) const {
+        const auto after = std::upper_bound(ends_.begin(), ends_.end(), time);
+        return std::clamp<std::size_t>(std::size_t(after - ends_.begin()), 1, frames_.size()) - 1;
+    }
+
+    std::vector<double> ends_;
+    std::vector<SharedFrame> frames_;
+    double size_ = 0;
+    double rounding_ = 1;
+    bool is_refined_ = true;
+};
+
+} // namespace
+
+SharedFrame product_frame(SharedFrame outer, SharedFrame inner) {
+    return std::make_shared<const ProductFrame>(std::move(outer), std::move(inner));
+}
+
+SharedFrame relative_frame(SharedFrame moving, SharedFrame fixed) {
+    return std::make_shared<const RelativeFrame>(std::move(moving), std::move(fixed));
+}
+
+SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> frames) {
+    return std::make_shared<const JoinedFrames>(std::move(ends), std::move(frames));
+}
+
+} // namespace chasles::motion
