@@ -12,3 +12,4 @@
 #include "chasles/query/first_contact.h"
 #include "chasles/query/least_distance.h"
 #include "chasles/query/path.h"
+#include "chasles/scene/scene.h"

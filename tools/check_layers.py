@@ -21,6 +21,7 @@ MAY_INCLUDE = {
     "contact": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh"],
     "search": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact"],
     "query": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search"],
+    "scene": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "query"],
     "io": ["base", "algebra", "motion", "hierarchy", "mesh"],
     "scenes": [],
     "view": [],

@@ -2,6 +2,7 @@
 // the library.
 #pragma once
 
+#include "chasles/motion/motion_ends.h"
 #include "chasles/motion/moving_frame.h"
 #include "chasles/motion/trajectory.h"
 
@@ -47,6 +48,8 @@ public:
     [[nodiscard]] virtual Pose fixed_pose_at(double time) const = 0;
     /// The moving body in the world as a frame, for products; null if it is none.
     [[nodiscard]] virtual SharedFrame frame() const = 0;
+    /// The ends of a motion in the world that is straight and even, without a turn; null for others.
+    [[nodiscard]] virtual const MotionEnds* straight_ends() const = 0;
 };
 
 /// A piece of a known type as AnyPiece.
@@ -104,6 +107,12 @@ public:
     [[nodiscard]] SharedFrame frame() const override {
         if constexpr (requires { trajectory_.frame(); })
             return trajectory_.frame();
+        else
+            return nullptr;
+    }
+    [[nodiscard]] const MotionEnds* straight_ends() const override {
+        if constexpr (requires { trajectory_.straight_ends(); })
+            return trajectory_.straight_ends();
         else
             return nullptr;
     }

@@ -61,10 +61,6 @@ Motion Motion::twist(const Pose& start, const Pose& goal) {
     return ConstantTwist::between(start, goal);
 }
 
-Motion Motion::at_rest(const Pose& pose) {
-    return motion_of(SmoothMotion::of_one(motion::frame_at_rest(motion::MotionEnds::between(pose, pose).start)));
-}
-
 Motion Motion::hinge(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, const std::vector<double>& angle) {
     constexpr double largest_angle = 1000;
     require_usable(point, "point");
@@ -112,7 +108,12 @@ Motion operator*(const Motion& outer, const Motion& inner) {
         SmoothMotion::of_one(motion::product_frame(frame_of(outer, "product"), frame_of(inner, "product"))));
 }
 
+/// Two motions that are straight and even make a sweep, which is exact.
 Motion relative(const Motion& moving, const Motion& fixed) {
+    const motion::MotionEnds* a = moving.trajectory().straight_ends();
+    const motion::MotionEnds* b = fixed.trajectory().straight_ends();
+    if (a && b)
+        return SweepMotion::relative(a->start, a->goal, b->start, b->goal);
     const SharedFrame of_moving = frame_of(moving, "relative");
     const SharedFrame of_fixed = frame_of(fixed, "relative");
     return motion_of({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed});

@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/motion/even_trajectory.h"
+#include "chasles/motion/frames.h"
 #include "chasles/motion/screw_trajectory.h"
 #include "chasles/motion/sweep_trajectory.h"
 
@@ -151,8 +152,11 @@ class StraightTrajectory : public SweepTrajectory {
 public:
     using SweepTrajectory::SweepTrajectory;
     [[nodiscard]] motion::SharedFrame frame() const {
-        return motion::velocity_frame(ends().start, ends().goal, centre());
+        return ends().start.translation == ends().goal.translation
+                   ? motion::frame_at_rest(ends().start)
+                   : motion::velocity_frame(ends().start, ends().goal, centre());
     }
+    [[nodiscard]] const MotionEnds* straight_ends() const { return &ends(); }
 };
 
 /// Without a turn it is a sweep, which is exact. Only a quick test tells, as most motions turn.
@@ -166,6 +170,10 @@ Motion even_motion(EvenTrajectory::Kind kind, const MotionEnds& ends, const Eige
 }
 
 } // namespace
+
+Motion Motion::at_rest(const Pose& pose) {
+    return erased(StraightTrajectory(MotionEnds::between(pose, pose), Eigen::Vector3d::Zero()));
+}
 
 ConstantVelocity ConstantVelocity::between(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
     return {even_motion(EvenTrajectory::Kind::velocity, MotionEnds::between(start, goal), centre), centre};

@@ -12,10 +12,10 @@ namespace {
 using algebra::Matrix3;
 
 /// The allowance for the rounding of vectors, over the sums that they are.
-constexpr double rounding = 1e-12;
+constexpr double sum_rounding = 1e-12;
 
 /// The product of two bounds, of which one may be infinite while the other is zero.
-double product(double a, double b) {
+double bound_product(double a, double b) {
     return a > 0 && b > 0 ? a * b : 0;
 }
 
@@ -26,14 +26,14 @@ struct TurningRates {
 
     TurningRates(const RateBounds& bounds, double turn_jerk)
         : first(bounds.turn_rate), second(bounds.turn_acceleration + first * first),
-          third(turn_jerk + 3 * product(bounds.turn_acceleration, first) + first * first * first) {}
+          third(turn_jerk + 3 * bound_product(bounds.turn_acceleration, first) + first * first * first) {}
 };
 
 /// Takes the bounds that follow from the middle where they are smaller.
 void sharpen(RateExpansion& e, double half) {
-    half = half * (1 + rounding) + 0x1p-50; // the middle is rounded
+    half = half * (1 + sum_rounding) + 0x1p-50; // the middle is rounded
     const auto bound = [&](const Vector3<double>& middle, double change, double sum) {
-        return length(middle) * (1 + rounding) + rounding * sum + product(half, change);
+        return length(middle) * (1 + sum_rounding) + sum_rounding * sum + bound_product(half, change);
     };
     RateBounds& bounds = e.bounds;
     const RateBounds& sums = e.sums;
@@ -50,7 +50,7 @@ RateBounds carried(const RateBounds& outer, const RateBounds& inner, double arm)
     return {outer.turn_rate + inner.turn_rate,
             outer.turn_acceleration + inner.turn_acceleration + outer.turn_rate * inner.turn_rate,
             outer.speed + outer.turn_rate * arm + inner.speed,
-            outer.acceleration + product(outer.turn_acceleration + outer.turn_rate * outer.turn_rate, arm) +
+            outer.acceleration + bound_product(outer.turn_acceleration + outer.turn_rate * outer.turn_rate, arm) +
                 2 * outer.turn_rate * inner.speed + inner.acceleration};
 }
 
@@ -60,7 +60,7 @@ RateBounds seen_from(const RateBounds& moving, const RateBounds& fixed, double a
             moving.turn_acceleration + fixed.turn_acceleration + moving.turn_rate * fixed.turn_rate,
             speed + fixed.turn_rate * arm,
             moving.acceleration + fixed.acceleration +
-                product(fixed.turn_acceleration + fixed.turn_rate * fixed.turn_rate, arm) +
+                bound_product(fixed.turn_acceleration + fixed.turn_rate * fixed.turn_rate, arm) +
                 2 * fixed.turn_rate * speed};
 }
 
@@ -88,14 +88,14 @@ RateExpansion carried(const RateExpansion& outer, const RateExpansion& inner, do
         e.acceleration = e.acceleration + turn * inner.acceleration + scale(cross(w, velocity), 2.0);
     }
 
-    const double arm_bound = length(arm) * (1 + rounding) + rounding * size + half * inner.bounds.speed;
+    const double arm_bound = length(arm) * (1 + sum_rounding) + sum_rounding * size + half * inner.bounds.speed;
     e.sums = carried(outer.sums, inner.sums, arm_bound);
     e.bounds = carried(outer.bounds, inner.bounds, arm_bound);
     const TurningRates rates(outer.bounds, outer.turn_jerk);
-    e.turn_jerk = outer.turn_jerk + inner.turn_jerk + 2 * product(rates.first, inner.bounds.turn_acceleration) +
-                  product(rates.second, inner.bounds.turn_rate);
-    e.jerk = outer.jerk + product(rates.third, arm_bound) + 3 * product(rates.second, inner.bounds.speed) +
-             3 * product(rates.first, inner.bounds.acceleration) + inner.jerk;
+    e.turn_jerk = outer.turn_jerk + inner.turn_jerk + 2 * bound_product(rates.first, inner.bounds.turn_acceleration) +
+                  bound_product(rates.second, inner.bounds.turn_rate);
+    e.jerk = outer.jerk + bound_product(rates.third, arm_bound) + 3 * bound_product(rates.second, inner.bounds.speed) +
+             3 * bound_product(rates.first, inner.bounds.acceleration) + inner.jerk;
     sharpen(e, half);
     return e;
 }
@@ -116,14 +116,15 @@ RateExpansion seen_from(const RateExpansion& moving, const RateExpansion& fixed,
                              cross(w, scale(velocity, 2.0) - cross(w, arm)));
 
     const double speed = moving.bounds.speed + fixed.bounds.speed;
-    const double arm_bound = length(arm) * (1 + rounding) + rounding * size + half * speed;
+    const double arm_bound = length(arm) * (1 + sum_rounding) + sum_rounding * size + half * speed;
     e.sums = seen_from(moving.sums, fixed.sums, arm_bound);
     e.bounds = seen_from(moving.bounds, fixed.bounds, arm_bound);
     const TurningRates rates(fixed.bounds, fixed.turn_jerk);
-    e.turn_jerk = moving.turn_jerk + fixed.turn_jerk + 2 * product(rates.first, moving.bounds.turn_acceleration) +
-                  product(rates.second, moving.bounds.turn_rate) + product(rates.first, fixed.bounds.turn_acceleration);
-    e.jerk = product(rates.third, arm_bound) + 3 * product(rates.second, speed) +
-             3 * product(rates.first, moving.bounds.acceleration + fixed.bounds.acceleration) + moving.jerk +
+    e.turn_jerk = moving.turn_jerk + fixed.turn_jerk + 2 * bound_product(rates.first, moving.bounds.turn_acceleration) +
+                  bound_product(rates.second, moving.bounds.turn_rate) +
+                  bound_product(rates.first, fixed.bounds.turn_acceleration);
+    e.jerk = bound_product(rates.third, arm_bound) + 3 * bound_product(rates.second, speed) +
+             3 * bound_product(rates.first, moving.bounds.acceleration + fixed.bounds.acceleration) + moving.jerk +
              fixed.jerk;
     sharpen(e, half);
     return e;
@@ -131,8 +132,8 @@ RateExpansion seen_from(const RateExpansion& moving, const RateExpansion& fixed,
 
 RateBounds slowed(const RateBounds& bounds, double duration) {
     const double rate = 1 / duration;
-    return {bounds.turn_rate * rate, product(bounds.turn_acceleration, rate * rate), bounds.speed * rate,
-            product(bounds.acceleration, rate * rate)};
+    return {bounds.turn_rate * rate, bound_product(bounds.turn_acceleration, rate * rate), bounds.speed * rate,
+            bound_product(bounds.acceleration, rate * rate)};
 }
 
 RateExpansion slowed(RateExpansion e, double duration) {
@@ -143,8 +144,8 @@ RateExpansion slowed(RateExpansion e, double duration) {
     e.acceleration = scale(e.acceleration, square);
     e.bounds = slowed(e.bounds, duration);
     e.sums = slowed(e.sums, duration);
-    e.turn_jerk = product(e.turn_jerk, cube);
-    e.jerk = product(e.jerk, cube);
+    e.turn_jerk = bound_product(e.turn_jerk, cube);
+    e.jerk = bound_product(e.jerk, cube);
     return e;
 }
 

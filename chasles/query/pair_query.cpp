@@ -34,13 +34,23 @@ PieceResult contact_of(const search::NearFeatures& near) {
     return result;
 }
 
-/// Proven clear up to the goal.
-void set_clear(FirstContact& answer, const motion::AnyTrajectory& trajectory) {
+/// Proven clear up to a time.
+void set_clear(FirstContact& answer, const motion::AnyTrajectory& trajectory, double until) {
     answer.verdict = Verdict::clear;
     answer.certain = true;
-    answer.clear_until = 1;
-    answer.pose = trajectory.pose_at(1);
-    answer.fixed_pose = trajectory.fixed_pose_at(1);
+    answer.clear_until = until;
+    answer.pose = trajectory.pose_at(until);
+    answer.fixed_pose = trajectory.fixed_pose_at(until);
+}
+
+/// A tau of the piece that is not before the time: a clock may run unevenly.
+double tau_after(const motion::AnyPiece& piece, double time) {
+    const double start = piece.time_of({0, 0}).upper;
+    const double end = piece.time_of({1, 1}).lower;
+    if (time >= end)
+        return 1;
+    const double tau = std::clamp((time - start) / (end - start), 0.0, 1.0);
+    return piece.time_of({tau, tau}).lower >= time ? tau : 1;
 }
 
 /// One question, piece by piece.
@@ -87,8 +97,11 @@ FirstContact PieceByPiece::run_within(double margin) {
     FirstContact found;
     for (std::size_t i = 0; i < pieces_->size(); ++i) {
         PieceContext context = piece(i);
+        if (i > 0 && context.piece().time_of({0, 0}).lower > query_.until)
+            break;
         search::SearchOptions search = search_of(context, margin);
         search.check_start = i == 0;
+        search.until = tau_after(context.piece(), query_.until);
         const PieceResult result = search_piece(context, search);
         found.work += result.work;
         if (has_contact(result)) {
@@ -96,9 +109,8 @@ FirstContact PieceByPiece::run_within(double margin) {
             found.clear_until = options_.find == Find::any ? context.piece().time_of({0, 0}).lower : found.time.lower;
             return found;
         }
-        if (i + 1 == pieces_->size())
-            set_clear(found, query_.trajectory);
     }
+    set_clear(found, query_.trajectory, query_.until);
     return found;
 }
 
@@ -155,7 +167,7 @@ void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece
         if (search_holding_piece(found, context, level, held, i == 0))
             return;
         if (i + 1 == pieces_->size() && found.verdict == Verdict::unknown)
-            set_clear(found, query_.trajectory);
+            set_clear(found, query_.trajectory, 1);
     }
     found.clear_until = 1;
 }
@@ -220,11 +232,11 @@ void check_options(const QueryOptions& options) {
 }
 
 FirstContact answer(const PairQuery& query) {
-    const auto& [moving, fixed, trajectory, options] = query;
+    const auto& [moving, fixed, trajectory, options, until] = query;
     if (culling::are_far_apart(moving, fixed, trajectory, options.margin) ||
         culling::are_clearly_apart(moving, fixed, trajectory, options.margin)) {
         FirstContact clear;
-        set_clear(clear, trajectory);
+        set_clear(clear, trajectory, until);
         return clear;
     }
     PieceByPiece pieces(query);

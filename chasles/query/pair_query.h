@@ -13,6 +13,7 @@ struct PairQuery {
     const Body& fixed;
     const motion::AnyTrajectory& trajectory;
     const QueryOptions& options;
+    double until = 1; ///< time in [0, 1]: contacts that begin later need not be found. Without effect with `hold`
 };
 
 /// Throws InvalidInput "query: OPTION: WHY" unless it holds.

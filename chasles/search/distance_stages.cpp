@@ -31,7 +31,7 @@ DistanceStages::DistanceStages(PieceContext& context, const SearchOptions& optio
     : context_(context), options_(options), parts_(context.parts(options.margin)),
       filter_({context.moving(), context.fixed(), parts_.scale(), options.margin}, context.maps()),
       next_filter_(filter_), start_tests_(context.moving(), context.fixed(), parts_.scale()),
-      overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, true}) {}
+      overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, true, options.until}) {}
 
 void DistanceStages::use(const culling::TimeRange& part) {
     if (part != filter_.part())

@@ -93,7 +93,8 @@ template <bool within_margin>
 EnclosedStages<within_margin>::EnclosedStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), parts_(context.parts(options.margin)), filter_(context, options, parts_),
       shorter_(context, options, parts_), start_tests_(context.moving(), context.fixed(), parts_.scale()),
-      overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, within_margin}) {
+      overlaps_(context, parts_.scale()),
+      candidates_({options.finds_any, options.tolerance, within_margin, options.until}) {
     start_tests_.use(context.maps(), {});
 }
 

@@ -17,7 +17,8 @@ struct SearchOptions {
     double margin = 0;        ///< distance that counts as contact
     bool check_start = true;  ///< search for contact at tau = 0: edges that pass through faces, and with a margin all
                               ///< features within it
-    double from = 0; ///< tau at which the search begins: before and at it nothing is within the margin, unless it is 0
+    double from = 0;  ///< tau at which the search begins: before and at it nothing is within the margin, unless it is 0
+    double until = 1; ///< tau after which no contact matters
     const HeldContacts* held = nullptr; ///< with a margin: report only new contacts, which are local minima of the
                                         ///< distance that fall to the margin; null: every contact is new
 };

@@ -17,12 +17,13 @@ struct SearchGoal {
     /// Whether contact at tau = 0 is decided apart from contact after it, as distances are. Otherwise a bracket that
     /// begins at 0 is not final: contact at 0 and contact just after it have different verdicts.
     bool start_is_tested_apart = false;
+    double until = 1; ///< contacts that begin after this tau do not matter
 };
 
 /// How far a search has come.
 class SearchState {
 public:
-    explicit SearchState(const SearchGoal& goal) : goal_(goal) {}
+    explicit SearchState(const SearchGoal& goal) : goal_(goal), best_(goal.until) {}
 
     [[nodiscard]] const SearchGoal& goal() const { return goal_; }
     /// No candidate that starts after this time matters.
@@ -74,7 +75,7 @@ private:
     }
 
     SearchGoal goal_;
-    double best_ = 1;
+    double best_;
     double proven_upper_ = never; ///< the least upper end of a proven contact
     double final_lower_ = never;  ///< the least lower end of a proven contact with a final bracket
     bool is_over_ = false;

@@ -9,7 +9,7 @@ static_assert(LaterStages<TouchStages>);
 TouchStages::TouchStages(PieceContext& context, const SearchOptions& options)
     : context_(context), options_(options), parts_(context.parts(0)),
       filter_(context.moving(), context.fixed(), parts_.scale()), filter_maps_(parts_),
-      overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, false}) {}
+      overlaps_(context, parts_.scale()), candidates_({options.finds_any, options.tolerance, false, options.until}) {}
 
 void TouchStages::use(const culling::TimeRange& part) {
     part_ = part;

@@ -1,0 +1,98 @@
+// The bodies of a scene: their names, and which pairs are not tested.
+#include "chasles/scene/scene.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/scene/world_box.h"
+
+#include <algorithm>
+
+namespace chasles {
+
+namespace {
+
+[[noreturn]] void refuse(std::string_view name, const char* why) {
+    throw InvalidInput("scene: " + std::string(name) + ": " + why);
+}
+
+/// The motion of the body with this name.
+Scene::Placed placed_by(const Motion& motion, std::string_view name, std::uint32_t id) {
+    motion::SharedFrame frame = motion.trajectory().frame();
+    if (!frame)
+        refuse(name, "motion: takes no paper's screw and no sweep, which are motions as seen from another body "
+                     "(constant twist and constant velocity are the ones in the world), and no relative motion");
+    const bool rests = scene::is_at_rest(*frame);
+    return {std::move(frame), id, rests};
+}
+
+template <class T>
+std::pair<T, T> ordered(const T& a, const T& b) {
+    return a < b ? std::pair(a, b) : std::pair(b, a);
+}
+
+} // namespace
+
+std::size_t Scene::add(SceneBody body) {
+    if (body.name.empty())
+        throw InvalidInput("scene: a body has no name");
+    if (by_name_.contains(body.name))
+        refuse(body.name, "is in the scene already");
+    placed_.push_back(placed_by(body.motion, body.name, next_id_));
+    ++next_id_;
+    by_name_.emplace(body.name, bodies_.size());
+    bodies_.push_back(std::move(body));
+    return bodies_.size() - 1;
+}
+
+void Scene::remove(std::string_view name) {
+    const std::size_t index = index_of(name);
+    const std::uint32_t id = placed_[index].id;
+    std::erase_if(ignored_, [&](const auto& pair) { return pair.first == id || pair.second == id; });
+    by_name_.erase(by_name_.find(name));
+    if (index + 1 < bodies_.size()) {
+        bodies_[index] = std::move(bodies_.back());
+        placed_[index] = std::move(placed_.back());
+        by_name_.find(bodies_[index].name)->second = index;
+    }
+    bodies_.pop_back();
+    placed_.pop_back();
+}
+
+void Scene::move(std::size_t index, const Motion& motion) {
+    if (index >= bodies_.size())
+        throw InvalidInput("scene: body " + std::to_string(index) + ": there are " + std::to_string(bodies_.size()) +
+                           " bodies");
+    placed_[index] = placed_by(motion, bodies_[index].name, placed_[index].id);
+    bodies_[index].motion = motion;
+}
+
+std::size_t Scene::index_of(std::string_view name) const {
+    const auto found = by_name_.find(name);
+    if (found == by_name_.end())
+        refuse(name, "is not in the scene");
+    return found->second;
+}
+
+void Scene::ignore(std::string_view a, std::string_view b) {
+    if (a == b)
+        refuse(a, "ignore: the same body twice");
+    ignored_.insert(ordered(placed_[index_of(a)].id, placed_[index_of(b)].id));
+}
+
+void Scene::ignore_groups(const std::string& a, const std::string& b) {
+    ignored_groups_.insert(ordered(a, b));
+}
+
+bool Scene::is_ignored(std::size_t a, std::size_t b) const {
+    return (!ignored_.empty() && ignored_.contains(ordered(placed_[a].id, placed_[b].id))) ||
+           (!ignored_groups_.empty() && ignored_groups_.contains(ordered(bodies_[a].group, bodies_[b].group)));
+}
+
+std::vector<std::size_t> Scene::in_order_of_names() const {
+    std::vector<std::size_t> indices;
+    for (const auto& [name, index] : by_name_)
+        indices.push_back(index);
+    return indices;
+}
+
+} // namespace chasles

@@ -1,0 +1,114 @@
+// Many bodies in one world, each with its own motion: which touch first, and when?
+// Source: docs/derivations/27-scenes.md.
+#pragma once
+
+#include "chasles/query/first_contact.h"
+
+#include <cstdint>
+#include <functional>
+#include <map>
+#include <memory>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace chasles {
+
+namespace motion {
+class MovingFrame;
+} // namespace motion
+
+/// A body of a scene. Bodies and motions are shared, so a thousand bolts need one mesh.
+struct SceneBody {
+    std::string name; ///< not empty, and of no other body of the scene
+    Polyhedron shape;
+    /// In the world. Any motion but the paper's screw and the sweep, which are motions as seen from another body.
+    Motion motion = Motion::at_rest(Pose());
+    std::string group = {}; ///< for Scene::ignore_groups
+};
+
+/// How to answer a question about a scene.
+struct SceneQuery {
+    /// `find`: Find::any makes it a question of yes or no. The margin is that of all pairs. `hold` is not supported.
+    QueryOptions options = {};
+    double until = 1;     ///< time in [0, 1]: contacts that begin later are left out
+    unsigned threads = 0; ///< at most so many; 0: all cores
+    /// Called now and then, from any one thread at a time, with the number of pairs done and of all pairs; may be
+    /// empty. Where it returns false, the question ends with SceneCancelled.
+    std::function<bool(std::size_t done, std::size_t pairs)> progress = {};
+};
+
+/// Thrown by a question whose progress function has returned false.
+struct SceneCancelled : std::exception {
+    [[nodiscard]] const char* what() const noexcept override { return "scene: cancelled"; }
+};
+
+/// A contact of two bodies of a scene.
+struct SceneContact {
+    std::size_t moving = 0; ///< the index of the body in Scene::bodies()
+    std::size_t fixed = 0;  ///< likewise; it stands still, or the order of names decides
+    FirstContact contact;
+};
+
+/// The answer for a whole scene.
+struct [[nodiscard]] SceneAnswer {
+    Verdict verdict = Verdict::unknown;
+    /// In order of time: by lower ends of brackets, then by names. Empty if the scene is clear. Of the earliest
+    /// contact: all pairs that may touch at that time, as their brackets overlap with that of the first.
+    std::vector<SceneContact> contacts;
+    std::size_t pairs = 0; ///< that were searched
+    Work work;
+};
+
+/// Bodies in one world over the time [0, 1]. Questions may be asked from several threads at a time; changes may not.
+class CHASLES_EXPORT Scene {
+public:
+    /// Adds a body, and returns its index. Throws InvalidInput "scene: NAME: WHY" for a name that is empty or taken,
+    /// and for a motion that has no pose in the world.
+    std::size_t add(SceneBody body);
+    /// Removes a body; the last one takes its index. Throws InvalidInput for an unknown name.
+    void remove(std::string_view name);
+    /// Gives a body another motion. Throws InvalidInput as `add` does.
+    void move(std::size_t index, const Motion& motion);
+
+    [[nodiscard]] std::span<const SceneBody> bodies() const { return bodies_; }
+    /// The index of a body. Throws InvalidInput "scene: NAME: is not in the scene".
+    [[nodiscard]] std::size_t index_of(std::string_view name) const;
+
+    /// The two bodies are never tested against each other. Throws InvalidInput for an unknown name, or one name twice.
+    void ignore(std::string_view a, std::string_view b);
+    /// No body of the one group is tested against one of the other; the same group twice: within the group.
+    void ignore_groups(const std::string& a, const std::string& b);
+
+    /// The earliest contact of all pairs. With Find::any: some contact, if there is any, not placed in time; the same
+    /// one for any number of threads. Throws InvalidInput for an option out of its range.
+    [[nodiscard]] SceneAnswer first_contact(const SceneQuery& query = {}) const;
+    /// The first contact of each pair that touches.
+    [[nodiscard]] SceneAnswer all_contacts(const SceneQuery& query = {}) const;
+    /// For each body the time until which it is proven clear of all others.
+    [[nodiscard]] std::vector<double> clear_until(const SceneQuery& query = {}) const;
+
+    /// For the library's own use: how a body moves in the world, and whether it moves at all.
+    struct Placed {
+        std::shared_ptr<const motion::MovingFrame> frame;
+        std::uint32_t id = 0; ///< bodies are counted as they are added
+        bool rests = false;
+    };
+    [[nodiscard]] const Placed& placed(std::size_t index) const { return placed_[index]; }
+    [[nodiscard]] bool is_ignored(std::size_t a, std::size_t b) const;
+    /// The indices of all bodies in the order of their names.
+    [[nodiscard]] std::vector<std::size_t> in_order_of_names() const;
+
+private:
+    std::vector<SceneBody> bodies_;
+    std::vector<Placed> placed_; ///< of each body
+    std::uint32_t next_id_ = 0;
+    std::map<std::string, std::size_t, std::less<>> by_name_;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> ignored_;    ///< pairs of ids, the smaller one first
+    std::set<std::pair<std::string, std::string>> ignored_groups_; ///< in order of the alphabet
+};
+
+} // namespace chasles

@@ -1,0 +1,193 @@
+// Asks the pairs of a scene, several at a time. Answers do not depend on the number of threads: pairs are taken in
+// rounds whose sizes are fixed, and what one pair is asked depends on earlier rounds only. Source:
+// docs/derivations/27-scenes.md, "Order".
+#include "chasles/base/parallel_for.h"
+#include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/frames.h"
+#include "chasles/motion/smooth_trajectory.h"
+#include "chasles/query/pair_query.h"
+#include "chasles/scene/pair_tasks.h"
+
+#include <algorithm>
+#include <atomic>
+#include <iterator>
+#include <mutex>
+#include <numeric>
+#include <tuple>
+
+namespace chasles {
+
+namespace {
+
+using scene::PairTask;
+
+/// The tasks of a search, in rounds of sizes that grow: later rounds find less.
+class Rounds {
+public:
+    explicit Rounds(std::size_t tasks) : tasks_(tasks) {}
+
+    [[nodiscard]] bool is_over() const { return begin_ >= tasks_; }
+    [[nodiscard]] std::size_t begin() const { return begin_; }
+    [[nodiscard]] std::size_t end() const { return std::min(begin_ + size_, tasks_); }
+    void next() {
+        constexpr std::size_t largest = 4096;
+        begin_ = end();
+        size_ = std::min(2 * size_, largest);
+    }
+
+private:
+    std::size_t tasks_;
+    std::size_t begin_ = 0;
+    std::size_t size_ = 64;
+};
+
+void check(const SceneQuery& query) {
+    query::check_options(query.options);
+    query::require(!query.options.hold, "hold", "is not supported for scenes");
+    query::require(query.until >= 0 && query.until <= 1, "until", "must be in [0, 1]");
+}
+
+class SceneSearch {
+public:
+    SceneSearch(const Scene& world, const SceneQuery& query)
+        : scene_(world), query_(query), tasks_(scene::pair_tasks(world, query)) {}
+
+    SceneAnswer earliest();
+    SceneAnswer any();
+    SceneAnswer all();
+
+private:
+    [[nodiscard]] FirstContact ask(const PairTask& task, double until) const;
+    /// Asks the tasks of a round, and returns the contacts in the order of the tasks.
+    std::vector<SceneContact> ask_all(const Rounds& rounds, double until);
+    void report_progress();
+    [[nodiscard]] SceneAnswer answer(std::vector<SceneContact> contacts) const;
+
+    const Scene& scene_;
+    const SceneQuery& query_;
+    std::vector<PairTask> tasks_;
+    std::mutex reporting_;
+    std::size_t done_ = 0;
+    std::atomic<bool> is_cancelled_ = false;
+    Work work_;
+};
+
+FirstContact SceneSearch::ask(const PairTask& task, double until) const {
+    const SceneBody& moving = scene_.bodies()[task.moving];
+    const SceneBody& fixed = scene_.bodies()[task.fixed];
+    const auto ask_along = [&](const motion::AnyTrajectory& trajectory) {
+        return query::answer({moving.shape.body(), fixed.shape.body(), trajectory, query_.options, until});
+    };
+    if (moving.motion.trajectory().straight_ends() && fixed.motion.trajectory().straight_ends())
+        return ask_along(relative(moving.motion, fixed.motion).trajectory());
+    const auto& of_moving = scene_.placed(task.moving).frame;
+    const auto& of_fixed = scene_.placed(task.fixed).frame;
+    return ask_along(motion::ErasedTrajectory(
+        motion::SmoothTrajectory({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed})));
+}
+
+std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double until) {
+    std::vector<SceneContact> answers(rounds.end() - rounds.begin());
+    parallel_for(query_.threads, answers.size(), [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last && !is_cancelled_; ++i) {
+            const PairTask& task = tasks_[rounds.begin() + i];
+            answers[i] = {task.moving, task.fixed, ask(task, until)};
+            report_progress();
+        }
+    });
+    if (is_cancelled_)
+        throw SceneCancelled();
+    for (const SceneContact& answer : answers)
+        work_ += answer.contact.work;
+    std::erase_if(answers, [](const SceneContact& c) { return c.contact.verdict == Verdict::clear; });
+    return answers;
+}
+
+void SceneSearch::report_progress() {
+    if (!query_.progress)
+        return;
+    const std::lock_guard lock(reporting_);
+    ++done_;
+    if (!is_cancelled_ && !query_.progress(done_, tasks_.size()))
+        is_cancelled_ = true;
+}
+
+/// With the contacts in order of time, and of names where brackets are equal.
+SceneAnswer SceneSearch::answer(std::vector<SceneContact> contacts) const {
+    const auto key = [&](std::size_t i) {
+        const SceneContact& c = contacts[i];
+        const auto name = [&](std::size_t body) { return std::string_view(scene_.bodies()[body].name); };
+        return std::tuple(c.contact.time.lower, c.contact.time.upper, name(c.moving), name(c.fixed));
+    };
+    std::vector<std::size_t> order(contacts.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::ranges::sort(order, {}, key);
+    SceneAnswer answer;
+    for (const std::size_t i : order)
+        answer.contacts.push_back(std::move(contacts[i]));
+    answer.verdict = order.empty() ? Verdict::clear : answer.contacts.front().contact.verdict;
+    answer.pairs = tasks_.size();
+    answer.work = work_;
+    return answer;
+}
+
+SceneAnswer SceneSearch::earliest() {
+    std::vector<SceneContact> found;
+    double best = query_.until;
+    const double slack = 4 * query_.options.time_tolerance; // brackets found with a limit may differ a little
+    for (Rounds rounds(tasks_.size()); !rounds.is_over() && tasks_[rounds.begin()].earliest <= best; rounds.next())
+        for (SceneContact& contact : ask_all(rounds, best)) {
+            best = std::min(best, contact.contact.time.upper + slack);
+            found.push_back(std::move(contact));
+        }
+    // Those that may be the first are asked again, without a time limit that depends on other pairs.
+    std::erase_if(found, [&](const SceneContact& c) { return c.contact.time.lower > best; });
+    for (SceneContact& contact : found)
+        contact.contact = ask({0, std::uint32_t(contact.moving), std::uint32_t(contact.fixed)}, query_.until);
+    SceneAnswer result = answer(std::move(found));
+    if (!result.contacts.empty()) {
+        const double end = result.contacts.front().contact.time.upper;
+        std::erase_if(result.contacts, [&](const SceneContact& c) { return c.contact.time.lower > end; });
+    }
+    return result;
+}
+
+SceneAnswer SceneSearch::any() {
+    for (Rounds rounds(tasks_.size()); !rounds.is_over(); rounds.next())
+        if (std::vector<SceneContact> found = ask_all(rounds, query_.until); !found.empty()) {
+            found.resize(1);
+            return answer(std::move(found));
+        }
+    return answer({});
+}
+
+SceneAnswer SceneSearch::all() {
+    std::vector<SceneContact> found;
+    for (Rounds rounds(tasks_.size()); !rounds.is_over(); rounds.next())
+        std::ranges::move(ask_all(rounds, query_.until), std::back_inserter(found));
+    return answer(std::move(found));
+}
+
+} // namespace
+
+SceneAnswer Scene::first_contact(const SceneQuery& query) const {
+    check(query);
+    SceneSearch search(*this, query);
+    return query.options.find == Find::any ? search.any() : search.earliest();
+}
+
+SceneAnswer Scene::all_contacts(const SceneQuery& query) const {
+    check(query);
+    query::require(query.options.find != Find::any, "find", "is a question of yes or no");
+    return SceneSearch(*this, query).all();
+}
+
+std::vector<double> Scene::clear_until(const SceneQuery& query) const {
+    std::vector<double> clear(bodies_.size(), query.until);
+    for (const SceneContact& contact : all_contacts(query).contacts)
+        for (const std::size_t body : {contact.moving, contact.fixed})
+            clear[body] = std::min(clear[body], contact.contact.clear_until);
+    return clear;
+}
+
+} // namespace chasles
