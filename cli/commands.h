@@ -22,6 +22,7 @@ void add_check(CLI::App& app, Task& task);
 void add_clearance(CLI::App& app, Task& task);
 void add_view(CLI::App& app, Task& task);
 void add_path(CLI::App& app, Task& task);
+void add_scene(CLI::App& app, Task& task);
 void add_batch(CLI::App& app, Task& task);
 void add_info(CLI::App& app, Task& task);
 void add_demo(CLI::App& app, Task& task);

@@ -47,6 +47,7 @@ void add_commands(CLI::App& app, Task& task) {
     add_view(app, task);
     add_path(app, task);
     add_batch(app, task);
+    add_scene(app, task);
     add_info(app, task);
     add_demo(app, task);
 }

@@ -56,13 +56,17 @@ std::string text_of(const view::Progress& progress, view::MotionKind kind) {
                        view::moves_straight(kind) ? "travelled" : "slid", progress.length + 0.0);
 }
 
+template <typename Found>
+std::string report_certainty(const Found& found, const std::string& why_uncertain) {
+    return labelled("certain", found.certain ? "yes" : "no: " + why_uncertain);
+}
+
 // `Found` is FirstContact or LeastDistance.
 template <typename Found>
-std::string report_time(const Found& found, const view::MotionNumbers& motion, const std::string& why_uncertain) {
+std::string report_time(const Found& found, const view::MotionNumbers& motion) {
     const view::Progress progress = view::progress_at(motion, found.time.lower, found.tau.lower);
     return labelled("so far", text_of(progress, motion.kind)) + labelled("time", text_of(found.time)) +
-           (view::has_tau(motion.kind) ? labelled("tau", text_of(found.tau)) : "") +
-           labelled("certain", found.certain ? "yes" : "no: " + why_uncertain);
+           (view::has_tau(motion.kind) ? labelled("tau", text_of(found.tau)) : "");
 }
 
 template <typename Found>
@@ -77,9 +81,10 @@ std::string report_features(const Found& found, const std::string& label, bool s
     return text;
 }
 
-std::string report_contact(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
-    return report_time(found, motion, "the bodies may miss each other by a rounding error") +
-           report_features(found, margin > 0 ? "within" : "touching", margin > 0);
+const std::string may_miss = "the bodies may miss each other by a rounding error";
+
+std::string report_contact_features(const FirstContact& found, double margin) {
+    return report_certainty(found, may_miss) + report_features(found, margin > 0 ? "within" : "touching", margin > 0);
 }
 
 std::string headline(const LeastDistance& found) {
@@ -138,10 +143,14 @@ std::string report(const Work& work) {
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
     std::string text = report(motion);
     if (found.verdict != Verdict::clear)
-        text += report_contact(found, motion, margin);
+        text += report_time(found, motion) + report_contact_features(found, margin);
     if (!found.held.empty())
         text += report(found.held, "held", true) + labelled("clear to", fmt::format("time {:.12g}", found.clear_until));
     return text + report(found.work);
+}
+
+std::string report_contact(const FirstContact& found, double margin) {
+    return labelled("time", text_of(found.time)) + report_contact_features(found, margin);
 }
 
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
@@ -151,7 +160,8 @@ std::string report(const FirstContact& found, const view::MotionNumbers& motion,
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion) {
     const bool is_apart = found.distance.upper > 0;
     return headline(found) + report(motion) + labelled("distance", text_of(found.distance)) +
-           report_time(found, motion, "the bracket of the distance is wider than the tolerance") +
+           report_time(found, motion) +
+           report_certainty(found, "the bracket of the distance is wider than the tolerance") +
            report_features(found, is_apart ? "nearest" : "touching", is_apart) + report(found.work);
 }
 

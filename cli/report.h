@@ -11,6 +11,9 @@ namespace chasles::cli {
 /// report shows the gaps.
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
+/// The lines about the contact: time, certainty and features.
+std::string report_contact(const FirstContact& found, double margin);
+
 /// The answer of `clearance` in the same form. The first line has the proven lower end of the distance.
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion);
 

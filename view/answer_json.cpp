@@ -89,6 +89,37 @@ void add_contacts(Json& answer, const Found& found, MotionKind kind) {
 
 } // namespace
 
+Json scene_answer_json(const Scene& scene, const SceneAnswer& found, bool all) {
+    const auto pair = [&](const SceneContact& contact) {
+        return Json{scene.bodies()[contact.moving].name, scene.bodies()[contact.fixed].name};
+    };
+    Json answer;
+    if (all) {
+        answer["events"] = Json::array();
+        for (const SceneContact& event : found.contacts)
+            answer["events"].push_back({{"time", event.contact.time.lower},
+                                        {"time_upper", event.contact.time.upper},
+                                        {"certain", event.contact.certain},
+                                        {"pair", pair(event)},
+                                        {"contacts", json_of(event.contact.contacts)}});
+        answer["work"] = json_of(found.work);
+        return answer;
+    }
+    answer["verdict"] = name_of(found.verdict);
+    answer["clear_until"] = found.clear_until;
+    if (!found.contacts.empty()) {
+        const SceneContact& first = found.contacts.front();
+        answer["pair"] = pair(first);
+        add_contacts(answer, first.contact, MotionKind::velocity); // which has no tau
+        if (first.contact.contacts_cut)
+            answer["contacts_cut"] = true;
+        for (std::size_t i = 1; i < found.contacts.size(); ++i)
+            answer["simultaneous"].push_back(pair(found.contacts[i]));
+    }
+    answer["work"] = json_of(found.work);
+    return answer;
+}
+
 Json vector_json(const Eigen::Vector3d& vector) {
     return {vector.x(), vector.y(), vector.z()};
 }

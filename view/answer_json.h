@@ -18,6 +18,11 @@ Json answer_json(const FirstContact& found, const MotionNumbers& motion);
 /// `overlap` is present if the surfaces overlap at the start, and contacts_cut if true.
 Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 
+/// The answer of `scene`. For the first contact: the keys of `check` without tau and motion, and `pair`, the names of
+/// the moving and the fixed body; `simultaneous` lists further pairs that may touch at that time. For `all`: `events`,
+/// each with time, time_upper, certain, pair and contacts, and `work`.
+Json scene_answer_json(const Scene& scene, const SceneAnswer& answer, bool all);
+
 Json vector_json(const Eigen::Vector3d& vector);
 /// x, y, z, qw, qx, qy, qz. The quaternion has length one.
 Json pose_json(const Pose& pose);

@@ -59,7 +59,9 @@ struct [[nodiscard]] SceneAnswer {
     /// In order of time: by lower ends of brackets, then by names. Empty if the scene is clear. Of the earliest
     /// contact: all pairs that may touch at that time, as their brackets overlap with that of the first.
     std::vector<SceneContact> contacts;
-    std::size_t pairs = 0; ///< that were searched
+    /// Before this time all pairs are proven to stay apart, or farther apart than the margin.
+    double clear_until = 0;
+    std::size_t pairs = 0; ///< whose swept boxes overlap
     Work work;
 };
 

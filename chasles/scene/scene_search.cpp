@@ -126,6 +126,9 @@ SceneAnswer SceneSearch::answer(std::vector<SceneContact> contacts) const {
     for (const std::size_t i : order)
         answer.contacts.push_back(std::move(contacts[i]));
     answer.verdict = order.empty() ? Verdict::clear : answer.contacts.front().contact.verdict;
+    answer.clear_until = query_.until;
+    for (const SceneContact& contact : answer.contacts)
+        answer.clear_until = std::min(answer.clear_until, contact.contact.clear_until);
     answer.pairs = tasks_.size();
     answer.work = work_;
     return answer;
@@ -156,7 +159,9 @@ SceneAnswer SceneSearch::any() {
     for (Rounds rounds(tasks_.size()); !rounds.is_over(); rounds.next())
         if (std::vector<SceneContact> found = ask_all(rounds, query_.until); !found.empty()) {
             found.resize(1);
-            return answer(std::move(found));
+            SceneAnswer some = answer(std::move(found));
+            some.clear_until = std::min(some.clear_until, tasks_.front().earliest);
+            return some;
         }
     return answer({});
 }

@@ -1,0 +1,136 @@
+// chasles scene: many bodies in one world.
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/output.h"
+#include "cli/progress_bar.h"
+#include "cli/report.h"
+#include "cli/scene_file.h"
+#include "view/answer_json.h"
+
+#include "cli/options.h"
+
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+
+namespace chasles::cli {
+namespace {
+
+struct SceneOptions {
+    std::string file;
+    PolyhedronOptions polyhedron;
+    std::string margin; ///< empty: that of the file
+    std::string until = "1";
+    std::string time_tolerance = "1e-12";
+    bool all = false;
+    bool any = false;
+    bool all_contacts = false;
+    bool json = false;
+};
+
+QueryOptions query_options(const SceneOptions& options, double margin) {
+    return {.margin = options.margin.empty() ? margin : number_of("--margin", options.margin),
+            .hold = {},
+            .time_tolerance = number_of("--time-tolerance", options.time_tolerance),
+            .find = options.any            ? Find::any
+                    : options.all_contacts ? Find::first_with_all_contacts
+                                           : Find::first};
+}
+
+std::string pair_of(const Scene& scene, const SceneContact& contact) {
+    return scene.bodies()[contact.moving].name + " on " + scene.bodies()[contact.fixed].name;
+}
+
+std::string summary(const Scene& scene, const SceneAnswer& answer) {
+    return labelled("scene",
+                    fmt::format("{} {}, {} may touch", scene.bodies().size(),
+                                scene.bodies().size() == 1 ? "body" : "bodies", counted(answer.pairs, "pair"))) +
+           report(answer.work);
+}
+
+/// The first contact in full, and a line for each that may be at the same time.
+std::string report_first(const Scene& scene, const SceneAnswer& answer, double margin) {
+    if (answer.contacts.empty()) {
+        FirstContact clear;
+        clear.verdict = Verdict::clear;
+        return headline(clear, margin) + summary(scene, answer);
+    }
+    const SceneContact& first = answer.contacts.front();
+    std::string text = headline(first.contact, margin) + labelled("pair", pair_of(scene, first)) +
+                       report_contact(first.contact, margin);
+    for (std::size_t i = 1; i < answer.contacts.size(); ++i)
+        text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
+    return text + summary(scene, answer);
+}
+
+/// A line for each pair that touches.
+std::string report_all(const Scene& scene, const SceneAnswer& answer) {
+    std::string text =
+        counted(answer.contacts.size(), "pair") + (answer.contacts.size() == 1 ? " touches\n" : " touch\n");
+    for (const SceneContact& contact : answer.contacts)
+        text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
+                         pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));
+    return text + summary(scene, answer);
+}
+
+int run_scene(const SceneOptions& options) {
+    const SceneFile file = load_scene(options.file, options.polyhedron);
+    const Interruption interruption;
+    std::optional<ProgressBar> bar;
+    SceneQuery query{.options = query_options(options, file.margin),
+                     .until = number_of("--until", options.until),
+                     .threads = options.polyhedron.threads};
+    query.progress = [&](std::size_t done, std::size_t pairs) {
+        if (!bar)
+            bar.emplace("pairs", pairs);
+        bar->show(done);
+        return !Interruption::is_requested();
+    };
+    try {
+        const SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
+        bar.reset();
+        if (options.json)
+            print(view::scene_answer_json(file.scene, answer, options.all).dump() + "\n");
+        else
+            print(options.all ? report_all(file.scene, answer)
+                              : report_first(file.scene, answer, query.options.margin));
+        return answer.contacts.empty() ? is_clear : is_contact;
+    } catch (const SceneCancelled&) {
+        bar.reset();
+        std::fputs("chasles: interrupted: the scene is not answered\n", stderr);
+        return is_interrupted;
+    }
+}
+
+} // namespace
+
+void add_scene(CLI::App& app, Task& task) {
+    const auto options = std::make_shared<SceneOptions>();
+    CLI::App& command = *app.add_subcommand("scene", "Which of many moving bodies touch first, and when?");
+    command.add_option("SCENE", options->file, "JSON file with bodies, motions and filters")
+        ->required()
+        ->type_name("FILE");
+    add_mesh_options(command, options->polyhedron);
+    auto* const all = command.add_flag("--all", options->all, "list the first contact of each pair, in order of time");
+    command.add_option("--until", options->until, "leave out contacts after this time")
+        ->type_name("T")
+        ->capture_default_str();
+    command
+        .add_option("--margin", options->margin,
+                    "distance of the surfaces that counts as contact; instead of the file's")
+        ->type_name("D");
+    command.add_option("--time-tolerance", options->time_tolerance, "aimed width of the bracket around the time")
+        ->type_name("T")
+        ->capture_default_str();
+    auto* const any = command.add_flag("--any", options->any, "stop at any contact, which need not be the first one");
+    any->excludes(all);
+    command
+        .add_flag("--all-contacts", options->all_contacts, "list every contact of a pair at the time of the first one")
+        ->excludes(any);
+    command.add_option("--threads", options->polyhedron.threads, "number of threads; 0 for all cores")
+        ->capture_default_str();
+    command.add_flag("--json", options->json, "print one JSON object");
+    command.callback([options, &task] { task = [options] { return run_scene(*options); }; });
+}
+
+} // namespace chasles::cli

@@ -1,0 +1,245 @@
+// Reads scene files. Every message names the file and the body.
+#include "cli/scene_file.h"
+
+#include "chasles/io/mesh_files.h"
+#include "chasles/io/pose_text.h"
+#include "chasles/io/read_file.h"
+#include "chasles/io/text_scan.h"
+
+#include <algorithm>
+#include <initializer_list>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace chasles::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+[[noreturn]] void refuse(const std::string& why) {
+    throw InvalidInput(why);
+}
+
+/// What `read` throws, with the place in front.
+template <class Read>
+auto at_place(const std::string& place, const Read& read) {
+    try {
+        return read();
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(place + ": " + error.what());
+    }
+}
+
+/// The members of an object, which may have no other keys than these.
+class Members {
+public:
+    Members(const Json& object, std::initializer_list<const char*> keys) : object_(object) {
+        if (!object.is_object())
+            refuse("must be an object");
+        for (const auto& [key, value] : object.items())
+            if (std::ranges::find(keys, key) == keys.end())
+                refuse("unknown key " + io::in_quotes(key));
+    }
+
+    /// Null if it is missing or null.
+    [[nodiscard]] const Json* find(const char* key) const {
+        const auto found = object_.find(key);
+        return found == object_.end() || found->is_null() ? nullptr : &*found;
+    }
+    [[nodiscard]] const Json& get(const char* key) const {
+        const Json* value = find(key);
+        if (!value)
+            refuse(std::string(key) + ": is missing");
+        return *value;
+    }
+    /// `read` of a member, if there is one.
+    template <class Read>
+    auto read(const char* key, const Read& read) const {
+        const Json* value = find(key);
+        using Value = std::optional<decltype(read(*value))>;
+        return value ? at_place(key, [&] { return Value(read(*value)); }) : Value();
+    }
+
+private:
+    const Json& object_;
+};
+
+std::string text_in(const Json& json) {
+    if (!json.is_string())
+        refuse("must be a text");
+    return json.get<std::string>();
+}
+
+double number_in(const Json& json) {
+    if (!json.is_number())
+        refuse("must be a number");
+    return json.get<double>();
+}
+
+const Json& list_in(const Json& json) {
+    if (!json.is_array())
+        refuse("must be a list");
+    return json;
+}
+
+std::vector<double> numbers_in(const Json& json) {
+    std::vector<double> numbers;
+    for (const Json& number : list_in(json))
+        numbers.push_back(number_in(number));
+    return numbers;
+}
+
+Pose pose_in(const Json& json) {
+    return io::pose_from_numbers(numbers_in(json));
+}
+
+Eigen::Vector3d point_in(const Json& json) {
+    const std::vector<double> numbers = numbers_in(json);
+    if (numbers.size() != 3)
+        refuse("a point needs 3 numbers, and there are " + std::to_string(numbers.size()));
+    return {numbers[0], numbers[1], numbers[2]};
+}
+
+std::pair<std::string, std::string> two_names_in(const Json& json) {
+    if (list_in(json).size() != 2)
+        refuse("a pair needs 2 names, and there are " + std::to_string(json.size()));
+    return {text_in(json[0]), text_in(json[1])};
+}
+
+enum class Kind : std::uint8_t { velocity, twist };
+
+Kind kind_in(const Json& json) {
+    const std::string name = text_in(json);
+    if (name == "velocity")
+        return Kind::velocity;
+    if (name == "twist")
+        return Kind::twist;
+    if (name == "screw" || name == "sweep")
+        refuse(name + " is the motion of one body as seen from another one; a scene takes velocity and twist");
+    refuse("there is no motion " + io::in_quotes(name) + "; a scene takes velocity and twist");
+}
+
+/// Poses with times from 0 to 1.
+Motion track_in(const Json& json, Kind kind, const Eigen::Vector3d& centre) {
+    std::vector<double> times;
+    std::vector<Pose> poses;
+    for (const Json& entry : list_in(json)) {
+        const std::string place = "entry " + std::to_string(times.size() + 1);
+        at_place(place, [&] {
+            const Members members(entry, {"t", "pose"});
+            times.push_back(at_place("t", [&] { return number_in(members.get("t")); }));
+            poses.push_back(at_place("pose", [&] { return pose_in(members.get("pose")); }));
+        });
+    }
+    if (times.empty() || times.front() != 0 || times.back() != 1)
+        refuse("t must run from 0 to 1, which is the time of the whole scene");
+    return TimedPoses::through(
+        times, poses, kind == Kind::twist ? TimedPoses::Between::twist : TimedPoses::Between::velocity, centre);
+}
+
+Motion motion_in(const Members& body) {
+    const auto centre = body.read("centre", point_in);
+    const Kind kind = body.read("motion", kind_in).value_or(Kind::velocity);
+    if (centre && kind == Kind::twist)
+        refuse("centre: a twist has none");
+    const Eigen::Vector3d middle = centre.value_or(Eigen::Vector3d::Zero());
+    const auto pose = body.read("pose", pose_in);
+    const auto goal = body.read("goal", pose_in);
+    if (const Json* poses = body.find("poses")) {
+        if (pose || goal)
+            refuse("poses: stand instead of pose and goal");
+        return at_place("poses", [&] { return track_in(*poses, kind, middle); });
+    }
+    const Pose start = pose.value_or(Pose());
+    if (!goal)
+        return Motion::at_rest(start);
+    return kind == Kind::twist ? Motion::twist(start, *goal) : Motion::velocity(start, *goal, middle);
+}
+
+/// Meshes by file and scale, each loaded once.
+class Shapes {
+public:
+    Shapes(std::filesystem::path folder, const PolyhedronOptions& options)
+        : folder_(std::move(folder)), options_(options) {}
+
+    Polyhedron get(const std::string& name, double scale) {
+        const auto key = std::pair(name, scale);
+        if (const auto found = shapes_.find(key); found != shapes_.end())
+            return found->second;
+        return shapes_.emplace(key, load(folder_ / name, scale)).first->second;
+    }
+
+private:
+    [[nodiscard]] Polyhedron load(const std::filesystem::path& file, double scale) const {
+        if (scale == 1)
+            return Polyhedron::load(file, options_);
+        if (!(scale > 0))
+            refuse("scale: must be positive");
+        io::PolygonSoup soup = io::load_polygons(file);
+        for (Eigen::Vector3d& vertex : soup.vertices)
+            vertex *= scale;
+        return at_place(io::shown_name(file),
+                        [&] { return Polyhedron::from_polygons(soup.vertices, soup.faces, options_); });
+    }
+
+    std::filesystem::path folder_;
+    PolyhedronOptions options_;
+    std::map<std::pair<std::string, double>, Polyhedron> shapes_;
+};
+
+void add_body(Scene& scene, const Json& json, Shapes& shapes) {
+    const Members body(json, {"name", "mesh", "scale", "pose", "goal", "motion", "centre", "poses", "group"});
+    const std::string name = at_place("name", [&] { return text_in(body.get("name")); });
+    const auto [mesh, scale, motion, group] = at_place(io::in_quotes(name), [&] {
+        return std::tuple(at_place("mesh", [&] { return text_in(body.get("mesh")); }),
+                          body.read("scale", number_in).value_or(1), motion_in(body),
+                          body.read("group", text_in).value_or(""));
+    });
+    scene.add({name, at_place(io::in_quotes(name), [&] { return shapes.get(mesh, scale); }), motion, group});
+}
+
+/// Calls `use` with each pair of names in a list of pairs.
+template <class Use>
+void for_each_pair(const Members& members, const char* key, const Use& use) {
+    (void)members.read(key, [&](const Json& list) {
+        for (const Json& pair : list_in(list)) {
+            const auto [a, b] = two_names_in(pair);
+            use(a, b);
+        }
+        return true;
+    });
+}
+
+SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const PolyhedronOptions& options) {
+    const Members members(json, {"bodies", "ignore", "ignore_groups", "margin", "hold"});
+    if (members.find("hold"))
+        refuse("hold: is not supported for scenes");
+    SceneFile file;
+    file.margin = members.read("margin", number_in).value_or(0);
+    Shapes shapes(folder, options);
+    std::size_t count = 0;
+    for (const Json& body : at_place("bodies", [&]() -> const Json& { return list_in(members.get("bodies")); }))
+        at_place("body " + std::to_string(++count), [&] { add_body(file.scene, body, shapes); });
+    for_each_pair(members, "ignore", [&](const auto& a, const auto& b) { file.scene.ignore(a, b); });
+    for_each_pair(members, "ignore_groups", [&](const auto& a, const auto& b) { file.scene.ignore_groups(a, b); });
+    return file;
+}
+
+Json parse(const std::string& text) {
+    try {
+        return Json::parse(io::without_byte_order_mark(text));
+    } catch (const Json::exception& error) {
+        const std::string why = error.what(); // "[json.exception.parse_error.101] parse error at ..."
+        throw InvalidInput("is not JSON: " + why.substr(why.find(']') + 2));
+    }
+}
+
+} // namespace
+
+SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions& options) {
+    const std::string text = io::read_file(file);
+    return at_place(io::shown_name(file), [&] { return scene_in(parse(text), file.parent_path(), options); });
+}
+
+} // namespace chasles::cli

@@ -1,0 +1,19 @@
+// Scene files: bodies, motions and filters as JSON. docs/command-line.md describes the keys.
+#pragma once
+
+#include "chasles/chasles.h"
+
+#include <filesystem>
+
+namespace chasles::cli {
+
+struct SceneFile {
+    Scene scene;
+    double margin = 0;
+};
+
+/// Reads a scene and its meshes, whose paths are relative to the file. Each mesh is loaded once. Throws InvalidInput
+/// "FILE: PLACE: WHY", for an unknown key, too.
+SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions& options);
+
+} // namespace chasles::cli

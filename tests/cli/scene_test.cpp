@@ -1,0 +1,121 @@
+// chasles scene: the answers are those of the library, and every wrong file gets one line.
+#include "tests/cli/cli_test_files.h"
+
+#include "chasles/chasles.h"
+
+#include <nlohmann/json.hpp>
+
+namespace chasles {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string bodies = R"([
+  {"name": "floor", "mesh": "cube.obj", "scale": 10, "pose": [-5, -5, -10], "group": "static"},
+  {"name": "falling", "mesh": "cube.obj", "pose": [0, 0, 3, 1, 0.1, 0.2, 0], "goal": [0, 0, -1, 1, 0.5, 0, 0.3],
+   "centre": [0.5, 0.5, 0.5]},
+  {"name": "thrown", "mesh": "cube.obj", "pose": [-4, 0.2, 1], "goal": [3, 0.2, 2, 1, 0, 1, 0], "motion": "twist"},
+  {"name": "walking", "mesh": "cube.obj", "poses": [{"t": 0, "pose": [4, 4, 1]}, {"t": 0.5, "pose": [2, 2, 1]},
+                                                   {"t": 1, "pose": [0, 0, 1]}]}])";
+
+class SceneCommand : public tests::CommandLine {
+protected:
+    SceneCommand() { write("scene.json", "{\"bodies\": " + bodies + "}"); }
+
+    [[nodiscard]] Json json(const std::string& options) const {
+        return Json::parse(run("scene scene.json --json " + options).out);
+    }
+    /// The same scene by the library.
+    [[nodiscard]] Scene same() const {
+        const Polyhedron cube = Polyhedron::load(path("cube.obj").string());
+        std::vector<Eigen::Vector3d> large;
+        std::vector<std::vector<std::uint32_t>> faces;
+        for (const Eigen::Vector3d& v : cube.vertices())
+            large.emplace_back(10 * v);
+        for (std::size_t i = 0; i < cube.face_count(); ++i)
+            faces.emplace_back(cube.face(i).begin(), cube.face(i).end());
+        const auto pose = [](double x, double y, double z, double w = 1, double a = 0, double b = 0, double c = 0) {
+            return Pose({x, y, z}, Eigen::Quaterniond(w, a, b, c));
+        };
+        Scene scene;
+        scene.add({"floor", Polyhedron::from_polygons(large, faces), Motion::at_rest(pose(-5, -5, -10)), "static"});
+        scene.add({"falling", cube,
+                   Motion::velocity(pose(0, 0, 3, 1, 0.1, 0.2, 0), pose(0, 0, -1, 1, 0.5, 0, 0.3), {0.5, 0.5, 0.5})});
+        scene.add({"thrown", cube, Motion::twist(pose(-4, 0.2, 1), pose(3, 0.2, 2, 1, 0, 1, 0))});
+        scene.add({"walking", cube, TimedPoses::through({0, 0.5, 1}, {pose(4, 4, 1), pose(2, 2, 1), pose(0, 0, 1)})});
+        return scene;
+    }
+    [[nodiscard]] std::string refused(const std::string& content) const {
+        write("bad.json", content);
+        const std::string line = error_line("scene bad.json");
+        const std::string start = "chasles: bad.json: ";
+        EXPECT_EQ(line.substr(0, start.size()), start);
+        return line.substr(std::min(start.size(), line.size()));
+    }
+};
+
+TEST_F(SceneCommand, AnswersAsTheLibrary) {
+    const Scene scene = same();
+    const SceneAnswer first = scene.first_contact(), all = scene.all_contacts();
+    ASSERT_GE(all.contacts.size(), 3U);
+    const auto name = [&](std::size_t index) { return scene.bodies()[index].name; };
+    const Json answer = json("");
+    EXPECT_EQ(answer["verdict"], "contact");
+    EXPECT_EQ(answer["time"], first.contacts[0].contact.time.lower);
+    EXPECT_EQ(answer["time_upper"], first.contacts[0].contact.time.upper);
+    EXPECT_EQ(answer["pair"], Json({name(first.contacts[0].moving), name(first.contacts[0].fixed)}));
+    EXPECT_EQ(answer["clear_until"], first.clear_until);
+    EXPECT_EQ(answer["contacts"].size(), first.contacts[0].contact.contacts.size());
+    const Json events = json("--all")["events"];
+    ASSERT_EQ(events.size(), all.contacts.size());
+    for (std::size_t i = 0; i < events.size(); ++i)
+        EXPECT_EQ(events[i]["time"], all.contacts[i].contact.time.lower);
+}
+
+TEST_F(SceneCommand, TellsItForPeople) {
+    const tests::Finished first = run("scene scene.json");
+    EXPECT_EQ(first.status, 1);
+    EXPECT_NE(first.out.find("CONTACT at time 0.49365"), std::string::npos) << first.out;
+    EXPECT_NE(first.out.find("falling on thrown"), std::string::npos) << first.out;
+    EXPECT_NE(run("scene scene.json --all").out.find("falling on floor"), std::string::npos);
+    const tests::Finished early = run("scene scene.json --until 0.4 --threads 1");
+    EXPECT_EQ(early.status, 0);
+    EXPECT_NE(early.out.find("CLEAR"), std::string::npos);
+    EXPECT_EQ(json("--until 0.4")["clear_until"], 0.4);
+    EXPECT_EQ(run("scene scene.json --any").status, 1);
+}
+
+TEST_F(SceneCommand, KeepsToTheFilters) {
+    write("scene.json", "{\"bodies\": " + bodies + R"(, "margin": 0.01,
+        "ignore": [["falling", "thrown"]], "ignore_groups": [["static", ""]]})");
+    for (const Json& event : json("--all")["events"])
+        EXPECT_EQ(event["pair"][1], "walking");
+    EXPECT_LT(json("")["time"], 0.7163) << "the margin of the file";
+    EXPECT_GT(json("--margin 0")["time"], 0.7163);
+}
+
+TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
+    const auto body = [](const std::string& more) {
+        return R"({"bodies": [{"name": "a", "mesh": "cube.obj")" + more + "}]}";
+    };
+    EXPECT_EQ(refused(body(R"(, "colour": 1)")), "body 1: unknown key 'colour'");
+    EXPECT_EQ(refused(body(R"(, "pose": [1, 2])")).substr(0, 29), "body 1: 'a': pose: 2 numbers ");
+    EXPECT_EQ(refused(body(R"(, "scale": -1)")), "body 1: 'a': scale: must be positive");
+    EXPECT_EQ(refused(body(R"(, "goal": [1, 2, 3], "motion": "screw")")),
+              "body 1: 'a': motion: screw is the motion of one body as seen from another one; a scene takes velocity "
+              "and twist");
+    EXPECT_EQ(refused(body(R"(, "poses": [{"t": 0, "pose": [1, 2, 3]}, {"t": 2, "pose": [1, 2, 3]}])")),
+              "body 1: 'a': poses: t must run from 0 to 1, which is the time of the whole scene");
+    EXPECT_EQ(refused(body(R"(, "poses": [{"t": 0}])")), "body 1: 'a': poses: entry 1: pose: pose: is missing");
+    EXPECT_EQ(refused(body(R"(}, {"name": "a", "mesh": "cube.obj")")), "body 2: scene: a: is in the scene already");
+    EXPECT_EQ(refused(R"({"bodies": [{"name": "a", "mesh": "no.obj"}]})"), "body 1: 'a': no.obj: no such file");
+    EXPECT_EQ(refused(R"({"bodies": [], "ignore": [["a", "b"]]})"), "ignore: scene: b: is not in the scene");
+    EXPECT_EQ(refused(R"({"bodies": 3})"), "bodies: must be a list");
+    EXPECT_EQ(refused("[]"), "must be an object");
+    EXPECT_EQ(refused("{"), "is not JSON: parse error at line 1, column 2: syntax error while parsing object key - "
+                            "unexpected end of input; expected string literal");
+    EXPECT_EQ(refused(R"({"bodies": [], "hold": 1})"), "hold: is not supported for scenes");
+}
+
+} // namespace
+} // namespace chasles
