@@ -57,7 +57,8 @@ struct SceneContact {
 struct [[nodiscard]] SceneAnswer {
     Verdict verdict = Verdict::unknown;
     /// In order of time: by lower ends of brackets, then by names. Empty if the scene is clear. Of the earliest
-    /// contact: all pairs that may touch at that time, as their brackets overlap with that of the first.
+    /// contact: all pairs that may touch at that time, as their brackets overlap with that of the first. Of pairs that
+    /// touch at the start, Find::first gives some, and Find::first_with_all_contacts gives all.
     std::vector<SceneContact> contacts;
     /// Before this time all pairs are proven to stay apart, or farther apart than the margin.
     double clear_until = 0;

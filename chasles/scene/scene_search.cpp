@@ -138,9 +138,13 @@ SceneAnswer SceneSearch::earliest() {
     std::vector<SceneContact> found;
     double best = query_.until;
     const double slack = 4 * query_.options.time_tolerance; // brackets found with a limit may differ a little
-    for (Rounds rounds(tasks_.size()); !rounds.is_over() && tasks_[rounds.begin()].earliest <= best; rounds.next())
+    const bool wants_all = query_.options.find == Find::first_with_all_contacts;
+    const auto may_be_earlier = [&](double time) { return time <= best && (best > 0 || wants_all || found.empty()); };
+    for (Rounds rounds(tasks_.size()); !rounds.is_over() && may_be_earlier(tasks_[rounds.begin()].earliest);
+         rounds.next())
         for (SceneContact& contact : ask_all(rounds, best)) {
-            best = std::min(best, contact.contact.time.upper + slack);
+            const double end = contact.contact.time.upper;
+            best = std::min(best, end > 0 ? end + slack : 0);
             found.push_back(std::move(contact));
         }
     // Those that may be the first are asked again, without a time limit that depends on other pairs.

@@ -30,17 +30,19 @@ std::vector<double> sections_of(const motion::MovingFrame& frame, const Bracket&
     return cuts;
 }
 
-/// The box of the body at a time.
+/// The box of the body at a time: what the turned box of the body and the ball around it have in common.
 Box box_at(const WorldBody& body, double time) {
     const MeshReport& report = body.body->report();
-    const Vector3d centre = 0.5 * (report.lower + report.upper);
-    const Vector3d half = 0.5 * (report.upper - report.lower);
+    const Bvh& tree = body.body->bvh();
     const motion::GeneralPose<double> pose = body.frame->at(time);
     const auto& [w, v] = pose.rotation;
     const Eigen::Matrix3d turn = Eigen::Quaterniond(w, v.x, v.y, v.z).toRotationMatrix();
-    const Vector3d place = turn * centre + as_eigen(pose.translation);
-    const Vector3d around = turn.cwiseAbs() * half;
-    return {place - around, place + around};
+    const Vector3d place = as_eigen(pose.translation);
+    const Vector3d centre = turn * (0.5 * (report.lower + report.upper)) + place;
+    const Vector3d around = turn.cwiseAbs() * (0.5 * (report.upper - report.lower));
+    const Vector3d ball = turn * tree.centre() + place;
+    const Vector3d radius = Vector3d::Constant(tree.radius());
+    return {(centre - around).cwiseMax(ball - radius), (centre + around).cwiseMin(ball + radius)};
 }
 
 /// How far a point of the body may leave its chord during a section.
