@@ -1,0 +1,280 @@
+// chasles.Scene and chasles.SceneContact.
+#include "chasles/scene/scene.h"
+
+#include "chasles/base/invalid_input.h"
+#include "python/src/answer.h"
+#include "python/src/bind.h"
+#include "python/src/interruptible.h"
+#include "python/src/names.h"
+#include "python/src/query_options.h"
+
+#include <fmt/format.h>
+#include <map>
+#include <mutex>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace chasles::python {
+namespace {
+
+using namespace nb::literals;
+
+/// A scene with the Python objects of its bodies.
+struct PythonScene {
+    Scene scene;
+    std::map<std::string, nb::object> shapes;
+};
+
+using Names = std::pair<std::string, std::string>;
+
+/// The first contact of a pair of a scene; of a clear scene without a pair.
+struct SceneContactAnswer : Answer {
+    std::optional<Names> pair;
+    std::vector<Names> simultaneous;
+};
+
+/// A motion by poses. `motion` is None, a motion or the name of a kind.
+Motion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre) {
+    std::string kind = "velocity";
+    const bool is_named = motion.is_none() || nb::try_cast(motion, kind);
+    if (!is_named) {
+        if (!pose.is_none() || !goal.is_none() || !centre.is_none())
+            throw InvalidInput("motion: stands instead of pose, goal and centre");
+        return plain(given_motion(motion));
+    }
+    if (kind != "velocity" && kind != "twist")
+        throw InvalidInput(fmt::format("motion: {:?} is no kind of motion in a scene; velocity and twist are", kind));
+    if (!centre.is_none() && kind == "twist")
+        throw InvalidInput("centre: a twist has none");
+    const Pose start = pose.is_none() ? Pose() : pose_from(pose, "pose");
+    if (goal.is_none())
+        return Motion::at_rest(start);
+    const Pose end = pose_from(goal, "goal");
+    if (kind == "twist")
+        return Motion::twist(start, end);
+    return Motion::velocity(start, end, centre.is_none() ? Eigen::Vector3d::Zero() : vector_from(centre, "centre"));
+}
+
+std::string add(PythonScene& scene, const std::string& name, nb::handle shape, nb::handle pose, nb::handle goal,
+                nb::handle motion, nb::handle centre, const std::string& group) {
+    scene.scene.add({name, polyhedron_of(shape, "shape"), motion_of_body(pose, goal, motion, centre), group});
+    scene.shapes.emplace(name, nb::borrow(shape));
+    return name;
+}
+
+void remove(PythonScene& scene, const std::string& name) {
+    scene.scene.remove(name);
+    scene.shapes.erase(name);
+}
+
+void move(PythonScene& scene, const std::string& name, nb::handle pose, nb::handle goal, nb::handle motion,
+          nb::handle centre) {
+    scene.scene.move(scene.scene.index_of(name), motion_of_body(pose, goal, motion, centre));
+}
+
+/// All bodies at once, in the order of `names`. The scene changes only if all poses can be used.
+void move_all(PythonScene& scene, nb::handle starts, nb::handle goals, const std::string& kind) {
+    const PoseArray from(starts, "starts"), to(goals, "goals");
+    const std::size_t count = scene.scene.bodies().size();
+    if (from.size() != count || to.size() != count)
+        throw InvalidInput(fmt::format("starts, goals: {} and {} poses for {} bodies", from.size(), to.size(), count));
+    if (kind != "velocity" && kind != "twist")
+        throw InvalidInput(fmt::format("motion: {:?} is no kind of motion in a scene; velocity and twist are", kind));
+    std::vector<Motion> motions;
+    for (std::size_t i = 0; i < count; ++i)
+        try {
+            motions.push_back(kind == "twist" ? Motion::twist(from[i], to[i]) : Motion::velocity(from[i], to[i]));
+        } catch (const InvalidInput& error) {
+            throw InvalidInput(fmt::format("starts[{}], goals[{}]: {}", i, i, error.what()));
+        }
+    for (std::size_t i = 0; i < count; ++i)
+        scene.scene.move(i, motions[i]);
+}
+
+std::vector<std::string> names_of(const PythonScene& scene) {
+    std::vector<std::string> names;
+    for (const SceneBody& body : scene.scene.bodies())
+        names.push_back(body.name);
+    return names;
+}
+
+struct SceneArguments {
+    double margin;
+    double until;
+    double time_tolerance;
+    nb::handle find;
+    unsigned threads;
+};
+
+/// `ask(query)` on another thread, which Ctrl-C ends.
+template <class Ask>
+void run(const SceneArguments& arguments, const Ask& ask) {
+    SceneQuery query;
+    query.options = {arguments.margin, std::nullopt, arguments.time_tolerance, find_from(arguments.find)};
+    query.until = arguments.until;
+    query.threads = arguments.threads;
+    run_interruptibly(
+        [&](Progress& progress) {
+            query.progress = [&](std::size_t done, std::size_t) {
+                progress.done = done;
+                return !progress.is_stopping;
+            };
+            ask(query);
+        },
+        nb::none());
+}
+
+Names names_of(const Scene& scene, const SceneContact& contact) {
+    return {scene.bodies()[contact.moving].name, scene.bodies()[contact.fixed].name};
+}
+
+SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin) {
+    const auto bodies = scene.scene.bodies();
+    const Names names = names_of(scene.scene, contact);
+    return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
+             relative(bodies[contact.moving].motion, bodies[contact.fixed].motion), margin},
+            names,
+            {}};
+}
+
+SceneContactAnswer first_contact(const PythonScene& scene, double margin, double until, double time_tolerance,
+                                 nb::handle find, unsigned threads) {
+    SceneAnswer found;
+    run({margin, until, time_tolerance, find, threads},
+        [&](const SceneQuery& query) { found = scene.scene.first_contact(query); });
+    if (found.contacts.empty()) {
+        FirstContact clear;
+        clear.verdict = Verdict::clear;
+        clear.certain = true;
+        clear.clear_until = found.clear_until;
+        clear.work = found.work;
+        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin}, std::nullopt, {}};
+    }
+    SceneContactAnswer answer = answer_of(scene, found.contacts.front(), margin);
+    answer.found.clear_until = found.clear_until;
+    answer.found.work = found.work;
+    for (std::size_t i = 1; i < found.contacts.size(); ++i)
+        answer.simultaneous.push_back(names_of(scene.scene, found.contacts[i]));
+    return answer;
+}
+
+nb::list all_contacts(const PythonScene& scene, double margin, double until, double time_tolerance, nb::handle find,
+                      unsigned threads) {
+    SceneAnswer found;
+    run({margin, until, time_tolerance, find, threads},
+        [&](const SceneQuery& query) { found = scene.scene.all_contacts(query); });
+    nb::list contacts;
+    for (const SceneContact& contact : found.contacts)
+        contacts.append(nb::cast(answer_of(scene, contact, margin)));
+    return contacts;
+}
+
+nb::dict clear_until(const PythonScene& scene, double margin, double until, double time_tolerance, unsigned threads) {
+    std::vector<double> clear;
+    const nb::str find("first");
+    run({margin, until, time_tolerance, find, threads},
+        [&](const SceneQuery& query) { clear = scene.scene.clear_until(query); });
+    nb::dict times;
+    for (std::size_t i = 0; i < clear.size(); ++i)
+        times[scene.scene.bodies()[i].name.c_str()] = clear[i];
+    return times;
+}
+
+constexpr const char* add_doc =
+    "Add a body, and return its name.\n\nParameters\n----------\nname : str\n    Of no other body of the scene.\n"
+    "shape : Polyhedron\n    Bodies may share it.\npose, goal : array (4, 4) or (7,), optional\n"
+    "    Poses in the world at time 0 and 1. Without a goal the body stands still.\n"
+    "motion : str or a motion, optional\n    'velocity' or 'twist' between both poses; or a motion instead of poses: "
+    "any but ScrewMotion and\n    SweepMotion.\ncentre : array (3,), optional\n    The body point that 'velocity' "
+    "carries "
+    "along a line; the body's origin by default.\ngroup : str\n    For ignore_groups.\n\nRaises\n------\nInvalidInput\n"
+    "    For a name that is empty or taken, and for poses or a motion that cannot be used.";
+
+constexpr const char* question_doc =
+    "\n\nParameters\n----------\nmargin : float\n    Distance that counts as contact, mesh unit.\nuntil : float\n"
+    "    Contacts that begin after this time, in [0, 1], are left out.\ntime_tolerance : float\n"
+    "    Width of the brackets to aim for.\nfind : Find or str\n"
+    "    'first', 'first_with_all_contacts', or 'any' for a question of yes or no.\n"
+    "threads : int\n    At most so many; 0 for all cores. The answer does not depend on it.\n\n";
+
+void bind_contact(nb::module_& module) {
+    nb::class_<SceneContactAnswer, Answer>(module, "SceneContact", doc("SceneContact"))
+        .def_prop_ro(
+            "pair",
+            [](const SceneContactAnswer& a) -> nb::object {
+                return a.pair ? nb::object(nb::make_tuple(a.pair->first, a.pair->second)) : nb::none();
+            },
+            nb::sig("def pair(self) -> tuple[str, str] | None"),
+            "The names of the moving and the fixed body; None if the scene is clear.")
+        .def_prop_ro(
+            "simultaneous", [](const SceneContactAnswer& a) { return a.simultaneous; },
+            "Further pairs that may touch at the same time, as their brackets overlap.")
+        .def("__repr__", [](const SceneContactAnswer& a) {
+            return a.pair ? fmt::format("<chasles.SceneContact: {} on {} at time {:.12g}>", a.pair->first,
+                                        a.pair->second, a.found.time.lower)
+                          : fmt::format("<chasles.SceneContact: clear until {}>", a.found.clear_until);
+        });
+}
+
+} // namespace
+
+#define CHASLES_SCENE_OPTIONS "*, margin: float = 0.0, until: float = 1.0, time_tolerance: float = 1e-12, "
+
+void bind_scene(nb::module_& module) {
+    static const std::string first_text = std::string("The earliest contact of all pairs.") + question_doc +
+                                          "Returns\n-------\nSceneContact\n    Its pair is None if the scene is clear.";
+    static const std::string all_text = std::string("The first contact of each pair that touches, in order of time.") +
+                                        question_doc + "Returns\n-------\nlist of SceneContact";
+    bind_contact(module);
+    nb::class_<PythonScene>(module, "Scene", doc("Scene"))
+        .def(nb::init<>())
+        .def("add", add, "name"_a, "shape"_a.none(), "pose"_a = nb::none(), "goal"_a = nb::none(), nb::kw_only(),
+             "motion"_a = nb::none(), "centre"_a = nb::none(), "group"_a = "",
+             nb::sig("def add(self, name: str, shape: Polyhedron, pose: numpy.typing.ArrayLike | None = None, "
+                     "goal: numpy.typing.ArrayLike | None = None, *, motion: str | ConstantVelocity | ConstantTwist | "
+                     "TimedPoses | Trajectory | Motion | None = None, centre: numpy.typing.ArrayLike | None = None, "
+                     "group: str = '') -> str"),
+             add_doc)
+        .def("remove", remove, "name"_a, "Remove a body. The last one takes its place in `names`.")
+        .def("move", move, "name"_a, "pose"_a = nb::none(), "goal"_a = nb::none(), nb::kw_only(),
+             "motion"_a = nb::none(), "centre"_a = nb::none(),
+             nb::sig("def move(self, name: str, pose: numpy.typing.ArrayLike | None = None, "
+                     "goal: numpy.typing.ArrayLike | None = None, *, motion: str | ConstantVelocity | ConstantTwist | "
+                     "TimedPoses | Trajectory | Motion | None = None, "
+                     "centre: numpy.typing.ArrayLike | None = None) -> None"),
+             "Give a body another motion; the arguments are those of `add`.")
+        .def("move_all", move_all, "starts"_a, "goals"_a, nb::kw_only(), "motion"_a = "velocity",
+             nb::sig("def move_all(self, starts: numpy.typing.ArrayLike, goals: numpy.typing.ArrayLike, *, "
+                     "motion: str = 'velocity') -> None"),
+             "Give all bodies other motions: arrays (n, 4, 4) or (n, 7), in the order of `names`. Raises InvalidInput "
+             "with the number of the body, and then changes nothing.")
+        .def(
+            "ignore", [](PythonScene& s, const std::string& a, const std::string& b) { s.scene.ignore(a, b); }, "a"_a,
+            "b"_a, "Never test these two bodies against each other.")
+        .def(
+            "ignore_groups",
+            [](PythonScene& s, const std::string& a, const std::string& b) { s.scene.ignore_groups(a, b); }, "a"_a,
+            "b"_a, "Never test a body of the one group against one of the other; the same twice: within the group.")
+        .def_prop_ro(
+            "names", [](const PythonScene& s) { return names_of(s); }, "The names of the bodies.")
+        .def("__len__", [](const PythonScene& s) { return s.scene.bodies().size(); })
+        .def("__repr__",
+             [](const PythonScene& s) { return fmt::format("<chasles.Scene: {} bodies>", s.scene.bodies().size()); })
+        .def("first_contact", first_contact, nb::kw_only(), "margin"_a = 0.0, "until"_a = 1.0,
+             "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first", "threads"_a = 0,
+             nb::sig("def first_contact(self, " CHASLES_SCENE_OPTIONS CHASLES_FIND_TYPE
+                     ", threads: int = 0) -> SceneContact"),
+             first_text.c_str())
+        .def("all_contacts", all_contacts, nb::kw_only(), "margin"_a = 0.0, "until"_a = 1.0,
+             "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first", "threads"_a = 0,
+             nb::sig("def all_contacts(self, " CHASLES_SCENE_OPTIONS CHASLES_FIND_TYPE
+                     ", threads: int = 0) -> list[SceneContact]"),
+             all_text.c_str())
+        .def("clear_until", clear_until, nb::kw_only(), "margin"_a = 0.0, "until"_a = 1.0,
+             "time_tolerance"_a = default_time_tolerance, "threads"_a = 0,
+             nb::sig("def clear_until(self, " CHASLES_SCENE_OPTIONS "threads: int = 0) -> dict[str, float]"),
+             "For each body, by name, the time until which it is proven clear of all others.");
+}
+
+} // namespace chasles::python

@@ -1,0 +1,79 @@
+"""Scenes: the answers are those of the pairs, and wrong arguments get one clear error."""
+
+import numpy as np
+import pytest
+from cubes import pose
+
+import chasles
+
+
+@pytest.fixture
+def scene(cube):
+    scene = chasles.Scene()
+    scene.add("left", cube, pose(-4, 0, 0), pose(0, 0, 0))
+    scene.add("right", cube, pose(4, 0.25, 0.25), pose(0, 0.25, 0.25), group="right")
+    scene.add("floor", cube, pose(0, 0, -9))
+    return scene
+
+
+def test_the_first_contact_is_that_of_its_pair(scene, cube):
+    found = scene.first_contact()
+    assert found.verdict == "contact" and found.pair == ("left", "right")
+    assert found.time == pytest.approx(7 / 8, abs=1e-12)  # 7 between the faces, at a speed of 8
+    left = chasles.ConstantVelocity.between(pose(-4, 0, 0), pose(0, 0, 0))
+    right = chasles.ConstantVelocity.between(pose(4, 0.25, 0.25), pose(0, 0.25, 0.25))
+    alone = chasles.first_contact(cube, cube, motion=chasles.relative(left, right))
+    assert (found.time, found.time_upper) == (alone.time, alone.time_upper)
+    assert found.moving is cube and found.contacts[0].normal.shape == (3,)
+    assert [c.pair for c in scene.all_contacts()] == [("left", "right")]
+    assert scene.clear_until() == {"left": found.time, "right": found.time, "floor": 1}
+    assert "left on right" in repr(found)
+
+
+def test_a_clear_scene_has_no_pair(scene):
+    found = scene.first_contact(until=0.5, threads=1)
+    assert found.verdict == "clear" and found.pair is None and found.clear_until == 0.5
+    assert scene.all_contacts(until=0.5) == []
+    scene.ignore("left", "right")
+    assert scene.first_contact(find="any").verdict == "clear"
+
+
+def test_bodies_move_one_by_one_and_all_at_once(scene):
+    scene.move("floor", motion=chasles.ConstantTwist.between(pose(0, 0, -9), pose(0, 0, 0.5)))
+    found = scene.first_contact()  # the top of the floor rises to both others before they meet, but "right" is higher
+    assert found.pair == ("floor", "left") and found.simultaneous == []
+    assert found.time == pytest.approx(8 / 9.5, abs=1e-12)
+    scene.move("right", pose(4, 0.25, 0), pose(0, 0.25, 0))
+    assert scene.first_contact().simultaneous == [("floor", "right")]
+    rest = np.array([np.eye(4)] * 3)
+    rest[:, 0, 3] = [0, 5, 10]
+    scene.move_all(rest, rest, motion="twist")
+    assert scene.first_contact().verdict == "clear"
+    scene.remove("left")
+    assert scene.names == ["floor", "right"] and len(scene) == 2
+
+
+def test_groups_are_ignored(scene):
+    scene.ignore_groups("right", "")
+    assert scene.first_contact().verdict == "clear"
+
+
+def test_wrong_arguments_are_refused(scene, cube):
+    for call, message in [
+        (lambda: scene.add("left", cube), "scene: left: is in the scene already"),
+        (lambda: scene.add("", cube), "scene: a body has no name"),
+        (lambda: scene.add("a", cube, pose(0, 0, 0) * np.nan), "pose: "),
+        (lambda: scene.add("a", cube, motion="screw"), "motion: "),
+        (lambda: scene.add("a", cube, motion=chasles.ScrewMotion.between(pose(0, 0, 0), pose(1, 0, 0))), "scene: a: mo"),
+        (lambda: scene.add("a", cube, pose(0, 0, 0), motion="twist", centre=[0, 0, 0]), "centre: a twist has none"),
+        (lambda: scene.remove("b"), "scene: b: is not in the scene"),
+        (lambda: scene.move_all(np.zeros((2, 7)), np.zeros((2, 7))), "starts, goals: 2 and 2 poses for 3 bodies"),
+        (lambda: scene.move_all(np.zeros((3, 7)), np.zeros((3, 7))), "starts[0], goals[0]: "),
+        (lambda: scene.first_contact(until=2), "query: until: must be in [0, 1]"),
+    ]:
+        with pytest.raises(chasles.InvalidInput) as error:
+            call()
+        assert str(error.value).startswith(message)
+    with pytest.raises(TypeError, match="shape: must be a chasles.Polyhedron"):
+        scene.add("a", None)
+    assert scene.names == ["left", "right", "floor"]
