@@ -115,7 +115,7 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
 /// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits.
 std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& query, const FirstContact& found) {
     const TrueMotion& motion = posed.motion.truth;
-    const double size = scene_size(posed.moving, posed.fixed, motion) + motion.rates.reference.norm();
+    const double size = scene_size(posed.moving, posed.fixed, motion) + motion.size;
     const auto error = [&](const Pose& moving, const Pose& fixed, double time) {
         const Eigen::Isometry3d truth = narrowed(motion.at(time));
         const Eigen::Isometry3d seen = fixed.isometry().inverse() * moving.isometry();
