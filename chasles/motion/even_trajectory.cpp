@@ -131,17 +131,18 @@ RateBounds rates_of(const EvenMotion<double>& motion) {
 
 EvenFrame::EvenFrame(EvenKind kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre,
                      bool may_be_on_axis)
-    : kind_(kind), start_(start), goal_(goal), centre_(centre),
+    : kind_(kind), start_(start), goal_(goal), centre_(centre), may_be_on_axis_(may_be_on_axis),
       motion_(even_motion<double>(kind, start, goal, centre, may_be_on_axis ? least_turn_for_axis : never_on_axis)) {
     if (motion_.angle > certain_turn)
         motion_ = rounded(refined());
     rates_ = rates_of(motion_);
 }
 
-/// With the same point as reference as in double.
+/// With the same point as reference as in double, where a least turn may be none.
 const EvenMotion<Scalar>& EvenFrame::refined() const {
     std::call_once(is_made_, [this] {
-        const double least_turn = norm1(motion_.arm) > 0 ? never_on_axis : 0;
+        const bool is_on_axis = may_be_on_axis_ && motion_.angle >= least_turn_for_axis;
+        const double least_turn = is_on_axis ? 0 : never_on_axis;
         refined_ = even_motion<Scalar>(kind_, start_, goal_, centre_, least_turn);
     });
     return *refined_;

@@ -80,6 +80,12 @@ bool is_far_from_touching(const TrajectoryCase& posed, double size) {
     return first_touch(posed.moving, posed.fixed, posed.motion.truth, options).is_clear;
 }
 
+std::string text_of(const TrueTouch& truth) {
+    char buffer[100];
+    std::snprintf(buffer, sizeof buffer, ", truth in [%.17g, %.17g]", truth.lower, truth.upper.value_or(2));
+    return buffer;
+}
+
 std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally& tally) {
     TrueTouch truth = first_touch(posed.moving, posed.fixed, posed.motion.truth);
     tally.touches += truth.upper ? 1 : 0;
@@ -89,8 +95,7 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
     if (fault_of(truth, found, posed.find) != Fault::none) { // only multiprecision refutes
         truth = first_touch(posed.moving, posed.fixed, posed.motion.truth, {.wide_only = true});
         if (const Fault fault = fault_of(truth, found, posed.find); fault != Fault::none)
-            return counted(fault, tally) + ", truth in [" + std::to_string(truth.lower) + ", " +
-                   std::to_string(truth.upper.value_or(2)) + "]";
+            return counted(fault, tally) + text_of(truth);
     }
     const double size = scene_size(posed.moving, posed.fixed, posed.motion.truth);
     if (touches && truth.is_clear && is_far_from_touching(posed, size)) {
