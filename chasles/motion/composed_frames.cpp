@@ -109,7 +109,9 @@ public:
     }
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        const std::size_t i = index_at(double(time));
+        std::size_t i = index_at(double(time));
+        if (i > 0 && time < S(ends_[i])) // is rounded up to the end
+            --i;
         const S local = (time - S(ends_[i])) / (S(ends_[i + 1]) - S(ends_[i]));
         if constexpr (std::is_same_v<S, double>)
             return frames_[i]->at(local);

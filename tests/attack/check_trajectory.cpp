@@ -117,7 +117,18 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
     return "";
 }
 
-/// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits.
+/// How far the vertices move from a time to a later one.
+double way_between(const TrajectoryCase& posed, double from, double to) {
+    const Eigen::Isometry3d start = narrowed(posed.motion.truth.at(std::max(0.0, from)));
+    const Eigen::Isometry3d end = narrowed(posed.motion.truth.at(std::min(1.0, to)));
+    double most = 0;
+    for (const Eigen::Vector3d& v : posed.moving.vertices)
+        most = std::max(most, (end * v - start * v).norm());
+    return most;
+}
+
+/// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits. Where the
+/// body is very fast, the rounding of times counts, too.
 std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& query, const FirstContact& found) {
     const TrueMotion& motion = posed.motion.truth;
     const double size = scene_size(posed.moving, posed.fixed, motion) + motion.size;
@@ -133,10 +144,13 @@ std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& q
     if (!(error(claimed.pose_at(posed.time), claimed.fixed_pose_at(posed.time), posed.time) <= 1e-13 * size))
         return "a pose is not that of the motion";
     const double time = found.verdict == Verdict::clear ? 1 : found.time.lower;
-    if (!(error(found.pose, found.fixed_pose, time) <= 1e-13 * size))
+    constexpr double of_time = 0x1p-50;
+    const double way = way_between(posed, time - of_time, time + of_time);
+    if (!(error(found.pose, found.fixed_pose, time) <= 1e-13 * size + way))
         return "the pose of the answer is not that of the motion";
     // Contacts are placed on a sweep that is made in double: with some ten times the rounding of a pose.
-    return found.certain && found.verdict == Verdict::contact ? misplaced(query, found, 16 * size) : "";
+    const bool is_placed = found.certain && found.verdict == Verdict::contact && way <= 1e-14 * size;
+    return is_placed ? misplaced(query, found, 16 * size) : "";
 }
 
 std::string text_of(const FirstContact& found) {

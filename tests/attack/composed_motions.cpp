@@ -176,6 +176,8 @@ MotionCase track_case(AttackRandom& random, bool is_simple, double unit) {
     if (random.chance(0.3)) // one more, where the body has been before
         poses.push_back(poses[1]);
     const std::vector<double> stamps = any_stamps(random, is_simple, poses.size());
+    if (stamps[2] - stamps[1] < 1e-15) // the library refuses a turn by more than 0.25 within one rounding of time
+        poses[2].rotation = poses[1].rotation;
     const bool is_twist = random.chance(0.5);
     const Vector3d centre = is_twist ? Vector3d(Vector3d::Zero()) : any_place(random, is_simple, unit);
     std::vector<TrueMotion> motions;
