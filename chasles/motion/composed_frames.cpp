@@ -141,7 +141,7 @@ private:
     };
 
     [[nodiscard]] Segment segment_of(const Bracket& times) const {
-        const std::size_t i = index_at(middle_of(times));
+        const std::size_t i = index_at(times.lower); // the middle may be rounded to the end
         const double duration = ends_[i + 1] - ends_[i];
         const auto local = [&](double time) { return std::clamp((time - ends_[i]) / duration, 0.0, 1.0); };
         return {*frames_[i], {local(times.lower), local(times.upper)}, duration};
