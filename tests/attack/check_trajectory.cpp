@@ -19,6 +19,9 @@ constexpr double nearly_touching = 1e-10;
 /// A certain bracket is as wide as the time tolerance, or wider by a few roundings.
 constexpr double widest_bracket = 1e-12 + 0x1p-48;
 
+/// A body that moves by less, relative to the scene, may be bracketed less closely.
+constexpr double least_way = 0x1p-70;
+
 /// The reference has found a touch that does not graze.
 constexpr double decided_width = 0x1p-47;
 
@@ -80,6 +83,18 @@ bool is_far_from_touching(const TrajectoryCase& posed, double size) {
     return first_touch(posed.moving, posed.fixed, posed.motion.truth, options).is_clear;
 }
 
+/// How far the vertices move from a time to a later one.
+double way_between(const TrajectoryCase& posed, double from, double to) {
+    const TruePose start = posed.motion.truth.at(std::max(0.0, from));
+    const TruePose end = posed.motion.truth.at(std::min(1.0, to));
+    double most = 0;
+    for (const Eigen::Vector3d& v : posed.moving.vertices) {
+        const WideVector way = (end.turn - start.turn) * widened(v) + end.place - start.place;
+        most = std::max(most, double(way.norm()));
+    }
+    return most;
+}
+
 std::string text_of(const TrueTouch& truth) {
     char buffer[100];
     std::snprintf(buffer, sizeof buffer, ", truth in [%.17g, %.17g]", truth.lower, truth.upper.value_or(2));
@@ -110,21 +125,12 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
     const double width = found.time.upper - found.time.lower;
     if (posed.find != Find::any) // a verdict, whose bracket may be wide
         tally.widest = std::max(tally.widest, width);
-    if (posed.find != Find::any && width > widest_bracket) {
+    const bool is_wide = posed.find != Find::any && width > widest_bracket;
+    if (is_wide && way_between(posed, found.time.lower, found.time.upper) > least_way * size) {
         ++tally.wide;
         return "certain of a wide bracket";
     }
     return "";
-}
-
-/// How far the vertices move from a time to a later one.
-double way_between(const TrajectoryCase& posed, double from, double to) {
-    const Eigen::Isometry3d start = narrowed(posed.motion.truth.at(std::max(0.0, from)));
-    const Eigen::Isometry3d end = narrowed(posed.motion.truth.at(std::min(1.0, to)));
-    double most = 0;
-    for (const Eigen::Vector3d& v : posed.moving.vertices)
-        most = std::max(most, (end * v - start * v).norm());
-    return most;
 }
 
 /// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits. Where the
