@@ -154,9 +154,10 @@ std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& q
     const double way = way_between(posed, time - of_time, time + of_time);
     if (!(error(found.pose, found.fixed_pose, time) <= 1e-13 * size + way))
         return "the pose of the answer is not that of the motion";
-    // Contacts are placed on a sweep that is made in double: with some ten times the rounding of a pose.
+    // Contacts are placed on a sweep that is made in double: with some ten times the rounding of a pose. A set has
+    // contacts that are in doubt, too.
     const bool is_placed = found.certain && found.verdict == Verdict::contact && way <= 1e-14 * size;
-    return is_placed ? misplaced(query, found, 16 * size) : "";
+    return is_placed ? misplaced(query, found, 16 * size * motion.elements) : "";
 }
 
 std::string text_of(const FirstContact& found) {

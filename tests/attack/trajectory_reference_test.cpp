@@ -237,7 +237,7 @@ TEST(TrajectoryReference, ATouchInALaterPartIsFound) {
     const Shape bar = triangle({1, 0, 0}, {9, 0, 0}, {5, -1, 0});
     const Shape post = triangle({0, 4, -1}, {0, 4, 1}, {-1, 4, 0});
     expect_touch(first_touch(bar, post, true_hinge({0, 0, 0}, {0, 0, 3}, {0.0, 16.0})), pi / 32);
-    expect_touch(first_touch(bar, post, true_hinge({0, 0, 0}, {0, 0, 3}, {2.0, 8.0})), (2.5 * pi - 2) / 8);
+    expect_touch(first_touch(bar, post, true_hinge({0, 0, 0}, {0, 0, 3}, {2.5, 8.0})), (2.5 * pi - 2.5) / 8);
     const Shape floor = triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
     const Pose below(Vector3d(0, 0, -2), Quaterniond::Identity());
     const double next = std::nextafter(0.5, 1);

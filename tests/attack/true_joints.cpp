@@ -113,14 +113,14 @@ TrueMotion segment_of(const Pose* poses) {
     const auto at = [turns, place, from = turns.front().turn.from](const Wide& time) {
         return TruePose{from * turns[0].at(time) * turns[1].at(time) * turns[2].at(time), value_of(place, time)};
     };
-    return {at, Eigen::Vector3d::Zero(), {part}, 0};
+    return {at, Eigen::Vector3d::Zero(), {part}, 0, 4};
 }
 
 } // namespace
 
 TrueMotion true_rest(const Pose& pose) {
     const TruePose stays{matrix_of(unit_of(pose)), widened(pose.translation)};
-    return {[stays](const Wide&) { return stays; }, Eigen::Vector3d::Zero(), {TruePart{}}, pose.translation.norm()};
+    return {[stays](const Wide&) { return stays; }, Eigen::Vector3d::Zero(), {TruePart{}}, pose.translation.norm(), 1};
 }
 
 /// The reference is on the line. A part turns by about a radian.
@@ -178,6 +178,7 @@ TrueMotion true_b_spline(const std::vector<Pose>& poses) {
 TrueMotion true_track(const std::vector<double>& times, const std::vector<TrueMotion>& motions) {
     TrueMotion track;
     track.reference = motions.front().reference;
+    track.elements = motions.front().elements;
     for (std::size_t i = 0; i < motions.size(); ++i) {
         const double slower = bound_rounding / (times[i + 1] - times[i]);
         const TrueRates& rates = motions[i].parts.front().rates;

@@ -19,7 +19,7 @@ TrueMotion true_velocity(const Pose& start, const Pose& goal, const Eigen::Vecto
         const WideMatrix matrix = turn.turned(turn.angle * time) * turn.from;
         return TruePose{matrix, from + travel * time - matrix * widened(centre)};
     };
-    return {at, centre, {{0, 1, rates}}, centre.norm()};
+    return {at, centre, {{0, 1, rates}}, centre.norm(), 1};
 }
 
 /// The body's origin is at `arm` from the axis. It runs on a helix with the speed angle * |arm| across the axis and the
@@ -45,7 +45,7 @@ TrueMotion true_twist(const Pose& start, const Pose& goal) {
         const WideMatrix since = turn.turned(turn.angle * time);
         return TruePose{since * turn.from, from + along * time + since * arm - arm};
     };
-    return {at, Eigen::Vector3d::Zero(), {{0, 1, rates}}, 0};
+    return {at, Eigen::Vector3d::Zero(), {{0, 1, rates}}, 0, 1};
 }
 
 namespace {
@@ -80,6 +80,7 @@ TrueMotion true_product(const TrueMotion& outer, const TrueMotion& inner) {
     TrueMotion product;
     product.reference = inner.reference;
     product.size = outer.size + inner.size + outer.reference.norm() + inner.reference.norm();
+    product.elements = outer.elements + inner.elements;
     for (const auto& [frame, body] : divided(outer.parts, inner.parts)) {
         const TrueRates& a = frame.rates;
         const TrueRates& b = body.rates;
@@ -108,6 +109,7 @@ TrueMotion true_inverse(const TrueMotion& motion) {
     TrueMotion inverse;
     inverse.reference = narrowed(motion.at(0)) * motion.reference;
     inverse.size = motion.size + motion.reference.norm();
+    inverse.elements = motion.elements;
     for (const TruePart& part : motion.parts) {
         const TrueRates& a = part.rates;
         const double distance = greatest_distance(motion, part, inverse.reference);

@@ -49,7 +49,8 @@ struct TrueMotion {
     std::function<TruePose(const Wide& time)> at;
     Eigen::Vector3d reference = Eigen::Vector3d::Zero(); ///< a point of the moving body
     std::vector<TruePart> parts;                         ///< of [0, 1], in order of time
-    double size = 0; ///< sum of the lengths that enter a pose and cancel: the library's rounding grows with it
+    double size = 0;  ///< sum of the lengths that enter a pose and cancel: the library's rounding grows with it
+    int elements = 1; ///< elementary motions in it: likewise
 };
 
 /// The body turns evenly the shorter way round, while the body point `centre` moves evenly on a straight line.
