@@ -26,11 +26,15 @@ TimeInterval TimeTree::interval(const TimeRange& range) const {
 TimeInterval TimeTree::enclosed_interval(const TimeRange& range) const {
     const motion::Enclosure<double> part = parts_.enclosure(range);
     const double deviation = parts_.deviation_of(part.bounds);
-    const double from_chord = deviation + parts_.rounding_of(part.bounds);
+    const double rounding = parts_.rounding_of(part.bounds);
+    const double from_chord = deviation + rounding;
     const motion::ChordDeviation chords(part.cubic, {moving_.centre, moving_.radius + deviation},
                                         {fixed_.centre, fixed_.radius + deviation});
-    return interval_between(range, placement(position_at(part.cubic, 0)), placement(position_at(part.cubic, 1)),
-                            {chords.of_moving(0, 1) + from_chord, chords.of_fixed(0, 1) + from_chord});
+    TimeInterval interval =
+        interval_between(range, placement(position_at(part.cubic, 0)), placement(position_at(part.cubic, 1)),
+                         {chords.of_moving(0, 1) + from_chord, chords.of_fixed(0, 1) + from_chord});
+    interval.rounding += 3 * rounding; // twice of it is in the deviation of shorter intervals, too
+    return interval;
 }
 
 /// Boxes are widened by the chord deviation and by all roundings, at both ends of the interval.

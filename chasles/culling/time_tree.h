@@ -22,7 +22,7 @@ struct TimeInterval {
     TimeRange range;
     SweptBoxes boxes;
     double deviation = 0; ///< the greatest chord deviation of both bodies, in the length unit
-    double rounding = 0;  ///< the widening of the boxes for rounding, in the length unit
+    double rounding = 0;  ///< the share of the widening that shorter intervals do not reduce, in the length unit
 };
 
 /// The intervals of one piece.

@@ -109,7 +109,9 @@ public:
     }
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        const std::size_t i = index_at(double(time));
+        std::size_t i = index_at(double(time));
+        if (i > 0 && time < S(ends_[i])) // is rounded up to the end
+            --i;
         const S local = (time - S(ends_[i])) / (S(ends_[i + 1]) - S(ends_[i]));
         if constexpr (std::is_same_v<S, double>)
             return frames_[i]->at(local);
@@ -139,7 +141,7 @@ private:
     };
 
     [[nodiscard]] Segment segment_of(const Bracket& times) const {
-        const std::size_t i = index_at(middle_of(times));
+        const std::size_t i = index_at(times.lower); // the middle may be rounded to the end
         const double duration = ends_[i + 1] - ends_[i];
         const auto local = [&](double time) { return std::clamp((time - ends_[i]) / duration, 0.0, 1.0); };
         return {*frames_[i], {local(times.lower), local(times.upper)}, duration};

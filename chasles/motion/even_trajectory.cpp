@@ -39,12 +39,20 @@ Quaternion<S> shorter_way(const Quaternion<S>& from, const Quaternion<S>& to) {
     return product_sum(from, to) < S(0.0) ? Quaternion<S>{S(S(0.0) - to.w), Vector3<S>() - to.v} : to;
 }
 
+/// The quaternion times the power of two that brings its length next to that of another one. Exact.
+template <class S>
+Quaternion<S> as_long_as(const Quaternion<S>& other, const Quaternion<S>& q) {
+    const auto exponent = [](const Quaternion<S>& x) { return std::ilogb(double(x.squared_norm())); };
+    const S factor(std::ldexp(1.0, (exponent(other) - exponent(q)) / 2));
+    return {q.w * factor, scale(q.v, factor)};
+}
+
 /// The motion without the path of the reference. The turn is made from the difference of both quaternions, whose
-/// relative rounding is small however little the body turns.
+/// relative rounding is small however little the body turns. Were one far longer, the other would be lost in it.
 template <class S>
 EvenMotion<S> turn_between_ends(const GeneralPose<S>& from, const GeneralPose<S>& to) {
     const Quaternion<S>& a = from.rotation;
-    const Quaternion<S> b = shorter_way(a, to.rotation);
+    const Quaternion<S> b = shorter_way(a, as_long_as(a, to.rotation));
     const Quaternion<S> difference{b.w - a.w, b.v - a.v};
     const Quaternion<S> turn = unit(Quaternion<S>{product_sum(a, b), (difference * a.conjugate()).v});
     const S half_sine = length(turn.v);
@@ -131,17 +139,18 @@ RateBounds rates_of(const EvenMotion<double>& motion) {
 
 EvenFrame::EvenFrame(EvenKind kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre,
                      bool may_be_on_axis)
-    : kind_(kind), start_(start), goal_(goal), centre_(centre),
+    : kind_(kind), start_(start), goal_(goal), centre_(centre), may_be_on_axis_(may_be_on_axis),
       motion_(even_motion<double>(kind, start, goal, centre, may_be_on_axis ? least_turn_for_axis : never_on_axis)) {
     if (motion_.angle > certain_turn)
         motion_ = rounded(refined());
     rates_ = rates_of(motion_);
 }
 
-/// With the same point as reference as in double.
+/// With the same point as reference as in double, where a least turn may be none.
 const EvenMotion<Scalar>& EvenFrame::refined() const {
     std::call_once(is_made_, [this] {
-        const double least_turn = norm1(motion_.arm) > 0 ? never_on_axis : 0;
+        const bool is_on_axis = may_be_on_axis_ && motion_.angle >= least_turn_for_axis;
+        const double least_turn = is_on_axis ? 0 : never_on_axis;
         refined_ = even_motion<Scalar>(kind_, start_, goal_, centre_, least_turn);
     });
     return *refined_;

@@ -69,6 +69,7 @@ private:
     Pose start_;
     Pose goal_;
     Eigen::Vector3d centre_;
+    bool may_be_on_axis_;
     EvenMotion<double> motion_;
     RateBounds rates_; ///< at all times
     mutable std::once_flag is_made_;

@@ -19,6 +19,9 @@ constexpr double nearly_touching = 1e-10;
 /// A certain bracket is as wide as the time tolerance, or wider by a few roundings.
 constexpr double widest_bracket = 1e-12 + 0x1p-48;
 
+/// A body that moves by less, relative to the scene, may be bracketed less closely.
+constexpr double least_way = 0x1p-70;
+
 /// The reference has found a touch that does not graze.
 constexpr double decided_width = 0x1p-47;
 
@@ -80,6 +83,24 @@ bool is_far_from_touching(const TrajectoryCase& posed, double size) {
     return first_touch(posed.moving, posed.fixed, posed.motion.truth, options).is_clear;
 }
 
+/// How far the vertices move from a time to a later one.
+double way_between(const TrajectoryCase& posed, double from, double to) {
+    const TruePose start = posed.motion.truth.at(std::max(0.0, from));
+    const TruePose end = posed.motion.truth.at(std::min(1.0, to));
+    double most = 0;
+    for (const Eigen::Vector3d& v : posed.moving.vertices) {
+        const WideVector way = (end.turn - start.turn) * widened(v) + end.place - start.place;
+        most = std::max(most, double(way.norm()));
+    }
+    return most;
+}
+
+std::string text_of(const TrueTouch& truth) {
+    char buffer[100];
+    std::snprintf(buffer, sizeof buffer, ", truth in [%.17g, %.17g]", truth.lower, truth.upper.value_or(2));
+    return buffer;
+}
+
 std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally& tally) {
     TrueTouch truth = first_touch(posed.moving, posed.fixed, posed.motion.truth);
     tally.touches += truth.upper ? 1 : 0;
@@ -89,8 +110,7 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
     if (fault_of(truth, found, posed.find) != Fault::none) { // only multiprecision refutes
         truth = first_touch(posed.moving, posed.fixed, posed.motion.truth, {.wide_only = true});
         if (const Fault fault = fault_of(truth, found, posed.find); fault != Fault::none)
-            return counted(fault, tally) + ", truth in [" + std::to_string(truth.lower) + ", " +
-                   std::to_string(truth.upper.value_or(2)) + "]";
+            return counted(fault, tally) + text_of(truth);
     }
     const double size = scene_size(posed.moving, posed.fixed, posed.motion.truth);
     if (touches && truth.is_clear && is_far_from_touching(posed, size)) {
@@ -105,17 +125,19 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
     const double width = found.time.upper - found.time.lower;
     if (posed.find != Find::any) // a verdict, whose bracket may be wide
         tally.widest = std::max(tally.widest, width);
-    if (posed.find != Find::any && width > widest_bracket) {
+    const bool is_wide = posed.find != Find::any && width > widest_bracket;
+    if (is_wide && way_between(posed, found.time.lower, found.time.upper) > least_way * size) {
         ++tally.wide;
         return "certain of a wide bracket";
     }
     return "";
 }
 
-/// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits.
+/// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits. Where the
+/// body is very fast, the rounding of times counts, too.
 std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& query, const FirstContact& found) {
     const TrueMotion& motion = posed.motion.truth;
-    const double size = scene_size(posed.moving, posed.fixed, motion) + motion.rates.reference.norm();
+    const double size = scene_size(posed.moving, posed.fixed, motion) + motion.size;
     const auto error = [&](const Pose& moving, const Pose& fixed, double time) {
         const Eigen::Isometry3d truth = narrowed(motion.at(time));
         const Eigen::Isometry3d seen = fixed.isometry().inverse() * moving.isometry();
@@ -128,10 +150,14 @@ std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& q
     if (!(error(claimed.pose_at(posed.time), claimed.fixed_pose_at(posed.time), posed.time) <= 1e-13 * size))
         return "a pose is not that of the motion";
     const double time = found.verdict == Verdict::clear ? 1 : found.time.lower;
-    if (!(error(found.pose, found.fixed_pose, time) <= 1e-13 * size))
+    constexpr double of_time = 0x1p-50;
+    const double way = way_between(posed, time - of_time, time + of_time);
+    if (!(error(found.pose, found.fixed_pose, time) <= 1e-13 * size + way))
         return "the pose of the answer is not that of the motion";
-    // Contacts are placed on a sweep that is made in double: with some ten times the rounding of a pose.
-    return found.certain && found.verdict == Verdict::contact ? misplaced(query, found, 16 * size) : "";
+    // Contacts are placed on a sweep that is made in double: with some ten times the rounding of a pose. A set has
+    // contacts that are in doubt, too.
+    const bool is_placed = found.certain && found.verdict == Verdict::contact && way <= 1e-14 * size;
+    return is_placed ? misplaced(query, found, 16 * size * motion.elements) : "";
 }
 
 std::string text_of(const FirstContact& found) {

@@ -5,7 +5,8 @@
 // product N of their lengths changes, as a product with at most one moving rigid factor, by at most turn_rate N and
 // (turn_rate^2 + turn_acceleration) N. With |r| <= D the product rule yields
 //     F = (turn_rate^2 + turn_acceleration) N D + 2 turn_rate N v + N a, and F = N a for an axis of the fixed body.
-// The chord is least at its ends. So the triangles are apart if both gaps are greater than F h^2 / 8.
+// The chord is least at its ends. So the triangles are apart if both gaps are greater than F h^2 / 8. Rates are bounded
+// for each part of time in which they do not jump; the bisection starts from these parts.
 #include "tests/attack/touch_search.h"
 
 #include "tests/attack/triangle_axes.h"
@@ -82,9 +83,9 @@ public:
         : motion_(motion), options_(options), size_(scene_size(moving, fixed, motion)), shape_(moving),
           least_width_(std::ldexp(1.0, -options.depth)) {
         for (const Triangle& t : triangles_of(moving))
-            moving_.push_back(part_of(t, moving.vertices, motion.rates.reference));
+            moving_.push_back(part_of(t, moving.vertices, motion.reference));
         for (const Triangle& t : triangles_of(fixed))
-            fixed_.push_back(part_of(t, fixed.vertices, motion.rates.reference));
+            fixed_.push_back(part_of(t, fixed.vertices, motion.reference));
         for (const Eigen::Vector3d& v : fixed.vertices) {
             still_.wide.push_back(widened(v));
             still_.rounded.push_back(v);
@@ -92,17 +93,24 @@ public:
     }
 
     TrueTouch run() {
-        const Moment start = at(0);
+        Moment from = at(0);
         std::vector<Pair> pairs;
         for (std::uint32_t i = 0; i < moving_.size(); ++i)
             for (std::uint32_t j = 0; j < fixed_.size(); ++j)
                 pairs.push_back({i, j});
-        if (any_passes_through(pairs, *start)) {
+        if (any_passes_through(pairs, *from)) {
             found_.lower = 0;
             found_.upper = 0;
-        } else if (!explore(start, at(1), pairs)) {
-            found_.is_clear = !is_open_;
+            return found_;
         }
+        for (const TruePart& part : motion_.parts) {
+            rates_ = part.rates;
+            const Moment to = at(part.to);
+            if (explore(from, to, pairs))
+                return found_;
+            from = to;
+        }
+        found_.is_clear = !is_open_;
         return found_;
     }
 
@@ -176,11 +184,10 @@ private:
 
     /// The bound F of the gap's second derivative.
     [[nodiscard]] double bend(int axis, double length, double distance, double reach) const {
-        const TrueRates& rates = motion_.rates;
-        const double turn = rates.turn_rate * rates.turn_rate + rates.turn_acceleration;
-        const double still = rates.acceleration + turn * reach;
-        const double speed = rates.speed + rates.turn_rate * reach;
-        return length * (axis_moves(axis) ? turn * distance + 2 * rates.turn_rate * speed + still : still) * outward;
+        const double turn = rates_.turn_rate * rates_.turn_rate + rates_.turn_acceleration;
+        const double still = rates_.acceleration + turn * reach;
+        const double speed = rates_.speed + rates_.turn_rate * reach;
+        return length * (axis_moves(axis) ? turn * distance + 2 * rates_.turn_rate * speed + still : still) * outward;
     }
 
     /// Whether the triangles are proven apart from one moment to another.
@@ -188,7 +195,7 @@ private:
         const Part& a = moving_[pair.moving];
         const Part& b = fixed_[pair.fixed];
         const double width = to.time - from.time;
-        const double path = (motion_.rates.speed + motion_.rates.turn_rate * a.reach) * width * outward;
+        const double path = (rates_.speed + rates_.turn_rate * a.reach) * width * outward;
         const double both = (distance_of_centres(a, b, from) + distance_of_centres(a, b, to)) * outward;
         const double radii = (a.radius + b.radius + options_.margin) * outward;
         if (!options_.wide_only && (both - path) / 2 > radii + 1e-8 * both + double_slack * size_)
@@ -232,6 +239,7 @@ private:
     }
 
     const TrueMotion& motion_;
+    TrueRates rates_; ///< of the part of time that is being searched
     TouchOptions options_;
     double size_;
     const Shape& shape_;
@@ -253,11 +261,12 @@ double scene_size(const Shape& moving, const Shape& fixed, const TrueMotion& mot
     double size = 0;
     for (const Eigen::Vector3d& v : fixed.vertices)
         size = std::max(size, v.norm());
-    const Eigen::Isometry3d start = narrowed(motion.at(0));
-    const TrueRates& rates = motion.rates;
-    for (const Eigen::Vector3d& v : moving.vertices) {
-        const double path = rates.speed + rates.turn_rate * (v - rates.reference).norm();
-        size = std::max({size, v.norm(), (start * v).norm() + path});
+    for (const TruePart& part : motion.parts) {
+        const Eigen::Isometry3d pose = narrowed(motion.at(part.middle()));
+        for (const Eigen::Vector3d& v : moving.vertices) {
+            const double speed = part.rates.speed + part.rates.turn_rate * (v - motion.reference).norm();
+            size = std::max({size, v.norm(), (pose * v).norm() + speed * (part.to - part.from)});
+        }
     }
     return size;
 }

@@ -1,5 +1,6 @@
 #include "tests/attack/trajectory_families.h"
 
+#include "tests/attack/composed_motions.h"
 #include "tests/attack/trajectory_motions.h"
 
 namespace chasles::attack {
@@ -13,7 +14,9 @@ struct NamedMotion {
     const char* name;
     MotionCase (*make)(AttackRandom& random, bool is_simple, double unit);
 };
-constexpr NamedMotion motions[] = {{"velocity", velocity_case}, {"twist", twist_case}};
+constexpr NamedMotion motions[] = {{"velocity", velocity_case},     {"twist", twist_case},      {"hinge", hinge_case},
+                                   {"polynomial", polynomial_case}, {"bspline", b_spline_case}, {"track", track_case},
+                                   {"product", product_case},       {"chain", chain_case},      {"both", both_case}};
 
 struct NamedPlacement {
     const char* name;

@@ -104,7 +104,7 @@ Ends simple_ends(AttackRandom& random, double unit) {
 MotionCase made(const Ends& ends, Motion motion, TrueMotion truth, const char* name) {
     char centre[160];
     std::snprintf(centre, sizeof centre, " about %a %a %a, a turn by about %.3g\n", ends.centre.x(), ends.centre.y(),
-                  ends.centre.z(), truth.rates.turn_rate);
+                  ends.centre.z(), truth.parts.front().rates.turn_rate);
     return {std::move(motion), std::move(truth),
             name + (centre + described("start", ends.start)) + described("goal", ends.goal)};
 }

@@ -119,16 +119,20 @@ TEST(TrajectoryReference, AMarginIsKept) {
 
 /// Compares bounds with differences over a short step. True if the bound of accelerations is nearly reached.
 bool expect_within_bounds(const TrueMotion& motion, const Vector3d& point, double time) {
+    const double step = 0x1p-10;
+    const auto part = std::ranges::find_if(
+        motion.parts, [&](const TruePart& p) { return p.from <= time - step && time + step <= p.to; });
+    if (part == motion.parts.end()) // rates may jump
+        return false;
     const auto at = [&](double when) -> WideVector {
         const TruePose pose = motion.at(when);
         return pose.turn * widened(point) + pose.place;
     };
-    const TrueRates& rates = motion.rates;
-    const double reach = (point - rates.reference).norm();
+    const TrueRates& rates = part->rates;
+    const double reach = (point - motion.reference).norm();
     const double speed = rates.speed + rates.turn_rate * reach;
     const double turn = rates.turn_rate * rates.turn_rate + rates.turn_acceleration;
     const double bend = rates.acceleration + turn * reach;
-    const double step = 0x1p-10;
     EXPECT_LE(double((at(time + step) - at(time)).norm()), speed * step * (1 + 1e-9));
     const WideVector second = at(time + step) + at(time - step) - at(time) * Wide(2);
     const double allowed = bend * step * step;
@@ -169,6 +173,79 @@ TEST(TrajectoryReference, MotionsKeepTheirEndsAndTheirBounds) {
         }
     }
     EXPECT_GT(tight, 200);
+}
+
+/// Expects a motion to be at poses at times.
+void expect_poses(const TrueMotion& motion, const std::vector<double>& times, const std::vector<Pose>& poses) {
+    const Vector3d point(0.5, -2, 1);
+    for (std::size_t i = 0; i < times.size(); ++i) {
+        const Vector3d place = narrowed(motion.at(times[i])) * point;
+        EXPECT_LT((place - poses[i].isometry() * point).norm(), 1e-13);
+    }
+}
+
+TEST(TrajectoryReference, HingesAndPathsKeepTheirBounds) {
+    int tight = 0;
+    for (std::uint64_t index = 0; index < 200; ++index) {
+        AttackRandom random(5, 3, index);
+        const Vector3d foot = random.vector(2);
+        const Vector3d axis = random.vector(1);
+        const std::vector<double> angle{random.uniform(-1, 1), random.uniform(-9, 9), random.uniform(-9, 9)};
+        const TrueMotion hinge = true_hinge(foot, axis, angle);
+        const Eigen::AngleAxisd turn(angle[0] + angle[1] + angle[2], axis.normalized());
+        expect_poses(hinge, {1}, {Pose(foot - turn * foot, Quaterniond(turn))});
+        const std::vector<Vector3d> places{random.vector(1), random.vector(1), random.vector(1), random.vector(1)};
+        const TrueMotion path = true_polynomial(places);
+        const Vector3d middle = places[0] + places[1] / 2 + places[2] / 4 + places[3] / 8;
+        expect_poses(path, {0, 0.5}, {Pose(places[0], Quaterniond::Identity()), Pose(middle, Quaterniond::Identity())});
+        const Vector3d point = random.vector(2);
+        const double time = random.integer(100, 900) * 0x1p-10;
+        tight += expect_within_bounds(hinge, point, time) ? 1 : 0;
+        tight += expect_within_bounds(path, point, time) ? 1 : 0;
+        expect_within_bounds(true_product(path, true_product(true_rest(random_ends(random).start), hinge)), point,
+                             time);
+    }
+    EXPECT_GT(tight, 200);
+}
+
+TEST(TrajectoryReference, TracksAndSplinesKeepTheirBounds) {
+    int tight = 0;
+    for (std::uint64_t index = 0; index < 200; ++index) {
+        AttackRandom random(5, 4, index);
+        const auto [first, second] = random_ends(random);
+        const auto [third, fourth] = random_ends(random);
+        const std::vector<Pose> poses{first, second, third, fourth};
+        const std::vector<double> times{0, random.uniform(0.1, 0.3), random.uniform(0.4, 0.8), 1};
+        std::vector<TrueMotion> motions;
+        for (std::size_t i = 0; i < 3; ++i)
+            motions.push_back(true_twist(poses[i], poses[i + 1]));
+        const TrueMotion track = true_track(times, motions);
+        expect_poses(track, times, poses);
+        const TrueMotion spline = true_b_spline(poses);
+        expect_poses(spline, {0, 1}, {first, fourth});
+        const Vector3d point = random.vector(2);
+        const double time = random.integer(100, 900) * 0x1p-10;
+        tight += expect_within_bounds(track, point, time) ? 1 : 0;
+        tight += expect_within_bounds(spline, point, time) ? 1 : 0;
+        expect_within_bounds(true_product(true_inverse(track), spline), point, time);
+    }
+    EXPECT_GT(tight, 100);
+}
+
+/// A whole turn meets no post that it had not met after a part of it; a track jumps within a rounding of time.
+TEST(TrajectoryReference, ATouchInALaterPartIsFound) {
+    const Shape bar = triangle({1, 0, 0}, {9, 0, 0}, {5, -1, 0});
+    const Shape post = triangle({0, 4, -1}, {0, 4, 1}, {-1, 4, 0});
+    expect_touch(first_touch(bar, post, true_hinge({0, 0, 0}, {0, 0, 3}, {0.0, 16.0})), pi / 32);
+    expect_touch(first_touch(bar, post, true_hinge({0, 0, 0}, {0, 0, 3}, {2.5, 8.0})), (2.5 * pi - 2.5) / 8);
+    const Shape floor = triangle({0, 0, 0}, {4, 0, 0}, {0, 4, 0});
+    const Pose below(Vector3d(0, 0, -2), Quaterniond::Identity());
+    const double next = std::nextafter(0.5, 1);
+    const TrueMotion jump = true_track(
+        {0, 0.5, next, 1}, {true_twist(at_rest, at_rest), true_twist(at_rest, below), true_twist(below, below)});
+    const TrueTouch found = first_touch(triangle({1, 1, 1}, {1, 2, 3}, {2, 1, 3}), floor, jump);
+    EXPECT_EQ(found.lower, 0.5);
+    EXPECT_EQ(found.upper, next);
 }
 
 TEST(TrajectoryReference, ProductsAndInversesKeepTheirBounds) {

@@ -29,11 +29,14 @@ struct EvenCase {
     }
 };
 
-/// Turns of all sizes, from none to nearly a half turn.
+/// Turns of all sizes, from none to nearly a half turn. Quaternions have different lengths.
 EvenCase random_case(Random& random) {
     const Pose start = random_pose(random, 2);
     const double turn = random.chance(0.05) ? 0 : std::min(3.14, std::pow(10, random.uniform(-9, 0.6)));
-    return {start, random_goal(random, start, turn, 3), random_point(random, 2)};
+    EvenCase made{start, random_goal(random, start, turn, 3), random_point(random, 2)};
+    if (random.chance(0.5))
+        made.goal.rotation.coeffs() *= std::ldexp(1.0, int(random.uniform(-40, 40)));
+    return made;
 }
 
 template <class S>
@@ -199,6 +202,25 @@ TEST(ConstantTwist, HasTheAxisOfTheScrew) {
             EXPECT_TRUE(there.isApprox(screw.axis_point() + time * screw.slide() * screw.axis_direction(), 1e-12));
         }
     }
+}
+
+/// Quaternions that differ only by the rounding of their lengths turn in double-double, but not always in double. The
+/// axis is then some 1e16 away.
+TEST(ConstantTwist, HasOneReferenceInBothPrecisions) {
+    Random random(1816);
+    int still = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const Pose start = random_pose(random, 2);
+        Pose goal = random_pose(random, 2);
+        goal.rotation.coeffs() = start.rotation.coeffs() * random.uniform(0.5, 2);
+        for (const motion::SharedFrame& frame :
+             {motion::twist_frame(start, goal),
+              EvenCase{start, goal, {0, 0, 0}}.trajectory(EvenTrajectory::Kind::twist).frame()}) {
+            still += frame->rates({0, 1}).turn_rate == 0 ? 1 : 0;
+            EXPECT_EQ(norm1(motion::in_double(frame->refined_reference())), norm1(frame->reference()));
+        }
+    }
+    EXPECT_GT(still, 0);
 }
 
 TEST(EvenMotion, RefusesACentreThatCannotBeUsed) {

@@ -66,11 +66,9 @@ double ratio_to_bound(const motion::Enclosure<S>& enclosure, const Eigen::Vector
     return double((place - truth).norm()) / enclosure.bounds.deviation_of({point, 0});
 }
 
-/// Between two stamps that are next to each other the body is so fast that the rounding of a time displaces it.
-TEST(TimedPoses, AFastSegmentIsEnclosedToo) {
-    Random random(1833);
-    const std::vector<Pose> poses = random_track(random);
-    const std::vector<double> times{0, 1.0 / 3, 1.0 / 3 + 3e-10, 1};
+/// How much of their bounds the enclosures of the second segment need, in double and in double-double.
+std::array<double, 2> ratios_in_second_segment(Random& random, const std::vector<Pose>& poses,
+                                               const std::vector<double>& times) {
     const motion::SmoothTrajectory trajectory(motion::SmoothMotion::of_one(
         motion::even_track(times, poses, TimedPoses::Between::velocity, Eigen::Vector3d::Zero())));
     const motion::SmoothPieces pieces = trajectory.pieces();
@@ -91,9 +89,24 @@ TEST(TimedPoses, AFastSegmentIsEnclosedToo) {
         }
     }
     std::cout << "at most " << in_double << " of the bound in double, " << in_wide << " in double-double\n";
+    return {in_double, in_wide};
+}
+
+/// Between two stamps that are next to each other the body is so fast that the rounding of a time displaces it.
+TEST(TimedPoses, AFastSegmentIsEnclosedToo) {
+    Random random(1833);
+    std::vector<Pose> poses = random_track(random);
+    const auto [in_double, in_wide] = ratios_in_second_segment(random, poses, {0, 1.0 / 3, 1.0 / 3 + 3e-10, 1});
     EXPECT_LE(in_double, 1);
     EXPECT_LE(in_wide, 1);
     EXPECT_GT(in_double, 0.01) << "the segment is not fast enough to matter";
+    poses[2].rotation = poses[1].rotation;
+    for (const double time : {1.0 / 3, std::nextafter(1.0 / 3, 1)}) { // the time between is rounded down or up
+        const auto [jump, jump_in_wide] =
+            ratios_in_second_segment(random, poses, {0, time, std::nextafter(time, 1), 1});
+        EXPECT_LE(jump, 1);
+        EXPECT_LE(jump_in_wide, 1);
+    }
 }
 
 TEST(TimedPoses, RefusesStampsThatCannotBeUsed) {
