@@ -1,47 +1,10 @@
 // Simulated motions of CAD parts: the first contact lies between the two frames where a discrete test changes its
 // result.
 
-#include "tests/data/shared_data.h"
-
-#include <fstream>
-#include <sstream>
+#include "tests/data/cad_frames.h"
 
 namespace chasles::test {
 namespace {
-
-/// The poses of both bodies in the world at one frame.
-struct Frame {
-    Pose moving;
-    Pose fixed;
-};
-
-Pose read_pose(std::istream& numbers) {
-    Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
-    for (int i = 0; i < 3; ++i)
-        numbers >> matrix(i, 3);
-    for (int i = 0; i < 3; ++i)
-        for (int j = 0; j < 3; ++j)
-            numbers >> matrix(i, j);
-    return Pose::from_matrix(matrix); // six decimals: projected to the nearest rotation
-}
-
-std::vector<Frame> read_frames(const std::filesystem::path& file) {
-    std::vector<Frame> frames;
-    std::ifstream lines(file);
-    std::string line;
-    std::getline(lines, line);
-    while (std::getline(lines, line)) {
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream numbers(line);
-        double time = 0;
-        numbers >> time;
-        Frame frame;
-        frame.moving = read_pose(numbers);
-        frame.fixed = read_pose(numbers);
-        frames.push_back(frame);
-    }
-    return frames;
-}
 
 struct FirstStep {
     std::size_t step;
