@@ -2,6 +2,7 @@
 // Several threads may request them at the same time.
 #include "chasles/mesh/body.h"
 
+#include <algorithm>
 #include <numeric>
 #include <utility>
 
@@ -30,6 +31,13 @@ FlatLists<std::uint32_t> lists_with(const FlatLists<std::uint32_t>& outlines, st
 }
 
 } // namespace
+
+Body::Body(BodyParts parts) : parts_(std::move(parts)) {
+    constexpr double outward = 1 + 1e-14; // for the rounding of distances
+    for (const Eigen::Vector3d& vertex : parts_.vertices)
+        vertex_radius_ = std::max(vertex_radius_, (vertex - parts_.bvh.centre()).norm() * outward);
+    vertex_radius_ = std::min(vertex_radius_, parts_.bvh.radius());
+}
 
 std::span<const std::uint32_t> Body::faces_around(std::size_t vertex) const {
     std::call_once(faces_around_once_, [&] { faces_around_ = lists_with(parts_.outlines, parts_.vertices.size()); });

@@ -28,7 +28,7 @@ struct BodyParts {
 /// An immutable body. Threads may share it.
 class Body {
 public:
-    explicit Body(BodyParts parts) : parts_(std::move(parts)) {}
+    explicit Body(BodyParts parts);
 
     [[nodiscard]] std::size_t face_count() const { return parts_.outlines.size(); }
 
@@ -71,6 +71,10 @@ public:
     /// The hierarchy of boxes over the faces, in the body's frame.
     [[nodiscard]] const Bvh& bvh() const { return parts_.bvh; }
 
+    /// A bound of the distance of any vertex from the centre of the hierarchy, in the length unit. It is smaller than
+    /// the radius of the hierarchy, which is that of its box.
+    [[nodiscard]] double vertex_radius() const { return vertex_radius_; }
+
     [[nodiscard]] const MeshReport& report() const { return parts_.report; }
 
     /// Bytes held, not counting the vertices.
@@ -78,6 +82,7 @@ public:
 
 private:
     BodyParts parts_;
+    double vertex_radius_ = 0;
     mutable std::once_flag faces_around_once_;
     mutable FlatLists<std::uint32_t> faces_around_;
     mutable std::once_flag normal_cones_once_;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <tuple>
 
 namespace chasles::scene {
@@ -14,42 +15,60 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A ball around a body at the start, and how fast its centre moves at most.
+/// A ball around a body, whose centre moves near a straight, even way.
 struct MovingBall {
-    Vector3d centre;
-    double radius = 0;
-    double speed = 0;
-    double size = 0; ///< of all lengths that enter
+    Vector3d start;    ///< of the centre
+    Vector3d way;      ///< of the centre until the end of the question
+    double radius = 0; ///< of the ball, with how far the centre leaves its way
+    double size = 0;   ///< of all lengths that enter
 };
 
+/// How far a body point leaves the even way between its ends: by (1) and (2) of note 24.
+double deviation_of(const motion::RateBounds& rates, double arm, double duration) {
+    const double speed = rates.speed + rates.turn_rate * arm;
+    const double turn = rates.turn_acceleration + rates.turn_rate * rates.turn_rate;
+    const double acceleration = rates.acceleration + (turn > 0 ? turn * arm : 0);
+    return duration * std::min(0.5 * speed, 0.125 * acceleration * duration);
+}
+
+/// At a cut the centre is anywhere on its path: the ball of a body with cuts stays, and holds them all.
 MovingBall ball_of(const WorldBody& body, double until) {
     const Bvh& tree = body.body->bvh();
     const motion::MovingFrame& frame = *body.frame;
     const auto centre = motion::vector_in<double>(tree.centre());
-    const auto start = frame.at(0);
-    const auto place = rotated(start.rotation, centre) + start.translation;
-    MovingBall ball{{place.x, place.y, place.z}, tree.radius(), 0, frame.size() + norm1(centre)};
+    const auto place = [&](double time) {
+        const auto pose = frame.at(time);
+        const auto at = rotated(pose.rotation, centre) + pose.translation;
+        return Vector3d(at.x, at.y, at.z);
+    };
+    MovingBall ball{place(0), Vector3d::Zero(), body.body->vertex_radius(), frame.size() + norm1(centre)};
     std::vector<double> cuts;
     if (!body.rests)
         frame.add_cuts(cuts);
-    std::ranges::sort(cuts);
     const double arm = length(centre - frame.reference());
-    for (Bracket times{0, 0}; times.upper < until && !body.rests;) {
-        const auto next = std::ranges::upper_bound(cuts, times.upper);
-        times = {times.upper, next == cuts.end() ? 1 : *next};
-        const motion::RateBounds rates = frame.rates(times);
-        ball.speed = std::max(ball.speed, rates.speed + rates.turn_rate * arm);
+    if (std::ranges::any_of(cuts, [&](double cut) { return 0 < cut && cut < until; }))
+        ball.radius = std::numeric_limits<double>::infinity(); // the boxes alone decide
+    else if (!body.rests) {
+        ball.way = place(until) - ball.start;
+        ball.radius += deviation_of(frame.rates({0, until}), arm, until);
     }
     return ball;
 }
 
-/// A time before which the balls are farther apart than the margin.
+/// A share of the time of the question before which the balls are farther apart than the margin; 2 if they are so all
+/// along. It is the first root of |d + t w|^2 = r^2.
 double earliest_meeting(const MovingBall& a, const MovingBall& b, double margin) {
-    constexpr double rounding = 1e-12;
-    const double distance = (a.centre - b.centre).norm();
-    const double gap = distance - a.radius - b.radius - margin - rounding * (distance + a.size + b.size);
-    const double speed = a.speed + b.speed;
-    return gap > 0 && speed > 0 ? gap / speed * (1 - rounding) : 0;
+    constexpr double rounding = 1e-12, never = 2;
+    const Vector3d apart = a.start - b.start, way = a.way - b.way;
+    const double reach = a.radius + b.radius + margin + rounding * (apart.norm() + way.norm() + a.size + b.size);
+    const double gap = apart.squaredNorm() - reach * reach;
+    if (!(gap > 0))
+        return 0;
+    const double closing = -apart.dot(way), square = way.squaredNorm();
+    if (closing <= 0 || (apart + way * (closing / square)).norm() > reach) // where they are nearest
+        return never;
+    const double root = std::max(0.0, closing * closing - square * gap);
+    return std::min(never, gap / (closing + std::sqrt(root)) * (1 - 1e-6));
 }
 
 std::vector<WorldBody> world_bodies(const Scene& scene) {
@@ -93,7 +112,7 @@ std::vector<PairTask> pair_tasks(const Scene& scene, const SceneQuery& query) {
     for (const auto& [a, b] : near_pairs(bodies, query)) {
         if (scene.is_ignored(a, b))
             continue;
-        const double earliest = earliest_meeting(balls[a], balls[b], query.options.margin);
+        const double earliest = query.until * earliest_meeting(balls[a], balls[b], query.options.margin);
         const bool swaps = bodies[a].rests != bodies[b].rests ? bodies[a].rests : rank[b] < rank[a];
         if (earliest <= query.until)
             tasks.push_back({earliest, swaps ? b : a, swaps ? a : b});

@@ -41,7 +41,7 @@ Box box_at(const WorldBody& body, double time) {
     const Vector3d centre = turn * (0.5 * (report.lower + report.upper)) + place;
     const Vector3d around = turn.cwiseAbs() * (0.5 * (report.upper - report.lower));
     const Vector3d ball = turn * tree.centre() + place;
-    const Vector3d radius = Vector3d::Constant(tree.radius());
+    const Vector3d radius = Vector3d::Constant(body.body->vertex_radius());
     return {(centre - around).cwiseMax(ball - radius), (centre + around).cwiseMin(ball + radius)};
 }
 
