@@ -11,6 +11,7 @@ namespace chasles::test {
 
 /// The poses of both bodies in the world at one frame.
 struct Frame {
+    double stamp = 0;
     Pose moving;
     Pose fixed;
 };
@@ -33,9 +34,8 @@ inline std::vector<Frame> read_frames(const std::filesystem::path& file) {
     while (std::getline(lines, line)) {
         std::replace(line.begin(), line.end(), ',', ' ');
         std::istringstream numbers(line);
-        double time = 0;
-        numbers >> time;
         Frame frame;
+        numbers >> frame.stamp;
         frame.moving = read_pose(numbers);
         frame.fixed = read_pose(numbers);
         frames.push_back(frame);
