@@ -80,16 +80,18 @@ public:
         const FirstContact found = ask();
         const bool is_clear = found.verdict == Verdict::clear;
         const double segments = double(density.segments), end = is_clear ? 1 : found.time.upper;
-        const double place = is_clear ? least_distance({query_.moving, query_.fixed, query_.motion}).time.lower : end;
+        const LeastDistance least = least_distance({query_.moving, query_.fixed, query_.motion});
+        const double place = is_clear ? least.time.lower : end;
         const double before = std::max(0.0, place - 2 / segments), after = std::min(1.0, place + 1 / segments);
         const double sample =
             std::min(first_sample(0, end, int(density.everywhere * segments * end) + 1),
                      first_sample(before, after, int(density.nearby * segments * (after - before)) + 1));
-        print_figures("%s: %s %.6f of %zu stamps, bracket %.1g, certain %d; %ld samples, the first overlap at %.6f; "
-                      "%.2f ms",
-                      name.c_str(), is_clear ? "clear for" : "contact at", end * segments, density.segments,
-                      found.time.upper - found.time.lower, int(found.certain), samples_,
-                      is_clear ? -1 : sample * segments, 1e3 * seconds_);
+        print_figures(
+            "%s: %s %.6f of %zu stamps, least distance %.2g, bracket %.1g, certain %d; %ld samples, the first "
+            "overlap at %.6f; %.2f ms",
+            name.c_str(), is_clear ? "clear for" : "contact at", end * segments, density.segments, least.distance.lower,
+            found.time.upper - found.time.lower, int(found.certain), samples_, is_clear ? -1 : sample * segments,
+            1e3 * seconds_);
         EXPECT_GE(sample, is_clear ? 2 : found.time.lower) << name;
         EXPECT_EQ(sample == 2, is_clear) << name << ": no sample sees the contact";
         EXPECT_EQ(found.verdict == Verdict::contact_at_start, overlaps_at(0)) << name;
@@ -193,10 +195,8 @@ void expect_slerp(const Recorded& track, const TimedPoses& carried) {
     }
 }
 
-/// A body of about 0.2 m is carried along the track past a copy, which is put near to where it is at several times.
-TEST(Tracks, OfARecordedHandAgreeWithSamples) {
-    CHASLES_REQUIRE_DATA("trajectories-tum");
-    CHASLES_REQUIRE_DATA("meshes");
+/// Spot, about 0.2 m long.
+Polyhedron small_spot() {
     const Polyhedron large = Polyhedron::load(shared_data("meshes/spot.obj"), {.triangulate = true});
     std::vector<Eigen::Vector3d> vertices;
     std::vector<std::vector<std::uint32_t>> faces;
@@ -204,23 +204,59 @@ TEST(Tracks, OfARecordedHandAgreeWithSamples) {
         vertices.emplace_back(0.1 * v);
     for (std::size_t i = 0; i < large.face_count(); ++i)
         faces.emplace_back(large.face(i).begin(), large.face(i).end());
-    const Polyhedron body = Polyhedron::from_polygons(vertices, faces);
+    return Polyhedron::from_polygons(vertices, faces);
+}
+
+/// Beside where the track is at one time.
+Pose place_beside(const Recorded& track, int i) {
+    const Eigen::Vector3d place = track.poses[std::size_t(240 * i + 100)].translation +
+                                  (0.08 + 0.02 * i) * Eigen::Vector3d(std::cos(i), std::sin(i), 0.3);
+    return Pose(place, Eigen::Quaterniond(Eigen::AngleAxisd(i, Eigen::Vector3d(1, 2, 3).normalized())));
+}
+
+/// A small body is carried along the track past a copy, which is put near to where it is at several times.
+TEST(Tracks, OfARecordedHandAgreeWithSamples) {
+    CHASLES_REQUIRE_DATA("trajectories-tum");
+    CHASLES_REQUIRE_DATA("meshes");
+    const Polyhedron body = small_spot();
     const Recorded track = recorded_track();
     ASSERT_EQ(track.poses.size(), 3000U);
     const TimedPoses carried = TimedPoses::through(track.stamps, track.poses);
     expect_slerp(track, carried);
     int contacts = 0;
     for (int i = 0; i < 12; ++i) {
-        const Eigen::Vector3d place = track.poses[std::size_t(240 * i + 100)].translation +
-                                      (0.08 + 0.02 * i) * Eigen::Vector3d(std::cos(i), std::sin(i), 0.3);
-        const Pose rest(place, Eigen::Quaterniond(Eigen::AngleAxisd(i, Eigen::Vector3d(1, 2, 3).normalized())));
-        SampledTrack question(body, body, relative(carried, Motion::at_rest(rest)));
+        SampledTrack question(body, body, relative(carried, Motion::at_rest(place_beside(track, i))));
         const Verdict verdict = question.expect_agreement("recorded track past place " + std::to_string(i),
                                                           {track.poses.size() - 1, samples(10), samples(100)});
         contacts += verdict == Verdict::contact ? 1 : 0;
     }
     EXPECT_GT(contacts, 2);
     EXPECT_LT(contacts, 10);
+}
+
+/// The copies that it does not touch are moved along the shortest gap, to a tenth of a millimetre before and behind the
+/// touch.
+TEST(Tracks, OfARecordedHandBarelyTouchOrMiss) {
+    CHASLES_REQUIRE_DATA("trajectories-tum");
+    CHASLES_REQUIRE_DATA("meshes");
+    const Polyhedron body = small_spot();
+    const Recorded track = recorded_track();
+    const TimedPoses carried = TimedPoses::through(track.stamps, track.poses);
+    for (const int i : {6, 7, 8, 9}) {
+        Pose rest = place_beside(track, i);
+        const Motion far = relative(carried, Motion::at_rest(rest));
+        const LeastDistance gap = least_distance({body, body, far});
+        ASSERT_FALSE(gap.contacts.empty());
+        const Eigen::Vector3d place = rest.translation;
+        for (const double depth : {-1e-4, 1e-4}) {
+            rest.translation = place + (gap.distance.lower + depth) * gap.contacts.front().normal;
+            SampledTrack question(body, body, relative(carried, Motion::at_rest(rest)));
+            const Verdict verdict = question.expect_agreement("recorded track past place " + std::to_string(i) +
+                                                                  (depth < 0 ? ", just short" : ", just touching"),
+                                                              {track.poses.size() - 1, samples(10), samples(1000)});
+            EXPECT_TRUE(depth < 0 || verdict == Verdict::contact);
+        }
+    }
 }
 
 } // namespace
