@@ -1,38 +1,20 @@
 #include "bench/fcl_distance.h"
 
-#include "bench/bodies.h"
+#include "bench/fcl_model.h"
 #include "chasles/motion/any_trajectory.h"
 
 #include <algorithm>
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/distance.h>
 
 namespace chasles::bench {
 
-namespace {
-
-using Model = fcl::BVHModel<fcl::OBBRSSd>; // the volumes that FCL's distances are fastest with
-
-std::unique_ptr<Model> model_of(const Polyhedron& body) {
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& [a, b, c] : triangles_of(body))
-        triangles.emplace_back(a, b, c);
-    auto model = std::make_unique<Model>();
-    model->beginModel(int(triangles.size()), int(body.vertices().size()));
-    model->addSubModel(std::vector<fcl::Vector3d>(body.vertices().begin(), body.vertices().end()), triangles);
-    model->endModel();
-    return model;
-}
-
-} // namespace
-
 struct FclDistance::Models {
-    std::unique_ptr<Model> moving;
-    std::unique_ptr<Model> fixed;
+    std::shared_ptr<const fcl::BVHModel<fcl::OBBRSSd>> moving; // the volumes that FCL's distances are fastest with
+    std::shared_ptr<const fcl::BVHModel<fcl::OBBRSSd>> fixed;
 };
 
 FclDistance::FclDistance(const Polyhedron& moving, const Polyhedron& fixed)
-    : models_(std::make_unique<const Models>(Models{model_of(moving), model_of(fixed)})) {}
+    : models_(std::make_unique<const Models>(Models{fcl_model_of(moving), fcl_model_of(fixed)})) {}
 
 FclDistance::~FclDistance() = default;
 

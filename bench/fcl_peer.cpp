@@ -1,11 +1,10 @@
 #include "bench/fcl_peer.h"
 
-#include "bench/bodies.h"
+#include "bench/fcl_model.h"
 #include "chasles/query/first_contact.h"
 #include "scenes/stopwatch.h"
 
 #include <algorithm>
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/motion/screw_motion.h>
 #include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/collision.h>
@@ -20,19 +19,6 @@ namespace {
 template <class BoundingVolume>
 using Model = std::shared_ptr<const fcl::BVHModel<BoundingVolume>>;
 
-template <class BoundingVolume>
-Model<BoundingVolume> model_of(const Polyhedron& body) {
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& [a, b, c] : triangles_of(body))
-        triangles.emplace_back(a, b, c);
-    const std::vector<fcl::Vector3d> vertices(body.vertices().begin(), body.vertices().end());
-    auto model = std::make_shared<fcl::BVHModel<BoundingVolume>>();
-    model->beginModel(int(triangles.size()), int(vertices.size()));
-    model->addSubModel(vertices, triangles);
-    model->endModel();
-    return model;
-}
-
 /// Models of bodies, shared by all their users: a model of a large body takes a hundred megabytes.
 template <class BoundingVolume>
 class Models {
@@ -41,7 +27,7 @@ public:
         std::weak_ptr<const fcl::BVHModel<BoundingVolume>>& place = made_[body.vertices().data()];
         Model<BoundingVolume> model = place.lock();
         if (!model)
-            place = model = model_of<BoundingVolume>(body);
+            place = model = fcl_model_of<BoundingVolume>(body);
         return model;
     }
 

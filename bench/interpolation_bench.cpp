@@ -6,13 +6,13 @@
 // wrong. With `--advancement`, FCL's conservative advancement is asked too, in a few motions of each case.
 #include "bench/bodies.h"
 #include "bench/draw.h"
+#include "bench/fcl_model.h"
 #include "bench/generated_bodies.h"
+#include "bench/timings.h"
 #include "chasles/chasles.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/math/motion/interp_motion.h>
 #include <fcl/math/motion/translation_motion.h>
 #include <fcl/narrowphase/collision.h>
@@ -53,17 +53,6 @@ struct Case {
     double degrees;
     std::size_t motions;
 };
-
-std::shared_ptr<Model> model_of(const Polyhedron& body) {
-    auto model = std::make_shared<Model>();
-    std::vector<fcl::Triangle> triangles;
-    for (const auto& [a, b, c] : triangles_of(body))
-        triangles.emplace_back(a, b, c);
-    model->beginModel();
-    model->addSubModel({body.vertices().begin(), body.vertices().end()}, triangles);
-    model->endModel();
-    return model;
-}
 
 struct Ends {
     Pose start;
@@ -149,23 +138,6 @@ bool is_refuted(const std::shared_ptr<Model>& model, const Motion& motion, const
     return false;
 }
 
-template <class Work>
-double microseconds(const Work& work) {
-    double least = 1e12;
-    for (int call = 0; call < 3; ++call) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
-        least = std::min(least, taken.count());
-    }
-    return least;
-}
-
-double median(std::vector<double> numbers) {
-    std::ranges::nth_element(numbers, numbers.begin() + std::ptrdiff_t(numbers.size() / 2));
-    return numbers[numbers.size() / 2];
-}
-
 struct Tally {
     std::vector<double> ratios, times;
     std::size_t missed = 0;
@@ -186,7 +158,7 @@ void compare(const std::shared_ptr<Model>& model, const Ends& ends, const Solver
     request.num_max_iterations = solver.samples;
     request.ccd_solver_type = solver.type;
     fcl::ContinuousCollisionResultd result;
-    const double theirs = microseconds([&] {
+    const double theirs = least_microseconds(3, [&] {
         const fcl::InterpMotion<double> motion = interpolation(ends);
         const fcl::TranslationMotion<double> rest(fcl::Transform3d::Identity(), fcl::Transform3d::Identity());
         result = {};
@@ -230,7 +202,7 @@ void print_totals(const NamedBody& body, const Case& asked, const std::vector<So
 }
 
 void print_case(const NamedBody& body, const Case& asked, const std::vector<Solver>& solvers) {
-    const std::shared_ptr<Model> model = model_of(body.body);
+    const std::shared_ptr<Model> model = fcl_model_of(body.body);
     std::vector<Tally> tallies(solvers.size());
     Totals totals;
     for (const Ends& ends : motions_of(body.body, asked)) {
@@ -244,7 +216,7 @@ void print_case(const NamedBody& body, const Case& asked, const std::vector<Solv
         totals.unconfirmed += touches && !confirmed ? 1 : 0;
         totals.refuted += is_refuted(model, query.motion, found) ? 1 : 0;
         totals.difference = std::max(totals.difference, difference(body.body, ends, query.motion));
-        const double ours = microseconds([&] {
+        const double ours = least_microseconds(3, [&] {
             (void)first_contact({body.body, body.body, Motion::velocity(ends.start, ends.goal)}).verdict;
         });
         totals.times.push_back(ours);

@@ -9,12 +9,12 @@
 #include "bench/fcl_distance.h"
 #endif
 #include "bench/generated_bodies.h"
+#include "bench/timings.h"
 #include "chasles/chasles.h"
 #include "chasles/mesh/body.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <span>
@@ -40,18 +40,6 @@ constexpr Family families[] = {
     {"through", 0.5, 1.5, 3, 0.3},
 };
 
-template <class Ask>
-double microseconds(Ask ask) {
-    double shortest = 1e300;
-    for (int run = 0; run < 3; ++run) {
-        const auto start = std::chrono::steady_clock::now();
-        ask();
-        const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
-        shortest = std::min(shortest, taken.count());
-    }
-    return shortest;
-}
-
 /// FCL's distances at 100 poses of some motions.
 class Samples {
 public:
@@ -67,10 +55,8 @@ public:
         constexpr std::size_t most = 5; // a motion may take a second
         if (times_.size() >= most)
             return;
-        const auto start = std::chrono::steady_clock::now();
-        const double sampled = fcl_.least(motion, 100);
-        const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
-        times_.push_back(taken.count());
+        double sampled = 0;
+        times_.push_back(least_microseconds(1, [&] { sampled = fcl_.least(motion, 100); }));
         excess_.push_back(sampled / least - 1);
 #endif
     }
@@ -87,11 +73,6 @@ private:
 
 double greatest(const std::vector<double>& numbers) {
     return numbers.empty() ? 0 : *std::ranges::max_element(numbers);
-}
-
-double median(std::vector<double> numbers) {
-    std::ranges::sort(numbers);
-    return numbers.empty() ? 0 : numbers[numbers.size() / 2];
 }
 
 void run(const NamedBody& body, const Family& family, int count, Samples samples) {
@@ -114,7 +95,7 @@ void run(const NamedBody& body, const Family& family, int count, Samples samples
                                  middle + family.travel * random.between(0, 1) * along);
         const LeastDistanceQuery query{body.body, body.body, ScrewMotion::between(start, goal), {}};
         LeastDistance least;
-        const double time = microseconds([&] { least = least_distance(query); });
+        const double time = least_microseconds(3, [&] { least = least_distance(query); });
         wide += least.certain ? 0 : 1;
         worst = std::max(worst, time);
         if (least.distance.upper <= 0) {
@@ -122,7 +103,7 @@ void run(const NamedBody& body, const Family& family, int count, Samples samples
             continue;
         }
         FirstContact clear;
-        const double margin = microseconds([&] {
+        const double margin = least_microseconds(3, [&] {
             clear = first_contact({body.body, body.body, query.motion, {.margin = least.distance.lower}});
         });
         if (clear.verdict != Verdict::clear) {

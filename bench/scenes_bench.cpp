@@ -6,17 +6,16 @@
 // question, and FCL's is refitted, as its users do.
 #include "bench/bodies.h"
 #include "bench/draw.h"
+#include "bench/fcl_model.h"
 #include "bench/generated_bodies.h"
+#include "bench/timings.h"
 #include "chasles/chasles.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
-#include <functional>
 #include <numbers>
 
 namespace chasles::bench {
@@ -94,14 +93,7 @@ Scene scene_of(const Bodies& bodies) {
 class FclScene {
 public:
     explicit FclScene(const Bodies& bodies) : bodies_(bodies) {
-        using Model = fcl::BVHModel<fcl::OBBRSSd>;
-        auto model = std::make_shared<Model>();
-        std::vector<fcl::Triangle> triangles;
-        for (const auto& [a, b, c] : triangles_of(bodies.shape))
-            triangles.emplace_back(a, b, c);
-        model->beginModel();
-        model->addSubModel({bodies.shape.vertices().begin(), bodies.shape.vertices().end()}, triangles);
-        model->endModel();
+        const auto model = fcl_model_of(bodies.shape);
         for (std::size_t i = 0; i < bodies.steps.size(); ++i) {
             objects_.push_back(std::make_unique<fcl::CollisionObjectd>(model));
             motions_.push_back(bodies.motion(i));
@@ -151,15 +143,8 @@ private:
     std::size_t pairs_ = 0;
 };
 
-double milliseconds(int calls, const std::function<void()>& work) {
-    double least = 1e9;
-    for (int i = 0; i < calls; ++i) {
-        const auto start = std::chrono::steady_clock::now();
-        work();
-        const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - start;
-        least = std::min(least, taken.count());
-    }
-    return least;
+double milliseconds(int calls, const auto& work) {
+    return least_microseconds(calls, work) / 1000;
 }
 
 void print_scene(std::size_t count, double spacing, bool may_touch, bool with_fcl) {

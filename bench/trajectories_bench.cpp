@@ -4,12 +4,12 @@
 #include "bench/bodies.h"
 #include "bench/draw.h"
 #include "bench/generated_bodies.h"
+#include "bench/timings.h"
 #include "chasles/chasles.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
 #include <cstdlib>
 #include <numbers>
@@ -92,26 +92,17 @@ std::vector<Ends> motions_of(const Polyhedron& body, double turn) {
     return motions;
 }
 
-double median(std::vector<double> numbers) {
-    if (numbers.empty())
-        return 0;
-    std::ranges::nth_element(numbers, numbers.begin() + std::ptrdiff_t(numbers.size() / 2));
-    return numbers[numbers.size() / 2];
-}
-
 /// The least microseconds of several calls in turn, of each kind.
 std::array<double, kinds.size()> times_of(const Polyhedron& body, const Ends& ends) {
     std::array<double, kinds.size()> least;
     least.fill(1e9);
     for (int call = 0; call < calls; ++call)
         for (const Kind kind : kinds) {
-            const auto start = std::chrono::steady_clock::now();
-            const FirstContact found = answer(body, ends, kind);
-            const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
+            FirstContact found;
+            double& time = least[std::size_t(kind)];
+            time = std::min(time, least_microseconds(1, [&] { found = answer(body, ends, kind); }));
             if (found.verdict == Verdict::unknown)
                 std::abort();
-            double& time = least[std::size_t(kind)];
-            time = std::min(time, taken.count());
         }
     return least;
 }
@@ -164,16 +155,11 @@ void print_chain(const NamedBody& body, double turn) {
         const Motion motion = relative(free, Motion::at_rest(place));
         const auto seen = [&](double time) { return Pose(place.isometry().inverse() * free.pose_at(time).isometry()); };
         const auto time_of = [&](const auto& make) {
-            double least = 1e9;
-            for (int call = 0; call < calls; ++call) {
-                const auto start = std::chrono::steady_clock::now();
-                const FirstContact found = first_contact({.moving = body.body, .fixed = body.body, .motion = make()});
-                const std::chrono::duration<double, std::micro> taken = std::chrono::steady_clock::now() - start;
-                least = std::min(least, taken.count());
-                if (found.verdict == Verdict::unknown)
+            return least_microseconds(calls, [&] {
+                if (first_contact({.moving = body.body, .fixed = body.body, .motion = make()}).verdict ==
+                    Verdict::unknown)
                     std::abort();
-            }
-            return least;
+            });
         };
         const Pose start = seen(0), goal = seen(1);
         const auto verdict = [&](const Motion& m) {

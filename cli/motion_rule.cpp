@@ -14,11 +14,12 @@ using view::MotionKind;
 
 constexpr std::array kinds = {MotionKind::screw, MotionKind::sweep, MotionKind::velocity, MotionKind::twist};
 
-MotionKind kind_named(const std::string& name) {
-    return *std::ranges::find(kinds, name, [](MotionKind kind) { return view::name_of(kind); });
-}
-
 } // namespace
+
+std::optional<MotionKind> kind_named(const std::string& name) {
+    const auto found = std::ranges::find(kinds, name, [](MotionKind kind) { return view::name_of(kind); });
+    return found == kinds.end() ? std::nullopt : std::optional(*found);
+}
 
 void add_motion_rule_options(CLI::App& command, MotionOptions& options, const std::string& defaults) {
     std::vector<std::string> names;
@@ -50,7 +51,7 @@ Eigen::Vector3d centre_of(const std::string& option, const std::string& text, Mo
 }
 
 MotionRule rule_of(const MotionOptions& options, const QuestionOptions& query, MotionKind if_not_given) {
-    const MotionKind kind = options.motion.empty() ? if_not_given : kind_named(options.motion);
+    const MotionKind kind = options.motion.empty() ? if_not_given : kind_named(options.motion).value();
     return {.kind = kind,
             .max_turn = max_turn_of(query),
             .centre = centre_of("--centre", options.centre, kind, {MotionKind::sweep, MotionKind::velocity})};

@@ -5,6 +5,7 @@
 #include "view/motion_numbers.h"
 
 #include <initializer_list>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,9 @@ struct MotionRule {
     double max_turn = ScrewMotion::default_max_turn;  ///< of a screw, radians
     Eigen::Vector3d centre = Eigen::Vector3d::Zero(); ///< of a sweep and of a constant velocity
 };
+
+/// Empty if there is no motion of this name.
+std::optional<view::MotionKind> kind_named(const std::string& name);
 
 /// `defaults` says in the help which motion is the default.
 void add_motion_rule_options(CLI::App& command, MotionOptions& options, const std::string& defaults = "screw");

@@ -6,19 +6,6 @@
 #include <numbers>
 
 namespace chasles::cli {
-namespace {
-
-template <typename Read>
-auto naming_option(const std::string& option, const Read& read) {
-    try {
-        return read();
-    } catch (const InvalidInput& error) {
-        throw InvalidInput(option + ": " + error.what());
-    }
-}
-
-} // namespace
-
 void add_search_options(CLI::App& command, QuestionOptions& options) {
     command
         .add_option("--max-turn-deg", options.max_turn_degrees,
@@ -68,18 +55,18 @@ Bodies load_bodies(const BodyOptions& options) {
 }
 
 double number_of(const std::string& option, const std::string& text) {
-    const std::vector<double> numbers = naming_option(option, [&] { return io::parse_numbers(text); });
+    const std::vector<double> numbers = at_place(option, [&] { return io::parse_numbers(text); });
     if (numbers.size() != 1)
         throw InvalidInput(option + ": needs one number");
     return numbers.front();
 }
 
 Pose pose_of(const std::string& option, const std::string& text) {
-    return naming_option(option, [&] { return io::parse_pose(text); });
+    return at_place(option, [&] { return io::parse_pose(text); });
 }
 
 Eigen::Vector3d point_of(const std::string& option, const std::string& text) {
-    return naming_option(option, [&] { return io::parse_point(text); });
+    return at_place(option, [&] { return io::parse_point(text); });
 }
 
 QueryOptions options_of(const QuestionOptions& options) {

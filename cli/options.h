@@ -39,6 +39,16 @@ void add_body_options(CLI::App& command, BodyOptions& options);
 /// Loads both bodies. If both have the same file name, the file is loaded once.
 Bodies load_bodies(const BodyOptions& options);
 
+/// What `read` returns. What it throws as InvalidInput gets the place in front: "PLACE: REASON".
+template <typename Read>
+auto at_place(const std::string& place, const Read& read) -> decltype(read()) {
+    try {
+        return read();
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(place + ": " + error.what());
+    }
+}
+
 /// The number, pose or point given for an option. Throws InvalidInput "OPTION: REASON".
 double number_of(const std::string& option, const std::string& text);
 Pose pose_of(const std::string& option, const std::string& text);

@@ -5,6 +5,7 @@
 #include "chasles/io/pose_text.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
+#include "cli/motion_rule.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -19,16 +20,6 @@ using Json = nlohmann::json;
 
 [[noreturn]] void refuse(const std::string& why) {
     throw InvalidInput(why);
-}
-
-/// What `read` throws, with the place in front.
-template <class Read>
-auto at_place(const std::string& place, const Read& read) {
-    try {
-        return read();
-    } catch (const InvalidInput& error) {
-        throw InvalidInput(place + ": " + error.what());
-    }
 }
 
 /// The members of an object, which may have no other keys than these.
@@ -107,21 +98,19 @@ std::pair<std::string, std::string> two_names_in(const Json& json) {
     return {text_in(json[0]), text_in(json[1])};
 }
 
-enum class Kind : std::uint8_t { velocity, twist };
-
-Kind kind_in(const Json& json) {
+view::MotionKind kind_in(const Json& json) {
+    using enum view::MotionKind;
     const std::string name = text_in(json);
-    if (name == "velocity")
-        return Kind::velocity;
-    if (name == "twist")
-        return Kind::twist;
-    if (name == "screw" || name == "sweep")
+    const std::optional<view::MotionKind> kind = kind_named(name);
+    if (kind == screw || kind == sweep)
         refuse(name + " is the motion of one body as seen from another one; a scene takes velocity and twist");
-    refuse("there is no motion " + io::in_quotes(name) + "; a scene takes velocity and twist");
+    if (!kind)
+        refuse("there is no motion " + io::in_quotes(name) + "; a scene takes velocity and twist");
+    return *kind;
 }
 
 /// Poses with times from 0 to 1.
-Motion track_in(const Json& json, Kind kind, const Eigen::Vector3d& centre) {
+Motion track_in(const Json& json, const MotionRule& rule) {
     std::vector<double> times;
     std::vector<Pose> poses;
     for (const Json& entry : list_in(json)) {
@@ -134,27 +123,26 @@ Motion track_in(const Json& json, Kind kind, const Eigen::Vector3d& centre) {
     }
     if (times.empty() || times.front() != 0 || times.back() != 1)
         refuse("t must run from 0 to 1, which is the time of the whole scene");
-    return TimedPoses::through(
-        times, poses, kind == Kind::twist ? TimedPoses::Between::twist : TimedPoses::Between::velocity, centre);
+    return track_through(rule, times, poses);
 }
 
 Motion motion_in(const Members& body) {
-    const auto centre = body.read("centre", point_in);
-    const Kind kind = body.read("motion", kind_in).value_or(Kind::velocity);
-    if (centre && kind == Kind::twist)
-        refuse("centre: a twist has none");
-    const Eigen::Vector3d middle = centre.value_or(Eigen::Vector3d::Zero());
+    MotionRule rule;
+    rule.kind = body.read("motion", kind_in).value_or(view::MotionKind::velocity);
+    if (const auto centre = body.read("centre", point_in)) {
+        if (rule.kind == view::MotionKind::twist)
+            refuse("centre: a twist has none");
+        rule.centre = *centre;
+    }
     const auto pose = body.read("pose", pose_in);
     const auto goal = body.read("goal", pose_in);
     if (const Json* poses = body.find("poses")) {
         if (pose || goal)
             refuse("poses: stand instead of pose and goal");
-        return at_place("poses", [&] { return track_in(*poses, kind, middle); });
+        return at_place("poses", [&] { return track_in(*poses, rule); });
     }
     const Pose start = pose.value_or(Pose());
-    if (!goal)
-        return Motion::at_rest(start);
-    return kind == Kind::twist ? Motion::twist(start, *goal) : Motion::velocity(start, *goal, middle);
+    return goal ? motion_between(rule, start, *goal) : Motion::at_rest(start);
 }
 
 /// Meshes by file and scale, each loaded once.

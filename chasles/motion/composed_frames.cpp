@@ -11,11 +11,6 @@ namespace chasles::motion {
 namespace {
 
 template <class S>
-Vector3<S> placed(const GeneralPose<S>& pose, const Vector3<S>& point) {
-    return rotated(pose.rotation, point) + pose.translation;
-}
-
-template <class S>
 GeneralPose<S> product(const GeneralPose<S>& outer, const GeneralPose<S>& inner) {
     return {placed(outer, inner.translation), outer.rotation * inner.rotation};
 }
@@ -53,8 +48,6 @@ protected:
         else
             return frame.refined_at(time);
     }
-
-    static double half_of(const Bracket& times) { return 0.5 * (times.upper - times.lower); }
 
     SharedFrame first_;
     SharedFrame second_;

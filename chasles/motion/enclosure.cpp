@@ -14,11 +14,6 @@ namespace {
 /// The allowance for the rounding of bounds.
 constexpr double outward = 1 + 1e-12;
 
-/// How far a point that moves with at most these rates is from the straight, even way between its ends.
-double deviation_from_straight(double speed, double acceleration, double duration) {
-    return std::min(0.5 * speed, 0.125 * acceleration * duration) * duration;
-}
-
 /// How far, in radians, a body that turns with at most these rates is from the normalised linear interpolation between
 /// its ends.
 double deviation_from_even_turn(double rate, double acceleration, double duration) {
@@ -34,6 +29,10 @@ double distance_to(const Ball& ball, const Vector3<double>& reference) {
 }
 
 } // namespace
+
+double deviation_from_straight(const RateBounds& rates, double distance, double duration) {
+    return std::min(0.5 * rates.speed_at(distance), 0.125 * rates.acceleration_at(distance) * duration) * duration;
+}
 
 double EnclosureBounds::deviation_of(const Ball& ball) const {
     return deviation + turn_deviation * distance_to(ball, reference);
@@ -58,7 +57,7 @@ EnclosureBounds enclosure_bounds(const Vector3<double>& reference, const RateBou
     bounds.rounding = 2 * rounding * size;
     bounds.turn_deviation =
         outward * deviation_from_even_turn(rates.turn_rate, rates.turn_acceleration, duration) + bounds.turn_rounding;
-    bounds.deviation = outward * deviation_from_straight(rates.speed, rates.acceleration, duration) + bounds.rounding;
+    bounds.deviation = outward * deviation_from_straight(rates, 0, duration) + bounds.rounding;
     return bounds;
 }
 

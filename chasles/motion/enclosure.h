@@ -17,7 +17,17 @@ struct RateBounds {
     double turn_acceleration = 0; ///< of the angular acceleration, radians
     double speed = 0;             ///< of the reference, mesh unit
     double acceleration = 0;      ///< of the reference, mesh unit
+
+    /// Bounds for a body point at this distance from the reference. One bound may be infinite and the distance zero.
+    [[nodiscard]] double speed_at(double distance) const { return speed + turn_rate * distance; }
+    [[nodiscard]] double acceleration_at(double distance) const {
+        const double turn = turn_acceleration + turn_rate * turn_rate;
+        return acceleration + (distance > 0 ? turn * distance : 0);
+    }
 };
+
+/// How far a body point at this distance from the reference is from the straight, even way between its ends.
+double deviation_from_straight(const RateBounds& rates, double distance, double duration);
 
 /// A part of a trajectory is enclosed only if its turn is at most this, in radians. So the cubic motion is one of small
 /// rotation (`is_small_rotation`) whose maps are made in double.

@@ -80,8 +80,8 @@ template <class S>
 EvenMotion<S> constant_velocity(const GeneralPose<S>& from, const GeneralPose<S>& to, const Vector3<S>& centre) {
     EvenMotion<S> motion = turn_between_ends(from, to);
     motion.reference = centre;
-    motion.start = rotated(from.rotation, centre) + from.translation;
-    motion.travel = rotated(to.rotation, centre) + to.translation - motion.start;
+    motion.start = placed(from, centre);
+    motion.travel = placed(to, centre) - motion.start;
     motion.size = size_of(motion);
     return motion;
 }
@@ -157,10 +157,9 @@ const EvenMotion<Scalar>& EvenFrame::refined() const {
 }
 
 RateExpansion EvenFrame::expansion(const Bracket& times) const {
-    const double middle = 0.5 * (times.lower + times.upper);
     const EvenMotion<double>& motion = motion_;
-    const auto pose = motion.at(middle);
-    RateExpansion expansion{.pose = pose, .reference = rotated(pose.rotation, motion.reference) + pose.translation};
+    const auto pose = motion.at(middle_of(times));
+    RateExpansion expansion{.pose = pose, .reference = placed(pose, motion.reference)};
     const Vector3<double> arm = rotated(pose.rotation * motion.orientation.conjugate(), motion.arm);
     expansion.turn_rate = scale(motion.direction, motion.angle);
     const Vector3<double> swing = cross(expansion.turn_rate, arm);
@@ -201,9 +200,7 @@ PathBall EvenTrajectory::ball_around_path(const Vector3<double>& point) const {
     const EvenMotion<double> motion = numbers();
     const RateBounds rates = rates_of(motion);
     const double distance = length(point - motion.reference);
-    const double acceleration = rates.acceleration + rates.turn_rate * rates.turn_rate * distance;
-    const double speed = rates.speed + rates.turn_rate * distance;
-    const double radius = length(path.chord()) / 2 + std::min(acceleration / 8, speed / 2);
+    const double radius = length(path.chord()) / 2 + deviation_from_straight(rates, distance, 1);
     return {path.middle(), radius, motion.size + norm1(point)};
 }
 

@@ -18,8 +18,4 @@ public:
     [[nodiscard]] bool is_refined() const override { return true; }
 };
 
-inline double middle_of(const Bracket& times) {
-    return 0.5 * (times.lower + times.upper);
-}
-
 } // namespace chasles::motion

@@ -39,6 +39,14 @@ public:
     virtual void add_cuts(std::vector<double>& /*cuts*/) const {}
 };
 
+/// The middle of an interval, and half of its duration.
+inline double middle_of(const Bracket& times) {
+    return 0.5 * (times.lower + times.upper);
+}
+inline double half_of(const Bracket& times) {
+    return 0.5 * (times.upper - times.lower);
+}
+
 using SharedFrame = std::shared_ptr<const MovingFrame>;
 
 /// The pose in double-double, rounded to double.

@@ -40,8 +40,8 @@ public:
     }
     /// Third rates are not known.
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
-        const auto pose = at(0.5 * (times.lower + times.upper));
-        RateExpansion expansion{.pose = pose, .reference = rotated(pose.rotation, reference()) + pose.translation};
+        const auto pose = at(middle_of(times));
+        RateExpansion expansion{.pose = pose, .reference = placed(pose, reference())};
         expansion.bounds = expansion.sums = rates(times);
         return expansion;
     }

@@ -60,9 +60,7 @@ public:
     }
 
 private:
-    [[nodiscard]] Vector3<double> place(const GeneralPose<double>& pose) const {
-        return rotated(pose.rotation, reference_) + pose.translation;
-    }
+    [[nodiscard]] Vector3<double> place(const GeneralPose<double>& pose) const { return placed(pose, reference_); }
 
     double duration_;
     Vector3<double> reference_;

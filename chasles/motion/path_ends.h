@@ -10,12 +10,11 @@ namespace detail {
 
 [[gnu::always_inline]] inline Vector3<double> position(const Pose& given, const Pose* seen_from,
                                                        const Vector3<double>& point) {
-    const auto pose = pose_in<double>(given);
-    const Vector3<double> placed = rotated(pose.rotation, point) + pose.translation;
+    const Vector3<double> there = placed(pose_in<double>(given), point);
     if (!seen_from)
-        return placed;
+        return there;
     const auto frame = pose_in<double>(*seen_from);
-    return rotated(frame.rotation.conjugate(), placed - frame.translation);
+    return rotated(frame.rotation.conjugate(), there - frame.translation);
 }
 
 } // namespace detail

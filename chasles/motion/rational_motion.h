@@ -56,6 +56,12 @@ struct GeneralPose {
     Quaternion<S> rotation;
 };
 
+/// Where a body point is.
+template <class S>
+[[gnu::always_inline]] inline Vector3<S> placed(const GeneralPose<S>& pose, const Vector3<S>& point) {
+    return rotated(pose.rotation, point) + pose.translation;
+}
+
 /// `pose` relative to `frame`. Both are given in one common frame.
 template <class S>
 GeneralPose<S> seen_from(const GeneralPose<S>& frame, const GeneralPose<S>& pose) {

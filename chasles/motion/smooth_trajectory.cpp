@@ -160,21 +160,15 @@ PathBall SmoothTrajectory::ball_around_path(const Vector3<double>& point) const 
     const MovingFrame& frame = *motion_.relative;
     const std::vector<Section>& sections = sections_->all();
     const double arm = length(point - frame.reference());
-    const auto place = [&](const GeneralPose<double>& pose) {
-        return rotated(pose.rotation, point) + pose.translation;
-    };
-    const Vector3<double> first = place(sections.front().ends.start);
-    const Vector3<double> centre = scale(first + place(sections.back().ends.goal), 0.5);
+    const Vector3<double> first = placed(sections.front().ends.start, point);
+    const Vector3<double> centre = scale(first + placed(sections.back().ends.goal, point), 0.5);
     double radius = 0;
     double start = length(first - centre);
     for (const auto& [times, rates, ends] : sections) {
         const double duration = times.upper - times.lower;
-        const double speed = rates.speed + rates.turn_rate * arm;
-        const double acceleration =
-            rates.acceleration + (rates.turn_acceleration + rates.turn_rate * rates.turn_rate) * arm;
-        const double goal = length(place(ends.goal) - centre);
-        const double by_speed = 0.5 * (start + goal + speed * duration);
-        const double by_acceleration = std::max(start, goal) + 0.125 * acceleration * duration * duration;
+        const double goal = length(placed(ends.goal, point) - centre);
+        const double by_speed = 0.5 * (start + goal + rates.speed_at(arm) * duration);
+        const double by_acceleration = std::max(start, goal) + 0.125 * rates.acceleration_at(arm) * duration * duration;
         radius = std::max(radius, std::min(by_speed, by_acceleration));
         start = goal;
     }

@@ -23,22 +23,13 @@ struct MovingBall {
     double size = 0;   ///< of all lengths that enter
 };
 
-/// How far a body point leaves the even way between its ends: by (1) and (2) of note 24.
-double deviation_of(const motion::RateBounds& rates, double arm, double duration) {
-    const double speed = rates.speed + rates.turn_rate * arm;
-    const double turn = rates.turn_acceleration + rates.turn_rate * rates.turn_rate;
-    const double acceleration = rates.acceleration + (turn > 0 ? turn * arm : 0);
-    return duration * std::min(0.5 * speed, 0.125 * acceleration * duration);
-}
-
-/// At a cut the centre is anywhere on its path: the ball of a body with cuts stays, and holds them all.
+/// The way of a body whose rates jump is not even: its ball is everywhere, and the boxes alone decide.
 MovingBall ball_of(const WorldBody& body, double until) {
     const Bvh& tree = body.body->bvh();
     const motion::MovingFrame& frame = *body.frame;
     const auto centre = motion::vector_in<double>(tree.centre());
     const auto place = [&](double time) {
-        const auto pose = frame.at(time);
-        const auto at = rotated(pose.rotation, centre) + pose.translation;
+        const auto at = placed(frame.at(time), centre);
         return Vector3d(at.x, at.y, at.z);
     };
     MovingBall ball{place(0), Vector3d::Zero(), body.body->vertex_radius(), frame.size() + norm1(centre)};
@@ -47,10 +38,10 @@ MovingBall ball_of(const WorldBody& body, double until) {
         frame.add_cuts(cuts);
     const double arm = length(centre - frame.reference());
     if (std::ranges::any_of(cuts, [&](double cut) { return 0 < cut && cut < until; }))
-        ball.radius = std::numeric_limits<double>::infinity(); // the boxes alone decide
+        ball.radius = std::numeric_limits<double>::infinity();
     else if (!body.rests) {
         ball.way = place(until) - ball.start;
-        ball.radius += deviation_of(frame.rates({0, until}), arm, until);
+        ball.radius += deviation_from_straight(frame.rates({0, until}), arm, until);
     }
     return ball;
 }

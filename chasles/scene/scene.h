@@ -56,9 +56,9 @@ struct SceneContact {
 /// The answer for a whole scene.
 struct [[nodiscard]] SceneAnswer {
     Verdict verdict = Verdict::unknown;
-    /// In order of time: by lower ends of brackets, then by names. Empty if the scene is clear. Of the earliest
-    /// contact: all pairs that may touch at that time, as their brackets overlap with that of the first. Of pairs that
-    /// touch at the start, Find::first gives some, and Find::first_with_all_contacts gives all.
+    /// In order of time: by lower ends of brackets, then by names. Empty if the scene is clear. For the earliest
+    /// contact: the first pair, and all pairs whose brackets overlap with its bracket, as they may touch at the same
+    /// time. Where pairs touch at the start, Find::first gives some of them, and Find::first_with_all_contacts all.
     std::vector<SceneContact> contacts;
     /// Before this time all pairs are proven to stay apart, or farther apart than the margin.
     double clear_until = 0;

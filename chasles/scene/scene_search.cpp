@@ -72,6 +72,7 @@ private:
     Work work_;
 };
 
+/// The frames are those that the scene holds; `relative` would make them anew for each pair.
 FirstContact SceneSearch::ask(const PairTask& task, double until) const {
     const SceneBody& moving = scene_.bodies()[task.moving];
     const SceneBody& fixed = scene_.bodies()[task.fixed];
@@ -136,21 +137,26 @@ SceneAnswer SceneSearch::answer(std::vector<SceneContact> contacts) const {
 
 SceneAnswer SceneSearch::earliest() {
     std::vector<SceneContact> found;
+    std::size_t unlimited = 0; // so many of them were asked without a limit
     double best = query_.until;
     const double slack = 4 * query_.options.time_tolerance; // brackets found with a limit may differ a little
     const bool wants_all = query_.options.find == Find::first_with_all_contacts;
     const auto may_be_earlier = [&](double time) { return time <= best && (best > 0 || wants_all || found.empty()); };
     for (Rounds rounds(tasks_.size()); !rounds.is_over() && may_be_earlier(tasks_[rounds.begin()].earliest);
-         rounds.next())
+         rounds.next()) {
+        const bool has_limit = !found.empty();
         for (SceneContact& contact : ask_all(rounds, best)) {
             const double end = contact.contact.time.upper;
             best = std::min(best, end > 0 ? end + slack : 0);
             found.push_back(std::move(contact));
         }
-    // Those that may be the first are asked again, without a time limit that depends on other pairs.
+        unlimited = has_limit ? unlimited : found.size();
+    }
+    // A limit depends on other pairs, and a bracket must not. What may be the first is asked again without one.
+    for (std::size_t i = unlimited; i < found.size(); ++i)
+        if (SceneContact& contact = found[i]; contact.contact.time.lower <= best)
+            contact.contact = ask({0, std::uint32_t(contact.moving), std::uint32_t(contact.fixed)}, query_.until);
     std::erase_if(found, [&](const SceneContact& c) { return c.contact.time.lower > best; });
-    for (SceneContact& contact : found)
-        contact.contact = ask({0, std::uint32_t(contact.moving), std::uint32_t(contact.fixed)}, query_.until);
     SceneAnswer result = answer(std::move(found));
     if (!result.contacts.empty()) {
         const double end = result.contacts.front().contact.time.upper;

@@ -47,16 +47,11 @@ Box box_at(const WorldBody& body, double time) {
 
 /// How far a point of the body may leave its chord during a section.
 double bend(const WorldBody& body, const Bracket& times) {
-    const motion::RateBounds rates = body.frame->rates(times);
-    const double duration = times.upper - times.lower;
     const MeshReport& report = body.body->report();
     const Vector3d centre = 0.5 * (report.lower + report.upper);
     const double reach =
         (centre - as_eigen(body.frame->reference())).norm() + 0.5 * (report.upper - report.lower).norm();
-    const double speed = rates.speed + rates.turn_rate * reach;
-    const double turn = rates.turn_acceleration + rates.turn_rate * rates.turn_rate;
-    const double acceleration = rates.acceleration + (turn > 0 ? turn * reach : 0);
-    return std::min(0.5 * speed * duration, 0.125 * acceleration * duration * duration);
+    return deviation_from_straight(body.frame->rates(times), reach, times.upper - times.lower);
 }
 
 } // namespace

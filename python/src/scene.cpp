@@ -34,6 +34,16 @@ struct SceneContactAnswer : Answer {
     std::vector<Names> simultaneous;
 };
 
+/// The motion of this kind between two poses.
+Motion motion_between(const std::string& kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
+    return kind == "twist" ? Motion::twist(start, goal) : Motion::velocity(start, goal, centre);
+}
+
+void require_kind(const std::string& kind) {
+    if (kind != "velocity" && kind != "twist")
+        throw InvalidInput(fmt::format("motion: {:?} is no kind of motion in a scene; velocity and twist are", kind));
+}
+
 /// A motion by poses. `motion` is None, a motion or the name of a kind.
 Motion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre) {
     std::string kind = "velocity";
@@ -43,17 +53,14 @@ Motion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::h
             throw InvalidInput("motion: stands instead of pose, goal and centre");
         return plain(given_motion(motion));
     }
-    if (kind != "velocity" && kind != "twist")
-        throw InvalidInput(fmt::format("motion: {:?} is no kind of motion in a scene; velocity and twist are", kind));
+    require_kind(kind);
     if (!centre.is_none() && kind == "twist")
         throw InvalidInput("centre: a twist has none");
     const Pose start = pose.is_none() ? Pose() : pose_from(pose, "pose");
     if (goal.is_none())
         return Motion::at_rest(start);
-    const Pose end = pose_from(goal, "goal");
-    if (kind == "twist")
-        return Motion::twist(start, end);
-    return Motion::velocity(start, end, centre.is_none() ? Eigen::Vector3d::Zero() : vector_from(centre, "centre"));
+    const Eigen::Vector3d middle = centre.is_none() ? Eigen::Vector3d::Zero() : vector_from(centre, "centre");
+    return motion_between(kind, start, pose_from(goal, "goal"), middle);
 }
 
 std::string add(PythonScene& scene, const std::string& name, nb::handle shape, nb::handle pose, nb::handle goal,
@@ -79,12 +86,11 @@ void move_all(PythonScene& scene, nb::handle starts, nb::handle goals, const std
     const std::size_t count = scene.scene.bodies().size();
     if (from.size() != count || to.size() != count)
         throw InvalidInput(fmt::format("starts, goals: {} and {} poses for {} bodies", from.size(), to.size(), count));
-    if (kind != "velocity" && kind != "twist")
-        throw InvalidInput(fmt::format("motion: {:?} is no kind of motion in a scene; velocity and twist are", kind));
+    require_kind(kind);
     std::vector<Motion> motions;
     for (std::size_t i = 0; i < count; ++i)
         try {
-            motions.push_back(kind == "twist" ? Motion::twist(from[i], to[i]) : Motion::velocity(from[i], to[i]));
+            motions.push_back(motion_between(kind, from[i], to[i], Eigen::Vector3d::Zero()));
         } catch (const InvalidInput& error) {
             throw InvalidInput(fmt::format("starts[{}], goals[{}]: {}", i, i, error.what()));
         }

@@ -1,9 +1,8 @@
 // The distance of two bodies by FCL.
 #pragma once
 
-#include "tests/support/triangle_tree.h"
+#include "tests/data/fcl_model.h"
 
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/distance.h>
 
 namespace chasles::test {
@@ -12,7 +11,7 @@ namespace chasles::test {
 class FclDistance {
 public:
     FclDistance(const Polyhedron& moving, const Polyhedron& fixed)
-        : moving_(model_of(moving)), fixed_(model_of(fixed)) {}
+        : moving_(fcl_model_of(moving)), fixed_(fcl_model_of(fixed)) {}
 
     [[nodiscard]] double operator()(const Pose& at) const {
         fcl::DistanceResultd found;
@@ -22,22 +21,8 @@ public:
     }
 
 private:
-    using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
-    static std::shared_ptr<const Model> model_of(const Polyhedron& body) {
-        const TriangleTree tree(body);
-        std::vector<fcl::Triangle> triangles;
-        for (std::uint32_t i = 0; i < tree.size(); ++i)
-            triangles.emplace_back(tree.corners(i)[0], tree.corners(i)[1], tree.corners(i)[2]);
-        auto model = std::make_shared<Model>();
-        model->beginModel(int(triangles.size()), int(body.vertex_count()));
-        model->addSubModel(std::vector<fcl::Vector3d>(body.vertices().begin(), body.vertices().end()), triangles);
-        model->endModel();
-        return model;
-    }
-
-    std::shared_ptr<const Model> moving_;
-    std::shared_ptr<const Model> fixed_;
+    std::shared_ptr<const FclModel> moving_;
+    std::shared_ptr<const FclModel> fixed_;
 };
 
 } // namespace chasles::test

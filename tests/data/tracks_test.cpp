@@ -6,32 +6,16 @@
 #include "chasles/motion/timed_poses.h"
 #include "chasles/query/least_distance.h"
 #include "tests/data/cad_frames.h"
+#include "tests/data/fcl_model.h"
 
 #include <algorithm>
 #include <cstdlib>
-#include <fcl/geometry/bvh/BVH_model.h>
 #include <fcl/narrowphase/collision.h>
 #include <string>
 #include <vector>
 
 namespace chasles::test {
 namespace {
-
-using Model = fcl::BVHModel<fcl::OBBRSSd>;
-
-std::shared_ptr<Model> model_of(const Polyhedron& body) {
-    auto model = std::make_shared<Model>();
-    model->beginModel();
-    std::vector<fcl::Triangle> triangles;
-    for (std::size_t i = 0; i < body.face_count(); ++i) {
-        const auto face = body.face(i);
-        EXPECT_EQ(face.size(), 3U);
-        triangles.emplace_back(face[0], face[1], face[2]);
-    }
-    model->addSubModel({body.vertices().begin(), body.vertices().end()}, triangles);
-    model->endModel();
-    return model;
-}
 
 /// How many samples to take where the tests of every day take some.
 int samples(int daily) {
@@ -49,7 +33,7 @@ struct Density {
 class SampledTrack {
 public:
     SampledTrack(const Polyhedron& moving, const Polyhedron& fixed, Motion motion)
-        : moving_(model_of(moving)), fixed_(model_of(fixed)), query_{moving, fixed, std::move(motion)} {}
+        : moving_(fcl_model_of(moving)), fixed_(fcl_model_of(fixed)), query_{moving, fixed, std::move(motion)} {}
 
     /// The same bodies on another track.
     void follow(Motion motion) { query_.motion = std::move(motion); }
@@ -99,7 +83,7 @@ public:
     }
 
 private:
-    std::shared_ptr<Model> moving_, fixed_;
+    std::shared_ptr<const FclModel> moving_, fixed_;
     FirstContactQuery query_;
     double seconds_ = 0;
     long samples_ = 0;
