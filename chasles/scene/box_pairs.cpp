@@ -3,84 +3,145 @@
 #include "chasles/base/parallel_for.h"
 
 #include <algorithm>
-#include <array>
-#include <numeric>
 
 namespace chasles::scene {
 
 namespace {
 
-constexpr std::uint32_t most_of_leaf = 4;
-/// Boxes of one piece of work.
-constexpr std::size_t chunk = 256;
+constexpr std::size_t most_of_leaf = 8;
+/// Pairs of nodes that threads share.
+constexpr std::size_t most_tasks = 512;
 
+/// Without branches: whether boxes overlap cannot be foretold.
 bool overlap(const Box& a, const Box& b) {
-    return (a.min().array() <= b.max().array()).all() && (b.min().array() <= a.max().array()).all();
+    const auto along = [&](Eigen::Index axis) {
+        return int(a.min()[axis] <= b.max()[axis]) & int(b.min()[axis] <= a.max()[axis]);
+    };
+    return (along(0) & along(1) & along(2)) != 0;
 }
 
 } // namespace
 
-BoxTree::BoxTree(const std::vector<Box>& boxes) : boxes_(boxes), order_(boxes.size()) {
-    std::iota(order_.begin(), order_.end(), 0U);
-    nodes_.reserve(boxes.size());
-    if (!boxes.empty())
-        build(0, std::uint32_t(boxes.size()));
+/// What the median is taken of.
+struct BoxTree::Centre {
+    Eigen::Array3d twice;
+    std::uint32_t index;
+};
+
+BoxTree::BoxTree(const std::vector<SweptBody>& bodies) {
+    std::vector<Centre> centres;
+    centres.reserve(bodies.size());
+    for (const SweptBody& body : bodies)
+        centres.push_back({body.box.min() + body.box.max(), std::uint32_t(centres.size())});
+    nodes_.reserve(bodies.size());
+    items_.reserve(bodies.size());
+    if (!bodies.empty())
+        build(bodies, centres);
 }
 
-void BoxTree::build(std::uint32_t begin, std::uint32_t end) {
-    Box box, centres;
-    for (std::uint32_t place = begin; place < end; ++place) {
-        box.extend(boxes_[order_[place]]);
-        centres.extend(boxes_[order_[place]].center());
-    }
+void BoxTree::build(const std::vector<SweptBody>& bodies, std::span<Centre> centres) {
     const std::size_t node = nodes_.size();
-    nodes_.push_back({box, begin, end, 0});
-    if (end - begin <= most_of_leaf)
-        return;
+    const auto begin = std::uint32_t(items_.size());
+    nodes_.push_back({{}, begin, begin + std::uint32_t(centres.size()), 0});
+    if (centres.size() <= most_of_leaf)
+        return add_items(bodies, centres, nodes_.back());
+    Eigen::Array3d least = centres.front().twice, greatest = least;
+    for (const Centre& centre : centres) {
+        least = least.min(centre.twice);
+        greatest = greatest.max(centre.twice);
+    }
     Eigen::Index axis = 0;
-    centres.sizes().maxCoeff(&axis);
-    const std::uint32_t middle = begin + (end - begin) / 2;
-    const auto key = [&](std::uint32_t i) { return std::pair(boxes_[i].min()[axis] + boxes_[i].max()[axis], i); };
-    std::ranges::nth_element(order_.begin() + begin, order_.begin() + middle, order_.begin() + end, {}, key);
-    build(begin, middle);
+    (greatest - least).maxCoeff(&axis);
+    const std::size_t middle = centres.size() / 2;
+    std::ranges::nth_element(centres, centres.begin() + std::ptrdiff_t(middle), [axis](const auto& a, const auto& b) {
+        return a.twice[axis] < b.twice[axis] || (a.twice[axis] == b.twice[axis] && a.index < b.index);
+    });
+    build(bodies, centres.first(middle));
     nodes_[node].right = std::uint32_t(nodes_.size());
-    build(middle, end);
+    build(bodies, centres.subspan(middle));
+    nodes_[node].box = nodes_[node + 1].box.merged(nodes_[nodes_[node].right].box);
 }
 
-/// With the boxes at later places.
-void BoxTree::append_pairs_of(std::uint32_t place, std::vector<IndexPair>& pairs) const {
-    constexpr std::size_t depth = 64; // medians halve 2^32 places
-    std::array<std::uint32_t, depth>
-        waiting; // NOLINT(cppcoreguidelines-pro-type-member-init): the first `count` are set
-    std::size_t count = 0;
-    const std::uint32_t own = order_[place];
-    const Box& box = boxes_[own];
-    waiting[count++] = 0;
-    while (count > 0) {
-        const std::uint32_t index = waiting[--count];
-        const Node& node = nodes_[index];
-        if (node.end <= place + 1 || !overlap(node.box, box))
-            continue;
-        if (node.right != 0) {
-            waiting[count++] = node.right;
-            waiting[count++] = index + 1;
-            continue;
-        }
-        for (std::uint32_t other = std::max(node.begin, place + 1); other < node.end; ++other)
-            if (overlap(boxes_[order_[other]], box))
-                pairs.push_back(std::minmax(own, order_[other]));
+void BoxTree::add_items(const std::vector<SweptBody>& bodies, std::span<const Centre> centres, Node& leaf) {
+    for (const Centre& centre : centres) {
+        items_.push_back({bodies[centre.index].box, centre.index});
+        leaf.box.extend(items_.back().box);
+    }
+}
+
+/// Both are leaves, or one leaf twice.
+bool BoxTree::is_split(const NodePair& pair) const {
+    return nodes_[pair.first].right == 0 && nodes_[pair.second].right == 0;
+}
+
+/// The pairs of nodes below a pair that is not split. A node against itself holds the pairs of all boxes below it.
+void BoxTree::append_parts(const NodePair& pair, std::vector<NodePair>& parts) const {
+    const auto [a, b] = pair;
+    const auto append = [&](std::uint32_t x, std::uint32_t y) {
+        if (x == y || overlap(nodes_[x].box, nodes_[y].box))
+            parts.emplace_back(x, y);
+    };
+    const auto size = [&](std::uint32_t node) { return nodes_[node].end - nodes_[node].begin; };
+    const std::uint32_t larger = size(a) < size(b) ? b : a;
+    const std::uint32_t left = larger + 1, right = nodes_[larger].right;
+    if (a == b) {
+        append(left, left);
+        append(right, right);
+        append(left, right);
+    } else {
+        append(left, larger == a ? b : a);
+        append(right, larger == a ? b : a);
+    }
+}
+
+/// Pairs of nodes that together hold all pairs of boxes that overlap.
+std::vector<BoxTree::NodePair> BoxTree::tasks() const {
+    std::vector<NodePair> tasks;
+    if (!nodes_.empty())
+        tasks.emplace_back(0, 0);
+    for (bool is_final = tasks.empty(); !is_final && tasks.size() < most_tasks;) {
+        std::vector<NodePair> parts;
+        is_final = true;
+        for (const NodePair& pair : tasks)
+            if (is_split(pair))
+                parts.push_back(pair);
+            else {
+                append_parts(pair, parts);
+                is_final = false;
+            }
+        tasks = std::move(parts);
+    }
+    return tasks;
+}
+
+void BoxTree::append_pairs_of_leaves(const Node& a, const Node& b, std::vector<IndexPair>& pairs) const {
+    for (std::uint32_t i = a.begin; i < a.end; ++i)
+        for (std::uint32_t j = &a == &b ? i + 1 : b.begin; j < b.end; ++j)
+            if (overlap(items_[i].box, items_[j].box))
+                pairs.push_back(std::minmax(items_[i].index, items_[j].index));
+}
+
+void BoxTree::append_pairs(const NodePair& pair, std::vector<IndexPair>& pairs) const {
+    std::vector<NodePair> waiting{pair};
+    while (!waiting.empty()) {
+        const NodePair next = waiting.back();
+        waiting.pop_back();
+        if (is_split(next))
+            append_pairs_of_leaves(nodes_[next.first], nodes_[next.second], pairs);
+        else
+            append_parts(next, waiting);
     }
 }
 
 std::vector<IndexPair> BoxTree::overlapping_pairs(unsigned threads) const {
-    const std::size_t count = boxes_.size();
-    std::vector<std::vector<IndexPair>> chunks((count + chunk - 1) / chunk);
-    parallel_chunks(threads, count, chunk, [&](std::size_t index, std::size_t begin, std::size_t end) {
-        for (std::size_t place = begin; place < end; ++place)
-            append_pairs_of(std::uint32_t(place), chunks[index]);
+    const std::vector<NodePair> shared = tasks();
+    std::vector<std::vector<IndexPair>> of_task(shared.size());
+    parallel_for(threads, shared.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            append_pairs(shared[i], of_task[i]);
     });
     std::vector<IndexPair> pairs;
-    for (const std::vector<IndexPair>& part : chunks)
+    for (const std::vector<IndexPair>& part : of_task)
         pairs.insert(pairs.end(), part.begin(), part.end());
     return pairs;
 }

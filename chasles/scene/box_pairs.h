@@ -1,9 +1,10 @@
-// Which boxes overlap? A tree over the boxes, visited by all of them. Source: docs/derivations/27-scenes.md, "Pairs".
+// Which boxes overlap? A tree over the boxes, tested against itself. Source: docs/derivations/27-scenes.md, "Pairs".
 #pragma once
 
 #include "chasles/scene/world_box.h"
 
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -14,26 +15,35 @@ using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 /// A tree of boxes, halved at the median of the longest side.
 class BoxTree {
 public:
-    /// Keeps the boxes by reference.
-    explicit BoxTree(const std::vector<Box>& boxes);
+    explicit BoxTree(const std::vector<SweptBody>& bodies);
 
-    /// All pairs of boxes that overlap, each once, the smaller index first, in no useful order that does not depend on
-    /// the number of threads.
+    /// All pairs of boxes that overlap, each once, the smaller index first. They are in no useful order, but in the
+    /// same one for any number of threads.
     [[nodiscard]] std::vector<IndexPair> overlapping_pairs(unsigned threads) const;
 
 private:
+    struct Centre;
+    struct Item {
+        Box box;
+        std::uint32_t index;
+    };
     struct Node {
         Box box;
-        std::uint32_t begin; ///< of the places in order_ below the node
+        std::uint32_t begin; ///< of the items below the node
         std::uint32_t end;
         std::uint32_t right; ///< the second child; the first one follows the node. 0 for a leaf
     };
+    using NodePair = std::pair<std::uint32_t, std::uint32_t>;
 
-    void build(std::uint32_t begin, std::uint32_t end);
-    void append_pairs_of(std::uint32_t place, std::vector<IndexPair>& pairs) const;
+    void build(const std::vector<SweptBody>& bodies, std::span<Centre> centres);
+    void add_items(const std::vector<SweptBody>& bodies, std::span<const Centre> centres, Node& leaf);
+    [[nodiscard]] std::vector<NodePair> tasks() const;
+    [[nodiscard]] bool is_split(const NodePair& pair) const;
+    void append_parts(const NodePair& pair, std::vector<NodePair>& parts) const;
+    void append_pairs(const NodePair& pair, std::vector<IndexPair>& pairs) const;
+    void append_pairs_of_leaves(const Node& a, const Node& b, std::vector<IndexPair>& pairs) const;
 
-    const std::vector<Box>& boxes_;
-    std::vector<std::uint32_t> order_;
+    std::vector<Item> items_;
     std::vector<Node> nodes_;
 };
 

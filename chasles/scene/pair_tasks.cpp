@@ -1,12 +1,11 @@
 #include "chasles/scene/pair_tasks.h"
 
 #include "chasles/base/parallel_for.h"
-#include "chasles/motion/screw_path.h"
 #include "chasles/scene/box_pairs.h"
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <string>
 #include <tuple>
 
 namespace chasles::scene {
@@ -14,37 +13,6 @@ namespace chasles::scene {
 namespace {
 
 using Eigen::Vector3d;
-
-/// A ball around a body, whose centre moves near a straight, even way.
-struct MovingBall {
-    Vector3d start;    ///< of the centre
-    Vector3d way;      ///< of the centre until the end of the question
-    double radius = 0; ///< of the ball, with how far the centre leaves its way
-    double size = 0;   ///< of all lengths that enter
-};
-
-/// The way of a body whose rates jump is not even: its ball is everywhere, and the boxes alone decide.
-MovingBall ball_of(const WorldBody& body, double until) {
-    const Bvh& tree = body.body->bvh();
-    const motion::MovingFrame& frame = *body.frame;
-    const auto centre = motion::vector_in<double>(tree.centre());
-    const auto place = [&](double time) {
-        const auto at = placed(frame.at(time), centre);
-        return Vector3d(at.x, at.y, at.z);
-    };
-    MovingBall ball{place(0), Vector3d::Zero(), body.body->vertex_radius(), frame.size() + norm1(centre)};
-    std::vector<double> cuts;
-    if (!body.rests)
-        frame.add_cuts(cuts);
-    const double arm = length(centre - frame.reference());
-    if (std::ranges::any_of(cuts, [&](double cut) { return 0 < cut && cut < until; }))
-        ball.radius = std::numeric_limits<double>::infinity();
-    else if (!body.rests) {
-        ball.way = place(until) - ball.start;
-        ball.radius += deviation_from_straight(frame.rates({0, until}), arm, until);
-    }
-    return ball;
-}
 
 /// A share of the time of the question before which the balls are farther apart than the margin; 2 if they are so all
 /// along. It is the first root of |d + t w|^2 = r^2.
@@ -62,54 +30,55 @@ double earliest_meeting(const MovingBall& a, const MovingBall& b, double margin)
     return std::min(never, gap / (closing + std::sqrt(root)) * (1 - 1e-6));
 }
 
-std::vector<WorldBody> world_bodies(const Scene& scene) {
-    std::vector<WorldBody> bodies;
-    for (std::size_t i = 0; i < scene.bodies().size(); ++i) {
-        const Scene::Placed& placed = scene.placed(i);
-        bodies.push_back({&scene.bodies()[i].shape.body(), placed.frame, placed.rests});
-    }
-    return bodies;
-}
-
-/// The pairs whose swept boxes overlap.
-std::vector<IndexPair> near_pairs(const std::vector<WorldBody>& bodies, const SceneQuery& query) {
-    std::vector<Box> boxes(bodies.size());
+/// What each body sweeps; the boxes are wide enough for the margin.
+std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query) {
+    std::vector<SweptBody> bodies(scene.bodies().size());
     const Vector3d wider = Vector3d::Constant(query.options.margin);
     parallel_for(query.threads, bodies.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            boxes[i] = swept_box(bodies[i], {0, query.until});
-            boxes[i].min() -= wider;
-            boxes[i].max() += wider;
+            const Scene::Placed& placed = scene.placed(i);
+            bodies[i] = swept({scene.bodies()[i].shape.body(), *placed.frame, placed.rests}, query.until);
+            bodies[i].box.min() -= wider;
+            bodies[i].box.max() += wider;
         }
     });
-    return BoxTree(boxes).overlapping_pairs(query.threads);
+    return bodies;
+}
+
+/// The pairs whose balls may meet, in no useful order.
+std::vector<PairTask> near_tasks(const Scene& scene, const SceneQuery& query) {
+    const std::vector<SweptBody> bodies = swept_bodies(scene, query);
+    const std::vector<IndexPair> pairs = BoxTree(bodies).overlapping_pairs(query.threads);
+    constexpr std::size_t chunk = 1024;
+    std::vector<std::vector<PairTask>> chunks((pairs.size() + chunk - 1) / chunk);
+    parallel_chunks(query.threads, pairs.size(), chunk, [&](std::size_t index, std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const auto [a, b] = pairs[i];
+            const double share = earliest_meeting(bodies[a].ball, bodies[b].ball, query.options.margin);
+            if (share <= 1 && !scene.is_ignored(a, b))
+                chunks[index].push_back({query.until * share, a, b});
+        }
+    });
+    std::vector<PairTask> tasks;
+    for (const std::vector<PairTask>& part : chunks)
+        tasks.insert(tasks.end(), part.begin(), part.end());
+    return tasks;
 }
 
 } // namespace
 
 std::vector<PairTask> pair_tasks(const Scene& scene, const SceneQuery& query) {
-    const std::vector<WorldBody> bodies = world_bodies(scene);
-    std::vector<MovingBall> balls(bodies.size());
-    parallel_for(query.threads, bodies.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            balls[i] = ball_of(bodies[i], query.until);
-    });
-    std::vector<std::uint32_t> rank(bodies.size());
-    const std::vector<std::size_t> names = scene.in_order_of_names();
-    for (std::size_t i = 0; i < names.size(); ++i)
-        rank[names[i]] = std::uint32_t(i);
-
-    std::vector<PairTask> tasks;
-    for (const auto& [a, b] : near_pairs(bodies, query)) {
-        if (scene.is_ignored(a, b))
-            continue;
-        const double earliest = query.until * earliest_meeting(balls[a], balls[b], query.options.margin);
-        const bool swaps = bodies[a].rests != bodies[b].rests ? bodies[a].rests : rank[b] < rank[a];
-        if (earliest <= query.until)
-            tasks.push_back({earliest, swaps ? b : a, swaps ? a : b});
+    const auto name = [&](std::uint32_t i) -> const std::string& { return scene.bodies()[i].name; };
+    std::vector<PairTask> tasks = near_tasks(scene, query);
+    for (PairTask& task : tasks) {
+        const bool rests = scene.placed(task.moving).rests;
+        if (rests != scene.placed(task.fixed).rests ? rests : name(task.fixed) < name(task.moving))
+            std::swap(task.moving, task.fixed);
     }
-    std::ranges::sort(tasks, {}, [&](const PairTask& task) {
-        return std::tuple(task.earliest, rank[task.moving], rank[task.fixed]);
+    std::ranges::sort(tasks, [&](const PairTask& a, const PairTask& b) {
+        if (a.earliest != b.earliest)
+            return a.earliest < b.earliest;
+        return std::tie(name(a.moving), name(a.fixed)) < std::tie(name(b.moving), name(b.fixed));
     });
     return tasks;
 }

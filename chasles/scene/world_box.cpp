@@ -1,9 +1,9 @@
 // The boxes of a body at both ends of an interval, widened by how far its points leave their chords.
-// Source: docs/derivations/27-scenes.md, "Boxes".
 #include "chasles/scene/world_box.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace chasles::scene {
 
@@ -19,39 +19,73 @@ Vector3d as_eigen(const motion::Vector3<double>& v) {
     return {v.x, v.y, v.z};
 }
 
-/// The times between which no rate jumps, from the start to the end of the interval.
-std::vector<double> sections_of(const motion::MovingFrame& frame, const Bracket& times) {
+/// A body in its own frame.
+struct Extent {
+    explicit Extent(const WorldBody& body)
+        : middle(0.5 * (body.body.report().lower + body.body.report().upper)),
+          half(0.5 * (body.body.report().upper - body.body.report().lower)), centre(body.body.bvh().centre()),
+          radius(body.body.vertex_radius()), reference(as_eigen(body.frame.reference())) {}
+
+    Vector3d middle, half; ///< of its box
+    Vector3d centre;       ///< of the ball around it
+    double radius;
+    Vector3d reference; ///< of the rates
+};
+
+/// A body at a time, in the world.
+struct Placement {
+    Box box;
+    Vector3d centre; ///< of the ball
+};
+
+/// The box is what the turned box of the body and the ball around it have in common.
+Placement placement(const Extent& extent, const motion::MovingFrame& frame, double time) {
+    const motion::GeneralPose<double> pose = frame.at(time);
+    const auto& [w, v] = pose.rotation;
+    const Eigen::Matrix3d turn = Eigen::Quaterniond(w, v.x, v.y, v.z).toRotationMatrix();
+    const Vector3d place = as_eigen(pose.translation);
+    const Vector3d middle = turn * extent.middle + place;
+    const Vector3d around = turn.cwiseAbs() * extent.half;
+    const Vector3d centre = turn * extent.centre + place;
+    const Vector3d radius = Vector3d::Constant(extent.radius);
+    return {{(middle - around).cwiseMax(centre - radius), (middle + around).cwiseMin(centre + radius)}, centre};
+}
+
+/// The times between which no rate jumps, from 0 to the end.
+std::vector<double> sections_of(const motion::MovingFrame& frame, double until) {
     std::vector<double> cuts;
     frame.add_cuts(cuts);
-    std::erase_if(cuts, [&](double cut) { return !(times.lower < cut && cut < times.upper); });
-    cuts.push_back(times.lower);
-    cuts.push_back(times.upper);
+    std::erase_if(cuts, [&](double cut) { return !(0 < cut && cut < until); });
+    cuts.push_back(0);
+    cuts.push_back(until);
     std::ranges::sort(cuts);
     return cuts;
 }
 
-/// The box of the body at a time: what the turned box of the body and the ball around it have in common.
-Box box_at(const WorldBody& body, double time) {
-    const MeshReport& report = body.body->report();
-    const Bvh& tree = body.body->bvh();
-    const motion::GeneralPose<double> pose = body.frame->at(time);
-    const auto& [w, v] = pose.rotation;
-    const Eigen::Matrix3d turn = Eigen::Quaterniond(w, v.x, v.y, v.z).toRotationMatrix();
-    const Vector3d place = as_eigen(pose.translation);
-    const Vector3d centre = turn * (0.5 * (report.lower + report.upper)) + place;
-    const Vector3d around = turn.cwiseAbs() * (0.5 * (report.upper - report.lower));
-    const Vector3d ball = turn * tree.centre() + place;
-    const Vector3d radius = Vector3d::Constant(body.body->vertex_radius());
-    return {(centre - around).cwiseMax(ball - radius), (centre + around).cwiseMin(ball + radius)};
+Box widened(const Box& box, double length) {
+    const Vector3d wider = Vector3d::Constant(length);
+    return {box.min() - wider, box.max() + wider};
 }
 
-/// How far a point of the body may leave its chord during a section.
-double bend(const WorldBody& body, const Bracket& times) {
-    const MeshReport& report = body.body->report();
-    const Vector3d centre = 0.5 * (report.lower + report.upper);
-    const double reach =
-        (centre - as_eigen(body.frame->reference())).norm() + 0.5 * (report.upper - report.lower).norm();
-    return deviation_from_straight(body.frame->rates(times), reach, times.upper - times.lower);
+/// A body that moves, from `before` on.
+SweptBody swept_while_moving(const WorldBody& body, const Extent& extent, const Placement& before, double until) {
+    const std::vector<double> cuts = sections_of(body.frame, until);
+    const double reach = (extent.middle - extent.reference).norm() + extent.half.norm();
+    const double arm = (extent.centre - extent.reference).norm();
+    SweptBody swept{before.box, {before.centre, Vector3d::Zero(), extent.radius}};
+    Placement begin = before;
+    for (std::size_t i = 1; i < cuts.size(); ++i) {
+        const double duration = cuts[i] - cuts[i - 1];
+        const motion::RateBounds rates = body.frame.rates({cuts[i - 1], cuts[i]});
+        const Placement end = placement(extent, body.frame, cuts[i]);
+        swept.box.extend(widened(begin.box.merged(end.box), deviation_from_straight(rates, reach, duration)));
+        swept.ball.radius += deviation_from_straight(rates, arm, duration);
+        begin = end;
+    }
+    swept.ball.way = begin.centre - before.centre;
+    if (cuts.size() > 2) // the way is not even: the ball is everywhere, and the box alone decides
+        swept.ball.radius = std::numeric_limits<double>::infinity();
+    return swept;
 }
 
 } // namespace
@@ -63,23 +97,15 @@ bool is_at_rest(const motion::MovingFrame& frame) {
     return cuts.empty() && rates.turn_rate == 0 && rates.speed == 0;
 }
 
-Box swept_box(const WorldBody& body, const Bracket& times) {
-    const std::vector<double> cuts = body.rests ? std::vector{times.lower} : sections_of(*body.frame, times);
-    Box before = box_at(body, cuts.front());
-    Box swept = before;
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-        const Box after = box_at(body, cuts[i]);
-        Box section = before.merged(after);
-        const Vector3d wider = Vector3d::Constant(bend(body, {cuts[i - 1], cuts[i]}));
-        section.min() -= wider;
-        section.max() += wider;
-        swept.extend(section);
-        before = after;
-    }
-    const double size = swept.min().cwiseAbs().cwiseMax(swept.max().cwiseAbs()).sum() + body.frame->size() +
-                        body.body->report().lower.lpNorm<1>() + body.body->report().upper.lpNorm<1>();
-    const Vector3d slack = Vector3d::Constant(rounding * size);
-    return {swept.min() - slack, swept.max() + slack};
+SweptBody swept(const WorldBody& body, double until) {
+    const Extent extent(body);
+    const Placement start = placement(extent, body.frame, 0);
+    SweptBody swept = body.rests ? SweptBody{start.box, {start.centre, Vector3d::Zero(), extent.radius}}
+                                 : swept_while_moving(body, extent, start, until);
+    swept.ball.size = body.frame.size() + extent.middle.lpNorm<1>() + extent.half.lpNorm<1>();
+    const double size = swept.box.min().cwiseAbs().cwiseMax(swept.box.max().cwiseAbs()).sum() + swept.ball.size;
+    swept.box = widened(swept.box, rounding * size);
+    return swept;
 }
 
 } // namespace chasles::scene

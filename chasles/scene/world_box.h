@@ -1,4 +1,5 @@
-// Boxes around what bodies sweep in the world. Source: docs/derivations/27-scenes.md, "Boxes".
+// What a body sweeps in the world: a box around all of it, and a ball that moves with it.
+// Source: docs/derivations/27-scenes.md, "Boxes" and "Pairs".
 #pragma once
 
 #include "chasles/mesh/body.h"
@@ -12,15 +13,28 @@ using Box = Eigen::AlignedBox3d;
 
 /// A body that moves in the world.
 struct WorldBody {
-    const Body* body = nullptr;
-    motion::SharedFrame frame;
-    bool rests = false;
+    const Body& body;
+    const motion::MovingFrame& frame;
+    bool rests = false; ///< the frame never moves
+};
+
+/// A ball around a body, whose centre moves near a straight, even way.
+struct MovingBall {
+    Eigen::Vector3d start; ///< of the centre
+    Eigen::Vector3d way;   ///< of the centre until the end of the interval
+    double radius = 0;     ///< of the ball, with how far the centre leaves its way
+    double size = 0;       ///< of all lengths that enter
+};
+
+struct SweptBody {
+    Box box; ///< that the body does not leave
+    MovingBall ball;
 };
 
 /// Whether the frame never moves.
 bool is_at_rest(const motion::MovingFrame& frame);
 
-/// A box that the body does not leave during the interval, in the world.
-Box swept_box(const WorldBody& body, const Bracket& times);
+/// What a body sweeps from the start until a time.
+SweptBody swept(const WorldBody& body, double until);
 
 } // namespace chasles::scene
