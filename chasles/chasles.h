@@ -13,3 +13,4 @@
 #include "chasles/query/least_distance.h"
 #include "chasles/query/path.h"
 #include "chasles/scene/scene.h"
+#include "chasles/scene/stepper.h"

@@ -125,8 +125,12 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
         for (const bool up : {true, false}) {
             if (!(up ? upwards : downwards))
                 continue;
-            if (const std::optional<bool> certain = detail::passes<S>({segment, up, ends}, part, unit))
-                return Passage<S>{detail::point_at_plane(segment, from, to), *certain};
+            const std::optional<bool> certain = detail::passes<S>({segment, up, ends}, part, unit);
+            if (!certain)
+                continue;
+            if (!*certain && detail::are_apart_in_plane(segment, face, unit)) // nearly in the plane
+                return std::nullopt;
+            return Passage<S>{detail::point_at_plane(segment, from, to), *certain};
         }
     }
     return std::nullopt;

@@ -152,6 +152,48 @@ private:
     bool is_refined_ = true;
 };
 
+class RestFrame final : public FrameInBoth<RestFrame> {
+public:
+    RestFrame(SharedFrame frame, double from) : frame_(std::move(frame)), from_(from), duration_(1 - from) {}
+
+    template <class S>
+    [[nodiscard]] GeneralPose<S> place(const S& time) const {
+        const S local = std::min(S(from_) + time * S(duration_), S(1));
+        if constexpr (std::is_same_v<S, double>)
+            return frame_->at(local);
+        else
+            return frame_->refined_at(local);
+    }
+    [[nodiscard]] bool is_refined() const override { return frame_->is_refined(); }
+    [[nodiscard]] Vector3<double> reference() const override { return frame_->reference(); }
+    [[nodiscard]] Vector3<Wide> refined_reference() const override { return frame_->refined_reference(); }
+    [[nodiscard]] RateBounds rates(const Bracket& times) const override {
+        return slowed(frame_->rates(local(times)), 1 / duration_);
+    }
+    [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
+        return slowed(frame_->expansion(local(times)), 1 / duration_);
+    }
+    [[nodiscard]] double size() const override { return frame_->size(); }
+    [[nodiscard]] double rounding() const override { return frame_->rounding() + 1; }
+    void add_cuts(std::vector<double>& cuts) const override {
+        std::vector<double> all;
+        frame_->add_cuts(all);
+        for (const double cut : all)
+            if (cut > from_)
+                cuts.push_back(std::min((cut - from_) / duration_, 1.0));
+    }
+
+private:
+    [[nodiscard]] Bracket local(const Bracket& times) const {
+        const auto at = [&](double time) { return std::min(from_ + time * duration_, 1.0); };
+        return {at(times.lower), at(times.upper)};
+    }
+
+    SharedFrame frame_;
+    double from_;
+    double duration_;
+};
+
 } // namespace
 
 SharedFrame product_frame(SharedFrame outer, SharedFrame inner) {
@@ -164,6 +206,10 @@ SharedFrame relative_frame(SharedFrame moving, SharedFrame fixed) {
 
 SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> frames) {
     return std::make_shared<const JoinedFrames>(std::move(ends), std::move(frames));
+}
+
+SharedFrame rest_frame(SharedFrame frame, double from) {
+    return std::make_shared<const RestFrame>(std::move(frame), from);
 }
 
 } // namespace chasles::motion

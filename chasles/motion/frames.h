@@ -1,5 +1,5 @@
 // The frames that motions are made of: at rest, a hinge, a path of polynomials, products, one frame seen from another,
-// one frame after another, and the user's own. Source: docs/derivations/26-frames.md.
+// one frame after another, the rest of a frame, and the user's own. Source: docs/derivations/26-frames.md.
 #pragma once
 
 #include "chasles/motion/moving_frame.h"
@@ -30,5 +30,8 @@ SharedFrame relative_frame(SharedFrame moving, SharedFrame fixed);
 /// Frames one after another: frame i lasts from ends[i] to ends[i + 1], during which its own time runs from 0 to 1. All
 /// must have the same reference and no cut. `ends` ascends from 0 to 1.
 SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> frames);
+
+/// The rest of a frame's way, from a time in [0, 1) on: the time 0 is there, and 1 stays 1.
+SharedFrame rest_frame(SharedFrame frame, double from);
 
 } // namespace chasles::motion

@@ -35,6 +35,7 @@ BoxTree::BoxTree(const std::vector<SweptBody>& bodies) {
         centres.push_back({body.box.min() + body.box.max(), std::uint32_t(centres.size())});
     nodes_.reserve(bodies.size());
     items_.reserve(bodies.size());
+    places_.resize(bodies.size());
     if (!bodies.empty())
         build(bodies, centres);
 }
@@ -64,6 +65,7 @@ void BoxTree::build(const std::vector<SweptBody>& bodies, std::span<Centre> cent
 
 void BoxTree::add_items(const std::vector<SweptBody>& bodies, std::span<const Centre> centres, Node& leaf) {
     for (const Centre& centre : centres) {
+        places_[centre.index] = std::uint32_t(items_.size());
         items_.push_back({bodies[centre.index].box, centre.index});
         leaf.box.extend(items_.back().box);
     }
@@ -144,6 +146,41 @@ std::vector<IndexPair> BoxTree::overlapping_pairs(unsigned threads) const {
     for (const std::vector<IndexPair>& part : of_task)
         pairs.insert(pairs.end(), part.begin(), part.end());
     return pairs;
+}
+
+std::vector<std::uint32_t> BoxTree::overlapping(const Box& box) const {
+    std::vector<std::uint32_t> found;
+    std::vector<std::uint32_t> waiting(nodes_.empty() ? 0 : 1, 0);
+    while (!waiting.empty()) {
+        const std::uint32_t index = waiting.back();
+        const Node& node = nodes_[index];
+        waiting.pop_back();
+        if (!overlap(node.box, box))
+            continue;
+        if (node.right != 0) {
+            waiting.push_back(node.right);
+            waiting.push_back(index + 1);
+            continue;
+        }
+        for (std::uint32_t place = node.begin; place < node.end; ++place)
+            if (overlap(items_[place].box, box))
+                found.push_back(items_[place].index);
+    }
+    std::ranges::sort(found);
+    return found;
+}
+
+void BoxTree::replace(std::uint32_t index, const Box& box) {
+    const std::uint32_t place = places_[index];
+    items_[place].box = box;
+    std::uint32_t node = 0;
+    for (;;) {
+        nodes_[node].box.extend(box);
+        const std::uint32_t right = nodes_[node].right;
+        if (right == 0)
+            return;
+        node = place < nodes_[right].begin ? node + 1 : right;
+    }
 }
 
 } // namespace chasles::scene

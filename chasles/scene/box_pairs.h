@@ -1,7 +1,7 @@
 // Which boxes overlap? A tree over the boxes, tested against itself. Source: docs/derivations/27-scenes.md, "Pairs".
 #pragma once
 
-#include "chasles/scene/world_box.h"
+#include "chasles/scene/swept_body.h"
 
 #include <cstdint>
 #include <span>
@@ -20,6 +20,10 @@ public:
     /// All pairs of boxes that overlap, each once, the smaller index first. They are in no useful order, but in the
     /// same one for any number of threads.
     [[nodiscard]] std::vector<IndexPair> overlapping_pairs(unsigned threads) const;
+    /// The boxes that overlap with this one, in ascending order.
+    [[nodiscard]] std::vector<std::uint32_t> overlapping(const Box& box) const;
+    /// Gives the box with this index another place. The tree gets no better by it.
+    void replace(std::uint32_t index, const Box& box);
 
 private:
     struct Centre;
@@ -44,6 +48,7 @@ private:
     void append_pairs_of_leaves(const Node& a, const Node& b, std::vector<IndexPair>& pairs) const;
 
     std::vector<Item> items_;
+    std::vector<std::uint32_t> places_; ///< of each index in items_
     std::vector<Node> nodes_;
 };
 

@@ -2,28 +2,15 @@
 #include "chasles/scene/scene.h"
 
 #include "chasles/base/invalid_input.h"
-#include "chasles/motion/any_trajectory.h"
-#include "chasles/scene/world_box.h"
+#include "chasles/scene/pair_question.h"
 
 #include <algorithm>
 
 namespace chasles {
 
+using scene::refuse;
+
 namespace {
-
-[[noreturn]] void refuse(std::string_view name, const char* why) {
-    throw InvalidInput("scene: " + std::string(name) + ": " + why);
-}
-
-/// The motion of the body with this name.
-Scene::Placed placed_by(const Motion& motion, std::string_view name, std::uint32_t id) {
-    motion::SharedFrame frame = motion.trajectory().frame();
-    if (!frame)
-        refuse(name, "motion: takes no paper's screw and no sweep, which are motions as seen from another body "
-                     "(constant twist and constant velocity are the ones in the world), and no relative motion");
-    const bool rests = scene::is_at_rest(*frame);
-    return {std::move(frame), id, rests};
-}
 
 template <class T>
 std::pair<T, T> ordered(const T& a, const T& b) {
@@ -37,7 +24,7 @@ std::size_t Scene::add(SceneBody body) {
         throw InvalidInput("scene: a body has no name");
     if (by_name_.contains(body.name))
         refuse(body.name, "is in the scene already");
-    placed_.push_back(placed_by(body.motion, body.name, next_id_));
+    placed_.push_back({std::make_shared<scene::WorldMotion>(scene::world_motion(body.motion, body.name)), next_id_});
     ++next_id_;
     by_name_.emplace(body.name, bodies_.size());
     bodies_.push_back(std::move(body));
@@ -62,7 +49,7 @@ void Scene::move(std::size_t index, const Motion& motion) {
     if (index >= bodies_.size())
         throw InvalidInput("scene: body " + std::to_string(index) + ": there are " + std::to_string(bodies_.size()) +
                            " bodies");
-    placed_[index] = placed_by(motion, bodies_[index].name, placed_[index].id);
+    placed_[index].motion = std::make_shared<scene::WorldMotion>(scene::world_motion(motion, bodies_[index].name));
     bodies_[index].motion = motion;
 }
 

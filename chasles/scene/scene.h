@@ -17,9 +17,9 @@
 
 namespace chasles {
 
-namespace motion {
-class MovingFrame;
-} // namespace motion
+namespace scene {
+struct WorldMotion;
+} // namespace scene
 
 /// A body of a scene. Bodies and motions are shared, so a thousand bolts need one mesh.
 struct SceneBody {
@@ -94,18 +94,18 @@ public:
     /// For each body the time until which it is proven clear of all others.
     [[nodiscard]] std::vector<double> clear_until(const SceneQuery& query = {}) const;
 
-    /// For the library's own use: how a body moves in the world, and whether it moves at all.
-    struct Placed {
-        std::shared_ptr<const motion::MovingFrame> frame;
-        std::uint32_t id = 0; ///< bodies are counted as they are added
-        bool rests = false;
-    };
-    [[nodiscard]] const Placed& placed(std::size_t index) const { return placed_[index]; }
+    /// For the library's own use: how a body moves in the world.
+    [[nodiscard]] const scene::WorldMotion& motion_of(std::size_t index) const { return *placed_[index].motion; }
     [[nodiscard]] bool is_ignored(std::size_t a, std::size_t b) const;
     /// The indices of all bodies in the order of their names.
     [[nodiscard]] std::vector<std::size_t> in_order_of_names() const;
 
 private:
+    struct Placed {
+        std::shared_ptr<const scene::WorldMotion> motion;
+        std::uint32_t id = 0; ///< bodies are counted as they are added
+    };
+
     std::vector<SceneBody> bodies_;
     std::vector<Placed> placed_; ///< of each body
     std::uint32_t next_id_ = 0;

@@ -2,10 +2,8 @@
 // rounds whose sizes are fixed, and what one pair is asked depends on earlier rounds only. Source:
 // docs/derivations/27-scenes.md, "Order".
 #include "chasles/base/parallel_for.h"
-#include "chasles/motion/any_trajectory.h"
-#include "chasles/motion/frames.h"
-#include "chasles/motion/smooth_trajectory.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/scene/pair_question.h"
 #include "chasles/scene/pair_tasks.h"
 
 #include <algorithm>
@@ -57,7 +55,7 @@ public:
     SceneAnswer all();
 
 private:
-    [[nodiscard]] FirstContact ask(const PairTask& task, double until) const;
+    [[nodiscard]] FirstContact ask(const scene::IndexPair& pair, double until) const;
     /// Asks the tasks of a round, and returns the contacts in the order of the tasks.
     std::vector<SceneContact> ask_all(const Rounds& rounds, double until);
     void report_progress();
@@ -72,19 +70,9 @@ private:
     Work work_;
 };
 
-/// The frames are those that the scene holds; `relative` would make them anew for each pair.
-FirstContact SceneSearch::ask(const PairTask& task, double until) const {
-    const SceneBody& moving = scene_.bodies()[task.moving];
-    const SceneBody& fixed = scene_.bodies()[task.fixed];
-    const auto ask_along = [&](const motion::AnyTrajectory& trajectory) {
-        return query::answer({moving.shape.body(), fixed.shape.body(), trajectory, query_.options, until});
-    };
-    if (moving.motion.trajectory().straight_ends() && fixed.motion.trajectory().straight_ends())
-        return ask_along(relative(moving.motion, fixed.motion).trajectory());
-    const auto& of_moving = scene_.placed(task.moving).frame;
-    const auto& of_fixed = scene_.placed(task.fixed).frame;
-    return ask_along(motion::ErasedTrajectory(
-        motion::SmoothTrajectory({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed})));
+FirstContact SceneSearch::ask(const scene::IndexPair& pair, double until) const {
+    const auto mover = [&](std::size_t i) { return scene::Mover{scene_.bodies()[i].shape, scene_.motion_of(i)}; };
+    return scene::first_contact_of(mover(pair.first), mover(pair.second), query_.options, until);
 }
 
 std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double until) {
@@ -92,7 +80,7 @@ std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double unti
     parallel_for(query_.threads, answers.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !is_cancelled_; ++i) {
             const PairTask& task = tasks_[rounds.begin() + i];
-            answers[i] = {task.moving, task.fixed, ask(task, until)};
+            answers[i] = {task.pair.first, task.pair.second, ask(task.pair, until)};
             report_progress();
         }
     });
@@ -155,7 +143,7 @@ SceneAnswer SceneSearch::earliest() {
     // A limit depends on other pairs, and a bracket must not. What may be the first is asked again without one.
     for (std::size_t i = unlimited; i < found.size(); ++i)
         if (SceneContact& contact = found[i]; contact.contact.time.lower <= best)
-            contact.contact = ask({0, std::uint32_t(contact.moving), std::uint32_t(contact.fixed)}, query_.until);
+            contact.contact = ask({contact.moving, contact.fixed}, query_.until);
     std::erase_if(found, [&](const SceneContact& c) { return c.contact.time.lower > best; });
     SceneAnswer result = answer(std::move(found));
     if (!result.contacts.empty()) {

@@ -310,6 +310,28 @@ TEST(Trajectories, ContactsAtRoundTimesAreCertain) {
     }
 }
 
+/// Two dominoes of equal width lean towards each other, 9e-6 apart. Their sides are flush but for 1e-11, so edges of
+/// the one are in the planes of faces of the other.
+TEST(Trajectories, FlushSidesTiltedByRoundingDoNotOverlapAtTheStart) {
+    const Polyhedron domino = box({0.004, 0.012, 0.024}).polyhedron();
+    const Pose start(Vector3d(0.17309537300459271, 2.176e-13, 0.022905813914517566),
+                     Eigen::Quaterniond(0.96590474, -1.29e-12, 0.25889777, 5.95e-12));
+    const Pose fixed(Vector3d(0.18729934404652723, 1.156e-13, 0.024228912183290874),
+                     Eigen::Quaterniond(0.98852476, -1.01e-12, 0.15105925, 1.66e-12));
+    const auto turned_on = [](const Pose& from, const Vector3d& way, double angle) {
+        return Motion::velocity(
+            from, Pose(from.translation + way, Eigen::AngleAxisd(angle, Vector3d::UnitY()) * from.rotation));
+    };
+    const Motion motion = relative(turned_on(start, {0.00105633, 1e-14, -0.00041715}, 0.0462397),
+                                   turned_on(fixed, {0.00128426, 5e-15, -0.00020767}, 0.0531473));
+    EXPECT_GT(distance_at(domino, domino, relative(Motion::at_rest(start), Motion::at_rest(fixed)).pose_at(0)), 0);
+    for (const double margin : {0.0, 1e-9, 1e-7}) {
+        const FirstContact found = ask(domino, domino, motion, {.margin = margin});
+        EXPECT_NE(found.verdict, Verdict::contact_at_start) << margin;
+        EXPECT_TRUE(found.certain) << margin;
+    }
+}
+
 TEST(Trajectories, WhatIsNotSupportedIsRefused) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
     const Motion motion = Motion::velocity(shifted(3, 0, 0), turned({1.1, 0, 0}, {0, 0, 1}, 1));

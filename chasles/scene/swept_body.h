@@ -20,10 +20,10 @@ struct WorldBody {
 
 /// A ball around a body, whose centre moves near a straight, even way.
 struct MovingBall {
-    Eigen::Vector3d start; ///< of the centre
-    Eigen::Vector3d way;   ///< of the centre until the end of the interval
-    double radius = 0;     ///< of the ball, with how far the centre leaves its way
-    double size = 0;       ///< of all lengths that enter
+    Eigen::Vector3d start = Eigen::Vector3d::Zero(); ///< of the centre
+    Eigen::Vector3d way = Eigen::Vector3d::Zero();   ///< of the centre until the end of the interval
+    double radius = 0;                               ///< of the ball, with how far the centre leaves its way
+    double size = 0;                                 ///< of all lengths that enter
 };
 
 struct SweptBody {
@@ -36,5 +36,15 @@ bool is_at_rest(const motion::MovingFrame& frame);
 
 /// What a body sweeps from the start until a time.
 SweptBody swept(const WorldBody& body, double until);
+
+/// A share of the interval of two balls before which they are farther apart than the margin; 2 if they are so all
+/// along.
+double earliest_meeting(const MovingBall& a, const MovingBall& b, double margin);
+
+/// The ball during the rest of its interval, from a share of it on.
+MovingBall rest_of(const MovingBall& ball, double share);
+
+/// The box with this much more on all sides.
+Box widened(const Box& box, double length);
 
 } // namespace chasles::scene

@@ -1,5 +1,5 @@
 // The boxes of a body at both ends of an interval, widened by how far its points leave their chords.
-#include "chasles/scene/world_box.h"
+#include "chasles/scene/swept_body.h"
 
 #include <algorithm>
 #include <cmath>
@@ -62,11 +62,6 @@ std::vector<double> sections_of(const motion::MovingFrame& frame, double until) 
     return cuts;
 }
 
-Box widened(const Box& box, double length) {
-    const Vector3d wider = Vector3d::Constant(length);
-    return {box.min() - wider, box.max() + wider};
-}
-
 /// A body that moves, from `before` on.
 SweptBody swept_while_moving(const WorldBody& body, const Extent& extent, const Placement& before, double until) {
     const std::vector<double> cuts = sections_of(body.frame, until);
@@ -97,6 +92,11 @@ bool is_at_rest(const motion::MovingFrame& frame) {
     return cuts.empty() && rates.turn_rate == 0 && rates.speed == 0;
 }
 
+Box widened(const Box& box, double length) {
+    const Vector3d wider = Vector3d::Constant(length);
+    return {box.min() - wider, box.max() + wider};
+}
+
 SweptBody swept(const WorldBody& body, double until) {
     const Extent extent(body);
     const Placement start = placement(extent, body.frame, 0);
@@ -106,6 +106,28 @@ SweptBody swept(const WorldBody& body, double until) {
     const double size = swept.box.min().cwiseAbs().cwiseMax(swept.box.max().cwiseAbs()).sum() + swept.ball.size;
     swept.box = widened(swept.box, rounding * size);
     return swept;
+}
+
+/// The first root of |d + t w|^2 = r^2.
+double earliest_meeting(const MovingBall& a, const MovingBall& b, double margin) {
+    constexpr double never = 2;
+    const Vector3d apart = a.start - b.start, way = a.way - b.way;
+    const double reach = a.radius + b.radius + margin + rounding * (apart.norm() + way.norm() + a.size + b.size);
+    const double gap = apart.squaredNorm() - reach * reach;
+    if (!(gap > 0))
+        return 0;
+    const double closing = -apart.dot(way), square = way.squaredNorm();
+    if (closing <= 0 || (apart + way * (closing / square)).norm() > reach) // where they are nearest
+        return never;
+    const double root = std::max(0.0, closing * closing - square * gap);
+    return std::min(never, gap / (closing + std::sqrt(root)) * (1 - 1e-6));
+}
+
+MovingBall rest_of(const MovingBall& ball, double share) {
+    MovingBall rest = ball;
+    rest.start += share * ball.way;
+    rest.way *= 1 - share;
+    return rest;
 }
 
 } // namespace chasles::scene

@@ -1,0 +1,34 @@
+// The question about two bodies of a scene. Source: docs/derivations/27-scenes.md, "One world".
+#pragma once
+
+#include "chasles/motion/moving_frame.h"
+#include "chasles/query/first_contact.h"
+
+#include <string_view>
+
+namespace chasles::scene {
+
+/// A body with its motion in the world, whose frame is made once.
+struct WorldMotion {
+    Motion motion;
+    motion::SharedFrame frame;
+    bool rests = false; ///< the frame never moves
+};
+
+/// Throws InvalidInput with the name of the body for a motion that has no pose in the world.
+WorldMotion world_motion(const Motion& motion, std::string_view name);
+
+/// The rest of a motion from a time in [0, 1) on.
+WorldMotion rest_of(const WorldMotion& motion, double from);
+
+struct Mover {
+    const Polyhedron& shape;
+    const WorldMotion& motion;
+};
+
+/// The first contact of two bodies, with options that have been checked. Contacts after `until` need not be found.
+FirstContact first_contact_of(const Mover& moving, const Mover& fixed, const QueryOptions& options, double until);
+
+[[noreturn]] void refuse(std::string_view name, std::string_view why);
+
+} // namespace chasles::scene
