@@ -152,9 +152,9 @@ private:
     bool is_refined_ = true;
 };
 
-class RestFrame final : public FrameInBoth<RestFrame> {
+class LaterFrame final : public FrameInBoth<LaterFrame> {
 public:
-    RestFrame(SharedFrame frame, double from) : frame_(std::move(frame)), from_(from), duration_(1 - from) {}
+    LaterFrame(SharedFrame frame, double from) : frame_(std::move(frame)), from_(from), duration_(1 - from) {}
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
@@ -209,7 +209,7 @@ SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> fra
 }
 
 SharedFrame rest_frame(SharedFrame frame, double from) {
-    return std::make_shared<const RestFrame>(std::move(frame), from);
+    return std::make_shared<const LaterFrame>(std::move(frame), from);
 }
 
 } // namespace chasles::motion

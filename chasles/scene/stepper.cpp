@@ -27,27 +27,6 @@ constexpr double above_level = 1.001;
 /// Contacts after this share of the rest of the step are no matter of rounding.
 constexpr double soon = 0.01;
 
-/// How a body moves from a time of the step on.
-struct Course {
-    WorldMotion motion;
-    double since = 0;
-    std::uint32_t changes = 0; ///< so often has it changed
-    SweptBody swept = {};      ///< from then until the end of the step; the box is wide enough for the margin
-};
-
-/// What is known of a pair of bodies, as long as they keep their courses.
-struct Prospect {
-    Bracket time;      ///< of the first contact, or, if it was not asked for, a time before which there is none
-    IndexPair pair;    ///< the moving and the fixed body
-    double from = 0;   ///< the question is about the time from there on
-    IndexPair changes; ///< of both courses
-};
-
-struct IsLater {
-    bool operator()(const Prospect& a, const Prospect& b) const { return a.time.lower > b.time.lower; }
-};
-using Queue = std::priority_queue<Prospect, std::vector<Prospect>, IsLater>;
-
 void check(const StepOptions& options) {
     query::require(options.margin > 0, "margin", "must be positive for a step");
     query::require(options.reach == 0 || options.reach >= 1.001 * options.margin, "reach",
@@ -67,6 +46,27 @@ public:
     void move(std::size_t index, const Motion& rest);
 
 private:
+    /// How a body moves from a time of the step on.
+    struct Course {
+        WorldMotion motion;
+        double since = 0;
+        std::uint32_t changes = 0; ///< so often has it changed
+        SweptBody swept = {};      ///< from then until the end of the step; the box is wide enough for the margin
+    };
+
+    /// What is known of a pair of bodies, as long as they keep their courses.
+    struct Prospect {
+        Bracket time;      ///< of the first contact, or, if it was not asked for, a time before which there is none
+        IndexPair pair;    ///< the moving and the fixed body
+        double from = 0;   ///< the question is about the time from there on
+        IndexPair changes; ///< of both courses
+    };
+
+    struct IsLater {
+        bool operator()(const Prospect& a, const Prospect& b) const { return a.time.lower > b.time.lower; }
+    };
+    using Queue = std::priority_queue<Prospect, std::vector<Prospect>, IsLater>;
+
     [[nodiscard]] const std::string& name(std::size_t index) const { return scene_.bodies()[index].name; }
     [[nodiscard]] WorldMotion rest(std::size_t index, double from) const;
     [[nodiscard]] FirstContact ask(const IndexPair& pair, double from, const QueryOptions& options,
@@ -125,7 +125,7 @@ FirstContact Stepper::Implementation::ask(const IndexPair& pair, double from, co
 
 /// With the time of the first contact, at the margin or at the first half, quarter, and so on of it that is less than
 /// the distance now; later than 1 if there is none.
-Prospect Stepper::Implementation::asked(Prospect prospect) const {
+Stepper::Implementation::Prospect Stepper::Implementation::asked(Prospect prospect) const {
     QueryOptions options{.margin = options_.margin, .time_tolerance = options_.time_tolerance};
     for (; options.margin >= least_level * options_.margin; options.margin /= 2) {
         const FirstContact found = ask(prospect.pair, prospect.from, options);

@@ -29,6 +29,12 @@ Velocity RigidBody::answer_to(const Vector3d& impulse, const Vector3d& point) co
     return {turn.cross(middle - hinge->point), turn};
 }
 
+void RigidBody::place(const Isometry3d& at) {
+    pose = at;
+    if (hinge)
+        velocity.linear = velocity.angular.cross(centre_in_world() - hinge->point);
+}
+
 void RigidBody::push(const Vector3d& impulse, const Vector3d& point) {
     const Velocity change = answer_to(impulse, point);
     velocity.linear += change.linear;

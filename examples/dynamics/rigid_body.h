@@ -33,6 +33,8 @@ struct RigidBody {
     [[nodiscard]] Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const;
     /// The change of the velocity by an impulse at a point of the world.
     [[nodiscard]] Velocity answer_to(const Eigen::Vector3d& impulse, const Eigen::Vector3d& point) const;
+    /// Gives the body another pose at the same angular velocity.
+    void place(const Eigen::Isometry3d& at);
     void push(const Eigen::Vector3d& impulse, const Eigen::Vector3d& point);
     [[nodiscard]] double kinetic_energy() const;
     /// The motion from the present pose at the present velocity.

@@ -13,11 +13,17 @@ namespace {
 constexpr double tolerance = 1e-6;
 constexpr double fine_tolerance = 1e-15;
 
+const std::string fixed = "fixed"; ///< the group of the bodies that stay
+
 } // namespace
+
+World::World(const WorldOptions& options) : options_(options) {
+    scene_.ignore_groups(fixed, fixed);
+}
 
 std::size_t World::add(const std::string& name, const Polyhedron& shape, const RigidBody& body) {
     bodies_.push_back(body);
-    return scene_.add({name, shape, Motion::at_rest(body.pose)});
+    return scene_.add({name, shape, Motion::at_rest(body.pose), body.moves() ? "" : fixed});
 }
 
 double World::kinetic_energy() const {
@@ -80,7 +86,7 @@ void World::meet_elastically(const StepEvent& event) {
 void World::place_all(const Stepper& stepper) {
     for (std::size_t i = 0; i < bodies_.size(); ++i)
         if (bodies_[i].moves())
-            bodies_[i].pose = stepper.pose(i).isometry();
+            bodies_[i].place(stepper.pose(i).isometry());
 }
 
 void World::move_all(double duration) {

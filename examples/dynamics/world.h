@@ -19,7 +19,7 @@ struct WorldOptions {
 /// The paper's idea (section 5.1): bodies are exactly where they touch when the impulses act.
 class World {
 public:
-    explicit World(const WorldOptions& options) : options_(options) {}
+    explicit World(const WorldOptions& options);
 
     std::size_t add(const std::string& name, const Polyhedron& shape, const RigidBody& body);
 

@@ -1,15 +1,12 @@
 // chasles.Scene and chasles.SceneContact.
-#include "chasles/scene/scene.h"
+#include "python/src/scene.h"
 
 #include "chasles/base/invalid_input.h"
-#include "python/src/answer.h"
-#include "python/src/bind.h"
 #include "python/src/interruptible.h"
 #include "python/src/names.h"
 #include "python/src/query_options.h"
 
 #include <fmt/format.h>
-#include <map>
 #include <mutex>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -19,20 +16,6 @@ namespace chasles::python {
 namespace {
 
 using namespace nb::literals;
-
-/// A scene with the Python objects of its bodies.
-struct PythonScene {
-    Scene scene;
-    std::map<std::string, nb::object> shapes;
-};
-
-using Names = std::pair<std::string, std::string>;
-
-/// The first contact of a pair of a scene; of a clear scene without a pair.
-struct SceneContactAnswer : Answer {
-    std::optional<Names> pair;
-    std::vector<Names> simultaneous;
-};
 
 /// The motion of this kind between two poses.
 Motion motion_between(const std::string& kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
@@ -44,7 +27,12 @@ void require_kind(const std::string& kind) {
         throw InvalidInput(fmt::format("motion: {:?} is no kind of motion in a scene; velocity and twist are", kind));
 }
 
-/// A motion by poses. `motion` is None, a motion or the name of a kind.
+Names names_of(const Scene& scene, const SceneContact& contact) {
+    return {scene.bodies()[contact.moving].name, scene.bodies()[contact.fixed].name};
+}
+
+} // namespace
+
 Motion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre) {
     std::string kind = "velocity";
     const bool is_named = motion.is_none() || nb::try_cast(motion, kind);
@@ -62,6 +50,24 @@ Motion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::h
     const Eigen::Vector3d middle = centre.is_none() ? Eigen::Vector3d::Zero() : vector_from(centre, "centre");
     return motion_between(kind, start, pose_from(goal, "goal"), middle);
 }
+
+std::vector<std::string> names_of(const PythonScene& scene) {
+    std::vector<std::string> names;
+    for (const SceneBody& body : scene.scene.bodies())
+        names.push_back(body.name);
+    return names;
+}
+
+SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin) {
+    const auto bodies = scene.scene.bodies();
+    const Names names = names_of(scene.scene, contact);
+    return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
+             relative(bodies[contact.moving].motion, bodies[contact.fixed].motion), margin},
+            names,
+            {}};
+}
+
+namespace {
 
 std::string add(PythonScene& scene, const std::string& name, nb::handle shape, nb::handle pose, nb::handle goal,
                 nb::handle motion, nb::handle centre, const std::string& group) {
@@ -98,13 +104,6 @@ void move_all(PythonScene& scene, nb::handle starts, nb::handle goals, const std
         scene.scene.move(i, motions[i]);
 }
 
-std::vector<std::string> names_of(const PythonScene& scene) {
-    std::vector<std::string> names;
-    for (const SceneBody& body : scene.scene.bodies())
-        names.push_back(body.name);
-    return names;
-}
-
 struct SceneArguments {
     double margin;
     double until;
@@ -129,19 +128,6 @@ void run(const SceneArguments& arguments, const Ask& ask) {
             ask(query);
         },
         nb::none());
-}
-
-Names names_of(const Scene& scene, const SceneContact& contact) {
-    return {scene.bodies()[contact.moving].name, scene.bodies()[contact.fixed].name};
-}
-
-SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin) {
-    const auto bodies = scene.scene.bodies();
-    const Names names = names_of(scene.scene, contact);
-    return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
-             relative(bodies[contact.moving].motion, bodies[contact.fixed].motion), margin},
-            names,
-            {}};
 }
 
 SceneContactAnswer first_contact(const PythonScene& scene, double margin, double until, double time_tolerance,
