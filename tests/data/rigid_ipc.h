@@ -1,17 +1,20 @@
 // Reads the fixtures of Rigid IPC (Ferguson et al., "Intersection-free Rigid Body Dynamics", 2021) as scenes.
 //
-// What a fixture means is not written down; it follows from the simulator's source, github.com/ipc-sim/rigid-ipc (docs/
-// scenes-rigid-ipc.md says it for users):
-// - src/io/read_rb_scene.cpp: vertices are scaled about the origin of the mesh (`dimensions`, the sizes of the box,
-//   stand instead of `scale`), then turned about it by `rotation`, degrees about the fixed axes x, y, z in this order,
-//   then moved by `position`. Angular velocities are in degrees a second about axes of the world. Bodies that are not
-//   `enabled` are left out. Bodies of one `group_id` are not tested against each other, nor are static and kinematic
-//   bodies.
-// - src/physics/rigid_body.cpp: the centre of mass is the point that moves straight; a body whose freedoms are all
-// fixed
-//   is static. Fixed freedoms are the three translations and the three rotations about axes of the world.
-// - src/physics/mass.cpp: the centre of mass is that of the volume, or of the surface where the mesh is not closed.
-// - src/problems/distance_barrier_rb_problem.cpp: kinematic bodies keep their velocities, static ones stand still.
+// docs/scenes-rigid-ipc.md lists the conventions. They follow from the simulator's source,
+// github.com/ipc-sim/rigid-ipc:
+//
+// src/io/read_rb_scene.cpp: The mesh is scaled about its origin, turned about its origin by `rotation`, and moved by
+// `position`. `dimensions` are the sizes of the box of the mesh and replace `scale`. Rotations are degrees about the
+// fixed axes x, y, z in this order. Angular velocities are degrees a second about axes of the world. Bodies that are
+// not `enabled` are left out. Bodies of one group are not tested against each other; all static and kinematic bodies
+// are one group.
+//
+// src/physics/rigid_body.cpp: The centre of mass moves straight. The six freedoms are translations along and turns
+// about axes of the world. A body is static if all of its freedoms are fixed.
+//
+// src/physics/mass.cpp: The centre of mass is that of the volume. For an open mesh it is that of the surface.
+//
+// src/problems/distance_barrier_rb_problem.cpp: Kinematic bodies keep their velocities. Static bodies stand still.
 #pragma once
 
 #include "chasles/scene/scene.h"
@@ -40,7 +43,7 @@ struct RigidIpcFixture {
     std::vector<RigidIpcBody> bodies;
 };
 
-/// Whether bodies keep their given velocities, or those that may fall do so.
+/// Bodies keep their given velocities, or dynamic bodies also fall under gravity.
 enum class RigidIpcFlight { even, falling };
 
 /// The names of all fixtures below FOLDER/fixtures, in the order of the alphabet.

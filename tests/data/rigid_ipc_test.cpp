@@ -7,6 +7,7 @@
 #include "tests/data/shared_data.h"
 
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #if CHASLES_TESTS_FCL
@@ -91,7 +92,7 @@ Eigen::AlignedBox3d box_in_world(const RigidIpcBody& body) {
     return box;
 }
 
-/// What the comment of rigid_ipc.h says, by fixtures in which another reading would put bodies elsewhere.
+/// Checks the comment of rigid_ipc.h with fixtures in which another convention puts bodies elsewhere.
 TEST(RigidIpc, FixturesAreReadAsTheSimulatorReadsThem) {
     CHASLES_REQUIRE_DATA("rigid-ipc-scenes");
     EXPECT_EQ(rigid_ipc_names(shared_data("rigid-ipc-scenes")).size(), 25U);
@@ -119,9 +120,34 @@ TEST(RigidIpc, FixturesAreReadAsTheSimulatorReadsThem) {
     EXPECT_EQ(fixture_named("unit-tests/tunnel/3-walls").bodies[0].group, "fixed") << "before its own group";
 }
 
+struct Gap {
+    std::string fixture;
+    double height;
+    double gravity;
+};
+
+/// Where a body falls straight onto what is below it, the time follows from the gap.
+TEST(RigidIpc, FallsThroughKnownGapsTakeTheirTime) {
+    CHASLES_REQUIRE_DATA("rigid-ipc-scenes");
+    const std::vector<Gap> gaps{{"chain/10-links", 0.05, 9.81},
+                                {"unit-tests/5-cubes", 1.5, 9.8},
+                                {"unit-tests/erleben/cliff-edges", 0.05, 9.8},
+                                {"unit-tests/erleben/internal-edges", 0.05, 9.8},
+                                {"unit-tests/erleben/spikes", 1e-4, 9.8},
+                                {"unit-tests/erleben/wedges", 1e-4, 9.8},
+                                {"unit-tests/lever-arm", 4, 9.81}};
+    for (const Gap& gap : gaps) {
+        const SceneAnswer answer =
+            rigid_ipc_scene(fixture_named(gap.fixture), longest, RigidIpcFlight::falling).first_contact();
+        ASSERT_EQ(answer.verdict, Verdict::contact) << gap.fixture;
+        EXPECT_NEAR(answer.clear_until, std::sqrt(2 * gap.height / gap.gravity), 1e-12) << gap.fixture;
+        EXPECT_LT(answer.contacts[0].contact.time.upper - answer.clear_until, 1e-12) << gap.fixture;
+    }
+}
+
 #if CHASLES_TESTS_FCL
 
-/// What all questions of a kind have found.
+/// The results of all questions of a kind.
 struct Tally {
     int clear = 0, contact = 0, at_start = 0;
     std::size_t touching = 0, uncertain = 0, overlaps = 0;
