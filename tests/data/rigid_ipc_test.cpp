@@ -56,15 +56,6 @@ Eigen::Isometry3d place_of(const RigidIpcBody& body, double t, RigidIpcFlight fl
     return place;
 }
 
-/// The fixture after a free fall, through whatever was in the way.
-RigidIpcFixture later(RigidIpcFixture fixture, double t) {
-    for (RigidIpcBody& body : fixture.bodies) {
-        body.start = Pose(place_of(body, t, RigidIpcFlight::falling));
-        body.velocity += t * body.acceleration;
-    }
-    return fixture;
-}
-
 TEST(RigidIpc, MotionsAreEvenOrFallFreely) {
     CHASLES_REQUIRE_DATA("rigid-ipc-scenes");
     int moving = 0;
@@ -146,6 +137,15 @@ TEST(RigidIpc, FallsThroughKnownGapsTakeTheirTime) {
 }
 
 #if CHASLES_TESTS_FCL
+
+/// The fixture after a free fall, through whatever was in the way.
+RigidIpcFixture later(RigidIpcFixture fixture, double t) {
+    for (RigidIpcBody& body : fixture.bodies) {
+        body.start = Pose(place_of(body, t, RigidIpcFlight::falling));
+        body.velocity += t * body.acceleration;
+    }
+    return fixture;
+}
 
 /// The results of all questions of a kind.
 struct Tally {
