@@ -204,6 +204,9 @@ private:
         EXPECT_EQ(first.verdict, all.verdict) << name_;
         EXPECT_EQ(first.clear_until, all.clear_until) << name_;
         EXPECT_EQ(first.verdict == Verdict::clear, all.contacts.empty()) << name_;
+        SceneQuery yes_or_no;
+        yes_or_no.options.find = Find::any;
+        EXPECT_EQ(scene_.first_contact(yes_or_no).verdict == Verdict::clear, all.contacts.empty()) << name_;
     }
     void expect_no_overlap_before_contact(const Pair& pair, double time) const {
         const auto found = by_pair_.find(pair);
