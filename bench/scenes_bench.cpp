@@ -6,7 +6,7 @@
 // question, and FCL's is refitted, as its users do.
 #include "bench/bodies.h"
 #include "bench/draw.h"
-#include "bench/fcl_model.h"
+#include "bench/fcl_scene.h"
 #include "bench/generated_bodies.h"
 #include "bench/timings.h"
 #include "chasles/chasles.h"
@@ -14,8 +14,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
-#include <fcl/broadphase/broadphase_dynamic_AABB_tree.h>
-#include <fcl/narrowphase/collision.h>
 #include <numbers>
 
 namespace chasles::bench {
@@ -89,60 +87,6 @@ Scene scene_of(const Bodies& bodies) {
     return scene;
 }
 
-/// The same bodies in FCL's manager.
-class FclScene {
-public:
-    explicit FclScene(const Bodies& bodies) : bodies_(bodies) {
-        const auto model = fcl_model_of(bodies.shape);
-        for (std::size_t i = 0; i < bodies.steps.size(); ++i) {
-            objects_.push_back(std::make_unique<fcl::CollisionObjectd>(model));
-            motions_.push_back(bodies.motion(i));
-        }
-        for (const auto& object : objects_)
-            manager_.registerObject(object.get());
-        manager_.setup();
-    }
-
-    /// Whether any bodies overlap at a time.
-    bool collides_at(double time) {
-        for (std::size_t i = 0; i < objects_.size(); ++i) {
-            objects_[i]->setTransform(motions_[i].pose_at(time).isometry());
-            objects_[i]->computeAABB();
-        }
-        manager_.update();
-        Data data;
-        manager_.collide(&data, [](fcl::CollisionObjectd* a, fcl::CollisionObjectd* b, void* given) {
-            auto& d = *static_cast<Data*>(given);
-            ++d.pairs;
-            d.collides = d.collides || fcl::collide(a, b, fcl::CollisionRequestd(), d.result) > 0;
-            return d.collides;
-        });
-        pairs_ = data.pairs;
-        return data.collides;
-    }
-    /// The first of so many samples, evenly from the start to the goal, at which bodies overlap; 2 if none.
-    double first_sample(int samples) {
-        for (int i = 0; i < samples; ++i)
-            if (const double time = double(i) / (samples - 1); collides_at(time))
-                return time;
-        return 2;
-    }
-    [[nodiscard]] std::size_t pairs() const { return pairs_; }
-
-private:
-    struct Data {
-        fcl::CollisionResultd result;
-        std::size_t pairs = 0;
-        bool collides = false;
-    };
-
-    const Bodies& bodies_;
-    std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
-    std::vector<Motion> motions_;
-    fcl::DynamicAABBTreeCollisionManagerd manager_;
-    std::size_t pairs_ = 0;
-};
-
 double milliseconds(int calls, const auto& work) {
     return least_microseconds(calls, work) / 1000;
 }
@@ -160,7 +104,7 @@ void print_scene(std::size_t count, double spacing, bool may_touch, bool with_fc
     std::printf("%7zu bodies, spacing %.2f: %-16s %7zu pairs  first %9.2f ms  two threads %4.2f  any %9.2f ms", count,
                 spacing, answer.contacts.empty() ? "clear" : "contact", answer.pairs, first, first / two, yes);
     if (with_fcl) {
-        FclScene fcl(bodies);
+        FclScene fcl(scene);
         double sample = 0;
         const double pass = milliseconds(calls, [&] { (void)fcl.collides_at(0); });
         const double ten = milliseconds(calls, [&] { sample = fcl.first_sample(10); });
