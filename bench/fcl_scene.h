@@ -2,6 +2,7 @@
 #pragma once
 
 #include "bench/fcl_model.h"
+#include "chasles/scene/pair_question.h"
 #include "chasles/scene/scene.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ private:
     }
     std::vector<std::pair<std::size_t, std::size_t>> overlaps_at(double time, bool first_only) {
         for (std::size_t i = 0; i < objects_.size(); ++i)
-            if (!scene_.placed(i).rests)
+            if (!scene_.motion_of(i).rests)
                 place(i, time);
         manager_.update();
         pairs_ = 0;

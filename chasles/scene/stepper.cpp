@@ -54,7 +54,7 @@ private:
         SweptBody swept = {};      ///< from then until the end of the step; the box is wide enough for the margin
     };
 
-    /// What is known of a pair of bodies, as long as they keep their courses.
+    /// A pair of bodies, as long as both keep their courses.
     struct Prospect {
         Bracket time;      ///< of the first contact, or, if it was not asked for, a time before which there is none
         IndexPair pair;    ///< the moving and the fixed body

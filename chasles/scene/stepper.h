@@ -26,8 +26,8 @@ struct StepEvent {
     /// The pairs, in the order of their names. Each contact set is that of the time of the event and lists all contacts
     /// within the reach; its approach speeds are per step, and its brackets are {time, time}.
     std::vector<SceneContact> contacts;
-    /// All other pairs within the reach of each other that are connected with these by bodies that move: what rests on
-    /// what, if a stack is hit. Likewise.
+    /// Other pairs within the reach of each other, from body to body that moves: the rest of a stack, if one of its
+    /// bodies is hit. Likewise.
     std::vector<SceneContact> connected;
 };
 
@@ -45,10 +45,10 @@ public:
     Stepper(Stepper&& other) noexcept;
     Stepper& operator=(Stepper&& other) noexcept;
 
-    /// Goes on to the next event; nothing at the end of the step. Up to there all pairs that are not ignored are proven
-    /// to stay apart: farther than the margin, or farther than half of what they had where that was less. Throws
-    /// InvalidInput "scene: A on B: ..." for bodies that are nearer than a millionth of the margin, because they
-    /// started there or because they were not moved away from each other at many events.
+    /// Goes on to the next event; nothing at the end of the step. Up to there all pairs that are not ignored stay
+    /// farther apart than the margin, or than 0.49 of their distance where that was less. This is proven. Throws
+    /// InvalidInput "scene: A on B: ..." for bodies nearer than a millionth of the margin: they started there, or many
+    /// events have not moved them away from each other.
     std::optional<StepEvent> advance();
 
     [[nodiscard]] double time() const;                ///< of the last event, or 1 at the end

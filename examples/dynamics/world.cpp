@@ -57,7 +57,7 @@ void World::keep_apart(double duration) {
     resolve(touches, options_.friction, tolerance, bodies_);
 }
 
-/// What is at the margin meets; what else is within twice the margin is kept from meeting.
+/// Contacts at the margin get impulses. Those within twice the margin are kept from meeting.
 void World::meet(const StepEvent& event, double duration) {
     if (options_.restitution == 1)
         return meet_elastically(event);

@@ -1,4 +1,4 @@
-// Bodies that fall, meet and rest: a scene that goes on from step to step and from contact to contact.
+// A world of bodies that fall, bounce and rest.
 #pragma once
 
 #include "examples/dynamics/contact_solver.h"
