@@ -39,8 +39,8 @@ void World::accelerate(double duration) {
             body.push(duration * body.mass * options_.gravity, body.centre_in_world());
 }
 
-/// The least speed of separation at a gap. What rests does so at one and a half margins, where it makes no events: what
-/// is farther apart may use up the rest, and what is nearer is led back. Else sliding contacts would come nearer in
+/// The least speed of separation at a gap. Bodies rest at one and a half margins, where they make no events. A larger gap
+/// may shrink to that, and a smaller one grows. Otherwise sliding contacts would come nearer in
 /// every event, as they do not move on straight lines.
 double World::least_speed(double gap, double duration) const {
     return (1.5 * options_.margin - gap) / duration;
