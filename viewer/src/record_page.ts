@@ -17,8 +17,9 @@ import { ballAround, connectSeeThrough, Stage } from "./stage";
 import { Track, unpackedNumbers } from "./track";
 
 const mostBoxes = 200_000; // of all bodies, to find what the picture has to show
-const mostTicks = 400; // on the slider
+const mostTicks = 200; // on the slider
 const shownAround = 3; // radii of the smaller body, if the other one is much larger
+const shownAroundAll = 0.1; // of the diagonal of the box around all moving bodies
 const clickDistance = 4; // pixels
 
 /** The pair of the chosen contact. */
@@ -43,13 +44,14 @@ class RecordView {
     this.meshes = record.meshes.map(drawnMesh);
     const times = unpackedNumbers(record.times);
     this.tracks = record.bodies.map((body) => new Track(unpackedNumbers(body.poses), body.times ? unpackedNumbers(body.times) : times));
-    this.everything = corners(this.wholeBox());
+    const whole = this.boxOf(() => true);
     const canvas = byId<HTMLCanvasElement>("canvas");
     canvas.setAttribute("aria-label", `${record.bodies.length} bodies`);
-    this.stage = new Stage(canvas, ballAround(this.everything), () => this.pair?.markers.resize(this.stage.camera, this.stage.unit));
+    this.stage = new Stage(canvas, ballAround(corners(whole)), () => this.pair?.markers.resize(this.stage.camera, this.stage.unit));
     const members = record.bodies.map(({ mesh }, index) => ({ mesh, track: this.tracks[index] }));
     this.crowd = new Crowd(this.meshes, members, this.stage.world.matrix);
     this.stage.scaled.add(this.crowd.group);
+    this.everything = corners(this.shownBox(whole));
     this.connect(canvas, pick);
     this.paint();
     this.lookAtAll();
@@ -159,13 +161,22 @@ class RecordView {
     this.stage.setBackground(colours.background);
   }
 
-  private wholeBox(): Box3 {
+  /** The box around the whole motion of some bodies. */
+  private boxOf(isWanted: (track: Track) => boolean): Box3 {
     const box = new Box3();
     const boxes = Math.max(2, Math.floor(mostBoxes / this.tracks.length));
     this.tracks.forEach((track, index) => {
-      for (const corner of cornersOnPath(this.meshes[this.record.bodies[index].mesh], track, boxes)) box.expandByPoint(corner);
+      const mesh = this.meshes[this.record.bodies[index].mesh];
+      if (isWanted(track)) for (const corner of cornersOnPath(mesh, track, boxes)) box.expandByPoint(corner);
     });
     return box.isEmpty() ? new Box3(new Vector3(-1, -1, -1), new Vector3(1, 1, 1)) : box;
+  }
+
+  /** All moving bodies, and what is around them. A large floor would make them small. */
+  private shownBox(whole: Box3): Box3 {
+    if (this.tracks.every(({ count }) => count === 1)) return whole;
+    const moving = this.boxOf(({ count }) => count > 1);
+    return moving.expandByScalar(shownAroundAll * moving.getSize(new Vector3()).length()).intersect(whole);
   }
 
   /** The corners of both bodies at the contact. Only the near part of a much larger body is shown. */
@@ -181,15 +192,20 @@ class RecordView {
   }
 }
 
-/** Marks the times of contacts on the slider: at most one mark per place. */
+/** Marks the times of contacts below the slider, more strongly where there are many. */
 function addTicks({ events }: SceneRecord, player: Player): void {
-  const places = new Set(events.map(({ time }) => Math.round(player.partAt(time) * mostTicks)));
-  const ticks = [...places].map((place) => {
+  const counts = new Map<number, number>();
+  for (const { time } of events) {
+    const place = Math.round(player.partAt(time) * mostTicks);
+    counts.set(place, (counts.get(place) ?? 0) + 1);
+  }
+  const most = Math.max(...counts.values());
+  for (const [place, count] of counts) {
     const tick = element("i");
     tick.style.setProperty("--at", String(place / mostTicks));
-    return tick;
-  });
-  byId("ticks").append(...ticks);
+    tick.style.setProperty("--share", String(Math.sqrt(count / most)));
+    byId("ticks").append(tick);
+  }
 }
 
 /** Decimals that show a millionth of the whole motion. */

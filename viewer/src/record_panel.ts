@@ -34,7 +34,7 @@ export function fillRecordPanel(record: SceneRecord): void {
   byId("title").textContent = record.title;
   byId("verdict").textContent = verdict(record);
   const resting = bodies.filter(({ poses }) => poses.length <= 76).length; // one pose of 56 bytes in base64
-  const rest = resting > 0 ? `, ${resting.toLocaleString("en")} of them at rest` : "";
+  const rest = resting > 0 ? `, ${resting.toLocaleString("en")} at rest` : "";
   byId("meaning").textContent = `${counted(bodies.length, "body", "bodies")}${rest}. ${meaning(record)}`;
 }
 
