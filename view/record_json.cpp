@@ -74,15 +74,12 @@ std::string record_json(const SceneRecord& record) {
     Json events = Json::array();
     for (const RecordedContact* event : in_order_of_time(record.contacts))
         events.push_back(event_json(*event));
-    return page_text({{"format", record_format},
-                      {"title", record.title},
-                      {"source", name_of(record.source)},
-                      {"margin", record.margin},
-                      {"clear_until", record.clear_until},
-                      {"times", packed(record.times)},
-                      {"meshes", std::move(meshes.list)},
-                      {"bodies", std::move(bodies)},
-                      {"events", std::move(events)}});
+    Json json = {{"format", record_format},     {"title", record.title},         {"source", name_of(record.source)},
+                 {"margin", record.margin},     {"times", packed(record.times)}, {"meshes", std::move(meshes.list)},
+                 {"bodies", std::move(bodies)}, {"events", std::move(events)}};
+    if (record.clear_until)
+        json["clear_until"] = *record.clear_until;
+    return page_text(json);
 }
 
 } // namespace chasles::view

@@ -38,9 +38,9 @@ enum class RecordSource : std::uint8_t {
 struct SceneRecord {
     std::string title = "Chasles"; ///< UTF-8; invalid bytes are replaced
     RecordSource source = RecordSource::recording;
-    double margin = 0;              ///< margin of the query, mesh unit
-    double clear_until = 0;         ///< of the answer
-    std::vector<double> times = {}; ///< ascending; the first and the last one are the ends of the slider
+    double margin = 0;                      ///< margin of the query, mesh unit
+    std::optional<double> clear_until = {}; ///< of the answer, if it is known
+    std::vector<double> times = {};         ///< ascending; the first and the last one are the ends of the slider
     std::vector<RecordedBody> bodies = {};
     std::vector<RecordedContact> contacts = {}; ///< in any order
 };

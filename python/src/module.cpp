@@ -40,5 +40,6 @@ NB_MODULE(_core, module) {
     python::bind_least_distance(module);
     python::bind_scene(module);
     python::bind_view(module);
+    python::bind_record(module);
     python::bind_timing(module);
 }

@@ -1,15 +1,13 @@
 // chasles.Scene and chasles.SceneContact.
-#include "chasles/scene/scene.h"
+#include "python/src/scene.h"
 
 #include "chasles/base/invalid_input.h"
-#include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/interruptible.h"
 #include "python/src/names.h"
 #include "python/src/query_options.h"
 
 #include <fmt/format.h>
-#include <map>
 #include <mutex>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
@@ -19,20 +17,6 @@ namespace chasles::python {
 namespace {
 
 using namespace nb::literals;
-
-/// A scene with the Python objects of its bodies.
-struct PythonScene {
-    Scene scene;
-    std::map<std::string, nb::object> shapes;
-};
-
-using Names = std::pair<std::string, std::string>;
-
-/// The first contact of a pair of a scene; of a clear scene without a pair.
-struct SceneContactAnswer : Answer {
-    std::optional<Names> pair;
-    std::vector<Names> simultaneous;
-};
 
 /// The motion of this kind between two poses.
 Motion motion_between(const std::string& kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
@@ -140,8 +124,7 @@ SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& conta
     const Names names = names_of(scene.scene, contact);
     return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
              relative(bodies[contact.moving].motion, bodies[contact.fixed].motion), margin},
-            names,
-            {}};
+            names};
 }
 
 SceneContactAnswer first_contact(const PythonScene& scene, double margin, double until, double time_tolerance,
@@ -155,13 +138,14 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, double
         clear.certain = true;
         clear.clear_until = found.clear_until;
         clear.work = found.work;
-        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin}, std::nullopt, {}};
+        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin}, std::nullopt, true};
     }
     SceneContactAnswer answer = answer_of(scene, found.contacts.front(), margin);
+    answer.is_first = true;
     answer.found.clear_until = found.clear_until;
     answer.found.work = found.work;
     for (std::size_t i = 1; i < found.contacts.size(); ++i)
-        answer.simultaneous.push_back(names_of(scene.scene, found.contacts[i]));
+        answer.simultaneous.push_back({names_of(scene.scene, found.contacts[i]), found.contacts[i].contact});
     return answer;
 }
 
@@ -214,7 +198,13 @@ void bind_contact(nb::module_& module) {
             nb::sig("def pair(self) -> tuple[str, str] | None"),
             "The names of the moving and the fixed body; None if the scene is clear.")
         .def_prop_ro(
-            "simultaneous", [](const SceneContactAnswer& a) { return a.simultaneous; },
+            "simultaneous",
+            [](const SceneContactAnswer& a) {
+                std::vector<Names> pairs;
+                for (const NamedContact& contact : a.simultaneous)
+                    pairs.push_back(contact.pair);
+                return pairs;
+            },
             "Further pairs that may touch at the same time, as their brackets overlap.")
         .def("__repr__", [](const SceneContactAnswer& a) {
             return a.pair ? fmt::format("<chasles.SceneContact: {} on {} at time {:.12g}>", a.pair->first,

@@ -47,12 +47,12 @@ export class EventList {
     this.fill();
   }
 
-  /** Chooses the contact `by` rows further. Without a choice, it is the first or the last row. */
+  /** Chooses the contact `by` rows further. Without a choice, steps start before the first row or after the last one. */
   step(by: number): void {
+    const last = this.shown.length - 1;
     const row = this.selected === undefined ? -1 : this.shown.indexOf(this.selected);
-    const first = by > 0 ? 0 : this.shown.length - 1;
-    const next = row < 0 ? first : Math.min(Math.max(row + by, 0), this.shown.length - 1);
-    if (this.shown.length > 0) this.choose(this.shown[next]);
+    const from = row >= 0 ? row : by > 0 ? -1 : last + 1;
+    if (last >= 0) this.choose(this.shown[Math.min(Math.max(from + by, 0), last)]);
   }
 
   private reveal(row: number): void {

@@ -22,7 +22,7 @@ export interface SceneRecord {
   title: string;
   source: "first_contact" | "all_contacts" | "recording";
   margin: number;
-  clear_until: number;
+  clear_until?: number; // no pair touches before this time
   times: string; // float64, ascending
   meshes: PackedMesh[];
   bodies: RecordedBody[];

@@ -17,9 +17,9 @@ function verdict({ source, events }: SceneRecord): string {
 function meaning({ source, events, margin, clear_until }: SceneRecord): string {
   const touch = margin > 0 ? `comes within ${margin}` : "touches";
   if (source === "recording") return "Between the recorded times the motion is interpolated.";
-  if (events.length === 0) return `Proven: no pair ${touch} before time ${clear_until}.`;
+  if (events.length === 0) return clear_until === undefined ? `No pair ${touch}.` : `Proven: no pair ${touch} before time ${clear_until}.`;
   if (source === "all_contacts") return "The first contact of each pair, in order of time.";
-  if (clear_until < events[0].time) return `A pair ${touch} inside the bracket, and perhaps earlier: the question stopped at any contact.`;
+  if (clear_until! < events[0].time) return `A pair ${touch} inside the bracket, and perhaps earlier: the question stopped at any contact.`;
   const others = events.length > 1 ? " The brackets of all listed pairs overlap." : "";
   return `The first pair ${touch} inside the bracket, and not before its lower end.${others}`;
 }
