@@ -1,4 +1,4 @@
-// What the data of all pages have in common: packed arrays, meshes, and text that is safe in a page.
+// Parts of the data of every page: packed arrays, meshes, and text that is safe in a page.
 #pragma once
 
 #include "view/answer_json.h"
@@ -15,7 +15,7 @@ std::string packed(const Rows& rows) {
     return base64(std::as_bytes(std::span(rows)));
 }
 
-/// What the page draws of a body: origin, vertices, triangles and creases.
+/// The drawn mesh of a body: origin, vertices, triangles and creases.
 Json mesh_json(const Polyhedron& body);
 
 /// Whether two handles share one body. A page holds its mesh once.

@@ -7,10 +7,10 @@
 namespace chasles::view {
 namespace {
 
-/// Of an interval, in the order of the test. A motion that deviates mostly does so in the middle.
+/// Parts of an interval, in the order of the test. Most motions that deviate do so in the middle.
 constexpr double probed_parts[] = {1 / 2., 1 / 4.,  3 / 4.,  1 / 8.,   3 / 8.,  5 / 8.,
                                    7 / 8., 1 / 16., 5 / 16., 11 / 16., 15 / 16.};
-constexpr int most_halvings = 10; ///< of an interval between two exact times
+constexpr int most_halvings = 13; ///< of an interval between two exact times
 constexpr int probes_of_way = 32;
 constexpr double deviation_over_diagonal = 1e-3; ///< a third of a pixel where the body fills a third of a screen
 constexpr double deviation_over_way = 1e-5;

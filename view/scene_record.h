@@ -49,8 +49,8 @@ struct SceneRecord {
 /// order of the scene.
 SceneRecord scene_record(const chasles::Scene& scene, const SceneAnswer& found, RecordSource source);
 
-/// Throws InvalidInput "record: WHERE: WHY" if times do not ascend, if a body has neither one pose nor one for each
-/// time, if a number is not finite, or if a contact is outside the times or names a body that does not exist.
+/// Throws InvalidInput "record: WHERE: WHY" for a wrong record. Times have to ascend. A body has one pose, or one for
+/// each time. A contact is within the times and names two bodies of the record. All numbers are finite.
 void require_valid(const SceneRecord& record);
 
 } // namespace chasles::view

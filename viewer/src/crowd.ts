@@ -23,6 +23,8 @@ export interface Member {
   track: Track;
 }
 
+const manyBodies = 100; // whose dim surfaces would cover the chosen pair
+
 const nowhere = new Matrix4().makeScale(0, 0, 0);
 
 /** Lines that are drawn once for each matrix. three.js has this for meshes only, and recognises the members. */
@@ -106,8 +108,9 @@ export class Crowd {
       material.depthWrite = !isDim;
       material.needsUpdate = true;
     };
-    dim(this.surface, 0.1);
-    dim(this.lines, 0.13);
+    const opacity = this.bodies.length > manyBodies ? 0.05 : 0.1;
+    dim(this.surface, opacity);
+    dim(this.lines, 1.4 * opacity);
   }
 
   paint(colours: Colours): void {
