@@ -55,6 +55,8 @@ class ScenePage(PageTest):
         cls.events = json.loads(run("scene", "scene.json", "--all", "--json", "--page", "all.html").stdout)["events"]
         cls.first = json.loads(run("scene", "scene.json", "--json", "--page", "first.html").stdout)
         run("scene", "scene.json", "--all", "--until", "0.1", "--page", "clear_scene.html")
+        (folder / "empty.json").write_text('{"bodies": []}')
+        run("scene", "empty.json", "--page", "empty.html")
         (folder / "recording.html").write_text(recording((folder / "all.html").read_text()))
 
     def rows(self) -> list[str]:
@@ -145,6 +147,10 @@ class ScenePage(PageTest):
         self.assertEqual(self.text("#verdict"), "Clear")
         self.assertIn("no pair touches before time 0.1", self.text("#meaning"))
         self.assertEqual(self.browser.evaluate("document.getElementById('events').offsetHeight"), 0)
+
+    def test_a_scene_may_be_empty(self) -> None:
+        self.open("empty.html")
+        self.assertIn("0 bodies", self.text("#meaning"))
 
     def test_a_recording_has_its_own_times(self) -> None:
         self.open("recording.html")

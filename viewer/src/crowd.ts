@@ -78,7 +78,7 @@ export class Crowd {
     const members: number[][] = meshes.map(() => []);
     bodies.forEach(({ mesh }, index) => members[mesh].push(index));
     this.shapes = meshes.map((mesh, index) => new Shape(mesh, members[index], this.surface, this.lines, toStage));
-    this.group.add(...this.shapes.flatMap(({ surface, lines }) => [surface, lines]));
+    for (const { surface, lines } of this.shapes) this.group.add(surface, lines);
   }
 
   moveTo(time: number): void {
