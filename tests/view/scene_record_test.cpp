@@ -72,6 +72,7 @@ TEST_F(RecordOfScene, HoldsThePoseAtTheContact) {
     EXPECT_EQ(numbers_in(record["bodies"][2]["poses"]).size(), 7U) << "the plate rests";
     const std::size_t moving = found.contacts[0].moving;
     const Json& body = record["bodies"][moving];
+    ASSERT_TRUE(body.contains("times"));
     const std::vector<double> times = numbers_in(body["times"]), poses = numbers_in(body["poses"]);
     ASSERT_EQ(poses.size(), 7 * times.size());
     const auto place = std::find(times.begin(), times.end(), time);
