@@ -6,9 +6,11 @@
 #include "cli/report.h"
 #include "cli/scene_file.h"
 #include "view/answer_json.h"
+#include "view/page.h"
 
 #include "cli/options.h"
 
+#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <optional>
@@ -22,6 +24,8 @@ struct SceneOptions {
     std::string margin; ///< empty: that of the file
     std::string until = "1";
     std::string time_tolerance = "1e-12";
+    std::string page; ///< empty: none
+    std::string title;
     bool all = false;
     bool any = false;
     bool all_contacts = false;
@@ -73,8 +77,42 @@ std::string report_all(const Scene& scene, const SceneAnswer& answer) {
     return text + summary(scene, answer);
 }
 
+/// The page of an answer. The file is opened before the question is answered.
+class PageFile {
+public:
+    explicit PageFile(const SceneOptions& options) : options_(options) {
+        if (options.page.empty())
+            return;
+        view::require_page_template();
+        file_.emplace(options.page);
+    }
+    void write(const Scene& scene, const SceneAnswer& answer, double margin) {
+        if (!file_)
+            return;
+        using enum view::RecordSource;
+        view::SceneRecord record = view::scene_record(scene, answer, options_.all ? all_contacts : first_contact);
+        record.margin = margin;
+        record.title =
+            options_.title.empty() ? std::filesystem::path(options_.file).filename().string() : options_.title;
+        file_->write(view::scene_page(record));
+        file_->close();
+    }
+
+private:
+    const SceneOptions& options_;
+    std::optional<OutputFile> file_;
+};
+
+std::string report_of(const SceneOptions& options, const Scene& scene, const SceneAnswer& answer, double margin) {
+    if (options.json)
+        return view::scene_answer_json(scene, answer, options.all).dump() + "\n";
+    const std::string text = options.all ? report_all(scene, answer) : report_first(scene, answer, margin);
+    return text + (options.page.empty() ? "" : labelled("page", options.page));
+}
+
 int run_scene(const SceneOptions& options) {
     const SceneFile file = load_scene(options.file, options.polyhedron);
+    PageFile page(options);
     const Interruption interruption;
     std::optional<ProgressBar> bar;
     SceneQuery query{.options = query_options(options, file.margin),
@@ -89,11 +127,8 @@ int run_scene(const SceneOptions& options) {
     try {
         const SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
         bar.reset();
-        if (options.json)
-            print(view::scene_answer_json(file.scene, answer, options.all).dump() + "\n");
-        else
-            print(options.all ? report_all(file.scene, answer)
-                              : report_first(file.scene, answer, query.options.margin));
+        page.write(file.scene, answer, query.options.margin);
+        print(report_of(options, file.scene, answer, query.options.margin));
         return answer.contacts.empty() ? is_clear : is_contact;
     } catch (const SceneCancelled&) {
         bar.reset();
@@ -130,6 +165,12 @@ void add_scene(CLI::App& app, Task& task) {
     command.add_option("--threads", options->polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();
     command.add_flag("--json", options->json, "print one JSON object");
+    auto* const page =
+        command.add_option("--page", options->page, "write a page (HTML) that shows the scene and its contacts too")
+            ->type_name("FILE");
+    command.add_option("--title", options->title, "title of the page; default: the name of the scene file")
+        ->type_name("TEXT")
+        ->needs(page);
     command.callback([options, &task] { task = [options] { return run_scene(*options); }; });
 }
 

@@ -29,27 +29,11 @@ Json json_of(FeatureKind kind, const Feature& feature) {
     return face(feature);
 }
 
-Json json_of(const Contact& contact) {
-    return {{"kind", name_of(contact.kind)},
-            {"moving_feature", json_of(moving_feature_kind(contact.kind), contact.moving)},
-            {"fixed_feature", json_of(fixed_feature_kind(contact.kind), contact.fixed)},
-            {"point", vector_json(contact.point)},
-            {"normal", vector_json(contact.normal)},
-            {"gap", contact.gap},
-            {"approach_speed", contact.approach_speed}};
-}
-
 Json json_of(const std::vector<Contact>& contacts) {
     Json list = Json::array();
     for (const Contact& contact : contacts)
-        list.push_back(json_of(contact));
+        list.push_back(contact_json(contact));
     return list;
-}
-
-Json json_of(const Overlap& overlap) {
-    return {{"moving_feature", overlap.edge_is_moving ? edge(overlap.edge) : face(overlap.face)},
-            {"fixed_feature", overlap.edge_is_moving ? face(overlap.face) : edge(overlap.edge)},
-            {"point", vector_json(overlap.point)}};
 }
 
 Json json_of(const MotionNumbers& motion) {
@@ -84,12 +68,12 @@ void add_contacts(Json& answer, const Found& found, MotionKind kind) {
     answer["pose"] = pose_json(found.pose);
     answer["contacts"] = json_of(found.contacts);
     if (found.overlap)
-        answer["overlap"] = json_of(*found.overlap);
+        answer["overlap"] = overlap_json(*found.overlap);
 }
 
 } // namespace
 
-Json scene_answer_json(const Scene& scene, const SceneAnswer& found, bool all) {
+Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bool all) {
     const auto pair = [&](const SceneContact& contact) {
         return Json{scene.bodies()[contact.moving].name, scene.bodies()[contact.fixed].name};
     };
@@ -118,6 +102,22 @@ Json scene_answer_json(const Scene& scene, const SceneAnswer& found, bool all) {
     }
     answer["work"] = json_of(found.work);
     return answer;
+}
+
+Json contact_json(const Contact& contact) {
+    return {{"kind", name_of(contact.kind)},
+            {"moving_feature", json_of(moving_feature_kind(contact.kind), contact.moving)},
+            {"fixed_feature", json_of(fixed_feature_kind(contact.kind), contact.fixed)},
+            {"point", vector_json(contact.point)},
+            {"normal", vector_json(contact.normal)},
+            {"gap", contact.gap},
+            {"approach_speed", contact.approach_speed}};
+}
+
+Json overlap_json(const Overlap& overlap) {
+    return {{"moving_feature", overlap.edge_is_moving ? edge(overlap.edge) : face(overlap.face)},
+            {"fixed_feature", overlap.edge_is_moving ? face(overlap.face) : edge(overlap.edge)},
+            {"point", vector_json(overlap.point)}};
 }
 
 Json vector_json(const Eigen::Vector3d& vector) {

@@ -21,7 +21,11 @@ Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 /// The answer of `scene`. For the first contact: the keys of `check` without tau and motion, and `pair`, the names of
 /// the moving and the fixed body; `simultaneous` lists further pairs that may touch at that time. For `all`: `events`,
 /// each with time, time_upper, certain, pair and contacts, and `work`.
-Json scene_answer_json(const Scene& scene, const SceneAnswer& answer, bool all);
+Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& answer, bool all);
+
+/// A contact, and an overlap, as in the lists of every answer.
+Json contact_json(const Contact& contact);
+Json overlap_json(const Overlap& overlap);
 
 Json vector_json(const Eigen::Vector3d& vector);
 /// x, y, z, qw, qx, qy, qz. The quaternion has length one.

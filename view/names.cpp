@@ -48,4 +48,16 @@ std::string_view name_of(MotionKind kind) {
     return "twist";
 }
 
+std::string_view name_of(RecordSource source) {
+    switch (source) {
+    case RecordSource::first_contact:
+        return "first_contact";
+    case RecordSource::all_contacts:
+        return "all_contacts";
+    case RecordSource::recording:
+        break;
+    }
+    return "recording";
+}
+
 } // namespace chasles::view

@@ -3,6 +3,7 @@
 
 #include "chasles/query/first_contact.h"
 #include "view/motion_numbers.h"
+#include "view/scene_record.h"
 
 #include <string_view>
 
@@ -12,5 +13,6 @@ namespace chasles::view {
 std::string_view name_of(Verdict verdict);
 std::string_view name_of(ContactKind kind);
 std::string_view name_of(MotionKind kind);
+std::string_view name_of(RecordSource source);
 
 } // namespace chasles::view

@@ -44,7 +44,13 @@ bool are_dense(const std::vector<Pose>& moving, const std::vector<Pose>& fixed) 
     return std::max(deviation(moving), deviation(fixed)) <= largest_deviation * std::max(extent(moving), extent(fixed));
 }
 
-std::vector<PoseRow> rows_of(const std::vector<Pose>& poses) {
+bool are_same(const Pose& a, const Pose& b) {
+    return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
+}
+
+} // namespace
+
+std::vector<PoseRow> pose_rows(const std::vector<Pose>& poses) {
     std::vector<PoseRow> rows;
     Eigen::Quaterniond before = Eigen::Quaterniond::Identity();
     for (const Pose& pose : poses) {
@@ -58,12 +64,6 @@ std::vector<PoseRow> rows_of(const std::vector<Pose>& poses) {
     return rows;
 }
 
-bool are_same(const Pose& a, const Pose& b) {
-    return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
-}
-
-} // namespace
-
 SampledPoses sampled_poses(const Motion& motion) {
     std::vector<Pose> moving, fixed;
     const auto sample = [&](std::size_t count) {
@@ -75,7 +75,7 @@ SampledPoses sampled_poses(const Motion& motion) {
         sample(2 * moving.size() - 1);
     if (std::ranges::all_of(fixed, [&](const Pose& pose) { return are_same(pose, fixed.front()); }))
         fixed.resize(1);
-    return {rows_of(moving), rows_of(fixed)};
+    return {pose_rows(moving), pose_rows(fixed)};
 }
 
 } // namespace chasles::view

@@ -18,4 +18,6 @@ struct SampledPoses {
 
 SampledPoses sampled_poses(const Motion& motion);
 
+std::vector<PoseRow> pose_rows(const std::vector<Pose>& poses);
+
 } // namespace chasles::view

@@ -151,7 +151,8 @@ const EvenMotion<Scalar>& EvenFrame::refined() const {
     std::call_once(is_made_, [this] {
         const bool is_on_axis = may_be_on_axis_ && motion_.angle >= least_turn_for_axis;
         const double least_turn = is_on_axis ? 0 : never_on_axis;
-        refined_ = even_motion<Scalar>(kind_, start_, goal_, centre_, least_turn);
+        refined_ = std::make_unique<EvenMotion<Wide>>(
+            even_motion<Scalar>(kind_, start_, goal_, centre_, least_turn));
     });
     return *refined_;
 }

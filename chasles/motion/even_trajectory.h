@@ -7,8 +7,8 @@
 #include "chasles/motion/motion_ends.h"
 #include "chasles/motion/smooth_trajectory.h"
 
+#include <memory>
 #include <mutex>
-#include <optional>
 
 namespace chasles::motion {
 
@@ -73,7 +73,7 @@ private:
     EvenMotion<double> motion_;
     RateBounds rates_; ///< at all times
     mutable std::once_flag is_made_;
-    mutable std::optional<EvenMotion<Wide>> refined_;
+    mutable std::unique_ptr<const EvenMotion<Wide>> refined_;
 };
 
 /// Slerp, the shorter way round, while the body point `centre` moves on a straight line.

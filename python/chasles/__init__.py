@@ -45,6 +45,7 @@ from ._core import (
 from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .enums import ContactKind, Find, Verdict
 from .meshes import from_trimesh
+from .record import recording_page, write_scene_page
 from .table import empty_table, least_dtype, motion_dtype, path_dtype
 from .view import view, write_page
 
@@ -88,6 +89,7 @@ __all__ = [
     "motion_dtype",
     "path_dtype",
     "path_is_clear_batch",
+    "recording_page",
     "view",
 ]
 
@@ -105,3 +107,4 @@ def _plot(found: FirstContact, *arguments: Any, **options: Any) -> Any:
 
 FirstContact.plot = _plot  # type: ignore[attr-defined]
 FirstContact.view = write_page  # type: ignore[attr-defined]
+Scene.view = write_scene_page  # type: ignore[attr-defined]

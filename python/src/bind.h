@@ -17,6 +17,7 @@ void bind_least_distance(nanobind::module_& module);
 void bind_scene(nanobind::module_& module);
 void bind_stepper(nanobind::module_& module);
 void bind_view(nanobind::module_& module);
+void bind_record(nanobind::module_& module);
 void bind_timing(nanobind::module_& module);
 
 } // namespace chasles::python

@@ -41,5 +41,6 @@ NB_MODULE(_core, module) {
     python::bind_scene(module);
     python::bind_stepper(module);
     python::bind_view(module);
+    python::bind_record(module);
     python::bind_timing(module);
 }

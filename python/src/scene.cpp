@@ -63,8 +63,7 @@ SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& conta
     const Names names = names_of(scene.scene, contact);
     return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
              relative(bodies[contact.moving].motion, bodies[contact.fixed].motion), margin},
-            names,
-            {}};
+            names};
 }
 
 namespace {
@@ -141,13 +140,14 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, double
         clear.certain = true;
         clear.clear_until = found.clear_until;
         clear.work = found.work;
-        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin}, std::nullopt, {}};
+        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin}, std::nullopt, true};
     }
     SceneContactAnswer answer = answer_of(scene, found.contacts.front(), margin);
+    answer.is_first = true;
     answer.found.clear_until = found.clear_until;
     answer.found.work = found.work;
     for (std::size_t i = 1; i < found.contacts.size(); ++i)
-        answer.simultaneous.push_back(names_of(scene.scene, found.contacts[i]));
+        answer.simultaneous.push_back({names_of(scene.scene, found.contacts[i]), found.contacts[i].contact});
     return answer;
 }
 
@@ -200,7 +200,13 @@ void bind_contact(nb::module_& module) {
             nb::sig("def pair(self) -> tuple[str, str] | None"),
             "The names of the moving and the fixed body; None if the scene is clear.")
         .def_prop_ro(
-            "simultaneous", [](const SceneContactAnswer& a) { return a.simultaneous; },
+            "simultaneous",
+            [](const SceneContactAnswer& a) {
+                std::vector<Names> pairs;
+                for (const NamedContact& contact : a.simultaneous)
+                    pairs.push_back(contact.pair);
+                return pairs;
+            },
             "Further pairs that may touch at the same time, as their brackets overlap.")
         .def("__repr__", [](const SceneContactAnswer& a) {
             return a.pair ? fmt::format("<chasles.SceneContact: {} on {} at time {:.12g}>", a.pair->first,

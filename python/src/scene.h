@@ -1,4 +1,4 @@
-// A scene with its Python objects, shared by chasles.Scene and chasles.Stepper.
+// Scenes and their answers as Python objects.
 #pragma once
 
 #include "chasles/scene/scene.h"
@@ -19,12 +19,19 @@ struct PythonScene {
     std::map<std::string, nb::object> shapes;
 };
 
+/// Of the moving and of the fixed body.
 using Names = std::pair<std::string, std::string>;
+
+struct NamedContact {
+    Names pair;
+    FirstContact found;
+};
 
 /// The first contact of a pair of a scene; of a clear scene without a pair.
 struct SceneContactAnswer : Answer {
     std::optional<Names> pair;
-    std::vector<Names> simultaneous;
+    bool is_first = false; ///< of all pairs: the answer of first_contact
+    std::vector<NamedContact> simultaneous = {};
 };
 
 SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin);

@@ -2,9 +2,11 @@
 #include "chasles/scene/stepper.h"
 
 #include "chasles/base/invalid_input.h"
+#include "python/src/docstrings.h"
 #include "python/src/interruptible.h"
 #include "python/src/motions.h"
 #include "python/src/poses.h"
+#include "python/src/query_options.h"
 #include "python/src/scene.h"
 
 #include <fmt/format.h>
@@ -68,11 +70,11 @@ private:
     Stepper stepper_;
 };
 
-PythonStepper stepper_of(const PythonScene& scene, double margin, std::optional<double> reach, double time_tolerance,
-                         unsigned threads) {
+void make(PythonStepper* stepper, const PythonScene& scene, double margin, std::optional<double> reach,
+          double time_tolerance, unsigned threads) {
     if (reach && !(*reach > 0))
         throw InvalidInput("query: reach: must be at least 1.001 times the margin");
-    return {scene, {margin, reach.value_or(0), time_tolerance, threads}};
+    new (stepper) PythonStepper(scene, {margin, reach.value_or(0), time_tolerance, threads});
 }
 
 nb::list list_of(const std::vector<SceneContactAnswer>& answers) {
@@ -129,7 +131,7 @@ void bind_event(nb::module_& module) {
 void bind_stepper(nb::module_& module) {
     bind_event(module);
     nb::class_<PythonStepper>(module, "Stepper", stepper_doc)
-        .def(nb::new_(stepper_of), "scene"_a, nb::kw_only(), "margin"_a, "reach"_a = nb::none(),
+        .def("__init__", make, "scene"_a, nb::kw_only(), "margin"_a, "reach"_a = nb::none(),
              "time_tolerance"_a = default_time_tolerance, "threads"_a = 0)
         .def("advance", &PythonStepper::advance, nb::sig("def advance(self) -> StepEvent | None"), advance_doc)
         .def_prop_ro("time", &PythonStepper::time, "Of the last event, or 1 at the end.")

@@ -23,7 +23,8 @@ std::string view_page(const Answer& answer, const std::string& title, const std:
             if constexpr (requires { view::numbers_of(typed); })
                 return view::numbers_of(typed);
             else
-                throw InvalidInput("view: shows screws, sweeps, constant velocity and constant twist");
+                throw InvalidInput(
+                    "view: shows screws, sweeps, constant velocity and constant twist; Scene.view shows scenes");
         },
         answer.motion);
     const view::Scene scene{.moving = nb::cast<const Body&>(answer.moving).polyhedron,

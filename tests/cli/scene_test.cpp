@@ -3,6 +3,8 @@
 
 #include "chasles/chasles.h"
 
+#include <fstream>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 namespace chasles {
@@ -24,6 +26,10 @@ protected:
 
     [[nodiscard]] Json json(const std::string& options) const {
         return Json::parse(run("scene scene.json --json " + options).out);
+    }
+    [[nodiscard]] std::string content(const std::string& file) const {
+        std::ifstream stream(path(file), std::ios::binary);
+        return {std::istreambuf_iterator<char>(stream), {}};
     }
     /// The same scene by the library.
     [[nodiscard]] Scene same() const {
@@ -92,6 +98,24 @@ TEST_F(SceneCommand, KeepsToTheFilters) {
         EXPECT_EQ(event["pair"][1], "walking");
     EXPECT_LT(json("")["time"], 0.7163) << "the margin of the file";
     EXPECT_GT(json("--margin 0")["time"], 0.7163);
+}
+
+/// What a build without the viewer says is the same for all pages.
+TEST_F(SceneCommand, WritesAPageToo) {
+    const tests::Finished plain = run("scene scene.json --all");
+    const tests::Finished paged = run("scene scene.json --all --page page.html --title 'Boxes & <floor>'");
+    if (paged.err.find("this build has no viewer") != std::string::npos)
+        GTEST_SKIP() << paged.err;
+    EXPECT_EQ(paged.status, plain.status);
+    EXPECT_EQ(paged.out, plain.out + "  page      page.html\n");
+    const std::string page = content("page.html");
+    EXPECT_NE(page.find(R"("title":"Boxes & \u003cfloor>")"), std::string::npos);
+    EXPECT_NE(page.find(R"("source":"all_contacts")"), std::string::npos);
+    EXPECT_EQ(Json::parse(run("scene scene.json --json --page first.html").out), json(""));
+    EXPECT_NE(content("first.html").find(R"("source":"first_contact")"), std::string::npos);
+    EXPECT_NE(content("first.html").find(R"("title":"scene.json")"), std::string::npos);
+    EXPECT_TRUE(error_line("scene scene.json --page no/page.html").starts_with("chasles: no/page.html"));
+    EXPECT_EQ(run("scene scene.json --title only").status, 2);
 }
 
 TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {

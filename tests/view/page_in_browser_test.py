@@ -6,43 +6,13 @@ skipped, because there is no browser or the build has no viewer.
 """
 
 import json
-import pathlib
-import subprocess
 import sys
-import tempfile
-import unittest
 
-from devtools import Browser
-from png import pixels
+from page_tests import PageTest, count, folder, is_contact_colour, is_moving_colour, main, run
 
-CUBE = """v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
-f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"""
 TURNING_PAST = ["--start", "3 0.2 0.3", "--goal", "-1 0.2 0.3 0.9 0.1 0.2 0.3"]
 BOTH_AT_VELOCITY = ["--motion", "velocity", "--fixed-start", "0 0 0", "--fixed-goal", "0.5 0 0.2 1 0 0 0.4"]
-SIZE = (900, 560)
 TITLE = "Two cubes </script><script>document.title = 'broken out'</script>"
-
-chasles, chromium = str(pathlib.Path(sys.argv[1]).resolve()), sys.argv[2]
-passing = tempfile.TemporaryDirectory(prefix="chasles-view-")  # deleted at exit
-folder = pathlib.Path(sys.argv[3] if len(sys.argv) > 3 else passing.name)
-
-
-def run(*arguments: str) -> subprocess.CompletedProcess:
-    return subprocess.run([chasles, *arguments], cwd=folder, capture_output=True, text=True, check=False)
-
-
-def count(rows: list, is_wanted) -> int:
-    return sum(is_wanted(pixel) for row in rows for pixel in row)
-
-
-def is_contact_colour(pixel: tuple) -> bool:
-    red, green, blue = pixel
-    return abs(red - 0xD4) < 12 and abs(green - 0x14) < 24 and abs(blue - 0x7F) < 12
-
-
-def is_moving_colour(pixel: tuple) -> bool:
-    red, green, blue = pixel
-    return red > 150 and 0.55 < green / red < 0.8 and blue < 0.2 * red
 
 
 def numbers_in(text: str) -> set:
@@ -55,10 +25,9 @@ def numbers_in(text: str) -> set:
     return found
 
 
-class Page(unittest.TestCase):
+class Page(PageTest):
     @classmethod
-    def setUpClass(cls) -> None:
-        (folder / "cube.obj").write_text(CUBE)
+    def write_pages(cls) -> None:
         cls.answer = json.loads(run("check", "cube.obj", "cube.obj", *TURNING_PAST, "--json").stdout)
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--title", TITLE, "--out", "contact.html")
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--margin", "0.25", "--out", "margin.html")
@@ -70,55 +39,6 @@ class Page(unittest.TestCase):
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--any", "--out", "any.html")
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, *BOTH_AT_VELOCITY, "--out", "velocity.html")
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--motion", "twist", "--out", "twist.html")
-        cls.browser = Browser(chromium, *SIZE)
-
-    @classmethod
-    def tearDownClass(cls) -> None:
-        cls.browser.__exit__()
-
-    def setUp(self) -> None:
-        self.browser.events.clear()
-
-    def tearDown(self) -> None:
-        """After every test: no errors, and no requests except for the page."""
-        requests = [e["params"]["request"]["url"] for e in self.browser.events if e["method"].endswith("WillBeSent")]
-        self.assertEqual([url for url in requests if not url.startswith(("file:///", "data:"))], [])
-        self.assertEqual(len([url for url in requests if url.startswith("file:")]), 1)
-        self.assertEqual([e["params"] for e in self.browser.events if self.is_complaint(e)], [])
-
-    @staticmethod
-    def is_complaint(event: dict) -> bool:
-        if event["method"] == "Log.entryAdded":
-            return event["params"]["entry"]["level"] == "error"
-        if event["method"] == "Runtime.consoleAPICalled":
-            return event["params"]["type"] in ("error", "warning")
-        return event["method"] == "Runtime.exceptionThrown"
-
-    def open(self, page: str) -> None:
-        self.browser.open((folder / page).as_uri(), "!!window.chasles")
-        self.browser.evaluate("window.chasles.ready")
-
-    def time(self) -> float:
-        return self.browser.evaluate("window.chasles.time()")
-
-    def text(self, selector: str) -> str:
-        return self.browser.evaluate(f"document.querySelector({json.dumps(selector)}).innerText")
-
-    def click(self, selector: str) -> None:
-        self.browser.evaluate(f"document.querySelector({json.dumps(selector)}).click()")
-
-    def slide(self, place: float) -> None:
-        """Drags the slider's thumb to a position in [0, 1]."""
-        left, right, y, now = self.browser.evaluate(
-            "(({left, right, top, bottom}, slider) => [left + 9, right - 9, (top + bottom) / 2, Number(slider.value)])"
-            "(document.getElementById('time').getBoundingClientRect(), document.getElementById('time'))"
-        )
-        self.browser.drag(left + now * (right - left), left + place * (right - left), y)
-
-    def picture(self, name: str) -> list:
-        png = self.browser.screenshot(scale=0.5)  # Python reads a quarter of the pixels in a quarter of the time
-        (folder / f"{name}.png").write_bytes(png)
-        return pixels(png)
 
     def test_the_slider_moves_the_body_and_stops_at_the_contact(self) -> None:
         self.open("contact.html")
@@ -231,29 +151,8 @@ class Page(unittest.TestCase):
         self.assertGreater(count(self.picture("start"), is_contact_colour), 15, "the point of the overlap")
 
     def test_narrow_windows_and_the_dark(self) -> None:
-        dark = {"name": "prefers-color-scheme", "value": "dark"}
-        self.browser.call("Emulation.setEmulatedMedia", features=[dark])
-        self.browser.resize(400, 700)
-        try:
-            self.open("contact.html")
-            self.assertEqual(self.browser.evaluate("document.documentElement.scrollWidth"), 400)
-            background = self.picture("narrow")[30][3]
-            self.assertLess(max(background), 60)
-        finally:
-            self.browser.call("Emulation.setEmulatedMedia", features=[])
-            self.browser.resize(*SIZE)
-
-
-def main() -> int:
-    if not chromium:
-        print("skipped: no chromium")
-        return 77
-    (folder / "cube.obj").write_text(CUBE)
-    tried = run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--out", "contact.html")
-    if "this build has no viewer" in tried.stderr:
-        print("skipped:", tried.stderr)
-        return 77
-    return 0 if unittest.main(argv=sys.argv[:1], exit=False).result.wasSuccessful() else 1
+        background = self.dark_and_narrow("contact.html", "narrow")[30][3]
+        self.assertLess(max(background), 60)
 
 
 if __name__ == "__main__":

@@ -1,57 +1,13 @@
 // The two bodies, the ghosts of the moving body at its start and goal, and the paths of the centres of both bodies.
-import {
-  BufferAttribute,
-  BufferGeometry,
-  DoubleSide,
-  Group,
-  Line,
-  LineBasicMaterial,
-  LineSegments,
-  Mesh,
-  MeshLambertMaterial,
-  type Matrix4,
-  Vector3,
-} from "three";
-import { type PackedBody, type PackedMesh, type PoseRow, type Scene, unpacked } from "./scene";
-import { Track } from "./track";
+import { BufferGeometry, type Group, Line, LineBasicMaterial, LineSegments, type Matrix4, Mesh, MeshLambertMaterial, type Vector3 } from "three";
 import type { Colours } from "./colours";
-
-interface DrawnMesh {
-  surface: BufferGeometry;
-  creases: BufferGeometry;
-  origin: Vector3;
-}
-
-/** Surfaces are two-sided, because meshes may be open. A depth offset draws them behind their crease lines. */
-const pushedBack = { side: DoubleSide, polygonOffset: true, polygonOffsetFactor: 1, polygonOffsetUnits: 1 } as const;
-
-function drawnMesh(packed: PackedMesh): DrawnMesh {
-  const vertices = new BufferAttribute(new Float32Array(unpacked(packed.vertices)), 3);
-  const geometry = (indices: string) => {
-    const made = new BufferGeometry().setAttribute("position", vertices);
-    return made.setIndex(new BufferAttribute(new Uint32Array(unpacked(indices)), 1));
-  };
-  const surface = geometry(packed.triangles);
-  surface.computeBoundingBox();
-  surface.computeBoundingSphere();
-  return { surface, creases: geometry(packed.creases), origin: new Vector3(...packed.origin) };
-}
-
-/** The group's matrix is the pose of the body's frame. `origin` is the position of the mesh in this frame. */
-function frame(origin: Vector3, ...children: (Mesh | LineSegments)[]): Group {
-  const group = new Group();
-  group.matrixAutoUpdate = false;
-  for (const child of children) {
-    child.position.copy(origin);
-    group.add(child);
-  }
-  return group;
-}
+import { type DrawnMesh, drawnMesh, frame, pushedBack } from "./meshes";
+import type { PackedBody, PoseRow, Scene } from "./scene";
+import { Track, unpackedNumbers } from "./track";
 
 export class Body {
   readonly group: Group;
   readonly path: Line;
-  readonly track: Track;
   private readonly surface = new MeshLambertMaterial({
     flatShading: true,
     ...pushedBack,
@@ -59,8 +15,7 @@ export class Body {
   private readonly lines = new LineBasicMaterial();
   private readonly pathLine = new LineBasicMaterial({ transparent: true, opacity: 0.55 });
 
-  constructor(readonly mesh: DrawnMesh, body: PackedBody, exact: { time: number; pose: PoseRow } | undefined) {
-    this.track = new Track(body.poses, exact);
+  constructor(readonly mesh: DrawnMesh, readonly track: Track) {
     this.group = frame(mesh.origin, new Mesh(mesh.surface, this.surface), new LineSegments(mesh.creases, this.lines));
     this.path = new Line(new BufferGeometry(), this.pathLine);
   }
@@ -90,6 +45,10 @@ export class Body {
     this.lines.transparent = isOn;
     this.lines.opacity = isOn ? 0.45 : 1;
     this.lines.needsUpdate = true;
+  }
+
+  dispose(): void {
+    for (const part of [this.surface, this.lines, this.pathLine, this.path.geometry]) part.dispose();
   }
 
   private moveBy(matrix: Matrix4): void {
@@ -129,9 +88,12 @@ export class Bodies {
   constructor(scene: Scene) {
     const meshes = scene.meshes.map(drawnMesh);
     const { time, pose } = scene.answer;
-    const exact = (of: PoseRow | undefined) => (time !== undefined && of ? { time, pose: of } : undefined);
-    this.moving = new Body(meshes[scene.moving.mesh], scene.moving, exact(pose));
-    this.fixed = new Body(meshes[scene.fixed.mesh], scene.fixed, exact(scene.fixed_pose));
+    const bodyOf = (packed: PackedBody, at: PoseRow | undefined) => {
+      const exact = time !== undefined && at ? { time, pose: at } : undefined;
+      return new Body(meshes[packed.mesh], new Track(unpackedNumbers(packed.poses), undefined, exact));
+    };
+    this.moving = bodyOf(scene.moving, pose);
+    this.fixed = bodyOf(scene.fixed, scene.fixed_pose);
     const mesh = this.moving.mesh;
     const ghost = (at: number, opacity: number) => new Ghost(mesh, this.moving.track.sample(at), opacity);
     this.ghosts = [ghost(0, 0.26), ghost(this.moving.track.count - 1, 0.16)];

@@ -1,6 +1,6 @@
 // The colours of the style sheet, which follow the light or dark mode of the system.
 
-const names = ["moving", "fixed", "contact", "background", "edge", "text"] as const;
+const names = ["moving", "fixed", "contact", "background", "edge", "text", "body", "resting"] as const;
 export type Colours = Record<(typeof names)[number], string>;
 
 export function currentColours(): Colours {

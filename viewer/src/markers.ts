@@ -15,7 +15,7 @@ import {
   SphereGeometry,
   Vector3,
 } from "three";
-import { type Answer, type Contact, markedPoints, type Vector } from "./scene";
+import { type Marked, markedPoints, type Point, type Vector } from "./scene";
 
 const mostMarkers = 500;
 const radiusOnScreen = 0.0052; // relative to the distance from the camera
@@ -35,7 +35,7 @@ function markerOf(point: Vector, normal: Vector | undefined, toFixed: Matrix4): 
 }
 
 /** With a margin the bodies keep a gap. A smaller marker shows the point on the moving body. */
-function otherEnd({ point, normal, gap }: Contact, toFixed: Matrix4): Marker {
+function otherEnd({ point, normal, gap }: Point, toFixed: Matrix4): Marker {
   const end = new Vector3(...point).addScaledVector(new Vector3(...normal), gap);
   return { point: end.applyMatrix4(toFixed), scale: otherEndIsSmaller };
 }
@@ -53,12 +53,13 @@ export class Markers {
   private readonly markers: Marker[];
   private readonly parts: InstancedMesh[];
   private readonly rims: InstancedMesh;
+  private readonly lines: LineSegments;
   private readonly colour = new MeshBasicMaterial({ depthTest: false, transparent: true });
   private readonly gapColour = new LineBasicMaterial({ depthTest: false, transparent: true });
   private readonly rimColour = new MeshBasicMaterial({ depthTest: false, transparent: true });
 
   /** `fixedPose` is the pose of the fixed body at the time of the contact; the points of the answer belong to this time. */
-  constructor(answer: Answer, margin: number, fixedPose: Matrix4) {
+  constructor(answer: Marked, margin: number, fixedPose: Matrix4) {
     const toFixed = fixedPose.clone().invert();
     const contacts = (answer.contacts ?? []).slice(0, mostMarkers);
     const marked = markedPoints(answer).slice(0, mostMarkers);
@@ -67,7 +68,8 @@ export class Markers {
       ...marked.map((point, index) => markerOf(point, contacts[index]?.normal, toFixed)),
       ...gaps.map((contact) => otherEnd(contact, toFixed)),
     ];
-    this.group.add(this.gapLines(gaps, toFixed));
+    this.lines = this.gapLines(gaps, toFixed);
+    this.group.add(this.lines);
     const instanced = (geometry: BufferGeometry, material: MeshBasicMaterial, order: number) => {
       const mesh = new InstancedMesh(geometry, material, this.markers.length);
       mesh.renderOrder = order;
@@ -87,7 +89,7 @@ export class Markers {
   }
 
   /** Line vertices are in single precision, so they are relative to a nearby point. */
-  private gapLines(contacts: Contact[], toFixed: Matrix4): LineSegments {
+  private gapLines(contacts: Point[], toFixed: Matrix4): LineSegments {
     const base = this.markers[0]?.point ?? new Vector3();
     const ends = contacts.flatMap((contact) => [
       new Vector3(...contact.point).applyMatrix4(toFixed).sub(base),
@@ -110,6 +112,15 @@ export class Markers {
     this.colour.color.set(colour);
     this.gapColour.color.set(colour);
     this.rimColour.color.set(rim);
+  }
+
+  dispose(): void {
+    for (const part of [...this.parts, this.rims]) {
+      part.geometry.dispose();
+      part.dispose();
+    }
+    this.lines.geometry.dispose();
+    for (const material of [this.colour, this.gapColour, this.rimColour]) material.dispose();
   }
 
   /** `unit` is the length of one mesh unit in the scene. */

@@ -1,45 +1,8 @@
 // The answer in words and numbers. Numbers have all their digits: JavaScript prints the shortest text that reads back to
 // the same double.
-import { type Answer, type Contact, type Feature, type Overlap, type Scene, type Vector } from "./scene";
-
-const mostListed = 100;
-
-type Child = Node | string;
-
-function element(name: string, ...children: Child[]): HTMLElement {
-  const made = document.createElement(name);
-  made.append(...children);
-  return made;
-}
-
-function byId(id: string): HTMLElement {
-  return document.getElementById(id)!;
-}
-
-// One number per line: two numbers with all digits do not fit on one line.
-function lines(numbers: readonly number[]): HTMLElement {
-  return element("dd", ...numbers.map((number) => element("span", String(number))));
-}
-
-function table(rows: [string, number | string | Vector][]): HTMLElement {
-  const list = element("dl");
-  for (const [name, value] of rows)
-    list.append(element("dt", name), Array.isArray(value) ? lines(value) : element("dd", String(value)));
-  return list;
-}
-
-function featureName(feature: Feature): string {
-  if (typeof feature === "number") return `vertex ${feature}`;
-  return feature.length === 1 ? `face ${feature[0]}` : `edge ${feature[0]}\u2013${feature[1]}`;
-}
-
-function pairName({ moving_feature, fixed_feature }: Contact): string {
-  return `${featureName(moving_feature)} on ${featureName(fixed_feature)}`;
-}
-
-function overlapName({ moving_feature, fixed_feature }: Overlap): string {
-  return `${featureName(moving_feature)} of the moving body, ${featureName(fixed_feature)} of the fixed one`;
-}
+import { contactList, overlapName } from "./contact_details";
+import { byId, element, more, table } from "./elements";
+import type { Answer, Scene, Vector } from "./scene";
 
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
 
@@ -92,31 +55,6 @@ function motionRows({ motion }: Answer, scene: Scene): [string, number | string 
   return rows;
 }
 
-function contactDetails(contact: Contact): HTMLElement {
-  return table([
-    ["point", contact.point],
-    ["normal", contact.normal],
-    ["gap", contact.gap],
-    ["approach speed", contact.approach_speed],
-  ]);
-}
-
-function contactList(contacts: Contact[], choose: (index: number | undefined) => void): HTMLElement[] {
-  const isAlone = contacts.length === 1;
-  const entries = contacts.slice(0, mostListed).map((contact, index) => {
-    const entry = element("details", element("summary", pairName(contact)), contactDetails(contact)) as HTMLDetailsElement;
-    entry.name = "contact"; // one open at a time
-    entry.open = isAlone;
-    entry.addEventListener("toggle", () => {
-      const isNoneOpen = !document.querySelector("details[open]");
-      if (entry.open || isNoneOpen) choose(entry.open ? index : undefined);
-    });
-    return entry;
-  });
-  const left = contacts.length - entries.length;
-  return left > 0 ? [...entries, Object.assign(element("p", `and ${left} more`), { className: "more" })] : entries;
-}
-
 function workRows(answer: Answer): [string, number][] {
   return Object.entries(answer.work).map(([name, count]) => [name.replaceAll("_", " "), count]);
 }
@@ -136,7 +74,7 @@ export function fillPanel(scene: Scene, choose: (index: number | undefined) => v
   const section = (title: string, ...content: HTMLElement[]) => numbers.append(element("h2", title), ...content);
   if (answer.verdict !== "clear") section("When", table(timeRows(answer)));
   if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
-  if (answer.contacts_cut && !answer.overlap) numbers.append(Object.assign(element("p", "The list is cut: there are more contacts."), { className: "more" }));
+  if (answer.contacts_cut && !answer.overlap) numbers.append(more("The list is cut: there are more contacts."));
   if (answer.held?.length) {
     section("Held at the start", ...contactList(answer.held, () => undefined));
     section("Safe", table([["clear until", answer.clear_until!]]));

@@ -5,15 +5,18 @@ export type PoseRow = ArrayLike<number>; // x, y, z, qw, qx, qy, qz
 /** A vertex is a number, a face a list of one number, an edge a list of its two vertices. */
 export type Feature = number | [number] | [number, number];
 
-export interface Contact {
-  kind: string;
-  moving_feature: Feature;
-  fixed_feature: Feature;
+/** A point of contact. A contact of a recording has no kind, features and approach speed. */
+export interface Point {
+  kind?: string;
+  moving_feature?: Feature;
+  fixed_feature?: Feature;
   point: Vector;
   normal: Vector;
   gap: number;
-  approach_speed: number;
+  approach_speed?: number;
 }
+
+export type Contact = Required<Point>;
 
 export interface Overlap {
   moving_feature: Feature;
@@ -57,7 +60,7 @@ export interface PackedBody {
 }
 
 export interface Scene {
-  format: number;
+  format: 1;
   title: string;
   margin: number;
   motion: "screw" | "sweep" | "velocity" | "twist";
@@ -67,12 +70,6 @@ export interface Scene {
   fixed: PackedBody;
   fixed_pose: number[]; // at the time of the contact
   answer: Answer;
-}
-
-export function readScene(): Scene {
-  const scene = JSON.parse(document.getElementById("scene")!.textContent!) as Scene;
-  if (scene.format !== 1) throw new Error(`this page shows scenes of format 1, not ${scene.format}`);
-  return scene;
 }
 
 export function unpacked(text: string): ArrayBuffer {
@@ -87,8 +84,14 @@ export function stopOf(answer: Answer): number {
   return answer.verdict === "clear" ? 1 : answer.time!;
 }
 
+/** The contacts of an answer or of one pair of bodies. */
+export interface Marked {
+  contacts?: Point[];
+  overlap?: Overlap;
+}
+
 /** All marked points, in the world at the time of the contact. */
-export function markedPoints(answer: Answer): Vector[] {
+export function markedPoints(answer: Marked): Vector[] {
   const points = (answer.contacts ?? []).map((contact) => contact.point);
   return answer.overlap ? [...points, answer.overlap.point] : points;
 }

@@ -6,20 +6,27 @@ import {
   Group,
   HemisphereLight,
   Matrix4,
+  type Object3D,
   PerspectiveCamera,
+  Raycaster,
   Scene as ThreeScene,
   Sphere,
+  Vector2,
   Vector3,
   WebGLRenderer,
 } from "three";
 import { OrbitControls } from "three/addons/controls/OrbitControls.js";
+import { byId, onClick } from "./elements";
 
 const fieldOfView = 32;
 const filledPart = 0.86; // of the picture
 const usualDirection = new Vector3(0.55, -1, 0.5).normalize();
 
 export class Stage {
+  /** Holds objects in world coordinates. */
   readonly world = new Group();
+  /** Holds objects whose coordinates are those of the shifted and scaled scene. */
+  readonly scaled = new Group();
   readonly camera = new PerspectiveCamera(fieldOfView, 1, 0.001, 200);
   private readonly scene = new ThreeScene();
   private readonly renderer: WebGLRenderer;
@@ -33,7 +40,7 @@ export class Stage {
     this.renderer.setPixelRatio(Math.min(devicePixelRatio, 2));
     this.camera.up.set(0, 0, 1);
     this.sky.position.set(0, 0, 1);
-    this.scene.add(this.world, this.sky, this.camera);
+    this.scene.add(this.world, this.scaled, this.sky, this.camera);
     this.camera.add(this.sun);
     this.sun.position.set(-1.2, 1.6, 2);
     this.world.matrixAutoUpdate = false;
@@ -78,6 +85,15 @@ export class Stage {
     this.draw();
   }
 
+  /** What the pointer is on, nearest first. */
+  under({ clientX, clientY }: PointerEvent, objects: Object3D[]) {
+    const { left, top, width, height } = this.canvas.getBoundingClientRect();
+    const place = new Vector2(((clientX - left) / width) * 2 - 1, 1 - ((clientY - top) / height) * 2);
+    const ray = new Raycaster();
+    ray.setFromCamera(place, this.camera);
+    return ray.intersectObjects(objects);
+  }
+
   setBackground(colour: string): void {
     this.renderer.setClearColor(colour);
     this.draw();
@@ -108,6 +124,17 @@ export class Stage {
     this.camera.aspect = clientWidth / clientHeight;
     this.draw();
   }
+}
+
+/** Connects the button "See through". */
+export function connectSeeThrough(stage: Stage, seeThrough: (isOn: boolean) => void): void {
+  const button = byId("see-through");
+  onClick("see-through", () => {
+    const isOn = button.getAttribute("aria-pressed") !== "true";
+    button.setAttribute("aria-pressed", String(isOn));
+    seeThrough(isOn);
+    stage.draw();
+  });
 }
 
 /** A sphere around all points. Its radius is never 0. */

@@ -10,45 +10,78 @@ interface Pose {
   rotation: Quaternion;
 }
 
-function poseOf(row: PoseRow, at = 0): Pose {
-  return {
-    translation: new Vector3(row[at], row[at + 1], row[at + 2]),
-    rotation: new Quaternion(row[at + 4], row[at + 5], row[at + 6], row[at + 3]),
-  };
+const newPose = (): Pose => ({ translation: new Vector3(), rotation: new Quaternion() });
+const from = newPose(); // used again for every pose, because a scene moves thousands of bodies
+const to = newPose();
+
+function read(pose: Pose, row: PoseRow, at = 0): Pose {
+  pose.translation.set(row[at], row[at + 1], row[at + 2]);
+  pose.rotation.set(row[at + 4], row[at + 5], row[at + 6], row[at + 3]);
+  return pose;
 }
 
-function matrixOf({ translation, rotation }: Pose): Matrix4 {
-  return new Matrix4().compose(translation, rotation, one);
+function matrixOf({ translation, rotation }: Pose, result: Matrix4): Matrix4 {
+  return result.compose(translation, rotation, one);
+}
+
+/** The index of the interval that contains the time: that of the last entry which is not after it. */
+function intervalAt(times: Float64Array, time: number): number {
+  let low = 0;
+  let high = times.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time) low = middle;
+    else high = middle;
+  }
+  return low;
+}
+
+export function unpackedNumbers(text: string): Float64Array {
+  return new Float64Array(unpacked(text));
 }
 
 export class Track {
-  private readonly rows: Float64Array;
   readonly count: number;
 
-  constructor(poses: string, private readonly exact?: { time: number; pose: PoseRow }) {
-    this.rows = new Float64Array(unpacked(poses));
-    this.count = this.rows.length / numbersOfPose;
+  /** `rows` has seven numbers per pose. Without `times`, the poses are at equal time steps from 0 to 1. */
+  constructor(
+    private readonly rows: Float64Array,
+    private readonly times?: Float64Array,
+    private readonly exact?: { time: number; pose: PoseRow },
+  ) {
+    this.count = rows.length / numbersOfPose;
   }
 
   /** The pose of the body's frame in the world at a time. */
-  at(time: number): Matrix4 {
-    if (time === this.exact?.time) return matrixOf(poseOf(this.exact.pose));
-    const place = time * (this.count - 1);
-    const index = Math.min(Math.floor(place), this.count - 2);
-    if (index < 0) return this.sample(0);
-    const from = poseOf(this.rows, index * numbersOfPose);
-    const to = poseOf(this.rows, (index + 1) * numbersOfPose);
-    from.translation.lerp(to.translation, place - index);
-    from.rotation.slerp(to.rotation, place - index);
-    return matrixOf(from);
+  at(time: number, result = new Matrix4()): Matrix4 {
+    if (time === this.exact?.time) return matrixOf(read(from, this.exact.pose), result);
+    if (this.count === 1) return this.sample(0, result);
+    const [index, part] = this.place(time);
+    read(from, this.rows, index * numbersOfPose);
+    read(to, this.rows, (index + 1) * numbersOfPose);
+    from.translation.lerp(to.translation, part);
+    from.rotation.slerp(to.rotation, part);
+    return matrixOf(from, result);
   }
 
-  sample(index: number): Matrix4 {
-    return matrixOf(poseOf(this.rows, index * numbersOfPose));
+  sample(index: number, result = new Matrix4()): Matrix4 {
+    return matrixOf(read(from, this.rows, index * numbersOfPose), result);
   }
 
   /** The path of a point of the body, in the world. */
   pathOf(point: Vector3): Vector3[] {
     return Array.from({ length: this.count }, (_, index) => point.clone().applyMatrix4(this.sample(index)));
+  }
+
+  /** The index of the pose before a time, and the part of the step to the next pose. */
+  private place(time: number): [number, number] {
+    if (!this.times) {
+      const place = time * (this.count - 1);
+      const index = Math.min(Math.floor(place), this.count - 2);
+      return [index, place - index];
+    }
+    const index = intervalAt(this.times, time);
+    const part = (time - this.times[index]) / (this.times[index + 1] - this.times[index]);
+    return [index, Math.min(Math.max(part, 0), 1)];
   }
 }

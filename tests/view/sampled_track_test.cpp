@@ -1,0 +1,82 @@
+// The poses of a track are few, and the interpolation of the page between them looks like the motion.
+#include "view/sampled_track.h"
+
+#include "tests/query/bodies.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles {
+namespace {
+
+const Eigen::AlignedBox3d unit_box(Eigen::Vector3d(-0.5, -0.5, -0.5), Eigen::Vector3d(0.5, 0.5, 0.5));
+
+// The interpolation of the page, written independently: a linear step and a slerp.
+Eigen::Isometry3d interpolated(const view::SampledTrack& track, double time) {
+    std::size_t i = 0;
+    while (i + 2 < track.times.size() && track.times[i + 1] <= time)
+        ++i;
+    const double part = (time - track.times[i]) / (track.times[i + 1] - track.times[i]);
+    const auto rotation = [](const view::PoseRow& r) { return Eigen::Quaterniond(r[3], r[4], r[5], r[6]); };
+    const view::PoseRow &a = track.poses[i], &b = track.poses[i + 1];
+    const double cosine = std::min(1.0, rotation(a).dot(rotation(b))), angle = std::acos(cosine);
+    Eigen::Quaterniond q = rotation(a);
+    if (angle > 1e-9)
+        q.coeffs() =
+            (std::sin((1 - part) * angle) * rotation(a).coeffs() + std::sin(part * angle) * rotation(b).coeffs()) /
+            std::sin(angle);
+    Eigen::Isometry3d pose(q);
+    for (int k = 0; k < 3; ++k)
+        pose.translation()[k] = (1 - part) * a[static_cast<std::size_t>(k)] + part * b[static_cast<std::size_t>(k)];
+    return pose;
+}
+
+double largest_deviation(const Motion& motion, const view::SampledTrack& track) {
+    double largest = 0;
+    for (int i = 0; i <= 5000; ++i) {
+        const double time = i / 5000.;
+        const Eigen::Isometry3d there = motion.pose_at(time).isometry(), shown = interpolated(track, time);
+        for (int corner = 0; corner < 8; ++corner) {
+            const Eigen::Vector3d at = unit_box.corner(static_cast<Eigen::AlignedBox3d::CornerType>(corner));
+            largest = std::max(largest, (there * at - shown * at).norm());
+        }
+    }
+    return largest;
+}
+
+TEST(SampledTrack, AnEvenMotionNeedsItsEndsOnly) {
+    const Motion motion = Motion::velocity(test::shifted(3, 0, 0), test::turned({-1, 2, 0}, {1, 2, 3}, 2.5));
+    const view::SampledTrack track = view::sampled_track(motion, unit_box, {});
+    EXPECT_EQ(track.times, (std::vector<double>{0, 1}));
+    EXPECT_LE(largest_deviation(motion, track), 1e-12);
+}
+
+TEST(SampledTrack, ARestingBodyNeedsOnePose) {
+    const Motion motion = Motion::at_rest(test::shifted(1, 2, 3));
+    const view::SampledTrack track = view::sampled_track(motion, unit_box, {0.25, 0.5});
+    EXPECT_TRUE(track.times.empty());
+    ASSERT_EQ(track.poses.size(), 1U);
+    EXPECT_EQ(track.poses[0], (view::PoseRow{1, 2, 3, 1, 0, 0, 0}));
+}
+
+TEST(SampledTrack, FollowsCurvesAndCorners) {
+    const Motion twist = Motion::twist(test::shifted(3, 0, 0), test::turned({-3, 0, 2}, {0, 0, 1}, 3));
+    const Motion corners = TimedPoses::through({0, 0.1, 0.13, 0.7, 1},
+                                               {test::shifted(0, 0, 0), test::shifted(1, 0, 0), test::shifted(1, 1, 0),
+                                                test::shifted(0, 1, 2), test::turned({0, 0, 0}, {1, 0, 0}, 2)});
+    for (const Motion& motion : {twist, corners}) {
+        const view::SampledTrack track = view::sampled_track(motion, unit_box, {});
+        EXPECT_LE(largest_deviation(motion, track), 2.5e-3);
+        EXPECT_GT(track.times.size(), 5U);
+        EXPECT_LT(track.times.size(), 100U);
+    }
+}
+
+TEST(SampledTrack, HoldsTheExactTimesInOrder) {
+    const Motion motion = Motion::velocity(test::shifted(3, 0, 0), test::shifted(0, 1, 0));
+    const view::SampledTrack track = view::sampled_track(motion, unit_box, {0.7, 0.3, 0.7, 0});
+    EXPECT_EQ(track.times, (std::vector<double>{0, 0.3, 0.7, 1}));
+    EXPECT_EQ(track.poses[1][0], motion.pose_at(0.3).translation.x());
+}
+
+} // namespace
+} // namespace chasles

@@ -1,0 +1,216 @@
+#!/usr/bin/env python3
+"""The page of many bodies in a headless Chromium: it lists the contacts, shows the chosen one, and moves all bodies.
+
+Usage: scene_page_in_browser_test.py CHASLES CHROMIUM [FOLDER] (tests/view/page_tests.py).
+"""
+
+import base64
+import json
+import re
+import struct
+import sys
+
+from page_tests import PageTest, count, folder, is_contact_colour, is_moving_colour, main, run
+
+SCENE = {
+    "bodies": [
+        {"name": "floor", "mesh": "cube.obj", "scale": 10, "pose": [-5, -5, -10]},
+        {"name": "falling", "mesh": "cube.obj", "pose": [0, 0, 3, 1, 0.1, 0.2, 0], "goal": [0, 0, -1, 1, 0.5, 0, 0.3]},
+        {"name": "thrown", "mesh": "cube.obj", "pose": [-4, 0.2, 1], "goal": [3, 0.2, 2, 1, 0, 1, 0], "motion": "twist"},
+        {"name": "walking", "mesh": "cube.obj", "pose": [4, 4, 1], "goal": [0, 0, 1]},
+        {"name": "<b>far</b>", "mesh": "cube.obj", "pose": [9, 9, 9], "goal": [9, 9, 4]},
+    ]
+}
+ROWS = 400
+
+
+def packed(numbers: list) -> str:
+    return base64.b64encode(struct.pack(f"<{len(numbers)}d", *numbers)).decode()
+
+
+def recording(page: str) -> str:
+    """The page with a recording instead of its scene: a tower of cubes, and stamps from 10 to 90."""
+    data = json.loads(re.search(r'<script id="scene"[^>]*>(.*?)</script>', page)[1])
+    cube = data["meshes"][data["bodies"][1]["mesh"]]
+    times = [10, 20, 25, 90]
+    bodies = [{"name": "base", "mesh": 0, "poses": packed([0, 0, 0, 1, 0, 0, 0])}]
+    for i in range(1, 30):
+        rows = [number for height in (5, 2, 1, 1) for number in (0, 0, height * i, 1, 0, 0, 0)]
+        bodies.append({"name": f"box {i}", "mesh": 0, "poses": packed(rows)})
+    point = {"point": [0.5, 0.5, 1], "normal": [0, 0, 1], "gap": 0}
+    events = [
+        {"time": 25 + i / 8, "time_upper": 25 + i / 8, "certain": i != 1, "pair": [i % 29 + 1, i % 29], "kind": "impact"}
+        | {"contacts": [point]}
+        for i in range(ROWS)
+    ]
+    record = {"format": 2, "title": "A tower", "source": "recording", "margin": 0, "times": packed(times)}
+    record |= {"meshes": [cube], "bodies": bodies, "events": events}
+    return re.sub(r'(<script id="scene"[^>]*>).*?(</script>)', lambda m: m[1] + json.dumps(record) + m[2], page)
+
+
+class ScenePage(PageTest):
+    @classmethod
+    def write_pages(cls) -> None:
+        (folder / "scene.json").write_text(json.dumps(SCENE))
+        cls.events = json.loads(run("scene", "scene.json", "--all", "--json", "--page", "all.html").stdout)["events"]
+        cls.first = json.loads(run("scene", "scene.json", "--json", "--page", "first.html").stdout)
+        run("scene", "scene.json", "--all", "--until", "0.1", "--page", "clear_scene.html")
+        (folder / "empty.json").write_text('{"bodies": []}')
+        run("scene", "empty.json", "--page", "empty.html")
+        (folder / "recording.html").write_text(recording((folder / "all.html").read_text()))
+
+    def rows(self) -> list[str]:
+        return self.browser.evaluate("[...document.querySelectorAll('#rows > div')].map(row => row.innerText)")
+
+    def choose(self, row: int) -> None:
+        self.click(f"#rows > div:nth-child({row + 1})")
+
+    def filter(self, text: str) -> None:
+        self.browser.evaluate(
+            f"(field => {{ field.value = {json.dumps(text)}; field.dispatchEvent(new Event('input')); }})"
+            "(document.getElementById('filter'))"
+        )
+
+    def test_it_lists_the_contacts_in_order(self) -> None:
+        self.open("all.html")
+        self.assertGreaterEqual(len(self.events), 3)
+        self.assertEqual(self.text("#verdict"), f"{len(self.events)} pairs touch")
+        self.assertIn("5 bodies, 1 at rest", self.text("#meaning"))
+        expected = [[f"{event['time']:.6f}", " on ".join(event["pair"])] for event in self.events]
+        self.assertEqual([row.split("\n") for row in self.rows()], expected)
+        self.assertEqual(self.time(), 0)
+        self.assertLess(count(self.picture("scene"), is_moving_colour), 60, "the thumb of the slider; nothing is chosen")
+
+    def test_a_click_shows_the_contact(self) -> None:
+        self.open("all.html")
+        for row, event in enumerate(self.events):
+            self.choose(row)
+            self.assertEqual(self.time(), event["time"], "to the last bit")
+            numbers = self.text("#numbers").split()
+            shown = [event["time"], event["time_upper"], *event["contacts"][0]["point"], *event["contacts"][0]["normal"]]
+            self.assertEqual([number for number in shown if number not in self.as_numbers(numbers)], [])
+            self.assertIn(" on ".join(event["pair"]), self.text("#numbers"))
+            self.assertIn(f"moving: {event['pair'][0]}", self.text("#legend"))
+            picture = self.picture(f"scene_contact_{row}")
+            self.assertGreater(count(picture, is_contact_colour), 60, "marker, normal")
+            self.assertGreater(count(picture, is_moving_colour), 500, "the pair is framed")
+
+    @staticmethod
+    def as_numbers(words: list[str]) -> list[float]:
+        return [float(word) for word in words if re.fullmatch(r"-?[\d.]+(e-?\d+)?", word)]
+
+    def test_the_other_bodies_can_be_hidden(self) -> None:
+        self.open("all.html")
+        self.choose(0)
+        pictures = {}
+        for look in ("dim", "solid", "hidden"):
+            self.click(f"#others [value={look}]")
+            pictures[look] = self.picture(f"scene_{look}")
+        background = pictures["hidden"][100][5]
+        empty = {look: count(rows, lambda pixel: pixel == background) for look, rows in pictures.items()}
+        self.assertGreater(empty["hidden"], empty["dim"])
+        self.assertNotEqual(pictures["dim"], pictures["solid"])
+
+    def test_bodies_move(self) -> None:
+        self.open("all.html")
+        before = self.picture("scene_start")
+        self.slide(0.6)
+        self.assertAlmostEqual(self.time(), 0.6, delta=0.02)
+        self.assertNotEqual(self.picture("scene_later"), before)
+        self.browser.press("End")
+        self.assertEqual(self.time(), 1, "nothing is chosen, and contacts do not stop the slider")
+
+    def test_escape_and_a_second_click_end_the_choice(self) -> None:
+        self.open("all.html")
+        self.choose(1)
+        self.browser.press("Escape")
+        self.assertEqual(self.text("#numbers"), "")
+        self.choose(1)
+        self.choose(1)
+        self.assertEqual(self.text("#numbers"), "")
+        self.click("#next")
+        self.assertEqual(self.time(), self.events[0]["time"])
+        self.click("#next")
+        self.assertEqual(self.time(), self.events[1]["time"])
+        self.click("#previous")
+        self.assertEqual(self.time(), self.events[0]["time"])
+
+    def test_the_first_contact_is_chosen(self) -> None:
+        self.open("first.html")
+        self.assertEqual(self.text("#verdict"), "First contact")
+        self.assertEqual(self.time(), self.first["time"])
+        self.assertEqual(len(self.rows()), 1)
+        self.assertGreater(count(self.picture("scene_first"), is_contact_colour), 60)
+
+    def test_a_clear_scene_has_no_list(self) -> None:
+        self.open("clear_scene.html")
+        self.assertEqual(self.text("#verdict"), "Clear")
+        self.assertIn("no pair touches before time 0.1", self.text("#meaning"))
+        self.assertEqual(self.browser.evaluate("document.getElementById('events').offsetHeight"), 0)
+
+    def test_a_scene_may_be_empty(self) -> None:
+        self.open("empty.html")
+        self.assertIn("0 bodies", self.text("#meaning"))
+
+    def test_a_recording_has_its_own_times(self) -> None:
+        self.open("recording.html")
+        self.assertEqual(self.text("#verdict"), f"{ROWS} contacts")
+        self.assertEqual(self.time(), 10)
+        self.browser.press("End")
+        self.assertEqual(self.time(), 90)
+        self.choose(1)
+        self.assertEqual(self.time(), 25.125)
+        self.assertIn("box 2 on box 1", self.text("#numbers"))
+        self.assertIn("impact", self.text("#numbers"))
+        self.assertIn("no: the bodies may just miss each other", self.text("#numbers"))
+        self.assertIn("(not certain)", self.rows()[1])
+        self.assertGreater(count(self.picture("recording"), is_contact_colour), 30)
+
+    def test_a_long_list_has_few_elements(self) -> None:
+        self.open("recording.html")
+        self.assertLess(len(self.rows()), 60)
+        self.browser.evaluate("document.getElementById('events').focus()")
+        self.browser.press("End")
+        self.assertEqual(self.time(), 25 + (ROWS - 1) / 8)
+        self.assertIn(f"{25 + (ROWS - 1) / 8:.4f}", self.rows()[-1])
+        self.browser.press("ArrowUp")
+        self.assertEqual(self.time(), 25 + (ROWS - 2) / 8)
+
+    def test_the_list_is_filtered_by_names(self) -> None:
+        self.open("recording.html")
+        self.filter("BOX 1")
+        self.assertTrue(all("box 1" in row for row in self.rows()))
+        self.assertTrue(any("box 11" in row for row in self.rows()))
+        self.filter("box 1")
+        self.assertTrue(all(re.search(r"box 1( on|$|,)", row) for row in self.rows()), "the full name")
+        self.filter("no such")
+        self.assertEqual(self.rows(), [])
+        self.assertIn("No contact", self.text("#none"))
+
+    def test_a_click_on_a_body_filters_the_list(self) -> None:
+        self.open("all.html")
+        self.choose(0)
+        self.click("#others [value=hidden]")
+        left, top, width, height = self.browser.evaluate(
+            "(({left, top, width, height}) => [left, top, width, height])(document.getElementById('canvas').getBoundingClientRect())"
+        )
+        moving = [
+            (x, y)
+            for y, row in enumerate(self.picture("scene_pick"))
+            for x, pixel in enumerate(row)
+            if is_moving_colour(pixel) and 2 * x < width and 2 * y < height
+        ]
+        x, y = moving[len(moving) // 2]
+        mouse = {"x": 2 * x, "y": 2 * y, "button": "left", "clickCount": 1}
+        self.browser.call("Input.dispatchMouseEvent", type="mousePressed", **mouse)
+        self.browser.call("Input.dispatchMouseEvent", type="mouseReleased", **mouse)
+        picked = self.browser.evaluate("document.getElementById('filter').value")
+        self.assertIn(picked, self.events[0]["pair"])
+
+    def test_narrow_windows_and_the_dark(self) -> None:
+        background = self.dark_and_narrow("first.html", "scene_narrow")[200][1]
+        self.assertLess(max(background), 60)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

@@ -1,0 +1,35 @@
+// The data of a page of many bodies, written by view/record_json.cpp.
+import type { Overlap, PackedBody, PackedMesh, Point } from "./scene";
+
+/** One pose if the body rests, otherwise one for each of its times, or of the record's times. */
+export interface RecordedBody extends PackedBody {
+  times?: string; // float64, ascending
+}
+
+/** A pair of bodies in contact. */
+export interface RecordedContact {
+  time: number;
+  time_upper: number;
+  certain: boolean;
+  pair: [number, number]; // the moving and the fixed body, as indices
+  kind?: string;
+  contacts: Point[];
+  overlap?: Overlap;
+}
+
+export interface SceneRecord {
+  format: 2;
+  title: string;
+  source: "first_contact" | "all_contacts" | "recording";
+  margin: number;
+  clear_until?: number; // no pair touches before this time
+  times: string; // float64, ascending
+  meshes: PackedMesh[];
+  bodies: RecordedBody[];
+  events: RecordedContact[]; // in order of time
+}
+
+/** "left on right" */
+export function pairText({ bodies }: SceneRecord, { pair: [moving, fixed] }: RecordedContact): string {
+  return `${bodies[moving].name} on ${bodies[fixed].name}`;
+}

@@ -1,0 +1,62 @@
+// The words and numbers of a page of many bodies.
+import { contactList, overlapName } from "./contact_details";
+import { byId, element, table } from "./elements";
+import { pairText, type RecordedContact, type SceneRecord } from "./record";
+
+function counted(count: number, one: string, many: string): string {
+  return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
+}
+
+function verdict({ source, events }: SceneRecord): string {
+  if (source === "recording") return counted(events.length, "contact", "contacts");
+  if (events.length === 0) return "Clear";
+  if (source === "all_contacts") return counted(events.length, "pair touches", "pairs touch");
+  return events[0].time_upper > 0 ? "First contact" : "Contact at the start";
+}
+
+function meaning({ source, events, margin, clear_until }: SceneRecord): string {
+  const touch = margin > 0 ? `comes within ${margin}` : "touches";
+  if (source === "recording") return "Between the recorded times the motion is interpolated.";
+  if (events.length === 0) return clear_until === undefined ? `No pair ${touch}.` : `Proven: no pair ${touch} before time ${clear_until}.`;
+  if (source === "all_contacts") return "The first contact of each pair, in order of time.";
+  if (clear_until! < events[0].time) return `A pair ${touch} inside the bracket, and perhaps earlier: the question stopped at any contact.`;
+  const others = events.length > 1 ? " The brackets of all listed pairs overlap." : "";
+  return `The first pair ${touch} inside the bracket, and not before its lower end.${others}`;
+}
+
+export function fillRecordPanel(record: SceneRecord): void {
+  const { bodies, events } = record;
+  const root = document.documentElement;
+  root.classList.add("is-record");
+  root.classList.toggle("is-clear", events.length === 0);
+  root.classList.toggle("has-no-events", events.length === 0);
+  document.title = `${record.title} \u2013 Chasles`;
+  byId("title").textContent = record.title;
+  byId("verdict").textContent = verdict(record);
+  const resting = bodies.filter(({ poses }) => poses.length <= 76).length; // one pose of 56 bytes in base64
+  const rest = resting > 0 ? `, ${resting.toLocaleString("en")} at rest` : "";
+  byId("meaning").textContent = `${counted(bodies.length, "body", "bodies")}${rest}. ${meaning(record)}`;
+}
+
+function timeRows({ source }: SceneRecord, event: RecordedContact): [string, string | number][] {
+  const isBracket = source !== "recording" || event.time_upper > event.time;
+  const times: [string, number][] = isBracket ? [["time from", event.time], ["to", event.time_upper]] : [["time", event.time]];
+  return [...times, ["certain", event.certain ? "yes" : "no: the bodies may just miss each other"]];
+}
+
+/** Shows the numbers of a contact. `choose` receives the index of the point whose entry is open. */
+export function showEvent(record: SceneRecord, event: RecordedContact | undefined, choose: (index: number | undefined) => void): void {
+  document.documentElement.classList.toggle("is-unselected", event === undefined);
+  const numbers = byId("numbers");
+  numbers.replaceChildren();
+  if (!event) return;
+  const [moving, fixed] = event.pair.map((body) => record.bodies[body].name);
+  byId("moving-name").textContent = `moving: ${moving}`;
+  byId("fixed-name").textContent = `fixed: ${fixed}`;
+  const section = (title: string, ...content: HTMLElement[]) => numbers.append(element("h2", title), ...content);
+  const kind: [string, string][] = event.kind ? [["kind", event.kind]] : [];
+  section(pairText(record, event), table([...timeRows(record, event), ...kind]));
+  const { contacts, overlap } = event;
+  if (contacts.length > 0) section(contacts.length === 1 ? "Contact" : `${contacts.length} contacts`, ...contactList(contacts, choose));
+  if (overlap) section("Overlap", element("div", overlapName(overlap)), table([["point", overlap.point]]));
+}
