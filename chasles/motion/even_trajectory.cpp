@@ -139,8 +139,9 @@ RateBounds rates_of(const EvenMotion<double>& motion) {
 
 EvenFrame::EvenFrame(EvenKind kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre,
                      bool may_be_on_axis)
-    : kind_(kind), start_(start), goal_(goal), centre_(centre), may_be_on_axis_(may_be_on_axis),
-      motion_(even_motion<double>(kind, start, goal, centre, may_be_on_axis ? least_turn_for_axis : never_on_axis)) {
+    : start_(start), goal_(goal), centre_(centre),
+      motion_(even_motion<double>(kind, start, goal, centre, may_be_on_axis ? least_turn_for_axis : never_on_axis)),
+      kind_(kind), may_be_on_axis_(may_be_on_axis) {
     if (motion_.angle > certain_turn)
         motion_ = rounded(refined());
     rates_ = rates_of(motion_);
@@ -151,8 +152,7 @@ const EvenMotion<Scalar>& EvenFrame::refined() const {
     std::call_once(is_made_, [this] {
         const bool is_on_axis = may_be_on_axis_ && motion_.angle >= least_turn_for_axis;
         const double least_turn = is_on_axis ? 0 : never_on_axis;
-        refined_ = std::make_unique<EvenMotion<Wide>>(
-            even_motion<Scalar>(kind_, start_, goal_, centre_, least_turn));
+        refined_ = std::make_unique<EvenMotion<Wide>>(even_motion<Scalar>(kind_, start_, goal_, centre_, least_turn));
     });
     return *refined_;
 }

@@ -65,13 +65,13 @@ public:
 private:
     [[nodiscard]] const EvenMotion<Wide>& refined() const;
 
-    EvenKind kind_;
     Pose start_;
     Pose goal_;
     Eigen::Vector3d centre_;
-    bool may_be_on_axis_;
     EvenMotion<double> motion_;
     RateBounds rates_; ///< at all times
+    EvenKind kind_;
+    bool may_be_on_axis_;
     mutable std::once_flag is_made_;
     mutable std::unique_ptr<const EvenMotion<Wide>> refined_;
 };

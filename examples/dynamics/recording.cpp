@@ -30,8 +30,8 @@ void Recording::keep_poses() {
         if (!body.moves() && !rows.empty())
             continue;
         Eigen::Quaterniond turn(body.pose.linear());
-        if (!rows.empty() && turn.dot(Eigen::Quaterniond(rows.back()[3], rows.back()[4], rows.back()[5],
-                                                         rows.back()[6])) < 0)
+        if (!rows.empty() &&
+            turn.dot(Eigen::Quaterniond(rows.back()[3], rows.back()[4], rows.back()[5], rows.back()[6])) < 0)
             turn.coeffs() *= -1;
         const Eigen::Vector3d& place = body.pose.translation();
         rows.push_back({place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z()});

@@ -17,8 +17,8 @@ constexpr double pi = std::numbers::pi;
 void add_belt(Faces& faces, std::uint32_t first, std::uint32_t below, std::uint32_t sides) {
     const auto corner = [&](std::uint32_t ring, std::uint32_t side) { return first + ring * sides + side % sides; };
     for (std::uint32_t side = 0; side < sides; ++side)
-        faces.push_back({corner(below, side), corner(below, side + 1), corner(below + 1, side + 1),
-                         corner(below + 1, side)});
+        faces.push_back(
+            {corner(below, side), corner(below, side + 1), corner(below + 1, side + 1), corner(below + 1, side)});
 }
 
 } // namespace

@@ -39,9 +39,9 @@ void World::accelerate(double duration) {
             body.push(duration * body.mass * options_.gravity, body.centre_in_world());
 }
 
-/// The least speed of separation at a gap. Bodies rest at one and a half margins, where they make no events. A larger gap
-/// may shrink to that, and a smaller one grows. Otherwise sliding contacts would come nearer in
-/// every event, as they do not move on straight lines.
+/// The least speed of separation at a gap. Bodies rest at one and a half margins, where they make no events. A larger
+/// gap may shrink to that, and a smaller one grows. Otherwise sliding contacts would come nearer in every event, as
+/// they do not move on straight lines.
 double World::least_speed(double gap, double duration) const {
     return (1.5 * options_.margin - gap) / duration;
 }
