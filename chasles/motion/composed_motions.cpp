@@ -119,11 +119,11 @@ Motion relative(const Motion& moving, const Motion& fixed) {
     return motion_of({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed});
 }
 
-Motion rest_of(const Motion& motion, double from) {
-    require(from >= 0 && from < 1, "rest: the time must be in [0, 1)");
+Motion rest_of(const Motion& motion, double start) {
+    require(start >= 0 && start < 1, "rest: the time must be in [0, 1)");
     if (const motion::MotionEnds* ends = motion.trajectory().straight_ends())
-        return Motion::velocity(motion.pose_at(from), ends->goal);
-    return motion_of(SmoothMotion::of_one(motion::rest_frame(frame_of(motion, "rest"), from)));
+        return Motion::velocity(motion.pose_at(start), ends->goal);
+    return motion_of(SmoothMotion::of_one(motion::rest_frame(frame_of(motion, "rest"), start)));
 }
 
 } // namespace chasles

@@ -83,9 +83,9 @@ private:
 /// sweep, or has a fixed body that moves.
 CHASLES_EXPORT Motion relative(const Motion& moving, const Motion& fixed);
 
-/// The rest of a motion from a time in [0, 1) on, as a motion over [0, 1]. Throws InvalidInput for another time, and
-/// for the motions that `relative` does not take.
-CHASLES_EXPORT Motion rest_of(const Motion& motion, double from);
+/// The rest of a motion from the time `start` in [0, 1) on, as a motion over [0, 1]. Throws InvalidInput for another
+/// time, and for the motions that `relative` does not take.
+CHASLES_EXPORT Motion rest_of(const Motion& motion, double start);
 
 /// The paper's motion between two poses: rotation by angle() * time about a fixed axis while sliding along it by
 /// slide() * tau(time), where tau(time) = tan(angle * time / 2) / tan(angle / 2), and tau = time for a translation.

@@ -11,11 +11,12 @@ namespace chasles::scene {
 
 std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query) {
     std::vector<SweptBody> bodies(scene.bodies().size());
+    const double margin = scene.largest_margin(query.options.margin);
     parallel_for(query.threads, bodies.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const WorldMotion& motion = scene.motion_of(i);
             bodies[i] = swept({scene.bodies()[i].shape.body(), *motion.frame, motion.rests}, query.until);
-            bodies[i].box = widened(bodies[i].box, query.options.margin);
+            bodies[i].box = widened(bodies[i].box, margin);
         }
     });
     return bodies;
@@ -37,7 +38,8 @@ std::vector<PairTask> near_pairs(const Scene& scene, const SceneQuery& query, co
     parallel_chunks(query.threads, pairs.size(), chunk, [&](std::size_t index, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
             const auto [a, b] = pairs[i];
-            const double share = earliest_meeting(bodies[a].ball, bodies[b].ball, query.options.margin);
+            const double margin = scene.margin_of(a, b, query.options.margin);
+            const double share = earliest_meeting(bodies[a].ball, bodies[b].ball, margin);
             if (share <= 1 && !scene.is_ignored(a, b))
                 chunks[index].push_back({query.until * share, in_their_roles(scene, pairs[i])});
         }

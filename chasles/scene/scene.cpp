@@ -2,6 +2,7 @@
 #include "chasles/scene/scene.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/query/pair_query.h"
 #include "chasles/scene/pair_question.h"
 
 #include <algorithm>
@@ -44,7 +45,9 @@ std::size_t Scene::add(SceneBody body) {
 void Scene::remove(std::string_view name) {
     const std::size_t index = index_of(name);
     const std::uint32_t id = placed_[index].id;
-    std::erase_if(ignored_, [&](const auto& pair) { return pair.first == id || pair.second == id; });
+    const auto has_body = [&](const Ids& pair) { return pair.first == id || pair.second == id; };
+    std::erase_if(ignored_, has_body);
+    std::erase_if(margins_, [&](const auto& entry) { return has_body(entry.first); });
     by_name_.erase(by_name_.find(name));
     if (index + 1 < bodies_.size()) {
         bodies_[index] = std::move(bodies_.back());
@@ -70,10 +73,14 @@ std::size_t Scene::index_of(std::string_view name) const {
     return found->second;
 }
 
-void Scene::ignore(std::string_view a, std::string_view b) {
+Scene::Ids Scene::ids_of(std::string_view a, std::string_view b, const char* what) const {
     if (a == b)
-        refuse(a, "ignore: the same body twice");
-    ignored_.insert(ordered(placed_[index_of(a)].id, placed_[index_of(b)].id));
+        refuse(a, std::string(what) + ": the same body twice");
+    return ordered(placed_[index_of(a)].id, placed_[index_of(b)].id);
+}
+
+void Scene::ignore(std::string_view a, std::string_view b) {
+    ignored_.insert(ids_of(a, b, "ignore"));
 }
 
 void Scene::ignore_groups(const std::string& a, const std::string& b) {
@@ -85,11 +92,34 @@ bool Scene::is_ignored(std::size_t a, std::size_t b) const {
            (!ignored_groups_.empty() && ignored_groups_.contains(ordered(bodies_[a].group, bodies_[b].group)));
 }
 
-std::vector<std::size_t> Scene::in_order_of_names() const {
-    std::vector<std::size_t> indices;
-    for (const auto& [name, index] : by_name_)
-        indices.push_back(index);
-    return indices;
+void Scene::set_margin(std::string_view a, std::string_view b, double margin) {
+    const Ids ids = ids_of(a, b, "margin");
+    query::check_options({.margin = margin});
+    margins_[ids] = margin;
+}
+
+void Scene::set_group_margin(const std::string& a, const std::string& b, double margin) {
+    query::check_options({.margin = margin});
+    group_margins_[ordered(a, b)] = margin;
+}
+
+double Scene::margin_of(std::size_t a, std::size_t b, double of_question) const {
+    if (!margins_.empty())
+        if (const auto own = margins_.find(ordered(placed_[a].id, placed_[b].id)); own != margins_.end())
+            return own->second;
+    if (group_margins_.empty())
+        return of_question;
+    const auto of_groups = group_margins_.find(ordered(bodies_[a].group, bodies_[b].group));
+    return of_groups != group_margins_.end() ? of_groups->second : of_question;
+}
+
+double Scene::largest_margin(double of_question) const {
+    double largest = of_question;
+    for (const auto& [ids, margin] : margins_)
+        largest = std::max(largest, margin);
+    for (const auto& [groups, margin] : group_margins_)
+        largest = std::max(largest, margin);
+    return largest;
 }
 
 } // namespace chasles

@@ -32,7 +32,8 @@ struct SceneBody {
 
 /// How to answer a question about a scene.
 struct SceneQuery {
-    /// `find`: Find::any makes it a question of yes or no. The margin is that of all pairs. `hold` is not supported.
+    /// `find`: Find::any makes it a question of yes or no. The margin is that of all pairs that have none of their own.
+    /// `hold` is not supported.
     QueryOptions options = {};
     double until = 1;     ///< time in [0, 1]: contacts that begin later are left out
     unsigned threads = 0; ///< at most so many; 0: all cores
@@ -86,6 +87,13 @@ public:
     /// No body of the one group is tested against one of the other; the same group twice: within the group.
     void ignore_groups(const std::string& a, const std::string& b);
 
+    /// The margin of two bodies in all questions, in the place of that of the question. Throws InvalidInput for an
+    /// unknown name, for one name twice, and for a margin that is not in [0, 1e30].
+    void set_margin(std::string_view a, std::string_view b, double margin);
+    /// Likewise of the bodies of one group and those of another one; the same group twice: within the group. The margin
+    /// of a pair counts before that of its groups.
+    void set_group_margin(const std::string& a, const std::string& b, double margin);
+
     /// The earliest contact of all pairs. With Find::any: some contact, if there is any, not placed in time; the same
     /// one for any number of threads. Throws InvalidInput for an option out of its range.
     [[nodiscard]] SceneAnswer first_contact(const SceneQuery& query = {}) const;
@@ -97,21 +105,29 @@ public:
     /// For the library's own use: how a body moves in the world.
     [[nodiscard]] const scene::WorldMotion& motion_of(std::size_t index) const { return *placed_[index].motion; }
     [[nodiscard]] bool is_ignored(std::size_t a, std::size_t b) const;
-    /// The indices of all bodies in the order of their names.
-    [[nodiscard]] std::vector<std::size_t> in_order_of_names() const;
+    /// The margin of two bodies, and the largest one of all, where that of the question is given.
+    [[nodiscard]] double margin_of(std::size_t a, std::size_t b, double of_question) const;
+    [[nodiscard]] double largest_margin(double of_question) const;
+    [[nodiscard]] bool has_own_margins() const { return !margins_.empty() || !group_margins_.empty(); }
 
 private:
+    using Ids = std::pair<std::uint32_t, std::uint32_t>; ///< the smaller one first
+    using Groups = std::pair<std::string, std::string>;  ///< in order of the alphabet
     struct Placed {
         std::shared_ptr<const scene::WorldMotion> motion;
         std::uint32_t id = 0; ///< bodies are counted as they are added
     };
 
+    [[nodiscard]] Ids ids_of(std::string_view a, std::string_view b, const char* what) const;
+
     std::vector<SceneBody> bodies_;
     std::vector<Placed> placed_; ///< of each body
     std::uint32_t next_id_ = 0;
     std::map<std::string, std::size_t, std::less<>> by_name_;
-    std::set<std::pair<std::uint32_t, std::uint32_t>> ignored_;    ///< pairs of ids, the smaller one first
-    std::set<std::pair<std::string, std::string>> ignored_groups_; ///< in order of the alphabet
+    std::set<Ids> ignored_;
+    std::set<Groups> ignored_groups_;
+    std::map<Ids, double> margins_;
+    std::map<Groups, double> group_margins_;
 };
 
 } // namespace chasles

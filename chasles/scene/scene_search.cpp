@@ -72,7 +72,9 @@ private:
 
 FirstContact SceneSearch::ask(const scene::IndexPair& pair, double until) const {
     const auto mover = [&](std::size_t i) { return scene::Mover{scene_.bodies()[i].shape, scene_.motion_of(i)}; };
-    return scene::first_contact_of(mover(pair.first), mover(pair.second), query_.options, until);
+    QueryOptions options = query_.options;
+    options.margin = scene_.margin_of(pair.first, pair.second, options.margin);
+    return scene::first_contact_of(mover(pair.first), mover(pair.second), options, until);
 }
 
 std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double until) {

@@ -102,6 +102,7 @@ private:
 Stepper::Implementation::Implementation(const Scene& scene, const StepOptions& options)
     : scene_(scene), options_(options), reach_(options.reach == 0 ? 2 * options.margin : options.reach), tree_({}) {
     check(options);
+    query::require(!scene.has_own_margins(), "margin", "of single pairs or groups is not supported for a step");
     const SceneQuery query{.options = {.margin = options.margin}, .threads = options.threads};
     const std::vector<SweptBody> swept = scene::swept_bodies(scene, query);
     for (std::size_t i = 0; i < swept.size(); ++i)

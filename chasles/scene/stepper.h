@@ -39,7 +39,7 @@ struct StepEvent {
 ///             stepper.move(pair.moving, ...); // away from the contact
 class CHASLES_EXPORT Stepper {
 public:
-    /// Throws InvalidInput for an option out of its range.
+    /// Throws InvalidInput for an option out of its range, and for a scene with margins of single pairs or groups.
     Stepper(const Scene& scene, const StepOptions& options);
     ~Stepper();
     Stepper(Stepper&& other) noexcept;

@@ -41,6 +41,7 @@ from ._core import (
     least_distance,
     load,
     relative,
+    rest_of,
 )
 from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .enums import ContactKind, Find, Verdict
@@ -90,6 +91,8 @@ __all__ = [
     "path_dtype",
     "path_is_clear_batch",
     "recording_page",
+    "relative",
+    "rest_of",
     "view",
 ]
 

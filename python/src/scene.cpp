@@ -62,7 +62,8 @@ SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& conta
     const auto bodies = scene.scene.bodies();
     const Names names = names_of(scene.scene, contact);
     return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
-             relative(bodies[contact.moving].motion, bodies[contact.fixed].motion), margin},
+             relative(bodies[contact.moving].motion, bodies[contact.fixed].motion),
+             scene.scene.margin_of(contact.moving, contact.fixed, margin)},
             names};
 }
 
@@ -254,6 +255,23 @@ void bind_scene(nb::module_& module) {
             "ignore_groups",
             [](PythonScene& s, const std::string& a, const std::string& b) { s.scene.ignore_groups(a, b); }, "a"_a,
             "b"_a, "Never test a body of the one group against one of the other; the same twice: within the group.")
+        .def(
+            "set_margin",
+            [](PythonScene& s, const std::string& a, const std::string& b, double margin) {
+                s.scene.set_margin(a, b, margin);
+            },
+            "a"_a, "b"_a, "margin"_a,
+            "The margin of two bodies in all questions, mesh unit, in the place of that of the question. Raises "
+            "InvalidInput for an unknown name,\nfor one name twice, and for a margin that is not in [0, 1e30].")
+        .def(
+            "set_group_margin",
+            [](PythonScene& s, const std::string& a, const std::string& b, double margin) {
+                s.scene.set_group_margin(a, b, margin);
+            },
+            "a"_a, "b"_a, "margin"_a,
+            "Likewise of the bodies of one group and those of another one; the same twice: within the group. The "
+            "margin "
+            "of a pair counts\nbefore that of its groups.")
         .def_prop_ro(
             "names", [](const PythonScene& s) { return names_of(s); }, "The names of the bodies.")
         .def("__len__", [](const PythonScene& s) { return s.scene.bodies().size(); })

@@ -91,6 +91,10 @@ void bind_motion(nb::module_& module) {
         .def("__repr__", [](const Motion&) { return "<chasles.Motion>"; });
     bind_poses(type);
     module.def(
+        "rest_of", [](nb::handle motion, double start) { return rest_of(plain(given_motion(motion)), start); },
+        "motion"_a, "start"_a, nb::sig("def rest_of(motion: " CHASLES_MOTIONS ", start: float) -> Motion"),
+        doc("rest_of"));
+    module.def(
         "relative",
         [](nb::handle moving, nb::handle fixed) {
             return relative(plain(given_motion(moving)), plain(given_motion(fixed)));

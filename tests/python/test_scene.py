@@ -30,6 +30,16 @@ def test_the_first_contact_is_that_of_its_pair(scene, cube):
     assert "left on right" in repr(found)
 
 
+def test_pairs_and_groups_have_margins_of_their_own(scene):
+    scene.set_margin("left", "right", 1)
+    assert scene.first_contact().time == pytest.approx(6 / 8, abs=1e-12)
+    scene.set_group_margin("", "right", 9)  # the pair's own margin counts first
+    found = scene.first_contact()
+    assert found.verdict == "contact_at_start" and found.pair == ("right", "floor")
+    with pytest.raises(chasles.InvalidInput, match="left: margin: the same body twice"):
+        scene.set_margin("left", "left", 1)
+
+
 def test_a_clear_scene_has_no_pair(scene):
     found = scene.first_contact(until=0.5, threads=1)
     assert found.verdict == "clear" and found.pair is None and found.clear_until == 0.5

@@ -200,6 +200,38 @@ TEST(Scene, FindsTheEarliestContact) {
     EXPECT_NEAR(clear[2], 0.875, 1e-12);
 }
 
+/// A box falls from 2 above the floor by 2, beside another one.
+TEST(Scene, PairsAndGroupsHaveMarginsOfTheirOwn) {
+    Scene scene;
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    scene.add({"floor", box({9, 9, 1}).polyhedron(), Motion::at_rest(shifted(0, 0, -1)), "static"});
+    for (const std::string name : {"a", "b"}) {
+        const double place = name == "a" ? 0 : 3;
+        scene.add({name, cube, Motion::velocity(shifted(place, 0, 2.5), shifted(place, 0, 0.5)), "falling"});
+    }
+    const auto time_of = [&](double margin, const std::string& name) {
+        for (const SceneContact& contact : scene.all_contacts({.options = {.margin = margin}}).contacts)
+            if (scene.bodies()[contact.moving].name == name && scene.bodies()[contact.fixed].name == "floor")
+                return contact.contact.time.lower;
+        return 2.0;
+    };
+    EXPECT_NEAR(time_of(0.5, "a"), 0.75, 1e-11);
+    scene.set_group_margin("static", "falling", 1.5);
+    EXPECT_NEAR(time_of(0.5, "a"), 0.25, 1e-11);
+    scene.set_margin("floor", "b", 0.2);
+    EXPECT_NEAR(time_of(0, "a"), 0.25, 1e-11);
+    EXPECT_NEAR(time_of(0, "b"), 0.9, 1e-11);
+    EXPECT_EQ(scene.first_contact().contacts.size(), 1);
+    scene.set_margin("a", "b", 2.5); // they are 2 apart all along
+    EXPECT_EQ(scene.first_contact().verdict, Verdict::contact_at_start);
+    EXPECT_EQ(refusal([&] { scene.set_margin("a", "a", 1); }), "scene: a: margin: the same body twice");
+    EXPECT_EQ(refusal([&] { scene.set_margin("a", "c", 1); }), "scene: c: is not in the scene");
+    EXPECT_EQ(refusal([&] { scene.set_group_margin("a", "c", -1); }), "query: margin: must be in [0, 1e30]");
+    scene.remove("b");
+    scene.add({"b", cube, Motion::at_rest(shifted(3, 0, 2.5))});
+    EXPECT_EQ(scene.first_contact({.until = 0}).verdict, Verdict::clear);
+}
+
 TEST(Scene, LooksNoFurtherThanAsked) {
     const Scene scene = three_boxes();
     EXPECT_EQ(scene.first_contact({.until = 0.7}).verdict, Verdict::clear);

@@ -237,6 +237,10 @@ TEST(Stepper, RefusesWhatItCannotUse) {
     EXPECT_EQ(refusal([&] { Stepper(scene, {}); }), "query: margin: must be positive for a step");
     EXPECT_EQ(refusal([&] { Stepper(scene, {.margin = 1, .reach = 1}); }),
               "query: reach: must be at least 1.001 times the margin");
+    Scene with_margin = scene;
+    with_margin.set_margin("box", "floor", 0.1);
+    EXPECT_EQ(refusal([&] { Stepper(with_margin, {.margin = margin}); }),
+              "query: margin: of single pairs or groups is not supported for a step");
     Stepper stepper(scene, {.margin = margin});
     EXPECT_EQ(refusal([&] { stepper.move(9, Motion::at_rest(Pose())); }), "scene: body 9: there are 2 bodies");
     EXPECT_EQ(refusal([&] { stepper.move(moving, Motion::at_rest(Pose())); }),
