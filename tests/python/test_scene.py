@@ -40,6 +40,27 @@ def test_pairs_and_groups_have_margins_of_their_own(scene):
         scene.set_margin("left", "left", 1)
 
 
+def test_many_scenes_with_dask(cube):
+    dask = pytest.importorskip("dask")
+
+    @dask.delayed
+    def earliest(shapes, starts, goals):
+        scene = chasles.Scene()
+        for name, shape in shapes.items():
+            scene.add(name, shape)
+        scene.move_all(starts, goals)
+        found = scene.first_contact(threads=1)
+        return found.verdict, found.time, found.pair
+
+    places = [[0, 3, 9], [0, 3, 6], [0, 3, 3.5], [1.5, 3, 9]]  # of three cubes in a row
+    poses = np.zeros((4, 3, 7))
+    poses[:, :, 0], poses[:, :, 3] = places, 1
+    shapes = {"a": cube, "b": cube, "c": cube}
+    answers = dask.compute(*[earliest(shapes, poses[i], poses[i + 1]) for i in range(3)], scheduler="threads")
+    assert [answer[0] for answer in answers] == ["clear", "contact", "contact_at_start"]
+    assert answers[1][1] == pytest.approx(2 / 2.5, abs=1e-12) and answers[1][2] == ("c", "b")  # "b" rests
+
+
 def test_a_clear_scene_has_no_pair(scene):
     found = scene.first_contact(until=0.5, threads=1)
     assert found.verdict == "clear" and found.pair is None and found.clear_until == 0.5
