@@ -16,8 +16,9 @@ constexpr double shortest_part = 0x1p-44;
 /// A part in which features may touch for long is refined by its first eighth.
 constexpr double first_share = 0.125;
 /// Ordinary refinements take six steps, grazing ones some sixty, and those of motions with a bound of speed only some
-/// hundreds.
-constexpr int most_refinements = 4000;
+/// hundreds. Features that stay near each other, such as flush sides, would take thousands; they end as not certain.
+constexpr int most_refinements = 400;
+constexpr int most_refinements_of_speeds = 4000; // of motions that are known in double only
 
 /// How a search over a part looks for brackets of this width in the part.
 template <class S>
@@ -169,6 +170,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
                                                                       const SearchState& state) {
     constexpr double never = 2;
     const double shortest = std::min(shortest_part, 0.5 * options_.tolerance);
+    const int most_steps = context_.piece().is_refined() ? most_refinements : most_refinements_of_speeds;
     double proven_upper = where.certain ? where.upper : never;
     later_.clear();
     culling::TimeRange part{where.lower, where.upper};
@@ -188,7 +190,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
         }
         const bool is_proven = proven_upper < never;
         const bool is_narrow = is_proven && proven_upper - found->lower <= options_.tolerance;
-        if (is_narrow || !tests.is_worth_shortening() || part.width() <= shortest || step > most_refinements)
+        if (is_narrow || !tests.is_worth_shortening() || part.width() <= shortest || step > most_steps)
             return FeasibleInterval{found->lower, is_proven ? proven_upper : found->upper, is_proven};
         const double upper = found->certain ? found->upper : part.upper;
         const double share = found->certain ? 0.5 : first_share;
