@@ -169,6 +169,84 @@ TEST(Frames, NoBoundOfRatesIsBroken) {
     }
 }
 
+/// Powers of the time with coefficients of very different sizes, of which some are zero: then one term of a bound alone
+/// must hold.
+std::vector<double> random_powers(Random& random) {
+    std::vector<double> coefficients{0, 0, 0, 0};
+    for (std::size_t k = 1; k < 4; ++k)
+        if (random.chance(0.5))
+            coefficients[k] = random.scaled(-2, 1);
+    return coefficients;
+}
+
+Motion random_joint(Random& random) {
+    const Vector3d point = random.chance(0.5) ? Vector3d::Zero() : random_point(random, 2);
+    return random.chance(0.6) ? Motion::hinge(point, random_point(random, 1), random_powers(random))
+                              : Motion::slider(random_point(random, 1), random_powers(random)) *
+                                    Motion::at_rest(Pose(point, Eigen::Quaterniond::Identity()));
+}
+
+/// No rate within an interval is greater than its bound, and no acceleration changes faster than the third rates say.
+void expect_rates_within_bounds(const motion::MovingFrame& frame, Random& random) {
+    for (int interval = 0; interval < 20; ++interval) {
+        const double from = random.chance(0.5) ? 0 : random.uniform(0, 0.9);
+        const double to = std::min(1.0, from + std::pow(10, random.uniform(-3, 0)));
+        const motion::RateExpansion stated = frame.expansion({from, to});
+        const auto rates_at = [&](double time) { return frame.expansion({time, time}); };
+        const double a = random.uniform(from, to), b = random.chance(0.5) ? from : to;
+        const motion::RateExpansion at = rates_at(a), other = rates_at(b);
+        const auto expect_within = [&](double found, double bound, double sum) {
+            EXPECT_LE(found, bound * (1 + 1e-9) + 1e-11 * sum) << from << " to " << to;
+        };
+        expect_within(length(at.turn_rate), stated.bounds.turn_rate, stated.sums.turn_rate);
+        expect_within(length(at.turn_acceleration), stated.bounds.turn_acceleration, stated.sums.turn_acceleration);
+        expect_within(length(at.velocity), stated.bounds.speed, stated.sums.speed);
+        expect_within(length(at.acceleration), stated.bounds.acceleration, stated.sums.acceleration);
+        expect_within(length(at.turn_acceleration - other.turn_acceleration), stated.turn_jerk * std::abs(a - b),
+                      stated.sums.turn_acceleration);
+        expect_within(length(at.acceleration - other.acceleration), stated.jerk * std::abs(a - b),
+                      stated.sums.acceleration);
+    }
+}
+
+TEST(Frames, EveryTermOfABoundIsNeeded) {
+    Random random(1827);
+    for (int trial = 0; trial < 3000; ++trial) {
+        SCOPED_TRACE(trial);
+        const motion::SharedFrame outer = random_joint(random).trajectory().frame();
+        const motion::SharedFrame inner = random_joint(random).trajectory().frame();
+        const motion::SharedFrame both = motion::product_frame(outer, inner);
+        expect_rates_within_bounds(*both, random);
+        expect_rates_within_bounds(*motion::relative_frame(outer, inner), random);
+        expect_rates_within_bounds(*motion::relative_frame(random_joint(random).trajectory().frame(), both), random);
+        if (HasFailure())
+            break;
+    }
+}
+
+TEST(Rest, IsTheMotionFromThereOn) {
+    Random random(1828);
+    for (int trial = 0; trial < 49; ++trial) {
+        const Motion whole = random_motion(random, trial) * random_motion(random, trial / 7);
+        const double from = random.uniform(0.05, 0.95);
+        const Motion rest = rest_of(whole, from);
+        const motion::SharedFrame frame = rest.trajectory().frame();
+        for (const double time : {0.0, 0.37, 1.0}) {
+            const Isometry3d expected = whole.pose_at(from + time * (1 - from)).isometry();
+            EXPECT_TRUE(rest.pose_at(time).isometry().isApprox(expected, 1e-13));
+            const auto [place, turn] = rounded_pose(frame->refined_at(algebra::DoubleDouble(time)));
+            const Pose refined({place.x, place.y, place.z}, Eigen::Quaterniond(turn.w, turn.v.x, turn.v.y, turn.v.z));
+            EXPECT_TRUE(refined.isometry().isApprox(expected, 1e-13));
+        }
+        expect_bounds_hold(rest, std::uint64_t(trial));
+        expect_bounds_hold(Motion::at_rest(random_pose(random, 1)) * rest, std::uint64_t(trial));
+    }
+    const Motion straight = Motion::velocity(Pose(), Pose({4, 0, 0}, Eigen::Quaterniond::Identity()));
+    EXPECT_TRUE(rest_of(straight, 0.25).pose_at(0.5).translation.isApprox(Vector3d(2.5, 0, 0)));
+    EXPECT_THROW((void)rest_of(straight, 1), InvalidInput);
+    EXPECT_THROW((void)rest_of(straight, -0.1), InvalidInput);
+}
+
 /// The second difference of a path over a short time, as a share of the stated bound of the acceleration.
 double share_of_bound(const motion::MovingFrame& frame, double time) {
     constexpr double half = 0x1p-10;

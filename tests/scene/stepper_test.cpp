@@ -170,6 +170,55 @@ TEST(Stepper, EventsAreFirstContactsAtTheMargin) {
     EXPECT_NEAR((stepper.pose(moving).translation - event->time * Vector3d(0.1, 0.2, -1)).z(), 0.6, 1e-12);
 }
 
+/// Three equal boxes fall on a floor at the same time, but one of them is stopped on its way.
+TEST(Stepper, AnEventTellsAllPairsOfItsTimeAndOnlyThose) {
+    Scene scene;
+    const Polyhedron shape = box({0.1, 0.1, 0.1}).polyhedron();
+    const auto falling = [](double x) { return Motion::velocity(shifted(x, 0, 0.6), shifted(x, 0, -0.4)); };
+    scene.add({"right", shape, falling(1)});
+    const std::size_t stopped = scene.add({"middle", shape, falling(0)});
+    scene.add({"left", shape, falling(-1)});
+    scene.add({"floor", box({5, 5, 1}).polyhedron(), Motion::at_rest(shifted(0, 0, -1))});
+    scene.add({"post", box({0.1, 0.1, 0.01}).polyhedron(), Motion::at_rest(shifted(0, 0, 0.2))});
+    Stepper stepper(scene, {.margin = margin});
+    const auto names = [&](const std::optional<StepEvent>& event) {
+        std::vector<std::string> moving;
+        for (const SceneContact& pair : event->contacts)
+            moving.push_back(scene.bodies()[pair.moving].name);
+        return moving;
+    };
+    EXPECT_EQ(names(stepper.advance()), std::vector<std::string>{"middle"});
+    stepper.move(stopped, Motion::at_rest(stepper.pose(stopped)));
+    EXPECT_EQ(names(stepper.advance()), (std::vector<std::string>{"left", "right"}));
+    EXPECT_NEAR(stepper.time(), 0.5 - margin, 1e-12);
+}
+
+/// Two boxes pass each other at half of the margin, side along side.
+TEST(Stepper, BodiesThatMayOnlyMeetWithinTheMarginDoSo) {
+    const double aside = 0.2 + 0.5 * margin;
+    const auto along = [](double from, double to, double y) {
+        return Motion::velocity(shifted(from, y, 0), shifted(to, y, 0));
+    };
+    const Polyhedron shape = box({0.1, 0.1, 0.1}).polyhedron();
+    Scene scene;
+    scene.add({"first", shape, along(-1, 1, 0)});
+    scene.add({"second", shape, along(1, -1, aside)});
+    const double time = (1.8 - std::sqrt(0.75) * margin) / 4; // the corners are the margin apart
+    EXPECT_NEAR(Stepper(scene, {.margin = margin}).advance()->time, time, 1e-12);
+    SceneQuery query;
+    query.options.margin = margin;
+    ASSERT_EQ(scene.first_contact(query).contacts.size(), 1);
+
+    scene.move(0, Motion::at_rest(shifted(-1, 0, 0)));
+    scene.move(1, Motion::at_rest(shifted(1, aside, 0)));
+    Stepper moved(scene, {.margin = margin});
+    moved.move(0, along(-1, 1, 0));
+    moved.move(1, along(1, -1, aside));
+    const auto event = moved.advance();
+    ASSERT_TRUE(event);
+    EXPECT_NEAR(event->time, time, 1e-12);
+}
+
 TEST(Stepper, WhatIsNearMayMoveOnButNotThrough) {
     const auto [sliding, slides] = box_over_floor(0.3 * margin, {1, 0, 0});
     EXPECT_FALSE(Stepper(sliding, {.margin = margin}).advance());
@@ -205,20 +254,20 @@ TEST(Stepper, ABodyThatIsNotMovedAwayStopsTheStep) {
 }
 
 /// A tower of boxes: what rests on what is told with the box that is hit.
-TEST(Stepper, AnEventTellsWhatIsConnected) {
+void expect_connected(double gap, const StepOptions& options) {
     Scene scene;
-    const double step = 0.2 + 1.5 * margin;
+    const double step = 0.2 + gap;
     const Polyhedron shape = box({0.1, 0.1, 0.1}).polyhedron();
     const auto at = [](double height) { return shifted(0, 0, height); };
     const auto falling = [&](double from, double to) { return Motion::velocity(at(from), at(to)); };
     scene.add({"floor", box({5, 5, 1}).polyhedron(), Motion::at_rest(at(-1))});
     for (int i = 0; i < 3; ++i) { // almost at rest
-        const double height = 0.1 + 1.5 * margin + i * step;
+        const double height = 0.1 + gap + i * step;
         scene.add({"box " + std::to_string(i), shape, falling(height, height - 1e-9)});
     }
     scene.add({"far", shape, Motion::at_rest(shifted(2, 0, 1))});
     scene.add({"hit", shape, falling(2, 0)});
-    Stepper stepper(scene, {.margin = margin});
+    Stepper stepper(scene, options);
     const auto event = stepper.advance();
     ASSERT_TRUE(event);
     const auto names = [&](const std::vector<SceneContact>& pairs) {
@@ -230,6 +279,11 @@ TEST(Stepper, AnEventTellsWhatIsConnected) {
     EXPECT_EQ(names(event->contacts), std::vector<std::string>{"box 2 on hit"});
     EXPECT_EQ(names(event->connected),
               (std::vector<std::string>{"box 0 on box 1", "box 0 on floor", "box 1 on box 2"}));
+}
+
+TEST(Stepper, AnEventTellsWhatIsConnected) {
+    expect_connected(1.5 * margin, {.margin = margin});
+    expect_connected(4 * margin, {.margin = margin, .reach = 5 * margin});
 }
 
 TEST(Stepper, RefusesWhatItCannotUse) {
