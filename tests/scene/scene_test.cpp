@@ -140,6 +140,63 @@ TEST(Scene, AnswersAsAllPairsByThemselves) {
     EXPECT_GT(touching - at_start, 80U);
 }
 
+/// Pairs of bodies that fly towards each other, each pair far from all others: many pairs, so there are several rounds.
+std::vector<SceneBody> random_meetings(Random& random, int count) {
+    std::mt19937 shapes_random(unsigned(random.integer(0, 1 << 30)));
+    std::vector<SceneBody> bodies;
+    for (int i = 0; i < count; ++i) {
+        const auto flying = [&](double from, double to) {
+            Pose start = random_pose(random, 0.3);
+            Pose goal = random_goal(random, start, random.uniform(0.1, 2), 0);
+            start.translation += Vector3d(from, 10 * i, 0);
+            goal.translation += Vector3d(to, 10 * i, 0);
+            return Motion::velocity(start, goal);
+        };
+        const double far = random.uniform(3, 4.5);
+        for (const char* name : {"left ", "right "}) {
+            const double side = name[0] == 'l' ? -far : far;
+            bodies.push_back(
+                {name + std::to_string(i), random_octahedron(shapes_random).polyhedron(), flying(side, -side / 2), ""});
+        }
+    }
+    return bodies;
+}
+
+TEST(Scene, FindsTheFirstOfManyContactsBeforeATime) {
+    Random random(1903);
+    int touching = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        SCOPED_TRACE(trial);
+        const int count = random.integer(100, 300);
+        const std::vector<SceneBody> bodies = random_meetings(random, count);
+        Scene scene;
+        std::vector<PairContact> expected;
+        SceneQuery query{.until = random.uniform(0.3, 1)};
+        for (const SceneBody& body : bodies)
+            scene.add(body);
+        for (std::size_t i = 0; i < bodies.size(); i += 2) {
+            const SceneBody &a = bodies[i], &b = bodies[i + 1];
+            FirstContact contact = first_contact({a.shape, b.shape, relative(a.motion, b.motion), query.options});
+            if (contact.verdict != Verdict::clear && contact.time.lower <= query.until)
+                expected.push_back({a.name, b.name, std::move(contact)});
+        }
+        std::ranges::sort(expected, {}, [](const PairContact& c) { return c.contact.time.lower; });
+        const SceneAnswer first = scene.first_contact(query);
+        SceneQuery any = query;
+        any.options.find = Find::any;
+        const SceneAnswer some = scene.first_contact(any);
+        ASSERT_EQ(first.verdict == Verdict::clear, expected.empty());
+        ASSERT_EQ(some.verdict == Verdict::clear, expected.empty());
+        if (expected.empty())
+            continue;
+        ++touching;
+        expect_same(scene, first.contacts.at(0), expected.front());
+        EXPECT_LE(first.clear_until, expected.front().contact.time.lower);
+        EXPECT_LE(some.clear_until, expected.front().contact.time.lower) << "no pair touches before";
+    }
+    EXPECT_GT(touching, 20);
+}
+
 TEST(Scene, AnswersTheSameForAnyOrderAndAnyNumberOfThreads) {
     Random random(1902);
     for (int trial = 0; trial < 20; ++trial) {

@@ -170,14 +170,14 @@ TEST(Stepper, EventsAreFirstContactsAtTheMargin) {
     EXPECT_NEAR((stepper.pose(moving).translation - event->time * Vector3d(0.1, 0.2, -1)).z(), 0.6, 1e-12);
 }
 
-/// Three equal boxes fall on a floor at the same time, but one of them is stopped on its way.
+/// Five equal boxes fall on a floor at the same time, but one of them is stopped on its way.
 TEST(Stepper, AnEventTellsAllPairsOfItsTimeAndOnlyThose) {
     Scene scene;
     const Polyhedron shape = box({0.1, 0.1, 0.1}).polyhedron();
     const auto falling = [](double x) { return Motion::velocity(shifted(x, 0, 0.6), shifted(x, 0, -0.4)); };
-    scene.add({"right", shape, falling(1)});
     const std::size_t stopped = scene.add({"middle", shape, falling(0)});
-    scene.add({"left", shape, falling(-1)});
+    for (const int i : {3, 0, 2, 1})
+        scene.add({"box " + std::to_string(i), shape, falling(-1 - i)});
     scene.add({"floor", box({5, 5, 1}).polyhedron(), Motion::at_rest(shifted(0, 0, -1))});
     scene.add({"post", box({0.1, 0.1, 0.01}).polyhedron(), Motion::at_rest(shifted(0, 0, 0.2))});
     Stepper stepper(scene, {.margin = margin});
@@ -189,7 +189,7 @@ TEST(Stepper, AnEventTellsAllPairsOfItsTimeAndOnlyThose) {
     };
     EXPECT_EQ(names(stepper.advance()), std::vector<std::string>{"middle"});
     stepper.move(stopped, Motion::at_rest(stepper.pose(stopped)));
-    EXPECT_EQ(names(stepper.advance()), (std::vector<std::string>{"left", "right"}));
+    EXPECT_EQ(names(stepper.advance()), (std::vector<std::string>{"box 0", "box 1", "box 2", "box 3"}));
     EXPECT_NEAR(stepper.time(), 0.5 - margin, 1e-12);
 }
 
