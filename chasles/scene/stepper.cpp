@@ -17,7 +17,6 @@ namespace chasles {
 namespace {
 
 using scene::IndexPair;
-using scene::SweptBody;
 using scene::WorldMotion;
 
 /// Bodies nearer than this share of the margin have no way to go on.
@@ -50,8 +49,8 @@ private:
     struct Course {
         WorldMotion motion;
         double since = 0;
-        std::uint32_t changes = 0; ///< so often has it changed
-        SweptBody swept = {};      ///< from then until the end of the step; the box is wide enough for the margin
+        std::uint32_t changes = 0;   ///< so often has it changed
+        scene::SweptBody swept = {}; ///< from then until the end of the step; the box is wide enough for the margin
     };
 
     /// A pair of bodies, as long as both keep their courses.
@@ -104,7 +103,7 @@ Stepper::Implementation::Implementation(const Scene& scene, const StepOptions& o
     check(options);
     query::require(!scene.has_own_margins(), "margin", "of single pairs or groups is not supported for a step");
     const SceneQuery query{.options = {.margin = options.margin}, .threads = options.threads};
-    const std::vector<SweptBody> swept = scene::swept_bodies(scene, query);
+    const std::vector<scene::SweptBody> swept = scene::swept_bodies(scene, query);
     for (std::size_t i = 0; i < swept.size(); ++i)
         courses_.push_back({.motion = scene.motion_of(i), .swept = swept[i]});
     tree_ = scene::BoxTree(swept);
@@ -113,8 +112,9 @@ Stepper::Implementation::Implementation(const Scene& scene, const StepOptions& o
 }
 
 WorldMotion Stepper::Implementation::rest(std::size_t index, double from) const {
+    constexpr double latest = 0x1.fffffffffffffp-1; // just before the end, to which a share may be rounded
     const Course& course = courses_[index];
-    return scene::rest_of(course.motion, (from - course.since) / (1 - course.since));
+    return scene::rest_of(course.motion, std::min(latest, (from - course.since) / (1 - course.since)));
 }
 
 FirstContact Stepper::Implementation::ask(const IndexPair& pair, double from, const QueryOptions& options,

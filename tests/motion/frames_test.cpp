@@ -6,7 +6,6 @@
 #include "chasles/motion/motion.h"
 #include "chasles/motion/own_trajectory.h"
 #include "tests/support/random_poses.h"
-#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 #include <numbers>
@@ -75,29 +74,6 @@ Motion random_motion(Random& random, int kind) {
     default:
         return Motion::b_spline(random_poses(random, 4));
     }
-}
-
-TEST(RestOf, FollowsTheMotionWithBoundsThatHold) {
-    Random random(2811);
-    for (int kind = 0; kind < 14; ++kind) {
-        const double start = random.uniform(0, 0.95);
-        const Motion motion = random_motion(random, kind), rest = rest_of(motion, start);
-        const motion::SharedFrame frame = rest.trajectory().frame();
-        for (const double time : {0.0, 0.3, 1.0}) {
-            const Isometry3d pose = motion.pose_at(start + time * (1 - start)).isometry();
-            EXPECT_LT((rest.pose_at(time).isometry().matrix() - pose.matrix()).norm(), 1e-12) << kind;
-            const auto refined = motion::rounded_pose(frame->refined_at(motion::MovingFrame::Wide(time)));
-            const auto& [place, turn] = refined;
-            EXPECT_LT((Vector3d(place.x, place.y, place.z) - pose.translation()).norm(), 1e-12) << kind;
-            EXPECT_LT(
-                (Eigen::Quaterniond(turn.w, turn.v.x, turn.v.y, turn.v.z).toRotationMatrix() - pose.linear()).norm(),
-                1e-12)
-                << kind;
-        }
-        expect_bounds_hold(rest, std::uint64_t(kind));
-    }
-    EXPECT_EQ(refusal([] { (void)rest_of(Motion::at_rest(Pose()), 1); }), "motion: rest: the time must be in [0, 1)");
-    EXPECT_NE(refusal([] { (void)rest_of(Motion::screw(Pose(), Pose()), 0); }), "accepted");
 }
 
 TEST(Hinge, TurnsAboutItsLineByThePolynomial) {
@@ -245,6 +221,7 @@ TEST(Rest, IsTheMotionFromThereOn) {
     EXPECT_TRUE(rest_of(straight, 0.25).pose_at(0.5).translation.isApprox(Vector3d(2.5, 0, 0)));
     EXPECT_THROW((void)rest_of(straight, 1), InvalidInput);
     EXPECT_THROW((void)rest_of(straight, -0.1), InvalidInput);
+    EXPECT_THROW((void)rest_of(Motion::screw(Pose(), Pose()), 0), InvalidInput);
 }
 
 /// The second difference of a path over a short time, as a share of the stated bound of the acceleration.
