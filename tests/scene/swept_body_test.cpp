@@ -99,7 +99,7 @@ TEST(MovingBall, MeetsNoEarlierThanIsTold) {
         const long double least = (apart + way * (closing / square)).norm(); // of the distances of both centres
         if (random.chance(0.5))                                              // they graze
             a.radius = std::max(0.0, double(least) - b.radius - margin);
-        const long double reach = (long double)(a.radius) + b.radius + margin;
+        const long double reach = 0.0L + a.radius + b.radius + margin;
         const double found = scene::earliest_meeting(a, b, margin);
         if (apart.norm() <= reach) {
             EXPECT_EQ(found, 0);
