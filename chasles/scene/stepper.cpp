@@ -223,7 +223,7 @@ void Stepper::Implementation::ask_what_may_be_first() {
 std::vector<IndexPair> Stepper::Implementation::take_first_contacts() {
     std::vector<IndexPair> pairs;
     const Bracket first = contacts_.top().time;
-    time_ = first.lower;
+    time_ = std::max(time_, first.lower);
     for (; !contacts_.empty() && contacts_.top().time.lower <= first.upper; contacts_.pop())
         if (is_valid(contacts_.top()))
             pairs.push_back(contacts_.top().pair);
