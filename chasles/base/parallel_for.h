@@ -8,6 +8,7 @@
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
+#include <vector>
 
 namespace chasles {
 
@@ -37,6 +38,18 @@ void parallel_chunks(unsigned threads, std::size_t count, std::size_t piece, con
         for (std::size_t index = first; index < last; ++index)
             work(index, index * piece, std::min((index + 1) * piece, count));
     });
+}
+
+/// What `append(begin, end, items)` appends for each chunk, one after another.
+template <typename Item, typename Append>
+std::vector<Item> joined_chunks(unsigned threads, std::size_t count, std::size_t piece, const Append& append) {
+    std::vector<std::vector<Item>> chunks((count + piece - 1) / piece);
+    parallel_chunks(threads, count, piece,
+                    [&](std::size_t index, std::size_t begin, std::size_t end) { append(begin, end, chunks[index]); });
+    std::vector<Item> items;
+    for (const std::vector<Item>& chunk : chunks)
+        items.insert(items.end(), chunk.begin(), chunk.end());
+    return items;
 }
 
 } // namespace chasles

@@ -41,14 +41,6 @@ public:
     }
 
 protected:
-    template <class S>
-    static GeneralPose<S> place_of(const MovingFrame& frame, const S& time) {
-        if constexpr (std::is_same_v<S, double>)
-            return frame.at(time);
-        else
-            return frame.refined_at(time);
-    }
-
     SharedFrame first_;
     SharedFrame second_;
 
@@ -64,7 +56,7 @@ public:
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        return product(place_of<S>(*first_, time), place_of<S>(*second_, time));
+        return product(pose_of<S>(*first_, time), pose_of<S>(*second_, time));
     }
     [[nodiscard]] Vector3<double> reference() const override { return second_->reference(); }
     [[nodiscard]] Vector3<Wide> refined_reference() const override { return second_->refined_reference(); }
@@ -80,7 +72,7 @@ public:
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        return relative(place_of<S>(*second_, time), place_of<S>(*first_, time));
+        return relative(pose_of<S>(*second_, time), pose_of<S>(*first_, time));
     }
     [[nodiscard]] Vector3<double> reference() const override { return first_->reference(); }
     [[nodiscard]] Vector3<Wide> refined_reference() const override { return first_->refined_reference(); }
@@ -106,10 +98,7 @@ public:
         if (i > 0 && time < S(ends_[i])) // is rounded up to the end
             --i;
         const S local = (time - S(ends_[i])) / (S(ends_[i + 1]) - S(ends_[i]));
-        if constexpr (std::is_same_v<S, double>)
-            return frames_[i]->at(local);
-        else
-            return frames_[i]->refined_at(local);
+        return pose_of<S>(*frames_[i], local);
     }
     [[nodiscard]] bool is_refined() const override { return is_refined_; }
     [[nodiscard]] Vector3<double> reference() const override { return frames_.front()->reference(); }
@@ -158,11 +147,7 @@ public:
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        const S local = std::min(S(from_) + time * S(duration_), S(1));
-        if constexpr (std::is_same_v<S, double>)
-            return frame_->at(local);
-        else
-            return frame_->refined_at(local);
+        return pose_of<S>(*frame_, std::min(S(from_) + time * S(duration_), S(1)));
     }
     [[nodiscard]] bool is_refined() const override { return frame_->is_refined(); }
     [[nodiscard]] Vector3<double> reference() const override { return frame_->reference(); }

@@ -6,6 +6,7 @@
 #include "chasles/motion/rate_expansion.h"
 
 #include <memory>
+#include <type_traits>
 #include <vector>
 
 namespace chasles::motion {
@@ -45,6 +46,15 @@ inline double middle_of(const Bracket& times) {
 }
 inline double half_of(const Bracket& times) {
     return 0.5 * (times.upper - times.lower);
+}
+
+/// The frame at a time, in double or in double-double.
+template <class S>
+GeneralPose<S> pose_of(const MovingFrame& frame, const S& time) {
+    if constexpr (std::is_same_v<S, double>)
+        return frame.at(time);
+    else
+        return frame.refined_at(time);
 }
 
 using SharedFrame = std::shared_ptr<const MovingFrame>;

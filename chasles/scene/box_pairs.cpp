@@ -71,12 +71,12 @@ void BoxTree::add_items(const std::vector<SweptBody>& bodies, std::span<const Ce
     }
 }
 
-/// Both are leaves, or one leaf twice.
-bool BoxTree::is_split(const NodePair& pair) const {
+/// Or one leaf twice.
+bool BoxTree::are_leaves(const NodePair& pair) const {
     return nodes_[pair.first].right == 0 && nodes_[pair.second].right == 0;
 }
 
-/// The pairs of nodes below a pair that is not split. A node against itself holds the pairs of all boxes below it.
+/// The pairs of nodes below a pair that are no leaves. A node against itself holds the pairs of all boxes below it.
 void BoxTree::append_parts(const NodePair& pair, std::vector<NodePair>& parts) const {
     const auto [a, b] = pair;
     const auto append = [&](std::uint32_t x, std::uint32_t y) {
@@ -105,7 +105,7 @@ std::vector<BoxTree::NodePair> BoxTree::tasks() const {
         std::vector<NodePair> parts;
         is_final = true;
         for (const NodePair& pair : tasks)
-            if (is_split(pair))
+            if (are_leaves(pair))
                 parts.push_back(pair);
             else {
                 append_parts(pair, parts);
@@ -128,7 +128,7 @@ void BoxTree::append_pairs(const NodePair& pair, std::vector<IndexPair>& pairs) 
     while (!waiting.empty()) {
         const NodePair next = waiting.back();
         waiting.pop_back();
-        if (is_split(next))
+        if (are_leaves(next))
             append_pairs_of_leaves(nodes_[next.first], nodes_[next.second], pairs);
         else
             append_parts(next, waiting);
@@ -137,15 +137,9 @@ void BoxTree::append_pairs(const NodePair& pair, std::vector<IndexPair>& pairs) 
 
 std::vector<IndexPair> BoxTree::overlapping_pairs(unsigned threads) const {
     const std::vector<NodePair> shared = tasks();
-    std::vector<std::vector<IndexPair>> of_task(shared.size());
-    parallel_for(threads, shared.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
-            append_pairs(shared[i], of_task[i]);
+    return joined_chunks<IndexPair>(threads, shared.size(), 1, [&](std::size_t task, std::size_t, auto& pairs) {
+        append_pairs(shared[task], pairs);
     });
-    std::vector<IndexPair> pairs;
-    for (const std::vector<IndexPair>& part : of_task)
-        pairs.insert(pairs.end(), part.begin(), part.end());
-    return pairs;
 }
 
 std::vector<std::uint32_t> BoxTree::overlapping(const Box& box) const {

@@ -42,7 +42,7 @@ private:
     void build(const std::vector<SweptBody>& bodies, std::span<Centre> centres);
     void add_items(const std::vector<SweptBody>& bodies, std::span<const Centre> centres, Node& leaf);
     [[nodiscard]] std::vector<NodePair> tasks() const;
-    [[nodiscard]] bool is_split(const NodePair& pair) const;
+    [[nodiscard]] bool are_leaves(const NodePair& pair) const;
     void append_parts(const NodePair& pair, std::vector<NodePair>& parts) const;
     void append_pairs(const NodePair& pair, std::vector<IndexPair>& pairs) const;
     void append_pairs_of_leaves(const Node& a, const Node& b, std::vector<IndexPair>& pairs) const;

@@ -15,6 +15,12 @@ void refuse(std::string_view name, std::string_view why) {
     throw InvalidInput("scene: " + std::string(name) + ": " + std::string(why));
 }
 
+void require_body(const Scene& scene, std::size_t index) {
+    const std::size_t count = scene.bodies().size();
+    if (index >= count)
+        refuse("body " + std::to_string(index), "there are " + std::to_string(count) + " bodies");
+}
+
 WorldMotion world_motion(const Motion& motion, std::string_view name) {
     motion::SharedFrame frame = motion.trajectory().frame();
     if (!frame)

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "chasles/motion/moving_frame.h"
-#include "chasles/query/first_contact.h"
+#include "chasles/scene/scene.h"
 
 #include <string_view>
 
@@ -29,6 +29,9 @@ struct Mover {
 /// The first contact of two bodies, with options that have been checked. Contacts after `until` need not be found.
 FirstContact first_contact_of(const Mover& moving, const Mover& fixed, const QueryOptions& options, double until);
 
+/// Throws InvalidInput "scene: NAME: WHY".
 [[noreturn]] void refuse(std::string_view name, std::string_view why);
+/// Refuses an index without a body.
+void require_body(const Scene& scene, std::size_t index);
 
 } // namespace chasles::scene

@@ -4,8 +4,6 @@
 #include "chasles/scene/pair_question.h"
 
 #include <algorithm>
-#include <string>
-#include <tuple>
 
 namespace chasles::scene {
 
@@ -22,11 +20,15 @@ std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query)
     return bodies;
 }
 
+PairNames names_of(const Scene& scene, const IndexPair& pair) {
+    return {scene.bodies()[pair.first].name, scene.bodies()[pair.second].name};
+}
+
 IndexPair in_their_roles(const Scene& scene, const IndexPair& pair) {
     const auto [a, b] = pair;
-    const auto name = [&](std::uint32_t i) -> const std::string& { return scene.bodies()[i].name; };
     const bool rests = scene.motion_of(a).rests;
-    const bool swaps = rests != scene.motion_of(b).rests ? rests : name(b) < name(a);
+    const auto [name, other] = names_of(scene, pair);
+    const bool swaps = rests != scene.motion_of(b).rests ? rests : other < name;
     return swaps ? IndexPair(b, a) : pair;
 }
 
@@ -34,30 +36,23 @@ std::vector<PairTask> near_pairs(const Scene& scene, const SceneQuery& query, co
                                  const BoxTree& tree) {
     const std::vector<IndexPair> pairs = tree.overlapping_pairs(query.threads);
     constexpr std::size_t chunk = 1024;
-    std::vector<std::vector<PairTask>> chunks((pairs.size() + chunk - 1) / chunk);
-    parallel_chunks(query.threads, pairs.size(), chunk, [&](std::size_t index, std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i) {
-            const auto [a, b] = pairs[i];
-            const double margin = scene.margin_of(a, b, query.options.margin);
-            const double share = earliest_meeting(bodies[a].ball, bodies[b].ball, margin);
-            if (share <= 1 && !scene.is_ignored(a, b))
-                chunks[index].push_back({query.until * share, in_their_roles(scene, pairs[i])});
-        }
-    });
-    std::vector<PairTask> tasks;
-    for (const std::vector<PairTask>& part : chunks)
-        tasks.insert(tasks.end(), part.begin(), part.end());
-    return tasks;
+    return joined_chunks<PairTask>(
+        query.threads, pairs.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<PairTask>& tasks) {
+            for (std::size_t i = begin; i < end; ++i) {
+                const auto [a, b] = pairs[i];
+                const double margin = scene.margin_of(a, b, query.options.margin);
+                const double share = earliest_meeting(bodies[a].ball, bodies[b].ball, margin);
+                if (share <= 1 && !scene.is_ignored(a, b))
+                    tasks.push_back({query.until * share, in_their_roles(scene, pairs[i])});
+            }
+        });
 }
 
 std::vector<PairTask> pair_tasks(const Scene& scene, const SceneQuery& query) {
     const std::vector<SweptBody> bodies = swept_bodies(scene, query);
     std::vector<PairTask> tasks = near_pairs(scene, query, bodies, BoxTree(bodies));
-    const auto name = [&](std::uint32_t i) -> const std::string& { return scene.bodies()[i].name; };
-    std::ranges::sort(tasks, [&](const PairTask& a, const PairTask& b) {
-        if (a.earliest != b.earliest)
-            return a.earliest < b.earliest;
-        return std::tie(name(a.pair.first), name(a.pair.second)) < std::tie(name(b.pair.first), name(b.pair.second));
+    std::ranges::sort(tasks, [&](const PairTask& a, const PairTask& b) { // names are compared only if they count
+        return a.earliest != b.earliest ? a.earliest < b.earliest : names_of(scene, a.pair) < names_of(scene, b.pair);
     });
     return tasks;
 }

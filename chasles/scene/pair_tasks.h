@@ -22,6 +22,9 @@ std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query)
 std::vector<PairTask> near_pairs(const Scene& scene, const SceneQuery& query, const std::vector<SweptBody>& bodies,
                                  const BoxTree& tree);
 
+using PairNames = std::pair<std::string_view, std::string_view>;
+PairNames names_of(const Scene& scene, const IndexPair& pair);
+
 /// The moving and the fixed body of a pair: a body that stands still is the fixed one, else the order of names decides.
 IndexPair in_their_roles(const Scene& scene, const IndexPair& pair);
 

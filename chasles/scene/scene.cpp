@@ -59,9 +59,7 @@ void Scene::remove(std::string_view name) {
 }
 
 void Scene::move(std::size_t index, const Motion& motion) {
-    if (index >= bodies_.size())
-        throw InvalidInput("scene: body " + std::to_string(index) + ": there are " + std::to_string(bodies_.size()) +
-                           " bodies");
+    scene::require_body(*this, index);
     placed_[index].motion = std::make_shared<scene::WorldMotion>(scene::world_motion(motion, bodies_[index].name));
     bodies_[index].motion = motion;
 }

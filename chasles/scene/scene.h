@@ -90,8 +90,8 @@ public:
     /// The margin of two bodies in all questions, in the place of that of the question. Throws InvalidInput for an
     /// unknown name, for one name twice, and for a margin that is not in [0, 1e30].
     void set_margin(std::string_view a, std::string_view b, double margin);
-    /// Likewise of the bodies of one group and those of another one; the same group twice: within the group. The margin
-    /// of a pair counts before that of its groups.
+    /// The margin of the bodies of one group and those of another one; the same group twice: within the group. A pair
+    /// with a margin of its own keeps it.
     void set_group_margin(const std::string& a, const std::string& b, double margin);
 
     /// The earliest contact of all pairs. With Find::any: some contact, if there is any, not placed in time; the same

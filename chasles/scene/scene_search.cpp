@@ -107,8 +107,7 @@ void SceneSearch::report_progress() {
 SceneAnswer SceneSearch::answer(std::vector<SceneContact> contacts) const {
     const auto key = [&](std::size_t i) {
         const SceneContact& c = contacts[i];
-        const auto name = [&](std::size_t body) { return std::string_view(scene_.bodies()[body].name); };
-        return std::tuple(c.contact.time.lower, c.contact.time.upper, name(c.moving), name(c.fixed));
+        return std::tuple(c.contact.time.lower, c.contact.time.upper, scene::names_of(scene_, {c.moving, c.fixed}));
     };
     std::vector<std::size_t> order(contacts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
@@ -142,7 +141,8 @@ SceneAnswer SceneSearch::earliest() {
         }
         unlimited = has_limit ? unlimited : found.size();
     }
-    // A limit depends on other pairs, and a bracket must not. What may be the first is asked again without one.
+    // A limit depends on other pairs, and a bracket must not. Contacts that may be the first get their brackets without
+    // one.
     for (std::size_t i = unlimited; i < found.size(); ++i)
         if (SceneContact& contact = found[i]; contact.contact.time.lower <= best)
             contact.contact = ask({contact.moving, contact.fixed}, query_.until);

@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <queue>
 #include <set>
-#include <tuple>
 
 namespace chasles {
 
@@ -51,6 +50,9 @@ private:
         double since = 0;
         std::uint32_t changes = 0;   ///< so often has it changed
         scene::SweptBody swept = {}; ///< from then until the end of the step; the box is wide enough for the margin
+
+        /// A time of the step, as a share of the time from `since` to the end.
+        [[nodiscard]] double share_at(double time) const { return (time - since) / (1 - since); }
     };
 
     /// A pair of bodies, as long as both keep their courses.
@@ -114,7 +116,7 @@ Stepper::Implementation::Implementation(const Scene& scene, const StepOptions& o
 WorldMotion Stepper::Implementation::rest(std::size_t index, double from) const {
     constexpr double latest = 0x1.fffffffffffffp-1; // just before the end, to which a share may be rounded
     const Course& course = courses_[index];
-    return scene::rest_of(course.motion, std::min(latest, (from - course.since) / (1 - course.since)));
+    return scene::rest_of(course.motion, std::min(latest, course.share_at(from)));
 }
 
 FirstContact Stepper::Implementation::ask(const IndexPair& pair, double from, const QueryOptions& options,
@@ -169,7 +171,7 @@ void Stepper::Implementation::foresee(const IndexPair& pair, double earliest) {
 /// From now on.
 scene::MovingBall Stepper::Implementation::ball_now(std::uint32_t index) const {
     const Course& course = courses_[index];
-    return rest_of(course.swept.ball, (time_ - course.since) / (1 - course.since));
+    return rest_of(course.swept.ball, course.share_at(time_));
 }
 
 /// The pairs of a body whose course has changed. Where both have changed, the pair is that of the first one.
@@ -232,9 +234,7 @@ std::vector<IndexPair> Stepper::Implementation::take_first_contacts() {
 }
 
 void Stepper::Implementation::sort_by_names(std::vector<IndexPair>& pairs) const {
-    std::ranges::sort(pairs, [&](const IndexPair& a, const IndexPair& b) {
-        return std::tie(name(a.first), name(a.second)) < std::tie(name(b.first), name(b.second));
-    });
+    std::ranges::sort(pairs, {}, [&](const IndexPair& pair) { return scene::names_of(scene_, pair); });
 }
 
 /// All contacts within the reach, now.
@@ -300,13 +300,12 @@ std::optional<StepEvent> Stepper::Implementation::advance() {
 }
 
 Pose Stepper::Implementation::pose(std::size_t index) const {
-    const Course& course = courses_.at(index);
-    return course.motion.motion.pose_at((time_ - course.since) / (1 - course.since));
+    scene::require_body(scene_, index);
+    return courses_[index].motion.motion.pose_at(courses_[index].share_at(time_));
 }
 
 void Stepper::Implementation::move(std::size_t index, const Motion& rest) {
-    if (index >= courses_.size())
-        scene::refuse("body " + std::to_string(index), "there are " + std::to_string(courses_.size()) + " bodies");
+    scene::require_body(scene_, index);
     if (time_ >= 1)
         scene::refuse(name(index), "move: the step is over");
     WorldMotion motion = scene::world_motion(rest, name(index));

@@ -1,4 +1,4 @@
-// What a body sweeps in the world: a box around all of it, and a ball that moves with it.
+// Bounds of the places of a body during a motion: a box that it does not leave, and a ball that moves with it.
 // Source: docs/derivations/27-scenes.md, "Boxes" and "Pairs".
 #pragma once
 

@@ -14,17 +14,6 @@ Vector3d relative_velocity(const Touch& touch, const std::vector<RigidBody>& bod
     return bodies[touch.moving].velocity_at(touch.point) - bodies[touch.fixed].velocity_at(touch.point);
 }
 
-/// How much faster the bodies separate along a direction for an impulse of 1 along it.
-double ease(const Touch& touch, const Vector3d& direction, const std::vector<RigidBody>& bodies) {
-    double ease = 0;
-    for (const std::size_t index : {touch.moving, touch.fixed}) {
-        const RigidBody& body = bodies[index];
-        const Velocity change = body.answer_to(direction, touch.point);
-        ease += direction.dot(change.linear + change.angular.cross(touch.point - body.centre_in_world()));
-    }
-    return ease;
-}
-
 /// What an impulse of 1 along a direction does to both bodies.
 struct Effect {
     Vector3d direction;
@@ -35,8 +24,14 @@ struct Effect {
 };
 
 Effect effect_along(const Vector3d& direction, const Touch& touch, const std::vector<RigidBody>& bodies) {
-    return {direction, bodies[touch.moving].answer_to(direction, touch.point),
-            bodies[touch.fixed].answer_to(-direction, touch.point), ease(touch, direction, bodies)};
+    const auto speed_of = [&](const RigidBody& body, const Velocity& change) {
+        return direction.dot(change.linear + change.angular.cross(touch.point - body.centre_in_world()));
+    };
+    const RigidBody& moving = bodies[touch.moving];
+    const RigidBody& fixed = bodies[touch.fixed];
+    Effect effect{direction, moving.answer_to(direction, touch.point), fixed.answer_to(-direction, touch.point)};
+    effect.ease = speed_of(moving, effect.of_moving) - speed_of(fixed, effect.of_fixed);
+    return effect;
 }
 
 /// Along the normal, and two directions across.

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 namespace chasles::python {
@@ -191,6 +192,14 @@ constexpr const char* question_doc =
     "    'first', 'first_with_all_contacts', or 'any' for a question of yes or no.\n"
     "threads : int\n    At most so many; 0 for all cores. The answer does not depend on it.\n\n";
 
+/// A function of the scene as one of its Python object.
+template <class... Arguments>
+auto forwarded(void (Scene::*function)(Arguments...)) {
+    return [function](PythonScene& scene, const std::decay_t<Arguments>&... arguments) {
+        (scene.scene.*function)(arguments...);
+    };
+}
+
 void bind_contact(nb::module_& module) {
     nb::class_<SceneContactAnswer, Answer>(module, "SceneContact", doc("SceneContact"))
         .def_prop_ro(
@@ -248,30 +257,11 @@ void bind_scene(nb::module_& module) {
                      "motion: str = 'velocity') -> None"),
              "Give all bodies other motions: arrays (n, 4, 4) or (n, 7), in the order of `names`. Raises InvalidInput "
              "with the number of the body, and then changes nothing.")
-        .def(
-            "ignore", [](PythonScene& s, const std::string& a, const std::string& b) { s.scene.ignore(a, b); }, "a"_a,
-            "b"_a, "Never test these two bodies against each other.")
-        .def(
-            "ignore_groups",
-            [](PythonScene& s, const std::string& a, const std::string& b) { s.scene.ignore_groups(a, b); }, "a"_a,
-            "b"_a, "Never test a body of the one group against one of the other; the same twice: within the group.")
-        .def(
-            "set_margin",
-            [](PythonScene& s, const std::string& a, const std::string& b, double margin) {
-                s.scene.set_margin(a, b, margin);
-            },
-            "a"_a, "b"_a, "margin"_a,
-            "The margin of two bodies in all questions, mesh unit, in the place of that of the question. Raises "
-            "InvalidInput for an unknown name,\nfor one name twice, and for a margin that is not in [0, 1e30].")
-        .def(
-            "set_group_margin",
-            [](PythonScene& s, const std::string& a, const std::string& b, double margin) {
-                s.scene.set_group_margin(a, b, margin);
-            },
-            "a"_a, "b"_a, "margin"_a,
-            "Likewise of the bodies of one group and those of another one; the same twice: within the group. The "
-            "margin "
-            "of a pair counts\nbefore that of its groups.")
+        .def("ignore", forwarded(&Scene::ignore), "a"_a, "b"_a, doc("Scene.ignore"))
+        .def("ignore_groups", forwarded(&Scene::ignore_groups), "a"_a, "b"_a, doc("Scene.ignore_groups"))
+        .def("set_margin", forwarded(&Scene::set_margin), "a"_a, "b"_a, "margin"_a, doc("Scene.set_margin"))
+        .def("set_group_margin", forwarded(&Scene::set_group_margin), "a"_a, "b"_a, "margin"_a,
+             doc("Scene.set_group_margin"))
         .def_prop_ro(
             "names", [](const PythonScene& s) { return names_of(s); }, "The names of the bodies.")
         .def("__len__", [](const PythonScene& s) { return s.scene.bodies().size(); })

@@ -2,8 +2,8 @@
 // flights find an overlap. CHASLES_LONG=1 takes a thousand bodies and twenty thousand contacts.
 #include "examples/dynamics/world.h"
 #include "tests/data/shared_data.h"
-#include "tests/query/bodies.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/walls.h"
 
 #include <cstdlib>
 #include <gtest/gtest.h>
@@ -50,15 +50,8 @@ World gas(int count) {
         body.velocity = {random_point(random, 1), random_point(random, 2)};
         world.add("body " + std::to_string(i), kinds[std::size_t(i % 2)], body);
     }
-    const double size = 1.7 * side;
-    for (int i = 0; i < 6; ++i) {
-        RigidBody wall;
-        wall.pose.translation() = Vector3d::Constant(size / 2);
-        wall.pose.translation()[i / 2] += (i % 2 == 0 ? -1 : 1) * (size / 2 + 1);
-        Vector3d half = Vector3d::Constant(size);
-        half[i / 2] = 1;
-        world.add("wall " + std::to_string(i), box(half).polyhedron(), wall);
-    }
+    for (const auto& [name, shape, body] : walls_around(1.7 * side))
+        world.add(name, shape, body);
     return world;
 }
 

@@ -6,6 +6,7 @@
 #include "tests/query/posed_distance.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
+#include "tests/support/walls.h"
 
 #include <gtest/gtest.h>
 
@@ -37,15 +38,8 @@ World gas(int count, unsigned threads, bool reversed = false) {
         body.velocity = {random_point(random, 1), random_point(random, 2)};
         bodies.emplace_back("body " + std::to_string(i), shape, body);
     }
-    const double size = 2 * side;
-    for (int i = 0; i < 6; ++i) {
-        RigidBody wall;
-        wall.pose.translation() = Vector3d::Constant(size / 2);
-        wall.pose.translation()[i / 2] += (i % 2 == 0 ? -1 : 1) * (size / 2 + 1);
-        Vector3d half = Vector3d::Constant(size);
-        half[i / 2] = 1;
-        bodies.emplace_back("wall " + std::to_string(i), box(half).polyhedron(), wall);
-    }
+    for (const auto& [name, shape, body] : walls_around(2 * side))
+        bodies.emplace_back(name, shape, body);
     if (reversed)
         std::reverse(bodies.begin(), bodies.end());
     for (const auto& [name, shape, body] : bodies)

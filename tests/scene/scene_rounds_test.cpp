@@ -1,0 +1,120 @@
+// Scenes of many pairs: rounds, and limits by other pairs.
+#include "chasles/scene/scene.h"
+
+#include "tests/query/bodies.h"
+#include "tests/scene/pair_contact.h"
+#include "tests/support/random_poses.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::test {
+namespace {
+
+using Eigen::Vector3d;
+
+/// Pairs of bodies that fly towards each other, each pair far from all others: many pairs, so there are several rounds.
+std::vector<SceneBody> random_meetings(Random& random, int count, double turn) {
+    std::mt19937 shapes_random(unsigned(random.integer(0, 1 << 30)));
+    std::vector<SceneBody> bodies;
+    for (int i = 0; i < count; ++i) {
+        const auto flying = [&](double from, double to) {
+            Pose start = random_pose(random, 0.3);
+            Pose goal = random_goal(random, start, random.uniform(0, turn), 0);
+            start.translation += Vector3d(from, 10 * i, 0);
+            goal.translation += Vector3d(to, 10 * i, 0);
+            return Motion::velocity(start, goal);
+        };
+        const double far = random.uniform(3, 4.5);
+        for (const char* name : {"left ", "right "}) {
+            const double side = name[0] == 'l' ? -far : far;
+            bodies.push_back(
+                {name + std::to_string(i), random_octahedron(shapes_random).polyhedron(), flying(side, -side / 2), ""});
+        }
+    }
+    return bodies;
+}
+
+TEST(Scene, FindsTheFirstOfManyContactsBeforeATime) {
+    Random random(1903);
+    int touching = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        SCOPED_TRACE(trial);
+        const int count = random.integer(100, 300);
+        const std::vector<SceneBody> bodies = random_meetings(random, count, 2);
+        Scene scene;
+        std::vector<PairContact> expected;
+        SceneQuery query{.until = random.uniform(0.3, 1)};
+        for (const SceneBody& body : bodies)
+            scene.add(body);
+        for (std::size_t i = 0; i < bodies.size(); i += 2) {
+            const SceneBody &a = bodies[i], &b = bodies[i + 1];
+            FirstContact contact = first_contact({a.shape, b.shape, relative(a.motion, b.motion), query.options});
+            if (contact.verdict != Verdict::clear && contact.time.lower <= query.until)
+                expected.push_back({a.name, b.name, std::move(contact)});
+        }
+        std::ranges::sort(expected, {}, [](const PairContact& c) { return c.contact.time.lower; });
+        const SceneAnswer first = scene.first_contact(query);
+        SceneQuery any = query;
+        any.options.find = Find::any;
+        const SceneAnswer some = scene.first_contact(any);
+        ASSERT_EQ(first.verdict == Verdict::clear, expected.empty());
+        ASSERT_EQ(some.verdict == Verdict::clear, expected.empty());
+        if (expected.empty())
+            continue;
+        ++touching;
+        expect_same(scene, first.contacts.at(0), expected.front());
+        EXPECT_LE(first.clear_until, expected.front().contact.time.lower);
+        EXPECT_LE(some.clear_until, expected.front().contact.time.lower) << "no pair touches before";
+    }
+    EXPECT_GT(touching, 20);
+}
+
+/// Plates in a tilted stack: their boxes and balls overlap all along, so their pairs fill the first round. The first
+/// two come together; what another pair of bodies is asked then has a limit.
+std::vector<SceneBody> tilted_plates(double time) {
+    const Polyhedron plate = box({1, 1, 0.01}).polyhedron();
+    const Eigen::Quaterniond tilt(Eigen::AngleAxisd(0.8, Vector3d::UnitX()));
+    const auto at = [&](double height) { return Pose(Vector3d(100, 0, 0) + tilt * Vector3d(0, 0, height), tilt); };
+    std::vector<SceneBody> plates{{"a low", plate, Motion::at_rest(at(0)), ""},
+                                  {"a falling", plate, Motion::velocity(at(0.12), at(0.12 - 0.1 / time)), ""}};
+    for (int i = 1; i <= 11; ++i)
+        plates.push_back({"b " + std::to_string(i), plate, Motion::at_rest(at(0.2 + 0.04 * i)), ""});
+    return plates;
+}
+
+TEST(Scene, ALimitByOtherPairsChangesNoBitOfABracket) {
+    Random random(1904);
+    int limited = 0, simultaneous = 0;
+    for (int trial = 0; trial < 500; ++trial) {
+        std::vector<SceneBody> bodies = random_meetings(random, 1, 0);
+        const auto ask = [&](const SceneBody& a, const SceneBody& b) {
+            return first_contact({a.shape, b.shape, relative(a.motion, b.motion), {}});
+        };
+        const FirstContact alone = ask(bodies[0], bodies[1]);
+        if (alone.verdict != Verdict::contact)
+            continue;
+        const double later = random.chance(0.5) ? 0 : std::pow(10, random.uniform(-13, -0.5));
+        const std::vector<SceneBody> plates = tilted_plates(alone.time.lower + later);
+        bodies.insert(bodies.end(), plates.begin(), plates.end());
+        const FirstContact other = ask(plates[1], plates[0]);
+        Scene scene;
+        for (const SceneBody& body : bodies)
+            scene.add(body);
+        const SceneAnswer answer = scene.first_contact();
+        const Bracket& first = alone.time.lower < other.time.lower ? alone.time : other.time;
+        const bool is_met = alone.time.lower <= first.upper;
+        ASSERT_EQ(answer.contacts.size(), std::size_t(is_met) + std::size_t(other.time.lower <= first.upper)) << trial;
+        for (const SceneContact& found : answer.contacts) {
+            const FirstContact& expected = found.moving < 2 ? alone : other;
+            EXPECT_EQ(found.contact.time.lower, expected.time.lower) << trial;
+            EXPECT_EQ(found.contact.time.upper, expected.time.upper) << trial;
+        }
+        limited += is_met ? 1 : 0;
+        simultaneous += answer.contacts.size() == 2 ? 1 : 0;
+    }
+    EXPECT_GT(limited, 200);
+    EXPECT_GT(simultaneous, 50);
+}
+
+} // namespace
+} // namespace chasles::test
