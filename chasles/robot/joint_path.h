@@ -1,0 +1,65 @@
+// How the joints of a robot move: segments of time, in each of which every variable is a polynomial.
+// Source: docs/derivations/29-robots.md.
+#pragma once
+
+#include "chasles/base/export.h"
+
+#include <Eigen/Core>
+
+#include <span>
+#include <vector>
+
+namespace chasles {
+
+class Robot;
+
+/// Values of all variables of a robot, in the order of Robot::variables(): radians, or the mesh unit.
+using Configuration = Eigen::VectorXd;
+
+/// A path of a robot in joint space. The polynomials of a segment have the time of the segment, from 0 to 1.
+class CHASLES_EXPORT JointPath {
+public:
+    struct Segment {
+        double begin = 0; ///< time stamp
+        double end = 1;   ///< likewise; later
+        /// coefficients(k, i) belongs to the k-th power of time and to variable i.
+        Eigen::MatrixXd coefficients;
+        Configuration goal; ///< at the end; continuous joints may differ by turns
+    };
+
+    /// Straight in joint space from each configuration to the next: what planners call edges. Continuous joints go the
+    /// shorter way round, and floating ones turn evenly about one axis. Segment k has the stamps k and k + 1.
+    ///
+    /// Throws InvalidInput "path: configuration I: WHY" for fewer than two configurations, a wrong number of values,
+    /// NaN, infinity, a value beyond 1000 in magnitude, or a quaternion that is zero. Limits of joints are not checked.
+    static JointPath straight(const Robot& robot, std::span<const Configuration> configurations);
+    /// Likewise, with the stamps of the configurations. Throws InvalidInput, too, where they do not ascend.
+    static JointPath straight(const Robot& robot, std::span<const Configuration> configurations,
+                              std::span<const double> times);
+    /// Cubic Hermite splines: through positions at times, with velocities (value per unit of time). What controllers
+    /// make of trajectories with positions and velocities. Values are taken as they are, also those of continuous
+    /// joints. Throws InvalidInput for robots with floating joints, too.
+    static JointPath cubic(const Robot& robot, std::span<const double> times, std::span<const Configuration> positions,
+                           std::span<const Configuration> velocities);
+    /// Likewise with quintic splines, for trajectories with accelerations.
+    static JointPath quintic(const Robot& robot, std::span<const double> times,
+                             std::span<const Configuration> positions, std::span<const Configuration> velocities,
+                             std::span<const Configuration> accelerations);
+    /// The natural cubic spline through configurations: smooth in velocity and acceleration.
+    static JointPath natural_spline(const Robot& robot, std::span<const double> times,
+                                    std::span<const Configuration> positions);
+    /// Any polynomials. Throws InvalidInput for floating joints, and for a segment that does not begin where the one
+    /// before ends (1e-9 of the sizes).
+    static JointPath polynomials(const Robot& robot, std::vector<Segment> segments);
+
+    [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
+    /// The configuration at a stamp; outside of the path, at its nearer end.
+    [[nodiscard]] Configuration at(double stamp) const;
+
+private:
+    explicit JointPath(std::vector<Segment> segments) : segments_(std::move(segments)) {}
+
+    std::vector<Segment> segments_;
+};
+
+} // namespace chasles

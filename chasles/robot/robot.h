@@ -1,0 +1,174 @@
+// Robots: trees of links whose joints move along a path. Does the robot touch its world or itself, when, and where?
+// Source: docs/derivations/29-robots.md.
+#pragma once
+
+#include "chasles/query/first_contact.h"
+#include "chasles/robot/joint_path.h"
+#include "chasles/robot/robot_description.h"
+#include "chasles/scene/scene.h"
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace chasles {
+
+namespace robot {
+class Model;
+} // namespace robot
+
+/// One number of a configuration.
+struct RobotVariable {
+    /// The name of the joint. Planar joints have the variables NAME/x, NAME/y and NAME/theta, floating ones
+    /// NAME/trans_x, NAME/trans_y, NAME/trans_z, NAME/rot_x, NAME/rot_y, NAME/rot_z and NAME/rot_w.
+    std::string name;
+    double lower; ///< -infinity without a limit
+    double upper;
+    bool is_continuous; ///< values that differ by 2 pi are the same
+};
+
+/// A part that moves with a link, for example one that a gripper holds.
+struct AttachedPart {
+    std::string name; ///< of no link and of no other part
+    std::string link;
+    Polyhedron shape;
+    Pose pose = {};                            ///< in the frame of the link
+    std::vector<std::string> touch_links = {}; ///< besides `link`: not tested against the part
+};
+
+/// Where the files of a robot are.
+struct RobotFiles {
+    std::filesystem::path srdf = {}; ///< empty: none
+    /// package://NAME/rest is the file `rest` in the folder of NAME. Unknown packages are looked for beside the URDF
+    /// file and in the folders above it: a folder NAME there, or what its package.xml names so.
+    std::map<std::string, std::filesystem::path> packages = {};
+    /// Spheres, cylinders and capsules become polyhedra that enclose them and leave them by at most this part of their
+    /// radius.
+    double primitive_deviation = 0.01;
+};
+
+/// A robot: a kinematic tree with shapes, parts that are attached to it, and pairs that are not tested. Questions may be
+/// asked from several threads at a time; changes may not.
+class CHASLES_EXPORT Robot {
+public:
+    /// Reads a URDF file, and an SRDF file if one is named. Throws InvalidInput with file, line, element and reason.
+    /// Defined in chasles/io/robot_files.cpp.
+    static Robot load(const std::filesystem::path& urdf, const RobotFiles& files = {});
+
+    /// Throws InvalidInput "robot: ELEMENT: WHY" for a description that is no tree, names what does not exist, or
+    /// repeats a name.
+    explicit Robot(RobotDescription description);
+
+    [[nodiscard]] const RobotDescription& description() const;
+    /// The variables of the joints that are neither fixed nor mimic another one, in the order of the description.
+    [[nodiscard]] std::span<const RobotVariable> variables() const;
+    /// Throws InvalidInput for an unknown name.
+    [[nodiscard]] std::size_t variable(std::string_view name) const;
+    /// Each variable at 0, or at its limit nearest to 0.
+    [[nodiscard]] Configuration neutral() const;
+    /// A named state of the description; variables of other joints are those of neutral(). Throws InvalidInput for an
+    /// unknown name.
+    [[nodiscard]] Configuration state(std::string_view name) const;
+
+    /// The pose of a link in the world. Throws InvalidInput for an unknown link, and for values as JointPath::straight.
+    [[nodiscard]] Pose link_pose(std::string_view link, const Configuration& configuration) const;
+    /// The poses of all links, in the order of the description.
+    [[nodiscard]] std::vector<Pose> link_poses(const Configuration& configuration) const;
+
+    /// Where the root link stands in the world.
+    void set_base(const Pose& pose);
+    [[nodiscard]] const Pose& base() const;
+
+    /// The part is tested against the world, and against the links but `link` and `touch_links`. Throws InvalidInput
+    /// for a name that is empty or taken, and for an unknown link.
+    void attach(const AttachedPart& part);
+    /// Throws InvalidInput for an unknown name.
+    void detach(std::string_view name);
+    [[nodiscard]] std::span<const AttachedPart> attached() const;
+
+    /// Two links or parts are not tested against each other, or are again. Links that a joint connects (also through
+    /// fixed links) are not, at first. Throws InvalidInput for an unknown name.
+    void ignore(std::string_view first, std::string_view second);
+    void test(std::string_view first, std::string_view second);
+    [[nodiscard]] bool is_tested(std::string_view first, std::string_view second) const;
+    /// A link or part is not tested against this body of a scene. The names need not exist yet.
+    void ignore_in_scene(std::string_view link, std::string_view body);
+    [[nodiscard]] bool is_tested_in_scene(std::string_view link, std::string_view body) const;
+    /// The margin of two links or parts, in the place of that of the question. Throws InvalidInput for an unknown name,
+    /// and for a margin that is not in [0, 1e30].
+    void set_margin(std::string_view first, std::string_view second, double margin);
+
+    /// For the library's own use.
+    [[nodiscard]] const robot::Model& model() const { return *model_; }
+
+private:
+    std::shared_ptr<const robot::Model> model_; ///< never changes; a changed robot has another one
+};
+
+/// How to answer a question about a robot.
+struct RobotQuery {
+    /// With Find::any some contact, not placed in time. `hold` is not supported.
+    QueryOptions options = {};
+};
+
+/// Two links, parts or bodies of the scene.
+struct RobotPair {
+    std::string first;          ///< a link or a part
+    std::string second;         ///< likewise, or a body of the scene
+    bool is_with_scene = false; ///< the second one is a body of the scene
+};
+
+/// The answer for a path of a robot.
+struct [[nodiscard]] RobotAnswer {
+    Verdict verdict = Verdict::unknown;
+    std::size_t segment = 0; ///< of the contact; the last one if clear
+    /// Of the contact within the segment, in its stamps (from 0 to 1 for a single segment): `contact.time` has the same
+    /// bracket in [0, 1].
+    Bracket time;
+    bool certain = false;
+    std::optional<RobotPair> pair; ///< that touches first
+    FirstContact contact;          ///< of the pair: the first one moves. In the world
+    Configuration configuration;   ///< at the lower end of `time`; at the end of the path if clear
+    /// Before this stamp nothing comes within the margin.
+    double clear_until = 0;
+    Configuration clear_configuration; ///< at clear_until
+    std::size_t pairs = 0;             ///< that were searched, because boxes did not prove them apart
+    Work work;
+};
+
+/// A robot in a world, made ready for many questions: what a planner asks for each of its edges. It keeps the state of
+/// the robot and of the scene at the time when it is made. Questions may be asked from several threads at a time.
+class CHASLES_EXPORT RobotChecker {
+public:
+    /// `scene` may be null: then the robot is tested against itself only. Throws InvalidInput for an option out of its
+    /// range.
+    explicit RobotChecker(const Robot& robot, const Scene* scene = nullptr, const RobotQuery& query = {});
+    ~RobotChecker();
+    RobotChecker(RobotChecker&&) noexcept;
+    RobotChecker& operator=(RobotChecker&&) noexcept;
+
+    /// The first contact along a path. Bodies of the scene that move do so during the whole path.
+    [[nodiscard]] RobotAnswer first_contact(const JointPath& path) const;
+    /// Along the straight edge between two configurations.
+    [[nodiscard]] RobotAnswer first_contact(const Configuration& start, const Configuration& goal) const;
+    /// Whether the straight edge is proven clear. The cheapest question.
+    [[nodiscard]] bool is_clear(const Configuration& start, const Configuration& goal) const;
+    /// Whether the robot touches nothing at a configuration; false where that cannot be told.
+    [[nodiscard]] bool is_clear(const Configuration& configuration) const;
+    /// Many edges on all cores; `starts` and `goals` have one row an edge. The same answers for any number of threads.
+    [[nodiscard]] std::vector<RobotAnswer> first_contacts(const Eigen::MatrixXd& starts, const Eigen::MatrixXd& goals,
+                                                          unsigned threads = 0) const;
+
+    [[nodiscard]] const Robot& robot() const;
+
+private:
+    struct Prepared;
+    std::unique_ptr<const Prepared> prepared_;
+};
+
+} // namespace chasles
