@@ -185,18 +185,20 @@ bool CoarseTest::split(const NodePair& pair, const SweptBoxes& boxes, PairStack&
 
 } // namespace
 
+bool are_clearly_apart(const Body& moving, const Body& fixed, const CoarseMotion& motion, double margin) {
+    const CoarseScene scene{moving.bvh(), fixed.bvh(), motion, margin};
+    const Placement start = scene.placement(0);
+    if (have_near_nodes(scene.moving, scene.fixed, start, margin))
+        return false;
+    const Placement end = scene.placement(1);
+    return !have_near_nodes(scene.moving, scene.fixed, end, margin) &&
+           CoarseTest(scene).separates_all({{}, start, end});
+}
+
 bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory, double margin) {
     for (std::size_t part = 0; part < trajectory.coarse_count(); ++part) {
         const std::optional<CoarseMotion> motion = trajectory.coarse(part);
-        if (!motion)
-            return false;
-        const CoarseScene scene{moving.bvh(), fixed.bvh(), *motion, margin};
-        const Placement start = scene.placement(0);
-        if (have_near_nodes(scene.moving, scene.fixed, start, margin))
-            return false;
-        const Placement end = scene.placement(1);
-        if (have_near_nodes(scene.moving, scene.fixed, end, margin) ||
-            !CoarseTest(scene).separates_all({{}, start, end}))
+        if (!motion || !are_clearly_apart(moving, fixed, *motion, margin))
             return false;
     }
     return true;

@@ -4,6 +4,7 @@
 
 #include "chasles/mesh/body.h"
 #include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/coarse_motion.h"
 
 namespace chasles::culling {
 
@@ -11,5 +12,7 @@ namespace chasles::culling {
 /// test gives up as soon as the bodies seem to be near each other.
 bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory,
                        double margin = 0);
+/// Likewise for one coarse motion, within whose deviation the true motion stays.
+bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::CoarseMotion& motion, double margin);
 
 } // namespace chasles::culling

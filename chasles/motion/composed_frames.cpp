@@ -141,13 +141,14 @@ private:
     bool is_refined_ = true;
 };
 
-class LaterFrame final : public FrameInBoth<LaterFrame> {
+class PartFrame final : public FrameInBoth<PartFrame> {
 public:
-    LaterFrame(SharedFrame frame, double from) : frame_(std::move(frame)), from_(from), duration_(1 - from) {}
+    PartFrame(SharedFrame frame, const Bracket& part)
+        : frame_(std::move(frame)), part_(part), duration_(part.upper - part.lower) {}
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        return pose_of<S>(*frame_, std::min(S(from_) + time * S(duration_), S(1)));
+        return pose_of<S>(*frame_, std::min(S(part_.lower) + time * S(duration_), S(part_.upper)));
     }
     [[nodiscard]] bool is_refined() const override { return frame_->is_refined(); }
     [[nodiscard]] Vector3<double> reference() const override { return frame_->reference(); }
@@ -164,18 +165,18 @@ public:
         std::vector<double> all;
         frame_->add_cuts(all);
         for (const double cut : all)
-            if (cut > from_)
-                cuts.push_back(std::min((cut - from_) / duration_, 1.0));
+            if (part_.lower < cut && cut < part_.upper)
+                cuts.push_back(std::min((cut - part_.lower) / duration_, 1.0));
     }
 
 private:
     [[nodiscard]] Bracket local(const Bracket& times) const {
-        const auto at = [&](double time) { return std::min(from_ + time * duration_, 1.0); };
+        const auto at = [&](double time) { return std::min(part_.lower + time * duration_, part_.upper); };
         return {at(times.lower), at(times.upper)};
     }
 
     SharedFrame frame_;
-    double from_;
+    Bracket part_;
     double duration_;
 };
 
@@ -193,8 +194,8 @@ SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> fra
     return std::make_shared<const JoinedFrames>(std::move(ends), std::move(frames));
 }
 
-SharedFrame rest_frame(SharedFrame frame, double from) {
-    return std::make_shared<const LaterFrame>(std::move(frame), from);
+SharedFrame part_frame(SharedFrame frame, const Bracket& part) {
+    return std::make_shared<const PartFrame>(std::move(frame), part);
 }
 
 } // namespace chasles::motion

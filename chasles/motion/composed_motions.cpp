@@ -123,7 +123,7 @@ Motion rest_of(const Motion& motion, double start) {
     require(start >= 0 && start < 1, "rest: the time must be in [0, 1)");
     if (const motion::MotionEnds* ends = motion.trajectory().straight_ends())
         return Motion::velocity(motion.pose_at(start), ends->goal);
-    return motion_of(SmoothMotion::of_one(motion::rest_frame(frame_of(motion, "rest"), start)));
+    return motion_of(SmoothMotion::of_one(motion::part_frame(frame_of(motion, "rest"), {start, 1})));
 }
 
 } // namespace chasles

@@ -1,5 +1,5 @@
 // The frames that motions are made of: at rest, a hinge, a path of polynomials, products, one frame seen from another,
-// one frame after another, the rest of a frame, and the user's own. Source: docs/derivations/26-frames.md.
+// one frame after another, a part of a frame, and the user's own. Source: docs/derivations/26-frames.md.
 #pragma once
 
 #include "chasles/motion/moving_frame.h"
@@ -31,7 +31,7 @@ SharedFrame relative_frame(SharedFrame moving, SharedFrame fixed);
 /// must have the same reference and no cut. `ends` ascends from 0 to 1.
 SharedFrame joined_frames(std::vector<double> ends, std::vector<SharedFrame> frames);
 
-/// The rest of a frame's way, from a time in [0, 1) on: the time 0 is there, and 1 stays 1.
-SharedFrame rest_frame(SharedFrame frame, double from);
+/// A part of a frame's way: its own time runs from 0 to 1 during the part, which is within [0, 1].
+SharedFrame part_frame(SharedFrame frame, const Bracket& part);
 
 } // namespace chasles::motion

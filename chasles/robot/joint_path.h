@@ -24,7 +24,8 @@ public:
         double end = 1;   ///< likewise; later
         /// coefficients(k, i) belongs to the k-th power of time and to variable i.
         Eigen::MatrixXd coefficients;
-        Configuration goal; ///< at the end; continuous joints may differ by turns
+        /// What rounding has taken from the coefficients; empty: nothing.
+        Eigen::MatrixXd remainders = {};
     };
 
     /// Straight in joint space from each configuration to the next: what planners call edges. Continuous joints go the
@@ -57,9 +58,11 @@ public:
     [[nodiscard]] Configuration at(double stamp) const;
 
 private:
-    explicit JointPath(std::vector<Segment> segments) : segments_(std::move(segments)) {}
+    JointPath(std::vector<Segment> segments, std::vector<std::size_t> quaternions)
+        : segments_(std::move(segments)), quaternions_(std::move(quaternions)) {}
 
     std::vector<Segment> segments_;
+    std::vector<std::size_t> quaternions_; ///< of floating joints: the first one of four variables
 };
 
 } // namespace chasles

@@ -52,8 +52,8 @@ struct RobotFiles {
     double primitive_deviation = 0.01;
 };
 
-/// A robot: a kinematic tree with shapes, parts that are attached to it, and pairs that are not tested. Questions may be
-/// asked from several threads at a time; changes may not.
+/// A robot: a kinematic tree with shapes, parts that are attached to it, and pairs that are not tested. Questions may
+/// be asked from several threads at a time; changes may not.
 class CHASLES_EXPORT Robot {
 public:
     /// Reads a URDF file, and an SRDF file if one is named. Throws InvalidInput with file, line, element and reason.
@@ -91,8 +91,9 @@ public:
     void detach(std::string_view name);
     [[nodiscard]] std::span<const AttachedPart> attached() const;
 
-    /// Two links or parts are not tested against each other, or are again. Links that a joint connects (also through
-    /// fixed links) are not, at first. Throws InvalidInput for an unknown name.
+    /// Two links or parts are not tested against each other, or are again. At first these are not: links that a joint
+    /// connects, also through links without shapes, and pairs that the description disables. Links that no joint moves
+    /// against each other never are. Throws InvalidInput for an unknown name.
     void ignore(std::string_view first, std::string_view second);
     void test(std::string_view first, std::string_view second);
     [[nodiscard]] bool is_tested(std::string_view first, std::string_view second) const;
@@ -166,8 +167,9 @@ public:
 
     [[nodiscard]] const Robot& robot() const;
 
+    struct Prepared; ///< for the library's own use
+
 private:
-    struct Prepared;
     std::unique_ptr<const Prepared> prepared_;
 };
 

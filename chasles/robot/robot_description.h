@@ -33,9 +33,9 @@ struct MimicDescription {
 struct JointDescription {
     std::string name;
     JointType type = JointType::fixed;
-    std::string parent; ///< name of a link
-    std::string child;  ///< likewise
-    Pose origin = {};   ///< of the joint's frame in the frame of the parent link
+    std::string parent = {}; ///< name of a link
+    std::string child = {};  ///< likewise
+    Pose origin = {};        ///< of the joint's frame in the frame of the parent link
     /// In the joint's frame, of any non-zero length: of the turn or slide; for planar joints the normal of the plane.
     Eigen::Vector3d axis = Eigen::Vector3d::UnitX();
     double lower = -std::numeric_limits<double>::infinity(); ///< limit of revolute joints (radians) and prismatic ones

@@ -1,0 +1,281 @@
+// Makes the polynomials of paths. Coefficients are kept in double-double, so that segments meet.
+// Source: docs/derivations/29-robots.md, "Paths".
+#include "chasles/robot/joint_path.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/motion/splines.h"
+#include "chasles/robot/model.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <numeric>
+
+namespace chasles {
+
+namespace {
+
+using Wide = algebra::DoubleDouble;
+using Segment = JointPath::Segment;
+
+/// Angles beyond this cost digits.
+constexpr double largest_angle = 1000;
+
+[[noreturn]] void refuse(const std::string& what, const std::string& why) {
+    throw InvalidInput("path: " + what + ": " + why);
+}
+
+std::string numbered(const char* what, std::size_t i) {
+    return std::string(what) + ' ' + std::to_string(i);
+}
+
+void check_numbers(const robot::Model& model, const Configuration& values, const std::string& what) {
+    const auto count = Eigen::Index(model.variables.size());
+    if (values.size() != count)
+        refuse(what, "has " + std::to_string(values.size()) + " values, and the robot has " + std::to_string(count) +
+                         " variables");
+    for (Eigen::Index i = 0; i < count; ++i)
+        if (!std::isfinite(values[i]))
+            refuse(what, model.variables[std::size_t(i)].name + " is not a finite number");
+}
+
+void check_configuration(const robot::Model& model, const Configuration& values, const std::string& what) {
+    check_numbers(model, values, what);
+    for (Eigen::Index i = 0; i < values.size(); ++i)
+        if (std::abs(values[i]) > largest_angle)
+            refuse(what, model.variables[std::size_t(i)].name + " is beyond 1000");
+    for (const std::size_t first : model.quaternions)
+        if (!(values.segment<4>(Eigen::Index(first)).norm() > 1e-6))
+            refuse(what, model.variables[first].name + ": the quaternion is zero");
+}
+
+void check_configurations(const robot::Model& model, std::span<const Configuration> values) {
+    if (values.size() < 2)
+        refuse("configurations", "there must be at least two, and there are " + std::to_string(values.size()));
+    for (std::size_t i = 0; i < values.size(); ++i)
+        check_configuration(model, values[i], numbered("configuration", i));
+}
+
+void check_times(std::span<const double> times, std::size_t count) {
+    if (times.size() != count)
+        refuse("times",
+               "there are " + std::to_string(times.size()) + " for " + std::to_string(count) + " configurations");
+    for (std::size_t i = 0; i < count; ++i)
+        if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
+            refuse(numbered("time", i), "must be finite and later than the one before");
+}
+
+void check_no_quaternion(const robot::Model& model) {
+    if (!model.quaternions.empty())
+        refuse(model.variables[model.quaternions.front()].name, "floating joints take straight paths only");
+}
+
+/// The segment with these coefficients; values[k](i) is that of power k and variable i.
+Segment segment_of(double begin, double end, const std::vector<std::vector<Wide>>& values) {
+    const auto rows = Eigen::Index(values.size()), columns = Eigen::Index(values.front().size());
+    Segment segment{begin, end, Eigen::MatrixXd(rows, columns), Eigen::MatrixXd(rows, columns)};
+    for (Eigen::Index k = 0; k < rows; ++k)
+        for (Eigen::Index i = 0; i < columns; ++i) {
+            const Wide& value = values[std::size_t(k)][std::size_t(i)];
+            segment.coefficients(k, i) = double(value);
+            segment.remainders(k, i) = double(value - Wide(double(value)));
+        }
+    return segment;
+}
+
+/// From one value to the next: of continuous joints the shorter way round.
+Wide way_between(const RobotVariable& variable, double from, double to) {
+    const Wide way = Wide(to) - Wide(from);
+    if (!variable.is_continuous)
+        return way;
+    static const Wide turn = Wide(2 * std::numbers::pi) + Wide(2.4492935982947064e-16); // 2 pi in double-double
+    return way - Wide(std::round(double(way) / (2 * std::numbers::pi))) * turn;
+}
+
+Segment straight_segment(const robot::Model& model, double begin, double end, const Configuration& from,
+                         const Configuration& to) {
+    const std::size_t count = model.variables.size();
+    std::vector<std::vector<Wide>> values(2, std::vector<Wide>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        const auto k = Eigen::Index(i);
+        values[0][i] = Wide(from[k]);
+        values[1][i] = way_between(model.variables[i], from[k], to[k]);
+    }
+    return segment_of(begin, end, values);
+}
+
+/// The polynomial over [0, 1] with these values and scaled rates at both ends: of degree 2 n - 1 for n of each.
+std::vector<Wide> hermite(std::span<const Wide> start, std::span<const Wide> goal) {
+    const Wide &p = start[0], &v = start[1], d = goal[0] - p;
+    const Wide& w = goal[1];
+    if (start.size() == 2)
+        return {p, v, Wide(3.0) * d - Wide(2.0) * v - w, v + w - Wide(2.0) * d};
+    const Wide a = start[2], b = goal[2], half(0.5);
+    return {p,
+            v,
+            half * a,
+            Wide(10.0) * d - Wide(6.0) * v - Wide(4.0) * w - Wide(1.5) * a + half * b,
+            Wide(8.0) * v + Wide(7.0) * w + Wide(1.5) * a - b - Wide(15.0) * d,
+            Wide(6.0) * d - Wide(3.0) * (v + w) - half * a + half * b};
+}
+
+/// Hermite splines through values and rates; rates[0] are the positions.
+std::vector<Segment> hermite_segments(const robot::Model& model, std::span<const double> times,
+                                      std::span<const std::span<const Configuration>> rates) {
+    constexpr std::array names{"position", "velocity", "acceleration"};
+    check_no_quaternion(model);
+    check_configurations(model, rates[0]);
+    check_times(times, rates[0].size());
+    for (std::size_t order = 1; order < rates.size(); ++order) {
+        if (rates[order].size() != times.size())
+            refuse(names[order], "there are " + std::to_string(rates[order].size()) + " for " +
+                                     std::to_string(times.size()) + " times");
+        for (std::size_t i = 0; i < times.size(); ++i)
+            check_numbers(model, rates[order][i], numbered(names[order], i));
+    }
+    std::vector<Segment> segments;
+    const std::size_t count = model.variables.size();
+    for (std::size_t s = 0; s + 1 < times.size(); ++s) {
+        const Wide duration = Wide(times[s + 1]) - Wide(times[s]);
+        std::vector<std::vector<Wide>> values(2 * rates.size(), std::vector<Wide>(count));
+        for (std::size_t i = 0; i < count; ++i) {
+            std::vector<Wide> start, goal;
+            Wide factor(1.0);
+            for (const auto& rate : rates) {
+                start.push_back(Wide(rate[s][Eigen::Index(i)]) * factor);
+                goal.push_back(Wide(rate[s + 1][Eigen::Index(i)]) * factor);
+                factor = factor * duration;
+            }
+            const std::vector<Wide> polynomial = hermite(start, goal);
+            for (std::size_t k = 0; k < polynomial.size(); ++k)
+                values[k][i] = polynomial[k];
+        }
+        segments.push_back(segment_of(times[s], times[s + 1], values));
+    }
+    return segments;
+}
+
+/// The velocities at the knots of the natural cubic spline: those that make accelerations continuous.
+std::vector<Configuration> natural_velocities(std::span<const double> times, std::span<const Configuration> positions) {
+    const auto n = Eigen::Index(times.size());
+    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
+    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, positions.front().size());
+    const auto slope = [&](Eigen::Index i) { // of segment i
+        const auto k = std::size_t(i);
+        return Eigen::RowVectorXd(((positions[k + 1] - positions[k]) / (times[k + 1] - times[k])).transpose());
+    };
+    for (Eigen::Index i = 0; i < n; ++i) {
+        const double before = i > 0 ? 1 / (times[std::size_t(i)] - times[std::size_t(i) - 1]) : 0;
+        const double after = i + 1 < n ? 1 / (times[std::size_t(i) + 1] - times[std::size_t(i)]) : 0;
+        system(i, i) = 2 * (before + after);
+        if (i > 0) {
+            system(i, i - 1) = before;
+            right.row(i) += 3 * before * slope(i - 1);
+        }
+        if (i + 1 < n) {
+            system(i, i + 1) = after;
+            right.row(i) += 3 * after * slope(i);
+        }
+    }
+    const Eigen::MatrixXd solved = system.partialPivLu().solve(right);
+    std::vector<Configuration> velocities;
+    for (Eigen::Index i = 0; i < n; ++i)
+        velocities.emplace_back(solved.row(i).transpose());
+    return velocities;
+}
+
+Configuration value_at(const Segment& segment, double time) {
+    Configuration value = Configuration::Zero(segment.coefficients.cols());
+    for (Eigen::Index k = segment.coefficients.rows(); k-- > 0;)
+        value = value * time + segment.coefficients.row(k).transpose();
+    return value;
+}
+
+/// The quaternion of a floating joint at a time of a straight segment.
+void turn_evenly(const Segment& segment, std::size_t first, double time, Configuration& value) {
+    const auto quaternion = [&](double t) {
+        const Eigen::Vector4d q = value_at(segment, t).segment<4>(Eigen::Index(first));
+        return Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized();
+    };
+    const Eigen::Quaterniond q = quaternion(0).slerp(time, quaternion(1));
+    value.segment<4>(Eigen::Index(first)) << q.x(), q.y(), q.z(), q.w();
+}
+
+} // namespace
+
+JointPath JointPath::straight(const Robot& robot, std::span<const Configuration> configurations) {
+    std::vector<double> times(configurations.size());
+    std::iota(times.begin(), times.end(), 0.0);
+    return straight(robot, configurations, times);
+}
+
+JointPath JointPath::straight(const Robot& robot, std::span<const Configuration> configurations,
+                              std::span<const double> times) {
+    const robot::Model& model = robot.model();
+    check_configurations(model, configurations);
+    check_times(times, configurations.size());
+    std::vector<Segment> segments;
+    for (std::size_t i = 0; i + 1 < times.size(); ++i)
+        segments.push_back(straight_segment(model, times[i], times[i + 1], configurations[i], configurations[i + 1]));
+    return {std::move(segments), model.quaternions};
+}
+
+JointPath JointPath::cubic(const Robot& robot, std::span<const double> times, std::span<const Configuration> positions,
+                           std::span<const Configuration> velocities) {
+    return {hermite_segments(robot.model(), times, std::array{positions, velocities}), {}};
+}
+
+JointPath JointPath::quintic(const Robot& robot, std::span<const double> times,
+                             std::span<const Configuration> positions, std::span<const Configuration> velocities,
+                             std::span<const Configuration> accelerations) {
+    return {hermite_segments(robot.model(), times, std::array{positions, velocities, accelerations}), {}};
+}
+
+JointPath JointPath::natural_spline(const Robot& robot, std::span<const double> times,
+                                    std::span<const Configuration> positions) {
+    check_configurations(robot.model(), positions);
+    check_times(times, positions.size());
+    return cubic(robot, times, positions, natural_velocities(times, positions));
+}
+
+JointPath JointPath::polynomials(const Robot& robot, std::vector<Segment> segments) {
+    const robot::Model& model = robot.model();
+    check_no_quaternion(model);
+    if (segments.empty())
+        refuse("segments", "there is none");
+    for (std::size_t s = 0; s < segments.size(); ++s) {
+        const Segment& segment = segments[s];
+        const std::string what = numbered("segment", s);
+        if (segment.coefficients.rows() == 0 || segment.coefficients.cols() != Eigen::Index(model.variables.size()))
+            refuse(what, "coefficients must have a row for each power and a column for each variable");
+        if (segment.remainders.size() > 0 && (segment.remainders.rows() != segment.coefficients.rows() ||
+                                              segment.remainders.cols() != segment.coefficients.cols()))
+            refuse(what, "remainders must have the shape of the coefficients");
+        if (!segment.coefficients.allFinite() || !segment.remainders.allFinite())
+            refuse(what, "a coefficient is not a finite number");
+        if (segment.coefficients.cwiseAbs().colwise().sum().maxCoeff() > largest_angle)
+            refuse(what, "the coefficients of a variable sum up to more than 1000");
+        if (!std::isfinite(segment.begin) || !std::isfinite(segment.end) || !(segment.begin < segment.end))
+            refuse(what, "must end later than it begins");
+        if (s == 0)
+            continue;
+        const Configuration before = value_at(segments[s - 1], 1), after = value_at(segment, 0);
+        if (segments[s - 1].end != segment.begin || !after.isApprox(before, 1e-9))
+            refuse(what, "does not begin where the one before ends");
+    }
+    return {std::move(segments), {}};
+}
+
+Configuration JointPath::at(double stamp) const {
+    const auto after =
+        std::ranges::upper_bound(segments_, stamp, {}, &Segment::begin); // the first one that begins later
+    const Segment& segment = after == segments_.begin() ? *after : *(after - 1);
+    const double time = std::clamp((stamp - segment.begin) / (segment.end - segment.begin), 0.0, 1.0);
+    Configuration value = value_at(segment, time);
+    for (const std::size_t first : quaternions_)
+        turn_evenly(segment, first, time, value);
+    return value;
+}
+
+} // namespace chasles

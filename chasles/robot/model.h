@@ -1,0 +1,113 @@
+// A robot made ready for questions: rigid groups of links, the joints between them, and the bodies that they carry.
+// Source: docs/derivations/29-robots.md, "Rigid groups".
+#pragma once
+
+#include "chasles/motion/chain_frame.h"
+#include "chasles/robot/robot.h"
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace chasles::robot {
+
+/// An elementary joint whose value is multiplier * (a variable) + offset.
+struct JointStep {
+    motion::FixedAxis axis;
+    std::size_t variable = 0;
+    double multiplier = 1;
+    double offset = 0;
+    bool turns = true;
+};
+
+/// Links that no joint moves against each other, and how they move against their parent.
+struct RigidGroup {
+    std::size_t parent = 0;                ///< of smaller index; the root is its own parent
+    motion::FixedPose origin;              ///< of the joint in the frame of the parent
+    std::vector<JointStep> steps;          ///< none for the root
+    std::optional<std::size_t> quaternion; ///< the variable of the first of four (x, y, z, w), for a floating joint
+    std::size_t depth = 0;                 ///< number of groups above
+};
+
+/// A link or a part: what pairs are made of.
+struct Owner {
+    std::string name;
+    std::size_t group = 0;
+    motion::FixedPose place; ///< in the frame of the group
+};
+
+/// A shape of an owner.
+struct Element {
+    std::size_t owner = 0;
+    std::size_t group = 0;
+    motion::FixedPose place; ///< in the frame of the group
+    Polyhedron shape;
+};
+
+/// The values of all steps during a segment.
+struct SegmentMotion {
+    /// Of each step, by group.
+    std::vector<std::vector<std::shared_ptr<const motion::TimePolynomial>>> values;
+    struct Turn { ///< of a floating joint
+        motion::FixedPose start;
+        motion::ElementaryJoint joint;
+    };
+    std::map<std::size_t, Turn> turns; ///< by group
+};
+
+class Model {
+public:
+    explicit Model(RobotDescription description);
+
+    RobotDescription description;
+    std::vector<RobotVariable> variables;
+    std::vector<std::size_t> quaternions; ///< first variables of the quaternions of floating joints
+    std::vector<RigidGroup> groups;       ///< parents first
+    std::vector<Owner> owners;            ///< links in the order of the description, then parts
+    std::vector<Element> elements;
+    std::vector<AttachedPart> parts;
+    Pose base;
+    std::map<std::string, std::size_t, std::less<>> variable_of; ///< by name
+    std::map<std::string, std::size_t, std::less<>> owner_of;    ///< by name
+    using OwnerPair = std::pair<std::size_t, std::size_t>;       ///< the smaller one first
+    using NamePair = std::pair<std::string, std::string>;
+    std::set<OwnerPair> ignored;
+    std::map<OwnerPair, double> margins;
+    std::set<NamePair> ignored_in_scene;
+
+    void attach(const AttachedPart& part);
+    void detach(std::string_view name);
+    /// Throws InvalidInput for an unknown name.
+    [[nodiscard]] std::size_t owner(std::string_view name) const;
+    [[nodiscard]] OwnerPair owners_of(std::string_view a, std::string_view b) const;
+
+    [[nodiscard]] SegmentMotion motion_of(const JointPath::Segment& segment) const;
+    /// The pose of a link or part in the world at a time of the segment.
+    [[nodiscard]] Pose pose_of(const SegmentMotion& motion, std::size_t owner, double time) const;
+    /// From the world to a place in a group, and from a place in one group to one in another.
+    [[nodiscard]] motion::Chain chain(const SegmentMotion& motion, std::size_t group,
+                                      const motion::FixedPose& place) const;
+    void add_chain(motion::Chain& chain, const SegmentMotion& motion, std::size_t group,
+                   const motion::FixedPose& place) const;
+    [[nodiscard]] motion::Chain chain_between(const SegmentMotion& motion, const Element& from,
+                                              const Element& to) const;
+
+private:
+    void add_variables();
+    void add_links();
+    std::size_t add_below(std::size_t root);
+    [[nodiscard]] RigidGroup group_of(const JointDescription& joint) const;
+    void ignore_neighbours();
+    void apply_pairs();
+    void add_down(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
+    void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
+};
+
+/// Throws InvalidInput "robot: WHAT: WHY".
+[[noreturn]] void refuse(std::string_view what, std::string_view why);
+
+} // namespace chasles::robot

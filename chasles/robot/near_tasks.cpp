@@ -1,0 +1,401 @@
+// Which pairs come near each other during a segment, and when? In halves of the time, with bounds for all points of a
+// body. Source: docs/derivations/29-robots.md, "Culling".
+#include "chasles/culling/clearly_apart.h"
+#include "chasles/motion/screw_path.h"
+#include "chasles/robot/prepared.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chasles::robot {
+
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+using motion::GeneralPose;
+using motion::RateBounds;
+using scene::Box;
+using Prepared = RobotChecker::Prepared;
+
+/// A segment is halved at most so often.
+constexpr int most_halvings = 5;
+constexpr std::size_t cells = std::size_t{1} << most_halvings;
+/// The allowance for all roundings of boxes, relative to the sizes that enter.
+constexpr double rounding_of_boxes = 1e-11;
+
+// These numbers decide only what is tried first. They are measured with robots_bench.
+
+/// Large nodes are tested where a body moves by less than this part of its radius.
+constexpr double small_way = 0.7;
+
+Vector3d as_eigen(const motion::Vector3<double>& v) {
+    return {v.x, v.y, v.z};
+}
+
+Matrix3d turn_of(const GeneralPose<double>& pose) {
+    const auto& [w, v] = pose.rotation;
+    return Eigen::Quaterniond(w, v.x, v.y, v.z).toRotationMatrix();
+}
+
+GeneralPose<double> product(const GeneralPose<double>& outer, const GeneralPose<double>& inner) {
+    return {placed(outer, inner.translation), outer.rotation * inner.rotation};
+}
+
+GeneralPose<double> seen(const GeneralPose<double>& frame, const GeneralPose<double>& pose) {
+    const auto back = frame.rotation.conjugate();
+    return {rotated(back, pose.translation - frame.translation), back * pose.rotation};
+}
+
+/// The rates of a chain of groups. The reference is the origin of the last group.
+class GroupRates {
+public:
+    GroupRates(const Model& model, const SegmentMotion& motion) : steps_(model.groups.size()) {
+        for (std::size_t g = 0; g < steps_.size(); ++g) {
+            const RigidGroup& group = model.groups[g];
+            Steps& steps = steps_[g];
+            steps.origin = length(group.origin.in_double.translation);
+            const auto add = [&](const motion::TimePolynomial& value, bool turns) {
+                const motion::PolynomialRates rates = value.rates({0, 1});
+                if (turns) {
+                    steps.turn_acceleration += rates.bounds[1];
+                    steps.turn_rate += rates.bounds[0];
+                } else {
+                    steps.slide += value.size();
+                    steps.slide_rate += rates.bounds[0];
+                    steps.slide_acceleration += rates.bounds[1];
+                }
+            };
+            for (std::size_t i = 0; i < group.steps.size(); ++i)
+                add(*motion.values[g][i], group.steps[i].turns);
+            if (group.quaternion)
+                add(*motion.turns.at(g).joint.value, true);
+        }
+    }
+
+    /// Of a group in the frame of its parent, or of the parent in the frame of the group.
+    void go_down(RateBounds& bounds, std::size_t group) const {
+        go_out(bounds, steps_[group].origin);
+        step(bounds, steps_[group]);
+    }
+    void go_up(RateBounds& bounds, std::size_t group) const {
+        step(bounds, steps_[group]);
+        go_out(bounds, steps_[group].origin);
+    }
+
+private:
+    struct Steps {
+        double origin = 0; ///< its distance from the origin of the parent
+        double turn_rate = 0, turn_acceleration = 0;
+        double slide = 0, slide_rate = 0, slide_acceleration = 0;
+    };
+
+    static void go_out(RateBounds& bounds, double arm) {
+        bounds.speed += bounds.turn_rate * arm;
+        bounds.acceleration += (bounds.turn_acceleration + bounds.turn_rate * bounds.turn_rate) * arm;
+    }
+    /// At most one turn, and slides, in any order: the turn first, so that slides have its rates, too.
+    static void step(RateBounds& bounds, const Steps& s) {
+        bounds.turn_acceleration += s.turn_acceleration + bounds.turn_rate * s.turn_rate;
+        bounds.turn_rate += s.turn_rate;
+        if (s.slide == 0)
+            return;
+        go_out(bounds, s.slide);
+        bounds.acceleration += s.slide_acceleration + 2 * bounds.turn_rate * s.slide_rate;
+        bounds.speed += s.slide_rate;
+    }
+
+    std::vector<Steps> steps_;
+};
+
+/// Where the groups are at the ends of the cells, computed when they are needed.
+class Placements {
+public:
+    Placements(const Model& model, const SegmentMotion& motion)
+        : model_(model), motion_(motion), base_(motion::FixedPose(model.base).in_double),
+          poses_((cells + 1) * model.groups.size()), is_made_(cells + 1) {}
+
+    const GeneralPose<double>& operator()(std::size_t time, std::size_t group) {
+        if (!is_made_[time])
+            make(time);
+        return poses_[time * model_.groups.size() + group];
+    }
+
+private:
+    void make(std::size_t index) {
+        const double time = double(index) / double(cells);
+        GeneralPose<double>* poses = poses_.data() + index * model_.groups.size();
+        poses[0] = base_;
+        for (std::size_t g = 1; g < model_.groups.size(); ++g) {
+            const RigidGroup& group = model_.groups[g];
+            GeneralPose<double> pose = product(poses[group.parent], group.origin.in_double);
+            for (std::size_t i = 0; i < group.steps.size(); ++i)
+                apply(pose, {group.steps[i].axis, nullptr, group.steps[i].turns, false},
+                      motion_.values[g][i]->at(time));
+            if (group.quaternion) {
+                const auto& [start, joint] = motion_.turns.at(g);
+                pose = product(pose, start.in_double);
+                apply(pose, joint, joint.value->at(time));
+            }
+            poses[g] = pose;
+        }
+        is_made_[index] = true;
+    }
+    static void apply(GeneralPose<double>& pose, const motion::ElementaryJoint& joint, double value) {
+        const motion::Vector3<double>& axis = joint.axis.in_double;
+        if (joint.turns)
+            pose.rotation =
+                pose.rotation * motion::Quaternion<double>{std::cos(0.5 * value), scale(axis, std::sin(0.5 * value))};
+        else
+            pose.translation = pose.translation + rotated(pose.rotation, scale(axis, value));
+    }
+
+    const Model& model_;
+    const SegmentMotion& motion_;
+    GeneralPose<double> base_;
+    std::vector<GeneralPose<double>> poses_;
+    std::vector<bool> is_made_;
+};
+
+/// A part of a segment between two ends of cells.
+struct Cell {
+    std::size_t begin = 0;
+    std::size_t end = cells;
+    int halvings = 0;
+
+    [[nodiscard]] double duration() const { return double(end - begin) / double(cells); }
+    [[nodiscard]] Bracket part() const { return {double(begin) / double(cells), double(end) / double(cells)}; }
+};
+
+/// A pair that is still to be proven apart.
+struct Candidate {
+    Task task;
+    RateBounds rates;     ///< of the group of the moving element, as seen from the fixed one
+    double deviation = 0; ///< of its points from their chords, over the whole segment
+    double way = 0;       ///< of its points, at most, over the whole segment
+    double margin = 0;
+};
+
+class Culling {
+public:
+    Culling(const Prepared& prepared, const SegmentMotion& motion)
+        : prepared_(prepared), model_(prepared.model()), rates_(model_, motion), placements_(model_, motion) {
+        of_group_.resize(model_.groups.size());
+        for (std::size_t g = 1; g < of_group_.size(); ++g) {
+            of_group_[g] = of_group_[model_.groups[g].parent];
+            rates_.go_down(of_group_[g], g);
+        }
+        for (const RigidGroup& group : model_.groups)
+            size_ += norm1(group.origin.in_double.translation);
+        for (const auto& values : motion.values)
+            for (const auto& value : values)
+                size_ += value->size();
+        size_ += norm1(motion::vector_in<double>(model_.base.translation));
+    }
+
+    std::vector<Task> run() {
+        visit({}, candidates());
+        add_movers();
+        std::ranges::stable_sort(tasks_, {}, [](const Task& task) { return task.part.lower; });
+        return std::move(tasks_);
+    }
+
+private:
+    [[nodiscard]] std::vector<Candidate> candidates();
+    void add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates, double margin) const;
+    void add_movers();
+    [[nodiscard]] RateBounds rates_between(std::size_t from, std::size_t to) const;
+    void visit(const Cell& cell, const std::vector<Candidate>& pairs);
+    [[nodiscard]] bool are_apart(const Cell& cell, const Candidate& pair);
+    [[nodiscard]] bool are_nodes_apart(const Cell& cell, const Candidate& pair);
+    [[nodiscard]] Box swept(const Cell& cell, std::size_t element, const RateBounds& rates);
+    [[nodiscard]] GeneralPose<double> relative(std::size_t time, const Task& task);
+    void add(const Task& task, const Bracket& part);
+
+    const Prepared& prepared_;
+    const Model& model_;
+    GroupRates rates_;
+    Placements placements_;
+    std::vector<RateBounds> of_group_; ///< in the world
+    std::vector<Task> tasks_;
+    double size_ = 1e-300; ///< the sum of the sizes of everything that enters
+};
+
+std::size_t moving_element(const Prepared& prepared, const Task& task) {
+    return task.kind == Task::Kind::self ? prepared.self_pairs[task.first].moving : task.first;
+}
+
+Box box_at(const Prepared::Extent& extent, const GeneralPose<double>& pose) {
+    const Vector3d centre = as_eigen(placed(pose, motion::vector_in<double>(extent.centre)));
+    const Vector3d half = (turn_of(pose).cwiseAbs() * extent.half).cwiseMin(Vector3d::Constant(extent.radius));
+    return {centre - half, centre + half};
+}
+
+/// How far the points of an element are from the origin of its group.
+double reach_of(const Prepared::Extent& extent) {
+    return length(placed(extent.place, motion::vector_in<double>(extent.centre))) + extent.radius;
+}
+
+RateBounds Culling::rates_between(std::size_t from, std::size_t to) const {
+    std::array<std::size_t, 64> down; // NOLINT(cppcoreguidelines-pro-type-member-init): the first `count` are set
+    std::vector<std::size_t> more;    // of a chain longer than that
+    std::size_t count = 0;
+    RateBounds bounds;
+    while (from != to) {
+        if (model_.groups[from].depth >= model_.groups[to].depth) {
+            rates_.go_up(bounds, from);
+            from = model_.groups[from].parent;
+        } else {
+            if (count < down.size())
+                down[count++] = to;
+            else
+                more.push_back(to);
+            to = model_.groups[to].parent;
+        }
+    }
+    for (std::size_t i = more.size(); i-- > 0;)
+        rates_.go_down(bounds, more[i]);
+    for (std::size_t i = count; i-- > 0;)
+        rates_.go_down(bounds, down[i]);
+    return bounds;
+}
+
+void Culling::add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates,
+                            double margin) const {
+    const double reach = reach_of(prepared_.extents[moving_element(prepared_, task)]);
+    all.push_back({task, rates, 0.125 * rates.acceleration_at(reach), rates.speed_at(reach), margin});
+}
+
+std::vector<Candidate> Culling::candidates() {
+    std::vector<Candidate> all;
+    for (std::size_t i = 0; i < prepared_.self_pairs.size(); ++i) {
+        const auto& [moving, fixed, margin] = prepared_.self_pairs[i];
+        add_candidate(all, {Task::Kind::self, i, 0, {}},
+                      rates_between(model_.elements[fixed].group, model_.elements[moving].group), margin);
+    }
+    if (prepared_.obstacles.empty())
+        return all;
+    for (std::size_t e = 0; e < model_.elements.size(); ++e) {
+        const RateBounds& rates = of_group_[model_.elements[e].group];
+        const auto add = [&](std::size_t obstacle) {
+            if (!prepared_.is_ignored(e, prepared_.obstacles[obstacle].body))
+                add_candidate(all, {Task::Kind::obstacle, e, obstacle, {}}, rates, prepared_.options.margin);
+        };
+        const Box box = scene::widened(swept({}, e, rates), prepared_.options.margin);
+        if (prepared_.tree)
+            for (const std::uint32_t obstacle : prepared_.tree->overlapping(box))
+                add(obstacle);
+        else
+            for (std::size_t obstacle = 0; obstacle < prepared_.obstacles.size(); ++obstacle)
+                if (box.intersects(prepared_.obstacles[obstacle].box))
+                    add(obstacle);
+    }
+    return all;
+}
+
+void Culling::add_movers() {
+    for (std::size_t e = 0; e < model_.elements.size(); ++e)
+        for (std::size_t i = 0; i < prepared_.movers.size(); ++i)
+            if (!prepared_.is_ignored(e, prepared_.movers[i]))
+                tasks_.push_back({Task::Kind::mover, e, i, {0, 1}});
+}
+
+/// The box that an element does not leave during a cell, in the world.
+Box Culling::swept(const Cell& cell, std::size_t element, const RateBounds& rates) {
+    const Prepared::Extent& extent = prepared_.extents[element];
+    const std::size_t group = model_.elements[element].group;
+    const Box box = box_at(extent, product(placements_(cell.begin, group), extent.place))
+                        .merged(box_at(extent, product(placements_(cell.end, group), extent.place)));
+    return scene::widened(box, deviation_from_straight(rates, reach_of(extent), cell.duration()) +
+                                   rounding_of_boxes * (size_ + extent.size));
+}
+
+/// The moving element in the frame of the fixed body.
+GeneralPose<double> Culling::relative(std::size_t time, const Task& task) {
+    const std::size_t moving = moving_element(prepared_, task);
+    const auto place = [&](std::size_t element) {
+        return product(placements_(time, model_.elements[element].group), prepared_.extents[element].place);
+    };
+    if (task.kind == Task::Kind::self)
+        return seen(place(prepared_.self_pairs[task.first].fixed), place(moving));
+    return seen(prepared_.obstacles[task.second].pose.in_double, place(moving));
+}
+
+/// By boxes in the frame of the fixed body.
+bool Culling::are_apart(const Cell& cell, const Candidate& pair) {
+    const Task& task = pair.task;
+    const Prepared::Extent& moving = prepared_.extents[moving_element(prepared_, task)];
+    const Body& fixed = task.kind == Task::Kind::self
+                            ? model_.elements[prepared_.self_pairs[task.first].fixed].shape.body()
+                            : prepared_.bodies[prepared_.obstacles[task.second].body].shape.body();
+    const double duration = cell.duration();
+    const Box box = box_at(moving, relative(cell.begin, task)).merged(box_at(moving, relative(cell.end, task)));
+    const double size = size_ + moving.size + fixed.bvh().centre().lpNorm<1>() + fixed.bvh().radius();
+    const double more = std::min(pair.deviation * duration * duration, 0.5 * pair.way * duration) + pair.margin +
+                        rounding_of_boxes * size;
+    return !scene::widened(box, more).intersects({fixed.report().lower, fixed.report().upper});
+}
+
+/// By large nodes of both hierarchies.
+bool Culling::are_nodes_apart(const Cell& cell, const Candidate& pair) {
+    const Task& task = pair.task;
+    constexpr double quarter_turn = 1.5707963;
+    if (!(pair.rates.turn_rate * cell.duration() <= quarter_turn))
+        return false;
+    const std::size_t element = moving_element(prepared_, task);
+    const Body& moving = model_.elements[element].shape.body();
+    const Body& fixed = task.kind == Task::Kind::self
+                            ? model_.elements[prepared_.self_pairs[task.first].fixed].shape.body()
+                            : prepared_.bodies[prepared_.obstacles[task.second].body].shape.body();
+    // The origin of the group, in the frame of the shape.
+    const GeneralPose<double>& place = prepared_.extents[element].place;
+    const motion::Vector3<double> reference =
+        rotated(place.rotation.conjugate(), motion::Vector3<double>() - place.translation);
+    const double rounding = motion::pose_rounding<double> * double(8 * model_.groups.size());
+    const motion::EnclosureBounds bounds =
+        enclosure_bounds(reference, pair.rates, cell.duration(), rounding, size_ + prepared_.extents[element].size);
+    const motion::CoarseMotion coarse{
+        motion::sweep_between_ends<double>({relative(cell.begin, task), relative(cell.end, task)}, reference),
+        bounds.deviation, size_ + prepared_.extents[element].size, bounds.turn_deviation, reference};
+    return culling::are_clearly_apart(moving, fixed, coarse, pair.margin);
+}
+
+/// A part that follows an earlier one of the same pair is added to it.
+void Culling::add(const Task& task, const Bracket& part) {
+    for (Task& earlier : tasks_)
+        if (earlier.kind == task.kind && earlier.first == task.first && earlier.second == task.second &&
+            earlier.part.upper == part.lower) {
+            earlier.part.upper = part.upper;
+            return;
+        }
+    tasks_.push_back({task.kind, task.first, task.second, part});
+}
+
+void Culling::visit(const Cell& cell, const std::vector<Candidate>& pairs) {
+    std::vector<Candidate> near;
+    for (const Candidate& pair : pairs) {
+        if (are_apart(cell, pair))
+            continue;
+        const double radius = prepared_.extents[moving_element(prepared_, pair.task)].radius;
+        const bool is_small = pair.way * cell.duration() <= small_way * radius;
+        if (is_small && are_nodes_apart(cell, pair))
+            continue;
+        if (cell.halvings == most_halvings || pair.way == 0)
+            add(pair.task, cell.part());
+        else
+            near.push_back(pair);
+    }
+    if (near.empty())
+        return;
+    const std::size_t middle = (cell.begin + cell.end) / 2;
+    visit({cell.begin, middle, cell.halvings + 1}, near);
+    visit({middle, cell.end, cell.halvings + 1}, near);
+}
+
+} // namespace
+
+std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion) {
+    return Culling(prepared, motion).run();
+}
+
+} // namespace chasles::robot

@@ -1,0 +1,68 @@
+// What a checker keeps of a robot and a scene. Source: docs/derivations/29-robots.md, "Pairs".
+#pragma once
+
+#include "chasles/robot/model.h"
+#include "chasles/scene/box_pairs.h"
+#include "chasles/scene/pair_question.h"
+
+#include <Eigen/Geometry>
+#include <optional>
+
+namespace chasles {
+
+/// A body of the scene.
+struct RobotChecker::Prepared {
+    /// A body of the scene that stands still, or, without a pose, one that moves.
+    struct Obstacle {
+        std::size_t body = 0; ///< its index in `bodies`
+        motion::FixedPose pose;
+        scene::Box box; ///< in the world
+    };
+    /// A shape of the robot, in the frame of its group.
+    struct Extent {
+        motion::GeneralPose<double> place;
+        Eigen::Vector3d centre; ///< of the box and of the ball around it
+        Eigen::Vector3d half;   ///< of the box, which is aligned with the frame of the shape
+        double radius = 0;      ///< of the ball around `centre`
+        double size = 0;        ///< the sum of the sizes of all lengths
+    };
+    /// Two elements that are tested against each other.
+    struct SelfPair {
+        std::size_t moving = 0;
+        std::size_t fixed = 0;
+        double margin = 0;
+    };
+
+    Prepared(const Robot& given, const Scene* scene, const RobotQuery& query);
+
+    [[nodiscard]] const robot::Model& model() const { return robot.model(); }
+    [[nodiscard]] bool is_ignored(std::size_t element, std::size_t body) const;
+
+    Robot robot;
+    QueryOptions options;
+    std::vector<SceneBody> bodies; ///< of the scene
+    std::vector<std::shared_ptr<const scene::WorldMotion>> motions;
+    std::vector<Obstacle> obstacles;    ///< that stand still
+    std::vector<std::size_t> movers;    ///< bodies that move
+    std::optional<scene::BoxTree> tree; ///< over the obstacles, if they are many
+    std::vector<Extent> extents;        ///< of each element
+    std::vector<SelfPair> self_pairs;
+};
+
+namespace robot {
+
+/// An element of the robot and another one, or an obstacle or a mover of the scene, during a part of a segment.
+struct Task {
+    enum class Kind : std::uint8_t { self, obstacle, mover };
+    Kind kind = Kind::self;
+    std::size_t first = 0;  ///< an element; of a self pair the index of the pair
+    std::size_t second = 0; ///< an index in `obstacles` or in `movers`
+    Bracket part;           ///< of the segment
+};
+
+/// The pairs that boxes and large nodes do not prove apart during a segment, in order of time.
+std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion);
+
+} // namespace robot
+
+} // namespace chasles

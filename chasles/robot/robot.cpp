@@ -1,0 +1,145 @@
+// The public face of a robot. A changed robot has a changed copy of its model, so checkers keep theirs.
+#include "chasles/robot/robot.h"
+
+#include "chasles/query/pair_query.h"
+#include "chasles/robot/model.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chasles {
+
+using robot::Model;
+
+namespace {
+
+/// The number of [lower, upper] nearest to zero.
+double nearest_to_zero(const RobotVariable& variable) {
+    return std::clamp(0.0, variable.lower, variable.upper);
+}
+
+template <class Change>
+std::shared_ptr<const Model> changed(const Model& model, const Change& change) {
+    auto copy = std::make_shared<Model>(model);
+    change(*copy);
+    return copy;
+}
+
+/// The segment that stays at a configuration.
+JointPath::Segment resting_segment(const Robot& robot, const Configuration& configuration) {
+    const std::vector<Configuration> both{configuration, configuration};
+    return JointPath::straight(robot, both).segments().front();
+}
+
+} // namespace
+
+Robot::Robot(RobotDescription description) : model_(std::make_shared<const Model>(std::move(description))) {}
+
+const RobotDescription& Robot::description() const {
+    return model_->description;
+}
+
+std::span<const RobotVariable> Robot::variables() const {
+    return model_->variables;
+}
+
+std::size_t Robot::variable(std::string_view name) const {
+    const auto found = model_->variable_of.find(name);
+    if (found == model_->variable_of.end())
+        robot::refuse(name, "there is no such variable of a joint");
+    return found->second;
+}
+
+Configuration Robot::neutral() const {
+    Configuration values(Eigen::Index(model_->variables.size()));
+    for (std::size_t i = 0; i < model_->variables.size(); ++i)
+        values[Eigen::Index(i)] = nearest_to_zero(model_->variables[i]);
+    for (const std::size_t first : model_->quaternions)
+        values[Eigen::Index(first + 3)] = 1;
+    return values;
+}
+
+Configuration Robot::state(std::string_view name) const {
+    const auto found = std::ranges::find(model_->description.states, name, &StateDescription::name);
+    if (found == model_->description.states.end())
+        robot::refuse(name, "there is no such state");
+    Configuration values = neutral();
+    for (const auto& [joint, given] : found->values) {
+        const auto first = std::ranges::find_if(model_->variables, [&](const RobotVariable& v) {
+            return v.name == joint || v.name.starts_with(joint + '/');
+        });
+        if (first == model_->variables.end())
+            continue; // a joint that follows another one
+        const auto index = first - model_->variables.begin();
+        if (index + std::ptrdiff_t(given.size()) > values.size())
+            robot::refuse(joint, "the state " + std::string(name) + " has too many values");
+        std::ranges::copy(given, values.data() + index);
+    }
+    return values;
+}
+
+Pose Robot::link_pose(std::string_view link, const Configuration& configuration) const {
+    const std::size_t owner = model_->owner(link);
+    const robot::SegmentMotion motion = model_->motion_of(resting_segment(*this, configuration));
+    return model_->pose_of(motion, owner, 0);
+}
+
+std::vector<Pose> Robot::link_poses(const Configuration& configuration) const {
+    const robot::SegmentMotion motion = model_->motion_of(resting_segment(*this, configuration));
+    std::vector<Pose> poses;
+    for (std::size_t i = 0; i < model_->description.links.size(); ++i)
+        poses.push_back(model_->pose_of(motion, i, 0));
+    return poses;
+}
+
+void Robot::set_base(const Pose& pose) {
+    const Pose checked(pose.translation, Eigen::Quaterniond(pose.rotation));
+    model_ = changed(*model_, [&](Model& m) { m.base = checked; });
+}
+
+const Pose& Robot::base() const {
+    return model_->base;
+}
+
+void Robot::attach(const AttachedPart& part) {
+    model_ = changed(*model_, [&](Model& m) { m.attach(part); });
+}
+
+void Robot::detach(std::string_view name) {
+    model_ = changed(*model_, [&](Model& m) { m.detach(name); });
+}
+
+std::span<const AttachedPart> Robot::attached() const {
+    return model_->parts;
+}
+
+void Robot::ignore(std::string_view first, std::string_view second) {
+    model_ = changed(*model_, [&](Model& m) { m.ignored.insert(m.owners_of(first, second)); });
+}
+
+void Robot::test(std::string_view first, std::string_view second) {
+    model_ = changed(*model_, [&](Model& m) { m.ignored.erase(m.owners_of(first, second)); });
+}
+
+bool Robot::is_tested(std::string_view first, std::string_view second) const {
+    const auto [a, b] = model_->owners_of(first, second);
+    return model_->owners[a].group != model_->owners[b].group && !model_->ignored.contains({a, b});
+}
+
+void Robot::ignore_in_scene(std::string_view link, std::string_view body) {
+    const std::string& name = model_->owners[model_->owner(link)].name;
+    model_ = changed(*model_, [&](Model& m) { m.ignored_in_scene.emplace(name, body); });
+}
+
+bool Robot::is_tested_in_scene(std::string_view link, std::string_view body) const {
+    return !model_->ignored_in_scene.contains({std::string(link), std::string(body)});
+}
+
+void Robot::set_margin(std::string_view first, std::string_view second, double margin) {
+    QueryOptions options;
+    options.margin = margin;
+    query::check_options(options);
+    model_ = changed(*model_, [&](Model& m) { m.margins[m.owners_of(first, second)] = margin; });
+}
+
+} // namespace chasles

@@ -1,0 +1,233 @@
+// Questions about paths of robots, against every pair by itself along products of public motions.
+#include "chasles/robot/robot.h"
+
+#include "chasles/base/invalid_input.h"
+#include "tests/robot/random_robot.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::test {
+namespace {
+
+using Eigen::Vector3d;
+
+/// The motion of a link along a straight edge, as a product of hinges and polynomials.
+class PlainMotions {
+public:
+    PlainMotions(const Robot& robot, const Configuration& start, const Configuration& goal)
+        : robot_(robot), start_(start), goal_(goal) {}
+
+    [[nodiscard]] Motion of(const std::string& link) const {
+        for (const JointDescription& joint : robot_.description().joints)
+            if (joint.child == link)
+                return of(joint.parent) * Motion::at_rest(joint.origin) * moved(joint);
+        return Motion::at_rest(robot_.base());
+    }
+
+private:
+    struct Line {
+        double from, way;
+    };
+    [[nodiscard]] Line line(const std::string& variable) const {
+        const std::size_t index = robot_.variable(variable);
+        const auto i = Eigen::Index(index);
+        double way = goal_[i] - start_[i];
+        if (robot_.variables()[index].is_continuous)
+            way = std::remainder(way, 2 * std::numbers::pi);
+        return {start_[i], way};
+    }
+    [[nodiscard]] Line line(const JointDescription& joint) const {
+        if (!joint.mimic)
+            return line(joint.name);
+        const auto& joints = robot_.description().joints;
+        const Line other = line(*std::ranges::find(joints, joint.mimic->joint, &JointDescription::name));
+        return {joint.mimic->multiplier * other.from + joint.mimic->offset, joint.mimic->multiplier * other.way};
+    }
+    [[nodiscard]] Motion moved(const JointDescription& joint) const {
+        const Vector3d axis = joint.axis.normalized();
+        switch (joint.type) {
+        case JointType::fixed:
+            return Motion::at_rest(Pose());
+        case JointType::prismatic:
+            return Motion::polynomial({line(joint).from * axis, line(joint).way * axis});
+        case JointType::planar: {
+            const Eigen::Quaterniond plane = Eigen::Quaterniond::FromTwoVectors(Vector3d::UnitZ(), axis);
+            const Line x = line(joint.name + "/x"), y = line(joint.name + "/y"), theta = line(joint.name + "/theta");
+            return Motion::polynomial({plane * Vector3d(x.from, y.from, 0), plane * Vector3d(x.way, y.way, 0)}) *
+                   Motion::hinge(Vector3d::Zero(), axis, {theta.from, theta.way});
+        }
+        case JointType::floating: {
+            const auto pose = [&](const Configuration& values) {
+                const auto part = [&](const char* suffix) {
+                    return values[Eigen::Index(robot_.variable(joint.name + suffix))];
+                };
+                return Pose({part("/trans_x"), part("/trans_y"), part("/trans_z")},
+                            {part("/rot_w"), part("/rot_x"), part("/rot_y"), part("/rot_z")});
+            };
+            return Motion::velocity(pose(start_), pose(goal_));
+        }
+        default:
+            return Motion::hinge(Vector3d::Zero(), axis, {line(joint).from, line(joint).way});
+        }
+    }
+
+    const Robot& robot_;
+    const Configuration& start_;
+    const Configuration& goal_;
+};
+
+struct Contacts {
+    Bracket earliest{2, 2};
+    bool is_certain = true;
+    std::size_t count = 0;
+    bool at_start = false;
+
+    void add(const FirstContact& found) {
+        if (found.verdict == Verdict::clear)
+            return;
+        ++count;
+        at_start = at_start || found.verdict == Verdict::contact_at_start;
+        if (found.time.lower < earliest.lower) {
+            earliest = found.time;
+            is_certain = found.certain;
+        }
+    }
+};
+
+/// All pairs of shapes, of the robot and of the scene.
+Contacts contacts_of_all_pairs(const Robot& robot, const Scene& scene, const Configuration& start,
+                               const Configuration& goal, const QueryOptions& options) {
+    const PlainMotions motions(robot, start, goal);
+    Contacts contacts;
+    const auto& links = robot.description().links;
+    for (const LinkDescription& a : links)
+        for (const CollisionDescription& shape : a.collisions) {
+            const Motion motion = motions.of(a.name) * Motion::at_rest(shape.origin);
+            for (const SceneBody& body : scene.bodies())
+                contacts.add(first_contact({shape.shape, body.shape, relative(motion, body.motion), options}));
+            for (const LinkDescription& b : links) {
+                if (&b <= &a || !robot.is_tested(a.name, b.name))
+                    continue;
+                for (const CollisionDescription& other : b.collisions)
+                    contacts.add(
+                        first_contact({shape.shape, other.shape,
+                                       relative(motion, motions.of(b.name) * Motion::at_rest(other.origin)), options}));
+            }
+        }
+    return contacts;
+}
+
+Scene random_world(Random& random, int count) {
+    Scene scene;
+    std::mt19937 shapes(unsigned(random.integer(0, 1 << 30)));
+    for (int i = 0; i < count; ++i) {
+        const Pose start = random_pose(random, 4);
+        scene.add(
+            {"body " + std::to_string(i), random_octahedron(shapes).polyhedron(),
+             random.chance(0.1) ? Motion::velocity(start, random_goal(random, start, 1, 2)) : Motion::at_rest(start)});
+    }
+    return scene;
+}
+
+TEST(RobotChecker, AnswersAsAllPairsByThemselves) {
+    Random random(2002);
+    std::size_t clear = 0, at_start = 0, later = 0, uncertain = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        Robot robot(random_robot(random, random.integer(2, 8), random.chance(0.2)));
+        robot.set_base(random_pose(random, 2));
+        const Scene scene = random_world(random, random.chance(0.1) ? 60 : random.integer(0, 12));
+        const Configuration start = random_configuration(random, robot, 3);
+        Configuration goal = start + random_configuration(random, robot, 1) * random.uniform(0.02, 1);
+        QueryOptions options;
+        options.margin = random.chance(0.3) ? random.uniform(0, 0.1) : 0;
+        const Contacts expected = contacts_of_all_pairs(robot, scene, start, goal, options);
+        const RobotChecker checker(robot, &scene, {options});
+        const RobotAnswer found = checker.first_contact(start, goal);
+        ASSERT_EQ(found.verdict == Verdict::clear, expected.count == 0) << "trial " << trial;
+        EXPECT_EQ(checker.is_clear(start, goal), expected.count == 0);
+        if (expected.count == 0) {
+            ++clear;
+            EXPECT_EQ(found.clear_until, 1);
+            continue;
+        }
+        EXPECT_EQ(found.verdict == Verdict::contact_at_start, expected.at_start) << "trial " << trial;
+        at_start += expected.at_start;
+        later += !expected.at_start;
+        uncertain += !found.certain;
+        EXPECT_LE(found.time.lower, expected.earliest.upper + 1e-12) << "trial " << trial;
+        EXPECT_GE(found.time.upper, expected.earliest.lower - 1e-12) << "trial " << trial;
+        EXPECT_LE(found.clear_until, found.time.lower);
+    }
+    std::cout << clear << " clear, " << at_start << " touch at the start, " << later << " later, " << uncertain
+              << " not certain\n";
+    EXPECT_GT(clear, 50U);
+    EXPECT_GT(later, 60U);
+}
+
+TEST(RobotChecker, AnswersManyEdgesTheSameForAnyNumberOfThreads) {
+    Random random(2003);
+    const Robot robot(random_robot(random, 6, false));
+    const Scene scene = random_world(random, 20);
+    const auto edges = Eigen::Index(50);
+    Eigen::MatrixXd starts(edges, robot.variables().size()), goals = starts;
+    for (Eigen::Index i = 0; i < edges; ++i) {
+        starts.row(i) = random_configuration(random, robot, 2);
+        goals.row(i) = random_configuration(random, robot, 2);
+    }
+    const RobotChecker checker(robot, &scene);
+    const std::vector<RobotAnswer> one = checker.first_contacts(starts, goals, 1);
+    const std::vector<RobotAnswer> many = checker.first_contacts(starts, goals, 3);
+    for (std::size_t i = 0; i < one.size(); ++i) {
+        EXPECT_EQ(one[i].verdict, many[i].verdict);
+        EXPECT_EQ(one[i].time.lower, many[i].time.lower);
+        EXPECT_EQ(one[i].time.upper, many[i].time.upper);
+    }
+    goals(7, 0) = std::nan("");
+    EXPECT_NE(refusal([&] { (void)checker.first_contacts(starts, goals); }).find("edge 7: path: configuration 1: "),
+              std::string::npos);
+}
+
+/// A path of several segments is asked segment by segment, and the scene goes on during it.
+TEST(RobotChecker, FollowsAPathFromSegmentToSegment) {
+    Random random(2004);
+    std::size_t late = 0;
+    for (int trial = 0; trial < 150; ++trial) {
+        const Robot robot(random_robot(random, 5, false));
+        const Scene scene = random_world(random, 8);
+        std::vector<Configuration> way{random_configuration(random, robot, 2)};
+        std::vector<double> times{random.uniform(-5, 5)};
+        for (int i = 0; i < 4; ++i) {
+            way.push_back(way.back() + random_configuration(random, robot, 0.3));
+            times.push_back(times.back() + random.uniform(0.1, 2));
+        }
+        const RobotChecker checker(robot, &scene);
+        const RobotAnswer found = checker.first_contact(JointPath::straight(robot, way, times));
+        if (found.verdict == Verdict::clear) {
+            EXPECT_EQ(found.segment, 3U);
+            EXPECT_EQ(found.clear_until, times.back());
+            EXPECT_LT((found.configuration - way.back()).norm(), 1e-12);
+            continue;
+        }
+        late += found.segment > 0;
+        EXPECT_GE(found.time.lower, times[found.segment]);
+        EXPECT_LE(found.time.upper, times[found.segment + 1]);
+        // Where no body of the scene moves, each segment may be asked by itself.
+        if (std::ranges::any_of(scene.bodies(), [](const SceneBody& body) {
+                return body.motion.pose_at(0).isometry().matrix() != body.motion.pose_at(1).isometry().matrix();
+            }))
+            continue;
+        for (std::size_t i = 0; i < found.segment; ++i)
+            EXPECT_TRUE(checker.is_clear(way[i], way[i + 1]));
+        const RobotAnswer alone = checker.first_contact(way[found.segment], way[found.segment + 1]);
+        ASSERT_NE(alone.verdict, Verdict::clear);
+        const double duration = times[found.segment + 1] - times[found.segment];
+        EXPECT_NEAR(times[found.segment] + alone.time.lower * duration, found.time.lower, 1e-9);
+        EXPECT_EQ(alone.pair->first, found.pair->first);
+        EXPECT_EQ(alone.pair->second, found.pair->second);
+    }
+    EXPECT_GT(late, 5U);
+}
+
+} // namespace
+} // namespace chasles::test

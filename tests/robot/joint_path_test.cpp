@@ -1,0 +1,146 @@
+// Paths in joint space: where they go, and what is refused.
+#include "chasles/robot/joint_path.h"
+
+#include "chasles/base/invalid_input.h"
+#include "tests/robot/random_robot.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::test {
+namespace {
+
+/// One revolute, one continuous and one prismatic joint.
+Robot small_robot() {
+    RobotDescription robot{"small"};
+    robot.links = {{"base"}, {"a"}, {"b"}, {"c"}};
+    robot.joints = {{"turn", JointType::revolute, "base", "a"},
+                    {"spin", JointType::continuous, "a", "b"},
+                    {"slide", JointType::prismatic, "b", "c"}};
+    return Robot(robot);
+}
+
+std::vector<Configuration> random_configurations(Random& random, std::size_t count, double size) {
+    std::vector<Configuration> all;
+    const Robot robot = small_robot();
+    for (std::size_t i = 0; i < count; ++i)
+        all.push_back(random_configuration(random, robot, size));
+    return all;
+}
+
+std::vector<double> random_times(Random& random, std::size_t count) {
+    std::vector<double> times{random.uniform(-3, 3)};
+    while (times.size() < count)
+        times.push_back(times.back() + random.uniform(0.1, 2));
+    return times;
+}
+
+TEST(JointPath, GoesStraightAndTheShorterWayRound) {
+    const Robot robot = small_robot();
+    Configuration start(3), goal(3);
+    start << 0.5, 3, 1;
+    goal << -3, -3, 2;
+    const JointPath path = JointPath::straight(robot, std::array{start, goal});
+    const Configuration middle = path.at(0.5);
+    EXPECT_NEAR(middle[0], -1.25, 1e-15);
+    EXPECT_NEAR(middle[1], std::numbers::pi, 1e-15) << "on from 3, not back through 0";
+    EXPECT_NEAR(middle[2], 1.5, 1e-15);
+    EXPECT_NEAR(path.at(1)[1], 2 * std::numbers::pi - 3, 1e-15);
+    EXPECT_EQ(path.at(-1), start);
+    EXPECT_EQ(path.at(7), path.at(1));
+}
+
+/// The rate of an order at an end of a segment, by its coefficients.
+Configuration rate(const JointPath::Segment& segment, int order, bool at_end) {
+    Configuration sum = Configuration::Zero(segment.coefficients.cols());
+    for (Eigen::Index k = order; k < segment.coefficients.rows(); ++k) {
+        double factor = 1;
+        for (int i = 0; i < order; ++i)
+            factor *= double(k - i) / (segment.end - segment.begin);
+        if (at_end || k == order)
+            sum += factor * segment.coefficients.row(k).transpose();
+    }
+    return sum;
+}
+
+TEST(JointPath, SplinesHaveTheGivenRates) {
+    Random random(2101);
+    const Robot robot = small_robot();
+    for (int trial = 0; trial < 50; ++trial) {
+        const std::size_t count = std::size_t(random.integer(2, 6));
+        const std::vector<double> times = random_times(random, count);
+        const auto p = random_configurations(random, count, 2), v = random_configurations(random, count, 2),
+                   a = random_configurations(random, count, 2);
+        const JointPath cubic = JointPath::cubic(robot, times, p, v);
+        const JointPath quintic = JointPath::quintic(robot, times, p, v, a);
+        for (std::size_t i = 0; i + 1 < count; ++i)
+            for (const std::size_t end : {0U, 1U}) {
+                for (const JointPath* path : {&cubic, &quintic}) {
+                    EXPECT_LT((rate(path->segments()[i], 0, end == 1) - p[i + end]).norm(), 1e-12);
+                    EXPECT_LT((rate(path->segments()[i], 1, end == 1) - v[i + end]).norm(), 1e-10);
+                    EXPECT_LT((path->at(times[i + end]) - p[i + end]).norm(), 1e-12);
+                }
+                EXPECT_LT((rate(quintic.segments()[i], 2, end == 1) - a[i + end]).norm(), 1e-8);
+            }
+    }
+}
+
+TEST(JointPath, ANaturalSplineIsSmoothAndEndsWithoutAcceleration) {
+    Random random(2102);
+    const Robot robot = small_robot();
+    for (int trial = 0; trial < 50; ++trial) {
+        const std::size_t count = std::size_t(random.integer(2, 8));
+        const std::vector<double> times = random_times(random, count);
+        const auto p = random_configurations(random, count, 2);
+        const JointPath path = JointPath::natural_spline(robot, times, p);
+        const auto acceleration = [&](std::size_t segment, int end) {
+            return rate(path.segments()[segment], 2, end == 1);
+        };
+        EXPECT_LT(acceleration(0, 0).norm(), 1e-8);
+        EXPECT_LT(acceleration(count - 2, 1).norm(), 1e-8);
+        for (std::size_t i = 0; i + 2 < count; ++i)
+            EXPECT_LT((acceleration(i, 1) - acceleration(i + 1, 0)).norm(), 1e-8);
+        for (std::size_t i = 0; i < count; ++i)
+            EXPECT_LT((path.at(times[i]) - p[i]).norm(), 1e-12);
+    }
+}
+
+TEST(JointPath, RefusesWhatItCannotFollow) {
+    const Robot robot = small_robot();
+    const Configuration zero = Configuration::Zero(3);
+    Configuration bad = zero;
+    const auto straight = [&](const std::vector<Configuration>& way) {
+        return refusal([&] { (void)JointPath::straight(robot, way); });
+    };
+    EXPECT_EQ(straight({zero}), "path: configurations: there must be at least two, and there are 1");
+    EXPECT_EQ(straight({zero, Configuration::Zero(2)}),
+              "path: configuration 1: has 2 values, and the robot has 3 variables");
+    bad[1] = std::nan("");
+    EXPECT_EQ(straight({zero, zero, bad}), "path: configuration 2: spin is not a finite number");
+    bad[1] = 1001;
+    EXPECT_EQ(straight({bad, zero}), "path: configuration 0: spin is beyond 1000");
+    const std::array way{zero, zero};
+    const auto timed = [&](const std::vector<double>& times) {
+        return refusal([&] { (void)JointPath::straight(robot, way, times); });
+    };
+    EXPECT_EQ(timed({0}), "path: times: there are 1 for 2 configurations");
+    EXPECT_EQ(timed({1, 1}), "path: time 1: must be finite and later than the one before");
+    EXPECT_EQ(refusal([&] {
+                  (void)JointPath::cubic(robot, std::array{0.0, 1.0}, way, std::array{zero});
+              }),
+              "path: velocity: there are 1 for 2 times");
+    const auto polynomials = [&](std::vector<JointPath::Segment> segments) {
+        return refusal([&] { (void)JointPath::polynomials(robot, std::move(segments)); });
+    };
+    const Eigen::MatrixXd rows = Eigen::MatrixXd::Ones(2, 3);
+    EXPECT_EQ(polynomials({}), "path: segments: there is none");
+    EXPECT_EQ(polynomials({{0, 1, Eigen::MatrixXd::Ones(2, 2)}}),
+              "path: segment 0: coefficients must have a row for each power and a column for each variable");
+    EXPECT_EQ(polynomials({{0, 1, rows}, {1, 2, rows}}), "path: segment 1: does not begin where the one before ends");
+    EXPECT_EQ(polynomials({{1, 1, rows}}), "path: segment 0: must end later than it begins");
+    EXPECT_EQ(polynomials({{0, 1, 501 * rows}}),
+              "path: segment 0: the coefficients of a variable sum up to more than 1000");
+}
+
+} // namespace
+} // namespace chasles::test

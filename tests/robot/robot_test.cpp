@@ -1,0 +1,183 @@
+// Robots by themselves: kinematics, names, parts, and what is refused.
+#include "chasles/robot/robot.h"
+
+#include "tests/robot/random_robot.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::test {
+namespace {
+
+TEST(Robot, PlacesItsLinksAsEigenDoes) {
+    Random random(2001);
+    for (int trial = 0; trial < 200; ++trial) {
+        Robot robot(random_robot(random, random.integer(1, 12), true));
+        const Configuration values = random_configuration(random, robot);
+        const Pose base = random_pose(random, 3);
+        robot.set_base(base);
+        const std::vector<Pose> poses = robot.link_poses(values);
+        const PlainKinematics plain(robot, values);
+        for (std::size_t i = 0; i < poses.size(); ++i) {
+            const std::string& name = robot.description().links[i].name;
+            const Eigen::Isometry3d expected = base.isometry() * plain.pose(name);
+            EXPECT_LT((poses[i].isometry().matrix() - expected.matrix()).cwiseAbs().maxCoeff(), 1e-13) << name;
+            EXPECT_EQ(robot.link_pose(name, values).isometry().matrix(), poses[i].isometry().matrix());
+        }
+    }
+}
+
+/// Three bars of length 1 in a row, each turning about z at its end.
+RobotDescription planar_arm() {
+    RobotDescription arm{"arm"};
+    arm.links.push_back({"base"});
+    for (const std::string number : {"1", "2", "3"}) {
+        const double height = number == "3" ? 0.03 : 0.05;
+        arm.links.push_back({"bar" + number, {{box({0.45, 0.05, height}).polyhedron(), shifted(0.5, 0, 0)}}});
+        JointDescription joint{"joint" + number, JointType::revolute,
+                               number == "1" ? "base" : arm.links.rbegin()[1].name, "bar" + number};
+        joint.origin = number == "1" ? shifted(0, 0, 0) : shifted(1, 0, 0);
+        joint.axis = {0, 0, 1};
+        joint.lower = -3;
+        joint.upper = 3;
+        arm.joints.push_back(joint);
+    }
+    return arm;
+}
+
+Configuration values(std::initializer_list<double> given) {
+    Configuration all(Eigen::Index(given.size()));
+    std::ranges::copy(given, all.data());
+    return all;
+}
+
+TEST(Robot, HasVariablesAndNeutralValues) {
+    RobotDescription description = planar_arm();
+    description.joints[1].lower = 0.5;
+    description.joints[2].upper = -0.25;
+    description.states = {{"up", "", {{"joint2", {1.5}}}}};
+    const Robot robot(description);
+    ASSERT_EQ(robot.variables().size(), 3U);
+    EXPECT_EQ(robot.variable("joint2"), 1U);
+    EXPECT_EQ(robot.neutral(), values({0, 0.5, -0.25}));
+    EXPECT_EQ(robot.state("up"), values({0, 1.5, -0.25}));
+    EXPECT_EQ(refusal([&] { (void)robot.variable("elbow"); }), "robot: elbow: there is no such variable of a joint");
+    EXPECT_EQ(refusal([&] { (void)robot.state("down"); }), "robot: down: there is no such state");
+}
+
+/// The tip of the third bar comes back to the first one: at angles a, a the bars make a triangle-like figure.
+TEST(Robot, FindsThatItTouchesItself) {
+    const Robot robot(planar_arm());
+    const RobotAnswer found = RobotChecker(robot).first_contact(values({0, 0, 0}), values({0, 2.9, 2.8}));
+    EXPECT_EQ(found.verdict, Verdict::contact);
+    EXPECT_TRUE(found.certain);
+    ASSERT_TRUE(found.pair);
+    EXPECT_EQ(found.pair->first, "bar3");
+    EXPECT_EQ(found.pair->second, "bar1");
+    EXPECT_FALSE(found.pair->is_with_scene);
+    EXPECT_LT(found.time.upper - found.time.lower, 1e-11);
+    EXPECT_LE(found.clear_until, found.time.lower);
+    EXPECT_NEAR(found.configuration[2], 2.8 * found.time.lower, 1e-15);
+    EXPECT_NEAR(found.configuration[1], 2.9 * found.time.lower, 1e-15);
+}
+
+/// A bar of half width 0.05 turns to a wall whose face is at y = 1: the corner (0.95, 0.05) of the first bar is at
+/// y = 0.95 sin a + 0.05 cos a, that of the outstretched arm at 2.95 sin a + 0.05 cos a.
+TEST(Robot, TouchesAWallWhereGeometrySays) {
+    const Robot robot(planar_arm());
+    Scene scene;
+    scene.add({"wall", box({9, 1, 9}).polyhedron(), Motion::at_rest(shifted(0, 2, 0))});
+    const RobotAnswer found = RobotChecker(robot, &scene).first_contact(values({0, 0, 0}), values({1.5, 0, 0}));
+    ASSERT_EQ(found.verdict, Verdict::contact);
+    EXPECT_EQ(found.pair->first, "bar3");
+    EXPECT_EQ(found.pair->second, "wall");
+    EXPECT_TRUE(found.pair->is_with_scene);
+    const double radius = std::hypot(2.95, 0.05), ahead = std::atan2(0.05, 2.95);
+    EXPECT_NEAR(found.configuration[0], std::asin(1 / radius) - ahead, 1e-11);
+    EXPECT_NEAR(found.contact.contacts.at(0).point.y(), 1, 1e-11);
+}
+
+TEST(Robot, CarriesPartsAndIgnoresPairs) {
+    Robot robot(planar_arm());
+    Scene scene;
+    scene.add({"wall", box({9, 1, 9}).polyhedron(), Motion::at_rest(shifted(0, 2, 0))});
+    const Configuration start = values({0, 0, 0}), goal = values({0.25, 0, 0});
+    EXPECT_TRUE(RobotChecker(robot, &scene).is_clear(start, goal));
+    robot.attach({"rod", "bar3", box({1, 0.02, 0.02}).polyhedron(), shifted(2, 0, 0)});
+    const RobotAnswer found = RobotChecker(robot, &scene).first_contact(start, goal);
+    ASSERT_EQ(found.verdict, Verdict::contact);
+    EXPECT_EQ(found.pair->first, "rod");
+    robot.ignore_in_scene("rod", "wall");
+    EXPECT_TRUE(RobotChecker(robot, &scene).is_clear(start, goal));
+    EXPECT_FALSE(RobotChecker(robot).is_clear(start, values({0, 2.9, 2.9})));
+    robot.ignore("bar1", "bar3");
+    robot.ignore("rod", "bar1");
+    robot.ignore("rod", "bar2");
+    EXPECT_TRUE(RobotChecker(robot).is_clear(start, values({0, 2.9, 2.9})));
+    robot.detach("rod");
+    EXPECT_FALSE(robot.is_tested("bar1", "bar3"));
+    robot.test("bar3", "bar1");
+    EXPECT_TRUE(robot.is_tested("bar1", "bar3"));
+    EXPECT_FALSE(robot.is_tested("bar1", "bar2")) << "a joint connects them";
+    EXPECT_EQ(refusal([&] { robot.detach("rod"); }), "robot: rod: there is no such part");
+    EXPECT_EQ(refusal([&] {
+                  robot.attach({"bar1", "bar3", box({1, 1, 1}).polyhedron()});
+              }),
+              "robot: bar1: the name is taken");
+    EXPECT_EQ(refusal([&] { robot.ignore("bar1", "bar1"); }), "robot: bar1: is named twice");
+}
+
+TEST(Robot, HasMarginsOfPairs) {
+    Robot robot(planar_arm());
+    const Configuration start = values({0, 0, 0}), goal = values({0, 2.9, 2.9});
+    const RobotAnswer bare = RobotChecker(robot).first_contact(start, goal);
+    robot.set_margin("bar1", "bar3", 0.2);
+    const RobotAnswer wide = RobotChecker(robot).first_contact(start, goal);
+    const RobotAnswer all = RobotChecker(robot, nullptr, {.options = {.margin = 0.2}}).first_contact(start, goal);
+    ASSERT_EQ(wide.verdict, Verdict::contact);
+    EXPECT_LT(wide.time.upper, bare.time.lower);
+    EXPECT_EQ(wide.time.lower, all.time.lower);
+}
+
+template <class Change>
+std::string refusal_of(const Change& change) {
+    RobotDescription arm = planar_arm();
+    change(arm);
+    return refusal([&] { (void)Robot(arm); });
+}
+
+TEST(Robot, RefusesWhatIsNoTree) {
+    using D = RobotDescription;
+    EXPECT_EQ(refusal_of([](D& d) { d.joints[2].parent = "nobody"; }), "robot: nobody: there is no such link");
+    EXPECT_EQ(refusal_of([](D& d) { d.joints[2].child = "bar2"; }),
+              "robot: bar2: is the child of two joints, joint2 and joint3");
+    EXPECT_EQ(refusal_of([](D& d) { d.joints.pop_back(); }),
+              "robot: bar3: is the child of no joint, and neither is base");
+    EXPECT_EQ(refusal_of([](D& d) { d.joints[0].parent = "bar3"; }), "robot: bar1: is not connected with the root");
+    EXPECT_EQ(refusal_of([](D& d) { d.links[1].name = "base"; }), "robot: base: there is another link of this name");
+    EXPECT_EQ(refusal_of([](D& d) {
+                  d.joints[1].axis = {0, 0, 0};
+              }),
+              "robot: joint2: axis: must be finite and not zero");
+    EXPECT_EQ(refusal_of([](D& d) { d.joints[1].lower = 4; }),
+              "robot: joint2: limits: the lower one must not be above the upper one");
+    EXPECT_EQ(refusal_of([](D& d) { d.joints[1].mimic = MimicDescription{"joint9"}; }),
+              "robot: joint2: mimic: there is no joint joint9");
+    EXPECT_EQ(refusal_of([](D& d) {
+                  d.joints[1].mimic = MimicDescription{"joint3"};
+                  d.joints[2].mimic = MimicDescription{"joint2"};
+              }),
+              "robot: joint2: mimic: follows itself");
+    EXPECT_EQ(refusal_of([](D& d) {
+                  d.disabled_pairs.push_back({"bar1", "bar7"});
+              }),
+              "robot: bar7: there is no such link or part");
+    EXPECT_EQ(refusal_of([](D& d) {
+                  d.links.clear();
+                  d.joints.clear();
+              }),
+              "robot: arm: has no link");
+}
+
+} // namespace
+} // namespace chasles::test
