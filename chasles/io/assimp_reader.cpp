@@ -5,6 +5,7 @@
 #include "chasles/io/text_scan.h"
 
 #include <assimp/Importer.hpp>
+#include <assimp/config.h>
 #include <assimp/scene.h>
 
 #include <Eigen/Geometry>
@@ -73,9 +74,10 @@ void add_node(PolygonSoup& soup, const aiScene& scene, const aiNode& node, const
 
 } // namespace
 
-PolygonSoup read_with_assimp(const std::filesystem::path& file) {
+PolygonSoup read_with_assimp(const std::filesystem::path& file, bool keeps_axes) {
     // The flags are 0: Assimp does no post-processing, which could merge, reorder or triangulate faces.
     Assimp::Importer importer;
+    importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, keeps_axes);
     const std::string extension = file.extension().string();
     if (extension.empty() || !importer.IsExtensionSupported(extension))
         throw InvalidInput("no reader for the extension " + in_quotes(extension) +

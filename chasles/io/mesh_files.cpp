@@ -29,11 +29,11 @@ Reader reader_for(const std::string& extension) {
 }
 
 // Assimp reads the file again by name, because it follows references to other files. A pipe has nothing left then.
-PolygonSoup read_polygons(const std::filesystem::path& file, std::string_view bytes) {
+PolygonSoup read_polygons(const std::filesystem::path& file, std::string_view bytes, bool keeps_axes) {
     const Reader reader = reader_for(lower_case(file.extension().string()));
     if (!reader && !std::filesystem::is_regular_file(file))
         throw InvalidInput("is a pipe; only .obj, .off, .ply and .stl can be read from pipes with these extensions");
-    PolygonSoup soup = reader ? reader(bytes) : read_with_assimp(file);
+    PolygonSoup soup = reader ? reader(bytes) : read_with_assimp(file, keeps_axes);
     if (soup.faces.empty())
         throw InvalidInput("has no face; a mesh needs at least one");
     return soup;
@@ -73,10 +73,10 @@ auto naming_file(const std::filesystem::path& file, const Work& work) {
 
 } // namespace
 
-PolygonSoup load_polygons(const std::filesystem::path& file) {
+PolygonSoup load_polygons(const std::filesystem::path& file, bool keeps_axes) {
     // `read_file` adds the file name to its own messages.
     const std::string bytes = read_file(file);
-    return naming_file(file, [&] { return read_polygons(file, bytes); });
+    return naming_file(file, [&] { return read_polygons(file, bytes, keeps_axes); });
 }
 
 } // namespace io

@@ -20,7 +20,10 @@ struct PolygonSoup {
 /// Reads OBJ, OFF, PLY and STL in double precision, and any other extension through Assimp. Throws InvalidInput with
 /// the file name, the line number if the format has lines, and the reason. No face is dropped silently. The size of the
 /// file bounds the memory, for any counts in its header.
-PolygonSoup load_polygons(const std::filesystem::path& file);
+///
+/// COLLADA files say which axis points upwards. `keeps_axes` takes coordinates as they are, as robots' files mean them;
+/// otherwise Assimp turns them so that y points upwards.
+PolygonSoup load_polygons(const std::filesystem::path& file, bool keeps_axes = false);
 
 /// The readers of the four formats. `text` is the content of the file. They throw InvalidInput without the file name.
 PolygonSoup read_obj(std::string_view text);
@@ -30,6 +33,6 @@ PolygonSoup read_stl(std::string_view text);
 
 /// Reads a file through Assimp (glTF, COLLADA, 3MF and others), in single precision like Assimp. It applies the node
 /// transforms and changes nothing else. Throws InvalidInput without the file name.
-PolygonSoup read_with_assimp(const std::filesystem::path& file);
+PolygonSoup read_with_assimp(const std::filesystem::path& file, bool keeps_axes);
 
 } // namespace chasles::io

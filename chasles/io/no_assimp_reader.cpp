@@ -5,7 +5,7 @@
 
 namespace chasles::io {
 
-PolygonSoup read_with_assimp(const std::filesystem::path& file) {
+PolygonSoup read_with_assimp(const std::filesystem::path& file, bool /*keeps_axes*/) {
     throw InvalidInput("no reader for the extension " + in_quotes(file.extension().string()) +
                        "; this build, without Assimp, reads OBJ, OFF, PLY and STL only");
 }

@@ -42,7 +42,8 @@ std::map<std::string, std::size_t, std::less<>> indices_of(const std::vector<Ite
 }
 
 void check_joint(const JointDescription& joint) {
-    if (!joint.axis.allFinite() || !(joint.axis.cwiseAbs().maxCoeff() > 0))
+    const bool has_axis = joint.type != JointType::fixed && joint.type != JointType::floating;
+    if (has_axis && (!joint.axis.allFinite() || !(joint.axis.cwiseAbs().maxCoeff() > 0)))
         refuse(joint.name, "axis: must be finite and not zero");
     if (std::isnan(joint.lower) || std::isnan(joint.upper) || joint.lower > joint.upper)
         refuse(joint.name, "limits: the lower one must not be above the upper one");

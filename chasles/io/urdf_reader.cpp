@@ -1,0 +1,233 @@
+// Reads the links and joints of a URDF file. Checks of the tree are those of `Robot`.
+#include "chasles/io/urdf_reader.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/mesh_files.h"
+#include "chasles/io/package_paths.h"
+#include "chasles/io/read_file.h"
+#include "chasles/io/text_scan.h"
+#include "chasles/io/xml_file.h"
+#include "chasles/mesh/primitives.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <map>
+#include <set>
+#include <utility>
+
+namespace chasles::io {
+
+namespace {
+
+using Eigen::Vector3d;
+using Element = XmlFile::Element;
+
+class UrdfReader {
+public:
+    UrdfReader(const std::filesystem::path& path, const RobotFiles& files) : file_(path, "robot"), files_(files) {}
+
+    RobotDescription read();
+
+private:
+    [[nodiscard]] Vector3d vector(const Element& element, const char* attribute) const;
+    [[nodiscard]] Pose origin(const Element& element) const;
+    [[nodiscard]] LinkDescription link(const Element& element);
+    [[nodiscard]] CollisionDescription collision(const Element& element);
+    [[nodiscard]] Polyhedron mesh(const Element& element);
+    [[nodiscard]] EnclosingPolyhedron round_body(const Element& element) const;
+    [[nodiscard]] JointDescription joint(const Element& element) const;
+    void add_limits(const Element& element, JointDescription& joint) const;
+    [[nodiscard]] std::string name(const Element& element, std::set<std::string>& names) const;
+    [[nodiscard]] std::string link_named(const Element& joint, const char* child) const;
+
+    using MeshKey = std::pair<std::filesystem::path, std::array<double, 3>>;
+
+    XmlFile file_;
+    const RobotFiles& files_;
+    std::set<std::string> links_, joints_;
+    std::map<MeshKey, Polyhedron> meshes_; ///< by file and scale
+};
+
+Vector3d UrdfReader::vector(const Element& element, const char* attribute) const {
+    return Vector3d(file_.numbers(element, attribute, 3).data());
+}
+
+/// `rpy` turns about the fixed axes x, y and z in this order; version 1.1 allows a quaternion x y z w in its place.
+Pose UrdfReader::origin(const Element& element) const {
+    const Element* const origin = file_.child(element, "origin");
+    if (!origin)
+        return {};
+    const Vector3d place = origin->Attribute("xyz") ? vector(*origin, "xyz") : Vector3d(Vector3d::Zero());
+    Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
+    if (origin->Attribute("quat_xyzw")) {
+        if (origin->Attribute("rpy"))
+            file_.fail(*origin, "has both rpy and quat_xyzw");
+        const std::vector<double> q = file_.numbers(*origin, "quat_xyzw", 4);
+        turn = {q[3], q[0], q[1], q[2]};
+    } else if (origin->Attribute("rpy")) {
+        const Vector3d rpy = vector(*origin, "rpy");
+        turn = Eigen::AngleAxisd(rpy.z(), Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vector3d::UnitY()) *
+               Eigen::AngleAxisd(rpy.x(), Vector3d::UnitX());
+    }
+    try {
+        return {place, turn};
+    } catch (const InvalidInput& error) {
+        file_.fail(*origin, error.what());
+    }
+}
+
+std::string UrdfReader::name(const Element& element, std::set<std::string>& names) const {
+    std::string name = file_.text(element, "name");
+    if (!names.insert(name).second)
+        file_.fail(element, "there is another one of this name");
+    return name;
+}
+
+LinkDescription UrdfReader::link(const Element& element) {
+    LinkDescription link{name(element, links_)};
+    for (const Element* collision_element : XmlFile::children(element, "collision"))
+        link.collisions.push_back(collision(*collision_element));
+    return link;
+}
+
+CollisionDescription UrdfReader::collision(const Element& element) {
+    const Element& geometry = file_.required_child(element, "geometry");
+    const Element* const shape = geometry.FirstChildElement();
+    if (!shape)
+        file_.fail(geometry, "has no shape");
+    const std::string_view kind = shape->Name();
+    const Pose place = origin(element);
+    try {
+        if (kind == "mesh")
+            return {mesh(*shape), place};
+        if (kind == "box")
+            return {make_box(vector(*shape, "size")), place};
+        if (kind == "cylinder" || kind == "sphere" || kind == "capsule") {
+            const EnclosingPolyhedron body = round_body(*shape);
+            return {body.shape, place, body.deviation};
+        }
+    } catch (const InvalidInput& error) {
+        if (std::string_view(error.what()).starts_with(shown_name(file_.path())))
+            throw;
+        file_.fail(*shape, error.what());
+    }
+    file_.fail(*shape, "is no mesh, box, cylinder, sphere or capsule");
+}
+
+EnclosingPolyhedron UrdfReader::round_body(const Element& element) const {
+    const std::string_view kind = element.Name();
+    const double radius = file_.number(element, "radius");
+    const double deviation = files_.primitive_deviation * radius;
+    if (kind == "sphere")
+        return enclosing_sphere(radius, deviation);
+    const double length = file_.number(element, "length");
+    return kind == "cylinder" ? enclosing_cylinder(radius, length, deviation)
+                              : enclosing_capsule(radius, length, deviation);
+}
+
+/// A mirrored mesh has its faces the other way round.
+Polyhedron UrdfReader::mesh(const Element& element) {
+    const std::filesystem::path path = resolved(file_.text(element, "filename"), file_.path(), files_);
+    const Vector3d scale = element.Attribute("scale") ? vector(element, "scale") : Vector3d(Vector3d::Ones());
+    const MeshKey key{path, {scale.x(), scale.y(), scale.z()}};
+    if (const auto known = meshes_.find(key); known != meshes_.end())
+        return known->second;
+    if (scale.prod() == 0)
+        file_.fail(element, "scale: must not be zero");
+    PolygonSoup soup = load_polygons(path, true);
+    for (Vector3d& vertex : soup.vertices)
+        vertex = vertex.cwiseProduct(scale);
+    if (scale.prod() < 0)
+        for (std::vector<std::uint32_t>& face : soup.faces)
+            std::ranges::reverse(face);
+    const Polyhedron shape = Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true});
+    meshes_.emplace(key, shape);
+    return shape;
+}
+
+std::string UrdfReader::link_named(const Element& joint, const char* child) const {
+    const Element& element = file_.required_child(joint, child);
+    std::string link = file_.text(element, "link");
+    if (!links_.contains(link))
+        file_.fail(joint, std::string(child) + ": there is no link " + in_quotes(link));
+    return link;
+}
+
+JointDescription UrdfReader::joint(const Element& element) const {
+    static const std::map<std::string, JointType> types{
+        {"fixed", JointType::fixed},         {"revolute", JointType::revolute}, {"continuous", JointType::continuous},
+        {"prismatic", JointType::prismatic}, {"planar", JointType::planar},     {"floating", JointType::floating}};
+    JointDescription joint;
+    const auto type = types.find(file_.text(element, "type"));
+    if (type == types.end())
+        file_.fail(element, "type: " + in_quotes(file_.text(element, "type")) + " is unknown");
+    joint.type = type->second;
+    joint.parent = link_named(element, "parent");
+    joint.child = link_named(element, "child");
+    joint.origin = origin(element);
+    if (const Element* const axis = file_.child(element, "axis"))
+        joint.axis = vector(*axis, "xyz");
+    const bool has_axis = joint.type != JointType::fixed && joint.type != JointType::floating;
+    if (has_axis && joint.axis.isZero(0))
+        file_.fail(element, "axis: is zero");
+    add_limits(element, joint);
+    const Element* const mimic = file_.child(element, "mimic");
+    if (mimic && joint.type != JointType::fixed)
+        joint.mimic = MimicDescription{file_.text(*mimic, "joint"), file_.number(*mimic, "multiplier", 1),
+                                       file_.number(*mimic, "offset", 0)};
+    return joint;
+}
+
+/// Limits that are left out are 0, as the format says.
+void UrdfReader::add_limits(const Element& element, JointDescription& joint) const {
+    if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
+        return;
+    const Element& limit = file_.required_child(element, "limit");
+    joint.lower = file_.number(limit, "lower", 0);
+    joint.upper = file_.number(limit, "upper", 0);
+    if (joint.lower > joint.upper)
+        file_.fail(element, "limit: the lower one is above the upper one");
+}
+
+RobotDescription UrdfReader::read() {
+    RobotDescription robot{file_.optional_text(file_.root(), "name").value_or(file_.path().stem().string())};
+    for (const Element* element : XmlFile::children(file_.root(), "link"))
+        robot.links.push_back(link(*element));
+    if (robot.links.empty())
+        file_.fail(file_.root(), "has no link");
+    const std::vector<const Element*> elements = XmlFile::children(file_.root(), "joint");
+    for (const Element* element : elements) {
+        JointDescription made = joint(*element);
+        made.name = name(*element, joints_);
+        robot.joints.push_back(std::move(made));
+    }
+    for (std::size_t i = 0; i < elements.size(); ++i)
+        if (const auto& mimic = robot.joints[i].mimic; mimic && !joints_.contains(mimic->joint))
+            file_.fail(*elements[i], "mimic: there is no joint " + in_quotes(mimic->joint));
+    try {
+        (void)Robot(robot);
+    } catch (const InvalidInput& error) {
+        file_.fail(file_.root(), error.what());
+    }
+    return robot;
+}
+
+} // namespace
+
+RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& files) {
+    return UrdfReader(file, files).read();
+}
+
+} // namespace chasles::io
+
+namespace chasles {
+
+Robot Robot::load(const std::filesystem::path& urdf, const RobotFiles& files) {
+    RobotDescription description = io::read_urdf(urdf, files);
+    if (!files.srdf.empty())
+        io::read_srdf(files.srdf, description);
+    return Robot(std::move(description));
+}
+
+} // namespace chasles

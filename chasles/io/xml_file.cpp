@@ -1,0 +1,103 @@
+// Reads XML by tinyxml2, and numbers as all files of this library: correctly rounded, in any locale.
+#include "chasles/io/xml_file.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/read_file.h"
+#include "chasles/io/text_scan.h"
+
+namespace chasles::io {
+
+namespace {
+
+std::string place(const std::filesystem::path& file, int line) {
+    return shown_name(file) + ':' + std::to_string(line);
+}
+
+std::string trimmed(std::string_view text) {
+    constexpr std::string_view blanks = " \t\r\n";
+    const std::size_t begin = text.find_first_not_of(blanks);
+    return begin == std::string_view::npos ? std::string()
+                                           : std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
+}
+
+} // namespace
+
+XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(file) {
+    const std::string bytes = read_file(file);
+    if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS)
+        throw InvalidInput(place(path_, document_.ErrorLineNum()) + ": is no well-formed XML (" +
+                           one_line(document_.ErrorName()) + ")");
+    const Element* const element = document_.RootElement();
+    if (!element || std::string_view(element->Name()) != root)
+        throw InvalidInput(place(path_, element ? element->GetLineNum() : 1) + ": the root element must be <" + root +
+                           ">");
+}
+
+void XmlFile::fail(const Element& element, const std::string& why) const {
+    std::string message = place(path_, element.GetLineNum()) + ": <" + one_line(element.Name());
+    if (const char* const name = element.Attribute("name"))
+        message.append(" ").append(one_line(name));
+    throw InvalidInput(message.append(">: ").append(why));
+}
+
+std::vector<const XmlFile::Element*> XmlFile::children(const Element& element, const char* name) {
+    std::vector<const Element*> all;
+    for (const Element* child = element.FirstChildElement(name); child; child = child->NextSiblingElement(name))
+        all.push_back(child);
+    return all;
+}
+
+const XmlFile::Element* XmlFile::child(const Element& element, const char* name) const {
+    const Element* const first = element.FirstChildElement(name);
+    if (first && first->NextSiblingElement(name))
+        fail(element, std::string("has <") + name + "> more than once");
+    return first;
+}
+
+const XmlFile::Element& XmlFile::required_child(const Element& element, const char* name) const {
+    const Element* const found = child(element, name);
+    if (!found)
+        fail(element, std::string("has no <") + name + ">");
+    return *found;
+}
+
+std::optional<std::string> XmlFile::optional_text(const Element& element, const char* attribute) const {
+    if (!element.Attribute(attribute))
+        return std::nullopt;
+    return text(element, attribute);
+}
+
+std::string XmlFile::text(const Element& element, const char* attribute) const {
+    const char* const given = element.Attribute(attribute);
+    std::string value = trimmed(given ? given : "");
+    if (value.empty())
+        fail(element,
+             std::string(given ? "the attribute " : "has no attribute ") + attribute + (given ? " is empty" : ""));
+    return value;
+}
+
+std::vector<double> XmlFile::numbers(const Element& element, const char* attribute, std::size_t count) const {
+    const std::string given = text(element, attribute);
+    std::vector<double> values;
+    Words words(given);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+        const std::optional<double> value = parse_finite(word);
+        if (!value)
+            fail(element, std::string(attribute) + ": " + in_quotes(word) + " is not a finite number");
+        values.push_back(*value);
+    }
+    if (values.size() != count)
+        fail(element, std::string(attribute) + ": has " + std::to_string(values.size()) + " numbers instead of " +
+                          std::to_string(count));
+    return values;
+}
+
+double XmlFile::number(const Element& element, const char* attribute) const {
+    return numbers(element, attribute, 1).front();
+}
+
+double XmlFile::number(const Element& element, const char* attribute, double otherwise) const {
+    return element.Attribute(attribute) ? number(element, attribute) : otherwise;
+}
+
+} // namespace chasles::io

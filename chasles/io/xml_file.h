@@ -1,0 +1,47 @@
+// XML files with messages that name file, line and element.
+#pragma once
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tinyxml2.h>
+#include <vector>
+
+namespace chasles::io {
+
+/// A parsed file. Elements live as long as it.
+class XmlFile {
+public:
+    using Element = tinyxml2::XMLElement;
+
+    /// Throws InvalidInput "FILE:LINE: WHY" for what is no XML, or whose root has another name.
+    XmlFile(const std::filesystem::path& file, const char* root);
+
+    [[nodiscard]] const Element& root() const { return *document_.RootElement(); }
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+    /// Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
+    [[noreturn]] void fail(const Element& element, const std::string& why) const;
+
+    /// The children of this name, in order.
+    static std::vector<const Element*> children(const Element& element, const char* name);
+    /// Null if there is none; fails if there are several.
+    [[nodiscard]] const Element* child(const Element& element, const char* name) const;
+    [[nodiscard]] const Element& required_child(const Element& element, const char* name) const;
+
+    /// The value of an attribute without blanks around it; fails if it is missing or empty.
+    [[nodiscard]] std::string text(const Element& element, const char* attribute) const;
+    [[nodiscard]] std::optional<std::string> optional_text(const Element& element, const char* attribute) const;
+    /// Finite numbers; fails for another count.
+    [[nodiscard]] std::vector<double> numbers(const Element& element, const char* attribute, std::size_t count) const;
+    [[nodiscard]] double number(const Element& element, const char* attribute) const;
+    [[nodiscard]] double number(const Element& element, const char* attribute, double otherwise) const;
+
+private:
+    std::filesystem::path path_;
+    tinyxml2::XMLDocument document_;
+};
+
+} // namespace chasles::io

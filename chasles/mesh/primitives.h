@@ -1,0 +1,28 @@
+// Polyhedra for boxes, and polyhedra that enclose cylinders, spheres and capsules.
+#pragma once
+
+#include "chasles/mesh/polyhedron.h"
+
+namespace chasles {
+
+/// A polyhedron that encloses a round body, rounding included.
+struct EnclosingPolyhedron {
+    Polyhedron shape;
+    double deviation = 0; ///< no point of the shape is farther from the body, in the length unit
+};
+
+/// The box of these three sides, centred at the origin. Throws InvalidInput "box: WHY" unless they are positive.
+CHASLES_EXPORT Polyhedron make_box(const Eigen::Vector3d& sides);
+
+/// Encloses the cylinder of a radius and a length about the z axis, centred at the origin. No point of it is farther
+/// than `deviation` from the cylinder, up to rounding. Throws InvalidInput "cylinder: WHY" for numbers that are not
+/// positive, and for a deviation below 1e-5 of the radius.
+CHASLES_EXPORT EnclosingPolyhedron enclosing_cylinder(double radius, double length, double deviation);
+
+/// Likewise for the sphere about the origin, for deviations from 1e-3 of the radius.
+CHASLES_EXPORT EnclosingPolyhedron enclosing_sphere(double radius, double deviation);
+
+/// Likewise for the capsule: all points within `radius` of the segment of this length along the z axis.
+CHASLES_EXPORT EnclosingPolyhedron enclosing_capsule(double radius, double length, double deviation);
+
+} // namespace chasles
