@@ -44,10 +44,11 @@ add_group() {
     case $1 in
         demo) add_demo ;;
         install) add_install ;;
-        # GMP is the exact arithmetic that the tests compare with, FCL the distances; zlib reads packed test data.
+        # GMP is the exact arithmetic that the tests compare with, FCL the distances; zlib reads packed test data, yaml-cpp
+        # planning scenes.
         check)
             add_install
-            add libgtest-dev libgmp-dev libfcl-dev zlib1g-dev python3 "clang-format-$clang_version"
+            add libgtest-dev libgmp-dev libfcl-dev libyaml-cpp-dev zlib1g-dev python3 "clang-format-$clang_version"
             # The page of `chasles view` is tested in a browser.
             command -v chromium >/dev/null || add chromium
             ;;
@@ -65,7 +66,7 @@ add_group() {
         # Python and Rust.
         bench)
             add_demo
-            add libassimp-dev libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev python3-venv
+            add libassimp-dev libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev libyaml-cpp-dev python3-venv
             command -v cargo >/dev/null || add "$(cargo_package)"
             ;;
         tidy) add "clang-tidy-$clang_version" ;;

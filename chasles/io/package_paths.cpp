@@ -5,6 +5,8 @@
 #include "chasles/io/text_scan.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 #include <tinyxml2.h>
 #include <vector>
 
@@ -33,22 +35,49 @@ std::string package_name(const fs::path& folder) {
     return std::string(Words(text ? text : "").next());
 }
 
-/// Where REST of package://NAME/REST may be, the most likely first.
-std::vector<fs::path> places(const std::string& name, const fs::path& rest, const fs::path& urdf,
-                             const RobotFiles& files) {
-    if (const auto given = files.packages.find(name); given != files.packages.end())
-        return {given->second / rest};
-    std::vector<fs::path> all;
+/// The folder of a file and the folders above it, the nearest first.
+std::vector<fs::path> folders_above(const fs::path& file) {
     std::error_code error;
-    fs::path folder = fs::absolute(urdf, error).lexically_normal().parent_path();
-    while (true) {
-        all.push_back(folder / name / rest);
+    std::vector<fs::path> folders{fs::absolute(file, error).lexically_normal().parent_path()};
+    while (folders.back().has_relative_path())
+        folders.push_back(folders.back().parent_path());
+    return folders;
+}
+
+/// The path without its first part.
+fs::path without_first(const fs::path& path) {
+    fs::path rest;
+    for (auto part = std::next(path.begin()); part != path.end(); ++part)
+        rest /= *part;
+    return rest;
+}
+
+/// By the given packages: their names may have several parts, of which the most count.
+std::optional<fs::path> given_place(const fs::path& path, const RobotFiles& files) {
+    fs::path name = path.parent_path(), rest = path.filename();
+    for (; !name.empty(); rest = name.filename() / rest, name = name.parent_path())
+        if (const auto given = files.packages.find(name.generic_string()); given != files.packages.end())
+            return given->second / rest;
+    return std::nullopt;
+}
+
+/// Where NAME/REST of a package may be, the most likely first: in a folder NAME or in a folder whose package.xml says
+/// NAME, and at last where folders above lack the first parts of the path, for robots that were copied without them.
+std::vector<fs::path> places(const fs::path& path, const fs::path& urdf, const RobotFiles& files) {
+    if (const auto given = given_place(path, files))
+        return {*given};
+    const std::vector<fs::path> folders = folders_above(urdf);
+    const std::string name = path.begin()->string();
+    std::vector<fs::path> all;
+    for (const fs::path& folder : folders) {
+        all.push_back(folder / path);
         if (folder.filename() == name || package_name(folder) == name)
-            all.push_back(folder / rest);
-        if (!folder.has_relative_path())
-            return all;
-        folder = folder.parent_path();
+            all.push_back(folder / without_first(path));
     }
+    for (fs::path rest = without_first(path); rest.has_parent_path(); rest = without_first(rest))
+        for (const fs::path& folder : folders)
+            all.push_back(folder / rest);
+    return all;
 }
 
 std::string listed(const std::vector<fs::path>& paths) {
@@ -66,14 +95,12 @@ fs::path resolved(const std::string& uri, const fs::path& urdf, const RobotFiles
     std::vector<fs::path> tried;
     std::string hint;
     if (uri.starts_with(package) || uri.starts_with(model)) {
-        const std::string path = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
-        const std::size_t end = path.find('/');
-        const std::string name = path.substr(0, end);
-        if (name.empty() || end == std::string::npos)
+        const fs::path path = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
+        if (!path.has_parent_path() || !path.has_filename())
             throw InvalidInput(in_quotes(uri) + " names no file in a package");
-        tried = places(name, path.substr(end + 1), urdf, files);
-        if (!files.packages.contains(name))
-            hint = "; name the folder of the package " + in_quotes(name);
+        tried = places(path, urdf, files);
+        if (tried.size() > 1)
+            hint = "; name the folder of the package " + in_quotes(path.begin()->string());
     } else if (uri.starts_with(file)) {
         tried = {uri.substr(file.size())};
     } else if (uri.find("://") != std::string::npos) {

@@ -44,8 +44,9 @@ struct AttachedPart {
 /// Where the files of a robot are.
 struct RobotFiles {
     std::filesystem::path srdf = {}; ///< empty: none
-    /// package://NAME/rest is the file `rest` in the folder of NAME. Unknown packages are looked for beside the URDF
-    /// file and in the folders above it: a folder NAME there, or what its package.xml names so.
+    /// package://NAME/REST is the file REST in the folder of NAME, which may have several parts ("vendor/arm"). A
+    /// package that is not named here is looked for from the folder of the URDF file upwards: a folder NAME, a folder
+    /// whose package.xml says NAME, and at last any folder that has the end of the path.
     std::map<std::string, std::filesystem::path> packages = {};
     /// Spheres, cylinders and capsules become polyhedra that enclose them and leave them by at most this part of their
     /// radius.

@@ -1,0 +1,95 @@
+// A robot and its world in FCL, for discrete tests of single configurations.
+#pragma once
+
+#include "bench/fcl_model.h"
+#include "chasles/robot/robot.h"
+#include "tests/support/plain_kinematics.h"
+
+#include <fcl/narrowphase/collision.h>
+#include <map>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace chasles::bench {
+
+/// The world must stand still. Pairs that the robot does not test are not tested here, too.
+class FclRobot {
+public:
+    using Poses = std::vector<Eigen::Isometry3d>; ///< of all shapes of the robot
+
+    FclRobot(const Robot& robot, const Scene& world) : robot_(robot) {
+        const auto& links = robot.description().links;
+        for (const LinkDescription& link : links)
+            for (const CollisionDescription& shape : link.collisions)
+                shapes_.push_back({&link - links.data(), shape.origin.isometry(), object_of(shape.shape)});
+        for (const SceneBody& body : world.bodies()) {
+            obstacles_.push_back(object_of(body.shape));
+            obstacles_.back()->setTransform(body.motion.pose_at(0).isometry());
+            obstacles_.back()->computeAABB();
+        }
+        for (std::size_t i = 0; i < shapes_.size(); ++i)
+            for (std::size_t j = i + 1; j < shapes_.size(); ++j)
+                if (shapes_[i].link != shapes_[j].link &&
+                    robot.is_tested(links[std::size_t(shapes_[i].link)].name, links[std::size_t(shapes_[j].link)].name))
+                    pairs_.emplace_back(i, j);
+    }
+
+    /// By Eigen alone.
+    [[nodiscard]] Poses poses(const Configuration& configuration) const {
+        const auto& links = robot_.description().links;
+        const test::PlainKinematics kinematics(robot_, configuration);
+        std::vector<Eigen::Isometry3d> of_links;
+        for (const LinkDescription& link : links)
+            of_links.push_back(robot_.base().isometry() * kinematics.pose(link.name));
+        Poses poses;
+        for (const Shape& shape : shapes_)
+            poses.push_back(of_links[std::size_t(shape.link)] * shape.origin);
+        return poses;
+    }
+
+    bool collides(const Poses& poses) {
+        for (std::size_t i = 0; i < shapes_.size(); ++i) {
+            shapes_[i].object->setTransform(poses[i]);
+            shapes_[i].object->computeAABB();
+        }
+        for (const Shape& shape : shapes_)
+            for (const auto& obstacle : obstacles_)
+                if (overlap(*shape.object, *obstacle))
+                    return true;
+        for (const auto& [i, j] : pairs_)
+            if (overlap(*shapes_[i].object, *shapes_[j].object))
+                return true;
+        return false;
+    }
+    bool collides(const Configuration& configuration) { return collides(poses(configuration)); }
+
+private:
+    using Object = std::unique_ptr<fcl::CollisionObjectd>;
+    struct Shape {
+        std::ptrdiff_t link;
+        Eigen::Isometry3d origin;
+        Object object;
+    };
+
+    Object object_of(const Polyhedron& shape) {
+        auto& model = models_[&shape.body()];
+        if (!model)
+            model = fcl_model_of(shape);
+        return std::make_unique<fcl::CollisionObjectd>(model);
+    }
+    static bool overlap(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b) {
+        if (!a.getAABB().overlap(b.getAABB()))
+            return false;
+        fcl::CollisionResultd result;
+        return fcl::collide(&a, &b, fcl::CollisionRequestd(), result) > 0;
+    }
+
+    const Robot& robot_;
+    std::map<const Body*, std::shared_ptr<fcl::BVHModel<fcl::OBBRSSd>>> models_;
+    std::vector<Shape> shapes_;
+    std::vector<Object> obstacles_;
+    std::vector<std::pair<std::size_t, std::size_t>> pairs_;
+};
+
+} // namespace chasles::bench
