@@ -12,6 +12,7 @@
 #include "chasles/query/first_contact.h"
 #include "chasles/query/least_distance.h"
 #include "chasles/query/path.h"
+#include "chasles/robot/pair_proof.h"
 #include "chasles/robot/robot.h"
 #include "chasles/scene/scene.h"
 #include "chasles/scene/stepper.h"

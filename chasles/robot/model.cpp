@@ -90,7 +90,7 @@ void refuse(std::string_view what, std::string_view why) {
 Model::Model(RobotDescription given) : description(std::move(given)) {
     add_variables();
     add_links();
-    ignore_neighbours();
+    find_neighbours();
     apply_pairs();
 }
 
@@ -211,7 +211,7 @@ std::size_t Model::add_below(std::size_t root) {
 }
 
 /// Links without shapes pass the neighbourhood on.
-void Model::ignore_neighbours() {
+void Model::find_neighbours() {
     std::vector<std::vector<std::size_t>> next(owners.size());
     for (const JointDescription& joint : description.joints) {
         const std::size_t a = owner_of.at(joint.parent), b = owner_of.at(joint.child);
@@ -223,7 +223,7 @@ void Model::ignore_neighbours() {
         for (std::size_t i = 0; i < reached.size(); ++i) {
             const auto [link, from] = reached[i];
             if (i > 0)
-                ignored.insert(std::minmax(start, link));
+                neighbours.insert(std::minmax(start, link));
             if (i == 0 || description.links[link].collisions.empty())
                 for (const std::size_t neighbour : next[link])
                     if (neighbour != from || i == 0)
@@ -233,6 +233,7 @@ void Model::ignore_neighbours() {
 }
 
 void Model::apply_pairs() {
+    ignored = neighbours;
     for (const LinkPairDescription& pair : description.disabled_pairs)
         ignored.insert(owners_of(pair.first, pair.second));
     for (const LinkPairDescription& pair : description.enabled_pairs)

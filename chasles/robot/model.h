@@ -75,6 +75,7 @@ public:
     std::map<std::string, std::size_t, std::less<>> owner_of;    ///< by name
     using OwnerPair = std::pair<std::size_t, std::size_t>;       ///< the smaller one first
     using NamePair = std::pair<std::string, std::string>;
+    std::set<OwnerPair> neighbours; ///< links that a joint connects, also through links without shapes
     std::set<OwnerPair> ignored;
     std::map<OwnerPair, double> margins;
     std::set<NamePair> ignored_in_scene;
@@ -101,7 +102,7 @@ private:
     void add_links();
     std::size_t add_below(std::size_t root);
     [[nodiscard]] RigidGroup group_of(const JointDescription& joint) const;
-    void ignore_neighbours();
+    void find_neighbours();
     void apply_pairs();
     void add_down(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
     void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
