@@ -23,6 +23,8 @@ void add_clearance(CLI::App& app, Task& task);
 void add_view(CLI::App& app, Task& task);
 void add_path(CLI::App& app, Task& task);
 void add_scene(CLI::App& app, Task& task);
+void add_robot(CLI::App& app, Task& task);
+void add_acm(CLI::App& app, Task& task);
 void add_batch(CLI::App& app, Task& task);
 void add_info(CLI::App& app, Task& task);
 void add_demo(CLI::App& app, Task& task);

@@ -48,6 +48,8 @@ void add_commands(CLI::App& app, Task& task) {
     add_path(app, task);
     add_batch(app, task);
     add_scene(app, task);
+    add_robot(app, task);
+    add_acm(app, task);
     add_info(app, task);
     add_demo(app, task);
 }

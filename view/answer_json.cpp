@@ -104,6 +104,48 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bo
     return answer;
 }
 
+Json configuration_json(const chasles::Robot& robot, const Configuration& configuration) {
+    Json values = Json::object();
+    for (std::size_t i = 0; i < robot.variables().size(); ++i)
+        values[robot.variables()[i].name] = configuration[Eigen::Index(i)];
+    return values;
+}
+
+Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& found, bool in_stamps) {
+    Json answer;
+    answer["verdict"] = name_of(found.verdict);
+    answer["segment"] = found.segment;
+    if (found.verdict != Verdict::clear) {
+        const Bracket& time = in_stamps ? found.time : found.contact.time;
+        answer["time"] = time.lower;
+        answer["time_upper"] = time.upper;
+        answer["certain"] = found.certain;
+        answer["pair"] = Json{found.pair->first, found.pair->second};
+        answer["contacts"] = json_of(found.contact.contacts);
+        if (found.contact.overlap)
+            answer["overlap"] = overlap_json(*found.contact.overlap);
+        if (found.contact.contacts_cut)
+            answer["contacts_cut"] = true;
+    }
+    answer["configuration"] = configuration_json(robot, found.configuration);
+    answer["clear_until"] = in_stamps                         ? found.clear_until
+                            : found.verdict == Verdict::clear ? 1.0
+                                                              : found.contact.clear_until;
+    answer["work"] = json_of(found.work);
+    return answer;
+}
+
+Json pair_proofs_json(const chasles::Robot& robot, const std::vector<PairProof>& proofs) {
+    Json pairs = Json::array();
+    for (const PairProof& proof : proofs) {
+        Json pair{{"links", {proof.first, proof.second}}, {"reason", name_of(proof.reason)}};
+        if (proof.witness)
+            pair["witness"] = configuration_json(robot, *proof.witness);
+        pairs.push_back(std::move(pair));
+    }
+    return {{"pairs", std::move(pairs)}};
+}
+
 Json contact_json(const Contact& contact) {
     return {{"kind", name_of(contact.kind)},
             {"moving_feature", json_of(moving_feature_kind(contact.kind), contact.moving)},

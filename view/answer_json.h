@@ -23,6 +23,14 @@ Json answer_json(const LeastDistance& found, const MotionNumbers& motion);
 /// each with time, time_upper, certain, pair and contacts, and `work`.
 Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& answer, bool all);
 
+/// The answer of `robot`: verdict, segment, clear_until, configuration and work; if it touches, time, time_upper,
+/// certain, pair and contacts, too. Times count within the segment, in [0, 1], or in stamps.
+Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& answer, bool in_stamps);
+/// The variables of a robot by name.
+Json configuration_json(const chasles::Robot& robot, const Configuration& configuration);
+/// The answer of `acm`: pairs with links, reason, and a witness if there is one.
+Json pair_proofs_json(const chasles::Robot& robot, const std::vector<PairProof>& proofs);
+
 /// A contact, and an overlap, as in the lists of every answer.
 Json contact_json(const Contact& contact);
 Json overlap_json(const Overlap& overlap);

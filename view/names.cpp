@@ -60,4 +60,20 @@ std::string_view name_of(RecordSource source) {
     return "recording";
 }
 
+std::string_view name_of(PairReason reason) {
+    switch (reason) {
+    case PairReason::never:
+        return "never";
+    case PairReason::always:
+        return "always";
+    case PairReason::adjacent:
+        return "adjacent";
+    case PairReason::sometimes:
+        return "sometimes";
+    case PairReason::open:
+        break;
+    }
+    return "open";
+}
+
 } // namespace chasles::view

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/query/first_contact.h"
+#include "chasles/robot/pair_proof.h"
 #include "view/motion_numbers.h"
 #include "view/scene_record.h"
 
@@ -14,5 +15,6 @@ std::string_view name_of(Verdict verdict);
 std::string_view name_of(ContactKind kind);
 std::string_view name_of(MotionKind kind);
 std::string_view name_of(RecordSource source);
+std::string_view name_of(PairReason reason);
 
 } // namespace chasles::view

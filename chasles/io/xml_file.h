@@ -22,6 +22,8 @@ public:
     [[nodiscard]] const Element& root() const { return *document_.RootElement(); }
     [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
+    void copy_to(tinyxml2::XMLDocument& document) const { document_.DeepCopy(&document); }
+
     /// Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
     [[noreturn]] void fail(const Element& element, const std::string& why) const;
 

@@ -98,16 +98,21 @@ const Polyhedron& SegmentSearch::fixed_shape(const Task& task) const {
 
 RobotPair SegmentSearch::name_of(const Task& task) const {
     const Model& model = prepared_.model();
-    const auto name = [&](std::size_t element) { return model.owners[model.elements[element].owner].name; };
-    const std::string first = name(moving_element(task));
-    switch (task.kind) {
-    case Task::Kind::self:
-        return {first, name(prepared_.self_pairs[task.first].fixed), false};
-    case Task::Kind::obstacle:
-        return {first, prepared_.bodies[prepared_.obstacles[task.second].body].name, true};
-    default:
-        return {first, prepared_.bodies[prepared_.movers[task.second]].name, true};
+    const Element& first = model.elements[moving_element(task)];
+    RobotPair pair;
+    pair.first = model.owners[first.owner].name;
+    pair.first_shape = first.shape_index;
+    if (task.kind == Task::Kind::self) {
+        const Element& second = model.elements[prepared_.self_pairs[task.first].fixed];
+        pair.second = model.owners[second.owner].name;
+        pair.second_shape = second.shape_index;
+        return pair;
     }
+    pair.is_with_scene = true;
+    const bool is_mover = task.kind == Task::Kind::mover;
+    const std::size_t body = is_mover ? prepared_.movers[task.second] : prepared_.obstacles[task.second].body;
+    pair.second = prepared_.bodies[body].name;
+    return pair;
 }
 
 motion::SharedFrame SegmentSearch::frame_of(const Element& element) const {
@@ -162,6 +167,8 @@ FirstContact SegmentSearch::ask(const Task& task, double until, Find find) const
     found.clear_until = in_segment({found.clear_until, found.clear_until}, task.part).lower;
     found.time = in_segment(found.time, task.part);
     found.tau = found.time;
+    for (Contact& contact : found.contacts)
+        contact.approach_speed /= duration;
     if (found.verdict == Verdict::contact_at_start && task.part.lower > 0)
         found.verdict = Verdict::contact; // it was clear before
     return found;

@@ -179,8 +179,10 @@ void Model::add_links() {
             if (owners[i].name.empty())
                 refuse(description.links[i].name, "is not connected with the root");
     for (std::size_t i = 0; i < owners.size(); ++i)
-        for (const CollisionDescription& shape : description.links[i].collisions)
-            elements.push_back({i, owners[i].group, owners[i].place * FixedPose(shape.origin), shape.shape});
+        for (const CollisionDescription& shape : description.links[i].collisions) {
+            const auto index = std::size_t(&shape - description.links[i].collisions.data());
+            elements.push_back({i, owners[i].group, owners[i].place * FixedPose(shape.origin), shape.shape, index});
+        }
 }
 
 /// Places the links from the root outwards, and returns their number.

@@ -46,6 +46,7 @@ struct Element {
     std::size_t group = 0;
     motion::FixedPose place; ///< in the frame of the group
     Polyhedron shape;
+    std::size_t shape_index = 0; ///< in LinkDescription::collisions
 };
 
 /// The values of all steps during a segment.

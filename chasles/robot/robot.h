@@ -120,9 +120,11 @@ struct RobotQuery {
 
 /// Two links, parts or bodies of the scene.
 struct RobotPair {
-    std::string first;          ///< a link or a part
-    std::string second;         ///< likewise, or a body of the scene
-    bool is_with_scene = false; ///< the second one is a body of the scene
+    std::string first;           ///< a link or a part
+    std::string second;          ///< likewise, or a body of the scene
+    bool is_with_scene = false;  ///< the second one is a body of the scene
+    std::size_t first_shape = 0; ///< index in LinkDescription::collisions: the shape that the features are of
+    std::size_t second_shape = 0;
 };
 
 /// The answer for a path of a robot.

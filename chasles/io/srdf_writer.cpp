@@ -1,0 +1,56 @@
+#include "chasles/io/srdf_writer.h"
+
+#include "chasles/io/xml_file.h"
+
+#include <array>
+
+namespace chasles::io {
+
+namespace {
+
+/// The reason in the words of SRDF files; null for pairs that have to be tested.
+const char* reason_of(PairReason reason) {
+    switch (reason) {
+    case PairReason::never:
+        return "Never";
+    case PairReason::always:
+        return "Always";
+    case PairReason::adjacent:
+        return "Adjacent";
+    default:
+        return nullptr;
+    }
+}
+
+void remove_pairs(tinyxml2::XMLElement& root) {
+    constexpr std::array names{"disable_collisions", "enable_collisions", "disable_default_collisions"};
+    for (const char* name : names)
+        while (tinyxml2::XMLElement* pair = root.FirstChildElement(name))
+            root.DeleteChild(pair);
+}
+
+} // namespace
+
+std::string srdf_text(const Robot& robot, const std::vector<PairProof>& proofs, const std::filesystem::path& given) {
+    tinyxml2::XMLDocument document;
+    if (given.empty()) {
+        document.InsertEndChild(document.NewDeclaration());
+        document.InsertEndChild(document.NewElement("robot"));
+        document.RootElement()->SetAttribute("name", robot.description().name.c_str());
+    } else {
+        XmlFile(given, "robot").copy_to(document);
+        remove_pairs(*document.RootElement());
+    }
+    for (const PairProof& proof : proofs)
+        if (const char* const reason = reason_of(proof.reason)) {
+            tinyxml2::XMLElement* const pair = document.RootElement()->InsertNewChildElement("disable_collisions");
+            pair->SetAttribute("link1", proof.first.c_str());
+            pair->SetAttribute("link2", proof.second.c_str());
+            pair->SetAttribute("reason", reason);
+        }
+    tinyxml2::XMLPrinter printer;
+    document.Print(&printer);
+    return printer.CStr();
+}
+
+} // namespace chasles::io

@@ -1,0 +1,91 @@
+// chasles acm: which links of a robot can ever touch, proven.
+#include "chasles/io/srdf_writer.h"
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress_bar.h"
+#include "cli/report.h"
+#include "cli/robot_options.h"
+#include "view/answer_json.h"
+#include "view/names.h"
+
+#include <algorithm>
+#include <fmt/format.h>
+#include <memory>
+#include <optional>
+
+namespace chasles::cli {
+namespace {
+
+struct AcmOptions {
+    RobotOptions robot;
+    std::string seconds = "600";
+    std::string out;
+    unsigned threads = 0;
+    bool json = false;
+};
+
+std::string listed(const Robot& robot, const std::vector<PairProof>& proofs) {
+    std::string text;
+    std::size_t width = 0;
+    for (const PairProof& proof : proofs)
+        width = std::max(width, proof.first.size() + proof.second.size() + 4);
+    for (const PairProof& proof : proofs)
+        text += fmt::format("{:<{}}{}{}\n", proof.first + "  " + proof.second, width, view::name_of(proof.reason),
+                            proof.reason == PairReason::sometimes && !robot.is_tested(proof.first, proof.second)
+                                ? ", but the robot does not test it"
+                                : "");
+    return text;
+}
+
+std::string counts(const std::vector<PairProof>& proofs) {
+    std::string text;
+    for (const PairReason reason :
+         {PairReason::never, PairReason::always, PairReason::adjacent, PairReason::sometimes, PairReason::open})
+        if (const auto count = std::ranges::count(proofs, reason, &PairProof::reason); count > 0)
+            text += fmt::format("{}{} {}", text.empty() ? "" : ", ", count, view::name_of(reason));
+    return text + "\n";
+}
+
+int run_acm(const AcmOptions& options) {
+    PairProofOptions search{.seconds = number_of("--seconds", options.seconds), .threads = options.threads};
+    std::optional<OutputFile> file;
+    if (!options.out.empty())
+        file.emplace(options.out);
+    const Robot robot = load_robot(options.robot);
+    const Interruption interruption;
+    std::optional<ProgressBar> bar;
+    search.progress = [&](std::size_t done, std::size_t pairs) {
+        if (!bar)
+            bar.emplace("pairs", pairs);
+        bar->show(done);
+        return !Interruption::is_requested();
+    };
+    const std::vector<PairProof> proofs = prove_pairs(robot, search);
+    bar.reset();
+    if (file) {
+        file->write(io::srdf_text(robot, proofs, options.robot.srdf));
+        file->close();
+    }
+    print(options.json ? view::pair_proofs_json(robot, proofs).dump() + "\n" : listed(robot, proofs) + counts(proofs));
+    return Interruption::is_requested() ? is_interrupted : is_clear;
+}
+
+} // namespace
+
+void add_acm(CLI::App& app, Task& task) {
+    const auto options = std::make_shared<AcmOptions>();
+    CLI::App& command = *app.add_subcommand("acm", "Which links of a robot can ever touch? Proven, not sampled.");
+    add_robot_options(command, options->robot);
+    command.add_option("--seconds", options->seconds, "what is not decided after this time stays open")
+        ->type_name("T")
+        ->capture_default_str();
+    command.add_option("--out", options->out, "write the result as an SRDF file; groups and states of --srdf are kept")
+        ->type_name("FILE");
+    command.add_option("--threads", options->threads, "number of threads; 0 for all cores")->capture_default_str();
+    command.add_flag("--json", options->json, "print one JSON object");
+    command.callback([options, &task] { task = [options] { return run_acm(*options); }; });
+}
+
+} // namespace chasles::cli

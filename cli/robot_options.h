@@ -1,0 +1,21 @@
+// The robot of `robot` and `acm`: its files, and where packages are.
+#pragma once
+
+#include "chasles/chasles.h"
+
+#include <CLI/CLI.hpp>
+#include <string>
+#include <vector>
+
+namespace chasles::cli {
+
+struct RobotOptions {
+    std::string urdf;
+    std::string srdf;
+    std::vector<std::string> packages; ///< NAME=FOLDER
+};
+
+void add_robot_options(CLI::App& command, RobotOptions& options);
+Robot load_robot(const RobotOptions& options);
+
+} // namespace chasles::cli
