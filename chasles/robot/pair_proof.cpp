@@ -28,7 +28,7 @@ using robot::Model;
 constexpr int random_lines = 400;
 /// Cells that are examined together.
 constexpr std::size_t cells_together = 256;
-constexpr double outward = 1 + 1e-9;
+constexpr double outward_reach = 1 + 1e-9;
 
 double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
@@ -127,7 +127,7 @@ void PairSearch::find_axes() {
             auto known = std::ranges::find(axes_, step.variable, &Axis::variable);
             if (known == axes_.end())
                 known = axes_.insert(axes_.end(), axis);
-            known->reach += std::abs(step.multiplier) * (step.turns ? arm : 1) * outward;
+            known->reach += std::abs(step.multiplier) * (step.turns ? arm : 1) * outward_reach;
             if (!step.turns) // all later joints may be as much farther away
                 arm += std::abs(step.multiplier) * std::max(std::abs(axis.lower), std::abs(axis.upper)) +
                        std::abs(step.offset);
@@ -254,7 +254,7 @@ double PairSearch::margin_of(const ConfigurationCell& cell) const {
     double margin = 0;
     for (std::size_t i = 0; i < cell.half.size(); ++i)
         margin += cell.half[i] * axes_[i].reach;
-    return margin * outward;
+    return margin * outward_reach;
 }
 
 /// Into halves of the axis that moves points farthest.
@@ -267,7 +267,7 @@ void PairSearch::split(const std::vector<Axis>& axes, const ConfigurationCell& c
     for (const double side : {-0.5, 0.5}) {
         ConfigurationCell half = cell;
         half.middle[widest] += side * cell.half[widest];
-        half.half[widest] = 0.5 * cell.half[widest] * outward;
+        half.half[widest] = 0.5 * cell.half[widest] * outward_reach;
         cells.push_back(std::move(half));
     }
 }
@@ -276,7 +276,7 @@ void PairSearch::branch(PairProof& proof, double seconds, std::chrono::steady_cl
     ConfigurationCell whole;
     for (std::size_t i = 0; i + 1 < axes_.size(); ++i) {
         whole.middle.push_back(0.5 * (axes_[i].lower + axes_[i].upper));
-        whole.half.push_back(0.5 * (axes_[i].upper - axes_[i].lower) * outward);
+        whole.half.push_back(0.5 * (axes_[i].upper - axes_[i].lower) * outward_reach);
     }
     std::deque<ConfigurationCell> cells{whole};
     while (!cells.empty()) {

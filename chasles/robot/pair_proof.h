@@ -21,12 +21,13 @@ enum class PairReason : std::uint8_t {
     open,      ///< time was up, or a joint has no limits
 };
 
+/// Two links, and whether they can touch.
 struct PairProof {
     std::string first;
     std::string second;
     PairReason reason = PairReason::open;
-    std::optional<Configuration> witness =
-        {};                ///< the links overlap there, or touch; joints not between them are neutral
+    /// The links overlap there, or touch. Joints that are not between them are neutral.
+    std::optional<Configuration> witness = {};
     std::size_t cells = 0; ///< boxes of configurations that were examined
     double seconds = 0;
 };

@@ -22,8 +22,12 @@ from ._core import (
     MeshReport,
     Motion,
     Overlap,
+    PairProof,
     PathContact,
     Polyhedron,
+    Robot,
+    RobotChecker,
+    RobotContact,
     Scene,
     SceneContact,
     ScrewMotion,
@@ -47,6 +51,7 @@ from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, 
 from .enums import ContactKind, Find, Verdict
 from .meshes import from_trimesh
 from .record import recording_page, write_scene_page
+from .robots import edge_dtype, first_contacts_on_edges, write_robot_page
 from .table import empty_table, least_dtype, motion_dtype, path_dtype
 from .view import view, write_page
 
@@ -63,8 +68,12 @@ __all__ = [
     "MeshReport",
     "Motion",
     "Overlap",
+    "PairProof",
     "PathContact",
     "Polyhedron",
+    "Robot",
+    "RobotChecker",
+    "RobotContact",
     "Scene",
     "SceneContact",
     "ScrewMotion",
@@ -78,10 +87,12 @@ __all__ = [
     "Work",
     "__version__",
     "constraint_rows",
+    "edge_dtype",
     "empty_table",
     "first_contact",
     "first_contact_batch",
     "first_contact_on_path",
+    "first_contacts_on_edges",
     "from_trimesh",
     "least_distance",
     "least_distance_batch",
@@ -94,6 +105,7 @@ __all__ = [
     "relative",
     "rest_of",
     "view",
+    "write_robot_page",
 ]
 
 for _name in __all__:  # names of the public module, not of chasles._core

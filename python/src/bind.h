@@ -16,6 +16,8 @@ void bind_batches(nanobind::module_& module);
 void bind_least_distance(nanobind::module_& module);
 void bind_scene(nanobind::module_& module);
 void bind_stepper(nanobind::module_& module);
+void bind_robot(nanobind::module_& module);
+void bind_robot_answers(nanobind::module_& module);
 void bind_view(nanobind::module_& module);
 void bind_record(nanobind::module_& module);
 void bind_timing(nanobind::module_& module);

@@ -1,0 +1,112 @@
+"""Robots: many edges at once, and pages."""
+
+import os
+import pathlib
+
+import numpy as np
+import numpy.typing as npt
+
+from . import _core
+from ._core import Robot, RobotChecker, Scene
+from .enums import Verdict
+
+_VERDICTS = ("unknown", "clear", "contact", "contact_at_start")
+
+edge_dtype = np.dtype(
+    [
+        ("verdict", "U16"),
+        ("time", np.float64),
+        ("time_upper", np.float64),
+        ("certain", np.bool_),
+        ("clear_until", np.float64),
+        ("first", "U64"),
+        ("second", "U64"),
+    ]
+)
+
+
+def first_contacts_on_edges(
+    robot: Robot | RobotChecker,
+    starts: npt.ArrayLike,
+    goals: npt.ArrayLike,
+    *,
+    scene: Scene | None = None,
+    margin: float = 0.0,
+    threads: int = 0,
+) -> np.ndarray:
+    """The first contact along each of many straight edges, on all cores.
+
+    Parameters
+    ----------
+    robot : Robot or RobotChecker
+        A checker has its own scene and margin.
+    starts, goals : array (n, variables)
+        Configurations: radians, or the mesh unit.
+    scene : Scene, optional
+        The world; without it the robot is tested against itself only.
+    margin : float
+        Distance that counts as contact, mesh unit.
+    threads : int
+        At most so many; 0 for all cores. The answers do not depend on it.
+
+    Returns
+    -------
+    structured array (n,) of `edge_dtype`
+        Times are in [0, 1]. `first` and `second` name the pair that touches.
+
+    Raises
+    ------
+    InvalidInput
+        With the number of the edge, for values that cannot be used.
+    """
+    checker = robot if isinstance(robot, RobotChecker) else RobotChecker(robot, scene, margin=margin)
+    verdict, time, time_upper, certain, clear_until, first, second = checker.first_contacts(starts, goals, threads)
+    table = np.zeros(len(time), edge_dtype)
+    table["verdict"] = [Verdict(_VERDICTS[int(v)]).value for v in verdict]
+    for name, values in (
+        ("time", time),
+        ("time_upper", time_upper),
+        ("certain", certain),
+        ("clear_until", clear_until),
+        ("first", first),
+        ("second", second),
+    ):
+        table[name] = values
+    return table
+
+
+def write_robot_page(
+    robot: Robot,
+    configurations: npt.ArrayLike,
+    out: str | os.PathLike[str] = "page.html",
+    *,
+    scene: Scene | None = None,
+    margin: float = 0.0,
+    title: str = "Chasles",
+) -> pathlib.Path:
+    """Write a page of HTML that shows the robot on a straight path up to its first contact, and return its path.
+
+    The page is one file and needs no network.
+
+    Parameters
+    ----------
+    robot : Robot
+    configurations : array (n, variables)
+    out : path
+        The file to write.
+    scene : Scene, optional
+        The world.
+    margin : float
+        Distance that counts as contact, mesh unit.
+    title : str
+        The title of the page.
+
+    Raises
+    ------
+    InvalidInput
+        For configurations that cannot be used, or if the package was built without the viewer.
+    """
+    page = _core.robot_page(robot, configurations, scene, margin, title)
+    path = pathlib.Path(out)
+    path.write_text(page, encoding="utf-8")
+    return path

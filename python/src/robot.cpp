@@ -1,0 +1,235 @@
+// chasles.Robot and chasles.PairProof.
+#include "python/src/robot.h"
+
+#include "chasles/base/invalid_input.h"
+#include "python/src/body.h"
+#include "python/src/docstrings.h"
+#include "python/src/interruptible.h"
+#include "python/src/poses.h"
+#include "python/src/query_options.h"
+#include "python/src/scene.h"
+#include "view/names.h"
+#include "view/page.h"
+#include "view/robot_record.h"
+
+#include <fmt/format.h>
+#include <nanobind/stl/filesystem.h>
+#include <nanobind/stl/map.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
+#include <nanobind/stl/vector.h>
+
+namespace chasles::python {
+namespace {
+
+using namespace nb::literals;
+
+Robot load(const std::filesystem::path& urdf, const std::optional<std::filesystem::path>& srdf,
+           const std::map<std::string, std::filesystem::path>& packages, double primitive_deviation) {
+    return Robot::load(urdf, {srdf.value_or(std::filesystem::path()), packages, primitive_deviation});
+}
+
+nb::object limits_of(const Robot& robot) {
+    std::vector<double> limits;
+    for (const RobotVariable& variable : robot.variables()) {
+        limits.push_back(variable.lower);
+        limits.push_back(variable.upper);
+    }
+    return array_of(std::span(limits), {limits.size() / 2, 2});
+}
+
+std::vector<std::string> links_of(const Robot& robot) {
+    std::vector<std::string> names;
+    for (const LinkDescription& link : robot.description().links)
+        names.push_back(link.name);
+    return names;
+}
+
+nb::dict link_poses(const Robot& robot, nb::handle configuration) {
+    const std::vector<Pose> poses = robot.link_poses(configuration_from(configuration, "configuration"));
+    nb::dict by_name;
+    for (std::size_t i = 0; i < poses.size(); ++i)
+        by_name[robot.description().links[i].name.c_str()] = matrix_of(poses[i]);
+    return by_name;
+}
+
+void attach(Robot& robot, const std::string& name, const std::string& link, nb::handle shape, nb::handle pose,
+            const std::vector<std::string>& touch_links) {
+    robot.attach(
+        {name, link, polyhedron_of(shape, "shape"), pose.is_none() ? Pose() : pose_from(pose, "pose"), touch_links});
+}
+
+struct PythonProof {
+    PairProof proof;
+    [[nodiscard]] std::pair<std::string, std::string> links() const { return {proof.first, proof.second}; }
+};
+
+nb::list proofs_of(const Robot& robot, double seconds, unsigned threads) {
+    std::vector<PairProof> proofs;
+    run_interruptibly(
+        [&](Progress& progress) {
+            PairProofOptions options{seconds, threads};
+            options.progress = [&](std::size_t done, std::size_t) {
+                progress.done = done;
+                return !progress.is_stopping;
+            };
+            proofs = prove_pairs(robot, options);
+        },
+        nb::none());
+    nb::list list;
+    for (PairProof& proof : proofs)
+        list.append(nb::cast(PythonProof{std::move(proof)}));
+    return list;
+}
+
+/// A page of HTML that shows the robot on a straight path up to its first contact.
+std::string page_of(const Robot& robot, nb::handle configurations, nb::handle scene, double margin,
+                    const std::string& title) {
+    const Eigen::MatrixXd matrix = configurations_from(configurations, "configurations");
+    std::vector<Configuration> rows;
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+        rows.emplace_back(matrix.row(i));
+    const JointPath path = JointPath::straight(robot, rows);
+    const nb::str find("first");
+    const RobotChecker checker = checker_of(robot, {scene, margin, default_time_tolerance, find});
+    const Scene* world = scene.is_none() ? nullptr : &nb::cast<const PythonScene&>(scene).scene;
+    const nb::gil_scoped_release release;
+    view::SceneRecord record = view::robot_record(robot, world, path, checker.first_contact(path));
+    record.margin = margin;
+    record.title = title;
+    return view::scene_page(record);
+}
+
+/// A function of the robot with two names.
+auto of_pair(void (Robot::*function)(std::string_view, std::string_view)) {
+    return [function](Robot& robot, const std::string& a, const std::string& b) { (robot.*function)(a, b); };
+}
+
+void bind_proof(nb::module_& module) {
+    nb::class_<PythonProof>(module, "PairProof", doc("PairProof"))
+        .def_prop_ro("links", &PythonProof::links, "The names of the two links.")
+        .def_prop_ro(
+            "reason", [](const PythonProof& p) { return std::string(view::name_of(p.proof.reason)); },
+            "'never', 'always', 'adjacent', 'sometimes' or 'open'.")
+        .def_prop_ro(
+            "witness", [](const PythonProof& p) { return p.proof.witness ? array_of(*p.proof.witness) : nb::none(); },
+            nb::sig("def witness(self) -> " CHASLES_ARRAY " | None"), doc("PairProof.witness"))
+        .def_prop_ro(
+            "cells", [](const PythonProof& p) { return p.proof.cells; }, doc("PairProof.cells"))
+        .def_prop_ro(
+            "seconds", [](const PythonProof& p) { return p.proof.seconds; }, "Spent on this pair.")
+        .def("__repr__", [](const PythonProof& p) {
+            return fmt::format("<chasles.PairProof: {} and {}: {}>", p.proof.first, p.proof.second,
+                               view::name_of(p.proof.reason));
+        });
+}
+
+constexpr const char* question_doc =
+    "\n\nParameters\n----------\nstart, goal : array (variables,)\n    Configurations, in the order of "
+    "`variables`: radians, or the mesh unit.\nscene : Scene, optional\n    The world; without it the robot is tested "
+    "against itself only.\nmargin : float\n    Distance that counts as contact, mesh unit.\ntime_tolerance : float\n"
+    "    Width of the bracket to aim for.\nfind : Find or str\n    'first', 'first_with_all_contacts' or 'any'.\n\n"
+    "Returns\n-------\nRobotContact\n\nRaises\n------\nInvalidInput\n    For a wrong number of values, NaN, or a value "
+    "beyond 1000. Limits of joints are not checked.";
+
+} // namespace
+
+#define CHASLES_ROBOT_QUESTION                                                                                         \
+    "*, scene: Scene | None = None, margin: float = 0.0, time_tolerance: float = 1e-12, " CHASLES_FIND_TYPE
+
+void bind_robot(nb::module_& module) {
+    static const std::string edge_doc =
+        std::string("The first contact along the straight edge between two configurations. Many questions are faster "
+                    "with a RobotChecker.") +
+        question_doc;
+    bind_proof(module);
+    nb::class_<Robot>(module, "Robot", doc("Robot"))
+        .def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
+                    "primitive_deviation"_a = 0.01,
+                    nb::sig("def load(urdf: str | os.PathLike, srdf: str | os.PathLike | None = None, "
+                            "packages: dict[str, str | os.PathLike] = {}, primitive_deviation: float = 0.01) -> Robot"),
+                    doc("Robot.load"))
+        .def_prop_ro(
+            "name", [](const Robot& r) { return r.description().name; }, "Of the URDF file.")
+        .def_prop_ro("variables", [](const Robot& r) { return names_of(r); }, "The names of the numbers of a configuration, in order.")
+        .def_prop_ro("limits", limits_of, nb::sig("def limits(self) -> " CHASLES_ARRAY),
+                     "Lower and upper limit of each variable, (variables, 2); infinite without a limit.")
+        .def_prop_ro("links", links_of, "The names of the links.")
+        .def(
+            "neutral", [](const Robot& r) { return array_of(r.neutral()); },
+            nb::sig("def neutral(self) -> " CHASLES_ARRAY), doc("Robot.neutral"))
+        .def(
+            "state", [](const Robot& r, const std::string& name) { return array_of(r.state(name)); }, "name"_a,
+            nb::sig("def state(self, name: str) -> " CHASLES_ARRAY), doc("Robot.state"))
+        .def(
+            "link_pose",
+            [](const Robot& r, const std::string& link, nb::handle configuration) {
+                return matrix_of(r.link_pose(link, configuration_from(configuration, "configuration")));
+            },
+            "link"_a, "configuration"_a,
+            nb::sig("def link_pose(self, link: str, configuration: numpy.typing.ArrayLike) -> " CHASLES_ARRAY),
+            "The pose of a link in the world, (4, 4).")
+        .def("link_poses", link_poses, "configuration"_a,
+             nb::sig("def link_poses(self, configuration: numpy.typing.ArrayLike) -> dict[str, " CHASLES_ARRAY "]"),
+             "The poses of all links by name.")
+        .def(
+            "set_base", [](Robot& r, nb::handle pose) { r.set_base(pose_from(pose, "pose")); }, "pose"_a,
+            nb::sig("def set_base(self, pose: numpy.typing.ArrayLike) -> None"), doc("Robot.set_base"))
+        .def("attach", attach, "name"_a, "link"_a, "shape"_a.none(), "pose"_a = nb::none(),
+             "touch_links"_a = nb::list(),
+             nb::sig("def attach(self, name: str, link: str, shape: Polyhedron, "
+                     "pose: numpy.typing.ArrayLike | None = None, touch_links: list[str] = []) -> None"),
+             doc("Robot.attach"))
+        .def(
+            "detach", [](Robot& r, const std::string& name) { r.detach(name); }, "name"_a, doc("Robot.detach"))
+        .def("ignore", of_pair(&Robot::ignore), "first"_a, "second"_a, doc("Robot.ignore"))
+        .def("test", of_pair(&Robot::test), "first"_a, "second"_a, "Two links or parts are tested again.")
+        .def(
+            "is_tested", [](const Robot& r, const std::string& a, const std::string& b) { return r.is_tested(a, b); },
+            "first"_a, "second"_a, "Whether two links or parts are tested against each other.")
+        .def("ignore_in_scene", of_pair(&Robot::ignore_in_scene), "link"_a, "body"_a, doc("Robot.ignore_in_scene"))
+        .def(
+            "set_margin",
+            [](Robot& r, const std::string& a, const std::string& b, double margin) { r.set_margin(a, b, margin); },
+            "first"_a, "second"_a, "margin"_a, doc("Robot.set_margin"))
+        .def(
+            "first_contact",
+            [](const Robot& r, nb::handle start, nb::handle goal, nb::handle scene, double margin, double tolerance,
+               nb::handle find) {
+                return answer_on_edge(checker_of(r, {scene, margin, tolerance, find}), start, goal);
+            },
+            "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
+            "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
+            nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: "
+                    "numpy.typing.ArrayLike, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
+            edge_doc.c_str())
+        .def(
+            "first_contact_on_path",
+            [](const Robot& r, nb::handle configurations, nb::handle times, nb::handle velocities,
+               nb::handle accelerations, nb::handle scene, double margin, double tolerance, nb::handle find) {
+                return answer_on_path(checker_of(r, {scene, margin, tolerance, find}), configurations, times,
+                                      velocities, accelerations);
+            },
+            "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
+            nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "time_tolerance"_a = default_time_tolerance,
+            "find"_a.none() = "first",
+            nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike, "
+                    "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
+                    "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
+            "The first contact along a path (n, variables): straight from each configuration to the next, with time "
+            "stamps\nor without; with velocities by cubic splines, with accelerations, too, by quintic ones. With "
+            "stamps, times\nof the answer count in stamps, otherwise within the segment, in [0, 1].")
+        .def("prove_pairs", proofs_of, "seconds"_a = 600.0, "threads"_a = 0,
+             nb::sig("def prove_pairs(self, seconds: float = 600.0, threads: int = 0) -> list[PairProof]"),
+             doc("prove_pairs"))
+        .def("__repr__", [](const Robot& r) {
+            return fmt::format("<chasles.Robot: {}, {} links, {} variables>", r.description().name,
+                               r.description().links.size(), r.variables().size());
+        });
+    module.def("robot_page", page_of, "robot"_a, "configurations"_a, "scene"_a.none(), "margin"_a, "title"_a,
+               "A page of HTML in UTF-8 that shows the robot on its way.");
+}
+
+} // namespace chasles::python

@@ -1,0 +1,233 @@
+// chasles.RobotContact, chasles.RobotChecker, and questions about robots.
+#include "python/src/robot.h"
+
+#include "chasles/base/invalid_input.h"
+#include "python/src/answer.h"
+#include "python/src/docstrings.h"
+#include "python/src/interruptible.h"
+#include "python/src/names.h"
+#include "python/src/query_options.h"
+#include "python/src/scene.h"
+
+#include <array>
+#include <fmt/format.h>
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace chasles::python {
+
+using namespace nb::literals;
+
+RobotChecker checker_of(const Robot& robot, const RobotArguments& arguments) {
+    const Scene* scene = nullptr;
+    if (!arguments.scene.is_none()) {
+        const PythonScene* given = nullptr;
+        if (!nb::try_cast(arguments.scene, given) || !given)
+            throw nb::type_error("scene: must be a chasles.Scene");
+        scene = &given->scene;
+    }
+    return RobotChecker(robot, scene,
+                        {{arguments.margin, std::nullopt, arguments.time_tolerance, find_from(arguments.find)}});
+}
+
+Configuration configuration_from(nb::handle argument, const std::string& name) {
+    const DoubleArray array(argument, name);
+    if (array.shape().size() != 1)
+        throw InvalidInput(name + ": must have the shape (variables,), and has " + array.shape_text());
+    return Eigen::Map<const Configuration>(array.numbers().data(), Eigen::Index(array.numbers().size()));
+}
+
+Eigen::MatrixXd configurations_from(nb::handle argument, const std::string& name) {
+    using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
+    const DoubleArray array(argument, name);
+    if (array.shape().size() != 2)
+        throw InvalidInput(name + ": must have the shape (n, variables), and has " + array.shape_text());
+    return Eigen::Map<const Rows>(array.numbers().data(), array.shape()[0], array.shape()[1]);
+}
+
+nb::object array_of(const Configuration& configuration) {
+    return array_of(std::span(configuration.data(), std::size_t(configuration.size())),
+                    {std::size_t(configuration.size())});
+}
+
+std::vector<std::string> names_of(const Robot& robot) {
+    std::vector<std::string> names;
+    for (const RobotVariable& variable : robot.variables())
+        names.push_back(variable.name);
+    return names;
+}
+
+namespace {
+
+std::vector<Configuration> rows_of(nb::handle argument, const std::string& name) {
+    const Eigen::MatrixXd matrix = configurations_from(argument, name);
+    std::vector<Configuration> rows;
+    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
+        rows.emplace_back(matrix.row(i));
+    return rows;
+}
+
+JointPath path_from(const Robot& robot, nb::handle configurations, nb::handle times, nb::handle velocities,
+                    nb::handle accelerations) {
+    const std::vector<Configuration> rows = rows_of(configurations, "configurations");
+    if (times.is_none()) {
+        if (!velocities.is_none() || !accelerations.is_none())
+            throw InvalidInput("times: are needed with velocities");
+        return JointPath::straight(robot, rows);
+    }
+    const Configuration stamps = configuration_from(times, "times");
+    const std::span<const double> of_rows(stamps.data(), std::size_t(stamps.size()));
+    if (velocities.is_none()) {
+        if (!accelerations.is_none())
+            throw InvalidInput("velocities: are needed with accelerations");
+        return JointPath::straight(robot, rows, of_rows);
+    }
+    const std::vector<Configuration> rates = rows_of(velocities, "velocities");
+    if (accelerations.is_none())
+        return JointPath::cubic(robot, of_rows, rows, rates);
+    return JointPath::quintic(robot, of_rows, rows, rates, rows_of(accelerations, "accelerations"));
+}
+
+/// On another thread, so that Ctrl-C is seen; a question itself is short.
+template <class Ask>
+auto asked(const Ask& ask) {
+    std::optional<decltype(ask())> answer;
+    run_interruptibly([&](Progress&) { answer.emplace(ask()); }, nb::none());
+    return std::move(*answer);
+}
+
+nb::object pair_of(const PythonRobotAnswer& answer) {
+    if (!answer.found.pair)
+        return nb::none();
+    return nb::make_tuple(answer.found.pair->first, answer.found.pair->second);
+}
+
+std::string text_of(const PythonRobotAnswer& answer) {
+    if (!answer.found.pair)
+        return "<chasles.RobotContact: clear>";
+    return fmt::format("<chasles.RobotContact: {} on {} at time {:.12g} of segment {}>", answer.found.pair->first,
+                       answer.found.pair->second, answer.time().lower, answer.found.segment);
+}
+
+void bind_contact(nb::module_& module) {
+    using Answer = PythonRobotAnswer;
+    nb::class_<Answer>(module, "RobotContact", "The first contact of a robot along a path.")
+        .def_prop_ro(
+            "verdict", [](const Answer& a) { return member_of(a.found.verdict); },
+            nb::sig("def verdict(self) -> chasles.enums.Verdict"), "'clear', 'contact' or 'contact_at_start'.")
+        .def_prop_ro(
+            "segment", [](const Answer& a) { return a.found.segment; },
+            "Of the contact; the last one if the path is clear.")
+        .def_prop_ro(
+            "time", [](const Answer& a) { return a.time().lower; },
+            "Lower end of the bracket of the contact: within the segment, in [0, 1], or in stamps.")
+        .def_prop_ro(
+            "time_upper", [](const Answer& a) { return a.time().upper; }, "Upper end of the bracket.")
+        .def_prop_ro(
+            "certain", [](const Answer& a) { return a.found.certain; },
+            "False where contact could not be told from a miss.")
+        .def_prop_ro("pair", pair_of, nb::sig("def pair(self) -> tuple[str, str] | None"),
+                     "Two links or parts, or one and a body of the scene; None if the path is clear.")
+        .def_prop_ro(
+            "contacts", [](const Answer& a) { return tuple_of(a.found.contact.contacts); },
+            nb::sig("def contacts(self) -> tuple[Contact, ...]"),
+            "Where the pair touches, in the world; the first one of the pair moves.")
+        .def_prop_ro(
+            "contacts_cut", [](const Answer& a) { return a.found.contact.contacts_cut; },
+            doc("FirstContact.contacts_cut"))
+        .def_prop_ro(
+            "overlap", [](const Answer& a) { return a.found.contact.overlap; }, doc("FirstContact.overlap"))
+        .def_prop_ro(
+            "configuration", [](const Answer& a) { return array_of(a.found.configuration); },
+            nb::sig("def configuration(self) -> " CHASLES_ARRAY), "At `time`; at the end of the path if it is clear.")
+        .def_prop_ro("clear_until", &Answer::clear_until,
+                     "Before this time of the segment nothing comes within the margin.")
+        .def_prop_ro(
+            "clear_configuration", [](const Answer& a) { return array_of(a.found.clear_configuration); },
+            nb::sig("def clear_configuration(self) -> " CHASLES_ARRAY), "At `clear_until`.")
+        .def_prop_ro(
+            "pairs", [](const Answer& a) { return a.found.pairs; }, doc("RobotAnswer.pairs"))
+        .def_prop_ro(
+            "work", [](const Answer& a) { return a.found.work; }, doc("Work"))
+        .def("__repr__", text_of);
+}
+
+} // namespace
+
+PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal) {
+    const Configuration from = configuration_from(start, "start"), to = configuration_from(goal, "goal");
+    return {checker.first_contact(from, to), names_of(checker.robot())};
+}
+
+PythonRobotAnswer answer_on_path(const RobotChecker& checker, nb::handle configurations, nb::handle times,
+                                 nb::handle velocities, nb::handle accelerations) {
+    const JointPath path = path_from(checker.robot(), configurations, times, velocities, accelerations);
+    return {asked([&] { return checker.first_contact(path); }), names_of(checker.robot()), !times.is_none()};
+}
+
+nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads) {
+    const Eigen::MatrixXd from = configurations_from(starts, "starts"), to = configurations_from(goals, "goals");
+    const std::vector<RobotAnswer> answers = asked([&] { return checker.first_contacts(from, to, threads); });
+    std::array<std::vector<double>, 5> numbers;
+    nb::list first, second;
+    for (const RobotAnswer& answer : answers) {
+        const PythonRobotAnswer shown{answer, {}};
+        const std::array values{double(answer.verdict), shown.time().lower, shown.time().upper, double(answer.certain),
+                                shown.clear_until()};
+        for (std::size_t i = 0; i < values.size(); ++i)
+            numbers[i].push_back(values[i]);
+        first.append(answer.pair ? answer.pair->first : "");
+        second.append(answer.pair ? answer.pair->second : "");
+    }
+    nb::list fields;
+    for (const std::vector<double>& field : numbers)
+        fields.append(array_of(std::span(field), {field.size()}));
+    fields.append(first);
+    fields.append(second);
+    return nb::tuple(fields);
+}
+
+#define CHASLES_ROBOT_OPTIONS "*, margin: float = 0.0, time_tolerance: float = 1e-12, " CHASLES_FIND_TYPE
+
+void bind_robot_answers(nb::module_& module) {
+    bind_contact(module);
+    nb::class_<RobotChecker>(module, "RobotChecker", doc("RobotChecker"))
+        .def(
+            "__init__",
+            [](RobotChecker* checker, const Robot& robot, nb::handle scene, double margin, double time_tolerance,
+               nb::handle find) {
+                new (checker) RobotChecker(checker_of(robot, {scene, margin, time_tolerance, find}));
+            },
+            "robot"_a, "scene"_a = nb::none(), nb::kw_only(), "margin"_a = 0.0,
+            "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
+            nb::sig("def __init__(self, robot: Robot, scene: Scene | None = None, " CHASLES_ROBOT_OPTIONS ") -> None"),
+            "Keeps the state of the robot and of the scene.")
+        .def("first_contact", answer_on_edge, "start"_a, "goal"_a,
+             nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike) -> "
+                     "RobotContact"),
+             "Along the straight edge between two configurations.")
+        .def(
+            "is_clear",
+            [](const RobotChecker& checker, nb::handle start, nb::handle goal) {
+                const Configuration from = configuration_from(start, "start");
+                return goal.is_none() ? checker.is_clear(from)
+                                      : checker.is_clear(from, configuration_from(goal, "goal"));
+            },
+            "start"_a, "goal"_a = nb::none(),
+            nb::sig("def is_clear(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike | None = None) -> "
+                    "bool"),
+            "Whether the straight edge, or the one configuration, is proven clear.")
+        .def("first_contact_on_path", answer_on_path, "configurations"_a, "times"_a = nb::none(),
+             "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
+             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike, "
+                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
+                     "accelerations: numpy.typing.ArrayLike | None = None) -> RobotContact"),
+             "Along a path: straight, or cubic with velocities, or quintic with accelerations, too.")
+        .def("first_contacts", answers_on_edges, "starts"_a, "goals"_a, "threads"_a = 0,
+             nb::sig("def first_contacts(self, starts: numpy.typing.ArrayLike, goals: numpy.typing.ArrayLike, "
+                     "threads: int = 0) -> tuple"),
+             "The fields of chasles.first_contacts_on_edges, one after another.");
+}
+
+} // namespace chasles::python

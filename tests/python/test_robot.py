@@ -1,0 +1,129 @@
+"""Robots: answers of a small arm, and real robots beside Pinocchio where it is installed."""
+
+import numpy as np
+import pytest
+
+import chasles
+
+ARM = """<robot name="arm">
+  <link name="base"/>
+  <link name="upper"><collision><origin xyz="0.5 0 0"/><geometry><box size="0.9 0.1 0.1"/></geometry></collision></link>
+  <link name="lower"><collision><origin xyz="0.5 0 0"/><geometry><cylinder radius="0.05" length="0.2"/></geometry></collision>
+  </link>
+  <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/>
+    <limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
+  <joint name="elbow" type="continuous"><parent link="upper"/><child link="lower"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/></joint>
+</robot>"""
+
+
+@pytest.fixture
+def arm(tmp_path):
+    (tmp_path / "arm.urdf").write_text(ARM)
+    return chasles.Robot.load(tmp_path / "arm.urdf")
+
+
+@pytest.fixture
+def world(cube):
+    scene = chasles.Scene()
+    scene.add("wall", cube, pose=np.array([0.45, 1.2, -0.5, 1, 0, 0, 0]))
+    return scene
+
+
+def test_a_robot_has_names_limits_and_poses(arm):
+    assert arm.variables == ["shoulder", "elbow"] and arm.links == ["base", "upper", "lower"]
+    np.testing.assert_array_equal(arm.limits, [[-3, 3], [-np.inf, np.inf]])
+    np.testing.assert_array_equal(arm.neutral(), [0, 0])
+    np.testing.assert_allclose(arm.link_pose("lower", [np.pi / 2, 0])[:3, 3], [0, 1, 0], atol=1e-15)
+    assert arm.link_poses([0, 0])["lower"][0, 3] == 1
+    assert not arm.is_tested("upper", "lower")
+    assert "arm, 3 links, 2 variables" in repr(arm)
+
+
+def test_the_first_contact_names_the_pair_and_the_configuration(arm, world):
+    found = arm.first_contact([0, 0], [np.pi / 2, 0], scene=world)
+    assert found.verdict == "contact" and found.pair == ("lower", "wall") and found.certain
+    assert 0 < found.clear_until <= found.time <= found.time_upper < 1
+    np.testing.assert_allclose(found.configuration, [np.pi / 2 * found.time, 0], atol=1e-14)
+    assert found.contacts[0].point[1] == pytest.approx(1.2, abs=1e-9)  # the face of the wall
+    checker = chasles.RobotChecker(arm, world)
+    assert checker.is_clear([0, 0]) and checker.is_clear([0, 0], found.clear_configuration * 0.999)
+    assert not checker.is_clear([0, 0], [np.pi / 2, 0])
+    assert arm.first_contact([0, 0], [np.pi / 2, 0]).verdict == "clear"  # without the world
+
+
+def test_paths_have_segments_and_stamps(arm, world):
+    straight = arm.first_contact_on_path([[0, 0], [0.1, 0], [np.pi / 2, 0]], scene=world)
+    timed = arm.first_contact_on_path([[0, 0], [0.1, 0], [np.pi / 2, 0]], [5, 6, 8], scene=world)
+    assert straight.segment == timed.segment == 1
+    assert timed.time == pytest.approx(6 + 2 * straight.time, abs=1e-12)
+    rates = np.zeros((2, 2))
+    cubic = arm.first_contact_on_path([[0, 0], [np.pi / 2, 0]], [0, 1], rates, scene=world)
+    quintic = arm.first_contact_on_path([[0, 0], [np.pi / 2, 0]], [0, 1], rates, rates, scene=world)
+    edge = arm.first_contact([0, 0], [np.pi / 2, 0], scene=world)
+    t = cubic.time
+    assert 3 * t**2 - 2 * t**3 == pytest.approx(edge.time, abs=1e-9)
+    t = quintic.time
+    assert 10 * t**3 - 15 * t**4 + 6 * t**5 == pytest.approx(edge.time, abs=1e-9)
+
+
+def test_many_edges_are_answered_as_one_by_one(arm, world):
+    random = np.random.default_rng(1)
+    starts, goals = random.uniform(-1, 1, (2, 40, 2))
+    table = chasles.first_contacts_on_edges(arm, starts, goals, scene=world)
+    for row, start, goal in zip(table, starts, goals):
+        found = arm.first_contact(start, goal, scene=world)
+        assert (row["verdict"], row["time"], row["clear_until"]) == (found.verdict, found.time, found.clear_until)
+        assert (row["first"], row["second"]) == (found.pair or ("", ""))
+    assert {"clear", "contact"} <= set(table["verdict"])
+
+
+def test_parts_and_pairs(arm, world, cube):
+    arm.attach("box", "lower", cube, pose=np.array([1, -0.5, -0.5, 1, 0, 0, 0]))
+    assert arm.first_contact([-1, 0], [np.pi / 2, 0], scene=world).pair == ("box", "wall")
+    arm.ignore_in_scene("box", "wall")
+    assert arm.first_contact([-1, 0], [np.pi / 2, 0], scene=world).pair == ("lower", "wall")
+    arm.detach("box")
+    with pytest.raises(chasles.InvalidInput, match="box: there is no such part"):
+        arm.detach("box")
+
+
+def test_pairs_are_proven(arm):
+    (proof,) = arm.prove_pairs()
+    assert proof.links == ("upper", "lower") and proof.reason == "adjacent" and proof.witness is None
+
+
+def test_a_page_shows_the_robot(arm, world, tmp_path):
+    page = chasles.write_robot_page(arm, [[0, 0], [1.5, 0]], tmp_path / "page.html", scene=world)
+    text = page.read_text(encoding="utf-8")
+    assert "upper" in text and "wall" in text
+
+
+def test_wrong_arguments_are_refused(arm, tmp_path):
+    with pytest.raises(chasles.InvalidInput, match="configuration 1: has 3 values, and the robot has 2 variables"):
+        arm.first_contact([0, 0], [0, 0, 0])
+    with pytest.raises(chasles.InvalidInput, match="elbow is not a finite number"):
+        arm.first_contact([0, np.nan], [0, 0])
+    with pytest.raises(chasles.InvalidInput, match="shape"):
+        arm.first_contact_on_path([0, 0])
+    with pytest.raises(TypeError, match="scene: must be a chasles.Scene"):
+        arm.first_contact([0, 0], [0, 0], scene=3)
+    with pytest.raises(chasles.InvalidInput, match="nowhere.urdf"):
+        chasles.Robot.load(tmp_path / "nowhere.urdf")
+    (tmp_path / "bad.urdf").write_text(ARM.replace('link="lower"/><origin', 'link="hand"/><origin'))
+    with pytest.raises(chasles.InvalidInput, match=r"bad.urdf:\d+: <joint elbow>: child: there is no link 'hand'"):
+        chasles.Robot.load(tmp_path / "bad.urdf")
+
+
+def test_the_panda_has_the_kinematics_of_pinocchio(data):
+    pinocchio = pytest.importorskip("pinocchio")
+    urdf = data / "robots" / "panda" / "panda.urdf"
+    robot = chasles.Robot.load(urdf)
+    model = pinocchio.buildModelFromUrdf(str(urdf))
+    state = model.createData()
+    random = np.random.default_rng(2)
+    for _ in range(20):
+        values = random.uniform(*robot.limits.T)
+        pinocchio.framesForwardKinematics(model, state, values)
+        for link, pose in robot.link_poses(values).items():
+            expected = state.oMf[model.getFrameId(link)].homogeneous
+            np.testing.assert_allclose(pose, expected, atol=1e-12)
