@@ -28,6 +28,14 @@ std::vector<double> sampled_stamps(const JointPath& path, double end) {
     return stamps;
 }
 
+/// One pose for what never moves.
+std::vector<PoseRow> rows_of(const std::vector<Pose>& poses) {
+    std::vector<PoseRow> rows = pose_rows(poses);
+    if (std::ranges::all_of(rows, [&](const PoseRow& row) { return row == rows.front(); }))
+        rows.resize(1);
+    return rows;
+}
+
 /// The bodies of a link or part, which are named after it.
 void add_bodies(SceneRecord& record, const std::string& name, const std::vector<CollisionDescription>& shapes,
                 const std::vector<Pose>& poses) {
@@ -36,7 +44,7 @@ void add_bodies(SceneRecord& record, const std::string& name, const std::vector<
         for (const Pose& pose : poses)
             of_shape.emplace_back(pose.isometry() * shapes[i].origin.isometry());
         record.bodies.push_back(
-            {shapes.size() == 1 ? name : name + "/" + std::to_string(i + 1), shapes[i].shape, pose_rows(of_shape)});
+            {shapes.size() == 1 ? name : name + "/" + std::to_string(i + 1), shapes[i].shape, rows_of(of_shape)});
     }
 }
 
@@ -75,7 +83,7 @@ SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scen
         std::vector<Pose> of_body;
         for (const double stamp : record.times)
             of_body.push_back(body.motion.pose_at(std::clamp((stamp - begin) / whole, 0.0, 1.0)));
-        record.bodies.push_back({body.name, body.shape, pose_rows(of_body)});
+        record.bodies.push_back({body.name, body.shape, rows_of(of_body)});
     }
     if (answer.pair)
         record.contacts.push_back({.time = answer.time.lower,

@@ -1,0 +1,160 @@
+// Edges of a planner for the Panda in the worlds of its planning problems: proven, beside FCL's discrete tests of samples
+// as OMPL's validator takes them, at 1 % of the largest distance in joint space (its default) and at 0.1 %. FCL gets the
+// poses of all samples made beforehand.
+#include "bench/fcl_robot.h"
+#include "tests/data/planning_scenes.h"
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <filesystem>
+#include <random>
+
+namespace {
+
+using namespace chasles;
+
+constexpr int problems = 40;        // of 400
+constexpr int edges_of_problem = 50;
+
+double uniform(std::mt19937_64& random, double lower, double upper) {
+    return lower + (upper - lower) * std::ldexp(double(random() >> 11), -53);
+}
+
+Configuration random_within_limits(std::mt19937_64& random, const Robot& robot) {
+    Configuration values(Eigen::Index(robot.variables().size()));
+    for (std::size_t i = 0; i < robot.variables().size(); ++i)
+        values[Eigen::Index(i)] = uniform(random, robot.variables()[i].lower, robot.variables()[i].upper);
+    return values;
+}
+
+/// The largest distance of two configurations, as OMPL measures it.
+double largest_distance(const Robot& robot) {
+    double sum = 0;
+    for (const RobotVariable& v : robot.variables())
+        sum += (v.upper - v.lower) * (v.upper - v.lower);
+    return std::sqrt(sum);
+}
+
+double seconds(const auto& work) {
+    const auto start = std::chrono::steady_clock::now();
+    work();
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+}
+
+struct Edge {
+    double proven = 0;                     ///< seconds
+    std::array<double, 2> sampled{};       ///< likewise
+    std::array<bool, 2> sampled_clear{};
+    bool is_clear = false;
+};
+
+double quantile(std::vector<double> values, double share) {
+    if (values.empty())
+        return 0;
+    std::ranges::sort(values);
+    return values[std::size_t(share * double(values.size() - 1))];
+}
+
+void print(const char* name, const std::vector<Edge>& edges) {
+    const auto column = [&](const char* label, const auto& select, const auto& value) {
+        std::vector<double> values;
+        for (const Edge& edge : edges)
+            if (select(edge))
+                values.push_back(1e6 * value(edge));
+        double sum = 0;
+        for (const double v : values)
+            sum += v;
+        std::printf("  %-34s %6zu edges: median %8.1f us, mean %8.1f, 95 %% %8.1f, slowest %8.0f\n", label, values.size(),
+                    quantile(values, 0.5), sum / double(std::max<std::size_t>(1, values.size())),
+                    quantile(values, 0.95), quantile(values, 1));
+    };
+    const auto all = [](const Edge&) { return true; };
+    const auto free = [](const Edge& e) { return e.is_clear; };
+    const auto touching = [](const Edge& e) { return !e.is_clear; };
+    std::printf("%s\n", name);
+    column("proven, all", all, [](const Edge& e) { return e.proven; });
+    column("proven, free", free, [](const Edge& e) { return e.proven; });
+    column("proven, touching", touching, [](const Edge& e) { return e.proven; });
+    constexpr std::array labels{"FCL at 1 %", "FCL at 0.1 %"};
+    for (std::size_t k = 0; k < labels.size(); ++k) {
+        column((std::string(labels[k]) + ", all").c_str(), all, [k](const Edge& e) { return e.sampled[k]; });
+        column((std::string(labels[k]) + ", free").c_str(), free, [k](const Edge& e) { return e.sampled[k]; });
+        std::size_t missed = 0, contacts = 0, false_alarms = 0;
+        std::vector<double> ratios;
+        for (const Edge& edge : edges) {
+            contacts += !edge.is_clear;
+            missed += !edge.is_clear && edge.sampled_clear[k];
+            false_alarms += edge.is_clear && !edge.sampled_clear[k];
+            ratios.push_back(edge.proven / edge.sampled[k]);
+        }
+        std::printf("  %-34s misses %zu of %zu contacts, alarms at %zu free edges; our time is %.2f of its (median)\n",
+                    labels[k], missed, contacts, false_alarms, quantile(ratios, 0.5));
+    }
+}
+
+/// Steps between samples as OMPL counts them, without the start.
+int samples_of(const Configuration& way, double step) {
+    return std::max(1, int(std::ceil(way.norm() / step)));
+}
+
+Edge measured(const RobotChecker& checker, bench::FclRobot& peer, const Configuration& start, const Configuration& way,
+              double extent) {
+    Edge edge;
+    std::vector<double> times;
+    for (int run = 0; run < 3; ++run)
+        times.push_back(seconds([&] { edge.is_clear = checker.is_clear(start, start + way); }));
+    edge.proven = quantile(times, 0.5);
+    constexpr std::array parts{0.01, 0.001};
+    for (std::size_t k = 0; k < parts.size(); ++k) {
+        const int count = samples_of(way, parts[k] * extent);
+        std::vector<bench::FclRobot::Poses> poses;
+        for (int i = 1; i <= count; ++i)
+            poses.push_back(peer.poses(start + way * (double(i) / count)));
+        times.clear();
+        for (int run = 0; run < 3; ++run)
+            times.push_back(seconds([&] {
+                edge.sampled_clear[k] =
+                    std::ranges::none_of(poses, [&](const auto& pose) { return peer.collides(pose); });
+            }));
+        edge.sampled[k] = quantile(times, 0.5);
+    }
+    return edge;
+}
+
+} // namespace
+
+int main() {
+    const std::filesystem::path folder = std::filesystem::path(CHASLES_DATA_DIR) / "robots/panda";
+    if (!std::filesystem::exists(folder)) {
+        std::printf("skipped: no folder robots/panda of real inputs\n");
+        return 0;
+    }
+    const Robot robot = Robot::load(folder / "panda.urdf", {.srdf = folder / "panda.srdf"});
+    const double extent = largest_distance(robot);
+    const std::vector<std::string> names = test::planning_problem_names(folder / "mbm-problems");
+    for (const double length : {1.0, 3.0}) {
+        std::mt19937_64 random(20);
+        std::vector<Edge> edges;
+        for (int p = 0; p < problems; ++p) {
+            const test::PlanningProblem problem = test::read_planning_problem(
+                folder / "mbm-problems", names[std::size_t(p) * names.size() / problems], robot);
+            const RobotChecker checker(robot, &problem.world);
+            bench::FclRobot peer(robot, problem.world);
+            for (int i = 0; i < edges_of_problem;) {
+                const Configuration start = random_within_limits(random, robot);
+                if (!checker.is_clear(start) || peer.collides(start))
+                    continue;
+                Configuration way = random_within_limits(random, robot) - random_within_limits(random, robot);
+                way *= length / way.lpNorm<1>();
+                edges.push_back(measured(checker, peer, start, way, extent));
+                ++i;
+            }
+        }
+        char title[80];
+        std::snprintf(title, sizeof title, "edges of %.0f rad in all joints together, from free configurations", length);
+        print(title, edges);
+    }
+}
