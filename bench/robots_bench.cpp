@@ -1,6 +1,6 @@
-// Edges of a planner for the Panda in the worlds of its planning problems: proven, beside FCL's discrete tests of samples
-// as OMPL's validator takes them, at 1 % of the largest distance in joint space (its default) and at 0.1 %. FCL gets the
-// poses of all samples made beforehand.
+// Edges of a planner for the Panda in the worlds of its planning problems: proven, beside FCL's discrete tests of
+// samples as OMPL's validator takes them, at 1 % of the largest distance in joint space (its default) and at 0.1 %. FCL
+// gets the poses of all samples made beforehand.
 #include "bench/fcl_robot.h"
 #include "tests/data/planning_scenes.h"
 
@@ -16,7 +16,7 @@ namespace {
 
 using namespace chasles;
 
-constexpr int problems = 40;        // of 400
+constexpr int problems = 40; // of 400
 constexpr int edges_of_problem = 50;
 
 double uniform(std::mt19937_64& random, double lower, double upper) {
@@ -45,8 +45,8 @@ double seconds(const auto& work) {
 }
 
 struct Edge {
-    double proven = 0;                     ///< seconds
-    std::array<double, 2> sampled{};       ///< likewise
+    double proven = 0;               ///< seconds
+    std::array<double, 2> sampled{}; ///< likewise
     std::array<bool, 2> sampled_clear{};
     bool is_clear = false;
 };
@@ -67,8 +67,8 @@ void print(const char* name, const std::vector<Edge>& edges) {
         double sum = 0;
         for (const double v : values)
             sum += v;
-        std::printf("  %-34s %6zu edges: median %8.1f us, mean %8.1f, 95 %% %8.1f, slowest %8.0f\n", label, values.size(),
-                    quantile(values, 0.5), sum / double(std::max<std::size_t>(1, values.size())),
+        std::printf("  %-34s %6zu edges: median %8.1f us, mean %8.1f, 95 %% %8.1f, slowest %8.0f\n", label,
+                    values.size(), quantile(values, 0.5), sum / double(std::max<std::size_t>(1, values.size())),
                     quantile(values, 0.95), quantile(values, 1));
     };
     const auto all = [](const Edge&) { return true; };
@@ -154,7 +154,8 @@ int main() {
             }
         }
         char title[80];
-        std::snprintf(title, sizeof title, "edges of %.0f rad in all joints together, from free configurations", length);
+        std::snprintf(title, sizeof title, "edges of %.0f rad in all joints together, from free configurations",
+                      length);
         print(title, edges);
     }
 }

@@ -19,15 +19,16 @@ using scene::Box;
 using Prepared = RobotChecker::Prepared;
 
 /// A segment is halved at most so often.
-constexpr int most_halvings = 5;
+constexpr int most_halvings = 6;
 constexpr std::size_t cells = std::size_t{1} << most_halvings;
 /// The allowance for all roundings of boxes, relative to the sizes that enter.
 constexpr double rounding_of_boxes = 1e-11;
 
 // These numbers decide only what is tried first. They are measured with robots_bench.
 
-/// Large nodes are tested where a body moves by less than this part of its radius.
-constexpr double small_way = 0.7;
+/// A pair is halved in time until the body moves by less than this part of its radius. Then large nodes decide whether
+/// it is searched.
+constexpr double small_way = 1.2;
 
 Vector3d as_eigen(const motion::Vector3<double>& v) {
     return {v.x, v.y, v.z};
@@ -377,12 +378,10 @@ void Culling::visit(const Cell& cell, const std::vector<Candidate>& pairs) {
         if (are_apart(cell, pair))
             continue;
         const double radius = prepared_.extents[moving_element(prepared_, pair.task)].radius;
-        const bool is_small = pair.way * cell.duration() <= small_way * radius;
-        if (is_small && are_nodes_apart(cell, pair))
-            continue;
-        if (cell.halvings == most_halvings || pair.way == 0)
+        const bool is_small = pair.way * cell.duration() <= small_way * radius || cell.halvings == most_halvings;
+        if (is_small && !are_nodes_apart(cell, pair))
             add(pair.task, cell.part());
-        else
+        if (!is_small)
             near.push_back(pair);
     }
     if (near.empty())

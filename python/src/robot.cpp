@@ -153,7 +153,9 @@ void bind_robot(nb::module_& module) {
                     doc("Robot.load"))
         .def_prop_ro(
             "name", [](const Robot& r) { return r.description().name; }, "Of the URDF file.")
-        .def_prop_ro("variables", [](const Robot& r) { return names_of(r); }, "The names of the numbers of a configuration, in order.")
+        .def_prop_ro(
+            "variables", [](const Robot& r) { return names_of(r); },
+            "The names of the numbers of a configuration, in order.")
         .def_prop_ro("limits", limits_of, nb::sig("def limits(self) -> " CHASLES_ARRAY),
                      "Lower and upper limit of each variable, (variables, 2); infinite without a limit.")
         .def_prop_ro("links", links_of, "The names of the links.")

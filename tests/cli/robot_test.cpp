@@ -1,0 +1,118 @@
+// chasles robot and chasles acm: the answers are those of the library, and every wrong input gets one line.
+#include "tests/cli/cli_test_files.h"
+
+#include "chasles/chasles.h"
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+
+namespace chasles {
+namespace {
+
+using Json = nlohmann::json;
+
+const std::string arm = R"(<robot name="arm">
+  <link name="base"><collision><geometry><sphere radius="0.2"/></geometry></collision></link>
+  <link name="upper"><collision><origin xyz="0.5 0 0"/><geometry><box size="0.8 0.1 0.1"/></geometry></collision></link>
+  <link name="lower"><collision><origin xyz="0.5 0 0"/><geometry><box size="0.8 0.1 0.1"/></geometry></collision></link>
+  <joint name="shoulder" type="revolute"><parent link="base"/><child link="upper"/><axis xyz="0 0 1"/>
+    <limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
+  <joint name="elbow" type="revolute"><parent link="upper"/><child link="lower"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/>
+    <limit lower="0.5" upper="3" velocity="1" effort="1"/></joint>
+</robot>)";
+
+class RobotCommand : public tests::CommandLine {
+protected:
+    RobotCommand() {
+        write("arm.urdf", arm);
+        write("path.csv", "shoulder\n0\n0.1\n2\n");
+        write("timed.csv", "t,elbow,shoulder\n1,0.5,0\n3,0.5,2\n");
+        write("cell.json", R"({"bodies": [{"name": "cube", "mesh": "cube.obj", "pose": [-0.6, 1.3, -0.5]}]})");
+    }
+    [[nodiscard]] Json json(const std::string& arguments) const { return Json::parse(run(arguments + " --json").out); }
+    [[nodiscard]] RobotAnswer expected(const JointPath& path) const {
+        const Robot robot = Robot::load(path_of("arm.urdf"));
+        Scene scene;
+        scene.add({"cube", Polyhedron::load(path_of("cube.obj")),
+                   Motion::at_rest(Pose({-0.6, 1.3, -0.5}, Eigen::Quaterniond::Identity()))});
+        return RobotChecker(robot, &scene).first_contact(path);
+    }
+    [[nodiscard]] std::string path_of(const std::string& name) const { return path(name).string(); }
+};
+
+Configuration values(double shoulder, double elbow) {
+    Configuration q(2);
+    q << shoulder, elbow;
+    return q;
+}
+
+TEST_F(RobotCommand, AnswersAsTheLibrary) {
+    const Robot robot = Robot::load(path_of("arm.urdf"));
+    const std::vector<Configuration> way{values(0, 0.5), values(0.1, 0.5), values(2, 0.5)};
+    const RobotAnswer same = expected(JointPath::straight(robot, way));
+    const tests::Finished finished = run("robot arm.urdf --path path.csv --scene cell.json");
+    EXPECT_EQ(finished.status, 1);
+    EXPECT_NE(finished.out.find("lower on cube (scene)"), std::string::npos) << finished.out;
+    const Json answer = json("robot arm.urdf --path path.csv --scene cell.json");
+    EXPECT_EQ(answer["verdict"], "contact");
+    EXPECT_EQ(answer["segment"], 1);
+    EXPECT_EQ(answer["time"].get<double>(), same.contact.time.lower);
+    EXPECT_EQ(answer["time_upper"].get<double>(), same.contact.time.upper);
+    EXPECT_EQ(answer["clear_until"].get<double>(), same.contact.clear_until);
+    EXPECT_EQ(answer["pair"], Json({"lower", "cube"}));
+    EXPECT_EQ(answer["configuration"]["shoulder"].get<double>(), same.configuration[0]);
+    EXPECT_EQ(answer["configuration"]["elbow"].get<double>(), 0.5) << "left out: its limit nearest to 0";
+    EXPECT_EQ(answer["contacts"].size(), 1U);
+    const Json clear = json("robot arm.urdf --path path.csv");
+    EXPECT_EQ(clear["verdict"], "clear");
+    EXPECT_EQ(clear["clear_until"].get<double>(), 1);
+    EXPECT_FALSE(clear.contains("pair"));
+    EXPECT_EQ(run("robot arm.urdf --path path.csv").status, 0);
+}
+
+TEST_F(RobotCommand, CountsInStamps) {
+    const Json answer = json("robot arm.urdf --path timed.csv --scene cell.json");
+    const Robot robot = Robot::load(path_of("arm.urdf"));
+    const std::vector<Configuration> way{values(0, 0.5), values(2, 0.5)};
+    const RobotAnswer same = expected(JointPath::straight(robot, way));
+    EXPECT_NEAR(answer["time"].get<double>(), 1 + 2 * same.contact.time.lower, 1e-12);
+    EXPECT_NEAR(answer["contacts"][0]["approach_speed"].get<double>(), same.contact.contacts[0].approach_speed / 2,
+                1e-9);
+}
+
+TEST_F(RobotCommand, ProvesPairsAndWritesThem) {
+    write("arm.srdf", R"(<robot name="arm"><group name="all"><joint name="elbow"/></group>
+        <disable_collisions link1="base" link2="lower" reason="Never"/></robot>)");
+    const Json answer = json("acm arm.urdf");
+    ASSERT_EQ(answer["pairs"].size(), 3U);
+    EXPECT_EQ(answer["pairs"][1]["links"], Json({"base", "lower"}));
+    EXPECT_EQ(answer["pairs"][1]["reason"], "sometimes") << "folded by 3 rad, the lower bar reaches the base";
+    EXPECT_TRUE(answer["pairs"][1]["witness"].contains("elbow"));
+    EXPECT_NE(run("acm arm.urdf --srdf arm.srdf --out new.srdf").out.find("does not test it"), std::string::npos);
+    std::ifstream stream(path("new.srdf"));
+    const std::string text{std::istreambuf_iterator<char>(stream), {}};
+    EXPECT_NE(text.find("<group name=\"all\">"), std::string::npos) << text;
+    EXPECT_NE(text.find("link2=\"upper\" reason=\"Adjacent\""), std::string::npos) << text;
+    EXPECT_EQ(text.find("link2=\"lower\" reason=\"Never\""), std::string::npos) << text;
+}
+
+TEST_F(RobotCommand, RefusesWrongInput) {
+    EXPECT_EQ(error_line("robot nothing.urdf --path path.csv"), "chasles: nothing.urdf: there is no such file");
+    write("bad.csv", "shoulder,wrist\n0,0\n");
+    EXPECT_EQ(error_line("robot arm.urdf --path bad.csv"),
+              "chasles: bad.csv: line 1: the robot has no variable 'wrist'; fixed joints and joints that follow others "
+              "have none");
+    write("bad.csv", "shoulder\n0\nnan\n");
+    EXPECT_EQ(error_line("robot arm.urdf --path bad.csv"),
+              "chasles: bad.csv: line 3: shoulder: 'nan' is not a finite number");
+    write("bad.csv", "t,shoulder\n0,0\n0,1\n");
+    EXPECT_EQ(error_line("robot arm.urdf --path bad.csv"),
+              "chasles: bad.csv: line 3: t: must be greater than in the row before");
+    EXPECT_EQ(error_line("robot arm.urdf --path path.csv --packages here"),
+              "chasles: --packages: 'here' is not of the form NAME=FOLDER");
+    EXPECT_EQ(error_line("acm arm.urdf --seconds 0"), "chasles: query: seconds: must be positive");
+}
+
+} // namespace
+} // namespace chasles

@@ -1,0 +1,138 @@
+// Pairs of links that can or cannot touch, against geometry and against dense sampling.
+#include "chasles/robot/pair_proof.h"
+
+#include "chasles/mesh/primitives.h"
+#include "tests/robot/random_robot.h"
+#include "tests/support/refusal.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::test {
+namespace {
+
+using Eigen::Vector3d;
+
+JointDescription joint(const std::string& name, JointType type, const std::string& parent, const std::string& child,
+                       const Pose& origin, double lower, double upper, const Vector3d& axis = Vector3d::UnitZ()) {
+    JointDescription made{name, type, parent, child};
+    made.origin = origin;
+    made.axis = axis;
+    made.lower = lower;
+    made.upper = upper;
+    return made;
+}
+
+/// A ball on a stick of length 1 turns twice about parallel axes; a wall stands at x = 2 + gap from the first axis,
+/// where the outstretched stick would have the ball at most at x = 2. The links are slabs, so all is plane geometry.
+RobotDescription two_sticks(double gap) {
+    const double side = 0.2;
+    RobotDescription robot{"sticks"};
+    robot.links = {{"wall", {{make_box({1, 6, 1}), shifted(2.5 + side / 2 + gap, 0, 0)}}},
+                   {"stick"},
+                   {"end", {{make_box({side, side, side}), shifted(1, 0, 0)}}}};
+    robot.joints = {joint("first", JointType::revolute, "wall", "stick", Pose(), -3, 3),
+                    joint("second", JointType::revolute, "stick", "end", shifted(1, 0, 0), -3, 3)};
+    return robot;
+}
+
+PairProof proof_of(const RobotDescription& robot, const std::string& first, const std::string& second,
+                   const PairProofOptions& options = {}) {
+    for (const PairProof& proof : prove_pairs(Robot(robot), options))
+        if (proof.first == first && proof.second == second)
+            return proof;
+    ADD_FAILURE() << first << " and " << second << " are missing";
+    return {};
+}
+
+/// The corners of the end are at most sqrt(1.1^2 + 0.1^2) from the second axis, and that at 1 from the first one.
+TEST(PairProof, IsRightOnBothSidesOfAClosedForm) {
+    const double reach = 1 + std::hypot(1.1, 0.1);
+    const double touch = reach - 2.1; // the gap at which the corner just reaches the wall
+    const auto unlocked = [](double gap) {
+        RobotDescription robot = two_sticks(gap);
+        robot.links[1].collisions.push_back(
+            {make_box({0.01, 0.01, 0.01}), shifted(0, 0, 5)}); // no neighbours through it
+        return robot;
+    };
+    EXPECT_EQ(proof_of(unlocked(touch + 1e-3), "wall", "end").reason, PairReason::never);
+    const PairProof sometimes = proof_of(unlocked(touch - 1e-3), "wall", "end");
+    EXPECT_EQ(sometimes.reason, PairReason::sometimes);
+    ASSERT_TRUE(sometimes.witness);
+    const Robot robot(unlocked(touch - 1e-3));
+    EXPECT_FALSE(RobotChecker(robot).is_clear(*sometimes.witness));
+    EXPECT_EQ(proof_of(two_sticks(0), "wall", "end").reason, PairReason::adjacent)
+        << "only a link without a shape is between them";
+}
+
+TEST(PairProof, SeesLinksThatNoJointMoves) {
+    RobotDescription robot{"fixed"};
+    const Polyhedron cube = make_box({1, 1, 1});
+    robot.links = {{"a", {{cube}}}, {"b", {{cube, shifted(0.5, 0, 0)}}}, {"c", {{cube, shifted(3, 0, 0)}}}};
+    robot.joints = {joint("ab", JointType::fixed, "a", "b", Pose(), 0, 0),
+                    joint("bc", JointType::fixed, "b", "c", Pose(), 0, 0)};
+    EXPECT_EQ(proof_of(robot, "a", "b").reason, PairReason::adjacent);
+    EXPECT_EQ(proof_of(robot, "a", "c").reason, PairReason::never);
+    robot.links[2].collisions[0].origin = shifted(0.25, 0, 0);
+    EXPECT_EQ(proof_of(robot, "a", "c").reason, PairReason::always);
+}
+
+TEST(PairProof, LeavesOpenWhatHasNoLimitsOrNoTime) {
+    RobotDescription robot = two_sticks(1);
+    robot.links[1].collisions.push_back({make_box({0.01, 0.01, 0.01}), shifted(0, 0, 5)});
+    robot.joints[0].type = JointType::prismatic;
+    robot.joints[0].lower = -std::numeric_limits<double>::infinity();
+    EXPECT_EQ(proof_of(robot, "wall", "end").reason, PairReason::open);
+    EXPECT_EQ(refusal([&] { (void)prove_pairs(Robot(robot), {.seconds = 0}); }), "query: seconds: must be positive");
+    std::size_t calls = 0;
+    const PairProofOptions stopped{.progress = [&](std::size_t, std::size_t) { return ++calls > 100; }};
+    EXPECT_EQ(proof_of(two_sticks(1), "wall", "end", stopped).reason, PairReason::adjacent);
+}
+
+/// No sample may deny what is proven, and each witness touches.
+TEST(PairProof, AgreesWithSamplesOfRandomRobots) {
+    Random random(2301);
+    std::size_t never = 0, sometimes = 0;
+    for (int trial = 0; trial < 80; ++trial) {
+        RobotDescription description = random_robot(random, random.integer(3, 5), false);
+        for (JointDescription& j : description.joints) {
+            if (j.type == JointType::planar || j.type == JointType::continuous)
+                j.type = JointType::revolute;
+            j.mimic.reset();
+            j.origin.translation *= 0.6;
+            j.lower = random.uniform(-1, 0);
+            j.upper = random.uniform(0, 1);
+        }
+        const Robot robot(description);
+        const std::vector<PairProof> proofs = prove_pairs(robot, {.seconds = 3});
+        std::vector<Configuration> samples;
+        for (int i = 0; i < 200; ++i) {
+            Configuration values(Eigen::Index(robot.variables().size()));
+            for (std::size_t k = 0; k < robot.variables().size(); ++k)
+                values[Eigen::Index(k)] = random.uniform(robot.variables()[k].lower, robot.variables()[k].upper);
+            samples.push_back(values);
+        }
+        for (const PairProof& proof : proofs) {
+            Robot alone = robot; // only this pair is tested
+            for (const PairProof& other : proofs)
+                if (&other != &proof)
+                    alone.ignore(other.first, other.second);
+            alone.test(proof.first, proof.second);
+            const RobotChecker checker(alone);
+            const auto touches = [&](const Configuration& q) { return !checker.is_clear(q); };
+            if (proof.reason == PairReason::never) {
+                ++never;
+                EXPECT_TRUE(std::ranges::none_of(samples, touches)) << "trial " << trial << ": " << proof.first;
+            }
+            if (proof.reason == PairReason::sometimes) {
+                ++sometimes;
+                EXPECT_TRUE(touches(*proof.witness)) << "trial " << trial << ": " << proof.first;
+            }
+        }
+    }
+    std::cout << never << " never, " << sometimes << " sometimes\n";
+    EXPECT_GT(never, 10U);
+    EXPECT_GT(sometimes, 10U);
+}
+
+} // namespace
+} // namespace chasles::test
