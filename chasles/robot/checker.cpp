@@ -22,24 +22,6 @@ namespace {
 
 using Prepared = RobotChecker::Prepared;
 
-/// More obstacles than this have a tree.
-constexpr std::size_t few_obstacles = 32;
-
-Prepared::Extent extent_of(const Element& element) {
-    const MeshReport report = element.shape.report();
-    Prepared::Extent extent;
-    extent.place = element.place.in_double;
-    extent.centre = element.shape.body().bvh().centre();
-    extent.half = (report.upper - extent.centre).cwiseMax(extent.centre - report.lower);
-    extent.radius = element.shape.body().vertex_radius();
-    extent.size = norm1(extent.place.translation) + extent.centre.lpNorm<1>() + extent.half.lpNorm<1>();
-    return extent;
-}
-
-scene::Box box_of(const Polyhedron& shape, const scene::WorldMotion& motion) {
-    return scene::swept({shape.body(), *motion.frame, true}, 0).box;
-}
-
 /// Time within a part of a segment, as time within the segment, rounded outwards.
 Bracket in_segment(const Bracket& local, const Bracket& part) {
     constexpr double rounding = 0x1p-51;
@@ -69,6 +51,9 @@ public:
 private:
     [[nodiscard]] FirstContact ask(const Task& task, double until, Find find) const;
     [[nodiscard]] motion::SmoothMotion motion_of(const Task& task) const;
+    [[nodiscard]] motion::SmoothMotion motion_of_self(const Task& task) const;
+    [[nodiscard]] motion::SmoothMotion motion_to_obstacle(const Task& task) const;
+    [[nodiscard]] motion::SmoothMotion motion_to_mover(const Task& task) const;
     [[nodiscard]] motion::SharedFrame frame_of(const Element& element) const;
     [[nodiscard]] const Polyhedron& fixed_shape(const Task& task) const;
     [[nodiscard]] std::size_t moving_element(const Task& task) const;
@@ -119,36 +104,58 @@ motion::SharedFrame SegmentSearch::frame_of(const Element& element) const {
     return motion::chain_frame(prepared_.model().chain(motion_, element.group, element.place));
 }
 
+/// The part of a frame that a task is about.
+motion::SharedFrame part_of(const motion::SharedFrame& frame, const Bracket& part) {
+    return part.lower == 0 && part.upper == 1 ? frame : motion::part_frame(frame, part);
+}
+
+motion::SmoothMotion SegmentSearch::motion_of_self(const Task& task) const {
+    const Model& model = prepared_.model();
+    const auto& [moving, fixed, margin] = prepared_.self_pairs[task.first];
+    const Element &a = model.elements[moving], &b = model.elements[fixed];
+    return {part_of(motion::chain_frame(model.chain_between(motion_, b, a)), task.part),
+            part_of(frame_of(a), task.part), part_of(frame_of(b), task.part)};
+}
+
+motion::SmoothMotion SegmentSearch::motion_to_obstacle(const Task& task) const {
+    const Model& model = prepared_.model();
+    const Element& moving = model.elements[task.first];
+    const motion::FixedPose& pose = prepared_.obstacles[task.second].pose;
+    motion::Chain relative, at_rest;
+    relative.add(pose.inverse());
+    model.add_chain(relative, motion_, moving.group, moving.place);
+    at_rest.add(pose);
+    return {part_of(motion::chain_frame(std::move(relative)), task.part), part_of(frame_of(moving), task.part),
+            motion::chain_frame(std::move(at_rest))};
+}
+
+motion::SmoothMotion SegmentSearch::motion_to_mover(const Task& task) const {
+    const motion::SharedFrame moving = frame_of(prepared_.model().elements[task.first]);
+    const motion::SharedFrame fixed = part_of(prepared_.motions[prepared_.movers[task.second]]->frame, of_scene_);
+    return {motion::relative_frame(moving, fixed), moving, fixed};
+}
+
 /// The moving element as seen from the fixed body, by the joints between them alone, and both in the world.
 motion::SmoothMotion SegmentSearch::motion_of(const Task& task) const {
-    const Model& model = prepared_.model();
-    const Element& moving = model.elements[moving_element(task)];
-    const auto part = [&](const motion::SharedFrame& frame) {
-        return task.part.lower == 0 && task.part.upper == 1 ? frame : motion::part_frame(frame, task.part);
-    };
-    const motion::SharedFrame of_moving = frame_of(moving);
     switch (task.kind) {
-    case Task::Kind::self: {
-        const Element& fixed = model.elements[prepared_.self_pairs[task.first].fixed];
-        return {part(motion::chain_frame(model.chain_between(motion_, fixed, moving))), part(of_moving),
-                part(frame_of(fixed))};
+    case Task::Kind::self:
+        return motion_of_self(task);
+    case Task::Kind::obstacle:
+        return motion_to_obstacle(task);
+    default:
+        return motion_to_mover(task);
     }
-    case Task::Kind::obstacle: {
-        const motion::FixedPose& pose = prepared_.obstacles[task.second].pose;
-        motion::Chain chain;
-        chain.add(pose.inverse());
-        model.add_chain(chain, motion_, moving.group, moving.place);
-        motion::Chain at_rest;
-        at_rest.add(pose);
-        return {part(motion::chain_frame(std::move(chain))), part(of_moving), motion::chain_frame(std::move(at_rest))};
-    }
-    default: {
-        const motion::SharedFrame whole = prepared_.motions[prepared_.movers[task.second]]->frame;
-        const motion::SharedFrame fixed =
-            of_scene_.lower == 0 && of_scene_.upper == 1 ? whole : motion::part_frame(whole, of_scene_);
-        return {motion::relative_frame(of_moving, fixed), of_moving, fixed};
-    }
-    }
+}
+
+/// The answer for a part of a segment, in the time of the segment.
+void count_in_segment(FirstContact& found, const Bracket& part) {
+    found.clear_until = in_segment({found.clear_until, found.clear_until}, part).lower;
+    found.time = in_segment(found.time, part);
+    found.tau = found.time;
+    for (Contact& contact : found.contacts)
+        contact.approach_speed /= part.upper - part.lower;
+    if (found.verdict == Verdict::contact_at_start && part.lower > 0)
+        found.verdict = Verdict::contact; // it was clear before
 }
 
 FirstContact SegmentSearch::ask(const Task& task, double until, Find find) const {
@@ -162,16 +169,14 @@ FirstContact SegmentSearch::ask(const Task& task, double until, Find find) const
     const double local_until = std::clamp((until - task.part.lower) / duration * (1 + 1e-12), 0.0, 1.0);
     FirstContact found = query::answer({prepared_.model().elements[moving_element(task)].shape.body(),
                                         fixed_shape(task).body(), trajectory, options, local_until});
-    if (found.verdict == Verdict::clear)
-        return found;
-    found.clear_until = in_segment({found.clear_until, found.clear_until}, task.part).lower;
-    found.time = in_segment(found.time, task.part);
-    found.tau = found.time;
-    for (Contact& contact : found.contacts)
-        contact.approach_speed /= duration;
-    if (found.verdict == Verdict::contact_at_start && task.part.lower > 0)
-        found.verdict = Verdict::contact; // it was clear before
+    if (found.verdict != Verdict::clear)
+        count_in_segment(found, task.part);
     return found;
+}
+
+/// By lower ends of brackets, then by upper ones.
+bool is_earlier(const FirstContact& a, const FirstContact& b) {
+    return std::pair(a.time.lower, a.time.upper) < std::pair(b.time.lower, b.time.upper);
 }
 
 std::optional<SegmentSearch::Found> SegmentSearch::run() {
@@ -186,8 +191,7 @@ std::optional<SegmentSearch::Found> SegmentSearch::run() {
         work_ += contact.work;
         if (contact.verdict == Verdict::clear)
             continue;
-        if (!first || std::pair(contact.time.lower, contact.time.upper) <
-                          std::pair(first->contact.time.lower, first->contact.time.upper))
+        if (!first || is_earlier(contact, first->contact))
             first = Found{name_of(task), std::move(contact)};
         if (prepared_.options.find == Find::any)
             break;
@@ -216,50 +220,6 @@ Bracket stamps_of(const JointPath::Segment& segment, const Bracket& time) {
 
 } // namespace
 
-RobotChecker::Prepared::Prepared(const Robot& given, const Scene* scene, const RobotQuery& query)
-    : robot(given), options(query.options) {
-    query::check_options(options);
-    query::require(!options.hold, "hold", "is not supported for robots");
-    const Model& m = model();
-    for (const Element& element : m.elements)
-        extents.push_back(extent_of(element));
-    for (std::size_t i = 0; i < m.elements.size(); ++i)
-        for (std::size_t j = i + 1; j < m.elements.size(); ++j) {
-            const Element &a = m.elements[i], &b = m.elements[j];
-            const auto owners = std::minmax(a.owner, b.owner);
-            if (a.group == b.group || m.ignored.contains(owners))
-                continue;
-            const auto margin = m.margins.find(owners);
-            const bool second_moves = m.groups[b.group].depth >= m.groups[a.group].depth;
-            self_pairs.push_back({second_moves ? j : i, second_moves ? i : j,
-                                  margin == m.margins.end() ? options.margin : margin->second});
-        }
-    if (!scene)
-        return;
-    bodies.assign(scene->bodies().begin(), scene->bodies().end());
-    for (std::size_t i = 0; i < bodies.size(); ++i) {
-        motions.push_back(std::make_shared<const scene::WorldMotion>(scene->motion_of(i)));
-        if (motions[i]->rests && motions[i]->frame->is_refined())
-            obstacles.push_back(
-                {i, motion::FixedPose(pose_of<algebra::DoubleDouble>(*motions[i]->frame, algebra::DoubleDouble(0.0))),
-                 box_of(bodies[i].shape, *motions[i])});
-        else
-            movers.push_back(i);
-    }
-    if (obstacles.size() > few_obstacles) {
-        std::vector<scene::SweptBody> boxes;
-        for (const Obstacle& obstacle : obstacles)
-            boxes.push_back({obstacle.box, {}});
-        tree.emplace(boxes);
-    }
-}
-
-bool RobotChecker::Prepared::is_ignored(std::size_t element, std::size_t body) const {
-    const Model& m = model();
-    return !m.ignored_in_scene.empty() &&
-           m.ignored_in_scene.contains({m.owners[m.elements[element].owner].name, bodies[body].name});
-}
-
 RobotChecker::RobotChecker(const Robot& robot, const Scene* scene, const RobotQuery& query)
     : prepared_(std::make_unique<const Prepared>(robot, scene, query)) {}
 RobotChecker::~RobotChecker() = default;
@@ -270,31 +230,42 @@ const Robot& RobotChecker::robot() const {
     return prepared_->robot;
 }
 
+namespace {
+
+/// Adds the contact of a segment to an answer.
+void set_contact(RobotAnswer& answer, const JointPath& path, SegmentSearch::Found found) {
+    const JointPath::Segment& segment = path.segments()[answer.segment];
+    FirstContact& contact = found.contact;
+    const bool is_later = answer.segment > 0 && contact.verdict == Verdict::contact_at_start;
+    answer.verdict = is_later ? Verdict::contact : contact.verdict;
+    answer.time = stamps_of(segment, contact.time);
+    answer.certain = contact.certain;
+    answer.pair = std::move(found.pair);
+    answer.clear_until = stamps_of(segment, {contact.clear_until, contact.clear_until}).lower;
+    answer.configuration = path.at(answer.time.lower);
+    answer.clear_configuration = path.at(answer.clear_until);
+    answer.contact = std::move(contact);
+}
+
+} // namespace
+
 RobotAnswer RobotChecker::first_contact(const JointPath& path) const {
     RobotAnswer answer;
     const std::vector<JointPath::Segment>& segments = path.segments();
     const double begin = segments.front().begin, whole = segments.back().end - begin;
     const auto in_scene = [&](double stamp) { return std::clamp((stamp - begin) / whole, 0.0, 1.0); };
-    for (std::size_t i = 0; i < segments.size(); ++i) {
-        const JointPath::Segment& segment = segments[i];
+    for (answer.segment = 0; answer.segment < segments.size(); ++answer.segment) {
+        const JointPath::Segment& segment = segments[answer.segment];
         SegmentSearch search(*prepared_, segment, {in_scene(segment.begin), in_scene(segment.end)});
-        auto found = search.run();
+        std::optional<SegmentSearch::Found> found = search.run();
         answer.pairs += search.pairs();
         answer.work += search.work();
-        answer.segment = i;
-        if (!found)
-            continue;
-        FirstContact& contact = found->contact;
-        answer.verdict = contact.verdict == Verdict::contact_at_start && i > 0 ? Verdict::contact : contact.verdict;
-        answer.time = stamps_of(segment, contact.time);
-        answer.certain = contact.certain;
-        answer.pair = std::move(found->pair);
-        answer.clear_until = stamps_of(segment, {contact.clear_until, contact.clear_until}).lower;
-        answer.configuration = path.at(answer.time.lower);
-        answer.clear_configuration = path.at(answer.clear_until);
-        answer.contact = std::move(contact);
-        return answer;
+        if (found) {
+            set_contact(answer, path, std::move(*found));
+            return answer;
+        }
     }
+    --answer.segment;
     answer.verdict = Verdict::clear;
     answer.clear_until = segments.back().end;
     answer.configuration = answer.clear_configuration = path.at(answer.clear_until);
@@ -320,16 +291,15 @@ std::vector<RobotAnswer> RobotChecker::first_contacts(const Eigen::MatrixXd& sta
                                                       unsigned threads) const {
     query::require(starts.rows() == goals.rows() && starts.cols() == goals.cols(), "edges",
                    "starts and goals must have the same shape");
-    std::vector<RobotAnswer> answers(std::size_t(starts.rows()));
     std::vector<JointPath> paths; // made before the threads start, so that an error has the number of its row
-    for (Eigen::Index i = 0; i < starts.rows(); ++i) {
-        const std::array<Configuration, 2> ends{starts.row(i), goals.row(i)};
+    for (Eigen::Index i = 0; i < starts.rows(); ++i)
         try {
-            paths.push_back(JointPath::straight(prepared_->robot, ends));
+            paths.push_back(
+                JointPath::straight(prepared_->robot, std::array<Configuration, 2>{starts.row(i), goals.row(i)}));
         } catch (const InvalidInput& error) {
             throw InvalidInput("edge " + std::to_string(i) + ": " + error.what());
         }
-    }
+    std::vector<RobotAnswer> answers(paths.size());
     parallel_for(threads, answers.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             answers[i] = first_contact(paths[i]);

@@ -120,9 +120,10 @@ std::vector<Wide> hermite(std::span<const Wide> start, std::span<const Wide> goa
             Wide(6.0) * d - Wide(3.0) * (v + w) - half * a + half * b};
 }
 
-/// Hermite splines through values and rates; rates[0] are the positions.
-std::vector<Segment> hermite_segments(const robot::Model& model, std::span<const double> times,
-                                      std::span<const std::span<const Configuration>> rates) {
+/// Positions, and their rates of the first order, and of the second.
+using Rates = std::span<const std::span<const Configuration>>;
+
+void check_rates(const robot::Model& model, std::span<const double> times, const Rates& rates) {
     constexpr std::array names{"position", "velocity", "acceleration"};
     check_no_quaternion(model);
     check_configurations(model, rates[0]);
@@ -134,25 +135,33 @@ std::vector<Segment> hermite_segments(const robot::Model& model, std::span<const
         for (std::size_t i = 0; i < times.size(); ++i)
             check_numbers(model, rates[order][i], numbered(names[order], i));
     }
-    std::vector<Segment> segments;
-    const std::size_t count = model.variables.size();
-    for (std::size_t s = 0; s + 1 < times.size(); ++s) {
-        const Wide duration = Wide(times[s + 1]) - Wide(times[s]);
-        std::vector<std::vector<Wide>> values(2 * rates.size(), std::vector<Wide>(count));
-        for (std::size_t i = 0; i < count; ++i) {
-            std::vector<Wide> start, goal;
-            Wide factor(1.0);
-            for (const auto& rate : rates) {
-                start.push_back(Wide(rate[s][Eigen::Index(i)]) * factor);
-                goal.push_back(Wide(rate[s + 1][Eigen::Index(i)]) * factor);
-                factor = factor * duration;
-            }
-            const std::vector<Wide> polynomial = hermite(start, goal);
-            for (std::size_t k = 0; k < polynomial.size(); ++k)
-                values[k][i] = polynomial[k];
+}
+
+/// From knot `s` to the next one.
+Segment hermite_segment(std::span<const double> times, const Rates& rates, std::size_t s) {
+    const Wide duration = Wide(times[s + 1]) - Wide(times[s]);
+    const auto count = std::size_t(rates[0][0].size());
+    std::vector<std::vector<Wide>> values(2 * rates.size(), std::vector<Wide>(count));
+    for (std::size_t i = 0; i < count; ++i) {
+        std::vector<Wide> start, goal;
+        Wide factor(1.0);
+        for (const std::span<const Configuration>& rate : rates) {
+            start.push_back(Wide(rate[s][Eigen::Index(i)]) * factor);
+            goal.push_back(Wide(rate[s + 1][Eigen::Index(i)]) * factor);
+            factor = factor * duration;
         }
-        segments.push_back(segment_of(times[s], times[s + 1], values));
+        const std::vector<Wide> polynomial = hermite(start, goal);
+        for (std::size_t k = 0; k < polynomial.size(); ++k)
+            values[k][i] = polynomial[k];
     }
+    return segment_of(times[s], times[s + 1], values);
+}
+
+std::vector<Segment> hermite_segments(const robot::Model& model, std::span<const double> times, const Rates& rates) {
+    check_rates(model, times, rates);
+    std::vector<Segment> segments;
+    for (std::size_t s = 0; s + 1 < times.size(); ++s)
+        segments.push_back(hermite_segment(times, rates, s));
     return segments;
 }
 
@@ -161,22 +170,13 @@ std::vector<Configuration> natural_velocities(std::span<const double> times, std
     const auto n = Eigen::Index(times.size());
     Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
     Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, positions.front().size());
-    const auto slope = [&](Eigen::Index i) { // of segment i
+    for (Eigen::Index i = 0; i + 1 < n; ++i) { // what a segment adds to the equations of its knots
         const auto k = std::size_t(i);
-        return Eigen::RowVectorXd(((positions[k + 1] - positions[k]) / (times[k + 1] - times[k])).transpose());
-    };
-    for (Eigen::Index i = 0; i < n; ++i) {
-        const double before = i > 0 ? 1 / (times[std::size_t(i)] - times[std::size_t(i) - 1]) : 0;
-        const double after = i + 1 < n ? 1 / (times[std::size_t(i) + 1] - times[std::size_t(i)]) : 0;
-        system(i, i) = 2 * (before + after);
-        if (i > 0) {
-            system(i, i - 1) = before;
-            right.row(i) += 3 * before * slope(i - 1);
-        }
-        if (i + 1 < n) {
-            system(i, i + 1) = after;
-            right.row(i) += 3 * after * slope(i);
-        }
+        const double inverse = 1 / (times[k + 1] - times[k]);
+        system.block<2, 2>(i, i) += inverse * (Eigen::Matrix2d() << 2, 1, 1, 2).finished();
+        const Eigen::RowVectorXd pull = 3 * inverse * inverse * (positions[k + 1] - positions[k]).transpose();
+        right.row(i) += pull;
+        right.row(i + 1) += pull;
     }
     const Eigen::MatrixXd solved = system.partialPivLu().solve(right);
     std::vector<Configuration> velocities;
@@ -239,30 +239,34 @@ JointPath JointPath::natural_spline(const Robot& robot, std::span<const double> 
     return cubic(robot, times, positions, natural_velocities(times, positions));
 }
 
+namespace {
+
+void check_segment(const robot::Model& model, const Segment& segment, const std::string& what) {
+    const auto count = Eigen::Index(model.variables.size());
+    const Eigen::MatrixXd &c = segment.coefficients, &r = segment.remainders;
+    if (c.rows() == 0 || c.cols() != count)
+        refuse(what, "coefficients must have a row for each power and a column for each variable");
+    if (r.size() > 0 && (r.rows() != c.rows() || r.cols() != c.cols()))
+        refuse(what, "remainders must have the shape of the coefficients");
+    if (!c.allFinite() || !r.allFinite())
+        refuse(what, "a coefficient is not a finite number");
+    if (count > 0 && c.cwiseAbs().colwise().sum().maxCoeff() > largest_angle)
+        refuse(what, "the coefficients of a variable sum up to more than 1000");
+    if (!std::isfinite(segment.begin) || !std::isfinite(segment.end) || !(segment.begin < segment.end))
+        refuse(what, "must end later than it begins");
+}
+
+} // namespace
+
 JointPath JointPath::polynomials(const Robot& robot, std::vector<Segment> segments) {
-    const robot::Model& model = robot.model();
-    check_no_quaternion(model);
+    check_no_quaternion(robot.model());
     if (segments.empty())
         refuse("segments", "there is none");
     for (std::size_t s = 0; s < segments.size(); ++s) {
-        const Segment& segment = segments[s];
-        const std::string what = numbered("segment", s);
-        if (segment.coefficients.rows() == 0 || segment.coefficients.cols() != Eigen::Index(model.variables.size()))
-            refuse(what, "coefficients must have a row for each power and a column for each variable");
-        if (segment.remainders.size() > 0 && (segment.remainders.rows() != segment.coefficients.rows() ||
-                                              segment.remainders.cols() != segment.coefficients.cols()))
-            refuse(what, "remainders must have the shape of the coefficients");
-        if (!segment.coefficients.allFinite() || !segment.remainders.allFinite())
-            refuse(what, "a coefficient is not a finite number");
-        if (segment.coefficients.cwiseAbs().colwise().sum().maxCoeff() > largest_angle)
-            refuse(what, "the coefficients of a variable sum up to more than 1000");
-        if (!std::isfinite(segment.begin) || !std::isfinite(segment.end) || !(segment.begin < segment.end))
-            refuse(what, "must end later than it begins");
-        if (s == 0)
-            continue;
-        const Configuration before = value_at(segments[s - 1], 1), after = value_at(segment, 0);
-        if (segments[s - 1].end != segment.begin || !after.isApprox(before, 1e-9))
-            refuse(what, "does not begin where the one before ends");
+        check_segment(robot.model(), segments[s], numbered("segment", s));
+        if (s > 0 && (segments[s - 1].end != segments[s].begin ||
+                      !value_at(segments[s], 0).isApprox(value_at(segments[s - 1], 1), 1e-9)))
+            refuse(numbered("segment", s), "does not begin where the one before ends");
     }
     return {std::move(segments), {}};
 }

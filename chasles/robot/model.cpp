@@ -94,35 +94,43 @@ Model::Model(RobotDescription given) : description(std::move(given)) {
     apply_pairs();
 }
 
+namespace {
+
+/// The suffixes of the names of a joint's variables.
+std::vector<const char*> suffixes_of(JointType type) {
+    switch (type) {
+    case JointType::fixed:
+        return {};
+    case JointType::planar:
+        return {"/x", "/y", "/theta"};
+    case JointType::floating:
+        return {"/trans_x", "/trans_y", "/trans_z", "/rot_x", "/rot_y", "/rot_z", "/rot_w"};
+    default:
+        return {""};
+    }
+}
+
+RobotVariable variable_of_joint(const JointDescription& joint, const std::string& suffix) {
+    const bool is_continuous = suffix == "/theta" || joint.type == JointType::continuous;
+    if (suffix.starts_with("/rot"))
+        return {joint.name + suffix, -1, 1, false};
+    const bool has_limits = joint.type == JointType::revolute || joint.type == JointType::prismatic;
+    return {joint.name + suffix, has_limits ? joint.lower : -infinity, has_limits ? joint.upper : infinity,
+            is_continuous};
+}
+
+} // namespace
+
 void Model::add_variables() {
     indices_of(description.joints, "joint");
     for (const JointDescription& joint : description.joints) {
         check_joint(joint);
-        if (joint.type == JointType::fixed || joint.mimic)
+        if (joint.mimic)
             continue;
-        const auto add = [&](const char* suffix, double lower, double upper, bool is_continuous) {
-            variables.push_back({joint.name + suffix, lower, upper, is_continuous});
-        };
-        switch (joint.type) {
-        case JointType::planar:
-            for (const char* suffix : {"/x", "/y"})
-                add(suffix, -infinity, infinity, false);
-            add("/theta", -infinity, infinity, true);
-            break;
-        case JointType::floating:
-            for (const char* suffix : {"/trans_x", "/trans_y", "/trans_z"})
-                add(suffix, -infinity, infinity, false);
-            quaternions.push_back(variables.size());
-            for (const char* suffix : {"/rot_x", "/rot_y", "/rot_z", "/rot_w"})
-                add(suffix, -1, 1, false);
-            break;
-        case JointType::continuous:
-            add("", -infinity, infinity, true);
-            break;
-        default:
-            add("", joint.lower, joint.upper, false);
-            break;
-        }
+        if (joint.type == JointType::floating)
+            quaternions.push_back(variables.size() + 3);
+        for (const char* suffix : suffixes_of(joint.type))
+            variables.push_back(variable_of_joint(joint, suffix));
     }
     variable_of = indices_of(variables, "variable");
 }
@@ -152,64 +160,68 @@ RigidGroup Model::group_of(const JointDescription& joint) const {
     return group;
 }
 
-void Model::add_links() {
-    owner_of = indices_of(description.links, "link");
-    if (description.links.empty())
-        refuse(description.name, "has no link");
-    std::vector<const JointDescription*> parent_joint(description.links.size());
+/// The only link that is no joint's child.
+std::size_t Model::root_link() const {
+    std::vector<const JointDescription*> above(description.links.size());
     for (const JointDescription& joint : description.joints) {
         found_in(owner_of, joint.parent, "link");
-        const JointDescription*& of_child = parent_joint[found_in(owner_of, joint.child, "link")];
+        const JointDescription*& of_child = above[found_in(owner_of, joint.child, "link")];
         if (of_child)
             refuse(joint.child, "is the child of two joints, " + of_child->name + " and " + joint.name);
         of_child = &joint;
     }
-    const auto root = std::ranges::find(parent_joint, nullptr);
-    if (root == parent_joint.end())
+    const auto root = std::ranges::find(above, nullptr);
+    if (root == above.end())
         refuse(description.name, "has no root: every link is the child of a joint");
-    if (const auto other = std::find(root + 1, parent_joint.end(), nullptr); other != parent_joint.end())
-        refuse(description.links[std::size_t(other - parent_joint.begin())].name,
-               "is the child of no joint, and neither is " +
-                   description.links[std::size_t(root - parent_joint.begin())].name);
-    owners.resize(description.links.size());
-    groups.emplace_back();
-    std::size_t reached = add_below(std::size_t(root - parent_joint.begin()));
-    if (reached < owners.size())
-        for (std::size_t i = 0; i < owners.size(); ++i)
-            if (owners[i].name.empty())
-                refuse(description.links[i].name, "is not connected with the root");
-    for (std::size_t i = 0; i < owners.size(); ++i)
-        for (const CollisionDescription& shape : description.links[i].collisions) {
-            const auto index = std::size_t(&shape - description.links[i].collisions.data());
-            elements.push_back({i, owners[i].group, owners[i].place * FixedPose(shape.origin), shape.shape, index});
-        }
+    const auto name = [&](auto link) { return description.links[std::size_t(link - above.begin())].name; };
+    if (const auto other = std::find(root + 1, above.end(), nullptr); other != above.end())
+        refuse(name(other), "is the child of no joint, and neither is " + name(root));
+    return std::size_t(root - above.begin());
 }
 
-/// Places the links from the root outwards, and returns their number.
-std::size_t Model::add_below(std::size_t root) {
+void Model::add_links() {
+    owner_of = indices_of(description.links, "link");
+    if (description.links.empty())
+        refuse(description.name, "has no link");
+    owners.resize(description.links.size());
+    groups.emplace_back();
+    add_below(root_link());
+    for (std::size_t i = 0; i < owners.size(); ++i) {
+        const LinkDescription& link = description.links[i];
+        if (owners[i].name.empty())
+            refuse(link.name, "is not connected with the root");
+        for (std::size_t k = 0; k < link.collisions.size(); ++k) {
+            const CollisionDescription& shape = link.collisions[k];
+            elements.push_back({i, owners[i].group, owners[i].place * FixedPose(shape.origin), shape.shape, k});
+        }
+    }
+}
+
+/// Places the links from the root outwards.
+void Model::add_below(std::size_t root) {
     std::vector<std::size_t> order{root};
     owners[root] = {description.links[root].name, 0, FixedPose()};
     for (std::size_t i = 0; i < order.size(); ++i) {
         const Owner parent = owners[order[i]];
-        for (const JointDescription& joint : description.joints) {
-            if (joint.parent != parent.name)
-                continue;
-            const std::size_t child = owner_of.at(joint.child);
-            const FixedPose origin = parent.place * FixedPose(joint.origin);
-            if (joint.type == JointType::fixed) {
-                owners[child] = {joint.child, parent.group, origin};
-            } else {
-                RigidGroup group = group_of(joint);
-                group.parent = parent.group;
-                group.depth = groups[parent.group].depth + 1;
-                group.origin = origin;
-                owners[child] = {joint.child, groups.size(), FixedPose()};
-                groups.push_back(std::move(group));
+        for (const JointDescription& joint : description.joints)
+            if (joint.parent == parent.name) {
+                order.push_back(owner_of.at(joint.child));
+                owners[order.back()] = child_of(parent, joint);
             }
-            order.push_back(child);
-        }
     }
-    return order.size();
+}
+
+/// The child of a joint; a joint that moves begins a rigid group.
+Owner Model::child_of(const Owner& parent, const JointDescription& joint) {
+    const FixedPose origin = parent.place * FixedPose(joint.origin);
+    if (joint.type == JointType::fixed)
+        return {joint.child, parent.group, origin};
+    RigidGroup group = group_of(joint);
+    group.parent = parent.group;
+    group.depth = groups[parent.group].depth + 1;
+    group.origin = origin;
+    groups.push_back(std::move(group));
+    return {joint.child, groups.size() - 1, FixedPose()};
 }
 
 /// Links without shapes pass the neighbourhood on.
@@ -270,31 +282,35 @@ void Model::attach(const AttachedPart& part) {
         ignored.insert({other, index});
 }
 
-/// The parts that remain are attached anew, so that no index of the removed one is left anywhere.
+/// What is kept about pairs of owners, without those of one that is removed; higher ones move down.
+template <class Kept>
+void remove_owner(Kept& kept, std::size_t removed) {
+    const auto renumbered = [&](const Model::OwnerPair& pair) {
+        return Model::OwnerPair(pair.first - (pair.first > removed), pair.second - (pair.second > removed));
+    };
+    Kept others;
+    for (const auto& entry : kept)
+        if constexpr (std::is_same_v<Kept, std::set<Model::OwnerPair>>) {
+            if (entry.first != removed && entry.second != removed)
+                others.insert(renumbered(entry));
+        } else if (entry.first.first != removed && entry.first.second != removed)
+            others.emplace(renumbered(entry.first), entry.second);
+    kept = std::move(others);
+}
+
 void Model::detach(std::string_view name) {
     const auto found = std::ranges::find(parts, name, &AttachedPart::name);
     if (found == parts.end())
         refuse(name, "there is no such part");
     const std::size_t removed = owner_of.at(found->name);
-    const auto renumbered = [&](std::size_t i) { return i > removed ? i - 1 : i; };
     parts.erase(found);
     owners.erase(owners.begin() + std::ptrdiff_t(removed));
     std::erase_if(elements, [&](const Element& e) { return e.owner == removed; });
     for (Element& element : elements)
-        element.owner = renumbered(element.owner);
-    owner_of.clear();
-    for (std::size_t i = 0; i < owners.size(); ++i)
-        owner_of.emplace(owners[i].name, i);
-    std::set<OwnerPair> still_ignored;
-    for (const auto& [a, b] : ignored)
-        if (a != removed && b != removed)
-            still_ignored.emplace(renumbered(a), renumbered(b));
-    ignored = std::move(still_ignored);
-    std::map<OwnerPair, double> still_wide;
-    for (const auto& [pair, margin] : margins)
-        if (pair.first != removed && pair.second != removed)
-            still_wide.emplace(OwnerPair(renumbered(pair.first), renumbered(pair.second)), margin);
-    margins = std::move(still_wide);
+        element.owner -= element.owner > removed;
+    owner_of = indices_of(owners, "part");
+    remove_owner(ignored, removed);
+    remove_owner(margins, removed);
 }
 
 } // namespace chasles::robot

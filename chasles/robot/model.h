@@ -101,7 +101,9 @@ public:
 private:
     void add_variables();
     void add_links();
-    std::size_t add_below(std::size_t root);
+    [[nodiscard]] std::size_t root_link() const;
+    void add_below(std::size_t root);
+    Owner child_of(const Owner& parent, const JointDescription& joint);
     [[nodiscard]] RigidGroup group_of(const JointDescription& joint) const;
     void find_neighbours();
     void apply_pairs();

@@ -2,6 +2,7 @@
 // body. Source: docs/derivations/29-robots.md, "Culling".
 #include "chasles/culling/clearly_apart.h"
 #include "chasles/motion/screw_path.h"
+#include "chasles/robot/group_motion.h"
 #include "chasles/robot/prepared.h"
 
 #include <algorithm>
@@ -39,124 +40,10 @@ Matrix3d turn_of(const GeneralPose<double>& pose) {
     return Eigen::Quaterniond(w, v.x, v.y, v.z).toRotationMatrix();
 }
 
-GeneralPose<double> product(const GeneralPose<double>& outer, const GeneralPose<double>& inner) {
-    return {placed(outer, inner.translation), outer.rotation * inner.rotation};
-}
-
 GeneralPose<double> seen(const GeneralPose<double>& frame, const GeneralPose<double>& pose) {
     const auto back = frame.rotation.conjugate();
     return {rotated(back, pose.translation - frame.translation), back * pose.rotation};
 }
-
-/// The rates of a chain of groups. The reference is the origin of the last group.
-class GroupRates {
-public:
-    GroupRates(const Model& model, const SegmentMotion& motion) : steps_(model.groups.size()) {
-        for (std::size_t g = 0; g < steps_.size(); ++g) {
-            const RigidGroup& group = model.groups[g];
-            Steps& steps = steps_[g];
-            steps.origin = length(group.origin.in_double.translation);
-            const auto add = [&](const motion::TimePolynomial& value, bool turns) {
-                const motion::PolynomialRates rates = value.rates({0, 1});
-                if (turns) {
-                    steps.turn_acceleration += rates.bounds[1];
-                    steps.turn_rate += rates.bounds[0];
-                } else {
-                    steps.slide += value.size();
-                    steps.slide_rate += rates.bounds[0];
-                    steps.slide_acceleration += rates.bounds[1];
-                }
-            };
-            for (std::size_t i = 0; i < group.steps.size(); ++i)
-                add(*motion.values[g][i], group.steps[i].turns);
-            if (group.quaternion)
-                add(*motion.turns.at(g).joint.value, true);
-        }
-    }
-
-    /// Of a group in the frame of its parent, or of the parent in the frame of the group.
-    void go_down(RateBounds& bounds, std::size_t group) const {
-        go_out(bounds, steps_[group].origin);
-        step(bounds, steps_[group]);
-    }
-    void go_up(RateBounds& bounds, std::size_t group) const {
-        step(bounds, steps_[group]);
-        go_out(bounds, steps_[group].origin);
-    }
-
-private:
-    struct Steps {
-        double origin = 0; ///< its distance from the origin of the parent
-        double turn_rate = 0, turn_acceleration = 0;
-        double slide = 0, slide_rate = 0, slide_acceleration = 0;
-    };
-
-    static void go_out(RateBounds& bounds, double arm) {
-        bounds.speed += bounds.turn_rate * arm;
-        bounds.acceleration += (bounds.turn_acceleration + bounds.turn_rate * bounds.turn_rate) * arm;
-    }
-    /// At most one turn, and slides, in any order: the turn first, so that slides have its rates, too.
-    static void step(RateBounds& bounds, const Steps& s) {
-        bounds.turn_acceleration += s.turn_acceleration + bounds.turn_rate * s.turn_rate;
-        bounds.turn_rate += s.turn_rate;
-        if (s.slide == 0)
-            return;
-        go_out(bounds, s.slide);
-        bounds.acceleration += s.slide_acceleration + 2 * bounds.turn_rate * s.slide_rate;
-        bounds.speed += s.slide_rate;
-    }
-
-    std::vector<Steps> steps_;
-};
-
-/// Where the groups are at the ends of the cells, computed when they are needed.
-class Placements {
-public:
-    Placements(const Model& model, const SegmentMotion& motion)
-        : model_(model), motion_(motion), base_(motion::FixedPose(model.base).in_double),
-          poses_((cells + 1) * model.groups.size()), is_made_(cells + 1) {}
-
-    const GeneralPose<double>& operator()(std::size_t time, std::size_t group) {
-        if (!is_made_[time])
-            make(time);
-        return poses_[time * model_.groups.size() + group];
-    }
-
-private:
-    void make(std::size_t index) {
-        const double time = double(index) / double(cells);
-        GeneralPose<double>* poses = poses_.data() + index * model_.groups.size();
-        poses[0] = base_;
-        for (std::size_t g = 1; g < model_.groups.size(); ++g) {
-            const RigidGroup& group = model_.groups[g];
-            GeneralPose<double> pose = product(poses[group.parent], group.origin.in_double);
-            for (std::size_t i = 0; i < group.steps.size(); ++i)
-                apply(pose, {group.steps[i].axis, nullptr, group.steps[i].turns, false},
-                      motion_.values[g][i]->at(time));
-            if (group.quaternion) {
-                const auto& [start, joint] = motion_.turns.at(g);
-                pose = product(pose, start.in_double);
-                apply(pose, joint, joint.value->at(time));
-            }
-            poses[g] = pose;
-        }
-        is_made_[index] = true;
-    }
-    static void apply(GeneralPose<double>& pose, const motion::ElementaryJoint& joint, double value) {
-        const motion::Vector3<double>& axis = joint.axis.in_double;
-        if (joint.turns)
-            pose.rotation =
-                pose.rotation * motion::Quaternion<double>{std::cos(0.5 * value), scale(axis, std::sin(0.5 * value))};
-        else
-            pose.translation = pose.translation + rotated(pose.rotation, scale(axis, value));
-    }
-
-    const Model& model_;
-    const SegmentMotion& motion_;
-    GeneralPose<double> base_;
-    std::vector<GeneralPose<double>> poses_;
-    std::vector<bool> is_made_;
-};
 
 /// A part of a segment between two ends of cells.
 struct Cell {
@@ -180,7 +67,7 @@ struct Candidate {
 class Culling {
 public:
     Culling(const Prepared& prepared, const SegmentMotion& motion)
-        : prepared_(prepared), model_(prepared.model()), rates_(model_, motion), placements_(model_, motion) {
+        : prepared_(prepared), model_(prepared.model()), rates_(model_, motion), placements_(model_, motion, cells) {
         of_group_.resize(model_.groups.size());
         for (std::size_t g = 1; g < of_group_.size(); ++g) {
             of_group_[g] = of_group_[model_.groups[g].parent];
@@ -204,7 +91,9 @@ public:
 private:
     [[nodiscard]] std::vector<Candidate> candidates();
     void add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates, double margin) const;
+    void add_obstacles(std::vector<Candidate>& all, std::size_t element);
     void add_movers();
+    void go_down(RateBounds& bounds, std::size_t above, std::size_t to) const;
     [[nodiscard]] RateBounds rates_between(std::size_t from, std::size_t to) const;
     void visit(const Cell& cell, const std::vector<Candidate>& pairs);
     [[nodiscard]] bool are_apart(const Cell& cell, const Candidate& pair);
@@ -226,6 +115,11 @@ std::size_t moving_element(const Prepared& prepared, const Task& task) {
     return task.kind == Task::Kind::self ? prepared.self_pairs[task.first].moving : task.first;
 }
 
+const Body& fixed_body(const Prepared& prepared, const Task& task) {
+    return task.kind == Task::Kind::self ? prepared.model().elements[prepared.self_pairs[task.first].fixed].shape.body()
+                                         : prepared.bodies[prepared.obstacles[task.second].body].shape.body();
+}
+
 Box box_at(const Prepared::Extent& extent, const GeneralPose<double>& pose) {
     const Vector3d centre = as_eigen(placed(pose, motion::vector_in<double>(extent.centre)));
     const Vector3d half = (turn_of(pose).cwiseAbs() * extent.half).cwiseMin(Vector3d::Constant(extent.radius));
@@ -237,28 +131,27 @@ double reach_of(const Prepared::Extent& extent) {
     return length(placed(extent.place, motion::vector_in<double>(extent.centre))) + extent.radius;
 }
 
+/// Up from one group to the first one above both, and down to the other one.
 RateBounds Culling::rates_between(std::size_t from, std::size_t to) const {
-    std::array<std::size_t, 64> down; // NOLINT(cppcoreguidelines-pro-type-member-init): the first `count` are set
-    std::vector<std::size_t> more;    // of a chain longer than that
-    std::size_t count = 0;
     RateBounds bounds;
-    while (from != to) {
-        if (model_.groups[from].depth >= model_.groups[to].depth) {
-            rates_.go_up(bounds, from);
-            from = model_.groups[from].parent;
-        } else {
-            if (count < down.size())
-                down[count++] = to;
-            else
-                more.push_back(to);
-            to = model_.groups[to].parent;
+    std::size_t above = to; // of both groups, at last
+    while (from != above) {
+        if (model_.groups[from].depth < model_.groups[above].depth) {
+            above = model_.groups[above].parent;
+            continue;
         }
+        rates_.go_up(bounds, from);
+        from = model_.groups[from].parent;
     }
-    for (std::size_t i = more.size(); i-- > 0;)
-        rates_.go_down(bounds, more[i]);
-    for (std::size_t i = count; i-- > 0;)
-        rates_.go_down(bounds, down[i]);
+    go_down(bounds, above, to);
     return bounds;
+}
+
+void Culling::go_down(RateBounds& bounds, std::size_t above, std::size_t to) const {
+    if (to == above)
+        return;
+    go_down(bounds, above, model_.groups[to].parent);
+    rates_.go_down(bounds, to);
 }
 
 void Culling::add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates,
@@ -274,24 +167,27 @@ std::vector<Candidate> Culling::candidates() {
         add_candidate(all, {Task::Kind::self, i, 0, {}},
                       rates_between(model_.elements[fixed].group, model_.elements[moving].group), margin);
     }
-    if (prepared_.obstacles.empty())
-        return all;
-    for (std::size_t e = 0; e < model_.elements.size(); ++e) {
-        const RateBounds& rates = of_group_[model_.elements[e].group];
-        const auto add = [&](std::size_t obstacle) {
-            if (!prepared_.is_ignored(e, prepared_.obstacles[obstacle].body))
-                add_candidate(all, {Task::Kind::obstacle, e, obstacle, {}}, rates, prepared_.options.margin);
-        };
-        const Box box = scene::widened(swept({}, e, rates), prepared_.options.margin);
-        if (prepared_.tree)
-            for (const std::uint32_t obstacle : prepared_.tree->overlapping(box))
-                add(obstacle);
-        else
-            for (std::size_t obstacle = 0; obstacle < prepared_.obstacles.size(); ++obstacle)
-                if (box.intersects(prepared_.obstacles[obstacle].box))
-                    add(obstacle);
-    }
+    if (!prepared_.obstacles.empty())
+        for (std::size_t e = 0; e < model_.elements.size(); ++e)
+            add_obstacles(all, e);
     return all;
+}
+
+/// Those whose boxes overlap with the box of an element over the whole segment.
+void Culling::add_obstacles(std::vector<Candidate>& all, std::size_t element) {
+    const RateBounds& rates = of_group_[model_.elements[element].group];
+    const auto add = [&](std::size_t obstacle) {
+        if (!prepared_.is_ignored(element, prepared_.obstacles[obstacle].body))
+            add_candidate(all, {Task::Kind::obstacle, element, obstacle, {}}, rates, prepared_.options.margin);
+    };
+    const Box box = scene::widened(swept({}, element, rates), prepared_.options.margin);
+    if (prepared_.tree)
+        for (const std::uint32_t obstacle : prepared_.tree->overlapping(box))
+            add(obstacle);
+    else
+        for (std::size_t obstacle = 0; obstacle < prepared_.obstacles.size(); ++obstacle)
+            if (box.intersects(prepared_.obstacles[obstacle].box))
+                add(obstacle);
 }
 
 void Culling::add_movers() {
@@ -326,9 +222,7 @@ GeneralPose<double> Culling::relative(std::size_t time, const Task& task) {
 bool Culling::are_apart(const Cell& cell, const Candidate& pair) {
     const Task& task = pair.task;
     const Prepared::Extent& moving = prepared_.extents[moving_element(prepared_, task)];
-    const Body& fixed = task.kind == Task::Kind::self
-                            ? model_.elements[prepared_.self_pairs[task.first].fixed].shape.body()
-                            : prepared_.bodies[prepared_.obstacles[task.second].body].shape.body();
+    const Body& fixed = fixed_body(prepared_, task);
     const double duration = cell.duration();
     const Box box = box_at(moving, relative(cell.begin, task)).merged(box_at(moving, relative(cell.end, task)));
     const double size = size_ + moving.size + fixed.bvh().centre().lpNorm<1>() + fixed.bvh().radius();
@@ -345,9 +239,7 @@ bool Culling::are_nodes_apart(const Cell& cell, const Candidate& pair) {
         return false;
     const std::size_t element = moving_element(prepared_, task);
     const Body& moving = model_.elements[element].shape.body();
-    const Body& fixed = task.kind == Task::Kind::self
-                            ? model_.elements[prepared_.self_pairs[task.first].fixed].shape.body()
-                            : prepared_.bodies[prepared_.obstacles[task.second].body].shape.body();
+    const Body& fixed = fixed_body(prepared_, task);
     // The origin of the group, in the frame of the shape.
     const GeneralPose<double>& place = prepared_.extents[element].place;
     const motion::Vector3<double> reference =

@@ -7,20 +7,20 @@
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/motion/smooth_trajectory.h"
 #include "chasles/query/pair_query.h"
-#include "chasles/robot/model.h"
+#include "chasles/robot/pair_axes.h"
 
 #include <algorithm>
 #include <atomic>
 #include <chrono>
 #include <cmath>
 #include <deque>
-#include <numbers>
 #include <random>
 
 namespace chasles {
 
 namespace {
 
+using robot::Axis;
 using robot::Element;
 using robot::Model;
 
@@ -34,22 +34,11 @@ double seconds_since(std::chrono::steady_clock::time_point start) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
 }
 
-/// A variable between two links.
-struct Axis {
-    std::size_t variable = 0;
-    double lower = 0;
-    double upper = 0;
-    double reach = 0; ///< a point of the links moves by at most this for each unit of the variable
-};
-
 /// A box of configurations, without the variable that is swept.
 struct ConfigurationCell {
     std::vector<double> middle; ///< of each axis
     std::vector<double> half;
 };
-
-/// What is found about one line of configurations.
-enum class LineFinding : std::uint8_t { apart, near, touching };
 
 class PairSearch {
 public:
@@ -61,7 +50,9 @@ public:
             if (element.owner == second)
                 second_.push_back(&element);
         }
-        find_axes();
+        const robot::PairAxes found = robot::axes_between(model_, first_, second_);
+        axes_ = found.axes;
+        has_limits_ = found.have_limits;
     }
 
     /// The number of joints between the links: pairs with few are decided fast.
@@ -69,16 +60,23 @@ public:
     void run(PairProof& proof, double seconds);
 
 private:
-    void find_axes();
-    [[nodiscard]] double reach_of(const Element& element) const;
     [[nodiscard]] Configuration configuration(const std::vector<double>& values, double swept) const;
     [[nodiscard]] JointPath::Segment line(const std::vector<double>& values) const;
-    [[nodiscard]] LineFinding ask(const std::vector<double>& values, double margin, std::optional<double>* when,
-                                  bool* starts_clear) const;
+    struct LineContact {
+        std::optional<double> when = {};
+        bool starts_clear = true;
+    };
+    template <class Use>
+    void for_each_answer(const JointPath::Segment& segment, const QueryOptions& options, const Use& use) const;
+    [[nodiscard]] bool come_near(const std::vector<double>& values, double margin) const;
+    [[nodiscard]] LineContact first_contact_on(const std::vector<double>& values) const;
     [[nodiscard]] bool overlap(const Configuration& values) const;
     void note(const std::vector<double>& values, PairProof& proof);
     bool sample(PairProof& proof);
+    bool decide(PairProof& proof) const;
     void branch(PairProof& proof, double seconds, std::chrono::steady_clock::time_point start);
+    [[nodiscard]] ConfigurationCell whole() const;
+    bool examine(std::deque<ConfigurationCell>& cells, PairProof& proof);
     [[nodiscard]] double margin_of(const ConfigurationCell& cell) const;
     static void split(const std::vector<Axis>& axes, const ConfigurationCell& cell,
                       std::deque<ConfigurationCell>& cells);
@@ -92,60 +90,6 @@ private:
     bool has_limits_ = true;
     bool was_clear_ = false; ///< in some configuration
 };
-
-/// How far the points of an element are from the origin of its group.
-double PairSearch::reach_of(const Element& element) const {
-    const Body& body = element.shape.body();
-    return length(placed(element.place.in_double, motion::vector_in<double>(body.bvh().centre()))) +
-           body.vertex_radius();
-}
-
-/// The way from the second link to the first one goes up to their first common group and down again. A point behind a
-/// joint is at most as far from it as all lengths between them sum up to.
-void PairSearch::find_axes() {
-    std::size_t a = first_.front()->group, b = second_.front()->group;
-    std::vector<std::size_t> up, down; // groups whose joints are between the links
-    while (a != b) {
-        std::size_t& deeper = model_.groups[a].depth >= model_.groups[b].depth ? a : b;
-        (&deeper == &a ? down : up).push_back(deeper);
-        deeper = model_.groups[deeper].parent;
-    }
-    // From the moving link (the first one) inwards, and out to the fixed one: what is between the points and the joint.
-    double arm = 0;
-    for (const Element* element : first_)
-        arm = std::max(arm, reach_of(*element));
-    const auto add = [&](std::size_t group) {
-        const robot::RigidGroup& g = model_.groups[group];
-        has_limits_ = has_limits_ && !g.quaternion && g.steps.size() == 1;
-        for (const robot::JointStep& step : g.steps) {
-            const RobotVariable& variable = model_.variables[step.variable];
-            Axis axis{step.variable, variable.lower, variable.upper, 0};
-            if (variable.is_continuous)
-                axis.lower = -std::numbers::pi, axis.upper = std::numbers::pi;
-            if (!std::isfinite(axis.upper - axis.lower))
-                has_limits_ = false;
-            auto known = std::ranges::find(axes_, step.variable, &Axis::variable);
-            if (known == axes_.end())
-                known = axes_.insert(axes_.end(), axis);
-            known->reach += std::abs(step.multiplier) * (step.turns ? arm : 1) * outward_reach;
-            if (!step.turns) // all later joints may be as much farther away
-                arm += std::abs(step.multiplier) * std::max(std::abs(axis.lower), std::abs(axis.upper)) +
-                       std::abs(step.offset);
-        }
-    };
-    for (const std::size_t group : down) {
-        add(group);
-        arm += length(model_.groups[group].origin.in_double.translation);
-    }
-    for (std::size_t i = up.size(); i-- > 0;) {
-        arm += length(model_.groups[up[i]].origin.in_double.translation);
-        add(up[i]);
-    }
-    if (!axes_.empty())
-        std::ranges::iter_swap(std::ranges::max_element(
-                                   axes_, {}, [](const Axis& axis) { return axis.reach * (axis.upper - axis.lower); }),
-                               axes_.end() - 1);
-}
 
 /// `values` are those of the axes without the last one, whose value is `swept`.
 Configuration PairSearch::configuration(const std::vector<double>& values, double swept) const {
@@ -167,86 +111,93 @@ JointPath::Segment PairSearch::line(const std::vector<double>& values) const {
     return segment;
 }
 
-/// Whether the links come within the margin on a line; `when` gets the time, and the contact is the first one.
-LineFinding PairSearch::ask(const std::vector<double>& values, double margin, std::optional<double>* when,
-                            bool* starts_clear) const {
-    QueryOptions options;
-    options.margin = margin;
-    options.find = when ? Find::first : Find::any;
-    const robot::SegmentMotion motion = model_.motion_of(line(values));
-    LineFinding finding = LineFinding::apart;
-    for (const Element* moving : first_)
-        for (const Element* fixed : second_) {
-            const motion::SharedFrame frame = motion::chain_frame(model_.chain_between(motion, *fixed, *moving));
-            const motion::ErasedTrajectory trajectory{motion::SmoothTrajectory(motion::SmoothMotion::of_one(frame))};
-            const FirstContact found = query::answer({moving->shape.body(), fixed->shape.body(), trajectory, options});
-            if (starts_clear && found.verdict == Verdict::contact_at_start)
-                *starts_clear = false;
-            if (found.verdict == Verdict::clear)
-                continue;
-            if (!when)
-                return LineFinding::near;
-            finding = LineFinding::touching;
-            *when = std::min(when->value_or(1), found.time.upper);
-        }
-    return finding;
-}
-
-bool PairSearch::overlap(const Configuration& values) const {
-    JointPath::Segment segment{0, 1, values.transpose()};
+/// Calls `use` with the answer for each pair of shapes along a segment, until it returns false.
+template <class Use>
+void PairSearch::for_each_answer(const JointPath::Segment& segment, const QueryOptions& options, const Use& use) const {
     const robot::SegmentMotion motion = model_.motion_of(segment);
     for (const Element* moving : first_)
         for (const Element* fixed : second_) {
             const motion::SharedFrame frame = motion::chain_frame(model_.chain_between(motion, *fixed, *moving));
             const motion::ErasedTrajectory trajectory{motion::SmoothTrajectory(motion::SmoothMotion::of_one(frame))};
-            const FirstContact found =
-                query::answer({moving->shape.body(), fixed->shape.body(), trajectory, QueryOptions()});
-            if (found.verdict == Verdict::contact_at_start && found.overlap)
-                return true;
+            if (!use(query::answer({moving->shape.body(), fixed->shape.body(), trajectory, options})))
+                return;
         }
-    return false;
+}
+
+/// Whether the links come within the margin on a line.
+bool PairSearch::come_near(const std::vector<double>& values, double margin) const {
+    QueryOptions options;
+    options.margin = margin;
+    options.find = Find::any;
+    bool is_near = false;
+    for_each_answer(line(values), options, [&](const FirstContact& found) {
+        is_near = found.verdict != Verdict::clear;
+        return !is_near;
+    });
+    return is_near;
+}
+
+/// When the links first touch on a line, and whether they do not at its start.
+PairSearch::LineContact PairSearch::first_contact_on(const std::vector<double>& values) const {
+    LineContact contact;
+    for_each_answer(line(values), {}, [&](const FirstContact& found) {
+        contact.starts_clear = contact.starts_clear && found.verdict != Verdict::contact_at_start;
+        if (found.verdict != Verdict::clear)
+            contact.when = std::min(contact.when.value_or(1), found.time.upper);
+        return true;
+    });
+    return contact;
+}
+
+bool PairSearch::overlap(const Configuration& values) const {
+    bool overlaps = false;
+    for_each_answer({0, 1, values.transpose()}, {}, [&](const FirstContact& found) {
+        overlaps = found.verdict == Verdict::contact_at_start && found.overlap;
+        return !overlaps;
+    });
+    return overlaps;
 }
 
 /// Asks a line, and keeps what it shows: a configuration in which the links touch, and whether they do not in another.
 void PairSearch::note(const std::vector<double>& values, PairProof& proof) {
-    std::optional<double> when;
-    bool starts_clear = true;
-    const LineFinding finding = ask(values, 0, &when, &starts_clear);
-    was_clear_ = was_clear_ || starts_clear;
-    if (finding == LineFinding::apart || proof.witness)
+    const LineContact contact = first_contact_on(values);
+    was_clear_ = was_clear_ || contact.starts_clear;
+    if (!contact.when || proof.witness)
         return;
     const double lower = axes_.empty() ? 0 : axes_.back().lower, upper = axes_.empty() ? 0 : axes_.back().upper;
     const auto at = [&](double time) { return configuration(values, lower + std::min(time, 1.0) * (upper - lower)); };
-    proof.witness = at(*when);
+    proof.witness = at(*contact.when);
     for (double deeper = 1e-9; deeper < 0.1; deeper *= 10) // past the first touch the links overlap
-        if (overlap(at(*when + deeper))) {
-            proof.witness = at(*when + deeper);
+        if (overlap(at(*contact.when + deeper))) {
+            proof.witness = at(*contact.when + deeper);
             return;
         }
 }
 
-/// True if the pair is decided.
+/// Random lines, the first one in the middle. True if the pair is decided.
 bool PairSearch::sample(PairProof& proof) {
     std::mt19937_64 random(1);
     std::vector<double> values(axes_.empty() ? 0 : axes_.size() - 1);
     const int lines = axes_.size() < 2 ? 1 : random_lines;
-    for (int i = 0; i < lines && !(was_clear_ && proof.witness); ++i) {
+    for (int i = 0; i < lines && !(was_clear_ && proof.witness); ++i, ++proof.cells) {
         for (std::size_t k = 0; k < values.size(); ++k) {
             const double share = i == 0 ? 0.5 : std::ldexp(double(random() >> 11), -53);
             values[k] = axes_[k].lower + share * (axes_[k].upper - axes_[k].lower);
         }
         note(values, proof);
-        ++proof.cells;
     }
+    return decide(proof);
+}
+
+/// What random lines decide: with at most one joint between the links, one line is all.
+bool PairSearch::decide(PairProof& proof) const {
     if (was_clear_ && proof.witness)
         proof.reason = PairReason::sometimes;
-    else if (axes_.empty())
-        proof.reason = proof.witness ? PairReason::always : PairReason::never;
-    else if (axes_.size() == 1 && !proof.witness)
+    else if (axes_.size() < 2 && !proof.witness)
         proof.reason = PairReason::never;
-    else
-        return false;
-    return true;
+    else if (axes_.empty())
+        proof.reason = PairReason::always;
+    return proof.reason != PairReason::open;
 }
 
 /// How far any point of the links is, in any configuration of the cell, from its place on the line in the middle.
@@ -272,35 +223,42 @@ void PairSearch::split(const std::vector<Axis>& axes, const ConfigurationCell& c
     }
 }
 
-void PairSearch::branch(PairProof& proof, double seconds, std::chrono::steady_clock::time_point start) {
-    ConfigurationCell whole;
+ConfigurationCell PairSearch::whole() const {
+    ConfigurationCell cell;
     for (std::size_t i = 0; i + 1 < axes_.size(); ++i) {
-        whole.middle.push_back(0.5 * (axes_[i].lower + axes_[i].upper));
-        whole.half.push_back(0.5 * (axes_[i].upper - axes_[i].lower) * outward_reach);
+        cell.middle.push_back(0.5 * (axes_[i].lower + axes_[i].upper));
+        cell.half.push_back(0.5 * (axes_[i].upper - axes_[i].lower) * outward_reach);
     }
-    std::deque<ConfigurationCell> cells{whole};
-    while (!cells.empty()) {
-        if (seconds_since(start) > seconds)
-            return;
-        const std::size_t count = std::min(cells.size(), cells_together);
-        std::vector<LineFinding> findings(count);
-        parallel_for(options_.threads, count, [&](std::size_t begin, std::size_t end) {
-            for (std::size_t i = begin; i < end; ++i)
-                findings[i] = ask(cells[i].middle, margin_of(cells[i]), nullptr, nullptr);
-        });
-        proof.cells += count;
-        for (std::size_t i = 0; i < count; ++i) {
-            if (findings[i] == LineFinding::near) {
-                note(cells.front().middle, proof);
-                if (was_clear_ && proof.witness) {
-                    proof.reason = PairReason::sometimes;
-                    return;
-                }
-                split(axes_, cells.front(), cells);
-            }
-            cells.pop_front();
+    return cell;
+}
+
+/// Examines the first cells, and replaces them by the halves of those that are not proven clear. True once the pair is
+/// known to touch.
+bool PairSearch::examine(std::deque<ConfigurationCell>& cells, PairProof& proof) {
+    const std::size_t count = std::min(cells.size(), cells_together);
+    std::vector<char> are_near(count);
+    parallel_for(options_.threads, count, [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            are_near[i] = come_near(cells[i].middle, margin_of(cells[i])) ? 1 : 0;
+    });
+    proof.cells += count;
+    for (const char is_near : are_near) {
+        if (is_near) {
+            note(cells.front().middle, proof);
+            if (decide(proof))
+                return true;
+            split(axes_, cells.front(), cells);
         }
+        cells.pop_front();
     }
+    return false;
+}
+
+void PairSearch::branch(PairProof& proof, double seconds, std::chrono::steady_clock::time_point start) {
+    std::deque<ConfigurationCell> cells{whole()};
+    while (!cells.empty())
+        if (seconds_since(start) > seconds || examine(cells, proof))
+            return;
     proof.reason = PairReason::never;
 }
 
@@ -311,13 +269,35 @@ void PairSearch::run(PairProof& proof, double seconds) {
     proof.seconds = seconds_since(start);
 }
 
+/// A pair of links, and how to examine it; neighbours are not examined.
+struct Examined {
+    PairProof proof;
+    std::optional<PairSearch> search = {};
+};
+
+std::vector<Examined> pairs_of(const Robot& robot, const PairProofOptions& options) {
+    const auto& links = robot.description().links;
+    std::vector<Examined> pairs;
+    for (std::size_t i = 0; i < links.size(); ++i)
+        for (std::size_t j = i + 1; j < links.size(); ++j) {
+            if (links[i].collisions.empty() || links[j].collisions.empty())
+                continue;
+            pairs.push_back({{links[i].name, links[j].name}});
+            if (robot.model().neighbours.contains({i, j}))
+                pairs.back().proof.reason = PairReason::adjacent;
+            else
+                pairs.back().search.emplace(robot, i, j, options);
+        }
+    return pairs;
+}
+
 /// Pairs with few joints between them come first, and leave their time to the others.
-std::vector<std::size_t> in_order_of_effort(const std::vector<std::optional<PairSearch>>& searches) {
+std::vector<std::size_t> in_order_of_effort(const std::vector<Examined>& pairs) {
     std::vector<std::size_t> order;
-    for (std::size_t i = 0; i < searches.size(); ++i)
-        if (searches[i])
+    for (std::size_t i = 0; i < pairs.size(); ++i)
+        if (pairs[i].search)
             order.push_back(i);
-    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return searches[i]->dimension(); });
+    std::ranges::stable_sort(order, {}, [&](std::size_t i) { return pairs[i].search->dimension(); });
     return order;
 }
 
@@ -326,30 +306,20 @@ std::vector<std::size_t> in_order_of_effort(const std::vector<std::optional<Pair
 std::vector<PairProof> prove_pairs(const Robot& robot, const PairProofOptions& options) {
     query::require(options.seconds > 0, "seconds", "must be positive");
     const auto start = std::chrono::steady_clock::now();
-    const Model& model = robot.model();
-    const auto& links = robot.description().links;
-    std::vector<PairProof> proofs;
-    std::vector<std::optional<PairSearch>> searches;
-    for (std::size_t i = 0; i < links.size(); ++i)
-        for (std::size_t j = i + 1; j < links.size(); ++j) {
-            if (links[i].collisions.empty() || links[j].collisions.empty())
-                continue;
-            proofs.push_back({links[i].name, links[j].name});
-            if (model.neighbours.contains({i, j}))
-                proofs.back().reason = PairReason::adjacent;
-            searches.emplace_back();
-            if (proofs.back().reason != PairReason::adjacent)
-                searches.back().emplace(robot, i, j, options);
-        }
-    const std::vector<std::size_t> order = in_order_of_effort(searches);
+    std::vector<Examined> pairs = pairs_of(robot, options);
+    const std::vector<std::size_t> order = in_order_of_effort(pairs);
     for (std::size_t k = 0; k < order.size(); ++k) {
-        if (options.progress && !options.progress(proofs.size() - (order.size() - k), proofs.size()))
+        auto& [proof, search] = pairs[order[k]];
+        if (options.progress && !options.progress(pairs.size() - (order.size() - k), pairs.size()))
             break;
         const double left = options.seconds - seconds_since(start);
-        searches[order[k]]->run(proofs[order[k]], std::max(0.0, left / double(order.size() - k)));
+        search->run(proof, std::max(0.0, left / double(order.size() - k)));
     }
     if (options.progress)
-        options.progress(proofs.size(), proofs.size());
+        options.progress(pairs.size(), pairs.size());
+    std::vector<PairProof> proofs;
+    for (Examined& pair : pairs)
+        proofs.push_back(std::move(pair.proof));
     return proofs;
 }
 

@@ -36,6 +36,8 @@ struct RobotChecker::Prepared {
     Prepared(const Robot& given, const Scene* scene, const RobotQuery& query);
 
     [[nodiscard]] const robot::Model& model() const { return robot.model(); }
+    void add_self_pairs();
+    void add_scene(const Scene& scene);
     [[nodiscard]] bool is_ignored(std::size_t element, std::size_t body) const;
 
     Robot robot;

@@ -98,7 +98,7 @@ TEST_F(RobotCommand, ProvesPairsAndWritesThem) {
 }
 
 TEST_F(RobotCommand, RefusesWrongInput) {
-    EXPECT_EQ(error_line("robot nothing.urdf --path path.csv"), "chasles: nothing.urdf: there is no such file");
+    EXPECT_EQ(error_line("robot nothing.urdf --path path.csv"), "chasles: nothing.urdf: no such file");
     write("bad.csv", "shoulder,wrist\n0,0\n");
     EXPECT_EQ(error_line("robot arm.urdf --path bad.csv"),
               "chasles: bad.csv: line 1: the robot has no variable 'wrist'; fixed joints and joints that follow others "

@@ -1,0 +1,98 @@
+#include "chasles/robot/pair_axes.h"
+
+#include "chasles/mesh/body.h"
+#include "chasles/motion/screw_path.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace chasles::robot {
+
+namespace {
+
+/// The allowance for the rounding of sums of lengths.
+constexpr double outward_sum = 1 + 1e-9;
+
+/// How far the points of an element are from the origin of its group.
+double group_reach(const Element& element) {
+    const Body& body = element.shape.body();
+    return length(placed(element.place.in_double, motion::vector_in<double>(body.bvh().centre()))) +
+           body.vertex_radius();
+}
+
+/// Goes from the points of one link outwards, to the other link.
+class ReachSum {
+public:
+    ReachSum(const Model& model, const std::vector<const Element*>& shapes) : model_(model) {
+        for (const Element* element : shapes)
+            arm_ = std::max(arm_, group_reach(*element));
+    }
+
+    void add_arm(std::size_t group) { arm_ += length(model_.groups[group].origin.in_double.translation); }
+    void add_joint(std::size_t group) {
+        const RigidGroup& g = model_.groups[group];
+        found_.have_limits = found_.have_limits && !g.quaternion && g.steps.size() == 1;
+        for (const JointStep& step : g.steps)
+            add(step);
+    }
+    /// With the axis that moves points farthest as the last one.
+    PairAxes result() && {
+        const auto way = [](const Axis& axis) { return axis.reach * (axis.upper - axis.lower); };
+        if (!found_.axes.empty())
+            std::ranges::iter_swap(std::ranges::max_element(found_.axes, {}, way), found_.axes.end() - 1);
+        return std::move(found_);
+    }
+
+private:
+    /// A slide brings all joints behind it as much farther away.
+    void add(const JointStep& step) {
+        Axis& axis = axis_of(step.variable);
+        axis.reach += std::abs(step.multiplier) * (step.turns ? arm_ : 1) * outward_sum;
+        if (!step.turns)
+            arm_ += std::abs(step.multiplier) * std::max(std::abs(axis.lower), std::abs(axis.upper)) +
+                    std::abs(step.offset);
+    }
+    /// A variable may move several joints.
+    Axis& axis_of(std::size_t variable) {
+        const auto known = std::ranges::find(found_.axes, variable, &Axis::variable);
+        if (known != found_.axes.end())
+            return *known;
+        const RobotVariable& v = model_.variables[variable];
+        const double half_turn = std::numbers::pi;
+        found_.axes.push_back(v.is_continuous ? Axis{variable, -half_turn, half_turn, 0}
+                                              : Axis{variable, v.lower, v.upper, 0});
+        found_.have_limits = found_.have_limits && std::isfinite(found_.axes.back().upper - found_.axes.back().lower);
+        return found_.axes.back();
+    }
+
+    const Model& model_;
+    double arm_ = 0; ///< a bound of the distance of all points from here, in any configuration
+    PairAxes found_;
+};
+
+} // namespace
+
+/// From the first link up to the first group above both, and down to the second one.
+PairAxes axes_between(const Model& model, const std::vector<const Element*>& first,
+                      const std::vector<const Element*>& second) {
+    ReachSum sum(model, first);
+    std::size_t a = first.front()->group, b = second.front()->group;
+    std::vector<std::size_t> down;
+    while (a != b)
+        if (model.groups[a].depth >= model.groups[b].depth) {
+            sum.add_joint(a);
+            sum.add_arm(a);
+            a = model.groups[a].parent;
+        } else {
+            down.push_back(b);
+            b = model.groups[b].parent;
+        }
+    for (std::size_t i = down.size(); i-- > 0;) {
+        sum.add_arm(down[i]);
+        sum.add_joint(down[i]);
+    }
+    return std::move(sum).result();
+}
+
+} // namespace chasles::robot

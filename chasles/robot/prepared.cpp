@@ -1,0 +1,90 @@
+// Makes a robot and a scene ready for many questions.
+#include "chasles/robot/prepared.h"
+
+#include "chasles/motion/screw_path.h"
+#include "chasles/query/pair_query.h"
+
+#include <algorithm>
+
+namespace chasles {
+
+using robot::Element;
+using robot::Model;
+
+namespace {
+
+using Prepared = RobotChecker::Prepared;
+
+/// More obstacles than this have a tree.
+constexpr std::size_t few_obstacles = 32;
+
+Prepared::Extent extent_of(const Element& element) {
+    const MeshReport report = element.shape.report();
+    Prepared::Extent extent;
+    extent.place = element.place.in_double;
+    extent.centre = element.shape.body().bvh().centre();
+    extent.half = (report.upper - extent.centre).cwiseMax(extent.centre - report.lower);
+    extent.radius = element.shape.body().vertex_radius();
+    extent.size = norm1(extent.place.translation) + extent.centre.lpNorm<1>() + extent.half.lpNorm<1>();
+    return extent;
+}
+
+scene::Box box_of(const Polyhedron& shape, const scene::WorldMotion& motion) {
+    return scene::swept({shape.body(), *motion.frame, true}, 0).box;
+}
+
+} // namespace
+
+RobotChecker::Prepared::Prepared(const Robot& given, const Scene* scene, const RobotQuery& query)
+    : robot(given), options(query.options) {
+    query::check_options(options);
+    query::require(!options.hold, "hold", "is not supported for robots");
+    for (const Element& element : model().elements)
+        extents.push_back(extent_of(element));
+    add_self_pairs();
+    if (scene)
+        add_scene(*scene);
+}
+
+/// The element with more joints above it moves.
+void RobotChecker::Prepared::add_self_pairs() {
+    const Model& m = model();
+    for (std::size_t i = 0; i < m.elements.size(); ++i)
+        for (std::size_t j = i + 1; j < m.elements.size(); ++j) {
+            const Element &a = m.elements[i], &b = m.elements[j];
+            const auto owners = std::minmax(a.owner, b.owner);
+            if (a.group == b.group || m.ignored.contains(owners))
+                continue;
+            const auto margin = m.margins.find(owners);
+            const bool second_moves = m.groups[b.group].depth >= m.groups[a.group].depth;
+            self_pairs.push_back({second_moves ? j : i, second_moves ? i : j,
+                                  margin == m.margins.end() ? options.margin : margin->second});
+        }
+}
+
+void RobotChecker::Prepared::add_scene(const Scene& scene) {
+    bodies.assign(scene.bodies().begin(), scene.bodies().end());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
+        motions.push_back(std::make_shared<const scene::WorldMotion>(scene.motion_of(i)));
+        const motion::MovingFrame& frame = *motions[i]->frame;
+        if (motions[i]->rests && frame.is_refined())
+            obstacles.push_back({i, motion::FixedPose(frame.refined_at(algebra::DoubleDouble(0.0))),
+                                 box_of(bodies[i].shape, *motions[i])});
+        else
+            movers.push_back(i);
+    }
+    if (obstacles.size() <= few_obstacles)
+        return;
+    std::vector<scene::SweptBody> boxes;
+    for (const Obstacle& obstacle : obstacles)
+        boxes.push_back({obstacle.box, {}});
+    tree.emplace(boxes);
+}
+
+bool RobotChecker::Prepared::is_ignored(std::size_t element, std::size_t body) const {
+    const Model& m = model();
+    return !m.ignored_in_scene.empty() &&
+           m.ignored_in_scene.contains({m.owners[m.elements[element].owner].name, bodies[body].name});
+}
+
+} // namespace chasles
