@@ -6,7 +6,9 @@
 
 #include <algorithm>
 #include <map>
+#include <ranges>
 #include <set>
+#include <utility>
 
 namespace chasles::io {
 
@@ -21,27 +23,37 @@ public:
             links_.insert(link.name);
         for (const JointDescription& joint : robot_.joints) {
             joint_above_.emplace(joint.child, &joint);
-            joints_.insert(joint.name);
+            joints_.emplace(joint.name, &joint);
         }
     }
 
     void read();
 
 private:
-    void add_pairs(const char* element, std::vector<LinkPairDescription>& pairs, bool must_exist) const;
+    using Names = std::pair<std::string, std::string>;
+
+    [[nodiscard]] Names names_of(const Element& pair) const;
+    void add_disabled_pairs();
+    void add_enabled_pairs();
     void add_default_pairs();
     void add_groups();
     void add_states();
-    void fill(GroupDescription& group, const Element& element, std::set<std::string>& above);
+    [[nodiscard]] const GroupDescription& made_group(const std::string& name, const Element& place);
+    void add_part(GroupDescription& group, const Element& element);
+    static void add_joint(GroupDescription& group, const JointDescription& joint);
     void add_chain(GroupDescription& group, const Element& element) const;
+    [[nodiscard]] StateDescription::Value value_of(const Element& element, const JointDescription& joint) const;
     [[nodiscard]] std::vector<std::string> links_above(std::string link) const;
-    void require_link(const Element& element, const char* attribute) const;
 
     XmlFile file_;
     RobotDescription& robot_;
-    std::set<std::string> links_, joints_;
-    std::map<std::string, const JointDescription*> joint_above_; ///< of each link
-    std::map<std::string, const Element*> groups_;
+    std::set<std::string> links_;
+    std::set<Names> disabled_;                                   ///< pairs that the file names
+    std::map<std::string, const JointDescription*> joints_;      ///< by name
+    std::map<std::string, const JointDescription*> joint_above_; ///< of each link but the root
+    std::map<std::string, const Element*> group_elements_;
+    std::map<std::string, GroupDescription> groups_; ///< that are made
+    std::vector<std::string> open_groups_;           ///< that are being made, each inside of the one before it
 };
 
 template <class Items, class Item>
@@ -50,22 +62,32 @@ void add_once(Items& items, const Item& item) {
         items.push_back(item);
 }
 
-void SrdfReader::require_link(const Element& element, const char* attribute) const {
-    if (const std::string name = file_.text(element, attribute); !links_.contains(name))
-        file_.fail(element, std::string(attribute) + ": there is no link " + in_quotes(name));
+SrdfReader::Names SrdfReader::names_of(const Element& pair) const {
+    Names names{file_.text(pair, "link1"), file_.text(pair, "link2")};
+    if (names.first == names.second)
+        file_.fail(pair, "names " + in_quotes(names.first) + " twice");
+    return names;
 }
 
-void SrdfReader::add_pairs(const char* element, std::vector<LinkPairDescription>& pairs, bool must_exist) const {
-    for (const Element* pair : XmlFile::children(file_.root(), element)) {
-        const std::string first = file_.text(*pair, "link1"), second = file_.text(*pair, "link2");
-        if (first == second)
-            file_.fail(*pair, "names " + in_quotes(first) + " twice");
-        if (must_exist) {
-            require_link(*pair, "link1");
-            require_link(*pair, "link2");
+void SrdfReader::add_disabled_pairs() {
+    for (const Element* pair : XmlFile::children(file_.root(), "disable_collisions"))
+        if (const auto [first, second] = names_of(*pair); links_.contains(first) && links_.contains(second)) {
+            const char* const reason = pair->Attribute("reason");
+            disabled_.insert(std::minmax(first, second));
+            robot_.disabled_pairs.push_back({first, second, reason ? reason : ""});
         }
-        if (links_.contains(first) && links_.contains(second))
-            pairs.push_back({first, second, pair->Attribute("reason") ? pair->Attribute("reason") : ""});
+}
+
+/// A pair that is also disabled stays disabled, as in MoveIt.
+void SrdfReader::add_enabled_pairs() {
+    for (const Element* pair : XmlFile::children(file_.root(), "enable_collisions")) {
+        const Names names = names_of(*pair);
+        for (const std::string& link : {names.first, names.second})
+            if (!links_.contains(link))
+                file_.fail(*pair, "there is no link " + in_quotes(link));
+        const char* const reason = pair->Attribute("reason");
+        if (!disabled_.contains(std::minmax(names.first, names.second)))
+            robot_.enabled_pairs.push_back({names.first, names.second, reason ? reason : ""});
     }
 }
 
@@ -89,91 +111,106 @@ std::vector<std::string> SrdfReader::links_above(std::string link) const {
     return links;
 }
 
-/// From the base to the tip, by the lowest link that is above both.
+/// The joint, and the link that it moves.
+void SrdfReader::add_joint(GroupDescription& group, const JointDescription& joint) {
+    add_once(group.joints, joint.name);
+    add_once(group.links, joint.child);
+}
+
+/// The joints from the base to the tip, by the lowest link that is above both.
 void SrdfReader::add_chain(GroupDescription& group, const Element& element) const {
     const std::string base = file_.text(element, "base_link"), tip = file_.text(element, "tip_link");
     if (!links_.contains(base) || !links_.contains(tip))
         return;
     std::vector<std::string> from = links_above(base), to = links_above(tip);
-    while (from.size() > 1 && to.size() > 1 && from[from.size() - 2] == to[to.size() - 2]) {
+    while (!from.empty() && !to.empty() && from.back() == to.back()) {
         from.pop_back();
         to.pop_back();
     }
-    for (std::size_t i = 0; i + 1 < from.size(); ++i) {
-        add_once(group.links, from[i]);
-        add_once(group.joints, joint_above_.at(from[i])->name);
-    }
-    add_once(group.links, from.back());
-    for (std::size_t i = to.size() - 1; i-- > 0;) {
-        add_once(group.joints, joint_above_.at(to[i])->name);
-        add_once(group.links, to[i]);
+    for (const std::string& link : from)
+        add_joint(group, *joint_above_.at(link));
+    for (const std::string& link : std::views::reverse(to))
+        add_joint(group, *joint_above_.at(link));
+}
+
+void SrdfReader::add_part(GroupDescription& group, const Element& element) {
+    const std::string_view kind = element.Name();
+    if (kind == "joint") {
+        const auto joint = joints_.find(file_.text(element, "name"));
+        if (joint != joints_.end()) // else it may be a virtual joint
+            add_joint(group, *joint->second);
+    } else if (kind == "link") {
+        const std::string link = file_.text(element, "name");
+        if (const auto above = joint_above_.find(link); above != joint_above_.end())
+            add_joint(group, *above->second);
+        else if (links_.contains(link)) // the root
+            add_once(group.links, link);
+    } else if (kind == "chain") {
+        add_chain(group, element);
+    } else if (kind == "group") {
+        const auto inner = group_elements_.find(file_.text(element, "name"));
+        if (inner == group_elements_.end())
+            return;
+        const GroupDescription& subgroup = made_group(inner->first, element);
+        for (const std::string& joint : subgroup.joints)
+            add_joint(group, *joints_.at(joint));
+        for (const std::string& link : subgroup.links)
+            add_once(group.links, link);
     }
 }
 
-void SrdfReader::fill(GroupDescription& group, const Element& element, std::set<std::string>& above) {
-    const std::string name = file_.text(element, "name");
-    if (!above.insert(name).second)
-        file_.fail(element, "contains itself");
-    for (const Element* child = element.FirstChildElement(); child; child = child->NextSiblingElement()) {
-        const std::string_view kind = child->Name();
-        if (kind == "joint") {
-            const std::string joint = file_.text(*child, "name"); // or a virtual joint
-            if (joints_.contains(joint))
-                add_once(group.joints, joint);
-        } else if (kind == "link") {
-            if (const std::string link = file_.text(*child, "name"); links_.contains(link))
-                add_once(group.links, link);
-        } else if (kind == "chain") {
-            add_chain(group, *child);
-        } else if (kind == "group") {
-            const auto inner = groups_.find(file_.text(*child, "name"));
-            if (inner != groups_.end())
-                fill(group, *inner->second, above);
-        }
-    }
-    above.erase(name);
+/// Each group is made once, before the groups that contain it.
+const GroupDescription& SrdfReader::made_group(const std::string& name, const Element& place) {
+    constexpr std::size_t most_levels = 100;
+    if (const auto known = groups_.find(name); known != groups_.end())
+        return known->second;
+    if (std::ranges::find(open_groups_, name) != open_groups_.end())
+        file_.fail(place, "the group " + in_quotes(name) + " contains itself");
+    if (open_groups_.size() == most_levels)
+        file_.fail(place, "groups are nested more than " + std::to_string(most_levels) + " times");
+    open_groups_.push_back(name);
+    GroupDescription group{name};
+    const Element& element = *group_elements_.at(name);
+    for (const Element* part = element.FirstChildElement(); part; part = part->NextSiblingElement())
+        add_part(group, *part);
+    open_groups_.pop_back();
+    return groups_.emplace(name, std::move(group)).first->second;
 }
 
 void SrdfReader::add_groups() {
     const std::vector<const Element*> elements = XmlFile::children(file_.root(), "group");
     for (const Element* element : elements)
-        groups_[file_.text(*element, "name")] = element;
-    for (const Element* element : elements) {
-        if (groups_.at(file_.text(*element, "name")) != element)
-            continue; // the last one of a name counts
-        GroupDescription group{file_.text(*element, "name")};
-        std::set<std::string> above;
-        fill(group, *element, above);
-        robot_.groups.push_back(std::move(group));
-    }
+        if (!group_elements_.emplace(file_.text(*element, "name"), element).second)
+            file_.fail(*element, "there is another group of this name");
+    for (const Element* element : elements)
+        robot_.groups.push_back(made_group(file_.text(*element, "name"), *element));
+}
+
+StateDescription::Value SrdfReader::value_of(const Element& element, const JointDescription& joint) const {
+    const std::size_t count = joint.type == JointType::floating ? 7 : joint.type == JointType::planar ? 3 : 1;
+    return {joint.name, file_.numbers(element, "value", count)};
 }
 
 void SrdfReader::add_states() {
+    std::set<std::pair<std::string, std::string>> names;
     for (const Element* element : XmlFile::children(file_.root(), "group_state")) {
         StateDescription state{file_.text(*element, "name"), file_.optional_text(*element, "group").value_or("")};
-        for (const Element* joint : XmlFile::children(*element, "joint")) {
-            const std::string name = file_.text(*joint, "name");
-            if (!joints_.contains(name))
-                continue; // a virtual joint, or one of another variant of the robot
-            StateDescription::Value value{name, {}};
-            const std::string text = file_.text(*joint, "value");
-            Words words(text);
-            for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-                const std::optional<double> number = parse_finite(word);
-                if (!number)
-                    file_.fail(*joint, "value: " + in_quotes(word) + " is not a finite number");
-                value.values.push_back(*number);
-            }
-            state.values.push_back(std::move(value));
+        if (!names.emplace(state.name, state.group).second)
+            file_.fail(*element, "there is another state of this name and group");
+        for (const Element* value : XmlFile::children(*element, "joint")) {
+            const auto joint = joints_.find(file_.text(*value, "name"));
+            // Others are virtual joints, or joints of another variant of the robot.
+            if (joint != joints_.end() && joint->second->type != JointType::fixed)
+                state.values.push_back(value_of(*value, *joint->second));
         }
         robot_.states.push_back(std::move(state));
     }
 }
 
 void SrdfReader::read() {
+    add_disabled_pairs();
+    add_enabled_pairs();
     add_default_pairs();
-    add_pairs("disable_collisions", robot_.disabled_pairs, false);
-    add_pairs("enable_collisions", robot_.enabled_pairs, true);
     add_groups();
     add_states();
 }

@@ -36,16 +36,18 @@ private:
     [[nodiscard]] CollisionDescription collision(const Element& element);
     [[nodiscard]] Polyhedron mesh(const Element& element);
     [[nodiscard]] EnclosingPolyhedron round_body(const Element& element) const;
-    [[nodiscard]] JointDescription joint(const Element& element) const;
+    [[nodiscard]] JointDescription joint(const Element& element);
     void add_limits(const Element& element, JointDescription& joint) const;
     [[nodiscard]] std::string name(const Element& element, std::set<std::string>& names) const;
     [[nodiscard]] std::string link_named(const Element& joint, const char* child) const;
+    void check_one_root() const;
 
     using MeshKey = std::pair<std::filesystem::path, std::array<double, 3>>;
 
     XmlFile file_;
     const RobotFiles& files_;
     std::set<std::string> links_, joints_;
+    std::set<std::string> children_;       ///< links that are the child of a joint
     std::map<MeshKey, Polyhedron> meshes_; ///< by file and scale
 };
 
@@ -154,7 +156,7 @@ std::string UrdfReader::link_named(const Element& joint, const char* child) cons
     return link;
 }
 
-JointDescription UrdfReader::joint(const Element& element) const {
+JointDescription UrdfReader::joint(const Element& element) {
     static const std::map<std::string, JointType> types{
         {"fixed", JointType::fixed},         {"revolute", JointType::revolute}, {"continuous", JointType::continuous},
         {"prismatic", JointType::prismatic}, {"planar", JointType::planar},     {"floating", JointType::floating}};
@@ -165,6 +167,8 @@ JointDescription UrdfReader::joint(const Element& element) const {
     joint.type = type->second;
     joint.parent = link_named(element, "parent");
     joint.child = link_named(element, "child");
+    if (!children_.insert(joint.child).second)
+        file_.fail(element, "child: another joint has the link " + in_quotes(joint.child) + " already");
     joint.origin = origin(element);
     if (const Element* const axis = file_.child(element, "axis"))
         joint.axis = vector(*axis, "xyz");
@@ -190,21 +194,36 @@ void UrdfReader::add_limits(const Element& element, JointDescription& joint) con
         file_.fail(element, "limit: the lower one is above the upper one");
 }
 
+/// `Robot` checks this too, but has no lines.
+void UrdfReader::check_one_root() const {
+    const Element* root = nullptr;
+    for (const Element* link : XmlFile::children(file_.root(), "link")) {
+        if (children_.contains(file_.text(*link, "name")))
+            continue;
+        if (root)
+            file_.fail(*link,
+                       "is the child of no joint, and neither is the link " + in_quotes(file_.text(*root, "name")));
+        root = link;
+    }
+    if (!root)
+        file_.fail(file_.root(), "has no root: every link is the child of a joint");
+}
+
 RobotDescription UrdfReader::read() {
     RobotDescription robot{file_.optional_text(file_.root(), "name").value_or(file_.path().stem().string())};
     for (const Element* element : XmlFile::children(file_.root(), "link"))
         robot.links.push_back(link(*element));
     if (robot.links.empty())
         file_.fail(file_.root(), "has no link");
-    const std::vector<const Element*> elements = XmlFile::children(file_.root(), "joint");
-    for (const Element* element : elements) {
+    for (const Element* element : XmlFile::children(file_.root(), "joint")) {
         JointDescription made = joint(*element);
         made.name = name(*element, joints_);
         robot.joints.push_back(std::move(made));
     }
-    for (std::size_t i = 0; i < elements.size(); ++i)
-        if (const auto& mimic = robot.joints[i].mimic; mimic && !joints_.contains(mimic->joint))
-            file_.fail(*elements[i], "mimic: there is no joint " + in_quotes(mimic->joint));
+    for (JointDescription& joint : robot.joints)
+        if (joint.mimic && !joints_.contains(joint.mimic->joint))
+            joint.mimic.reset();
+    check_one_root();
     try {
         (void)Robot(robot);
     } catch (const InvalidInput& error) {

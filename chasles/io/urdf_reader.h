@@ -8,12 +8,14 @@
 namespace chasles::io {
 
 /// The links, joints and collision shapes of a URDF file of version 1.0 to 1.2. Whatever else it has is ignored: visual
-/// shapes, masses, transmissions. Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
+/// shapes, masses, transmissions. A joint that has to follow a joint of an unknown name has a variable of its own, as
+/// in MoveIt and Pinocchio: real files misname joints there. Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
 RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& files);
 
-/// Adds the pairs, groups and states of an SRDF file. Files are often shared by variants of a robot. Therefore links
-/// and joints that the robot does not have are left out, also of pairs, which loses no contact. Pairs that are to be
-/// tested must exist. Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
+/// Adds the pairs, groups and states of an SRDF file to a tree. Files are often shared by variants of a robot.
+/// Therefore links, joints and groups that do not exist are left out, also of pairs, which loses no contact. Pairs that
+/// are to be tested must exist; a pair that is also disabled is not tested, as in MoveIt. The links of a group are
+/// those that it names and those that its joints carry. Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
 void read_srdf(const std::filesystem::path& file, RobotDescription& robot);
 
 } // namespace chasles::io

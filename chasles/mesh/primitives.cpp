@@ -17,7 +17,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// All rounding of vertices is below a thousandth of it.
+/// Bodies are enlarged by this factor. All rounding of vertices is below a thousandth of what it adds.
 constexpr double outward = 1 + 1e-12;
 
 struct Named {
@@ -117,7 +117,8 @@ EnclosingPolyhedron banded(double radius, double length, double deviation) {
     const int sides = sides_around(std::sqrt(1 + deviation / radius) - 1); // once along, and once across
     const int bands = std::max(2, sides / 2);                              // from pole to pole
     const double step = std::numbers::pi / bands;
-    const double ring = radius * outward / std::cos(step / 2); // the circumscribed polygon of a meridian
+    const double enlarged = radius + (outward - 1) * (radius + length);
+    const double ring = enlarged / std::cos(step / 2); // the circumscribed polygon of a meridian
     const double across = 1 / std::cos(std::numbers::pi / sides);
     Rings rings(sides);
     for (int k = 0; k <= bands; ++k) {
