@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/contact/constraint_rows.h"
 #include "chasles/mesh/polyhedron.h"
+#include "chasles/mesh/primitives.h"
 #include "chasles/motion/motion.h"
 #include "chasles/motion/own_trajectory.h"
 #include "chasles/motion/pose.h"

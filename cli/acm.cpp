@@ -1,5 +1,5 @@
 // chasles acm: which links of a robot can ever touch, proven.
-#include "chasles/io/srdf_writer.h"
+#include "chasles/robot/srdf_writer.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/options.h"
@@ -65,7 +65,7 @@ int run_acm(const AcmOptions& options) {
     const std::vector<PairProof> proofs = prove_pairs(robot, search);
     bar.reset();
     if (file) {
-        file->write(io::srdf_text(robot, proofs, options.robot.srdf));
+        file->write(robot::srdf_text(robot, proofs, options.robot.srdf));
         file->close();
     }
     print(options.json ? view::pair_proofs_json(robot, proofs).dump() + "\n" : listed(robot, proofs) + counts(proofs));

@@ -1,5 +1,5 @@
 // chasles robot: a robot along a path of configurations.
-#include "chasles/io/joint_path_file.h"
+#include "chasles/robot/joint_path_file.h"
 #include "cli/commands.h"
 #include "cli/options.h"
 #include "cli/output.h"
@@ -29,7 +29,7 @@ struct RobotCommand {
 
 struct RobotQuestion {
     Robot robot;
-    io::ConfigurationRows rows;
+    robot::ConfigurationRows rows;
     std::optional<SceneFile> scene;
     QueryOptions options;
 
@@ -40,7 +40,7 @@ struct RobotQuestion {
 RobotQuestion read_question(const RobotCommand& options) {
     const QueryOptions query = options_of(options.query);
     Robot robot = load_robot(options.robot);
-    io::ConfigurationRows rows = io::load_configurations(options.path, robot);
+    robot::ConfigurationRows rows = robot::load_configurations(options.path, robot);
     std::optional<SceneFile> scene;
     if (!options.scene.empty())
         scene = load_scene(options.scene, {.triangulate = true});

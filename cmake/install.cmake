@@ -11,6 +11,7 @@ install(
   LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR}
   RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR}
   FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+install(FILES chasles/ompl.h DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/chasles) # for users who have OMPL
 install(EXPORT chaslesTargets NAMESPACE chasles:: DESTINATION ${package_dir})
 
 configure_package_config_file(cmake/chaslesConfig.cmake.in ${PROJECT_BINARY_DIR}/chaslesConfig.cmake

@@ -22,11 +22,13 @@ MAY_INCLUDE = {
     "search": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact"],
     "query": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search"],
     "scene": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "query"],
-    "robot": ["base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "query", "scene"],
-    "io": ["base", "algebra", "motion", "hierarchy", "mesh", "robot"],
+    "io": ["base", "algebra", "motion", "hierarchy", "mesh"],
+    "robot": [
+        "base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "query", "scene", "io",
+    ],
     "scenes": [],
     "view": [],
-    "cli": ["base", "io", "scenes", "view"],
+    "cli": ["base", "io", "robot", "scenes", "view"],
     "python": ["base", "motion", "io", "view"],
 }
 FACES = ["scenes", "view", "cli", "python"]  # beside chasles/, not in it; they may include the public headers

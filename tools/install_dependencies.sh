@@ -48,7 +48,7 @@ add_group() {
         # planning scenes.
         check)
             add_install
-            add libgtest-dev libgmp-dev libfcl-dev libyaml-cpp-dev zlib1g-dev python3 "clang-format-$clang_version"
+            add libgtest-dev libgmp-dev libfcl-dev libyaml-cpp-dev libompl-dev zlib1g-dev python3 "clang-format-$clang_version"
             # The page of `chasles view` is tested in a browser.
             command -v chromium >/dev/null || add chromium
             ;;

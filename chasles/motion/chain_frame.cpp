@@ -61,6 +61,22 @@ double signed_value(const ElementaryJoint& joint, double time) {
     return joint.is_inverse ? -value : value;
 }
 
+void turn(RateExpansion& expansion, const FixedAxis& axis, double value, const PolynomialRates& rates) {
+    expansion.pose.rotation = turn_about(axis, 0.5 * value);
+    expansion.turn_rate = scale(axis.in_double, rates.first);
+    expansion.turn_acceleration = scale(axis.in_double, rates.second);
+    expansion.bounds = {rates.bounds[0], rates.bounds[1], 0, 0};
+    expansion.turn_jerk = rates.bounds[2];
+}
+
+void slide(RateExpansion& expansion, const Vector3<double>& axis, double value, const PolynomialRates& rates) {
+    expansion.pose.translation = expansion.reference = scale(axis, value);
+    expansion.velocity = scale(axis, rates.first);
+    expansion.acceleration = scale(axis, rates.second);
+    expansion.bounds = {0, 0, rates.bounds[0], rates.bounds[1]};
+    expansion.jerk = rates.bounds[2];
+}
+
 /// A joint as a frame of its own, whose reference is its origin.
 RateExpansion expansion_of(const ElementaryJoint& joint, const Bracket& times) {
     const PolynomialRates rates = rates_of(joint, times);
@@ -68,19 +84,10 @@ RateExpansion expansion_of(const ElementaryJoint& joint, const Bracket& times) {
     const Vector3<double>& axis = joint.axis.in_double;
     RateExpansion expansion{.pose = {{}, {1, {}}}};
     expansion.turn_jerk = expansion.jerk = 0;
-    if (joint.turns) {
-        expansion.pose.rotation = turn_about(joint.axis, 0.5 * value);
-        expansion.turn_rate = scale(axis, rates.first);
-        expansion.turn_acceleration = scale(axis, rates.second);
-        expansion.bounds = {rates.bounds[0], rates.bounds[1], 0, 0};
-        expansion.turn_jerk = rates.bounds[2];
-    } else {
-        expansion.pose.translation = expansion.reference = scale(axis, value);
-        expansion.velocity = scale(axis, rates.first);
-        expansion.acceleration = scale(axis, rates.second);
-        expansion.bounds = {0, 0, rates.bounds[0], rates.bounds[1]};
-        expansion.jerk = rates.bounds[2];
-    }
+    if (joint.turns)
+        turn(expansion, joint.axis, value, rates);
+    else
+        slide(expansion, axis, value, rates);
     expansion.sums = expansion.bounds;
     return expansion;
 }

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace chasles {
 
@@ -83,20 +84,17 @@ const Polyhedron& SegmentSearch::fixed_shape(const Task& task) const {
 
 RobotPair SegmentSearch::name_of(const Task& task) const {
     const Model& model = prepared_.model();
-    const Element& first = model.elements[moving_element(task)];
     RobotPair pair;
-    pair.first = model.owners[first.owner].name;
-    pair.first_shape = first.shape_index;
-    if (task.kind == Task::Kind::self) {
-        const Element& second = model.elements[prepared_.self_pairs[task.first].fixed];
-        pair.second = model.owners[second.owner].name;
-        pair.second_shape = second.shape_index;
-        return pair;
-    }
-    pair.is_with_scene = true;
-    const bool is_mover = task.kind == Task::Kind::mover;
-    const std::size_t body = is_mover ? prepared_.movers[task.second] : prepared_.obstacles[task.second].body;
-    pair.second = prepared_.bodies[body].name;
+    std::tie(pair.first, pair.first_shape) = model.name_of(model.elements[moving_element(task)]);
+    pair.is_with_scene = task.kind != Task::Kind::self;
+    if (task.kind == Task::Kind::self)
+        std::tie(pair.second, pair.second_shape) =
+            model.name_of(model.elements[prepared_.self_pairs[task.first].fixed]);
+    else
+        pair.second = prepared_
+                          .bodies[task.kind == Task::Kind::mover ? prepared_.movers[task.second]
+                                                                 : prepared_.obstacles[task.second].body]
+                          .name;
     return pair;
 }
 

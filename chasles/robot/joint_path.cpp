@@ -90,7 +90,7 @@ Wide way_between(const RobotVariable& variable, double from, double to) {
     if (!variable.is_continuous)
         return way;
     static const Wide turn = Wide(2 * std::numbers::pi) + Wide(2.4492935982947064e-16); // 2 pi in double-double
-    return way - Wide(std::round(double(way) / (2 * std::numbers::pi))) * turn;
+    return way - Wide(std::nearbyint(double(way) / (2 * std::numbers::pi))) * turn;
 }
 
 Segment straight_segment(const robot::Model& model, double begin, double end, const Configuration& from,

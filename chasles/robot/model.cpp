@@ -62,6 +62,10 @@ struct Followed {
     double offset = 0;
 };
 
+bool has_one_variable(JointType type) {
+    return type == JointType::revolute || type == JointType::continuous || type == JointType::prismatic;
+}
+
 Followed followed(const RobotDescription& robot, const JointDescription& joint) {
     Followed f{&joint};
     for (std::size_t count = 0; f.joint->mimic; ++count) {
@@ -69,8 +73,7 @@ Followed followed(const RobotDescription& robot, const JointDescription& joint) 
         const auto next = std::ranges::find(robot.joints, mimic.joint, &JointDescription::name);
         if (next == robot.joints.end())
             refuse(f.joint->name, "mimic: there is no joint " + mimic.joint);
-        if (next->type != JointType::revolute && next->type != JointType::continuous &&
-            next->type != JointType::prismatic)
+        if (!has_one_variable(next->type))
             refuse(f.joint->name, "mimic: " + mimic.joint + " has not one variable");
         if (count > robot.joints.size())
             refuse(joint.name, "mimic: follows itself");
@@ -224,26 +227,20 @@ Owner Model::child_of(const Owner& parent, const JointDescription& joint) {
     return {joint.child, groups.size() - 1, FixedPose()};
 }
 
-/// Links without shapes pass the neighbourhood on.
+/// The link above, and the one above that as long as there are no shapes between.
 void Model::find_neighbours() {
-    std::vector<std::vector<std::size_t>> next(owners.size());
-    for (const JointDescription& joint : description.joints) {
-        const std::size_t a = owner_of.at(joint.parent), b = owner_of.at(joint.child);
-        next[a].push_back(b);
-        next[b].push_back(a);
-    }
-    for (std::size_t start = 0; start < next.size(); ++start) {
-        std::vector<std::pair<std::size_t, std::size_t>> reached{{start, start}}; // a link, and where from
-        for (std::size_t i = 0; i < reached.size(); ++i) {
-            const auto [link, from] = reached[i];
-            if (i > 0)
-                neighbours.insert(std::minmax(start, link));
-            if (i == 0 || description.links[link].collisions.empty())
-                for (const std::size_t neighbour : next[link])
-                    if (neighbour != from || i == 0)
-                        reached.emplace_back(neighbour, link);
+    std::map<std::string_view, std::string_view> above;
+    for (const JointDescription& joint : description.joints)
+        above.emplace(joint.child, joint.parent);
+    for (const auto& [child, parent] : above)
+        for (auto link = parent;;) {
+            const std::size_t index = owner(link);
+            neighbours.insert(std::minmax(owner(child), index));
+            const auto next = above.find(link);
+            if (next == above.end() || !description.links[index].collisions.empty())
+                break;
+            link = next->second;
         }
-    }
 }
 
 void Model::apply_pairs() {

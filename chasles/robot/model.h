@@ -76,7 +76,7 @@ public:
     std::map<std::string, std::size_t, std::less<>> owner_of;    ///< by name
     using OwnerPair = std::pair<std::size_t, std::size_t>;       ///< the smaller one first
     using NamePair = std::pair<std::string, std::string>;
-    std::set<OwnerPair> neighbours; ///< links that a joint connects, also through links without shapes
+    std::set<OwnerPair> neighbours; ///< a link and the next one above it that has shapes
     std::set<OwnerPair> ignored;
     std::map<OwnerPair, double> margins;
     std::set<NamePair> ignored_in_scene;
@@ -88,6 +88,11 @@ public:
     [[nodiscard]] OwnerPair owners_of(std::string_view a, std::string_view b) const;
 
     [[nodiscard]] SegmentMotion motion_of(const JointPath::Segment& segment) const;
+    /// The name of its owner, and its index there.
+    [[nodiscard]] std::pair<std::string, std::size_t> name_of(const Element& element) const {
+        return {owners[element.owner].name, element.shape_index};
+    }
+
     /// The pose of a link or part in the world at a time of the segment.
     [[nodiscard]] Pose pose_of(const SegmentMotion& motion, std::size_t owner, double time) const;
     /// From the world to a place in a group, and from a place in one group to one in another.

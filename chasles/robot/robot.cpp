@@ -31,6 +31,19 @@ JointPath::Segment resting_segment(const Robot& robot, const Configuration& conf
     return JointPath::straight(robot, both).segments().front();
 }
 
+/// Sets the variables of a joint; a joint that follows another one has none.
+void set_joint(Configuration& values, std::span<const RobotVariable> variables, const StateDescription::Value& given) {
+    const auto first = std::ranges::find_if(variables, [&](const RobotVariable& v) {
+        return v.name == given.joint || v.name.starts_with(given.joint + '/');
+    });
+    if (first == variables.end())
+        return;
+    const auto index = first - variables.begin();
+    if (index + std::ptrdiff_t(given.values.size()) > values.size())
+        robot::refuse(given.joint, "a state has too many values");
+    std::ranges::copy(given.values, values.data() + index);
+}
+
 } // namespace
 
 Robot::Robot(RobotDescription description) : model_(std::make_shared<const Model>(std::move(description))) {}
@@ -64,17 +77,8 @@ Configuration Robot::state(std::string_view name) const {
     if (found == model_->description.states.end())
         robot::refuse(name, "there is no such state");
     Configuration values = neutral();
-    for (const auto& [joint, given] : found->values) {
-        const auto first = std::ranges::find_if(model_->variables, [&](const RobotVariable& v) {
-            return v.name == joint || v.name.starts_with(joint + '/');
-        });
-        if (first == model_->variables.end())
-            continue; // a joint that follows another one
-        const auto index = first - model_->variables.begin();
-        if (index + std::ptrdiff_t(given.size()) > values.size())
-            robot::refuse(joint, "the state " + std::string(name) + " has too many values");
-        std::ranges::copy(given, values.data() + index);
-    }
+    for (const StateDescription::Value& value : found->values)
+        set_joint(values, model_->variables, value);
     return values;
 }
 

@@ -58,7 +58,7 @@ struct RobotFiles {
 class CHASLES_EXPORT Robot {
 public:
     /// Reads a URDF file, and an SRDF file if one is named. Throws InvalidInput with file, line, element and reason.
-    /// Defined in chasles/io/robot_files.cpp.
+    /// Defined in chasles/robot/urdf_reader.cpp.
     static Robot load(const std::filesystem::path& urdf, const RobotFiles& files = {});
 
     /// Throws InvalidInput "robot: ELEMENT: WHY" for a description that is no tree, names what does not exist, or
@@ -92,9 +92,9 @@ public:
     void detach(std::string_view name);
     [[nodiscard]] std::span<const AttachedPart> attached() const;
 
-    /// Two links or parts are not tested against each other, or are again. At first these are not: links that a joint
-    /// connects, also through links without shapes, and pairs that the description disables. Links that no joint moves
-    /// against each other never are. Throws InvalidInput for an unknown name.
+    /// Two links or parts are not tested against each other, or are again. At first these are not: a link and the next
+    /// one above it that has shapes, and pairs that the description disables. Links that no joint moves against each
+    /// other never are. Throws InvalidInput for an unknown name.
     void ignore(std::string_view first, std::string_view second);
     void test(std::string_view first, std::string_view second);
     [[nodiscard]] bool is_tested(std::string_view first, std::string_view second) const;

@@ -1,5 +1,5 @@
 // What a robot is made of: links with collision shapes, joints, and which links are not tested against each other. Read
-// from URDF and SRDF files by chasles/io/urdf_reader.h, or written by hand.
+// from URDF and SRDF files by chasles/robot/urdf_reader.h, or written by hand.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"

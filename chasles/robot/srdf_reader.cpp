@@ -1,8 +1,8 @@
 // Reads pairs, groups and states of an SRDF file.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
-#include "chasles/io/urdf_reader.h"
-#include "chasles/io/xml_file.h"
+#include "chasles/robot/urdf_reader.h"
+#include "chasles/robot/xml_file.h"
 
 #include <algorithm>
 #include <map>
@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 namespace {
 
@@ -65,7 +65,7 @@ void add_once(Items& items, const Item& item) {
 SrdfReader::Names SrdfReader::names_of(const Element& pair) const {
     Names names{file_.text(pair, "link1"), file_.text(pair, "link2")};
     if (names.first == names.second)
-        file_.fail(pair, "names " + in_quotes(names.first) + " twice");
+        file_.fail(pair, "names " + io::in_quotes(names.first) + " twice");
     return names;
 }
 
@@ -84,7 +84,7 @@ void SrdfReader::add_enabled_pairs() {
         const Names names = names_of(*pair);
         for (const std::string& link : {names.first, names.second})
             if (!links_.contains(link))
-                file_.fail(*pair, "there is no link " + in_quotes(link));
+                file_.fail(*pair, "there is no link " + io::in_quotes(link));
         const char* const reason = pair->Attribute("reason");
         if (!disabled_.contains(std::minmax(names.first, names.second)))
             robot_.enabled_pairs.push_back({names.first, names.second, reason ? reason : ""});
@@ -165,7 +165,7 @@ const GroupDescription& SrdfReader::made_group(const std::string& name, const El
     if (const auto known = groups_.find(name); known != groups_.end())
         return known->second;
     if (std::ranges::find(open_groups_, name) != open_groups_.end())
-        file_.fail(place, "the group " + in_quotes(name) + " contains itself");
+        file_.fail(place, "the group " + io::in_quotes(name) + " contains itself");
     if (open_groups_.size() == most_levels)
         file_.fail(place, "groups are nested more than " + std::to_string(most_levels) + " times");
     open_groups_.push_back(name);
@@ -221,4 +221,4 @@ void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
     SrdfReader(file, robot).read();
 }
 
-} // namespace chasles::io
+} // namespace chasles::robot

@@ -9,7 +9,7 @@
 #include <tinyxml2.h>
 #include <vector>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 /// A parsed file. Elements live as long as it.
 class XmlFile {
@@ -46,4 +46,4 @@ private:
     tinyxml2::XMLDocument document_;
 };
 
-} // namespace chasles::io
+} // namespace chasles::robot

@@ -1,10 +1,10 @@
-#include "chasles/io/srdf_writer.h"
+#include "chasles/robot/srdf_writer.h"
 
-#include "chasles/io/xml_file.h"
+#include "chasles/robot/xml_file.h"
 
 #include <array>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 namespace {
 
@@ -53,4 +53,4 @@ std::string srdf_text(const Robot& robot, const std::vector<PairProof>& proofs, 
     return printer.CStr();
 }
 
-} // namespace chasles::io
+} // namespace chasles::robot

@@ -7,11 +7,11 @@
 #include <string>
 #include <vector>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 /// An SRDF file with a <disable_collisions> for each pair that touches never or always, or is adjacent. If `given`
 /// names a file, all else of it is kept, and its own pairs are replaced. Throws InvalidInput for a file that is no
 /// SRDF.
 std::string srdf_text(const Robot& robot, const std::vector<PairProof>& proofs, const std::filesystem::path& given);
 
-} // namespace chasles::io
+} // namespace chasles::robot

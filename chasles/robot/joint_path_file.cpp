@@ -1,4 +1,4 @@
-#include "chasles/io/joint_path_file.h"
+#include "chasles/robot/joint_path_file.h"
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/csv_table.h"
@@ -7,7 +7,7 @@
 #include <algorithm>
 #include <set>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 namespace {
 
@@ -17,13 +17,13 @@ struct Columns {
     std::vector<std::size_t> variables; ///< of the columns after the stamps
 };
 
-Columns columns_of(const CsvRow& header, const Robot& robot) {
+Columns columns_of(const io::CsvRow& header, const Robot& robot) {
     Columns columns;
     std::set<std::string> names;
     for (std::size_t i = 0; i < header.cells.size(); ++i) {
         const std::string& name = header.cells[i];
         if (!names.insert(name).second)
-            fail_at_line(header.line, "the column " + in_quotes(name) + " comes twice");
+            io::fail_at_line(header.line, "the column " + io::in_quotes(name) + " comes twice");
         const auto variables = robot.variables();
         const auto found = std::ranges::find(variables, name, &RobotVariable::name);
         if (found != variables.end())
@@ -31,39 +31,40 @@ Columns columns_of(const CsvRow& header, const Robot& robot) {
         else if (name == "t" && i == 0)
             columns.has_stamps = true;
         else
-            fail_at_line(header.line, "the robot has no variable " + in_quotes(name) +
-                                          "; fixed joints and joints that follow others have none");
+            io::fail_at_line(header.line, "the robot has no variable " + io::in_quotes(name) +
+                                              "; fixed joints and joints that follow others have none");
     }
     if (columns.variables.empty())
-        fail_at_line(header.line, "the header names no variable of the robot");
+        io::fail_at_line(header.line, "the header names no variable of the robot");
     return columns;
 }
 
-double number_in(const CsvRow& row, const CsvRow& header, std::size_t column) {
-    const std::optional<double> number = parse_finite(row.cells[column]);
+double number_in(const io::CsvRow& row, const io::CsvRow& header, std::size_t column) {
+    const std::optional<double> number = io::parse_finite(row.cells[column]);
     if (!number)
-        fail_at_line(row.line, header.cells[column] + ": " + in_quotes(row.cells[column]) + " is not a finite number");
+        io::fail_at_line(row.line,
+                         header.cells[column] + ": " + io::in_quotes(row.cells[column]) + " is not a finite number");
     return *number;
 }
 
 } // namespace
 
 ConfigurationRows read_configurations(std::string_view text, const Robot& robot) {
-    CsvTable table(text);
-    const std::optional<CsvRow> header = table.next();
+    io::CsvTable table(text);
+    const std::optional<io::CsvRow> header = table.next();
     if (!header)
         throw InvalidInput("has no header");
     const Columns columns = columns_of(*header, robot);
     ConfigurationRows rows;
-    while (const std::optional<CsvRow> row = table.next()) {
+    while (const std::optional<io::CsvRow> row = table.next()) {
         if (row->cells.size() != header->cells.size())
-            fail_at_line(row->line, "has " + std::to_string(row->cells.size()) + " cells, and the header has " +
-                                        std::to_string(header->cells.size()));
+            io::fail_at_line(row->line, "has " + std::to_string(row->cells.size()) + " cells, and the header has " +
+                                            std::to_string(header->cells.size()));
         const std::size_t first = columns.has_stamps ? 1 : 0;
         if (columns.has_stamps) {
             const double stamp = number_in(*row, *header, 0);
             if (!rows.stamps.empty() && !(stamp > rows.stamps.back()))
-                fail_at_line(row->line, "t: must be greater than in the row before");
+                io::fail_at_line(row->line, "t: must be greater than in the row before");
             rows.stamps.push_back(stamp);
         }
         Configuration values = robot.neutral();
@@ -78,12 +79,12 @@ ConfigurationRows read_configurations(std::string_view text, const Robot& robot)
 }
 
 ConfigurationRows load_configurations(const std::filesystem::path& file, const Robot& robot) {
-    const std::string text = read_file(file);
+    const std::string text = io::read_file(file);
     try {
         return read_configurations(text, robot);
     } catch (const InvalidInput& error) {
-        fail_in_file(file, error.what());
+        io::fail_in_file(file, error.what());
     }
 }
 
-} // namespace chasles::io
+} // namespace chasles::robot

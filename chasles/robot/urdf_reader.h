@@ -5,7 +5,7 @@
 
 #include <filesystem>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 /// The links, joints and collision shapes of a URDF file of version 1.0 to 1.2. Whatever else it has is ignored: visual
 /// shapes, masses, transmissions. A joint that has to follow a joint of an unknown name has a variable of its own, as
@@ -18,4 +18,4 @@ RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& 
 /// those that it names and those that its joints carry. Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
 void read_srdf(const std::filesystem::path& file, RobotDescription& robot);
 
-} // namespace chasles::io
+} // namespace chasles::robot

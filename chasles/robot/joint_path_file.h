@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 /// Configurations of a robot, at least two.
 struct ConfigurationRows {
@@ -23,4 +23,4 @@ ConfigurationRows load_configurations(const std::filesystem::path& file, const R
 /// Likewise for the content of a file. Its messages do not contain the file name.
 ConfigurationRows read_configurations(std::string_view text, const Robot& robot);
 
-} // namespace chasles::io
+} // namespace chasles::robot

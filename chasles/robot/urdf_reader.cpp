@@ -1,13 +1,13 @@
 // Reads the links and joints of a URDF file. Checks of the tree are those of `Robot`.
-#include "chasles/io/urdf_reader.h"
+#include "chasles/robot/urdf_reader.h"
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
-#include "chasles/io/package_paths.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
-#include "chasles/io/xml_file.h"
 #include "chasles/mesh/primitives.h"
+#include "chasles/robot/package_paths.h"
+#include "chasles/robot/xml_file.h"
 
 #include <algorithm>
 #include <array>
@@ -16,7 +16,7 @@
 #include <set>
 #include <utility>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 namespace {
 
@@ -110,7 +110,7 @@ CollisionDescription UrdfReader::collision(const Element& element) {
             return {body.shape, place, body.deviation};
         }
     } catch (const InvalidInput& error) {
-        if (std::string_view(error.what()).starts_with(shown_name(file_.path())))
+        if (std::string_view(error.what()).starts_with(io::shown_name(file_.path())))
             throw;
         file_.fail(*shape, error.what());
     }
@@ -137,7 +137,7 @@ Polyhedron UrdfReader::mesh(const Element& element) {
         return known->second;
     if (scale.prod() == 0)
         file_.fail(element, "scale: must not be zero");
-    PolygonSoup soup = load_polygons(path, true);
+    io::PolygonSoup soup = io::load_polygons(path, true);
     for (Vector3d& vertex : soup.vertices)
         vertex = vertex.cwiseProduct(scale);
     if (scale.prod() < 0)
@@ -152,7 +152,7 @@ std::string UrdfReader::link_named(const Element& joint, const char* child) cons
     const Element& element = file_.required_child(joint, child);
     std::string link = file_.text(element, "link");
     if (!links_.contains(link))
-        file_.fail(joint, std::string(child) + ": there is no link " + in_quotes(link));
+        file_.fail(joint, std::string(child) + ": there is no link " + io::in_quotes(link));
     return link;
 }
 
@@ -163,12 +163,12 @@ JointDescription UrdfReader::joint(const Element& element) {
     JointDescription joint;
     const auto type = types.find(file_.text(element, "type"));
     if (type == types.end())
-        file_.fail(element, "type: " + in_quotes(file_.text(element, "type")) + " is unknown");
+        file_.fail(element, "type: " + io::in_quotes(file_.text(element, "type")) + " is unknown");
     joint.type = type->second;
     joint.parent = link_named(element, "parent");
     joint.child = link_named(element, "child");
     if (!children_.insert(joint.child).second)
-        file_.fail(element, "child: another joint has the link " + in_quotes(joint.child) + " already");
+        file_.fail(element, "child: another joint has the link " + io::in_quotes(joint.child) + " already");
     joint.origin = origin(element);
     if (const Element* const axis = file_.child(element, "axis"))
         joint.axis = vector(*axis, "xyz");
@@ -202,7 +202,7 @@ void UrdfReader::check_one_root() const {
             continue;
         if (root)
             file_.fail(*link,
-                       "is the child of no joint, and neither is the link " + in_quotes(file_.text(*root, "name")));
+                       "is the child of no joint, and neither is the link " + io::in_quotes(file_.text(*root, "name")));
         root = link;
     }
     if (!root)
@@ -238,14 +238,14 @@ RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& 
     return UrdfReader(file, files).read();
 }
 
-} // namespace chasles::io
+} // namespace chasles::robot
 
 namespace chasles {
 
 Robot Robot::load(const std::filesystem::path& urdf, const RobotFiles& files) {
-    RobotDescription description = io::read_urdf(urdf, files);
+    RobotDescription description = robot::read_urdf(urdf, files);
     if (!files.srdf.empty())
-        io::read_srdf(files.srdf, description);
+        robot::read_srdf(files.srdf, description);
     return Robot(std::move(description));
 }
 

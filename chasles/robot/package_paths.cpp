@@ -1,5 +1,5 @@
 // Packages are looked for by the given map, then beside the file and in the folders above it.
-#include "chasles/io/package_paths.h"
+#include "chasles/robot/package_paths.h"
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
@@ -10,7 +10,7 @@
 #include <tinyxml2.h>
 #include <vector>
 
-namespace chasles::io {
+namespace chasles::robot {
 
 namespace {
 
@@ -32,7 +32,7 @@ std::string package_name(const fs::path& folder) {
         return {};
     const tinyxml2::XMLElement* const name = document.RootElement()->FirstChildElement("name");
     const char* const text = name ? name->GetText() : nullptr;
-    return std::string(Words(text ? text : "").next());
+    return std::string(io::Words(text ? text : "").next());
 }
 
 /// The folder of a file and the folders above it, the nearest first.
@@ -84,34 +84,37 @@ std::string listed(const std::vector<fs::path>& paths) {
     constexpr std::size_t most = 4;
     std::string list;
     for (std::size_t i = 0; i < std::min(most, paths.size()); ++i)
-        list += (i > 0 ? ", " : "") + one_line(paths[i].string());
+        list += (i > 0 ? ", " : "") + io::one_line(paths[i].string());
     return list + (paths.size() > most ? ", and the folders above" : "");
 }
 
 } // namespace
 
-fs::path resolved(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
-    constexpr std::string_view package = "package://", model = "model://", file = "file://";
-    std::vector<fs::path> tried;
-    std::string hint;
-    if (uri.starts_with(package) || uri.starts_with(model)) {
-        const fs::path path = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
-        if (!path.has_parent_path() || !path.has_filename())
-            throw InvalidInput(in_quotes(uri) + " names no file in a package");
-        tried = places(path, urdf, files);
-        if (tried.size() > 1)
-            hint = "; name the folder of the package " + in_quotes(path.begin()->string());
-    } else if (uri.starts_with(file)) {
-        tried = {uri.substr(file.size())};
-    } else if (uri.find("://") != std::string::npos) {
-        throw InvalidInput(in_quotes(uri) + " is no package://, no file:// and no path");
-    } else {
-        tried = {urdf.parent_path() / uri};
-    }
-    const auto found = std::ranges::find_if(tried, is_file);
-    if (found == tried.end())
-        throw InvalidInput("there is no file " + in_quotes(uri) + "; tried " + listed(tried) + hint);
-    return *found;
+namespace {
+
+/// The places of a file that a URI means.
+std::vector<fs::path> places_of(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
+    if (uri.starts_with("file://"))
+        return {uri.substr(7)};
+    if (uri.find("://") == std::string::npos)
+        return {urdf.parent_path() / uri};
+    if (!uri.starts_with("package://") && !uri.starts_with("model://"))
+        throw InvalidInput(io::in_quotes(uri) + " is no package://, no file:// and no path");
+    const fs::path path = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
+    if (!path.has_parent_path() || !path.has_filename())
+        throw InvalidInput(io::in_quotes(uri) + " names no file in a package");
+    return places(path, urdf, files);
 }
 
-} // namespace chasles::io
+} // namespace
+
+fs::path resolved(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
+    const std::vector<fs::path> tried = places_of(uri, urdf, files);
+    const auto found = std::ranges::find_if(tried, is_file);
+    if (found != tried.end())
+        return *found;
+    throw InvalidInput("there is no file " + io::in_quotes(uri) + "; tried " + listed(tried) +
+                       (tried.size() > 1 ? "; name the folder of the package" : ""));
+}
+
+} // namespace chasles::robot

@@ -1,16 +1,16 @@
 // Reads XML by tinyxml2, and numbers as all files of this library: correctly rounded, in any locale.
-#include "chasles/io/xml_file.h"
+#include "chasles/robot/xml_file.h"
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 
-namespace chasles::io {
+namespace chasles::robot {
 
 namespace {
 
 std::string place(const std::filesystem::path& file, int line) {
-    return shown_name(file) + ':' + std::to_string(line);
+    return io::shown_name(file) + ':' + std::to_string(line);
 }
 
 std::string trimmed(std::string_view text) {
@@ -23,10 +23,10 @@ std::string trimmed(std::string_view text) {
 } // namespace
 
 XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(file) {
-    const std::string bytes = read_file(file);
+    const std::string bytes = io::read_file(file);
     if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS)
         throw InvalidInput(place(path_, document_.ErrorLineNum()) + ": is no well-formed XML (" +
-                           one_line(document_.ErrorName()) + ")");
+                           io::one_line(document_.ErrorName()) + ")");
     const Element* const element = document_.RootElement();
     if (!element || std::string_view(element->Name()) != root)
         throw InvalidInput(place(path_, element ? element->GetLineNum() : 1) + ": the root element must be <" + root +
@@ -34,9 +34,9 @@ XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(fi
 }
 
 void XmlFile::fail(const Element& element, const std::string& why) const {
-    std::string message = place(path_, element.GetLineNum()) + ": <" + one_line(element.Name());
+    std::string message = place(path_, element.GetLineNum()) + ": <" + io::one_line(element.Name());
     if (const char* const name = element.Attribute("name"))
-        message.append(" ").append(one_line(name));
+        message.append(" ").append(io::one_line(name));
     throw InvalidInput(message.append(">: ").append(why));
 }
 
@@ -79,11 +79,11 @@ std::string XmlFile::text(const Element& element, const char* attribute) const {
 std::vector<double> XmlFile::numbers(const Element& element, const char* attribute, std::size_t count) const {
     const std::string given = text(element, attribute);
     std::vector<double> values;
-    Words words(given);
+    io::Words words(given);
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
-        const std::optional<double> value = parse_finite(word);
+        const std::optional<double> value = io::parse_finite(word);
         if (!value)
-            fail(element, std::string(attribute) + ": " + in_quotes(word) + " is not a finite number");
+            fail(element, std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number");
         values.push_back(*value);
     }
     if (values.size() != count)
@@ -100,4 +100,4 @@ double XmlFile::number(const Element& element, const char* attribute, double oth
     return element.Attribute(attribute) ? number(element, attribute) : otherwise;
 }
 
-} // namespace chasles::io
+} // namespace chasles::robot

@@ -1,0 +1,141 @@
+// Validators for the planners of OMPL: motions are proven instead of sampled. This header is not part of
+// chasles/chasles.h; who includes it has OMPL (1.5 or later).
+//
+//     chasles::RobotChecker checker(robot, &scene);
+//     auto validity = std::make_shared<chasles::ompl::RobotValidityChecker>(information, checker);
+//     information->setStateValidityChecker(validity);
+//     information->setMotionValidator(std::make_shared<chasles::ompl::RobotMotionValidator>(information, checker));
+#pragma once
+
+#include "chasles/chasles.h"
+
+#include <algorithm>
+#include <numeric>
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/StateValidityChecker.h>
+#include <utility>
+#include <vector>
+
+namespace chasles::ompl {
+
+/// A body that moves freely in space, as a robot for an SE3StateSpace: its variables are x, y, z and a quaternion.
+/// OMPL's interpolation, a straight line of the origin and slerp, is a straight path of this robot.
+inline Robot free_body(const Polyhedron& shape, const std::string& name = "body") {
+    RobotDescription robot{name};
+    robot.links = {{"world"}, {name, {{shape}}}};
+    JointDescription joint{"free", JointType::floating, "world", name};
+    robot.joints = {joint};
+    return Robot(std::move(robot));
+}
+
+/// How the numbers of a state are the variables of a robot: the real numbers of a RealVectorStateSpace, SO2StateSpace
+/// (for continuous joints), SE2StateSpace (for planar ones), SE3StateSpace (for floating ones) or a compound of them,
+/// in the order of `copyToReals`.
+struct StateMap {
+    std::vector<std::size_t> variables; ///< of the robot, one for each number of the state
+    Configuration others;               ///< the values of all variables that a state does not have
+
+    /// All variables in order.
+    explicit StateMap(const Robot& robot) : variables(robot.variables().size()), others(robot.neutral()) {
+        std::iota(variables.begin(), variables.end(), std::size_t{0});
+    }
+    /// Throws InvalidInput for an unknown name.
+    StateMap(const Robot& robot, const std::vector<std::string>& names) : others(robot.neutral()) {
+        for (const std::string& name : names)
+            variables.push_back(robot.variable(name));
+    }
+
+    /// Throws InvalidInput for another number of values.
+    [[nodiscard]] Configuration operator()(const ::ompl::base::StateSpace& space,
+                                           const ::ompl::base::State* state) const {
+        std::vector<double> reals;
+        space.copyToReals(reals, state);
+        if (reals.size() != variables.size())
+            throw InvalidInput("state: has " + std::to_string(reals.size()) + " numbers, and " +
+                               std::to_string(variables.size()) + " variables are named");
+        Configuration values = others;
+        for (std::size_t i = 0; i < reals.size(); ++i)
+            values[Eigen::Index(variables[i])] = reals[i];
+        return values;
+    }
+};
+
+/// A state is valid within the bounds of its space, if the robot touches nothing there. Keeps the checker by reference.
+class RobotValidityChecker : public ::ompl::base::StateValidityChecker {
+public:
+    RobotValidityChecker(const ::ompl::base::SpaceInformationPtr& information, const RobotChecker& checker)
+        : RobotValidityChecker(information, checker, StateMap(checker.robot())) {}
+    RobotValidityChecker(const ::ompl::base::SpaceInformationPtr& information, const RobotChecker& checker,
+                         StateMap map)
+        : StateValidityChecker(information), checker_(checker), map_(std::move(map)) {}
+
+    [[nodiscard]] bool isValid(const ::ompl::base::State* state) const override {
+        return si_->satisfiesBounds(state) && checker_.is_clear(map_(*si_->getStateSpace(), state));
+    }
+
+private:
+    const RobotChecker& checker_;
+    StateMap map_;
+};
+
+/// A motion is valid if it is proven that the robot touches nothing on the way, and if its end is valid. Thread-safe as
+/// OMPL's own validators are. Keeps the checker by reference.
+class RobotMotionValidator : public ::ompl::base::MotionValidator {
+public:
+    using State = ::ompl::base::State;
+
+    RobotMotionValidator(const ::ompl::base::SpaceInformationPtr& information, const RobotChecker& checker)
+        : RobotMotionValidator(information, checker, StateMap(checker.robot())) {}
+    RobotMotionValidator(const ::ompl::base::SpaceInformationPtr& information, const RobotChecker& checker,
+                         StateMap map)
+        : MotionValidator(information), checker_(checker), map_(std::move(map)) {}
+
+    bool checkMotion(const State* s1, const State* s2) const override {
+        const bool is_valid = si_->isValid(s2) && checker_.is_clear(values(s1), values(s2));
+        ++(is_valid ? valid_ : invalid_);
+        return is_valid;
+    }
+
+    /// `last.second` is a proven lower bound: the motion is clear up to there, and the state there is valid itself.
+    bool checkMotion(const State* s1, const State* s2, std::pair<State*, double>& last) const override {
+        const RobotAnswer found = checker_.first_contact(values(s1), values(s2));
+        const bool is_clear = found.verdict == Verdict::clear;
+        if (is_clear && si_->isValid(s2)) {
+            ++valid_;
+            return true;
+        }
+        ++invalid_;
+        set_last(s1, s2, is_clear ? 1 : found.clear_until, last);
+        return false;
+    }
+
+private:
+    [[nodiscard]] Configuration values(const State* state) const { return map_(*si_->getStateSpace(), state); }
+
+    /// States are rounded, so the one at the end of the clear part may touch: it is approached from before. `s1` counts
+    /// as valid. `last.first` may be one of both states, and is written at the end.
+    void set_last(const State* s1, const State* s2, double clear_until, std::pair<State*, double>& last) const {
+        State* const between = si_->allocState();
+        double fraction = clear_until;
+        bool is_valid = false;
+        for (double step = 1e-12; step < 1 && !is_valid; step *= 4) {
+            fraction = std::max(0.0, clear_until - step);
+            si_->getStateSpace()->interpolate(s1, s2, fraction, between);
+            is_valid = fraction > 0 && si_->isValid(between);
+        }
+        if (!is_valid) {
+            fraction = 0;
+            si_->copyState(between, s1);
+        }
+        if (last.first)
+            si_->copyState(last.first, between);
+        last.second = fraction;
+        si_->freeState(between);
+    }
+
+    const RobotChecker& checker_;
+    StateMap map_;
+};
+
+} // namespace chasles::ompl
