@@ -30,8 +30,16 @@ Robot irb2400() {
     return Robot::load(shared_data("robots/abb_irb2400/abb_irb2400.urdf"),
                        {.srdf = shared_data("robots/abb_irb2400/abb_irb2400.srdf")});
 }
+/// Its shapes overlap at the joints, and no file says which pairs are not meant: those that do so at the start are not
+/// tested.
 Robot laikago() {
-    return Robot::load(shared_data("robots/laikago/urdf/laikago.urdf"));
+    Robot robot = Robot::load(shared_data("robots/laikago/urdf/laikago.urdf"));
+    while (true) {
+        const RobotAnswer found = RobotChecker(robot).first_contact(robot.neutral(), robot.neutral());
+        if (found.verdict == Verdict::clear)
+            return robot;
+        robot.ignore(found.pair->first, found.pair->second);
+    }
 }
 
 TEST(Robots, RealFilesAreReadAsTheyAre) {
@@ -106,9 +114,7 @@ void print(const char* name, const Figures& f) {
 }
 
 /// Edges that start free, and splines through three configurations near each other.
-void judge_robot(const char* name, const Robot& robot, const Scene& world, Random& random, int edges,
-                 Figures& figures) {
-    (void)name;
+void judge_robot(const Robot& robot, const Scene& world, Random& random, int edges, Figures& figures) {
     const RobotChecker checker(robot, &world);
     bench::FclRobot peer(robot, world);
     const int samples = is_long() ? 2000 : 300;
@@ -146,7 +152,7 @@ TEST(Robots, PandaAmongObstaclesAgreesWithDenseSamples) {
     for (std::size_t i = 3; i < names.size() && !HasFatalFailure(); i += is_long() ? 4 : 40) {
         const PlanningProblem problem =
             read_planning_problem(shared_data("robots/panda/mbm-problems"), names[i], robot);
-        judge_robot("panda", robot, problem.world, random, is_long() ? 60 : 15, figures);
+        judge_robot(robot, problem.world, random, is_long() ? 60 : 15, figures);
     }
     print("panda", figures);
     expect_good(figures);
@@ -172,8 +178,8 @@ TEST(Robots, Irb2400AndLaikagoAgreeWithDenseSamples) {
     Random random(2202);
     Figures irb, dog;
     for (int i = 0; i < (is_long() ? 40 : 4) && !HasFatalFailure(); ++i) {
-        judge_robot("irb2400", irb2400(), boxes_around(random, 0.7, 2, 15), random, is_long() ? 60 : 20, irb);
-        judge_robot("laikago", laikago(), boxes_around(random, 0.35, 1, 15), random, is_long() ? 40 : 10, dog);
+        judge_robot(irb2400(), boxes_around(random, 0.7, 2, 15), random, is_long() ? 60 : 20, irb);
+        judge_robot(laikago(), boxes_around(random, 0.35, 1, 15), random, is_long() ? 40 : 10, dog);
     }
     print("irb2400", irb);
     print("laikago", dog);
