@@ -7,7 +7,8 @@
 //     information->setMotionValidator(std::make_shared<chasles::ompl::RobotMotionValidator>(information, checker));
 #pragma once
 
-#include "chasles/chasles.h"
+#include "chasles/base/invalid_input.h"
+#include "chasles/robot/robot.h"
 
 #include <algorithm>
 #include <numeric>

@@ -30,8 +30,9 @@ MAY_INCLUDE = {
     "view": [],
     "cli": ["base", "io", "robot", "scenes", "view"],
     "python": ["base", "motion", "io", "view"],
+    "ompl": [],
 }
-FACES = ["scenes", "view", "cli", "python"]  # beside chasles/, not in it; they may include the public headers
+FACES = ["scenes", "view", "cli", "python", "ompl"]  # beside chasles/, not in it; they may include the public headers
 SURFACE = "chasles/chasles.h"
 MAY_INCLUDE_SURFACE = ["scenes", "view", "cli", "python", "tests", "bench", "examples"]
 FREE = ["tests", "bench"]  # may include any layer, but by the same names
@@ -44,6 +45,8 @@ SUFFIXES = [".h", ".hpp", ".cpp", ".cc", ".inl"]
 def layer_of(path: str) -> str:
     """The layer that a path relative to the root belongs to: the folder below chasles/, or the top folder."""
     parts = pathlib.PurePosixPath(path).parts
+    if parts == ("chasles", "ompl.h"):
+        return "ompl"  # one header beside the library
     if parts[0] == "chasles":
         return parts[1] if len(parts) > 2 else ""
     return parts[0]
