@@ -43,7 +43,7 @@ struct ConfigurationCell {
 class PairSearch {
 public:
     PairSearch(const Robot& given, std::size_t first, std::size_t second, const PairProofOptions& options)
-        : robot_(given), model_(given.model()), options_(options), neutral_(given.neutral()) {
+        : model_(given.model()), options_(options), neutral_(given.neutral()) {
         for (const Element& element : model_.elements) {
             if (element.owner == first)
                 first_.push_back(&element);
@@ -81,7 +81,6 @@ private:
     static void split(const std::vector<Axis>& axes, const ConfigurationCell& cell,
                       std::deque<ConfigurationCell>& cells);
 
-    const Robot& robot_;
     const Model& model_;
     const PairProofOptions& options_;
     Configuration neutral_;
