@@ -4,6 +4,7 @@
 #include "chasles/robot/robot.h"
 
 #include "chasles/mesh/primitives.h"
+#include "chasles/robot/pair_proof.h"
 #include "tests/data/planning_scenes.h"
 #include "tests/data/shared_data.h"
 #include "tests/support/random.h"
@@ -185,6 +186,42 @@ TEST(Robots, Irb2400AndLaikagoAgreeWithDenseSamples) {
     print("laikago", dog);
     expect_good(irb);
     expect_good(dog);
+}
+
+/// Each witness is confirmed by FCL, and no random configuration denies a proof. CHASLES_LONG=1 leaves no pair open.
+TEST(Robots, PairsOfThePandaAreProven) {
+    CHASLES_REQUIRE_DATA("robots");
+    Random random(2203);
+    const Robot robot = panda();
+    const std::vector<PairProof> proofs = prove_pairs(robot, {.seconds = is_long() ? 600.0 : 5.0});
+    const Scene empty;
+    int never = 0, sometimes = 0, open = 0;
+    for (const PairProof& proof : proofs) {
+        Robot alone = robot; // tests this pair only
+        for (const PairProof& other : proofs)
+            alone.ignore(other.first, other.second);
+        alone.test(proof.first, proof.second);
+        bench::FclRobot peer(alone, empty);
+        never += proof.reason == PairReason::never;
+        sometimes += proof.reason == PairReason::sometimes;
+        open += proof.reason == PairReason::open;
+        const std::string pair = proof.first + " and " + proof.second;
+        if (proof.witness) {
+            EXPECT_TRUE(peer.collides(*proof.witness)) << pair;
+        }
+        for (int i = 0; i < (is_long() ? 5000 : 200) && proof.reason == PairReason::never; ++i)
+            EXPECT_FALSE(peer.collides(random_within_limits(random, robot))) << pair;
+        if (pair == "panda_link2 and panda_link6") {
+            EXPECT_EQ(proof.reason, PairReason::sometimes) << "though every SRDF file lists it as Never";
+        }
+    }
+    print_figures("%d pairs never touch, %d do sometimes, %d are open", never, sometimes, open);
+    EXPECT_EQ(sometimes, 22);
+    EXPECT_GT(never, 12);
+    EXPECT_EQ(never + open, 23);
+    if (is_long()) {
+        EXPECT_EQ(open, 0);
+    }
 }
 
 #endif
