@@ -66,7 +66,7 @@ add_group() {
         # Python and Rust.
         bench)
             add_demo
-            add libassimp-dev libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev libyaml-cpp-dev python3-venv
+            add libassimp-dev libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev libyaml-cpp-dev libompl-dev python3-venv
             command -v cargo >/dev/null || add "$(cargo_package)"
             ;;
         tidy) add "clang-tidy-$clang_version" ;;
