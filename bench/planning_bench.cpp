@@ -33,7 +33,7 @@ std::shared_ptr<ob::RealVectorStateSpace> space_of(const Robot& robot) {
     return space;
 }
 
-/// What one validator does with all problems.
+/// The results of all problems with one validator.
 struct Total {
     int solved = 0, touching = 0;
     std::size_t edges = 0, touching_edges = 0;

@@ -22,9 +22,8 @@ std::optional<MotionKind> kind_named(const std::string& name) {
 }
 
 void add_motion_rule_options(CLI::App& command, MotionOptions& options, const std::string& defaults) {
-    std::vector<std::string> names;
-    for (const MotionKind kind : kinds)
-        names.emplace_back(view::name_of(kind));
+    std::vector<std::string> names(kinds.size());
+    std::ranges::transform(kinds, names.begin(), [](MotionKind kind) { return std::string(view::name_of(kind)); });
     command
         .add_option("--motion", options.motion,
                     "the motion between the poses: screw, sweep, velocity (constant velocity) or twist (constant "

@@ -179,12 +179,13 @@ private:
 void add_body(Scene& scene, const Json& json, Shapes& shapes) {
     const Members body(json, {"name", "mesh", "scale", "pose", "goal", "motion", "centre", "poses", "group"});
     const std::string name = at_place("name", [&] { return text_in(body.get("name")); });
-    const auto [mesh, scale, motion, group] = at_place(io::in_quotes(name), [&] {
-        return std::tuple(at_place("mesh", [&] { return text_in(body.get("mesh")); }),
-                          body.read("scale", number_in).value_or(1), motion_in(body),
-                          body.read("group", text_in).value_or(""));
-    });
-    scene.add({name, at_place(io::in_quotes(name), [&] { return shapes.get(mesh, scale); }), motion, group});
+    scene.add(at_place(io::in_quotes(name), [&]() -> SceneBody {
+        const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
+        const double scale = body.read("scale", number_in).value_or(1);
+        const Motion motion = motion_in(body);
+        const std::string group = body.read("group", text_in).value_or("");
+        return {name, shapes.get(mesh, scale), motion, group};
+    }));
 }
 
 /// Calls `use` with each pair of names in a list of pairs.

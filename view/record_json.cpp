@@ -57,6 +57,7 @@ Json event_json(const RecordedContact& event) {
 
 std::vector<const RecordedContact*> in_order_of_time(const std::vector<RecordedContact>& contacts) {
     std::vector<const RecordedContact*> ordered;
+    ordered.reserve(contacts.size());
     for (const RecordedContact& contact : contacts)
         ordered.push_back(&contact);
     std::ranges::stable_sort(ordered, {}, [](const RecordedContact* contact) { return contact->time; });

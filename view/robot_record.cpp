@@ -41,6 +41,7 @@ void add_bodies(SceneRecord& record, const std::string& name, const std::vector<
                 const std::vector<Pose>& poses) {
     for (std::size_t i = 0; i < shapes.size(); ++i) {
         std::vector<Pose> of_shape;
+        of_shape.reserve(poses.size());
         for (const Pose& pose : poses)
             of_shape.emplace_back(pose.isometry() * shapes[i].origin.isometry());
         record.bodies.push_back(
@@ -81,6 +82,7 @@ SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scen
     }
     for (const SceneBody& body : scene ? scene->bodies() : std::span<const SceneBody>()) {
         std::vector<Pose> of_body;
+        of_body.reserve(record.times.size());
         for (const double stamp : record.times)
             of_body.push_back(body.motion.pose_at(std::clamp((stamp - begin) / whole, 0.0, 1.0)));
         record.bodies.push_back({body.name, body.shape, rows_of(of_body)});

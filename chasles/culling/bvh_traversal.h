@@ -125,7 +125,7 @@ private:
     void split(const NodePair& pair, const TimeInterval& interval) {
         const auto [a, b] = split_nodes(moving_nodes_, pair.moving, fixed_nodes_, pair.fixed);
         const auto when = interval.boxes.overlap_windows(a.of(moving_nodes_), b.of(fixed_nodes_), pair.when);
-        node_pairs_ += a.count * b.count;
+        node_pairs_ += std::uint64_t(a.count) * b.count;
         // The queue is a stack within one step of time: the pair that is pushed last is visited first.
         std::array<NodePair, 4> remaining;
         std::size_t count = 0;

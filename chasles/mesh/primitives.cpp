@@ -138,10 +138,9 @@ EnclosingPolyhedron banded(double radius, double length, double deviation) {
 
 Polyhedron make_box(const Vector3d& sides) {
     require_positive("box", {{"x", sides.x()}, {"y", sides.y()}, {"z", sides.z()}});
-    std::vector<Vector3d> vertices;
-    for (int i = 0; i < 8; ++i)
-        vertices.emplace_back((i & 1 ? 0.5 : -0.5) * sides.x(), (i & 2 ? 0.5 : -0.5) * sides.y(),
-                              (i & 4 ? 0.5 : -0.5) * sides.z());
+    std::vector<Vector3d> vertices(8);
+    for (std::size_t i = 0; i < vertices.size(); ++i)
+        vertices[i] = 0.5 * sides.cwiseProduct(Vector3d(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1));
     const std::vector<std::vector<std::uint32_t>> faces{{0, 4, 6, 2}, {1, 3, 7, 5}, {0, 1, 5, 4},
                                                         {2, 6, 7, 3}, {0, 2, 3, 1}, {4, 5, 7, 6}};
     return Polyhedron::from_polygons(vertices, faces);

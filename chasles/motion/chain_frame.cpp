@@ -14,31 +14,10 @@ namespace {
 
 using Wide = algebra::DoubleDouble;
 
-template <class S>
-Vector3<S> turned_by_unit(const Quaternion<S>& unit, const Vector3<S>& v) {
-    const Vector3<S> across = cross(unit.v, v);
-    return v + scale(scale(across, unit.w) + cross(unit.v, across), S(2));
-}
-
+/// Without the division that `product` needs for quaternions of any length.
 template <class S>
 GeneralPose<S> product_of_unit(const GeneralPose<S>& outer, const GeneralPose<S>& inner) {
     return {turned_by_unit(outer.rotation, inner.translation) + outer.translation, outer.rotation * inner.rotation};
-}
-
-template <class S>
-const GeneralPose<S>& in(const FixedPose& pose) {
-    if constexpr (std::is_same_v<S, double>)
-        return pose.in_double;
-    else
-        return pose.refined;
-}
-
-template <class S>
-const Vector3<S>& in(const FixedAxis& axis) {
-    if constexpr (std::is_same_v<S, double>)
-        return axis.in_double;
-    else
-        return axis.refined;
 }
 
 /// A turn by half the angle `half` about an axis.
@@ -140,51 +119,6 @@ private:
 };
 
 } // namespace
-
-FixedPose::FixedPose(const Pose& given) {
-    refined = pose_in<Wide>(is_ordinary(given) ? given : Pose(given.translation, Eigen::Quaterniond(given.rotation)));
-    const Wide inverse = Wide(1.0) / sqrt(refined.rotation.squared_norm());
-    refined.rotation = {refined.rotation.w * inverse, scale(refined.rotation.v, inverse)};
-    in_double = rounded_pose(refined);
-}
-
-FixedPose FixedPose::inverse() const {
-    const Quaternion<Wide> back = refined.rotation.conjugate();
-    return FixedPose(GeneralPose<Wide>{Vector3<Wide>() - turned_by_unit(back, refined.translation), back});
-}
-
-FixedPose operator*(const FixedPose& outer, const FixedPose& inner) {
-    return FixedPose(product_of_unit(outer.refined, inner.refined));
-}
-
-/// The largest component is brought to the order of one first, by a power of two: nothing underflows or is rounded.
-FixedAxis::FixedAxis(const Eigen::Vector3d& direction) {
-    const double factor = std::ldexp(1.0, -std::ilogb(direction.cwiseAbs().maxCoeff()));
-    const Vector3<Wide> scaled = vector_in<Wide>(direction * factor);
-    *this = FixedAxis(scale(scaled, Wide(1.0) / length(scaled)));
-}
-
-RateBounds Chain::rates(const Bracket& times) const {
-    RateBounds bounds{0, 0, 0, 0};
-    const auto go_out = [&](double arm) {
-        bounds.speed += bounds.turn_rate * arm;
-        bounds.acceleration += (bounds.turn_acceleration + bounds.turn_rate * bounds.turn_rate) * arm;
-    };
-    for (const auto& [before, joint] : joints_) {
-        go_out(length(before.in_double.translation));
-        const PolynomialRates rates = joint.value->rates(times);
-        if (joint.turns) {
-            bounds.turn_acceleration += rates.bounds[1] + bounds.turn_rate * rates.bounds[0];
-            bounds.turn_rate += rates.bounds[0];
-        } else {
-            go_out(joint.value->size());
-            bounds.acceleration += rates.bounds[1] + 2 * bounds.turn_rate * rates.bounds[0];
-            bounds.speed += rates.bounds[0];
-        }
-    }
-    go_out(length(last_.in_double.translation));
-    return bounds;
-}
 
 double Chain::size() const {
     double size = norm1(last_.in_double.translation);

@@ -53,6 +53,16 @@ std::optional<CoarseMotion> coarse_sweep(const MotionEnds& given, const Vector3<
     return CoarseMotion{sweep_between(ends.start, ends.goal, unit, centre), 0, size_of(given) + norm1(centre)};
 }
 
+std::optional<CoarseMotion> coarse_part(const CoarsePart& part) {
+    constexpr double quarter_turn = 1.5707963;
+    const auto& [ends, reference, rates, duration, rounding, size] = part;
+    if (!(rates.turn_rate * duration <= quarter_turn))
+        return std::nullopt;
+    const EnclosureBounds bounds = enclosure_bounds(reference, rates, duration, rounding, size);
+    return CoarseMotion{sweep_between_ends<double>(ends, reference), bounds.deviation, size, bounds.turn_deviation,
+                        reference};
+}
+
 MatrixPose position_at(const RationalMotion<double>& path, double tau) {
     const Quaternion<double> turn{1 + tau * (path.end_cosine - 1), scale(path.axis, tau)};
     const double weight = turn.squared_norm();

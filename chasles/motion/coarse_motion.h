@@ -2,6 +2,7 @@
 // number of the true motion is computed. Source: docs/derivations/23-coarse-motion.md.
 #pragma once
 
+#include "chasles/motion/enclosure.h"
 #include "chasles/motion/matrix_pose.h"
 #include "chasles/motion/motion_ends.h"
 #include "chasles/motion/rational_motion.h"
@@ -34,6 +35,19 @@ std::optional<CoarseMotion> coarse_screw(const MotionEnds& given);
 
 /// The sweep about a point of the moving body. Empty if it turns by more than 90 degrees.
 std::optional<CoarseMotion> coarse_sweep(const MotionEnds& given, const Vector3<double>& centre);
+
+/// What a part of a smooth motion states, to be enclosed by one sweep.
+struct CoarsePart {
+    PartEnds<double> ends;
+    Vector3<double> reference; ///< of the rates, in the moving body's frame
+    RateBounds rates;
+    double duration;
+    double rounding; ///< of both ends
+    double size;     ///< the sum of the sizes of all lengths that enter
+};
+
+/// The sweep between the ends of a part. Empty if the part may turn by more than 90 degrees.
+std::optional<CoarseMotion> coarse_part(const CoarsePart& part);
 
 /// The position at a tau of a motion in double.
 MatrixPose position_at(const RationalMotion<double>& path, double tau);

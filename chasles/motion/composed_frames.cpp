@@ -10,11 +10,6 @@ namespace chasles::motion {
 
 namespace {
 
-template <class S>
-GeneralPose<S> product(const GeneralPose<S>& outer, const GeneralPose<S>& inner) {
-    return {placed(outer, inner.translation), outer.rotation * inner.rotation};
-}
-
 /// `pose` relative to `frame`, both with quaternions of unit length.
 template <class S>
 GeneralPose<S> relative(const GeneralPose<S>& frame, const GeneralPose<S>& pose) {
@@ -41,10 +36,12 @@ public:
     }
 
 protected:
-    SharedFrame first_;
-    SharedFrame second_;
+    [[nodiscard]] const MovingFrame& first() const { return *first_; }
+    [[nodiscard]] const MovingFrame& second() const { return *second_; }
 
 private:
+    SharedFrame first_;
+    SharedFrame second_;
     double size_;
     double rounding_;
     bool is_refined_;
@@ -56,13 +53,13 @@ public:
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        return product(pose_of<S>(*first_, time), pose_of<S>(*second_, time));
+        return product(pose_of<S>(first(), time), pose_of<S>(second(), time));
     }
-    [[nodiscard]] Vector3<double> reference() const override { return second_->reference(); }
-    [[nodiscard]] Vector3<Wide> refined_reference() const override { return second_->refined_reference(); }
+    [[nodiscard]] Vector3<double> reference() const override { return second().reference(); }
+    [[nodiscard]] Vector3<Wide> refined_reference() const override { return second().refined_reference(); }
 
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
-        return carried(first_->expansion(times), second_->expansion(times), half_of(times), size());
+        return carried(first().expansion(times), second().expansion(times), half_of(times), size());
     }
 };
 
@@ -72,13 +69,13 @@ public:
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
-        return relative(pose_of<S>(*second_, time), pose_of<S>(*first_, time));
+        return relative(pose_of<S>(second(), time), pose_of<S>(first(), time));
     }
-    [[nodiscard]] Vector3<double> reference() const override { return first_->reference(); }
-    [[nodiscard]] Vector3<Wide> refined_reference() const override { return first_->refined_reference(); }
+    [[nodiscard]] Vector3<double> reference() const override { return first().reference(); }
+    [[nodiscard]] Vector3<Wide> refined_reference() const override { return first().refined_reference(); }
 
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
-        return seen_from(first_->expansion(times), second_->expansion(times), half_of(times), size());
+        return seen_from(first().expansion(times), second().expansion(times), half_of(times), size());
     }
 };
 

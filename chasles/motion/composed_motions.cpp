@@ -75,6 +75,7 @@ Motion Motion::slider(const Eigen::Vector3d& direction, const std::vector<double
     require(direction.cwiseAbs().maxCoeff() > 0, "direction: is zero");
     const Eigen::Vector3d unit = direction.stableNormalized();
     std::vector<Eigen::Vector3d> places;
+    places.reserve(way.size());
     for (const double part : way)
         places.emplace_back(part * unit);
     return polynomial(places);

@@ -1,6 +1,7 @@
 // The elementary frames: at rest, a hinge, a path. Source: docs/derivations/26-frames.md.
 #include "chasles/motion/frames.h"
 #include "chasles/algebra/sine_cosine.h"
+#include "chasles/motion/fixed_pose.h"
 #include "chasles/motion/frame_in_both.h"
 #include "chasles/motion/screw_path.h"
 
@@ -20,30 +21,22 @@ Vector3<Wide> origin() {
 
 class RestFrame final : public FrameInBoth<RestFrame> {
 public:
-    explicit RestFrame(const Pose& pose) : pose_(pose_in<Wide>(pose)) {
-        const Wide inverse = Wide(1.0) / sqrt(pose_.rotation.squared_norm());
-        pose_.rotation = {pose_.rotation.w * inverse, scale(pose_.rotation.v, inverse)};
-        in_double_ = rounded_pose(pose_);
-    }
+    explicit RestFrame(const Pose& pose) : pose_(pose) {}
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& /*time*/) const {
-        if constexpr (std::is_same_v<S, double>)
-            return in_double_;
-        else
-            return pose_;
+        return in<S>(pose_);
     }
     [[nodiscard]] Vector3<double> reference() const override { return {}; }
     [[nodiscard]] Vector3<Wide> refined_reference() const override { return {}; }
     [[nodiscard]] RateExpansion expansion(const Bracket& /*times*/) const override {
-        RateExpansion expansion{.pose = in_double_, .reference = in_double_.translation};
+        RateExpansion expansion{.pose = pose_.in_double, .reference = pose_.in_double.translation};
         expansion.turn_jerk = expansion.jerk = 0;
         return expansion;
     }
-    [[nodiscard]] double size() const override { return norm1(in_double_.translation); }
+    [[nodiscard]] double size() const override { return norm1(pose_.in_double.translation); }
 
 private:
-    GeneralPose<Wide> pose_;
-    GeneralPose<double> in_double_;
+    FixedPose pose_;
 };
 
 class HingeFrame final : public FrameInBoth<HingeFrame> {
@@ -132,11 +125,7 @@ SharedFrame frame_at_rest(const Pose& pose) {
 }
 
 SharedFrame hinge_frame(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, TimePolynomial angle) {
-    // The largest component is brought to the order of one first, by a power of two: nothing underflows or is rounded.
-    const double factor = std::ldexp(1.0, -std::ilogb(direction.cwiseAbs().maxCoeff()));
-    const Vector3<Wide> scaled = vector_in<Wide>(direction * factor);
-    return std::make_shared<const HingeFrame>(vector_in<Wide>(point), scale(scaled, Wide(1.0) / length(scaled)),
-                                              std::move(angle));
+    return std::make_shared<const HingeFrame>(vector_in<Wide>(point), FixedAxis(direction).refined, std::move(angle));
 }
 
 SharedFrame hinge_frame(const Vector3<Wide>& direction, TimePolynomial angle) {

@@ -62,6 +62,12 @@ template <class S>
     return rotated(pose.rotation, point) + pose.translation;
 }
 
+/// `inner`, carried by `outer`. No quaternion is normalized.
+template <class S>
+GeneralPose<S> product(const GeneralPose<S>& outer, const GeneralPose<S>& inner) {
+    return {placed(outer, inner.translation), outer.rotation * inner.rotation};
+}
+
 /// `pose` relative to `frame`. Both are given in one common frame.
 template <class S>
 GeneralPose<S> seen_from(const GeneralPose<S>& frame, const GeneralPose<S>& pose) {

@@ -188,16 +188,10 @@ std::optional<CoarseMotion> SmoothTrajectory::coarse(std::size_t part) const {
 }
 
 std::optional<CoarseMotion> SmoothTrajectory::coarse_over(const Section& section) const {
-    constexpr double quarter_turn = 1.5707963;
     const auto& [times, rates, ends] = section;
-    const double duration = times.upper - times.lower;
-    if (!(rates.turn_rate * duration <= quarter_turn))
-        return std::nullopt;
     const MovingFrame& frame = *motion_.relative;
-    const EnclosureBounds bounds =
-        enclosure_bounds(frame.reference(), rates, duration, pose_rounding<double> * frame.rounding(), frame.size());
-    return CoarseMotion{sweep_between_ends<double>(ends, bounds.reference), bounds.deviation, frame.size(),
-                        bounds.turn_deviation, bounds.reference};
+    return coarse_part({ends, frame.reference(), rates, times.upper - times.lower,
+                        pose_rounding<double> * frame.rounding(), frame.size()});
 }
 
 Pose SmoothTrajectory::pose_at(double time) const {

@@ -40,37 +40,12 @@ SharedFrame path_of(const std::array<WideVector, 4>& coefficients) {
     std::array<TimePolynomial, 3> place;
     for (int i = 0; i < 3; ++i) {
         std::vector<Wide> part;
+        part.reserve(coefficients.size());
         for (const WideVector& c : coefficients)
             part.push_back(c[i]);
         place[std::size_t(i)] = TimePolynomial(std::move(part));
     }
     return path_frame(std::move(place));
-}
-
-/// The second derivatives of the natural cubic spline at its knots, by the usual tridiagonal system.
-std::vector<Vector3d> second_derivatives(const std::vector<double>& times, std::span<const Pose> poses) {
-    const std::size_t last = times.size() - 1;
-    std::vector<Vector3d> seconds(times.size(), Vector3d::Zero());
-    std::vector<double> diagonal(times.size(), 1);
-    const auto slope = [&](std::size_t i) -> Vector3d {
-        return (poses[i + 1].translation - poses[i].translation) / (times[i + 1] - times[i]);
-    };
-    for (std::size_t i = 1; i < last; ++i) { // elimination of what is below the diagonal
-        const double before = times[i] - times[i - 1];
-        diagonal[i] = 2 * (times[i + 1] - times[i - 1]);
-        seconds[i] = 6 * (slope(i) - slope(i - 1));
-        if (i > 1) {
-            const double factor = before / diagonal[i - 1];
-            diagonal[i] -= factor * before;
-            seconds[i] -= factor * seconds[i - 1];
-        }
-    }
-    for (std::size_t i = last; i-- > 1;) {
-        if (i + 1 < last)
-            seconds[i] -= (times[i + 1] - times[i]) * seconds[i + 1];
-        seconds[i] /= diagonal[i];
-    }
-    return seconds;
 }
 
 /// The turn from one orientation to another, times a polynomial share of its angle.
@@ -79,6 +54,7 @@ SharedFrame turn_by_share(const Pose& from, const Pose& to, const std::array<Wid
     if (double(turn.angle) > largest_control_turn)
         throw InvalidInput("motion: b_spline: two consecutive orientations are a half turn apart");
     std::vector<Wide> angle;
+    angle.reserve(share.size());
     for (const Wide& c : share)
         angle.push_back(c * turn.angle);
     // The direction is in the frame of the fixed body; the turn is carried by the orientation before.
@@ -135,9 +111,12 @@ SharedFrame even_track(std::vector<double> times, std::span<const Pose> poses, T
 SharedFrame natural_spline(const std::vector<double>& times, std::span<const Pose> given) {
     require_track(times, given);
     std::vector<Pose> poses;
-    for (const Pose& pose : given)
+    std::vector<Vector3d> places;
+    for (const Pose& pose : given) {
         poses.push_back(usable(pose));
-    const std::vector<Vector3d> seconds = second_derivatives(times, poses);
+        places.push_back(poses.back().translation);
+    }
+    const std::vector<Vector3d> seconds = natural_second_derivatives<Vector3d>(times, places);
     std::vector<SharedFrame> frames;
     for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
         const double h = times[i + 1] - times[i];

@@ -29,6 +29,7 @@ public:
 
     [[nodiscard]] double at(double time) const { return value(in_double_, time); }
     [[nodiscard]] Wide at(const Wide& time) const { return value(coefficients_, time); }
+    [[nodiscard]] bool is_straight() const { return coefficients_.size() <= 2; }
     /// The sum of the sizes of all coefficients: no value in [0, 1] is larger.
     [[nodiscard]] double size() const { return sizes_[0]; }
     /// The rounding of values, in units of a few roundings of `size()`.

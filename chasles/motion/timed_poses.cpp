@@ -40,6 +40,7 @@ TimedPoses TimedPoses::through(std::vector<double> stamps, const std::vector<Pos
                                const Eigen::Vector3d& centre) {
     require_stamps(stamps, poses);
     std::vector<double> times;
+    times.reserve(stamps.size());
     for (const double stamp : stamps)
         times.push_back((stamp - stamps.front()) / (stamps.back() - stamps.front()));
     const motion::SmoothTrajectory trajectory(motion::SmoothMotion::of_one(

@@ -3,6 +3,7 @@
 #include "chasles/motion/screw_path.h"
 #include "chasles/robot/model.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace chasles::robot {
@@ -33,6 +34,14 @@ std::shared_ptr<const TimePolynomial> value_of(const JointStep& step, const Join
     while (values.size() > 1 && values.back() == Wide(0.0))
         values.pop_back();
     return std::make_shared<const TimePolynomial>(std::move(values));
+}
+
+/// Sine and cosine are exact enough up to 1000, and take half of an angle.
+void check_value(const JointStep& step, const motion::TimePolynomial& value, const std::string& variable) {
+    const double largest = step.turns ? 2000 : Pose::largest_length;
+    const double ends = std::max(std::abs(value.at(0.0)), std::abs(value.at(1.0)));
+    if (!((value.is_straight() ? ends : value.size()) <= largest))
+        refuse(variable, "moves a joint too far: by more than 2000 radians, or 1e30");
 }
 
 /// The quaternion (x, y, z, w) at an end of a straight segment, of unit length.
@@ -68,8 +77,10 @@ SegmentMotion Model::motion_of(const JointPath::Segment& segment) const {
     SegmentMotion motion;
     motion.values.resize(groups.size());
     for (std::size_t g = 0; g < groups.size(); ++g) {
-        for (const JointStep& step : groups[g].steps)
+        for (const JointStep& step : groups[g].steps) {
             motion.values[g].push_back(value_of(step, segment));
+            check_value(step, *motion.values[g].back(), variables[step.variable].name);
+        }
         if (groups[g].quaternion)
             motion.turns.emplace(g, turn_of(segment, *groups[g].quaternion));
     }

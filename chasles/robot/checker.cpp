@@ -56,8 +56,6 @@ private:
     [[nodiscard]] motion::SmoothMotion motion_to_obstacle(const Task& task) const;
     [[nodiscard]] motion::SmoothMotion motion_to_mover(const Task& task) const;
     [[nodiscard]] motion::SharedFrame frame_of(const Element& element) const;
-    [[nodiscard]] const Polyhedron& fixed_shape(const Task& task) const;
-    [[nodiscard]] std::size_t moving_element(const Task& task) const;
     [[nodiscard]] RobotPair name_of(const Task& task) const;
 
     const Prepared& prepared_;
@@ -67,34 +65,16 @@ private:
     Work work_;
 };
 
-std::size_t SegmentSearch::moving_element(const Task& task) const {
-    return task.kind == Task::Kind::self ? prepared_.self_pairs[task.first].moving : task.first;
-}
-
-const Polyhedron& SegmentSearch::fixed_shape(const Task& task) const {
-    switch (task.kind) {
-    case Task::Kind::self:
-        return prepared_.model().elements[prepared_.self_pairs[task.first].fixed].shape;
-    case Task::Kind::obstacle:
-        return prepared_.bodies[prepared_.obstacles[task.second].body].shape;
-    default:
-        return prepared_.bodies[prepared_.movers[task.second]].shape;
-    }
-}
-
 RobotPair SegmentSearch::name_of(const Task& task) const {
     const Model& model = prepared_.model();
     RobotPair pair;
-    std::tie(pair.first, pair.first_shape) = model.name_of(model.elements[moving_element(task)]);
+    std::tie(pair.first, pair.first_shape) = model.name_of(prepared_.moving(task));
     pair.is_with_scene = task.kind != Task::Kind::self;
-    if (task.kind == Task::Kind::self)
+    if (pair.is_with_scene)
+        pair.second = prepared_.bodies[prepared_.body_of(task)].name;
+    else
         std::tie(pair.second, pair.second_shape) =
             model.name_of(model.elements[prepared_.self_pairs[task.first].fixed]);
-    else
-        pair.second = prepared_
-                          .bodies[task.kind == Task::Kind::mover ? prepared_.movers[task.second]
-                                                                 : prepared_.obstacles[task.second].body]
-                          .name;
     return pair;
 }
 
@@ -129,7 +109,7 @@ motion::SmoothMotion SegmentSearch::motion_to_obstacle(const Task& task) const {
 
 motion::SmoothMotion SegmentSearch::motion_to_mover(const Task& task) const {
     const motion::SharedFrame moving = frame_of(prepared_.model().elements[task.first]);
-    const motion::SharedFrame fixed = part_of(prepared_.motions[prepared_.movers[task.second]]->frame, of_scene_);
+    const motion::SharedFrame fixed = part_of(prepared_.motions[prepared_.body_of(task)]->frame, of_scene_);
     return {motion::relative_frame(moving, fixed), moving, fixed};
 }
 
@@ -165,8 +145,8 @@ FirstContact SegmentSearch::ask(const Task& task, double until, Find find) const
     options.time_tolerance = std::clamp(options.time_tolerance / duration, 1e-15, 1.0);
     const motion::ErasedTrajectory trajectory{motion::SmoothTrajectory(motion_of(task))};
     const double local_until = std::clamp((until - task.part.lower) / duration * (1 + 1e-12), 0.0, 1.0);
-    FirstContact found = query::answer({prepared_.model().elements[moving_element(task)].shape.body(),
-                                        fixed_shape(task).body(), trajectory, options, local_until});
+    FirstContact found = query::answer(
+        {prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(), trajectory, options, local_until});
     if (found.verdict != Verdict::clear)
         count_in_segment(found, task.part);
     return found;
@@ -178,23 +158,26 @@ bool is_earlier(const FirstContact& a, const FirstContact& b) {
 }
 
 std::optional<SegmentSearch::Found> SegmentSearch::run() {
-    const std::vector<Task> tasks = near_tasks(prepared_, motion_);
+    const bool finds_any = prepared_.options.find == Find::any;
     std::optional<Found> first;
-    double best = 1;
-    for (const Task& task : tasks) {
-        if (first && task.part.lower > best)
+    double best = 1, clear_until = 1;
+    for (const Task& task : near_tasks(prepared_, motion_)) {
+        if (first && (finds_any || task.part.lower > best)) {
+            clear_until = std::min(clear_until, task.part.lower); // it is not asked
             break;
+        }
         ++pairs_;
         FirstContact contact = ask(task, best, prepared_.options.find);
         work_ += contact.work;
         if (contact.verdict == Verdict::clear)
             continue;
+        clear_until = std::min(clear_until, contact.clear_until);
         if (!first || is_earlier(contact, first->contact))
             first = Found{name_of(task), std::move(contact)};
-        if (prepared_.options.find == Find::any)
-            break;
         best = std::min(best, first->contact.time.upper);
     }
+    if (first)
+        first->contact.clear_until = clear_until;
     return first;
 }
 
@@ -245,16 +228,26 @@ void set_contact(RobotAnswer& answer, const JointPath& path, SegmentSearch::Foun
     answer.contact = std::move(contact);
 }
 
+/// The stamps of a segment as a part of the whole path, which is not empty however short the segment is.
+Bracket share_of(const Bracket& stamps, const Bracket& path) {
+    const auto share = [&](double stamp) {
+        return std::clamp((stamp - path.lower) / (path.upper - path.lower), 0.0, 1.0);
+    };
+    const double lower = std::min(share(stamps.lower), 1 - 0x1p-53);
+    return {lower, std::max(share(stamps.upper), std::nextafter(lower, 1.0))};
+}
+
 } // namespace
 
 RobotAnswer RobotChecker::first_contact(const JointPath& path) const {
     RobotAnswer answer;
     const std::vector<JointPath::Segment>& segments = path.segments();
-    const double begin = segments.front().begin, whole = segments.back().end - begin;
-    const auto in_scene = [&](double stamp) { return std::clamp((stamp - begin) / whole, 0.0, 1.0); };
+    const Bracket whole{segments.front().begin, segments.back().end};
+    if (segments.front().coefficients.cols() != Eigen::Index(prepared_->model().variables.size()))
+        throw InvalidInput("path: belongs to a robot with another number of variables");
     for (answer.segment = 0; answer.segment < segments.size(); ++answer.segment) {
         const JointPath::Segment& segment = segments[answer.segment];
-        SegmentSearch search(*prepared_, segment, {in_scene(segment.begin), in_scene(segment.end)});
+        SegmentSearch search(*prepared_, segment, share_of({segment.begin, segment.end}, whole));
         std::optional<SegmentSearch::Found> found = search.run();
         answer.pairs += search.pairs();
         answer.work += search.work();

@@ -9,12 +9,6 @@
 
 namespace chasles::robot {
 
-/// A pose carried by another one.
-inline motion::GeneralPose<double> product(const motion::GeneralPose<double>& outer,
-                                           const motion::GeneralPose<double>& inner) {
-    return {placed(outer, inner.translation), outer.rotation * inner.rotation};
-}
-
 /// Bounds of the rates of a chain of groups. The reference is the origin of the last group.
 class GroupRates {
 public:

@@ -62,7 +62,7 @@ void check_times(std::span<const double> times, std::size_t count) {
         refuse("times",
                "there are " + std::to_string(times.size()) + " for " + std::to_string(count) + " configurations");
     for (std::size_t i = 0; i < count; ++i)
-        if (!std::isfinite(times[i]) || (i > 0 && !(times[i] > times[i - 1])))
+        if (!std::isfinite(times[i] - times[0]) || (i > 0 && !(times[i] > times[i - 1])))
             refuse(numbered("time", i), "must be finite and later than the one before");
 }
 
@@ -120,6 +120,21 @@ std::vector<Wide> hermite(std::span<const Wide> start, std::span<const Wide> goa
             Wide(6.0) * d - Wide(3.0) * (v + w) - half * a + half * b};
 }
 
+void check_segment(const robot::Model& model, const Segment& segment, const std::string& what) {
+    const auto count = Eigen::Index(model.variables.size());
+    const Eigen::MatrixXd &c = segment.coefficients, &r = segment.remainders;
+    if (c.rows() == 0 || c.cols() != count)
+        refuse(what, "coefficients must have a row for each power and a column for each variable");
+    if (r.size() > 0 && (r.rows() != c.rows() || r.cols() != c.cols()))
+        refuse(what, "remainders must have the shape of the coefficients");
+    if (!c.allFinite() || !r.allFinite())
+        refuse(what, "a coefficient is not a finite number");
+    if (count > 0 && c.cwiseAbs().colwise().sum().maxCoeff() > largest_angle)
+        refuse(what, "the coefficients of a variable sum up to more than 1000");
+    if (!std::isfinite(segment.end - segment.begin) || !(segment.begin < segment.end))
+        refuse(what, "must end later than it begins");
+}
+
 /// Positions, and their rates of the first order, and of the second.
 using Rates = std::span<const std::span<const Configuration>>;
 
@@ -161,27 +176,21 @@ std::vector<Segment> hermite_segments(const robot::Model& model, std::span<const
     check_rates(model, times, rates);
     std::vector<Segment> segments;
     for (std::size_t s = 0; s + 1 < times.size(); ++s)
-        segments.push_back(hermite_segment(times, rates, s));
+        check_segment(model, segments.emplace_back(hermite_segment(times, rates, s)), numbered("segment", s));
     return segments;
 }
 
-/// The velocities at the knots of the natural cubic spline: those that make accelerations continuous.
+/// The velocities at the knots of the natural cubic spline.
 std::vector<Configuration> natural_velocities(std::span<const double> times, std::span<const Configuration> positions) {
-    const auto n = Eigen::Index(times.size());
-    Eigen::MatrixXd system = Eigen::MatrixXd::Zero(n, n);
-    Eigen::MatrixXd right = Eigen::MatrixXd::Zero(n, positions.front().size());
-    for (Eigen::Index i = 0; i + 1 < n; ++i) { // what a segment adds to the equations of its knots
-        const auto k = std::size_t(i);
-        const double inverse = 1 / (times[k + 1] - times[k]);
-        system.block<2, 2>(i, i) += inverse * (Eigen::Matrix2d() << 2, 1, 1, 2).finished();
-        const Eigen::RowVectorXd pull = 3 * inverse * inverse * (positions[k + 1] - positions[k]).transpose();
-        right.row(i) += pull;
-        right.row(i + 1) += pull;
-    }
-    const Eigen::MatrixXd solved = system.partialPivLu().solve(right);
+    const std::vector<Configuration> points(positions.begin(), positions.end());
+    const std::vector<Configuration> seconds = motion::natural_second_derivatives(times, points);
     std::vector<Configuration> velocities;
-    for (Eigen::Index i = 0; i < n; ++i)
-        velocities.emplace_back(solved.row(i).transpose());
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        const std::size_t k = std::min(i, points.size() - 2); // the segment, at whose end the last knot is
+        const double h = times[k + 1] - times[k], side = k == i ? -1 : 1;
+        velocities.emplace_back((points[k + 1] - points[k]) / h +
+                                side * h / 6 * (2 * seconds[i] + seconds[k == i ? k + 1 : k]));
+    }
     return velocities;
 }
 
@@ -238,25 +247,6 @@ JointPath JointPath::natural_spline(const Robot& robot, std::span<const double> 
     check_times(times, positions.size());
     return cubic(robot, times, positions, natural_velocities(times, positions));
 }
-
-namespace {
-
-void check_segment(const robot::Model& model, const Segment& segment, const std::string& what) {
-    const auto count = Eigen::Index(model.variables.size());
-    const Eigen::MatrixXd &c = segment.coefficients, &r = segment.remainders;
-    if (c.rows() == 0 || c.cols() != count)
-        refuse(what, "coefficients must have a row for each power and a column for each variable");
-    if (r.size() > 0 && (r.rows() != c.rows() || r.cols() != c.cols()))
-        refuse(what, "remainders must have the shape of the coefficients");
-    if (!c.allFinite() || !r.allFinite())
-        refuse(what, "a coefficient is not a finite number");
-    if (count > 0 && c.cwiseAbs().colwise().sum().maxCoeff() > largest_angle)
-        refuse(what, "the coefficients of a variable sum up to more than 1000");
-    if (!std::isfinite(segment.begin) || !std::isfinite(segment.end) || !(segment.begin < segment.end))
-        refuse(what, "must end later than it begins");
-}
-
-} // namespace
 
 JointPath JointPath::polynomials(const Robot& robot, std::vector<Segment> segments) {
     check_no_quaternion(robot.model());

@@ -11,14 +11,12 @@ namespace chasles::robot {
 
 namespace {
 
-using motion::Chain;
-using motion::ElementaryJoint;
 using motion::FixedAxis;
 using motion::FixedPose;
-using motion::TimePolynomial;
-using Wide = algebra::DoubleDouble;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
+/// Chains are followed recursively.
+constexpr std::size_t longest_chain = 1000;
 
 template <class Map>
 std::size_t found_in(const Map& map, std::string_view name, const char* what) {
@@ -222,6 +220,8 @@ Owner Model::child_of(const Owner& parent, const JointDescription& joint) {
     RigidGroup group = group_of(joint);
     group.parent = parent.group;
     group.depth = groups[parent.group].depth + 1;
+    if (group.depth > longest_chain)
+        refuse(joint.name, "there are more than 1000 joints above it");
     group.origin = origin;
     groups.push_back(std::move(group));
     return {joint.child, groups.size() - 1, FixedPose()};
@@ -279,7 +279,7 @@ void Model::attach(const AttachedPart& part) {
         ignored.insert({other, index});
 }
 
-/// What is kept about pairs of owners, without those of one that is removed; higher ones move down.
+/// Forgets the pairs of an owner. Owners with a higher index move down by one.
 template <class Kept>
 void remove_owner(Kept& kept, std::size_t removed) {
     const auto renumbered = [&](const Model::OwnerPair& pair) {

@@ -40,11 +40,6 @@ Matrix3d turn_of(const GeneralPose<double>& pose) {
     return Eigen::Quaterniond(w, v.x, v.y, v.z).toRotationMatrix();
 }
 
-GeneralPose<double> seen(const GeneralPose<double>& frame, const GeneralPose<double>& pose) {
-    const auto back = frame.rotation.conjugate();
-    return {rotated(back, pose.translation - frame.translation), back * pose.rotation};
-}
-
 /// A part of a segment between two ends of cells.
 struct Cell {
     std::size_t begin = 0;
@@ -76,9 +71,12 @@ public:
         for (const RigidGroup& group : model_.groups)
             size_ += norm1(group.origin.in_double.translation);
         for (const auto& values : motion.values)
-            for (const auto& value : values)
+            for (const auto& value : values) {
                 size_ += value->size();
+                rounding_ += motion::pose_rounding<double> * (4 + 2 * value->rounding() * value->size());
+            }
         size_ += norm1(motion::vector_in<double>(model_.base.translation));
+        rounding_ += motion::pose_rounding<double> * 8 * double(model_.groups.size());
     }
 
     std::vector<Task> run() {
@@ -109,16 +107,10 @@ private:
     std::vector<RateBounds> of_group_; ///< in the world
     std::vector<Task> tasks_;
     double size_ = 1e-300; ///< the sum of the sizes of everything that enters
+    /// Of the pose of a group as seen from another one: of all joints twice, and of the fixed poses and the floating
+    /// joints between them.
+    double rounding_ = 0;
 };
-
-std::size_t moving_element(const Prepared& prepared, const Task& task) {
-    return task.kind == Task::Kind::self ? prepared.self_pairs[task.first].moving : task.first;
-}
-
-const Body& fixed_body(const Prepared& prepared, const Task& task) {
-    return task.kind == Task::Kind::self ? prepared.model().elements[prepared.self_pairs[task.first].fixed].shape.body()
-                                         : prepared.bodies[prepared.obstacles[task.second].body].shape.body();
-}
 
 Box box_at(const Prepared::Extent& extent, const GeneralPose<double>& pose) {
     const Vector3d centre = as_eigen(placed(pose, motion::vector_in<double>(extent.centre)));
@@ -156,7 +148,7 @@ void Culling::go_down(RateBounds& bounds, std::size_t above, std::size_t to) con
 
 void Culling::add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates,
                             double margin) const {
-    const double reach = reach_of(prepared_.extents[moving_element(prepared_, task)]);
+    const double reach = reach_of(prepared_.extents[prepared_.moving_index(task)]);
     all.push_back({task, rates, 0.125 * rates.acceleration_at(reach), rates.speed_at(reach), margin});
 }
 
@@ -209,20 +201,20 @@ Box Culling::swept(const Cell& cell, std::size_t element, const RateBounds& rate
 
 /// The moving element in the frame of the fixed body.
 GeneralPose<double> Culling::relative(std::size_t time, const Task& task) {
-    const std::size_t moving = moving_element(prepared_, task);
+    const std::size_t moving = prepared_.moving_index(task);
     const auto place = [&](std::size_t element) {
         return product(placements_(time, model_.elements[element].group), prepared_.extents[element].place);
     };
     if (task.kind == Task::Kind::self)
-        return seen(place(prepared_.self_pairs[task.first].fixed), place(moving));
-    return seen(prepared_.obstacles[task.second].pose.in_double, place(moving));
+        return seen_from(place(prepared_.self_pairs[task.first].fixed), place(moving));
+    return seen_from(prepared_.obstacles[task.second].pose.in_double, place(moving));
 }
 
 /// By boxes in the frame of the fixed body.
 bool Culling::are_apart(const Cell& cell, const Candidate& pair) {
     const Task& task = pair.task;
-    const Prepared::Extent& moving = prepared_.extents[moving_element(prepared_, task)];
-    const Body& fixed = fixed_body(prepared_, task);
+    const Prepared::Extent& moving = prepared_.extents[prepared_.moving_index(task)];
+    const Body& fixed = prepared_.fixed_shape(task).body();
     const double duration = cell.duration();
     const Box box = box_at(moving, relative(cell.begin, task)).merged(box_at(moving, relative(cell.end, task)));
     const double size = size_ + moving.size + fixed.bvh().centre().lpNorm<1>() + fixed.bvh().radius();
@@ -234,26 +226,23 @@ bool Culling::are_apart(const Cell& cell, const Candidate& pair) {
 /// By large nodes of both hierarchies.
 bool Culling::are_nodes_apart(const Cell& cell, const Candidate& pair) {
     const Task& task = pair.task;
-    constexpr double quarter_turn = 1.5707963;
-    if (!(pair.rates.turn_rate * cell.duration() <= quarter_turn))
-        return false;
-    const std::size_t element = moving_element(prepared_, task);
-    const Body& moving = model_.elements[element].shape.body();
-    const Body& fixed = fixed_body(prepared_, task);
+    const Prepared::Extent& extent = prepared_.extents[prepared_.moving_index(task)];
     // The origin of the group, in the frame of the shape.
-    const GeneralPose<double>& place = prepared_.extents[element].place;
+    const GeneralPose<double>& place = extent.place;
     const motion::Vector3<double> reference =
         rotated(place.rotation.conjugate(), motion::Vector3<double>() - place.translation);
-    const double rounding = motion::pose_rounding<double> * double(8 * model_.groups.size());
-    const motion::EnclosureBounds bounds =
-        enclosure_bounds(reference, pair.rates, cell.duration(), rounding, size_ + prepared_.extents[element].size);
-    const motion::CoarseMotion coarse{
-        motion::sweep_between_ends<double>({relative(cell.begin, task), relative(cell.end, task)}, reference),
-        bounds.deviation, size_ + prepared_.extents[element].size, bounds.turn_deviation, reference};
-    return culling::are_clearly_apart(moving, fixed, coarse, pair.margin);
+    const std::optional<motion::CoarseMotion> coarse =
+        motion::coarse_part({{relative(cell.begin, task), relative(cell.end, task)},
+                             reference,
+                             pair.rates,
+                             cell.duration(),
+                             rounding_,
+                             size_ + extent.size});
+    return coarse && culling::are_clearly_apart(prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(),
+                                                *coarse, pair.margin);
 }
 
-/// A part that follows an earlier one of the same pair is added to it.
+/// Two parts of one pair that meet become one.
 void Culling::add(const Task& task, const Bracket& part) {
     for (Task& earlier : tasks_)
         if (earlier.kind == task.kind && earlier.first == task.first && earlier.second == task.second &&
@@ -269,7 +258,7 @@ void Culling::visit(const Cell& cell, const std::vector<Candidate>& pairs) {
     for (const Candidate& pair : pairs) {
         if (are_apart(cell, pair))
             continue;
-        const double radius = prepared_.extents[moving_element(prepared_, pair.task)].radius;
+        const double radius = prepared_.extents[prepared_.moving_index(pair.task)].radius;
         const bool is_small = pair.way * cell.duration() <= small_way * radius || cell.halvings == most_halvings;
         if (is_small && !are_nodes_apart(cell, pair))
             add(pair.task, cell.part());

@@ -88,10 +88,6 @@ std::string listed(const std::vector<fs::path>& paths) {
     return list + (paths.size() > most ? ", and the folders above" : "");
 }
 
-} // namespace
-
-namespace {
-
 /// The places of a file that a URI means.
 std::vector<fs::path> places_of(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
     if (uri.starts_with("file://"))

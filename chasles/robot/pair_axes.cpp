@@ -14,6 +14,9 @@ namespace {
 /// The allowance for the rounding of sums of lengths.
 constexpr double outward_sum = 1 + 1e-9;
 
+/// Of a variable, as on paths.
+constexpr double largest_value = 1000;
+
 /// How far the points of an element are from the origin of its group.
 double group_reach(const Element& element) {
     const Body& body = element.shape.body();
@@ -62,7 +65,9 @@ private:
         const double half_turn = std::numbers::pi;
         found_.axes.push_back(v.is_continuous ? Axis{variable, -half_turn, half_turn, 0}
                                               : Axis{variable, v.lower, v.upper, 0});
-        found_.have_limits = found_.have_limits && std::isfinite(found_.axes.back().upper - found_.axes.back().lower);
+        const Axis& axis = found_.axes.back();
+        found_.have_limits =
+            found_.have_limits && std::max(std::abs(axis.lower), std::abs(axis.upper)) <= largest_value;
         return found_.axes.back();
     }
 

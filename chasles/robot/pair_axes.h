@@ -18,7 +18,7 @@ struct Axis {
 
 struct PairAxes {
     std::vector<Axis> axes;  ///< the one that moves points farthest is the last
-    bool have_limits = true; ///< all of them, and no joint between the links is planar or floating
+    bool have_limits = true; ///< all of them, of at most 1000, and no joint between the links is planar or floating
 };
 
 /// Between links with these shapes; of each link at least one.

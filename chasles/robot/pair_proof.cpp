@@ -10,7 +10,6 @@
 #include "chasles/robot/pair_axes.h"
 
 #include <algorithm>
-#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <deque>
@@ -24,7 +23,7 @@ using robot::Axis;
 using robot::Element;
 using robot::Model;
 
-/// Lines of random configurations that are asked first: most pairs that touch at all touch on one of them.
+/// So many random lines are asked first. Most pairs that can touch do so on one of them.
 constexpr int random_lines = 400;
 /// Cells that are examined together.
 constexpr std::size_t cells_together = 256;
@@ -64,6 +63,7 @@ private:
     [[nodiscard]] JointPath::Segment line(const std::vector<double>& values) const;
     struct LineContact {
         std::optional<double> when = {};
+        bool is_certain = false;
         bool starts_clear = true;
     };
     template <class Use>
@@ -88,6 +88,7 @@ private:
     std::vector<Axis> axes_; ///< the swept one last
     bool has_limits_ = true;
     bool was_clear_ = false; ///< in some configuration
+    bool may_touch_ = false; ///< in some configuration, if only by rounding
 };
 
 /// `values` are those of the axes without the last one, whose value is `swept`.
@@ -141,8 +142,10 @@ PairSearch::LineContact PairSearch::first_contact_on(const std::vector<double>& 
     LineContact contact;
     for_each_answer(line(values), {}, [&](const FirstContact& found) {
         contact.starts_clear = contact.starts_clear && found.verdict != Verdict::contact_at_start;
-        if (found.verdict != Verdict::clear)
-            contact.when = std::min(contact.when.value_or(1), found.time.upper);
+        if (found.verdict != Verdict::clear && found.time.upper <= contact.when.value_or(1)) {
+            contact.when = found.time.upper;
+            contact.is_certain = found.certain;
+        }
         return true;
     });
     return contact;
@@ -157,16 +160,18 @@ bool PairSearch::overlap(const Configuration& values) const {
     return overlaps;
 }
 
-/// Asks a line, and keeps what it shows: a configuration in which the links touch, and whether they do not in another.
+/// Asks a line. It may show a configuration in which the links touch, and one in which they do not.
 void PairSearch::note(const std::vector<double>& values, PairProof& proof) {
     const LineContact contact = first_contact_on(values);
     was_clear_ = was_clear_ || contact.starts_clear;
+    may_touch_ = may_touch_ || contact.when;
     if (!contact.when || proof.witness)
         return;
     const double lower = axes_.empty() ? 0 : axes_.back().lower, upper = axes_.empty() ? 0 : axes_.back().upper;
     const auto at = [&](double time) { return configuration(values, lower + std::min(time, 1.0) * (upper - lower)); };
-    proof.witness = at(*contact.when);
-    for (double deeper = 1e-9; deeper < 0.1; deeper *= 10) // past the first touch the links overlap
+    if (contact.is_certain)
+        proof.witness = at(*contact.when);
+    for (const double deeper : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2}) // past the first touch they overlap
         if (overlap(at(*contact.when + deeper))) {
             proof.witness = at(*contact.when + deeper);
             return;
@@ -188,13 +193,13 @@ bool PairSearch::sample(PairProof& proof) {
     return decide(proof);
 }
 
-/// What random lines decide: with at most one joint between the links, one line is all.
+/// With at most one joint between the links, one line decides all.
 bool PairSearch::decide(PairProof& proof) const {
     if (was_clear_ && proof.witness)
         proof.reason = PairReason::sometimes;
-    else if (axes_.size() < 2 && !proof.witness)
+    else if (axes_.size() < 2 && !may_touch_)
         proof.reason = PairReason::never;
-    else if (axes_.empty())
+    else if (axes_.empty() && proof.witness)
         proof.reason = PairReason::always;
     return proof.reason != PairReason::open;
 }
@@ -263,7 +268,7 @@ void PairSearch::branch(PairProof& proof, double seconds, std::chrono::steady_cl
 
 void PairSearch::run(PairProof& proof, double seconds) {
     const auto start = std::chrono::steady_clock::now();
-    if (has_limits_ && !sample(proof) && !proof.witness)
+    if (has_limits_ && !sample(proof) && !may_touch_)
         branch(proof, seconds, start);
     proof.seconds = seconds_since(start);
 }
@@ -317,6 +322,7 @@ std::vector<PairProof> prove_pairs(const Robot& robot, const PairProofOptions& o
     if (options.progress)
         options.progress(pairs.size(), pairs.size());
     std::vector<PairProof> proofs;
+    proofs.reserve(pairs.size());
     for (Examined& pair : pairs)
         proofs.push_back(std::move(pair.proof));
     return proofs;

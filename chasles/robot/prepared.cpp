@@ -73,18 +73,20 @@ void RobotChecker::Prepared::add_scene(const Scene& scene) {
         else
             movers.push_back(i);
     }
-    if (obstacles.size() <= few_obstacles)
-        return;
+    for (std::size_t owner = 0; owner < model().owners.size(); ++owner)
+        for (std::size_t body = 0; body < bodies.size() && !model().ignored_in_scene.empty(); ++body)
+            if (model().ignored_in_scene.contains({model().owners[owner].name, bodies[body].name}))
+                ignored.emplace(owner, body);
+    if (obstacles.size() > few_obstacles)
+        make_tree();
+}
+
+void RobotChecker::Prepared::make_tree() {
     std::vector<scene::SweptBody> boxes;
+    boxes.reserve(obstacles.size());
     for (const Obstacle& obstacle : obstacles)
         boxes.push_back({obstacle.box, {}});
     tree.emplace(boxes);
-}
-
-bool RobotChecker::Prepared::is_ignored(std::size_t element, std::size_t body) const {
-    const Model& m = model();
-    return !m.ignored_in_scene.empty() &&
-           m.ignored_in_scene.contains({m.owners[m.elements[element].owner].name, bodies[body].name});
 }
 
 } // namespace chasles

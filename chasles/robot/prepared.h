@@ -7,12 +7,27 @@
 
 #include <Eigen/Geometry>
 #include <optional>
+#include <set>
+#include <utility>
 
 namespace chasles {
 
-/// A body of the scene.
+namespace robot {
+
+/// An element of the robot and another one, or an obstacle or a mover of the scene, during a part of a segment.
+struct Task {
+    enum class Kind : std::uint8_t { self, obstacle, mover };
+    Kind kind = Kind::self;
+    std::size_t first = 0;  ///< an element; of a self pair the index of the pair
+    std::size_t second = 0; ///< an index in `obstacles` or in `movers`
+    Bracket part;           ///< of the segment
+};
+
+} // namespace robot
+
+/// A robot and a scene as they were when the checker was made.
 struct RobotChecker::Prepared {
-    /// A body of the scene that stands still, or, without a pose, one that moves.
+    /// A body of the scene that stands still.
     struct Obstacle {
         std::size_t body = 0; ///< its index in `bodies`
         motion::FixedPose pose;
@@ -38,29 +53,38 @@ struct RobotChecker::Prepared {
     [[nodiscard]] const robot::Model& model() const { return robot.model(); }
     void add_self_pairs();
     void add_scene(const Scene& scene);
-    [[nodiscard]] bool is_ignored(std::size_t element, std::size_t body) const;
+    void make_tree();
+    [[nodiscard]] bool is_ignored(std::size_t element, std::size_t body) const {
+        return ignored.contains({model().elements[element].owner, body});
+    }
+    [[nodiscard]] const robot::Element& moving(const robot::Task& task) const {
+        return model().elements[moving_index(task)];
+    }
+    [[nodiscard]] std::size_t moving_index(const robot::Task& task) const {
+        return task.kind == robot::Task::Kind::self ? self_pairs[task.first].moving : task.first;
+    }
+    [[nodiscard]] const Polyhedron& fixed_shape(const robot::Task& task) const {
+        return task.kind == robot::Task::Kind::self ? model().elements[self_pairs[task.first].fixed].shape
+                                                    : bodies[body_of(task)].shape;
+    }
+    /// The body of the scene that a task is about.
+    [[nodiscard]] std::size_t body_of(const robot::Task& task) const {
+        return task.kind == robot::Task::Kind::mover ? movers[task.second] : obstacles[task.second].body;
+    }
 
     Robot robot;
     QueryOptions options;
     std::vector<SceneBody> bodies; ///< of the scene
     std::vector<std::shared_ptr<const scene::WorldMotion>> motions;
-    std::vector<Obstacle> obstacles;    ///< that stand still
-    std::vector<std::size_t> movers;    ///< bodies that move
-    std::optional<scene::BoxTree> tree; ///< over the obstacles, if they are many
-    std::vector<Extent> extents;        ///< of each element
+    std::vector<Obstacle> obstacles;                       ///< that stand still
+    std::vector<std::size_t> movers;                       ///< bodies that move
+    std::set<std::pair<std::size_t, std::size_t>> ignored; ///< owners of elements, and bodies
+    std::optional<scene::BoxTree> tree;                    ///< over the obstacles, if they are many
+    std::vector<Extent> extents;                           ///< of each element
     std::vector<SelfPair> self_pairs;
 };
 
 namespace robot {
-
-/// An element of the robot and another one, or an obstacle or a mover of the scene, during a part of a segment.
-struct Task {
-    enum class Kind : std::uint8_t { self, obstacle, mover };
-    Kind kind = Kind::self;
-    std::size_t first = 0;  ///< an element; of a self pair the index of the pair
-    std::size_t second = 0; ///< an index in `obstacles` or in `movers`
-    Bracket part;           ///< of the segment
-};
 
 /// The pairs that boxes and large nodes do not prove apart during a segment, in order of time.
 std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion);

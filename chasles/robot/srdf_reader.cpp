@@ -43,7 +43,7 @@ private:
     static void add_joint(GroupDescription& group, const JointDescription& joint);
     void add_chain(GroupDescription& group, const Element& element) const;
     [[nodiscard]] StateDescription::Value value_of(const Element& element, const JointDescription& joint) const;
-    [[nodiscard]] std::vector<std::string> links_above(std::string link) const;
+    [[nodiscard]] std::vector<std::string> links_above(const std::string& link) const;
 
     XmlFile file_;
     RobotDescription& robot_;
@@ -104,7 +104,7 @@ void SrdfReader::add_default_pairs() {
 }
 
 /// A link and all links above it.
-std::vector<std::string> SrdfReader::links_above(std::string link) const {
+std::vector<std::string> SrdfReader::links_above(const std::string& link) const {
     std::vector<std::string> links{link};
     for (auto above = joint_above_.find(link); above != joint_above_.end(); above = joint_above_.find(links.back()))
         links.push_back(above->second->parent);

@@ -109,9 +109,9 @@ CollisionDescription UrdfReader::collision(const Element& element) {
             const EnclosingPolyhedron body = round_body(*shape);
             return {body.shape, place, body.deviation};
         }
+    } catch (const XmlFault&) {
+        throw;
     } catch (const InvalidInput& error) {
-        if (std::string_view(error.what()).starts_with(io::shown_name(file_.path())))
-            throw;
         file_.fail(*shape, error.what());
     }
     file_.fail(*shape, "is no mesh, box, cylinder, sphere or capsule");
@@ -143,9 +143,8 @@ Polyhedron UrdfReader::mesh(const Element& element) {
     if (scale.prod() < 0)
         for (std::vector<std::uint32_t>& face : soup.faces)
             std::ranges::reverse(face);
-    const Polyhedron shape = Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true});
-    meshes_.emplace(key, shape);
-    return shape;
+    return meshes_.emplace(key, Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true}))
+        .first->second;
 }
 
 std::string UrdfReader::link_named(const Element& joint, const char* child) const {

@@ -14,8 +14,8 @@ RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& 
 
 /// Adds the pairs, groups and states of an SRDF file to a tree. Files are often shared by variants of a robot.
 /// Therefore links, joints and groups that do not exist are left out, also of pairs, which loses no contact. Pairs that
-/// are to be tested must exist; a pair that is also disabled is not tested, as in MoveIt. The links of a group are
-/// those that it names and those that its joints carry. Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
+/// are to be tested must exist; a pair that is also disabled is not tested, as in MoveIt. A group has the links that it
+/// names, and the child links of its joints. Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
 void read_srdf(const std::filesystem::path& file, RobotDescription& robot);
 
 } // namespace chasles::robot

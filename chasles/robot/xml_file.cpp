@@ -37,7 +37,7 @@ void XmlFile::fail(const Element& element, const std::string& why) const {
     std::string message = place(path_, element.GetLineNum()) + ": <" + io::one_line(element.Name());
     if (const char* const name = element.Attribute("name"))
         message.append(" ").append(io::one_line(name));
-    throw InvalidInput(message.append(">: ").append(why));
+    throw XmlFault(message.append(">: ").append(why));
 }
 
 std::vector<const XmlFile::Element*> XmlFile::children(const Element& element, const char* name) {

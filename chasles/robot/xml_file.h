@@ -1,6 +1,8 @@
 // XML files with messages that name file, line and element.
 #pragma once
 
+#include "chasles/base/invalid_input.h"
+
 #include <array>
 #include <filesystem>
 #include <optional>
@@ -10,6 +12,11 @@
 #include <vector>
 
 namespace chasles::robot {
+
+/// An error that names file, line and element already.
+struct XmlFault : InvalidInput {
+    using InvalidInput::InvalidInput;
+};
 
 /// A parsed file. Elements live as long as it.
 class XmlFile {
@@ -24,7 +31,7 @@ public:
 
     void copy_to(tinyxml2::XMLDocument& document) const { document_.DeepCopy(&document); }
 
-    /// Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
+    /// Throws XmlFault "FILE:LINE: <ELEMENT NAME>: WHY".
     [[noreturn]] void fail(const Element& element, const std::string& why) const;
 
     /// The children of this name, in order.

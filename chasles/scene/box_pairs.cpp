@@ -120,7 +120,7 @@ void BoxTree::append_pairs_of_leaves(const Node& a, const Node& b, std::vector<I
     for (std::uint32_t i = a.begin; i < a.end; ++i)
         for (std::uint32_t j = &a == &b ? i + 1 : b.begin; j < b.end; ++j)
             if (overlap(items_[i].box, items_[j].box))
-                pairs.push_back(std::minmax(items_[i].index, items_[j].index));
+                pairs.emplace_back(std::minmax(items_[i].index, items_[j].index));
 }
 
 void BoxTree::append_pairs(const NodePair& pair, std::vector<IndexPair>& pairs) const {

@@ -253,6 +253,7 @@ SceneContact Stepper::Implementation::contact_set(const IndexPair& pair) const {
 
 std::vector<SceneContact> Stepper::Implementation::contact_sets(const std::vector<IndexPair>& pairs) const {
     std::vector<SceneContact> sets;
+    sets.reserve(pairs.size());
     for (const IndexPair& pair : pairs)
         sets.push_back(contact_set(pair));
     return sets;

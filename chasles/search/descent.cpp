@@ -9,7 +9,6 @@ namespace chasles::search {
 namespace {
 
 using contact::FeaturePair;
-using culling::TimeRange;
 
 contact::RelativeConfiguration bodies_at(const PieceContext& context, double tau) {
     return context.configuration_at(tau);

@@ -85,7 +85,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::fir
 template <bool within_margin>
 template <class S>
 WithinAtStart::Answer EnclosedStages<within_margin>::PartTests<S>::within_at_start(const FeaturePair& features) {
-    WithinAtStart collect;
+    WithinAtStart collect; // NOLINT(misc-const-correctness): changed through the generic lambda
     tests_.distance(features, [&](const auto& problem) { collect(problem); });
     return collect.answer();
 }

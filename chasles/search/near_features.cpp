@@ -148,7 +148,7 @@ NearFeatures search_once(PieceContext& context, const ContactScene& scene, doubl
 /// A search within the whole margin was cut. The answer is that within the greatest part of the margin, a power of two,
 /// for which no bound of the search is reached; the pairs of a search that was cut if none is near within that part.
 NearFeatures search_nearer(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search,
-                           NearFeatures whole) {
+                           const NearFeatures& whole) {
     constexpr int doublings = 6;
     NearFeatures last;
     double complete_within = 0;
@@ -156,7 +156,7 @@ NearFeatures search_nearer(PieceContext& context, const ContactScene& scene, dou
     for (int step = doublings; step >= 0; --step) {
         ContactScene nearer = scene;
         nearer.margin = std::ldexp(scene.margin, -step);
-        NearFeatures found = step > 0 ? search_once(context, nearer, tau, search) : std::move(whole);
+        NearFeatures found = step > 0 ? search_once(context, nearer, tau, search) : whole;
         if (step > 0)
             work += found.work;
         const bool is_cut = found.is_cut;
@@ -179,7 +179,7 @@ NearFeatures near_features(PieceContext& context, const ContactScene& scene, dou
     NearFeatures near = search_once(context, scene, tau, search);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)
-        return search_nearer(context, scene, tau, search, std::move(near));
+        return search_nearer(context, scene, tau, search, near);
     near.complete_within = near.is_cut ? 0 : scene.margin;
     return near;
 }

@@ -114,7 +114,7 @@ private:
         const auto [a, b] =
             culling::split_nodes(boxes_.moving_nodes(), nodes.moving, boxes_.fixed_nodes(), nodes.fixed);
         const auto windows = boxes_.within_bound(a.of(boxes_.moving_nodes()), b.of(boxes_.fixed_nodes()));
-        work_.node_pairs += a.count * b.count;
+        work_.node_pairs += std::uint64_t(a.count) * b.count;
         const std::size_t before = stack_.size();
         for (std::uint32_t i = 0; i < a.count; ++i)
             for (std::uint32_t j = 0; j < b.count; ++j)

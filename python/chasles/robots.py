@@ -8,19 +8,16 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import Robot, RobotChecker, Scene
-from .enums import Verdict
-
-_VERDICTS = ("unknown", "clear", "contact", "contact_at_start")
 
 edge_dtype = np.dtype(
     [
         ("verdict", "U16"),
         ("time", np.float64),
         ("time_upper", np.float64),
-        ("certain", np.bool_),
         ("clear_until", np.float64),
-        ("first", "U64"),
-        ("second", "U64"),
+        ("certain", np.bool_),
+        ("first", object),
+        ("second", object),
     ]
 )
 
@@ -60,17 +57,9 @@ def first_contacts_on_edges(
         With the number of the edge, for values that cannot be used.
     """
     checker = robot if isinstance(robot, RobotChecker) else RobotChecker(robot, scene, margin=margin)
-    verdict, time, time_upper, certain, clear_until, first, second = checker.first_contacts(starts, goals, threads)
-    table = np.zeros(len(time), edge_dtype)
-    table["verdict"] = [Verdict(_VERDICTS[int(v)]).value for v in verdict]
-    for name, values in (
-        ("time", time),
-        ("time_upper", time_upper),
-        ("certain", certain),
-        ("clear_until", clear_until),
-        ("first", first),
-        ("second", second),
-    ):
+    fields = checker.first_contacts(starts, goals, threads)
+    table = np.zeros(len(fields[0]), edge_dtype)
+    for name, values in zip(edge_dtype.names, fields, strict=True):
         table[name] = values
     return table
 

@@ -14,7 +14,6 @@ namespace chasles::python {
 /// An answer whose times count within the segment, in [0, 1], or in stamps.
 struct PythonRobotAnswer {
     RobotAnswer found;
-    std::vector<std::string> names; ///< of the variables
     bool in_stamps = false;
 
     [[nodiscard]] Bracket time() const { return in_stamps ? found.time : found.contact.time; }
@@ -46,7 +45,7 @@ PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, 
 /// `times`, `velocities` and `accelerations` are None or arrays.
 PythonRobotAnswer answer_on_path(const RobotChecker& checker, nb::handle configurations, nb::handle times,
                                  nb::handle velocities, nb::handle accelerations);
-/// The fields of many edges as arrays: verdict, time, time_upper, certain, clear_until, first, second.
+/// The fields of many edges as lists and arrays: verdict, time, time_upper, clear_until, certain, first, second.
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads);
 
 } // namespace chasles::python

@@ -8,11 +8,13 @@
 #include "python/src/names.h"
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
+#include "view/names.h"
 
 #include <array>
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
+#include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
 
 namespace chasles::python {
@@ -157,30 +159,31 @@ void bind_contact(nb::module_& module) {
 
 PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal) {
     const Configuration from = configuration_from(start, "start"), to = configuration_from(goal, "goal");
-    return {checker.first_contact(from, to), names_of(checker.robot())};
+    return {checker.first_contact(from, to)};
 }
 
 PythonRobotAnswer answer_on_path(const RobotChecker& checker, nb::handle configurations, nb::handle times,
                                  nb::handle velocities, nb::handle accelerations) {
     const JointPath path = path_from(checker.robot(), configurations, times, velocities, accelerations);
-    return {asked([&] { return checker.first_contact(path); }), names_of(checker.robot()), !times.is_none()};
+    return {asked([&] { return checker.first_contact(path); }), !times.is_none()};
 }
 
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads) {
     const Eigen::MatrixXd from = configurations_from(starts, "starts"), to = configurations_from(goals, "goals");
     const std::vector<RobotAnswer> answers = asked([&] { return checker.first_contacts(from, to, threads); });
-    std::array<std::vector<double>, 5> numbers;
-    nb::list first, second;
+    std::array<std::vector<double>, 4> numbers;
+    nb::list verdicts, first, second;
     for (const RobotAnswer& answer : answers) {
-        const PythonRobotAnswer shown{answer, {}};
-        const std::array values{double(answer.verdict), shown.time().lower, shown.time().upper, double(answer.certain),
-                                shown.clear_until()};
+        const PythonRobotAnswer shown{answer};
+        const std::array values{shown.time().lower, shown.time().upper, shown.clear_until(), double(answer.certain)};
+        verdicts.append(view::name_of(answer.verdict));
         for (std::size_t i = 0; i < values.size(); ++i)
             numbers[i].push_back(values[i]);
         first.append(answer.pair ? answer.pair->first : "");
         second.append(answer.pair ? answer.pair->second : "");
     }
     nb::list fields;
+    fields.append(verdicts);
     for (const std::vector<double>& field : numbers)
         fields.append(array_of(std::span(field), {field.size()}));
     fields.append(first);

@@ -188,6 +188,61 @@ TEST(RobotChecker, AnswersManyEdgesTheSameForAnyNumberOfThreads) {
               std::string::npos);
 }
 
+/// Whatever Find::any names, nothing touches before its clear_until, and it names a contact.
+TEST(RobotChecker, AnyContactClaimsNoTimeThatWasNotAsked) {
+    Random random(2005);
+    std::size_t later = 0, other = 0;
+    for (int trial = 0; trial < 800; ++trial) {
+        const Robot robot(random_robot(random, random.integer(3, 8), false));
+        const Scene scene = random_world(random, random.integer(2, 12));
+        const Configuration start = random_configuration(random, robot, 2);
+        const Configuration goal = start + random_configuration(random, robot, 1);
+        QueryOptions options;
+        const Contacts expected = contacts_of_all_pairs(robot, scene, start, goal, options);
+        options.find = Find::any;
+        const RobotAnswer found = RobotChecker(robot, &scene, {options}).first_contact(start, goal);
+        ASSERT_EQ(found.verdict == Verdict::clear, expected.count == 0) << "trial " << trial;
+        if (expected.count == 0)
+            continue;
+        EXPECT_LE(found.clear_until, expected.earliest.upper + 1e-12) << "trial " << trial;
+        EXPECT_GE(found.time.upper, expected.earliest.lower - 1e-12) << "trial " << trial;
+        later += expected.earliest.lower > 0;
+        other += found.time.lower > expected.earliest.upper;
+    }
+    EXPECT_GT(later, 50U);
+    EXPECT_GT(other, 5U) << "another contact than the first one is named";
+}
+
+/// Three links in a row; the last joint follows the first one.
+Robot mimicking_robot(double multiplier, JointType type) {
+    RobotDescription robot{"follower"};
+    robot.links = {{"base"}, {"a"}, {"b", {{box({1, 1, 1}).polyhedron(), Pose()}}}};
+    JointDescription follower{"follower", type, "a", "b"};
+    follower.mimic = MimicDescription{"leader", multiplier};
+    robot.joints = {{"leader", JointType::prismatic, "base", "a"}, follower};
+    return Robot(robot);
+}
+
+TEST(RobotChecker, RefusesPathsThatItCannotFollow) {
+    Random random(2006);
+    const Robot robot(random_robot(random, 4, false)), other(random_robot(random, 6, false));
+    const Configuration zero = other.neutral();
+    const JointPath path = JointPath::straight(other, std::array{zero, zero});
+    ASSERT_NE(robot.variables().size(), other.variables().size());
+    EXPECT_EQ(refusal([&] { (void)RobotChecker(robot).first_contact(path); }),
+              "path: belongs to a robot with another number of variables");
+    const auto moved = [](const Robot& follower) {
+        Scene scene;
+        scene.add({"body", box({1, 1, 1}).polyhedron(), Motion::at_rest(Pose())});
+        const Configuration start = Configuration::Zero(1), goal = Configuration::Constant(1, 900);
+        return refusal([&] { (void)RobotChecker(follower, &scene).first_contact(start, goal); });
+    };
+    const std::string too_far = "robot: leader: moves a joint too far: by more than 2000 radians, or 1e30";
+    EXPECT_EQ(moved(mimicking_robot(3, JointType::revolute)), too_far);
+    EXPECT_EQ(moved(mimicking_robot(1e28, JointType::prismatic)), too_far);
+    EXPECT_EQ(moved(mimicking_robot(2, JointType::revolute)), "accepted");
+}
+
 /// A path of several segments is asked segment by segment, and the scene goes on during it.
 TEST(RobotChecker, FollowsAPathFromSegmentToSegment) {
     Random random(2004);

@@ -125,6 +125,12 @@ TEST(JointPath, RefusesWhatItCannotFollow) {
     };
     EXPECT_EQ(timed({0}), "path: times: there are 1 for 2 configurations");
     EXPECT_EQ(timed({1, 1}), "path: time 1: must be finite and later than the one before");
+    EXPECT_EQ(timed({-1.7e308, 1.7e308}), "path: time 1: must be finite and later than the one before");
+    EXPECT_EQ(refusal([&] {
+                  const Configuration fast = Configuration::Constant(3, 1e308);
+                  (void)JointPath::cubic(robot, std::array{0.0, 1e10}, way, std::array{fast, fast});
+              }),
+              "path: segment 0: a coefficient is not a finite number");
     EXPECT_EQ(refusal([&] {
                   (void)JointPath::cubic(robot, std::array{0.0, 1.0}, way, std::array{zero});
               }),

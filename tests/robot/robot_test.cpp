@@ -179,5 +179,20 @@ TEST(Robot, RefusesWhatIsNoTree) {
               "robot: arm: has no link");
 }
 
+TEST(Robot, RefusesChainsOfMoreThanAThousandJoints) {
+    const auto chain = [](int joints) {
+        RobotDescription robot{"chain"};
+        robot.links = {{"0"}};
+        for (int i = 1; i <= joints; ++i) {
+            robot.links.push_back({std::to_string(i)});
+            robot.joints.push_back(
+                {"to " + std::to_string(i), JointType::prismatic, std::to_string(i - 1), std::to_string(i)});
+        }
+        return robot;
+    };
+    EXPECT_EQ(refusal([&] { (void)Robot(chain(1000)); }), "accepted");
+    EXPECT_EQ(refusal([&] { (void)Robot(chain(1001)); }), "robot: to 1001: there are more than 1000 joints above it");
+}
+
 } // namespace
 } // namespace chasles::test
