@@ -19,26 +19,12 @@ using search::NearMoment;
 using search::PieceContext;
 using search::PieceResult;
 
-/// A question by reference.
-struct Question {
-    const Body& moving;
-    const Body& fixed;
-    const motion::AnyTrajectory& trajectory;
-    const LeastDistanceOptions& options;
-};
-
-void check_options(const LeastDistanceOptions& options) {
-    query::require(options.tolerance >= 1e-12 && options.tolerance <= 1, "tolerance", "must be in [1e-12, 1]");
-    query::require(options.find != Find::any, "find", "a least distance has no use for `any`");
-    query::check_options({.time_tolerance = options.time_tolerance});
-}
-
 /// One question. A descent gives an upper bound. A search with a margin just below the bound proves that nothing comes
 /// nearer. If it finds something that does, a descent from there gives a smaller bound for the next search.
 /// Source: docs/derivations/21-least-distance.md.
 class LeastDistanceSearch {
 public:
-    explicit LeastDistanceSearch(const Question& question);
+    explicit LeastDistanceSearch(const query::LeastPairQuery& question);
 
     LeastDistance run();
 
@@ -63,7 +49,7 @@ private:
     [[nodiscard]] LeastDistance of_nearest();
     void list_contacts(LeastDistance& answer, const ContactMoment& moment);
 
-    const Question& question_;
+    const query::LeastPairQuery& question_;
     std::vector<PieceContext> pieces_;
     double rounding_ = 0; ///< a bound of the rounding of distances at rest, mesh unit
     double lower_ = 0;    ///< proven
@@ -75,7 +61,7 @@ private:
     Work work_;
 };
 
-LeastDistanceSearch::LeastDistanceSearch(const Question& question) : question_(question) {
+LeastDistanceSearch::LeastDistanceSearch(const query::LeastPairQuery& question) : question_(question) {
     const auto pieces = question.trajectory.pieces();
     pieces_.reserve(pieces->size());
     for (std::size_t i = 0; i < pieces->size(); ++i) {
@@ -219,23 +205,29 @@ void LeastDistanceSearch::list_contacts(LeastDistance& answer, const ContactMome
         answer.contacts.resize(1);
 }
 
-LeastDistance answer_of(const Question& question) {
-    return LeastDistanceSearch(question).run();
-}
-
 } // namespace
 
+void query::check_options(const LeastDistanceOptions& options) {
+    require(options.tolerance >= 1e-12 && options.tolerance <= 1, "tolerance", "must be in [1e-12, 1]");
+    require(options.find != Find::any, "find", "a least distance has no use for `any`");
+    check_options({.time_tolerance = options.time_tolerance});
+}
+
+LeastDistance query::answer(const LeastPairQuery& query) {
+    return LeastDistanceSearch(query).run();
+}
+
 LeastDistance least_distance(const LeastDistanceQuery& query) {
-    check_options(query.options);
-    return answer_of({query.moving.body(), query.fixed.body(), query.motion.trajectory(), query.options});
+    query::check_options(query.options);
+    return query::answer({query.moving.body(), query.fixed.body(), query.motion.trajectory(), query.options});
 }
 
 std::vector<LeastDistance> least_distance_batch(const LeastDistanceBatchQuery& query) {
-    check_options(query.options);
+    query::check_options(query.options);
     const Body& moving = query.moving.body();
     const Body& fixed = query.fixed.body();
     return query::all_answers<LeastDistance>(query.motions.size(), query.batch, [&](std::size_t i) {
-        return answer_of({moving, fixed, query.motions[i].trajectory(), query.options});
+        return query::answer({moving, fixed, query.motions[i].trajectory(), query.options});
     });
 }
 

@@ -4,6 +4,7 @@
 #include "chasles/mesh/body.h"
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/query/first_contact.h"
+#include "chasles/query/least_distance.h"
 
 namespace chasles::query {
 
@@ -16,13 +17,23 @@ struct PairQuery {
     double until = 1; ///< time in [0, 1]: contacts that begin later need not be found. Without effect with `hold`
 };
 
+/// Likewise for the least distance.
+struct LeastPairQuery {
+    const Body& moving;
+    const Body& fixed;
+    const motion::AnyTrajectory& trajectory;
+    const LeastDistanceOptions& options;
+};
+
 /// Throws InvalidInput "query: OPTION: WHY" unless it holds.
 void require(bool holds, const char* option, const char* why);
 
 /// Throws InvalidInput for an option out of its range.
 void check_options(const QueryOptions& options);
+void check_options(const LeastDistanceOptions& options);
 
 /// The answer, for options that have been checked.
 FirstContact answer(const PairQuery& query);
+LeastDistance answer(const LeastPairQuery& query);
 
 } // namespace chasles::query

@@ -61,8 +61,9 @@ struct Candidate {
 
 class Culling {
 public:
-    Culling(const Prepared& prepared, const SegmentMotion& motion)
-        : prepared_(prepared), model_(prepared.model()), rates_(model_, motion), placements_(model_, motion, cells) {
+    Culling(const Prepared& prepared, const SegmentMotion& motion, std::optional<double> distance)
+        : prepared_(prepared), model_(prepared.model()), rates_(model_, motion), placements_(model_, motion, cells),
+          distance_(distance) {
         of_group_.resize(model_.groups.size());
         for (std::size_t g = 1; g < of_group_.size(); ++g) {
             of_group_[g] = of_group_[model_.groups[g].parent];
@@ -104,6 +105,7 @@ private:
     const Model& model_;
     GroupRates rates_;
     Placements placements_;
+    std::optional<double> distance_;   ///< in the place of margins
     std::vector<RateBounds> of_group_; ///< in the world
     std::vector<Task> tasks_;
     double size_ = 1e-300; ///< the sum of the sizes of everything that enters
@@ -157,7 +159,8 @@ std::vector<Candidate> Culling::candidates() {
     for (std::size_t i = 0; i < prepared_.self_pairs.size(); ++i) {
         const auto& [moving, fixed, margin] = prepared_.self_pairs[i];
         add_candidate(all, {Task::Kind::self, i, 0, {}},
-                      rates_between(model_.elements[fixed].group, model_.elements[moving].group), margin);
+                      rates_between(model_.elements[fixed].group, model_.elements[moving].group),
+                      distance_.value_or(margin));
     }
     if (!prepared_.obstacles.empty())
         for (std::size_t e = 0; e < model_.elements.size(); ++e)
@@ -168,11 +171,12 @@ std::vector<Candidate> Culling::candidates() {
 /// Those whose boxes overlap with the box of an element over the whole segment.
 void Culling::add_obstacles(std::vector<Candidate>& all, std::size_t element) {
     const RateBounds& rates = of_group_[model_.elements[element].group];
+    const double margin = distance_.value_or(prepared_.options.margin);
     const auto add = [&](std::size_t obstacle) {
         if (!prepared_.is_ignored(element, prepared_.obstacles[obstacle].body))
-            add_candidate(all, {Task::Kind::obstacle, element, obstacle, {}}, rates, prepared_.options.margin);
+            add_candidate(all, {Task::Kind::obstacle, element, obstacle, {}}, rates, margin);
     };
-    const Box box = scene::widened(swept({}, element, rates), prepared_.options.margin);
+    const Box box = scene::widened(swept({}, element, rates), margin);
     if (prepared_.tree)
         for (const std::uint32_t obstacle : prepared_.tree->overlapping(box))
             add(obstacle);
@@ -274,8 +278,9 @@ void Culling::visit(const Cell& cell, const std::vector<Candidate>& pairs) {
 
 } // namespace
 
-std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion) {
-    return Culling(prepared, motion).run();
+std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion,
+                             std::optional<double> distance) {
+    return Culling(prepared, motion, distance).run();
 }
 
 } // namespace chasles::robot

@@ -86,8 +86,10 @@ struct RobotChecker::Prepared {
 
 namespace robot {
 
-/// The pairs that boxes and large nodes do not prove apart during a segment, in order of time.
-std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion);
+/// The pairs that boxes and large nodes do not prove apart during a segment, in order of time. They come within their
+/// margins, or within the distance that is given in the place of all margins.
+std::vector<Task> near_tasks(const RobotChecker::Prepared& prepared, const SegmentMotion& motion,
+                             std::optional<double> distance = {});
 
 } // namespace robot
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chasles/query/first_contact.h"
+#include "chasles/query/least_distance.h"
 #include "chasles/robot/joint_path.h"
 #include "chasles/robot/robot_description.h"
 #include "chasles/scene/scene.h"
@@ -145,6 +146,22 @@ struct [[nodiscard]] RobotAnswer {
     Work work;
 };
 
+/// How near a robot comes to its world and to itself along a path.
+struct [[nodiscard]] RobotClearance {
+    Bracket distance;        ///< encloses the least distance, mesh unit; {0, 0} if something touches; infinite if the
+                             ///< robot has no pair
+    std::size_t segment = 0; ///< of the least distance
+    /// When the pair is as near as `distance.upper`, within the segment, in its stamps. Of the first contact in the
+    /// segment if something touches.
+    Bracket time;
+    bool certain = false;          ///< whether the bracket is as narrow as asked; where something touches, proven
+    std::optional<RobotPair> pair; ///< that is nearest
+    LeastDistance nearest; ///< of the pair, with times of the segment in [0, 1]: the first one moves. In the world
+    Configuration configuration; ///< at the lower end of `time`
+    std::size_t pairs = 0;       ///< that were searched
+    Work work;
+};
+
 /// A robot in a world, made ready for many questions: what a planner asks for each of its edges. It keeps the state of
 /// the robot and of the scene at the time when it is made. Questions may be asked from several threads at a time.
 class CHASLES_EXPORT RobotChecker {
@@ -167,6 +184,13 @@ public:
     /// Many edges on all cores; `starts` and `goals` have one row an edge. The same answers for any number of threads.
     [[nodiscard]] std::vector<RobotAnswer> first_contacts(const Eigen::MatrixXd& starts, const Eigen::MatrixXd& goals,
                                                           unsigned threads = 0) const;
+
+    /// How near the robot comes to its world and to itself along a path; margins have no effect. Throws InvalidInput
+    /// for an option out of its range. Source: docs/derivations/29-robots.md, "Clearance".
+    [[nodiscard]] RobotClearance least_distance(const JointPath& path, const LeastDistanceOptions& options = {}) const;
+    /// Along the straight edge between two configurations.
+    [[nodiscard]] RobotClearance least_distance(const Configuration& start, const Configuration& goal,
+                                                const LeastDistanceOptions& options = {}) const;
 
     [[nodiscard]] const Robot& robot() const;
 
