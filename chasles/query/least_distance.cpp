@@ -123,11 +123,9 @@ bool LeastDistanceSearch::is_clear_of(double level) {
 }
 
 FirstContact LeastDistanceSearch::first_touch() {
-    FirstContact touch =
-        query::answer({question_.moving,
-                       question_.fixed,
-                       question_.trajectory,
-                       {.time_tolerance = question_.options.time_tolerance, .find = question_.options.find}});
+    FirstContact touch = query::answer(
+        {question_.moving, question_.fixed, question_.trajectory,
+         QueryOptions{.time_tolerance = question_.options.time_tolerance, .find = question_.options.find}});
     work_ += touch.work;
     return touch;
 }
@@ -210,7 +208,7 @@ void LeastDistanceSearch::list_contacts(LeastDistance& answer, const ContactMome
 void query::check_options(const LeastDistanceOptions& options) {
     require(options.tolerance >= 1e-12 && options.tolerance <= 1, "tolerance", "must be in [1e-12, 1]");
     require(options.find != Find::any, "find", "a least distance has no use for `any`");
-    check_options({.time_tolerance = options.time_tolerance});
+    check_options(QueryOptions{.time_tolerance = options.time_tolerance});
 }
 
 LeastDistance query::answer(const LeastPairQuery& query) {

@@ -1,7 +1,9 @@
 // Paths in joint space: where they go, and what is refused.
 #include "chasles/robot/joint_path.h"
 
+#include "chasles/algebra/double_double.h"
 #include "chasles/base/invalid_input.h"
+#include "chasles/robot/model.h"
 #include "tests/robot/random_robot.h"
 #include "tests/support/refusal.h"
 
@@ -103,6 +105,29 @@ TEST(JointPath, ANaturalSplineIsSmoothAndEndsWithoutAcceleration) {
         for (std::size_t i = 0; i < count; ++i)
             EXPECT_LT((path.at(times[i]) - p[i]).norm(), 1e-12);
     }
+}
+
+/// In double, start + (goal - start) may miss the goal by a rounding; something thin may be in the gap.
+TEST(JointPath, StraightSegmentsMeetWithoutAGap) {
+    Random random(2103);
+    const Robot robot = small_robot();
+    std::size_t gaps_in_double = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        auto p = random_configurations(random, 3, 1);
+        p[0] /= 3; // so that differences are rounded
+        p[1] /= 7;
+        const JointPath path = JointPath::straight(robot, p);
+        const robot::SegmentMotion first = robot.model().motion_of(path.segments()[0]);
+        const robot::SegmentMotion second = robot.model().motion_of(path.segments()[1]);
+        for (std::size_t group = 1; group < robot.model().groups.size(); ++group) {
+            const algebra::DoubleDouble end = first.values[group][0]->at(algebra::DoubleDouble(1.0));
+            const algebra::DoubleDouble begin = second.values[group][0]->at(algebra::DoubleDouble(0.0));
+            EXPECT_LE(std::abs(double(end - begin)), 0x1p-98);
+        }
+        for (Eigen::Index i = 0; i < 3; ++i)
+            gaps_in_double += p[0][i] + (p[1][i] - p[0][i]) != p[1][i];
+    }
+    EXPECT_GT(gaps_in_double, 20U);
 }
 
 TEST(JointPath, RefusesWhatItCannotFollow) {

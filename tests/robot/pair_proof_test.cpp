@@ -64,6 +64,41 @@ TEST(PairProof, IsRightOnBothSidesOfAClosedForm) {
         << "only a link without a shape is between them";
 }
 
+/// A small cube that three joints carry, and another one, which it meets in a corner of the limits only: of random
+/// lines along one joint, one in some thousand does.
+RobotDescription rare_contact(JointType type, double gap) {
+    const double side = 0.02;
+    RobotDescription robot{"rare"};
+    const bool turns = type == JointType::revolute;
+    const Polyhedron speck = make_box({1e-3, 1e-3, 1e-3}), cube = make_box({side, side, side});
+    robot.links = {{"base"}, {"1", {{speck, shifted(0, 0, -7)}}}, {"2", {{speck, shifted(0, 0, -8)}}}, {"3", {{cube}}}};
+    const double last = 1 - gap;
+    // Turns about z, then about y, then about z bring the cube from (2.5, 0, 0) to limits where it is alone.
+    robot.joints = {joint("j1", type, "base", "1", Pose(), 0, last, turns ? Vector3d::UnitZ() : Vector3d::UnitX()),
+                    joint("j2", type, "1", "2", Pose(), 0, last, Vector3d::UnitY()),
+                    joint("j3", type, "2", "3", turns ? shifted(1.5, 0, 0) : Pose(), 0, last, Vector3d::UnitZ())};
+    if (turns)
+        robot.links[3].collisions[0].origin = shifted(1, 0, 0);
+    RobotDescription whole = robot;
+    for (JointDescription& j : whole.joints)
+        j.upper = 1;
+    robot.links[0].collisions = {{cube, Robot(whole).link_pose("3", Configuration::Ones(3))}};
+    if (turns) {
+        const Pose last_link = robot.links[0].collisions[0].origin;
+        robot.links[0].collisions[0].origin = Pose(last_link.isometry() * Vector3d(1, 0, 0), last_link.rotation);
+    }
+    return robot;
+}
+
+TEST(PairProof, FindsContactsThatRandomLinesMiss) {
+    for (const JointType type : {JointType::prismatic, JointType::revolute}) {
+        const PairProof near = proof_of(rare_contact(type, 0.004), "base", "3");
+        EXPECT_EQ(near.reason, PairReason::sometimes);
+        EXPECT_GT(near.cells, 0U) << "no random line found it";
+        EXPECT_EQ(proof_of(rare_contact(type, 0.1), "base", "3").reason, PairReason::never);
+    }
+}
+
 TEST(PairProof, SeesLinksThatNoJointMoves) {
     RobotDescription robot{"fixed"};
     const Polyhedron cube = make_box({1, 1, 1});

@@ -139,6 +139,40 @@ TEST(Robot, HasMarginsOfPairs) {
     EXPECT_EQ(wide.time.lower, all.time.lower);
 }
 
+/// A cube on a long arm turns by `angle`. What is just below its highest point is within the arc, above all chords.
+TEST(Robot, TouchesWhatOnlyItsArcReaches) {
+    const double arm = 5, half = 0.05;
+    RobotDescription description{"crane"};
+    description.links = {{"base"}, {"jib", {{box({half, half, half}).polyhedron(), shifted(0, arm, 0)}}}};
+    description.joints = {{"turn", JointType::continuous, "base", "jib"}};
+    const Robot robot(description);
+    for (const double angle : {0.05, 0.2, 0.6, 1.5, 2.5})
+        for (const double gap : {-1e-9, 1e-9}) {
+            Scene scene; // the corners are highest just before and after the middle
+            const double top = std::hypot(arm + half, half);
+            scene.add({"lid", box({9, 1, 9}).polyhedron(), Motion::at_rest(shifted(0, top + 1 + gap, 0))});
+            const Configuration start = values({-angle / 2}), goal = values({angle / 2});
+            EXPECT_EQ(RobotChecker(robot, &scene).is_clear(start, goal), gap > 0) << angle;
+        }
+}
+
+/// A slide beside a wall, so near that only the margin reaches it.
+TEST(Robot, KeepsItsMarginFromTheWorld) {
+    RobotDescription description{"slide"};
+    description.links = {{"base"}, {"cube", {{box({1, 1, 1}).polyhedron(), Pose()}}}};
+    description.joints = {{"way", JointType::prismatic, "base", "cube"}};
+    const Robot robot(description);
+    for (const int bodies : {1, 40}) { // one by one, and in a tree
+        Scene scene;
+        for (int i = 0; i < bodies; ++i)
+            scene.add(
+                {std::to_string(i), box({5, 1, 5}).polyhedron(), Motion::at_rest(shifted(0, 2.0625 + 9.0 * i, 0))});
+        for (const double margin : {0.0624, 0.0626})
+            EXPECT_EQ(RobotChecker(robot, &scene, {.options = {.margin = margin}}).is_clear(values({0}), values({1})),
+                      margin < 0.0625);
+    }
+}
+
 template <class Change>
 std::string refusal_of(const Change& change) {
     RobotDescription arm = planar_arm();
