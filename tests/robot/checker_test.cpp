@@ -188,6 +188,25 @@ TEST(RobotChecker, AnswersManyEdgesTheSameForAnyNumberOfThreads) {
               std::string::npos);
 }
 
+/// A door that opens during a path of two segments lets the robot through in the second one only.
+TEST(RobotChecker, BodiesOfTheSceneMoveDuringTheWholePath) {
+    RobotDescription description{"slide"};
+    description.links = {{"base"}, {"cube", {{box({0.1, 0.1, 0.1}).polyhedron(), Pose()}}}};
+    description.joints = {{"way", JointType::prismatic, "base", "cube"}};
+    description.joints[0].axis = Eigen::Vector3d::UnitX();
+    const Robot robot(description);
+    Scene scene; // the face of the door is at x = 0.5 + 2 t
+    scene.add({"door", box({0.1, 3, 3}).polyhedron(), Motion::velocity(shifted(0.6, 0, 0), shifted(2.6, 0, 0))});
+    const auto at = [](double way) { return Configuration(Configuration::Constant(1, way)); };
+    const RobotChecker checker(robot, &scene);
+    const RobotAnswer clear = checker.first_contact(JointPath::straight(robot, std::array{at(0), at(0), at(1.9)}));
+    EXPECT_EQ(clear.verdict, Verdict::clear);
+    // The face is at 0.1 + 3 s in the second segment, the door's at 1.5 + s: they meet at s = 0.7.
+    const RobotAnswer found = checker.first_contact(JointPath::straight(robot, std::array{at(0), at(0), at(3)}));
+    EXPECT_EQ(found.segment, 1U);
+    EXPECT_NEAR(found.contact.time.lower, 0.7, 1e-12);
+}
+
 /// Whatever Find::any names, nothing touches before its clear_until, and it names a contact.
 TEST(RobotChecker, AnyContactClaimsNoTimeThatWasNotAsked) {
     Random random(2005);
