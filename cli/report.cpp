@@ -87,18 +87,10 @@ std::string report_contact_features(const FirstContact& found, double margin) {
     return report_certainty(found, may_miss) + report_features(found, margin > 0 ? "within" : "touching", margin > 0);
 }
 
-std::string headline(const LeastDistance& found) {
-    switch (view::proven_verdict(found)) {
-    case Verdict::clear:
-        return fmt::format("CLEARANCE {:.9g} at time {:.12g}\n", found.distance.lower, found.time.lower);
-    case Verdict::contact:
-        return fmt::format("TOUCH at time {:.12g}\n", found.time.lower);
-    case Verdict::contact_at_start:
-        return fmt::format("TOUCH AT THE START{}\n", found.overlap ? ": the surfaces pass through each other" : "");
-    case Verdict::unknown:
-        break;
-    }
-    return fmt::format("NO CLEARANCE PROVEN: at most {:.9g} at time {:.12g}\n", found.distance.upper, found.time.lower);
+std::string report_nearest(const LeastDistance& found) {
+    const bool is_apart = found.distance.upper > 0;
+    return report_certainty(found, "the bracket of the distance is wider than the tolerance") +
+           report_features(found, is_apart ? "nearest" : "touching", is_apart);
 }
 
 } // namespace
@@ -123,6 +115,20 @@ std::string headline(const FirstContact& found, double margin) {
     }
     return fmt::format("CONTACT{} AT THE START{}\n", within,
                        found.overlap ? ": the surfaces pass through each other" : "");
+}
+
+std::string headline(const LeastDistance& found) {
+    switch (view::proven_verdict(found)) {
+    case Verdict::clear:
+        return fmt::format("CLEARANCE {:.9g} at time {:.12g}\n", found.distance.lower, found.time.lower);
+    case Verdict::contact:
+        return fmt::format("TOUCH at time {:.12g}\n", found.time.lower);
+    case Verdict::contact_at_start:
+        return fmt::format("TOUCH AT THE START{}\n", found.overlap ? ": the surfaces pass through each other" : "");
+    case Verdict::unknown:
+        break;
+    }
+    return fmt::format("NO CLEARANCE PROVEN: at most {:.9g} at time {:.12g}\n", found.distance.upper, found.time.lower);
 }
 
 std::string labelled(const std::string& label, const std::string& text) {
@@ -157,12 +163,14 @@ std::string report(const FirstContact& found, const view::MotionNumbers& motion,
     return headline(found, margin) + details(found, motion, margin);
 }
 
+std::string report_least(const LeastDistance& found) {
+    return labelled("distance", text_of(found.distance)) + labelled("time", text_of(found.time)) +
+           report_nearest(found);
+}
+
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion) {
-    const bool is_apart = found.distance.upper > 0;
     return headline(found) + report(motion) + labelled("distance", text_of(found.distance)) +
-           report_time(found, motion) +
-           report_certainty(found, "the bracket of the distance is wider than the tolerance") +
-           report_features(found, is_apart ? "nearest" : "touching", is_apart) + report(found.work);
+           report_time(found, motion) + report_nearest(found) + report(found.work);
 }
 
 } // namespace chasles::cli

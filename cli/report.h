@@ -14,11 +14,15 @@ std::string report(const FirstContact& found, const view::MotionNumbers& motion,
 /// The lines about the contact: time, certainty and features.
 std::string report_contact(const FirstContact& found, double margin);
 
+/// The lines about the least distance: distance, time, certainty and features.
+std::string report_least(const LeastDistance& found);
+
 /// The answer of `clearance` in the same form. The first line has the proven lower end of the distance.
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion);
 
 /// The two parts of report(): the verdict in one line, and the details.
 std::string headline(const FirstContact& found, double margin);
+std::string headline(const LeastDistance& found);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
 /// One line "  label     text". All lines are aligned.

@@ -8,6 +8,7 @@
 #include "cli/scene_file.h"
 #include "view/answer_json.h"
 #include "view/page.h"
+#include "view/proven_verdict.h"
 #include "view/robot_record.h"
 
 #include <filesystem>
@@ -24,6 +25,8 @@ struct RobotCommand {
     std::string scene;
     std::string page;
     QuestionOptions query;
+    bool finds_clearance = false;
+    double tolerance = LeastDistanceOptions().tolerance;
     bool json = false;
 };
 
@@ -54,6 +57,20 @@ std::string list_of(const Robot& robot, const Configuration& values) {
     return text;
 }
 
+std::string report(const RobotPair& pair, std::size_t segment) {
+    return labelled("pair", pair.first + " on " + pair.second + (pair.is_with_scene ? " (scene)" : "")) +
+           labelled("segment", std::to_string(segment));
+}
+
+/// The lines after the contact. `Found` is RobotAnswer or RobotClearance.
+template <typename Found>
+std::string report_path(const RobotQuestion& question, const Found& found) {
+    const std::size_t segments = question.rows.configurations.size() - 1;
+    return labelled("path",
+                    fmt::format("{}, {} searched", counted(segments, "segment"), counted(found.pairs, "pair"))) +
+           cli::report(found.work);
+}
+
 std::string report(const RobotQuestion& question, const RobotAnswer& found) {
     const double margin = question.options.margin;
     FirstContact shown = found.contact;
@@ -61,17 +78,45 @@ std::string report(const RobotQuestion& question, const RobotAnswer& found) {
     if (question.has_stamps())
         shown.time = found.time;
     std::string text = headline(shown, margin);
-    if (found.verdict != Verdict::clear) {
-        const std::string& second = found.pair->second;
-        text += labelled("pair", found.pair->first + " on " + second + (found.pair->is_with_scene ? " (scene)" : ""));
-        text += labelled("segment", std::to_string(found.segment)) + report_contact(shown, margin);
-    }
-    text += labelled("joints", list_of(question.robot, found.configuration));
-    const std::size_t segments = question.rows.configurations.size() - 1;
-    return text +
-           labelled("path",
-                    fmt::format("{}, {} searched", counted(segments, "segment"), counted(found.pairs, "pair"))) +
-           cli::report(found.work);
+    if (found.pair)
+        text += report(*found.pair, found.segment) + report_contact(shown, margin);
+    return text + labelled("joints", list_of(question.robot, found.configuration)) + report_path(question, found);
+}
+
+std::string report(const RobotQuestion& question, const RobotClearance& found) {
+    if (!found.pair)
+        return "CLEARANCE WITHOUT A LIMIT: no two bodies are tested\n" + report_path(question, found);
+    LeastDistance shown = found.nearest;
+    if (question.has_stamps())
+        shown.time = found.time;
+    return headline(shown) + report(*found.pair, found.segment) + report_least(shown) +
+           labelled("joints", list_of(question.robot, found.configuration)) + report_path(question, found);
+}
+
+/// Speeds become lengths per unit of the stamps.
+void count_in_stamps(std::vector<Contact>& contacts, const JointPath::Segment& segment) {
+    for (Contact& contact : contacts)
+        contact.approach_speed /= segment.end - segment.begin;
+}
+
+JointPath path_of(const RobotQuestion& question) {
+    const robot::ConfigurationRows& rows = question.rows;
+    return question.has_stamps() ? JointPath::straight(question.robot, rows.configurations, rows.stamps)
+                                 : JointPath::straight(question.robot, rows.configurations);
+}
+
+int run_clearance(const RobotCommand& options) {
+    const RobotQuestion question = read_question(options);
+    const JointPath path = path_of(question);
+    RobotClearance found = RobotChecker(question.robot, question.world())
+                               .least_distance(path, {.tolerance = options.tolerance,
+                                                      .time_tolerance = question.options.time_tolerance,
+                                                      .find = question.options.find});
+    if (question.has_stamps())
+        count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
+    print(options.json ? view::robot_clearance_json(question.robot, found, question.has_stamps()).dump() + "\n"
+                       : report(question, found));
+    return !found.pair || view::proven_verdict(found.nearest) == Verdict::clear ? is_clear : is_contact;
 }
 
 int run_robot(const RobotCommand& options) {
@@ -82,9 +127,7 @@ int run_robot(const RobotCommand& options) {
     }
     const RobotQuestion question = read_question(options);
     const RobotChecker checker(question.robot, question.world(), {question.options});
-    const JointPath path = question.has_stamps()
-                               ? JointPath::straight(question.robot, question.rows.configurations, question.rows.stamps)
-                               : JointPath::straight(question.robot, question.rows.configurations);
+    const JointPath path = path_of(question);
     RobotAnswer found = checker.first_contact(path);
     if (page) {
         view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found);
@@ -93,9 +136,8 @@ int run_robot(const RobotCommand& options) {
         page->write(view::scene_page(record));
         page->close();
     }
-    if (question.has_stamps()) // speeds become lengths per unit of the stamps
-        for (Contact& contact : found.contact.contacts)
-            contact.approach_speed /= path.segments()[found.segment].end - path.segments()[found.segment].begin;
+    if (question.has_stamps())
+        count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
     print(options.json ? view::robot_answer_json(question.robot, found, question.has_stamps()).dump() + "\n"
                        : report(question, found) + (options.page.empty() ? "" : labelled("page", options.page)));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
@@ -111,7 +153,15 @@ void add_robot(CLI::App& app, Task& task) {
         ->required()
         ->type_name("CSV");
     command.add_option("--scene", options->scene, "JSON file of the world, as for `chasles scene`")->type_name("FILE");
+    auto* const clearance = command.add_flag("--clearance", options->finds_clearance,
+                                             "find how near the robot comes to its world and to itself");
+    command
+        .add_option("--tolerance", options->tolerance, "aimed width of the bracket of the clearance, as a part of it")
+        ->needs(clearance)
+        ->type_name("T")
+        ->capture_default_str();
     command.add_option("--margin", options->query.margin, "distance of the surfaces that counts as contact")
+        ->excludes(clearance)
         ->type_name("D")
         ->capture_default_str();
     command.add_option("--time-tolerance", options->query.time_tolerance, "aimed width of the bracket around the time")
@@ -119,12 +169,16 @@ void add_robot(CLI::App& app, Task& task) {
         ->capture_default_str();
     auto* const any =
         command.add_flag("--any", options->query.any, "stop at any contact, which need not be the first one");
+    any->excludes(clearance);
     command.add_flag("--all-contacts", options->query.all_contacts, "list every contact of the pair at its first one")
         ->excludes(any);
     command.add_flag("--json", options->json, "print one JSON object");
     command.add_option("--page", options->page, "write a page (HTML) that shows the robot on its way")
+        ->excludes(clearance)
         ->type_name("FILE");
-    command.callback([options, &task] { task = [options] { return run_robot(*options); }; });
+    command.callback([options, &task] {
+        task = [options] { return options->finds_clearance ? run_clearance(*options) : run_robot(*options); };
+    });
 }
 
 } // namespace chasles::cli

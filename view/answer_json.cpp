@@ -135,6 +135,28 @@ Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& found, bo
     return answer;
 }
 
+Json robot_clearance_json(const chasles::Robot& robot, const RobotClearance& found, bool in_stamps) {
+    Json answer;
+    answer["distance"] = found.distance.lower;
+    answer["distance_upper"] = found.distance.upper;
+    if (found.pair) {
+        const Bracket& time = in_stamps ? found.time : found.nearest.time;
+        answer["time"] = time.lower;
+        answer["time_upper"] = time.upper;
+        answer["certain"] = found.certain;
+        answer["pair"] = Json{found.pair->first, found.pair->second};
+        answer["segment"] = found.segment;
+        answer["contacts"] = json_of(found.nearest.contacts);
+        if (found.nearest.overlap)
+            answer["overlap"] = overlap_json(*found.nearest.overlap);
+        if (found.nearest.contacts_cut)
+            answer["contacts_cut"] = true;
+        answer["configuration"] = configuration_json(robot, found.configuration);
+    }
+    answer["work"] = json_of(found.work);
+    return answer;
+}
+
 Json pair_proofs_json(const chasles::Robot& robot, const std::vector<PairProof>& proofs) {
     Json pairs = Json::array();
     for (const PairProof& proof : proofs) {

@@ -26,6 +26,9 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& answer, b
 /// The answer of `robot`: verdict, segment, clear_until, configuration and work; if it touches, time, time_upper,
 /// certain, pair and contacts, too. Times count within the segment, in [0, 1], or in stamps.
 Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& answer, bool in_stamps);
+/// The answer of `robot --clearance`: distance, distance_upper, time, time_upper, certain, pair, segment, contacts,
+/// configuration and work. Without a pair: distance and distance_upper, which are null, and work.
+Json robot_clearance_json(const chasles::Robot& robot, const RobotClearance& found, bool in_stamps);
 /// The variables of a robot by name.
 Json configuration_json(const chasles::Robot& robot, const Configuration& configuration);
 /// The answer of `acm`: pairs with links, reason, and a witness if there is one.

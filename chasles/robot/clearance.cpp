@@ -51,6 +51,8 @@ RobotClearance ClearanceSearch::run() {
     best_.configuration = path_.at(best_.time.lower);
     if (!touches())
         best_.certain = best_.distance.upper - best_.distance.lower <= options_.tolerance * best_.distance.upper;
+    best_.nearest.distance = best_.distance; // no other pair is nearer
+    best_.nearest.certain = best_.certain;
     return best_;
 }
 

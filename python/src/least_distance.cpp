@@ -15,8 +15,6 @@ namespace {
 
 using namespace nb::literals;
 
-constexpr double default_tolerance = LeastDistanceOptions().tolerance;
-
 /// The answer with the bodies and the motion of its query.
 struct LeastAnswer {
     LeastDistance found;

@@ -1,6 +1,7 @@
 // Options that several queries share, with their docstrings.
 #pragma once
 
+#include "chasles/query/least_distance.h"
 #include "chasles/query/path.h"
 #include "python/src/docstrings.h"
 
@@ -9,6 +10,8 @@
 namespace chasles::python {
 
 inline constexpr double default_time_tolerance = QueryOptions().time_tolerance;
+/// Of least distances.
+inline constexpr double default_tolerance = LeastDistanceOptions().tolerance;
 
 #define CHASLES_OPTION_TYPES "margin: float = 0.0, hold: float | None = None, time_tolerance: float = 1e-12, "
 #define CHASLES_FIND_TYPE "find: chasles.enums.Find | str = 'first'"

@@ -126,6 +126,13 @@ void bind_proof(nb::module_& module) {
         });
 }
 
+constexpr const char* clearance_doc =
+    "How near the robot comes to its world and to itself along the straight edge.\n\nParameters\n----------\n"
+    "start, goal : array (variables,)\n    Configurations, in the order of `variables`: radians, or the mesh unit.\n"
+    "scene : Scene, optional\n    The world; without it the robot itself only.\ntolerance : float\n    Width of the "
+    "bracket to aim for, as a part of the distance; in [1e-12, 1].\n\nReturns\n-------\nRobotClearance\n\nRaises\n"
+    "------\nInvalidInput\n    As first_contact.";
+
 constexpr const char* question_doc =
     "\n\nParameters\n----------\nstart, goal : array (variables,)\n    Configurations, in the order of "
     "`variables`: radians, or the mesh unit.\nscene : Scene, optional\n    The world; without it the robot is tested "
@@ -211,8 +218,8 @@ void bind_robot(nb::module_& module) {
             "first_contact_on_path",
             [](const Robot& r, nb::handle configurations, nb::handle times, nb::handle velocities,
                nb::handle accelerations, nb::handle scene, double margin, double tolerance, nb::handle find) {
-                return answer_on_path(checker_of(r, {scene, margin, tolerance, find}), configurations, times,
-                                      velocities, accelerations);
+                return answer_on_path(checker_of(r, {scene, margin, tolerance, find}),
+                                      {configurations, times, velocities, accelerations});
             },
             "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
             nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "time_tolerance"_a = default_time_tolerance,
@@ -223,6 +230,17 @@ void bind_robot(nb::module_& module) {
             "The first contact along a path (n, variables): straight from each configuration to the next, with time "
             "stamps\nor without; with velocities by cubic splines, with accelerations, too, by quintic ones. With "
             "stamps, times\nof the answer count in stamps, otherwise within the segment, in [0, 1].")
+        .def(
+            "least_distance",
+            [](const Robot& r, nb::handle start, nb::handle goal, nb::handle scene, double tolerance) {
+                const nb::str find("first");
+                return clearance_on_edge(checker_of(r, {scene, 0, default_time_tolerance, find}), start, goal,
+                                         tolerance);
+            },
+            "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "tolerance"_a = default_tolerance,
+            nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, *, "
+                    "scene: Scene | None = None, tolerance: float = 1e-6) -> RobotClearance"),
+            clearance_doc)
         .def("prove_pairs", proofs_of, "seconds"_a = 600.0, "threads"_a = 0,
              nb::sig("def prove_pairs(self, seconds: float = 600.0, threads: int = 0) -> list[PairProof]"),
              doc("prove_pairs"))

@@ -5,7 +5,9 @@
 #include "chasles/robot/robot.h"
 #include "python/src/arrays.h"
 #include "python/src/bind.h"
+#include "python/src/interruptible.h"
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,6 +24,14 @@ struct PythonRobotAnswer {
             return found.clear_until;
         return found.verdict == Verdict::clear ? 1 : found.contact.clear_until;
     }
+};
+
+/// How near a robot comes. Times count within the segment, in [0, 1], or in stamps.
+struct PythonClearance {
+    RobotClearance found;
+    bool in_stamps = false;
+
+    [[nodiscard]] Bracket time() const { return in_stamps ? found.time : found.nearest.time; }
 };
 
 /// The options of a question about a robot, from Python.
@@ -41,10 +51,29 @@ Eigen::MatrixXd configurations_from(nb::handle argument, const std::string& name
 nb::object array_of(const Configuration& configuration);
 std::vector<std::string> names_of(const Robot& robot);
 
+/// Arrays; `times`, `velocities` and `accelerations` may be None.
+struct PathArguments {
+    nb::handle configurations, times, velocities, accelerations;
+};
+JointPath path_from(const Robot& robot, const PathArguments& arguments);
+
+/// On another thread, so that Ctrl-C is seen; a question itself is short.
+template <class Ask>
+auto asked(const Ask& ask) {
+    std::optional<decltype(ask())> answer;
+    run_interruptibly([&](Progress&) { answer.emplace(ask()); }, nb::none());
+    return std::move(*answer);
+}
+
+/// The two names, or None.
+inline nb::object pair_of(const std::optional<RobotPair>& pair) {
+    return pair ? nb::object(nb::make_tuple(pair->first, pair->second)) : nb::none();
+}
+
 PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal);
-/// `times`, `velocities` and `accelerations` are None or arrays.
-PythonRobotAnswer answer_on_path(const RobotChecker& checker, nb::handle configurations, nb::handle times,
-                                 nb::handle velocities, nb::handle accelerations);
+PythonRobotAnswer answer_on_path(const RobotChecker& checker, const PathArguments& path);
+PythonClearance clearance_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal, double tolerance);
+PythonClearance clearance_on_path(const RobotChecker& checker, const PathArguments& path, double tolerance);
 /// The fields of many edges as lists and arrays: verdict, time, time_upper, clear_until, certain, first, second.
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads);
 

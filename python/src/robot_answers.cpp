@@ -4,7 +4,6 @@
 #include "chasles/base/invalid_input.h"
 #include "python/src/answer.h"
 #include "python/src/docstrings.h"
-#include "python/src/interruptible.h"
 #include "python/src/names.h"
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
@@ -70,8 +69,10 @@ std::vector<Configuration> rows_of(nb::handle argument, const std::string& name)
     return rows;
 }
 
-JointPath path_from(const Robot& robot, nb::handle configurations, nb::handle times, nb::handle velocities,
-                    nb::handle accelerations) {
+} // namespace
+
+JointPath path_from(const Robot& robot, const PathArguments& arguments) {
+    const auto& [configurations, times, velocities, accelerations] = arguments;
     const std::vector<Configuration> rows = rows_of(configurations, "configurations");
     if (times.is_none()) {
         if (!velocities.is_none() || !accelerations.is_none())
@@ -91,19 +92,7 @@ JointPath path_from(const Robot& robot, nb::handle configurations, nb::handle ti
     return JointPath::quintic(robot, of_rows, rows, rates, rows_of(accelerations, "accelerations"));
 }
 
-/// On another thread, so that Ctrl-C is seen; a question itself is short.
-template <class Ask>
-auto asked(const Ask& ask) {
-    std::optional<decltype(ask())> answer;
-    run_interruptibly([&](Progress&) { answer.emplace(ask()); }, nb::none());
-    return std::move(*answer);
-}
-
-nb::object pair_of(const PythonRobotAnswer& answer) {
-    if (!answer.found.pair)
-        return nb::none();
-    return nb::make_tuple(answer.found.pair->first, answer.found.pair->second);
-}
+namespace {
 
 std::string text_of(const PythonRobotAnswer& answer) {
     if (!answer.found.pair)
@@ -129,8 +118,10 @@ void bind_contact(nb::module_& module) {
         .def_prop_ro(
             "certain", [](const Answer& a) { return a.found.certain; },
             "False where contact could not be told from a miss.")
-        .def_prop_ro("pair", pair_of, nb::sig("def pair(self) -> tuple[str, str] | None"),
-                     "Two links or parts, or one and a body of the scene; None if the path is clear.")
+        .def_prop_ro(
+            "pair", [](const Answer& a) { return pair_of(a.found.pair); },
+            nb::sig("def pair(self) -> tuple[str, str] | None"),
+            "Two links or parts, or one and a body of the scene; None if the path is clear.")
         .def_prop_ro(
             "contacts", [](const Answer& a) { return tuple_of(a.found.contact.contacts); },
             nb::sig("def contacts(self) -> tuple[Contact, ...]"),
@@ -162,10 +153,9 @@ PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, 
     return {checker.first_contact(from, to)};
 }
 
-PythonRobotAnswer answer_on_path(const RobotChecker& checker, nb::handle configurations, nb::handle times,
-                                 nb::handle velocities, nb::handle accelerations) {
-    const JointPath path = path_from(checker.robot(), configurations, times, velocities, accelerations);
-    return {asked([&] { return checker.first_contact(path); }), !times.is_none()};
+PythonRobotAnswer answer_on_path(const RobotChecker& checker, const PathArguments& arguments) {
+    const JointPath path = path_from(checker.robot(), arguments);
+    return {asked([&] { return checker.first_contact(path); }), !arguments.times.is_none()};
 }
 
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads) {
@@ -221,12 +211,33 @@ void bind_robot_answers(nb::module_& module) {
             nb::sig("def is_clear(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike | None = None) -> "
                     "bool"),
             "Whether the straight edge, or the one configuration, is proven clear.")
-        .def("first_contact_on_path", answer_on_path, "configurations"_a, "times"_a = nb::none(),
-             "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
-             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike, "
-                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
-                     "accelerations: numpy.typing.ArrayLike | None = None) -> RobotContact"),
-             "Along a path: straight, or cubic with velocities, or quintic with accelerations, too.")
+        .def(
+            "first_contact_on_path",
+            [](const RobotChecker& checker, nb::handle configurations, nb::handle times, nb::handle velocities,
+               nb::handle accelerations) {
+                return answer_on_path(checker, {configurations, times, velocities, accelerations});
+            },
+            "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
+            nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike, "
+                    "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
+                    "accelerations: numpy.typing.ArrayLike | None = None) -> RobotContact"),
+            "Along a path: straight, or cubic with velocities, or quintic with accelerations, too.")
+        .def("least_distance", clearance_on_edge, "start"_a, "goal"_a, "tolerance"_a = default_tolerance,
+             nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, "
+                     "tolerance: float = 1e-6) -> RobotClearance"),
+             "How near the robot comes to its world and to itself along the straight edge.")
+        .def(
+            "least_distance_on_path",
+            [](const RobotChecker& checker, nb::handle configurations, nb::handle times, nb::handle velocities,
+               nb::handle accelerations, double tolerance) {
+                return clearance_on_path(checker, {configurations, times, velocities, accelerations}, tolerance);
+            },
+            "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
+            "tolerance"_a = default_tolerance,
+            nb::sig("def least_distance_on_path(self, configurations: numpy.typing.ArrayLike, "
+                    "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
+                    "accelerations: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-6) -> RobotClearance"),
+            "Likewise along a path, as in first_contact_on_path.")
         .def("first_contacts", answers_on_edges, "starts"_a, "goals"_a, "threads"_a = 0,
              nb::sig("def first_contacts(self, starts: numpy.typing.ArrayLike, goals: numpy.typing.ArrayLike, "
                      "threads: int = 0) -> tuple"),

@@ -77,6 +77,28 @@ def test_many_edges_are_answered_as_one_by_one(arm, world):
     assert {"clear", "contact"} <= set(table["verdict"])
 
 
+def test_how_near_it_comes(arm, world):
+    found = arm.least_distance([0, 0], [0.3, 0], scene=world)
+    checker = chasles.RobotChecker(arm, world)
+    assert found.pair is not None and found.certain
+    assert 0 < found.distance <= found.distance_upper <= found.distance * (1 + 1e-6)
+    assert checker.is_clear([0, 0], [0.3, 0])
+    near = chasles.RobotChecker(arm, world, margin=found.distance_upper * (1 + 1e-9))
+    apart = chasles.RobotChecker(arm, world, margin=found.distance * (1 - 1e-9))
+    assert apart.is_clear([0, 0], [0.3, 0]) and not near.is_clear([0, 0], [0.3, 0])
+    assert found.contacts[0].gap == pytest.approx(found.distance_upper)
+    same = checker.least_distance_on_path([[0, 0], [0.3, 0]], [4, 6])
+    assert same.distance_upper == pytest.approx(found.distance_upper, rel=1e-9)
+    assert same.time == pytest.approx(4 + 2 * found.time)
+    assert same.configuration == pytest.approx(found.configuration)
+    touch = checker.least_distance([0, 0], [np.pi / 2, 0])
+    assert (touch.distance, touch.distance_upper) == (0, 0)
+    assert touch.time == pytest.approx(checker.first_contact([0, 0], [np.pi / 2, 0]).time)
+    assert chasles.Robot.least_distance.__doc__ and "RobotClearance" in repr(touch)
+    with pytest.raises(chasles.InvalidInput, match="tolerance: must be in"):
+        checker.least_distance([0, 0], [1, 0], tolerance=0)
+
+
 def test_parts_and_pairs(arm, world, cube):
     arm.attach("box", "lower", cube, pose=np.array([1, -0.5, -0.5, 1, 0, 0, 0]))
     assert arm.first_contact([-1, 0], [np.pi / 2, 0], scene=world).pair == ("box", "wall")

@@ -1,0 +1,72 @@
+// chasles.RobotClearance, and questions about how near a robot comes.
+#include "python/src/answer.h"
+#include "python/src/docstrings.h"
+#include "python/src/robot.h"
+
+#include <fmt/format.h>
+#include <nanobind/stl/string.h>
+
+namespace chasles::python {
+
+namespace {
+
+std::string summary(const PythonClearance& clearance) {
+    const RobotClearance& found = clearance.found;
+    if (!found.pair)
+        return "<chasles.RobotClearance: no two bodies are tested>";
+    return fmt::format("<chasles.RobotClearance: {:.9g}, {} to {} at time {:.12g} of segment {}>", found.distance.lower,
+                       found.pair->first, found.pair->second, clearance.time().lower, found.segment);
+}
+
+} // namespace
+
+PythonClearance clearance_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal, double tolerance) {
+    const Configuration from = configuration_from(start, "start"), to = configuration_from(goal, "goal");
+    return {asked([&] { return checker.least_distance(from, to, {.tolerance = tolerance}); })};
+}
+
+PythonClearance clearance_on_path(const RobotChecker& checker, const PathArguments& arguments, double tolerance) {
+    const JointPath path = path_from(checker.robot(), arguments);
+    return {asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); }), !arguments.times.is_none()};
+}
+
+void bind_robot_clearance(nb::module_& module) {
+    using Clearance = PythonClearance;
+    nb::class_<Clearance>(module, "RobotClearance", doc("RobotClearance"))
+        .def_prop_ro(
+            "distance", [](const Clearance& c) { return c.found.distance.lower; },
+            "Lower end of the bracket around the least distance. It is proven: nothing comes nearer. Mesh unit; 0 if "
+            "something touches, infinite if no two bodies are tested.")
+        .def_prop_ro(
+            "distance_upper", [](const Clearance& c) { return c.found.distance.upper; },
+            "Upper end of the bracket around the least distance.")
+        .def_prop_ro(
+            "segment", [](const Clearance& c) { return c.found.segment; }, "Of the least distance.")
+        .def_prop_ro(
+            "time", [](const Clearance& c) { return c.time().lower; },
+            "When the pair is as near as `distance_upper`: within the segment, in [0, 1], or in stamps. Of the first "
+            "contact in the segment if something touches.")
+        .def_prop_ro(
+            "time_upper", [](const Clearance& c) { return c.time().upper; }, "Upper end of the bracket of the time.")
+        .def_prop_ro(
+            "certain", [](const Clearance& c) { return c.found.certain; }, doc("RobotClearance.certain"))
+        .def_prop_ro(
+            "pair", [](const Clearance& c) { return pair_of(c.found.pair); },
+            nb::sig("def pair(self) -> tuple[str, str] | None"),
+            "Two links or parts, or one and a body of the scene, that are nearest.")
+        .def_prop_ro(
+            "contacts", [](const Clearance& c) { return tuple_of(c.found.nearest.contacts); },
+            nb::sig("def contacts(self) -> tuple[Contact, ...]"),
+            "The nearest features at `time`, in the world; the first one of the pair moves.")
+        .def_prop_ro(
+            "configuration",
+            [](const Clearance& c) { return c.found.pair ? array_of(c.found.configuration) : nb::none(); },
+            nb::sig("def configuration(self) -> " CHASLES_ARRAY " | None"), "At `time`.")
+        .def_prop_ro(
+            "pairs", [](const Clearance& c) { return c.found.pairs; }, doc("RobotClearance.pairs"))
+        .def_prop_ro(
+            "work", [](const Clearance& c) { return c.found.work; }, doc("Work"))
+        .def("__repr__", summary);
+}
+
+} // namespace chasles::python
