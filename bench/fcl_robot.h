@@ -5,7 +5,10 @@
 #include "chasles/robot/robot.h"
 #include "tests/support/plain_kinematics.h"
 
+#include <algorithm>
 #include <fcl/narrowphase/collision.h>
+#include <fcl/narrowphase/distance.h>
+#include <limits>
 #include <map>
 #include <memory>
 #include <utility>
@@ -49,10 +52,7 @@ public:
     }
 
     bool collides(const Poses& poses) {
-        for (std::size_t i = 0; i < shapes_.size(); ++i) {
-            shapes_[i].object->setTransform(poses[i]);
-            shapes_[i].object->computeAABB();
-        }
+        place(poses);
         for (const Shape& shape : shapes_)
             for (const auto& obstacle : obstacles_)
                 if (overlap(*shape.object, *obstacle))
@@ -63,6 +63,18 @@ public:
         return false;
     }
     bool collides(const Configuration& configuration) { return collides(poses(configuration)); }
+
+    /// The least distance of all pairs. Those whose boxes are farther apart than the nearest pair so far are left out.
+    double distance(const Poses& poses) {
+        place(poses);
+        double least = std::numeric_limits<double>::max();
+        for (const Shape& shape : shapes_)
+            for (const auto& obstacle : obstacles_)
+                least = std::min(least, distance(*shape.object, *obstacle, least));
+        for (const auto& [i, j] : pairs_)
+            least = std::min(least, distance(*shapes_[i].object, *shapes_[j].object, least));
+        return least;
+    }
 
 private:
     using Object = std::unique_ptr<fcl::CollisionObjectd>;
@@ -77,6 +89,18 @@ private:
         if (!model)
             model = fcl_model_of(shape);
         return std::make_unique<fcl::CollisionObjectd>(model);
+    }
+    void place(const Poses& poses) {
+        for (std::size_t i = 0; i < shapes_.size(); ++i) {
+            shapes_[i].object->setTransform(poses[i]);
+            shapes_[i].object->computeAABB();
+        }
+    }
+    static double distance(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b, double least) {
+        if (a.getAABB().distance(b.getAABB()) >= least)
+            return least;
+        fcl::DistanceResultd result(least);
+        return fcl::distance(&a, &b, fcl::DistanceRequestd(), result);
     }
     static bool overlap(const fcl::CollisionObjectd& a, const fcl::CollisionObjectd& b) {
         if (!a.getAABB().overlap(b.getAABB()))

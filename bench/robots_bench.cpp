@@ -2,33 +2,23 @@
 // samples as OMPL's validator takes them, at 1 % of the largest distance in joint space (its default) and at 0.1 %. FCL
 // gets the poses of all samples made beforehand.
 #include "bench/fcl_robot.h"
+#include "bench/random_edges.h"
+#include "bench/timings.h"
 #include "tests/data/planning_scenes.h"
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <random>
 
 namespace {
 
 using namespace chasles;
+using namespace chasles::bench;
 
 constexpr int problems = 40; // of 400
 constexpr int edges_of_problem = 50;
-
-double uniform(std::mt19937_64& random, double lower, double upper) {
-    return lower + (upper - lower) * std::ldexp(double(random() >> 11), -53);
-}
-
-Configuration random_within_limits(std::mt19937_64& random, const Robot& robot) {
-    Configuration values(Eigen::Index(robot.variables().size()));
-    for (std::size_t i = 0; i < robot.variables().size(); ++i)
-        values[Eigen::Index(i)] = uniform(random, robot.variables()[i].lower, robot.variables()[i].upper);
-    return values;
-}
 
 /// The largest distance of two configurations, as OMPL measures it.
 double largest_distance(const Robot& robot) {
@@ -38,32 +28,19 @@ double largest_distance(const Robot& robot) {
     return std::sqrt(sum);
 }
 
-double seconds(const auto& work) {
-    const auto start = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-}
-
 struct Edge {
-    double proven = 0;               ///< seconds
+    double proven = 0;               ///< microseconds
     std::array<double, 2> sampled{}; ///< likewise
     std::array<bool, 2> sampled_clear{};
     bool is_clear = false;
 };
-
-double quantile(std::vector<double> values, double share) {
-    if (values.empty())
-        return 0;
-    std::ranges::sort(values);
-    return values[std::size_t(share * double(values.size() - 1))];
-}
 
 void print(const char* name, const std::vector<Edge>& edges) {
     const auto column = [&](const char* label, const auto& select, const auto& value) {
         std::vector<double> values;
         for (const Edge& edge : edges)
             if (select(edge))
-                values.push_back(1e6 * value(edge));
+                values.push_back(value(edge));
         double sum = 0;
         for (const double v : values)
             sum += v;
@@ -100,22 +77,22 @@ int samples_of(const Configuration& way, double step) {
     return std::max(1, int(std::ceil(way.norm() / step)));
 }
 
-Edge measured(const RobotChecker& checker, bench::FclRobot& peer, const Configuration& start, const Configuration& way,
+Edge measured(const RobotChecker& checker, FclRobot& peer, const Configuration& start, const Configuration& way,
               double extent) {
     Edge edge;
     std::vector<double> times;
     for (int run = 0; run < 3; ++run)
-        times.push_back(seconds([&] { edge.is_clear = checker.is_clear(start, start + way); }));
+        times.push_back(least_microseconds(1, [&] { edge.is_clear = checker.is_clear(start, start + way); }));
     edge.proven = quantile(times, 0.5);
     constexpr std::array parts{0.01, 0.001};
     for (std::size_t k = 0; k < parts.size(); ++k) {
         const int count = samples_of(way, parts[k] * extent);
-        std::vector<bench::FclRobot::Poses> poses;
+        std::vector<FclRobot::Poses> poses;
         for (int i = 1; i <= count; ++i)
             poses.push_back(peer.poses(start + way * (double(i) / count)));
         times.clear();
         for (int run = 0; run < 3; ++run)
-            times.push_back(seconds([&] {
+            times.push_back(least_microseconds(1, [&] {
                 edge.sampled_clear[k] =
                     std::ranges::none_of(poses, [&](const auto& pose) { return peer.collides(pose); });
             }));
@@ -136,18 +113,18 @@ int main() {
     const double extent = largest_distance(robot);
     const std::vector<std::string> names = test::planning_problem_names(folder / "mbm-problems");
     for (const double length : {1.0, 3.0}) {
-        std::mt19937_64 random(20);
+        Draw draw(20);
         std::vector<Edge> edges;
         for (int p = 0; p < problems; ++p) {
             const test::PlanningProblem problem = test::read_planning_problem(
                 folder / "mbm-problems", names[std::size_t(p) * names.size() / problems], robot);
             const RobotChecker checker(robot, &problem.world);
-            bench::FclRobot peer(robot, problem.world);
+            FclRobot peer(robot, problem.world);
             for (int i = 0; i < edges_of_problem;) {
-                const Configuration start = random_within_limits(random, robot);
+                const Configuration start = random_within_limits(draw, robot);
                 if (!checker.is_clear(start) || peer.collides(start))
                     continue;
-                Configuration way = random_within_limits(random, robot) - random_within_limits(random, robot);
+                Configuration way = random_within_limits(draw, robot) - random_within_limits(draw, robot);
                 way *= length / way.lpNorm<1>();
                 edges.push_back(measured(checker, peer, start, way, extent));
                 ++i;

@@ -21,6 +21,14 @@ double least_microseconds(int calls, const Work& work) {
     return least;
 }
 
+/// The number that this share of all numbers does not exceed; 0 for no numbers.
+inline double quantile(std::vector<double> numbers, double share) {
+    if (numbers.empty())
+        return 0;
+    std::ranges::sort(numbers);
+    return numbers[std::size_t(share * double(numbers.size() - 1))];
+}
+
 /// 0 for no numbers.
 inline double median(std::vector<double> numbers) {
     if (numbers.empty())

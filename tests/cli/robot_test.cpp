@@ -81,6 +81,32 @@ TEST_F(RobotCommand, CountsInStamps) {
                 1e-9);
 }
 
+TEST_F(RobotCommand, FindsTheClearance) {
+    const Robot robot = Robot::load(path_of("arm.urdf"));
+    const std::vector<Configuration> way{values(0, 0.5), values(0.1, 0.5), values(2, 0.5)};
+    const RobotClearance same = RobotChecker(robot).least_distance(JointPath::straight(robot, way));
+    const Json answer = json("robot arm.urdf --path path.csv --clearance");
+    EXPECT_EQ(answer["distance"].get<double>(), same.distance.lower);
+    EXPECT_EQ(answer["distance_upper"].get<double>(), same.distance.upper);
+    EXPECT_EQ(answer["time"].get<double>(), same.nearest.time.lower);
+    EXPECT_EQ(answer["pair"], Json({same.pair->first, same.pair->second}));
+    EXPECT_EQ(answer["segment"], same.segment);
+    EXPECT_EQ(answer["contacts"].size(), 1U);
+    EXPECT_EQ(run("robot arm.urdf --path path.csv --clearance").status, 0);
+    EXPECT_EQ(run("robot arm.urdf --path path.csv --clearance --scene cell.json").status, 1);
+    EXPECT_EQ(json("robot arm.urdf --path path.csv --clearance --scene cell.json")["distance_upper"], 0);
+    const Json timed = json("robot arm.urdf --path timed.csv --clearance");
+    EXPECT_GE(timed["time"].get<double>(), 1);
+    write("lonely.urdf", R"(<robot name="lonely"><link name="a"/><link name="b"/>
+        <joint name="spin" type="continuous"><parent link="a"/><child link="b"/></joint></robot>)");
+    write("lonely.csv", "spin\n0\n1\n");
+    EXPECT_TRUE(json("robot lonely.urdf --path lonely.csv --clearance")["distance"].is_null());
+    EXPECT_NE(run("robot lonely.urdf --path lonely.csv --clearance").out.find("no two bodies are tested"),
+              std::string::npos);
+    EXPECT_EQ(run("robot arm.urdf --path path.csv --clearance --any").status, 2);
+    EXPECT_EQ(run("robot arm.urdf --path path.csv --tolerance 0.1").status, 2);
+}
+
 TEST_F(RobotCommand, ProvesPairsAndWritesThem) {
     write("arm.srdf", R"(<robot name="arm"><group name="all"><joint name="elbow"/></group>
         <disable_collisions link1="base" link2="lower" reason="Never"/></robot>)");

@@ -64,8 +64,8 @@ TEST(PairProof, IsRightOnBothSidesOfAClosedForm) {
         << "only a link without a shape is between them";
 }
 
-/// A small cube that three joints carry, and another one, which it meets in a corner of the limits only: of random
-/// lines along one joint, one in some thousand does.
+/// Three joints carry a small cube. It meets another one only near the upper limits of all three. Few random lines
+/// along one joint go there: one in some thousand.
 RobotDescription rare_contact(JointType type, double gap) {
     const double side = 0.02;
     RobotDescription robot{"rare"};
