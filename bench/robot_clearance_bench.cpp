@@ -1,14 +1,12 @@
 // How near the Panda comes in the worlds of its planning problems, along edges of one radian: the bracket that is
 // proven, beside the least of FCL's distances at samples of the edge. No sample may be nearer than the proven bound.
 #include "bench/fcl_robot.h"
-#include "bench/random_edges.h"
+#include "bench/panda_worlds.h"
 #include "bench/timings.h"
-#include "tests/data/planning_scenes.h"
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace {
 
@@ -55,30 +53,22 @@ void print(const char* name, const std::vector<double>& values) {
 } // namespace
 
 int main() {
-    const std::filesystem::path folder = std::filesystem::path(CHASLES_DATA_DIR) / "robots/panda";
-    if (!std::filesystem::exists(folder)) {
-        std::printf("skipped: no folder robots/panda of real inputs\n");
-        return 0;
-    }
-    const Robot robot = Robot::load(folder / "panda.urdf", {.srdf = folder / "panda.srdf"});
-    const std::vector<std::string> names = test::planning_problem_names(folder / "mbm-problems");
     Draw draw(21);
     Totals totals;
-    for (int p = 0; p < problems; ++p) {
-        const test::PlanningProblem problem = test::read_planning_problem(
-            folder / "mbm-problems", names[std::size_t(p) * names.size() / problems], robot);
+    const auto measure_world = [&](const Robot& robot, const test::PlanningProblem& problem) {
         const RobotChecker checker(robot, &problem.world);
         FclRobot peer(robot, problem.world);
         for (int i = 0; i < edges_of_problem;) {
             const Configuration start = random_within_limits(draw, robot);
-            Configuration way = random_within_limits(draw, robot) - random_within_limits(draw, robot);
-            way /= way.lpNorm<1>();
-            if (!checker.is_clear(start, start + way))
+            const Configuration goal = start + random_way(draw, robot, 1);
+            if (!checker.is_clear(start, goal))
                 continue;
-            measure(totals, checker, peer, start, start + way);
+            measure(totals, checker, peer, start, goal);
             ++i;
         }
-    }
+    };
+    if (!for_each_panda_world(problems, measure_world))
+        return 0;
     std::printf("%d edges of 1 rad that touch nothing\n", totals.edges);
     print("least distance, proven", totals.proven);
     print("first contact, proven", totals.contact);

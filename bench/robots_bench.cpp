@@ -2,15 +2,13 @@
 // samples as OMPL's validator takes them, at 1 % of the largest distance in joint space (its default) and at 0.1 %. FCL
 // gets the poses of all samples made beforehand.
 #include "bench/fcl_robot.h"
-#include "bench/random_edges.h"
+#include "bench/panda_worlds.h"
 #include "bench/timings.h"
-#include "tests/data/planning_scenes.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 
 namespace {
 
@@ -104,32 +102,23 @@ Edge measured(const RobotChecker& checker, FclRobot& peer, const Configuration& 
 } // namespace
 
 int main() {
-    const std::filesystem::path folder = std::filesystem::path(CHASLES_DATA_DIR) / "robots/panda";
-    if (!std::filesystem::exists(folder)) {
-        std::printf("skipped: no folder robots/panda of real inputs\n");
-        return 0;
-    }
-    const Robot robot = Robot::load(folder / "panda.urdf", {.srdf = folder / "panda.srdf"});
-    const double extent = largest_distance(robot);
-    const std::vector<std::string> names = test::planning_problem_names(folder / "mbm-problems");
     for (const double length : {1.0, 3.0}) {
         Draw draw(20);
         std::vector<Edge> edges;
-        for (int p = 0; p < problems; ++p) {
-            const test::PlanningProblem problem = test::read_planning_problem(
-                folder / "mbm-problems", names[std::size_t(p) * names.size() / problems], robot);
+        const auto measure_world = [&](const Robot& robot, const test::PlanningProblem& problem) {
             const RobotChecker checker(robot, &problem.world);
             FclRobot peer(robot, problem.world);
             for (int i = 0; i < edges_of_problem;) {
                 const Configuration start = random_within_limits(draw, robot);
                 if (!checker.is_clear(start) || peer.collides(start))
                     continue;
-                Configuration way = random_within_limits(draw, robot) - random_within_limits(draw, robot);
-                way *= length / way.lpNorm<1>();
-                edges.push_back(measured(checker, peer, start, way, extent));
+                edges.push_back(
+                    measured(checker, peer, start, random_way(draw, robot, length), largest_distance(robot)));
                 ++i;
             }
-        }
+        };
+        if (!for_each_panda_world(problems, measure_world))
+            return 0;
         char title[80];
         std::snprintf(title, sizeof title, "edges of %.0f rad in all joints together, from free configurations",
                       length);

@@ -73,14 +73,14 @@ void GroupRates::go_up(RateBounds& bounds, std::size_t group) const {
 
 Placements::Placements(const Model& model, const SegmentMotion& motion, std::size_t intervals)
     : model_(model), motion_(motion), intervals_(intervals), base_(motion::FixedPose(model.base).in_double),
-      poses_((intervals + 1) * model.groups.size()), is_made_(intervals + 1) {}
+      poses_(intervals + 1) {}
 
 void Placements::make(std::size_t index) {
-    GeneralPose<double>* const poses = poses_.data() + index * model_.groups.size();
-    poses[0] = base_;
+    std::vector<GeneralPose<double>>& poses = poses_[index];
+    poses.reserve(model_.groups.size());
+    poses.push_back(base_);
     for (std::size_t g = 1; g < model_.groups.size(); ++g)
-        poses[g] = placed_group(g, double(index) / double(intervals_), poses[model_.groups[g].parent]);
-    is_made_[index] = true;
+        poses.push_back(placed_group(g, double(index) / double(intervals_), poses[model_.groups[g].parent]));
 }
 
 GeneralPose<double> Placements::placed_group(std::size_t group, double time, const GeneralPose<double>& parent) const {

@@ -39,9 +39,9 @@ public:
     Placements(const Model& model, const SegmentMotion& motion, std::size_t intervals);
 
     const motion::GeneralPose<double>& operator()(std::size_t time, std::size_t group) {
-        if (!is_made_[time])
+        if (poses_[time].empty())
             make(time);
-        return poses_[time * model_.groups.size() + group];
+        return poses_[time][group];
     }
 
 private:
@@ -53,8 +53,7 @@ private:
     const SegmentMotion& motion_;
     std::size_t intervals_;
     motion::GeneralPose<double> base_;
-    std::vector<motion::GeneralPose<double>> poses_;
-    std::vector<bool> is_made_;
+    std::vector<std::vector<motion::GeneralPose<double>>> poses_; ///< at each time, of each group; empty until needed
 };
 
 } // namespace chasles::robot

@@ -2,8 +2,7 @@
 // body. Source: docs/derivations/29-robots.md, "Culling".
 #include "chasles/culling/clearly_apart.h"
 #include "chasles/motion/screw_path.h"
-#include "chasles/robot/group_motion.h"
-#include "chasles/robot/prepared.h"
+#include "chasles/robot/element_places.h"
 
 #include <algorithm>
 #include <cmath>
@@ -30,10 +29,6 @@ constexpr double rounding_of_boxes = 1e-11;
 /// A pair is halved in time until the body moves by less than this part of its radius. Then large nodes decide whether
 /// it is searched.
 constexpr double small_way = 1.2;
-
-Vector3d as_eigen(const motion::Vector3<double>& v) {
-    return {v.x, v.y, v.z};
-}
 
 Matrix3d turn_of(const GeneralPose<double>& pose) {
     const auto& [w, v] = pose.rotation;
@@ -62,7 +57,7 @@ struct Candidate {
 class Culling {
 public:
     Culling(const Prepared& prepared, const SegmentMotion& motion, std::optional<double> distance)
-        : prepared_(prepared), model_(prepared.model()), rates_(model_, motion), placements_(model_, motion, cells),
+        : prepared_(prepared), model_(prepared.model()), rates_(model_, motion), places_(prepared, motion, cells),
           distance_(distance) {
         of_group_.resize(model_.groups.size());
         for (std::size_t g = 1; g < of_group_.size(); ++g) {
@@ -95,7 +90,14 @@ private:
     void go_down(RateBounds& bounds, std::size_t above, std::size_t to) const;
     [[nodiscard]] RateBounds rates_between(std::size_t from, std::size_t to) const;
     void visit(const Cell& cell, const std::vector<Candidate>& pairs);
-    [[nodiscard]] bool are_apart(const Cell& cell, const Candidate& pair);
+    struct Ball {
+        const Vector3d& centre;
+        double radius;
+        double size; ///< the sum of the sizes of all lengths
+    };
+    [[nodiscard]] Ball fixed_ball(std::size_t time, const Task& task);
+    [[nodiscard]] bool are_balls_apart(const Cell& cell, const Candidate& pair);
+    [[nodiscard]] bool are_boxes_apart(const Cell& cell, const Candidate& pair);
     [[nodiscard]] bool are_nodes_apart(const Cell& cell, const Candidate& pair);
     [[nodiscard]] Box swept(const Cell& cell, std::size_t element, const RateBounds& rates);
     [[nodiscard]] GeneralPose<double> relative(std::size_t time, const Task& task);
@@ -104,7 +106,7 @@ private:
     const Prepared& prepared_;
     const Model& model_;
     GroupRates rates_;
-    Placements placements_;
+    ElementPlaces places_;
     std::optional<double> distance_;   ///< in the place of margins
     std::vector<RateBounds> of_group_; ///< in the world
     std::vector<Task> tasks_;
@@ -114,10 +116,12 @@ private:
     double rounding_ = 0;
 };
 
-Box box_at(const Prepared::Extent& extent, const GeneralPose<double>& pose) {
-    const Vector3d centre = as_eigen(placed(pose, motion::vector_in<double>(extent.centre)));
+Box box_at(const Prepared::Extent& extent, const GeneralPose<double>& pose, const Vector3d& centre) {
     const Vector3d half = (turn_of(pose).cwiseAbs() * extent.half).cwiseMin(Vector3d::Constant(extent.radius));
     return {centre - half, centre + half};
+}
+Box box_at(const Prepared::Extent& extent, const GeneralPose<double>& pose) {
+    return box_at(extent, pose, centre_at(extent, pose));
 }
 
 /// How far the points of an element are from the origin of its group.
@@ -196,26 +200,46 @@ void Culling::add_movers() {
 /// The box that an element does not leave during a cell, in the world.
 Box Culling::swept(const Cell& cell, std::size_t element, const RateBounds& rates) {
     const Prepared::Extent& extent = prepared_.extents[element];
-    const std::size_t group = model_.elements[element].group;
-    const Box box = box_at(extent, product(placements_(cell.begin, group), extent.place))
-                        .merged(box_at(extent, product(placements_(cell.end, group), extent.place)));
-    return scene::widened(box, deviation_from_straight(rates, reach_of(extent), cell.duration()) +
-                                   rounding_of_boxes * (size_ + extent.size));
+    const auto box_then = [&](std::size_t time) {
+        const ElementPlaces::Place& place = places_(time, element);
+        return box_at(extent, place.pose, place.centre);
+    };
+    return scene::widened(box_then(cell.begin).merged(box_then(cell.end)),
+                          deviation_from_straight(rates, reach_of(extent), cell.duration()) +
+                              rounding_of_boxes * (size_ + extent.size));
 }
 
 /// The moving element in the frame of the fixed body.
 GeneralPose<double> Culling::relative(std::size_t time, const Task& task) {
-    const std::size_t moving = prepared_.moving_index(task);
-    const auto place = [&](std::size_t element) {
-        return product(placements_(time, model_.elements[element].group), prepared_.extents[element].place);
-    };
-    if (task.kind == Task::Kind::self)
-        return seen_from(place(prepared_.self_pairs[task.first].fixed), place(moving));
-    return seen_from(prepared_.obstacles[task.second].pose.in_double, place(moving));
+    const GeneralPose<double>& moving = places_(time, prepared_.moving_index(task)).pose;
+    return task.kind == Task::Kind::self ? seen_from(places_(time, prepared_.self_pairs[task.first].fixed).pose, moving)
+                                         : seen_from(prepared_.obstacles[task.second].pose.in_double, moving);
+}
+
+/// The ball around the fixed body at the end of a cell, in the world.
+Culling::Ball Culling::fixed_ball(std::size_t time, const Task& task) {
+    if (task.kind == Task::Kind::obstacle) {
+        const Prepared::Obstacle& obstacle = prepared_.obstacles[task.second];
+        return {obstacle.centre, obstacle.radius, obstacle.size};
+    }
+    const std::size_t fixed = prepared_.self_pairs[task.first].fixed;
+    return {places_(time, fixed).centre, prepared_.extents[fixed].radius, prepared_.extents[fixed].size};
+}
+
+/// By the distances of both centres at both ends: in between, the distance is less than their mean by at most half of
+/// the way of the moving centre, as seen from the fixed body.
+bool Culling::are_balls_apart(const Cell& cell, const Candidate& pair) {
+    const std::size_t moving = prepared_.moving_index(pair.task);
+    const Prepared::Extent& extent = prepared_.extents[moving];
+    const Ball first = fixed_ball(cell.begin, pair.task), last = fixed_ball(cell.end, pair.task);
+    const double distances = (places_(cell.begin, moving).centre - first.centre).norm() +
+                             (places_(cell.end, moving).centre - last.centre).norm();
+    return 0.5 * (distances - pair.way * cell.duration()) >
+           extent.radius + first.radius + pair.margin + rounding_of_boxes * (size_ + extent.size + first.size);
 }
 
 /// By boxes in the frame of the fixed body.
-bool Culling::are_apart(const Cell& cell, const Candidate& pair) {
+bool Culling::are_boxes_apart(const Cell& cell, const Candidate& pair) {
     const Task& task = pair.task;
     const Prepared::Extent& moving = prepared_.extents[prepared_.moving_index(task)];
     const Body& fixed = prepared_.fixed_shape(task).body();
@@ -260,7 +284,7 @@ void Culling::add(const Task& task, const Bracket& part) {
 void Culling::visit(const Cell& cell, const std::vector<Candidate>& pairs) {
     std::vector<Candidate> near;
     for (const Candidate& pair : pairs) {
-        if (are_apart(cell, pair))
+        if (are_balls_apart(cell, pair) || are_boxes_apart(cell, pair))
             continue;
         const double radius = prepared_.extents[prepared_.moving_index(pair.task)].radius;
         const bool is_small = pair.way * cell.duration() <= small_way * radius || cell.halvings == most_halvings;

@@ -62,7 +62,7 @@ private:
         if (known != found_.axes.end())
             return *known;
         const RobotVariable& v = model_.variables[variable];
-        const double half_turn = std::numbers::pi;
+        constexpr double half_turn = std::numbers::pi * outward_sum; // the ends overlap, so no angle is left out
         found_.axes.push_back(v.is_continuous ? Axis{variable, -half_turn, half_turn, 0}
                                               : Axis{variable, v.lower, v.upper, 0});
         const Axis& axis = found_.axes.back();

@@ -106,8 +106,13 @@ JointPath::Segment PairSearch::line(const std::vector<double>& values) const {
     const double lower = axes_.empty() ? 0 : axes_.back().lower, upper = axes_.empty() ? 0 : axes_.back().upper;
     JointPath::Segment segment{0, 1, Eigen::MatrixXd::Zero(2, neutral_.size())};
     segment.coefficients.row(0) = configuration(values, lower).transpose();
-    if (!axes_.empty())
-        segment.coefficients(1, Eigen::Index(axes_.back().variable)) = upper - lower;
+    if (axes_.empty())
+        return segment;
+    const auto swept = Eigen::Index(axes_.back().variable);
+    const algebra::DoubleDouble way = algebra::DoubleDouble(upper) - algebra::DoubleDouble(lower);
+    segment.coefficients(1, swept) = double(way);
+    segment.remainders = Eigen::MatrixXd::Zero(2, neutral_.size());
+    segment.remainders(1, swept) = double(way - algebra::DoubleDouble(double(way))); // so it ends at the limit exactly
     return segment;
 }
 

@@ -29,8 +29,18 @@ Prepared::Extent extent_of(const Element& element) {
     return extent;
 }
 
-scene::Box box_of(const Polyhedron& shape, const scene::WorldMotion& motion) {
-    return scene::swept({shape.body(), *motion.frame, true}, 0).box;
+Prepared::Obstacle obstacle_of(std::size_t index, const Polyhedron& shape, const scene::WorldMotion& motion) {
+    const Body& body = shape.body();
+    Prepared::Obstacle obstacle;
+    obstacle.body = index;
+    obstacle.pose = motion::FixedPose(motion.frame->refined_at(algebra::DoubleDouble(0.0)));
+    const motion::GeneralPose<double>& pose = obstacle.pose.in_double;
+    const auto [x, y, z] = placed(pose, motion::vector_in<double>(body.bvh().centre()));
+    obstacle.box = scene::swept({body, *motion.frame, true}, 0).box;
+    obstacle.centre = {x, y, z};
+    obstacle.radius = body.vertex_radius();
+    obstacle.size = norm1(pose.translation) + body.bvh().centre().lpNorm<1>() + obstacle.radius;
+    return obstacle;
 }
 
 } // namespace
@@ -68,8 +78,7 @@ void RobotChecker::Prepared::add_scene(const Scene& scene) {
         motions.push_back(std::make_shared<const scene::WorldMotion>(scene.motion_of(i)));
         const motion::MovingFrame& frame = *motions[i]->frame;
         if (motions[i]->rests && frame.is_refined())
-            obstacles.push_back({i, motion::FixedPose(frame.refined_at(algebra::DoubleDouble(0.0))),
-                                 box_of(bodies[i].shape, *motions[i])});
+            obstacles.push_back(obstacle_of(i, bodies[i].shape, *motions[i]));
         else
             movers.push_back(i);
     }

@@ -31,7 +31,10 @@ struct RobotChecker::Prepared {
     struct Obstacle {
         std::size_t body = 0; ///< its index in `bodies`
         motion::FixedPose pose;
-        scene::Box box; ///< in the world
+        scene::Box box;         ///< in the world
+        Eigen::Vector3d centre; ///< of a ball around it, in the world
+        double radius = 0;
+        double size = 0; ///< the sum of the sizes of all lengths
     };
     /// A shape of the robot, in the frame of its group.
     struct Extent {

@@ -1,6 +1,6 @@
 // Real robots along random edges and splines, against dense samples by FCL with kinematics by Eigen. Samples can only
 // refute: nothing may overlap before the proven time, and just after a certain contact something has to.
-// CHASLES_LONG=1 takes ten thousand edges, a tenth of them splines, and 2,000 samples of each.
+// CHASLES_LONG=1 takes ten thousand edges, a tenth of them splines, and ten thousand samples of each.
 #include "chasles/robot/robot.h"
 
 #include "chasles/mesh/primitives.h"
@@ -118,7 +118,7 @@ void print(const char* name, const Figures& f) {
 void judge_robot(const Robot& robot, const Scene& world, Random& random, int edges, Figures& figures) {
     const RobotChecker checker(robot, &world);
     bench::FclRobot peer(robot, world);
-    const int samples = is_long() ? 2000 : 300;
+    const int samples = is_long() ? 10'000 : 300;
     for (int i = 0; i < edges; ++i) {
         Configuration start = random_within_limits(random, robot);
         for (int tries = 0; tries < 200 && !checker.is_clear(start); ++tries)
