@@ -26,7 +26,7 @@ class CollisionManager:
     - `first_contact` tells which objects touch first, and when, while they move from their transforms to goals.
 
     Lengths are in the meshes' own unit. Transforms are arrays (4, 4), or (7,) for x y z qw qx qy qz. Wrong arguments
-    raise InvalidInput, a ValueError, and change nothing.
+    raise InvalidInput, a ValueError, and change nothing. A manager is used by one thread at a time.
     """
 
     def __init__(self) -> None:
@@ -43,13 +43,13 @@ class CollisionManager:
         Parameters
         ----------
         name : str
-            Not empty, and not "__external".
+            Printable, not empty, and not "__external".
         mesh : Polyhedron or trimesh.Trimesh
         transform : array (4, 4) or (7,), optional
             The pose in the world; the identity by default.
         """
-        if not isinstance(name, str) or name in ("", EXTERNAL):
-            raise InvalidInput(f"name: {name!r}: must be a text, not empty and not {EXTERNAL!r}")
+        if not isinstance(name, str) or name in ("", EXTERNAL) or not name.isprintable():
+            raise InvalidInput(f"name: {name!r}: must be a printable text, not empty and not {EXTERNAL!r}")
         placed = _placed(mesh, transform)
         if name in self._objects:
             self.remove_object(name)

@@ -32,6 +32,9 @@ class ContactData:
             self._normal = self._bodies[of_face].normal_of(contact.face)
         self._point = contact.point
 
+    def __repr__(self) -> str:
+        return f"<chasles ContactData: {' and '.join(sorted(self.names))} at {self._point}>"
+
     @property
     def normal(self) -> npt.NDArray[np.float64]:
         """A unit normal of the contact (3,), in the world; where surfaces cross, that of the face that is crossed."""
@@ -75,6 +78,9 @@ class DistanceData:
             crossing = ContactData(names, placed, found.overlap)
             self._features, self._kinds, points = crossing._features, crossing._kinds, (crossing.point,) * 2
         self._points = dict(zip(names, points))
+
+    def __repr__(self) -> str:
+        return f"<chasles DistanceData: {self._distance:.12g} between {' and '.join(sorted(self.names))}>"
 
     @property
     def distance(self) -> float:

@@ -18,7 +18,7 @@ import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
 from ._core import Polyhedron, Robot, Scene
-from .batch import MotionKind
+from .batch import MotionKind, _thread_count
 from .enums import Find
 from .partitions import Partition, answer_partition, files_of, manifest_of, partitions_of, prepare
 from .questions import EdgeQuestion, MotionQuestion, Question
@@ -168,6 +168,7 @@ class _Workers:
 def _run(
     question: Question, rows: str | os.PathLike[str], out: str | os.PathLike[str], workers: _Workers
 ) -> ParquetRun:
+    _thread_count(workers.threads or 0)
     folder = pathlib.Path(out).resolve()
     files = files_of(rows, question)
     partitions = partitions_of(files, question)

@@ -121,6 +121,10 @@ class StateMap:
     """
 
     def __init__(self, robot: Robot, names: Sequence[str] | None = None, others: npt.ArrayLike | None = None):
+        if not isinstance(robot, Robot):
+            raise TypeError(f"robot: a {type(robot).__name__} is not a chasles.Robot")
+        if isinstance(names, str):
+            raise InvalidInput(f"names: {names!r} is one text; a sequence of names is needed")
         all_names = robot.variables
         self._names = list(all_names if names is None else names)
         for i, name in enumerate(self._names):
@@ -129,26 +133,33 @@ class StateMap:
             if name in self._names[:i]:
                 raise InvalidInput(f"names: {name}: is named twice")
         self._indices = np.array([all_names.index(name) for name in self._names], np.intp)
+        self._is_identity = self._names == all_names
         self._is_continuous = [robot.continuous[i] for i in self._indices]
         self._others = _values(robot, others)
-        self._layouts: dict[int, tuple[Any, _Layout]] = {}
 
     def __call__(self, space: Any, state: Any) -> npt.NDArray[np.float64]:
         """The configuration (variables,) of a state. Raises InvalidInput for a space that does not fit."""
-        values = self._others.copy()
-        values[self._indices] = self._layout_of(space).read(state)
+        return self.reader(space)(state)
+
+    def reader(self, space: Any) -> Callable[[Any], npt.NDArray[np.float64]]:
+        """The function from states of a space to configurations. Raises InvalidInput for a space that does not fit."""
+        layout = _layout(space)
+        self._check(layout.kinds)
+        read, others, indices = layout.read, self._others, self._indices
+        if self._is_identity:
+            return lambda state: np.array(read(state), np.float64)
+
+        def values(state: Any) -> npt.NDArray[np.float64]:
+            configuration = others.copy()
+            configuration[indices] = read(state)
+            return configuration
+
         return values
 
     def configurations(self, space: Any, path: Any) -> npt.NDArray[np.float64]:
         """The configurations (n, variables) of the states of an `ompl.geometric.PathGeometric`."""
-        return np.array([self(space, path.getState(i)) for i in range(path.getStateCount())])
-
-    def _layout_of(self, space: Any) -> _Layout:
-        kept = self._layouts.get(id(space))
-        if kept is None or kept[0] is not space:  # the map keeps the space, so its id stays its own
-            kept = self._layouts[id(space)] = (space, _layout(space))
-            self._check(kept[1].kinds)
-        return kept[1]
+        read = self.reader(space)
+        return np.array([read(path.getState(i)) for i in range(path.getStateCount())])
 
     def _check(self, kinds: list[str]) -> None:
         if len(kinds) != len(self._names):
@@ -178,8 +189,8 @@ def _values(robot: Robot, others: npt.ArrayLike | None) -> npt.NDArray[np.float6
     return values
 
 
-def _checked(information: Any, checker: Any, state_map: Any) -> StateMap:
-    """The map, after one state of the space has been read."""
+def _reader(information: Any, checker: Any, state_map: Any) -> Callable[[Any], npt.NDArray[np.float64]]:
+    """From states to configurations. Refuses a space that does not fit."""
     if not isinstance(information, _base.SpaceInformation):
         raise TypeError(f"information: a {type(information).__name__} is not an ompl.base.SpaceInformation")
     if not isinstance(checker, RobotChecker):
@@ -190,8 +201,7 @@ def _checked(information: Any, checker: Any, state_map: Any) -> StateMap:
         raise TypeError(f"state_map: a {type(state_map).__name__} is not a chasles.ompl.StateMap")
     if len(state_map._others) != len(checker.robot.variables):
         raise InvalidInput("state_map: is that of another robot")
-    state_map._layout_of(information.getStateSpace())
-    return state_map
+    return state_map.reader(information.getStateSpace())
 
 
 class RobotValidityChecker(_base.StateValidityChecker):
@@ -211,14 +221,13 @@ class RobotValidityChecker(_base.StateValidityChecker):
     """
 
     def __init__(self, information: Any, checker: RobotChecker, state_map: StateMap | None = None):
-        self._map = _checked(information, checker, state_map)
+        self._values = _reader(information, checker, state_map)
         super().__init__(information)
         self._information, self._checker = information, checker
 
     def isValid(self, state: Any) -> bool:  # noqa: N802 (OMPL's name)
         """Whether a state is valid."""
-        space = self._information.getStateSpace()
-        return self._information.satisfiesBounds(state) and self._checker.is_clear(self._map(space, state))
+        return self._information.satisfiesBounds(state) and self._checker.is_clear(self._values(state))
 
 
 class RobotMotionValidator(_base.MotionValidator):
@@ -228,7 +237,7 @@ class RobotMotionValidator(_base.MotionValidator):
     """
 
     def __init__(self, information: Any, checker: RobotChecker, state_map: StateMap | None = None):
-        self._map = _checked(information, checker, state_map)
+        self._values = _reader(information, checker, state_map)
         super().__init__(information)
         self._information, self._checker = information, checker
         self._lock, self._local = threading.Lock(), threading.local()
@@ -245,6 +254,10 @@ class RobotMotionValidator(_base.MotionValidator):
             Stays as it is if the motion is valid. Otherwise `second` is a proven lower bound: the motion is clear up to
             there, and the state there is valid itself. This state is written to `first`, unless it is None.
         """
+        if last is not None and not isinstance(last, LastValid):
+            raise TypeError(f"last: a {type(last).__name__} is not a chasles.ompl.LastValid")
+        if self._information.getStateValidityChecker() is None:  # OMPL would read through a null pointer
+            raise InvalidInput("information: has no validity checker; call setStateValidityChecker or setup first")
         is_valid = self._is_valid(s1, s2) if last is None else self._is_valid_or_last(s1, s2, last)
         with self._lock:
             self._counts[0 if is_valid else 1] += 1
@@ -260,9 +273,6 @@ class RobotMotionValidator(_base.MotionValidator):
             return True
         self._set_last(s1, s2, 1.0 if is_clear else found.clear_until, last)
         return False
-
-    def _values(self, state: Any) -> npt.NDArray[np.float64]:
-        return self._map(self._information.getStateSpace(), state)
 
     def _set_last(self, s1: Any, s2: Any, clear_until: float, last: LastValid) -> None:
         """States are rounded, so the one at the end of the clear part may touch: it is approached from before."""

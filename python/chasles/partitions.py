@@ -108,6 +108,8 @@ def manifest_of(question: Question, files: list[pathlib.Path]) -> dict[str, Any]
 def prepare(out: pathlib.Path, question: Question, manifest: dict[str, Any]) -> None:
     """Makes the folder of the results. Refuses a folder whose results have other inputs."""
     content = question.pickled()
+    if out.exists() and not out.is_dir():
+        raise InvalidInput(f"out: {out}: is not a folder")
     out.mkdir(parents=True, exist_ok=True)
     file = out / MANIFEST
     if file.exists():

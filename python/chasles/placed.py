@@ -6,8 +6,9 @@ from functools import cached_property
 import numpy as np
 import numpy.typing as npt
 
-from ._core import Motion, Polyhedron, Scene
+from ._core import InvalidInput, Motion, Polyhedron, Scene
 
+_LARGEST = 1e30  # margin
 Candidate = tuple[float, str, str, "Placed", "Placed"]
 
 
@@ -99,10 +100,10 @@ def scene_of(groups: Sequence[Mapping[str, Placed]]) -> tuple[Scene, dict[str, P
 def _nearest_pairs(scene: Scene, bound: float) -> list[tuple[str, str]]:
     """The pairs within a distance that has one: a thousandth of the bound at first, which some pair is known to have."""
     for distance in bound * 4.0 ** np.arange(-5, 1):
-        found = scene.all_contacts(margin=float(distance) * (1 + 1e-9))
+        found = scene.all_contacts(margin=min(float(distance) * (1 + 1e-9), _LARGEST))
         if found:
             return [tuple(sorted(contact.pair)) for contact in found]  # type: ignore[type-var, misc]
-    raise AssertionError(f"no pair is within {bound}")
+    raise InvalidInput(f"distance: all objects are farther apart than {_LARGEST:g}")
 
 
 def _farthest(first: list[Placed], second: list[Placed]) -> float:

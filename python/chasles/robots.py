@@ -8,7 +8,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import InvalidInput, Robot, RobotChecker, Scene
-from .batch import Errors, _marks
+from .batch import Errors, _marks, _thread_count
 
 edge_dtype = np.dtype(
     [
@@ -62,6 +62,7 @@ def first_contacts_on_edges(
         With the number of the edge, for values that cannot be used.
     """
     checker = robot if isinstance(robot, RobotChecker) else RobotChecker(robot, scene, margin=margin)
+    threads = _thread_count(threads)
     if not _marks(errors):
         return _table(checker.first_contacts(starts, goals, threads))
     return _marked(checker, *_rows(checker, starts, goals), threads)

@@ -1,6 +1,7 @@
 """CollisionManager: closed forms, the answers of trimesh with python-fcl where they are installed, and wrong arguments."""
 
 import math
+import pickle
 import time
 
 import numpy as np
@@ -140,6 +141,21 @@ def test_an_object_with_a_name_that_is_taken_is_replaced(manager, cube):
     assert manager.in_collision_internal(return_names=True)[1] == {("a", "b"), ("a", "d")}
 
 
+def test_objects_beyond_the_largest_distance_are_refused(cube):
+    manager = chasles.CollisionManager()
+    manager.add_object("a", cube, pose(1e30, 1e30, 0))
+    manager.add_object("b", cube, pose(-1e30, 0, 0))
+    assert manager.in_collision_internal() is False
+    with pytest.raises(chasles.InvalidInput, match="distance: all objects are farther apart than 1e.30"):
+        manager.min_distance_internal()
+
+
+def test_managers_are_copied_and_pickled(manager, cube):
+    again = pickle.loads(pickle.dumps(manager))
+    again.remove_object("b")
+    assert again.in_collision_internal() is False and manager.in_collision_internal() is True
+
+
 def test_transforms_are_copied(manager, cube):
     place = matrix(9, 9, 9)
     manager.add_object("e", cube, place)
@@ -150,8 +166,9 @@ def test_transforms_are_copied(manager, cube):
 
 def test_wrong_arguments_are_refused(manager, cube):
     for call, error, message in [
-        (lambda: manager.add_object("", cube), chasles.InvalidInput, "name: '': must be a text"),
-        (lambda: manager.add_object(3, cube), chasles.InvalidInput, "name: 3: must be a text"),
+        (lambda: manager.add_object("", cube), chasles.InvalidInput, "name: '': must be a printable text"),
+        (lambda: manager.add_object("\udcff", cube), chasles.InvalidInput, "name: '\\udcff': must be a printable text"),
+        (lambda: manager.add_object(3, cube), chasles.InvalidInput, "name: 3: must be a printable text"),
         (lambda: manager.add_object("__external", cube), chasles.InvalidInput, "name: '__external'"),
         (lambda: manager.add_object("e", None), chasles.InvalidInput, "mesh: a NoneType has no vertices"),
         (lambda: manager.add_object("e", cube, np.eye(3)), chasles.InvalidInput, "transform: "),

@@ -126,6 +126,7 @@ def test_wrong_arguments_are_refused_before_any_work(arm, cube, tmp_path):
         (arm, "nothing", {}, chasles.InvalidInput, "edges: .*neither a file nor a folder"),
         (arm, "edges.parquet", {"find": "last"}, chasles.InvalidInput, "find"),
         (arm, "edges.parquet", {"margin": -1}, chasles.InvalidInput, "margin"),
+        (arm, "edges.parquet", {"threads": -1}, chasles.InvalidInput, "threads: -1 is negative"),
         (arm, "edges.parquet", {"scene": own}, chasles.InvalidInput, "scene: cannot be sent to other processes"),
         (arm, "edges.parquet", {"scene": cube}, TypeError, "scene: must be a chasles.Scene"),
         (cube, "edges.parquet", {}, TypeError, "robot: a Polyhedron is not a chasles.Robot"),
@@ -133,6 +134,8 @@ def test_wrong_arguments_are_refused_before_any_work(arm, cube, tmp_path):
         with pytest.raises(error, match=message):
             distributed.edges_parquet(robot, tmp_path / file, tmp_path / "out", **options)
     assert not (tmp_path / "out").exists()
+    with pytest.raises(chasles.InvalidInput, match="out: .*is not a folder"):
+        distributed.edges_parquet(arm, tmp_path / "edges.parquet", tmp_path / "edges.parquet")
 
 
 def test_a_cluster_finds_the_same(arm, world, tmp_path):

@@ -366,9 +366,15 @@ def test_spaces_that_do_not_fit_are_refused_by_name(bars):
 
 
 def test_wrong_arguments_are_refused(bars):
+    states = bars.state(0, 0), bars.state(1, 0)
+    unready = RobotMotionValidator(ob.SpaceInformation(bars.space), bars.checker)
     for call, error, message in [
         (lambda: StateMap(bars.robot, ["wrist"]), chasles.InvalidInput, "robot: wrist: there is no such variable"),
         (lambda: StateMap(bars.robot, ["elbow", "elbow"]), chasles.InvalidInput, "names: elbow: is named twice"),
+        (lambda: StateMap(bars.robot, "elbow"), chasles.InvalidInput, "names: 'elbow' is one text"),
+        (lambda: StateMap(None), TypeError, "robot: a NoneType is not a chasles.Robot"),
+        (lambda: bars.validator.checkMotion(*states, (states[0], 0)), TypeError, "last: a tuple is not"),
+        (lambda: unready.checkMotion(*states), chasles.InvalidInput, "information: has no validity checker"),
         (lambda: StateMap(bars.robot, others=[1]), chasles.InvalidInput, "others: the shape is (1,); (2,) is needed"),
         (lambda: StateMap(bars.robot, others="no"), chasles.InvalidInput, "others: not an array of numbers"),
         (lambda: RobotMotionValidator(None, bars.checker), TypeError, "information: a NoneType is not"),
