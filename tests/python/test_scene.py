@@ -103,7 +103,7 @@ def test_a_scene_is_pickled_with_all_its_rules(scene, cube):
     scene.set_margin("right", "left", 0.5)  # the same pair
     scene.set_group_margin("", "right", 0.25)
     scene.ignore_groups("right", "right")
-    scene.move("floor", pose(0, 0, -9), pose(0, 0, -1.5), centre=[0.5, 0.5, 0.5])
+    scene.move("floor", pose(0, 0, -9), pose(0, 0, -0.5, 0.9, 0.1, 0.2, 0.3), centre=[0.5, 0.5, 0.5])
     again = pickle.loads(pickle.dumps(scene))
     assert again.names == scene.names
     found, expected = (
