@@ -150,7 +150,7 @@ struct [[nodiscard]] RobotAnswer {
     /// Of the contact within the segment, in its stamps (from 0 to 1 for a single segment): `contact.time` has the same
     /// bracket in [0, 1].
     Bracket time;
-    bool certain = false;
+    bool certain = false;          ///< whether the verdict is proven: always if the path is clear
     std::optional<RobotPair> pair; ///< that touches first
     FirstContact contact;          ///< of the pair: the first one moves. In the world
     Configuration configuration;   ///< at the lower end of `time`; at the end of the path if clear

@@ -14,7 +14,8 @@ The classes are those of the C++ header chasles/ompl.h and keep the same contrac
   keep no part of a motion that is not valid. `checkMotion` with three arguments is for callers in Python.
 - The counters of `SpaceInformation` do not count the motions that a validator in Python answers. Those of the
   validator do.
-- `setMotionValidator` keeps the validator, the checker and the space information until the process ends.
+- `setMotionValidator` keeps the validator, the checker and the space information until the process ends. At its end the
+  package lists these objects as leaked.
 """
 
 import threading

@@ -54,7 +54,8 @@ def first_contacts_on_edges(
     Returns
     -------
     structured array (n,) of `edge_dtype`
-        Times are in [0, 1]. `first` and `second` name the pair that touches.
+        Times are in [0, 1]; those of a contact are NaN where there is none. `first` and `second` name the pair that
+        touches; they are "" where there is none.
 
     Raises
     ------
@@ -87,6 +88,8 @@ def _table(fields: tuple) -> np.ndarray:
     table = np.zeros(len(fields[0]), edge_dtype)
     for name, values in zip(edge_dtype.names, fields, strict=True):
         table[name] = values
+    is_clear = table["verdict"] == "clear"
+    table["time"][is_clear] = table["time_upper"][is_clear] = np.nan
     return table
 
 

@@ -71,6 +71,8 @@ def test_results_are_those_of_a_batch(arm, world, tmp_path):
     for name in ("first", "second"):
         assert found[name].to_pylist() == [text or None for text in table[name]]
     assert {"wall", "door"} <= set(table["second"])
+    is_clear = table["verdict"] == "clear"
+    assert is_clear.any() and all(time is None for time in found["time"].filter(pa.array(is_clear)).to_pylist())
     assert run.verdicts() == {name: int(np.count_nonzero(table["verdict"] == name)) for name in set(table["verdict"])}
     again = distributed.edges_parquet(arm, tmp_path / "edges.parquet", tmp_path / "out", **arguments)
     assert again.already_done == 3

@@ -1,80 +1,19 @@
-"""OMPL's validators: its contract to the letter, and planners whose paths are proven again and sampled densely."""
+"""OMPL's validators: its contract to the letter, and what is refused."""
 
 import math
 
 import numpy as np
 import pytest
-from cubes import CUBE_FACES, CUBE_VERTICES
 
 import chasles
 
 pytest.importorskip("ompl")
 from ompl import base as ob  # noqa: E402
 from ompl import geometric as og  # noqa: E402
-from ompl import util as ou  # noqa: E402
+from ompl_problems import Problem, bars, box, plan, quiet, wall  # noqa: E402, F401
 
 import chasles.ompl  # noqa: E402
 from chasles.ompl import LastValid, RobotMotionValidator, RobotValidityChecker, StateMap  # noqa: E402
-
-BARS = """<robot name="bars">
-  <link name="base"/>
-  <link name="first"><collision><origin xyz="0.5 0 0"/><geometry><box size="0.9 0.1 0.1"/></geometry></collision></link>
-  <link name="second"><collision><origin xyz="0.5 0 0"/><geometry><box size="0.9 0.1 0.08"/></geometry></collision></link>
-  <joint name="shoulder" type="revolute"><parent link="base"/><child link="first"/><axis xyz="0 0 1"/>
-    <limit lower="-3" upper="3" velocity="1" effort="1"/></joint>
-  <joint name="elbow" type="continuous"><parent link="first"/><child link="second"/><origin xyz="1 0 0"/><axis xyz="0 0 1"/></joint>
-</robot>"""
-
-
-@pytest.fixture(autouse=True, scope="module")
-def quiet():
-    before = ou.getLogLevel()
-    ou.setLogLevel(ou.LogLevel.LOG_ERROR)
-    yield
-    ou.setLogLevel(before)
-
-
-def box(x, y, z, at=(0, 0, 0)):
-    return chasles.Polyhedron((CUBE_VERTICES - 0.5) * [x, y, z] + at, CUBE_FACES)
-
-
-def wall():
-    scene = chasles.Scene()
-    scene.add("wall", box(0.6, 0.04, 2), [1.5, 0.6, 0, 1, 0, 0, 0])
-    return scene
-
-
-class Bars:
-    """Two bars in a plane, the second joint without limits, and a wall."""
-
-    def __init__(self, folder):
-        (folder / "bars.urdf").write_text(BARS)
-        self.robot = chasles.Robot.load(folder / "bars.urdf")
-        self.checker = chasles.RobotChecker(self.robot, wall())
-        shoulder = ob.RealVectorStateSpace(1)
-        shoulder.setBounds(-3, 3)
-        self.space = ob.CompoundStateSpace()
-        self.space.addSubspace(shoulder, 1)
-        self.space.addSubspace(ob.SO2StateSpace(), 1)
-        self.information = ob.SpaceInformation(self.space)
-        self.information.setStateValidityChecker(RobotValidityChecker(self.information, self.checker))
-        self.validator = RobotMotionValidator(self.information, self.checker)
-        self.information.setMotionValidator(self.validator)
-        self.information.setup()
-        self.map = StateMap(self.robot)
-
-    def state(self, shoulder, elbow):
-        state = self.information.allocState()
-        state[0][0], state[1].value = shoulder, elbow
-        return state
-
-    def values(self, state):
-        return self.map(self.space, state)
-
-
-@pytest.fixture
-def bars(tmp_path):
-    return Bars(tmp_path)
 
 
 def test_neither_part_of_last_valid_changes_on_success(bars):
@@ -169,161 +108,6 @@ def test_no_edge_of_a_tree_is_unproven_where_planners_keep_parts_of_motions(bars
     edges = [(i, k) for i in range(len(states)) for k in data.getEdges(i)]
     assert len(edges) > 10 and bars.validator.getInvalidMotionCount() > 3
     assert all(bars.checker.is_clear(states[i], states[k]) for i, k in edges)
-
-
-def plan(problem, planner, start, goal, seconds=20):
-    setup = og.SimpleSetup(problem.information)
-    setup.setStartAndGoalStates(start, goal)
-    made = planner(problem.information)
-    if hasattr(made, "setProjectionEvaluator") and not problem.space.hasDefaultProjection():
-        problem.space.registerDefaultProjection(ob.SubspaceProjectionEvaluator(problem.space, 0))
-    setup.setPlanner(made)
-    status = setup.solve(seconds)
-    assert status.getStatus() == ob.PlannerStatus.PlannerStatusType.EXACT_SOLUTION
-    return setup.getSolutionPath()
-
-
-def expect_proven(problem, path, sample_is_clear):
-    """Every edge is proven again by another call, and no sample touches."""
-    rows = problem.map.configurations(problem.space, path)
-    table = chasles.first_contacts_on_edges(problem.checker, rows[:-1], rows[1:])
-    assert set(table["verdict"]) == {"clear"}
-    between = problem.information.allocState()
-    for i in range(len(rows) - 1):
-        for t in np.linspace(0, 1, 51):
-            problem.space.interpolate(path.getState(i), path.getState(i + 1), t, between)
-            assert sample_is_clear(problem.map(problem.space, between))
-
-
-def bars_are_clear(values):
-    """Whether the bars keep off the wall at a configuration: separating axes in the plane, without chasles."""
-    a, b = values[0], values[0] + values[1]
-    elbow = np.array([math.cos(a), math.sin(a)])
-    wall_corners = np.array([[x, y] for x in (1.2, 1.8) for y in (0.58, 0.62)])
-    for angle, base in ((a, np.zeros(2)), (b, elbow)):
-        along, across = np.array([math.cos(angle), math.sin(angle)]), np.array([-math.sin(angle), math.cos(angle)])
-        bar = np.array([base + x * along + y * across for x in (0.05, 0.95) for y in (-0.05, 0.05)])
-        if all(overlap(bar @ axis, wall_corners @ axis) for axis in (along, across, [1, 0], [0, 1])):
-            return False
-    return True
-
-
-def overlap(a, b):
-    return a.min() <= b.max() and b.min() <= a.max()
-
-
-PLANNERS = ["RRTConnect", "LBKPIECE1", "KPIECE1", "BKPIECE1", "RRT", "PRM", "PDST", "RLRT"]
-
-
-@pytest.mark.parametrize("name", PLANNERS)
-def test_planners_find_proven_paths_in_joint_space(bars, name):
-    if not hasattr(og, name):
-        pytest.skip(f"the package ompl has no {name}")
-    path = plan(bars, getattr(og, name), bars.state(0, 0), bars.state(1.2, 0))
-    assert path.getStateCount() > 2  # the wall is in the way
-    expect_proven(bars, path, bars_are_clear)
-    assert bars.validator.getCheckedMotionCount() > 0
-
-
-def test_the_samples_can_refute():
-    assert not bars_are_clear([math.atan2(0.6, 1.5), 0]) and bars_are_clear([0, 0])
-
-
-def window():
-    """A wall at x = 0 with a window of 1 by 1 around the x axis."""
-    scene = chasles.Scene()
-    for side in (-1, 1):
-        scene.add(f"y{side}", box(0.2, 2, 6), [0, side * 1.5, 0, 1, 0, 0, 0])
-        scene.add(f"z{side}", box(0.2, 6, 2), [0, 0, side * 1.5, 1, 0, 0, 0])
-    return scene
-
-
-class Problem:
-    """A robot in a space, with both validators."""
-
-    def __init__(self, space, robot, scene, names=None):
-        self.space, self.robot, self.map = space, robot, StateMap(robot, names)
-        self.checker = chasles.RobotChecker(robot, scene)
-        self.information = ob.SpaceInformation(space)
-        self.information.setStateValidityChecker(RobotValidityChecker(self.information, self.checker, self.map))
-        self.information.setMotionValidator(RobotMotionValidator(self.information, self.checker, self.map))
-        self.information.setup()
-
-
-@pytest.mark.parametrize("planner", [og.RRTConnect, og.LBKPIECE1])
-def test_a_free_body_finds_the_window(planner):
-    shape, scene = box(1.2, 0.4, 0.4), window()
-    space = ob.SE3StateSpace()
-    space.setBounds(bounds(3, -2, 2))
-    problem = Problem(space, chasles.ompl.free_body(shape), scene)
-    start, goal = problem.information.allocState(), problem.information.allocState()
-    start.setXYZ(-1.5, 1, 0)
-    start.rotation().setAxisAngle(0, 0, 1, math.pi / 2)  # across
-    goal.setXYZ(1.5, -1, 0)
-    goal.rotation().setIdentity()
-    assert problem.map(space, start) == pytest.approx([-1.5, 1, 0, 0, 0, math.sqrt(0.5), math.sqrt(0.5)])
-    path = plan(problem, planner, start, goal)
-
-    walls = {name: window_wall(name) for name in scene.names}
-
-    def is_clear(q):  # by the query for two bodies, which knows no robots
-        pose = np.array([*q[:3], q[6], *q[3:6]])
-        return all(
-            chasles.first_contact(shape, wall, motion=chasles.Motion.at_rest(pose)).verdict == "clear"
-            for wall in walls.values()
-        )
-
-    expect_proven(problem, path, is_clear)
-    assert not is_clear(np.array([0, 0.5, 0, 0, 0, 0, 1]))
-
-
-def window_wall(name):
-    side = int(name[1:])
-    return box(0.2, 2, 6, (0, side * 1.5, 0)) if name[0] == "y" else box(0.2, 6, 2, (0, 0, side * 1.5))
-
-
-def bounds(size, low, high):
-    made = ob.RealVectorBounds(size)
-    made.setLow(low)
-    made.setHigh(high)
-    return made
-
-
-CART = """<robot name="cart"><link name="floor"/>
-  <link name="cart"><collision><geometry><box size="1 0.2 0.2"/></geometry></collision></link>
-  <joint name="drive" type="planar"><parent link="floor"/><child link="cart"/><axis xyz="0 0 1"/></joint></robot>"""
-
-
-def test_a_cart_on_a_planar_joint_turns_through_a_gate(tmp_path):
-    (tmp_path / "cart.urdf").write_text(CART)
-    robot = chasles.Robot.load(tmp_path / "cart.urdf")
-    assert robot.continuous == [False, False, True]
-    scene = chasles.Scene()
-    scene.add("left", box(0.1, 2, 1), [0, 1.3, 0, 1, 0, 0, 0])
-    scene.add("right", box(0.1, 2, 1), [0, -1.3, 0, 1, 0, 0, 0])
-    space = ob.SE2StateSpace()
-    space.setBounds(bounds(2, -2, 2))
-    problem = Problem(space, robot, scene)
-    start, goal = problem.information.allocState(), problem.information.allocState()
-    start.setXY(-1, 0)
-    start.setYaw(math.pi / 2)
-    goal.setXY(1, 0)
-    goal.setYaw(-math.pi / 2)
-    path = plan(problem, og.RRTConnect, start, goal)
-    assert path.getStateCount() > 2
-    expect_proven(problem, path, cart_is_clear)
-    assert not cart_is_clear([0, 0, math.pi / 2])
-
-
-def cart_is_clear(q):
-    """Separating axes in the plane, without chasles."""
-    along, across = np.array([math.cos(q[2]), math.sin(q[2])]), np.array([-math.sin(q[2]), math.cos(q[2])])
-    cart = np.array([q[:2] + x * along + y * across for x in (-0.5, 0.5) for y in (-0.1, 0.1)])
-    for side in (-1, 1):
-        gate = np.array([[x, side * y] for x in (-0.05, 0.05) for y in (0.3, 2.3)])
-        if all(overlap(cart @ axis, gate @ axis) for axis in (along, across, [1, 0], [0, 1])):
-            return False
-    return True
 
 
 def test_some_variables_may_be_planned_and_the_others_stay(bars):

@@ -74,7 +74,11 @@ def test_many_edges_are_answered_as_one_by_one(arm, world):
     table = chasles.first_contacts_on_edges(arm, starts, goals, scene=world)
     for row, start, goal in zip(table, starts, goals):
         found = arm.first_contact(start, goal, scene=world)
-        assert (row["verdict"], row["time"], row["clear_until"]) == (found.verdict, found.time, found.clear_until)
+        assert (row["verdict"], row["clear_until"]) == (found.verdict, found.clear_until)
+        if found.pair:
+            assert (row["time"], row["time_upper"], row["certain"]) == (found.time, found.time_upper, found.certain)
+        else:
+            assert np.isnan([row["time"], row["time_upper"]]).all()
         assert (row["first"], row["second"]) == (found.pair or ("", ""))
     assert {"clear", "contact"} <= set(table["verdict"])
 
@@ -115,7 +119,9 @@ def test_a_robot_is_pickled_with_all_its_changes(arm, world, cube):
     random = np.random.default_rng(4)
     starts, goals = random.uniform(-2, 2, (2, 40, 2))
     tables = [chasles.first_contacts_on_edges(robot, starts, goals, scene=world) for robot in (arm, again)]
-    assert (tables[0] == tables[1]).all() and len(set(tables[0]["verdict"])) > 1
+    for name in tables[0].dtype.names:
+        np.testing.assert_array_equal(tables[0][name], tables[1][name])
+    assert len(set(tables[0]["verdict"])) > 1
     assert pickle.dumps(again) == pickle.dumps(pickle.loads(pickle.dumps(again)))
     assert chasles.RobotChecker(arm, world).robot.variables == arm.variables
 
