@@ -62,14 +62,45 @@ struct StateMap {
     }
 };
 
+/// Refuses a space in which a number goes another way than its variable of the robot: then another motion would be
+/// proven than the one that is planned. Throws InvalidInput, for another number of values, too. Spaces that interpolate
+/// in their own ways, such as Dubins curves, are not told apart.
+inline void require_same_ways(const Robot& robot, const StateMap& map, ::ompl::base::StateSpace& space) {
+    space.computeLocations(); // they are known after the space's setup only
+    const auto& places = space.getValueLocations();
+    if (places.size() != map.variables.size())
+        throw InvalidInput("state: has " + std::to_string(places.size()) + " numbers, and " +
+                           std::to_string(map.variables.size()) + " variables are named");
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const RobotVariable& variable = robot.variables()[map.variables[i]];
+        const int type = places[i].stateLocation.space->getType();
+        const auto refuse_unless = [&](bool fits, const char* why) {
+            if (!fits)
+                throw InvalidInput("space: number " + std::to_string(i) + ": " + variable.name + why);
+        };
+        const bool is_rotation = variable.name.find("/rot_") != std::string::npos;
+        if (type == ::ompl::base::STATE_SPACE_REAL_VECTOR || type == ::ompl::base::STATE_SPACE_SO2)
+            refuse_unless(!is_rotation, " is part of a quaternion, as in an SO3StateSpace");
+        if (type == ::ompl::base::STATE_SPACE_REAL_VECTOR)
+            refuse_unless(!variable.is_continuous, " goes the shorter way round, as in an SO2StateSpace");
+        if (type == ::ompl::base::STATE_SPACE_SO2)
+            refuse_unless(variable.is_continuous, " goes straight, as in a RealVectorStateSpace");
+        if (type == ::ompl::base::STATE_SPACE_SO3)
+            refuse_unless(is_rotation, " is no part of a quaternion");
+    }
+}
+
 /// A state is valid within the bounds of its space, if the robot touches nothing there. Keeps the checker by reference.
+/// Throws InvalidInput for a space as require_same_ways.
 class RobotValidityChecker : public ::ompl::base::StateValidityChecker {
 public:
     RobotValidityChecker(const ::ompl::base::SpaceInformationPtr& information, const RobotChecker& checker)
         : RobotValidityChecker(information, checker, StateMap(checker.robot())) {}
     RobotValidityChecker(const ::ompl::base::SpaceInformationPtr& information, const RobotChecker& checker,
                          StateMap map)
-        : StateValidityChecker(information), checker_(checker), map_(std::move(map)) {}
+        : StateValidityChecker(information), checker_(checker), map_(std::move(map)) {
+        require_same_ways(checker_.robot(), map_, *information->getStateSpace());
+    }
 
     [[nodiscard]] bool isValid(const ::ompl::base::State* state) const override {
         return si_->satisfiesBounds(state) && checker_.is_clear(map_(*si_->getStateSpace(), state));
@@ -81,7 +112,7 @@ private:
 };
 
 /// A motion is valid if it is proven that the robot touches nothing on the way, and if its end is valid. Thread-safe as
-/// OMPL's own validators are. Keeps the checker by reference.
+/// OMPL's own validators are. Keeps the checker by reference. Throws InvalidInput for a space as require_same_ways.
 class RobotMotionValidator : public ::ompl::base::MotionValidator {
 public:
     using State = ::ompl::base::State;
@@ -90,7 +121,9 @@ public:
         : RobotMotionValidator(information, checker, StateMap(checker.robot())) {}
     RobotMotionValidator(const ::ompl::base::SpaceInformationPtr& information, const RobotChecker& checker,
                          StateMap map)
-        : MotionValidator(information), checker_(checker), map_(std::move(map)) {}
+        : MotionValidator(information), checker_(checker), map_(std::move(map)) {
+        require_same_ways(checker_.robot(), map_, *information->getStateSpace());
+    }
 
     bool checkMotion(const State* s1, const State* s2) const override {
         const bool is_valid = si_->isValid(s2) && checker_.is_clear(values(s1), values(s2));

@@ -149,6 +149,7 @@ RobotAnswer RobotChecker::first_contact(const JointPath& path) const {
     }
     --answer.segment;
     answer.verdict = Verdict::clear;
+    answer.certain = true;
     answer.clear_until = segments.back().end;
     answer.configuration = answer.clear_configuration = path.at(answer.clear_until);
     return answer;

@@ -15,6 +15,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 namespace chasles {
@@ -42,6 +43,16 @@ struct AttachedPart {
     std::vector<std::string> touch_links = {}; ///< besides `link`: not tested against the part
 };
 
+/// What has been changed of a robot since it was made of its description: to save a robot and to make it again.
+struct RobotChanges {
+    using Names = std::pair<std::string, std::string>;
+    Pose base = {};                                     ///< where the root link stands in the world
+    std::vector<AttachedPart> parts = {};               ///< in the order in which they were attached
+    std::vector<Names> ignored = {};                    ///< all links and parts that are not tested against each other
+    std::vector<Names> ignored_in_scene = {};           ///< a link or part, and a body of the scene
+    std::vector<std::pair<Names, double>> margins = {}; ///< of two links or parts
+};
+
 /// Where the files of a robot are.
 struct RobotFiles {
     std::filesystem::path srdf = {}; ///< empty: none
@@ -65,6 +76,10 @@ public:
     /// Throws InvalidInput "robot: ELEMENT: WHY" for a description that is no tree, names what does not exist, or
     /// repeats a name.
     explicit Robot(RobotDescription description);
+    /// The robot that has these changes. Throws InvalidInput as the functions that make the changes.
+    Robot(RobotDescription description, const RobotChanges& changes);
+    /// All changes since the robot was made of its description.
+    [[nodiscard]] RobotChanges changes() const;
 
     [[nodiscard]] const RobotDescription& description() const;
     /// The variables of the joints that are neither fixed nor mimic another one, in the order of the description.
@@ -135,7 +150,7 @@ struct [[nodiscard]] RobotAnswer {
     /// Of the contact within the segment, in its stamps (from 0 to 1 for a single segment): `contact.time` has the same
     /// bracket in [0, 1].
     Bracket time;
-    bool certain = false;
+    bool certain = false;          ///< whether the verdict is proven: always if the path is clear
     std::optional<RobotPair> pair; ///< that touches first
     FirstContact contact;          ///< of the pair: the first one moves. In the world
     Configuration configuration;   ///< at the lower end of `time`; at the end of the path if clear

@@ -49,15 +49,18 @@ from ._core import (
     rest_of,
 )
 from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
+from .collision import CollisionManager
 from .enums import ContactKind, Find, Verdict
 from .meshes import from_trimesh
 from .record import recording_page, write_scene_page
 from .robots import edge_dtype, first_contacts_on_edges, write_robot_page
+from .saved_scene import reduce_scene
 from .table import empty_table, least_dtype, motion_dtype, path_dtype
 from .view import view, write_page
 
 __all__ = [
     "BatchInterrupted",
+    "CollisionManager",
     "ConstantTwist",
     "ConstantVelocity",
     "Contact",
@@ -125,3 +128,4 @@ def _plot(found: FirstContact, *arguments: Any, **options: Any) -> Any:
 FirstContact.plot = _plot  # type: ignore[attr-defined]
 FirstContact.view = write_page  # type: ignore[attr-defined]
 Scene.view = write_scene_page  # type: ignore[attr-defined]
+Scene.__reduce__ = reduce_scene  # type: ignore[assignment, method-assign]

@@ -1,7 +1,7 @@
-"""Batches on a Dask cluster: motions from Parquet files, results to Parquet files.
+"""Batches on a Dask cluster: motions or edges of robots from Parquet files, results to Parquet files.
 
 This module requires pyarrow, and Dask for a cluster: ``pip install "chasles[distributed]"``. The workers read the
-motions and write the results. Both must therefore be on a file system that all workers share.
+rows and write the results. Both must therefore be on a file system that all workers share.
 """
 
 import json
@@ -17,23 +17,24 @@ from typing import Any
 import pyarrow.compute as pc
 import pyarrow.parquet as pq
 
-from ._core import Polyhedron
-from .batch import MotionKind, first_contact_batch
+from ._core import Polyhedron, Robot, Scene
+from .batch import MotionKind, _thread_count
 from .enums import Find
-from .partitions import Partition, answer_partition, manifest_of, motion_files, partitions_of, prepare
+from .partitions import Partition, answer_partition, files_of, manifest_of, partitions_of, prepare
+from .questions import EdgeQuestion, MotionQuestion, Question
 
 
 @dataclass(frozen=True)
 class ParquetRun:
-    """The outcome of first_contact_parquet."""
+    """The outcome of first_contact_parquet and of edges_parquet."""
 
     out: pathlib.Path
-    partitions: int  #: number of partitions of the motions
+    partitions: int  #: number of partitions of the motions or edges
     already_done: int  #: number of partitions that earlier runs finished
-    rows: int  #: number of motions in all partitions
+    rows: int  #: number of motions or edges in all partitions
 
     def verdicts(self) -> dict[str, int]:
-        """The number of motions for each verdict. Reads the column "verdict" of the results."""
+        """The number of motions or edges for each verdict. Reads the column "verdict" of the results."""
         counts: Counter[str] = Counter()
         for file in sorted(self.out.glob("part-*.parquet")):
             column = pq.read_table(file, columns=["verdict"])["verdict"]
@@ -95,36 +96,92 @@ def first_contact_parquet(
         "time_tolerance": time_tolerance,
         "motion": motion,
         "max_turn": max_turn,
-        "find": str(Find(find)) if find in list(Find) else find,
+        "find": _find_name(find),
     }
-    _check(moving, fixed, options)
+    question = MotionQuestion(moving, fixed, options)
+    question.check()
+    return _run(question, motions, out, _Workers(client, threads, retries, progress))
+
+
+def edges_parquet(
+    robot: Robot,
+    edges: str | os.PathLike[str],
+    out: str | os.PathLike[str],
+    *,
+    scene: Scene | None = None,
+    client: Any = None,
+    margin: float = 0.0,
+    time_tolerance: float = 1e-12,
+    find: Find | str = "first",
+    threads: int | None = None,
+    retries: int = 3,
+    progress: bool = False,
+) -> ParquetRun:
+    """The first contact of a robot along many straight edges, from Parquet to Parquet.
+
+    Row groups, results, interruptions and clusters are treated as by `first_contact_parquet`. The robot with all its
+    changes and the scene are sent to the workers, which need no files of them. Bodies of a scene that move by anything
+    but poses, ConstantVelocity or ConstantTwist cannot be sent.
+
+    Parameters
+    ----------
+    robot : Robot
+    edges : file or folder
+        Parquet with the columns start_NAME and goal_NAME for each variable of the robot (radians, or the mesh unit), and
+        optionally id. `chasles.questions.edge_columns` gives their names.
+    out : folder
+        The folder for the results. They have the columns id, verdict, time, time_upper, clear_until, certain, first and
+        second of `first_contacts_on_edges`; a missing value is null. The verdict is "error" for an edge that cannot be
+        used. The id is the edge's id if the edges have one, otherwise the number of the row.
+    scene : Scene, optional
+        The world; without it the robot is tested against itself only.
+    margin, time_tolerance, find
+        As for `RobotChecker`.
+    client, threads, retries, progress
+        As for `first_contact_parquet`.
+    """
+    options = {"margin": margin, "time_tolerance": time_tolerance, "find": _find_name(find)}
+    question = EdgeQuestion(robot, scene, options)
+    question.check()
+    return _run(question, edges, out, _Workers(client, threads, retries, progress))
+
+
+def _find_name(find: Find | str) -> str:
+    return str(Find(find)) if find in list(Find) else find
+
+
+@dataclass(frozen=True)
+class _Workers:
+    """Who answers, and how."""
+
+    client: Any
+    threads: int | None
+    retries: int
+    progress: bool
+
+    def answer(self, partitions: list[Partition], folder: pathlib.Path, digest: str) -> Iterator[int]:
+        if self.client is None:
+            return _in_this_process(partitions, (folder, digest, self.threads or 0))
+        return _on_cluster(self.client, partitions, (folder, digest, self.threads or 1), self.retries)
+
+
+def _run(
+    question: Question, rows: str | os.PathLike[str], out: str | os.PathLike[str], workers: _Workers
+) -> ParquetRun:
+    _thread_count(workers.threads or 0)
     folder = pathlib.Path(out).resolve()
-    files = motion_files(motions)
-    partitions = partitions_of(files)
-    manifest = manifest_of(moving, fixed, files, options)
-    prepare(folder, moving, fixed, manifest)
+    files = files_of(rows, question)
+    partitions = partitions_of(files, question)
+    manifest = manifest_of(question, files)
+    prepare(folder, question, manifest)
     waiting = [partition for partition in partitions if not (folder / partition.name).exists()]
-    digest = json.dumps(manifest)
-    with _bar(progress, sum(partition.rows for partition in waiting)) as bar:
-        if client is None:
-            done = _in_this_process(waiting, (folder, digest, options, threads or 0))
-        else:
-            done = _on_cluster(client, waiting, (folder, digest, options, threads or 1), retries)
-        for rows in done:
+    with _bar(workers.progress, sum(partition.rows for partition in waiting), question.rows) as bar:
+        for done in workers.answer(waiting, folder, json.dumps(manifest)):
             if bar is not None:
-                bar.update(rows)
+                bar.update(done)
     for unfinished in folder.glob(".part-*"):  # left by workers that were killed
         unfinished.unlink(missing_ok=True)
     return ParquetRun(folder, len(partitions), len(partitions) - len(waiting), sum(p.rows for p in partitions))
-
-
-def _check(moving: Polyhedron, fixed: Polyhedron, options: dict[str, Any]) -> None:
-    """Refuses invalid options before any worker starts, by one query with them."""
-    for body in (moving, fixed):
-        if not isinstance(body, Polyhedron):
-            raise TypeError(f"a {type(body).__name__} is not a chasles.Polyhedron")
-    far_away = [[1e20, 0, 0, 1, 0, 0, 0]]
-    first_contact_batch(moving, fixed, far_away, far_away, threads=1, **options)
 
 
 def _in_this_process(partitions: list[Partition], arguments: tuple[Any, ...]) -> Iterator[int]:
@@ -135,13 +192,12 @@ def _in_this_process(partitions: list[Partition], arguments: tuple[Any, ...]) ->
 def _on_cluster(client: Any, partitions: list[Partition], arguments: tuple[Any, ...], retries: int) -> Iterator[int]:
     from dask.distributed import as_completed
 
-    folder, digest, options, threads = arguments
+    folder, digest, threads = arguments
     futures = client.map(
         answer_partition,
         partitions,
         out=folder,
         digest=digest,
-        options=options,
         threads=threads,
         retries=retries,
         pure=False,
@@ -154,9 +210,9 @@ def _on_cluster(client: Any, partitions: list[Partition], arguments: tuple[Any, 
         client.cancel(futures)  # has no effect if all futures are done
 
 
-def _bar(progress: bool, rows: int) -> AbstractContextManager[Any]:
+def _bar(progress: bool, rows: int, unit: str) -> AbstractContextManager[Any]:
     if not progress:
         return nullcontext()
     from tqdm.auto import tqdm
 
-    return tqdm(total=rows, unit=" motions")
+    return tqdm(total=rows, unit=f" {unit}")

@@ -1,4 +1,6 @@
-"""Motions in Parquet files: the list of partitions, and the answers of one partition.
+"""Questions in Parquet files: the list of partitions, and the answers of one partition.
+
+A question is asked for each row: about a motion of two bodies, or about an edge of a robot (chasles/questions.py).
 
 A partition is a row group of a file. Its results become one file, which is written under a temporary name and then
 renamed. A file of results is therefore always complete, and a partition without such a file has yet to be answered.
@@ -19,14 +21,13 @@ import numpy.typing as npt
 import pyarrow as pa
 import pyarrow.parquet as pq
 
-from ._core import InvalidInput, Polyhedron, __version__
-from .batch import first_contact_batch
+from ._core import InvalidInput, __version__
+from .questions import GOAL_COLUMNS, START_COLUMNS, Question
 
-_POSE = ("x", "y", "z", "qw", "qx", "qy", "qz")
-START_COLUMNS = [name + "0" for name in _POSE]
-GOAL_COLUMNS = [name + "1" for name in _POSE]
+__all__ = ["GOAL_COLUMNS", "START_COLUMNS", "Partition"]
+
 MANIFEST = "_manifest.json"  # readers of data sets ignore names that begin with an underscore
-BODIES = "_bodies.pickle"
+QUESTION = "_question.pickle"
 
 
 @dataclass(frozen=True)
@@ -44,23 +45,23 @@ class Partition:
         return f"part-{self.index:06}.parquet"
 
 
-def motion_files(motions: str | os.PathLike[str]) -> list[pathlib.Path]:
+def files_of(rows: str | os.PathLike[str], question: Question) -> list[pathlib.Path]:
     """The file, or the Parquet files of a folder, sorted by name."""
-    path = pathlib.Path(motions).resolve()
+    path = pathlib.Path(rows).resolve()
     if path.is_file():
         return [path]
     files = sorted(file for file in path.glob("*.parquet") if not file.name.startswith(("_", ".")))
     if not files:
-        raise InvalidInput(f"motions: {motions}: is neither a file nor a folder with Parquet files")
+        raise InvalidInput(f"{question.rows}: {rows}: is neither a file nor a folder with Parquet files")
     return files
 
 
-def partitions_of(files: list[pathlib.Path]) -> list[Partition]:
+def partitions_of(files: list[pathlib.Path], question: Question) -> list[Partition]:
     """All row groups of all files, in order."""
     found: list[Partition] = []
     row = 0
     for file in files:
-        metadata = _metadata(file)
+        metadata = _metadata(file, question)
         for group in range(metadata.num_row_groups):
             rows = metadata.row_group(group).num_rows
             found.append(Partition(len(found), str(file), group, row, rows))
@@ -68,56 +69,59 @@ def partitions_of(files: list[pathlib.Path]) -> list[Partition]:
     return found
 
 
-def _metadata(file: pathlib.Path) -> pq.FileMetaData:
+def _metadata(file: pathlib.Path, question: Question) -> pq.FileMetaData:
     try:
         metadata = pq.read_metadata(file)
     except (OSError, pa.ArrowException) as error:
-        raise InvalidInput(f"motions: {file}: cannot be read: {error}".replace("\n", " ")) from None
-    missing = [name for name in START_COLUMNS + GOAL_COLUMNS if name not in metadata.schema.names]
-    if missing:
-        raise InvalidInput(f"motions: {file}: has no column {missing[0]}")
+        raise InvalidInput(f"{question.rows}: {file}: cannot be read: {error}".replace("\n", " ")) from None
+    _check_columns(f"{question.rows}: {file}", metadata.schema.to_arrow_schema(), question.columns)
     return metadata
 
 
-def digest_of(body: Polyhedron) -> str:
-    digest = hashlib.sha256(np.ascontiguousarray(body.vertices).tobytes())
-    digest.update(json.dumps(body.faces).encode())
-    return digest.hexdigest()
+_NUMBERS = (pa.types.is_floating, pa.types.is_integer, pa.types.is_decimal, pa.types.is_null)
 
 
-def manifest_of(
-    moving: Polyhedron, fixed: Polyhedron, files: list[pathlib.Path], options: dict[str, Any]
-) -> dict[str, Any]:
+def _check_columns(place: str, schema: pa.Schema, names: list[str]) -> None:
+    for name in names:
+        if schema.names.count(name) != 1:
+            raise InvalidInput(f"{place}: has {'two columns' if name in schema.names else 'no column'} {name}")
+        kind = schema.field(name).type
+        if not any(fits(kind) for fits in _NUMBERS):
+            raise InvalidInput(f"{place}: column {name}: has the type {kind}; numbers are needed")
+
+
+def manifest_of(question: Question, files: list[pathlib.Path]) -> dict[str, Any]:
     """All inputs of the results. A file is identified by its size and its metadata, so it is not read whole."""
     return {
         "chasles": __version__,
-        "moving": digest_of(moving),
-        "fixed": digest_of(fixed),
-        "options": options,
-        "motions": [
+        **question.identity(),
+        question.rows: [
             {
                 "bytes": file.stat().st_size,
-                "metadata": hashlib.sha256(repr(_metadata(file).to_dict()).encode()).hexdigest(),
+                "metadata": hashlib.sha256(repr(_metadata(file, question).to_dict()).encode()).hexdigest(),
             }
             for file in files
         ],
     }
 
 
-def prepare(out: pathlib.Path, moving: Polyhedron, fixed: Polyhedron, manifest: dict[str, Any]) -> None:
+def prepare(out: pathlib.Path, question: Question, manifest: dict[str, Any]) -> None:
     """Makes the folder of the results. Refuses a folder whose results have other inputs."""
+    content = question.pickled()
+    if out.exists() and not out.is_dir():
+        raise InvalidInput(f"out: {out}: is not a folder")
     out.mkdir(parents=True, exist_ok=True)
     file = out / MANIFEST
     if file.exists():
         _check_same(out, json.loads(file.read_text("utf-8")), manifest)
     elif any(out.iterdir()):
         raise InvalidInput(f"out: {out}: is not empty and has no results of an earlier run")
-    write_whole(out / BODIES, pickle.dumps((moving, fixed)))
+    write_whole(out / QUESTION, content)
     write_whole(file, json.dumps(manifest, indent=1).encode())
 
 
 def _check_same(out: pathlib.Path, earlier: dict[str, Any], wanted: dict[str, Any]) -> None:
-    different = [key for key in wanted if earlier.get(key) != wanted[key]]
+    different = [key for key in {**wanted, **earlier} if earlier.get(key) != wanted.get(key)]
     if different:
         raise InvalidInput(f"out: {out}: has results for other {' and '.join(different)}")
 
@@ -133,45 +137,40 @@ def write_whole(file: pathlib.Path, content: bytes) -> None:
 
 
 @functools.lru_cache(maxsize=4)
-def _bodies(out: pathlib.Path, digest: str) -> tuple[Polyhedron, Polyhedron]:
-    """Both bodies, loaded once per process and run; `digest` identifies the run in its folder."""
-    return pickle.loads((out / BODIES).read_bytes())
+def _question(out: pathlib.Path, digest: str) -> Question:
+    """The question, loaded once per process and run; `digest` identifies the run in its folder."""
+    return pickle.loads((out / QUESTION).read_bytes())
 
 
-def answer_partition(
-    partition: Partition, out: pathlib.Path, digest: str, options: dict[str, Any], threads: int
-) -> int:
-    """Answers the motions of a partition, unless its file exists, and returns their number."""
+def answer_partition(partition: Partition, out: pathlib.Path, digest: str, threads: int) -> int:
+    """Answers the rows of a partition, unless its file exists, and returns their number."""
     file = out / partition.name
     if not file.exists():
-        moving, fixed = _bodies(out, digest)
-        motions = pq.ParquetFile(partition.file).read_row_group(partition.row_group)
-        starts, goals = (_poses(motions, names) for names in (START_COLUMNS, GOAL_COLUMNS))
-        table = first_contact_batch(moving, fixed, starts, goals, threads=threads, errors="mark", **options)
-        write_whole(file, _parquet(results_of(table, _ids(motions, partition))))
+        rows = pq.ParquetFile(partition.file).read_row_group(partition.row_group)
+        table = _question(out, digest).answer(rows, threads)
+        write_whole(file, _parquet(results_of(table, _ids(rows, partition))))
     return partition.rows
 
 
-def _poses(motions: pa.Table, names: list[str]) -> npt.NDArray[np.float64]:
-    """The poses in these columns. A missing number becomes NaN, which makes the pose invalid."""
-    return np.stack([motions[name].to_numpy().astype(np.float64) for name in names], axis=1)
-
-
-def _ids(motions: pa.Table, partition: Partition) -> pa.Array | pa.ChunkedArray:
-    if "id" in motions.column_names:
-        return motions["id"]
+def _ids(rows: pa.Table, partition: Partition) -> pa.Array | pa.ChunkedArray:
+    if "id" in rows.column_names:
+        return rows["id"]
     return pa.array(np.arange(partition.first_row, partition.first_row + partition.rows))
 
 
 def results_of(table: npt.NDArray[np.void], ids: pa.Array | pa.ChunkedArray) -> pa.Table:
-    """The table of a batch with the ids of its motions. Missing values are null."""
+    """The table of a batch with the ids of its rows. Missing values are null."""
     columns: dict[str, Any] = {"id": ids}
-    for name in table.dtype.names[1:]:  # type: ignore[index]
+    for name in table.dtype.names or ():
+        if name == "id":
+            continue
         values = np.ascontiguousarray(table[name])
         if values.ndim == 2:
             columns[name] = _pairs(values)
         elif values.dtype.kind == "U":
             columns[name] = pa.array(values).dictionary_encode()
+        elif values.dtype.kind == "O":  # names; an empty one is missing
+            columns[name] = pa.array([text or None for text in values], pa.string()).dictionary_encode()
         else:
             columns[name] = pa.array(values, from_pandas=True)  # NaN becomes null
     return pa.table(columns)

@@ -7,7 +7,8 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._core import Robot, RobotChecker, Scene
+from ._core import InvalidInput, Robot, RobotChecker, Scene
+from .batch import Errors, _marks, _thread_count
 
 edge_dtype = np.dtype(
     [
@@ -30,6 +31,7 @@ def first_contacts_on_edges(
     scene: Scene | None = None,
     margin: float = 0.0,
     threads: int = 0,
+    errors: Errors = "raise",
 ) -> np.ndarray:
     """The first contact along each of many straight edges, on all cores.
 
@@ -45,11 +47,15 @@ def first_contacts_on_edges(
         Distance that counts as contact, mesh unit.
     threads : int
         At most so many; 0 for all cores. The answers do not depend on it.
+    errors : "raise" or "mark"
+        How to treat an edge that cannot be used, such as one with NaN: "raise" raises InvalidInput with its number,
+        "mark" gives its row the verdict "error", times that are NaN, and a `clear_until` of 0.
 
     Returns
     -------
     structured array (n,) of `edge_dtype`
-        Times are in [0, 1]. `first` and `second` name the pair that touches.
+        Times are in [0, 1]; those of a contact are NaN where there is none. `first` and `second` name the pair that
+        touches; they are "" where there is none.
 
     Raises
     ------
@@ -57,10 +63,56 @@ def first_contacts_on_edges(
         With the number of the edge, for values that cannot be used.
     """
     checker = robot if isinstance(robot, RobotChecker) else RobotChecker(robot, scene, margin=margin)
-    fields = checker.first_contacts(starts, goals, threads)
+    threads = _thread_count(threads)
+    if not _marks(errors):
+        return _table(checker.first_contacts(starts, goals, threads))
+    return _marked(checker, *_rows(checker, starts, goals), threads)
+
+
+def _rows(checker: RobotChecker, starts: npt.ArrayLike, goals: npt.ArrayLike) -> tuple[np.ndarray, np.ndarray]:
+    """Both arrays, of the same shape (n, variables)."""
+    arrays = []
+    for name, rows in (("starts", starts), ("goals", goals)):
+        try:
+            arrays.append(np.asarray(rows, np.float64))
+        except (TypeError, ValueError) as error:
+            raise InvalidInput(f"{name}: not an array of numbers: {error}") from None
+        if arrays[-1].ndim != 2 or arrays[-1].shape[1] != len(checker.robot.variables):
+            raise InvalidInput(f"{name}: the shape is {arrays[-1].shape}; (n, {len(checker.robot.variables)}) is needed")
+    if len(arrays[0]) != len(arrays[1]):
+        raise InvalidInput(f"starts, goals: {len(arrays[0])} starts and {len(arrays[1])} goals")
+    return arrays[0], arrays[1]
+
+
+def _table(fields: tuple) -> np.ndarray:
     table = np.zeros(len(fields[0]), edge_dtype)
     for name, values in zip(edge_dtype.names, fields, strict=True):
         table[name] = values
+    is_clear = table["verdict"] == "clear"
+    table["time"][is_clear] = table["time_upper"][is_clear] = np.nan
+    return table
+
+
+def _marked(checker: RobotChecker, starts: np.ndarray, goals: np.ndarray, threads: int) -> np.ndarray:
+    """Edges that cannot be used are found by halving, after those that are not finite."""
+    table = _refused(len(starts))
+    usable = np.flatnonzero(np.isfinite(starts).all(axis=1) & np.isfinite(goals).all(axis=1))
+    waiting = [usable] if len(usable) else []
+    while waiting:
+        rows = waiting.pop()
+        try:
+            table[rows] = _table(checker.first_contacts(starts[rows], goals[rows], threads))
+        except InvalidInput:
+            half = len(rows) // 2
+            waiting += [rows[:half], rows[half:]] if half else []
+    return table
+
+
+def _refused(rows: int) -> np.ndarray:
+    """Rows of edges that cannot be used."""
+    table = np.zeros(rows, edge_dtype)
+    table["verdict"], table["first"], table["second"] = "error", "", ""
+    table["time"], table["time_upper"] = np.nan, np.nan
     return table
 
 

@@ -152,8 +152,9 @@ void bind_robot(nb::module_& module) {
                     "with a RobotChecker.") +
         question_doc;
     bind_proof(module);
-    nb::class_<Robot>(module, "Robot", doc("Robot"))
-        .def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
+    nb::class_<Robot> type(module, "Robot", doc("Robot"));
+    bind_robot_state(type, module);
+    type.def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
                     "primitive_deviation"_a = 0.01,
                     nb::sig("def load(urdf: str | os.PathLike, srdf: str | os.PathLike | None = None, "
                             "packages: dict[str, str | os.PathLike] = {}, primitive_deviation: float = 0.01) -> Robot"),
@@ -165,6 +166,16 @@ void bind_robot(nb::module_& module) {
             "The names of the numbers of a configuration, in order.")
         .def_prop_ro("limits", limits_of, nb::sig("def limits(self) -> " CHASLES_ARRAY),
                      "Lower and upper limit of each variable, (variables, 2); infinite without a limit.")
+        .def_prop_ro(
+            "continuous",
+            [](const Robot& r) {
+                nb::list found;
+                for (const RobotVariable& variable : r.variables())
+                    found.append(variable.is_continuous);
+                return found;
+            },
+            nb::sig("def continuous(self) -> list[bool]"),
+            "Of each variable, whether it is an angle without limits: values that differ by 2 pi are the same.")
         .def_prop_ro("links", links_of, "The names of the links.")
         .def(
             "neutral", [](const Robot& r) { return array_of(r.neutral()); },

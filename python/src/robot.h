@@ -77,4 +77,7 @@ PythonClearance clearance_on_path(const RobotChecker& checker, const PathArgumen
 /// The fields of many edges as lists and arrays: verdict, time, time_upper, clear_until, certain, first, second.
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads);
 
+/// Pickle of a robot, and `free_body`.
+void bind_robot_state(nb::class_<Robot>& type, nb::module_& module);
+
 } // namespace chasles::python

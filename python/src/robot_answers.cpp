@@ -196,6 +196,9 @@ void bind_robot_answers(nb::module_& module) {
             "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def __init__(self, robot: Robot, scene: Scene | None = None, " CHASLES_ROBOT_OPTIONS ") -> None"),
             "Keeps the state of the robot and of the scene.")
+        .def_prop_ro(
+            "robot", [](const RobotChecker& checker) { return checker.robot(); },
+            "A copy of the robot, as it was when the checker was made.")
         .def("first_contact", answer_on_edge, "start"_a, "goal"_a,
              nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike) -> "
                      "RobotContact"),

@@ -74,17 +74,24 @@ std::string add(PythonScene& scene, const std::string& name, nb::handle shape, n
                 nb::handle motion, nb::handle centre, const std::string& group) {
     scene.scene.add({name, polyhedron_of(shape, "shape"), motion_of_body(pose, goal, motion, centre), group});
     scene.shapes.emplace(name, nb::borrow(shape));
+    scene.motions.emplace(name, given_copies(pose, goal, motion, centre));
     return name;
 }
 
 void remove(PythonScene& scene, const std::string& name) {
     scene.scene.remove(name);
     scene.shapes.erase(name);
+    scene.motions.erase(name);
+    std::erase_if(scene.rules, [&](const auto& entry) {
+        const auto& [function, a, b] = entry.first;
+        return !function.ends_with("_groups") && function != "set_group_margin" && (a == name || b == name);
+    });
 }
 
 void move(PythonScene& scene, const std::string& name, nb::handle pose, nb::handle goal, nb::handle motion,
           nb::handle centre) {
     scene.scene.move(scene.scene.index_of(name), motion_of_body(pose, goal, motion, centre));
+    scene.motions[name] = given_copies(pose, goal, motion, centre);
 }
 
 /// All bodies at once, in the order of `names`. The scene changes only if all poses can be used.
@@ -101,8 +108,11 @@ void move_all(PythonScene& scene, nb::handle starts, nb::handle goals, const std
         } catch (const InvalidInput& error) {
             throw InvalidInput(fmt::format("starts[{}], goals[{}]: {}", i, i, error.what()));
         }
-    for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t i = 0; i < count; ++i) {
         scene.scene.move(i, motions[i]);
+        scene.motions[scene.scene.bodies()[i].name] = {numbers_of(from[i]), numbers_of(to[i]), nb::str(kind.c_str()),
+                                                       nb::none()};
+    }
 }
 
 struct SceneArguments {
@@ -192,11 +202,21 @@ constexpr const char* question_doc =
     "    'first', 'first_with_all_contacts', or 'any' for a question of yes or no.\n"
     "threads : int\n    At most so many; 0 for all cores. The answer does not depend on it.\n\n";
 
-/// A function of the scene as one of its Python object.
-template <class... Arguments>
-auto forwarded(void (Scene::*function)(Arguments...)) {
-    return [function](PythonScene& scene, const std::decay_t<Arguments>&... arguments) {
-        (scene.scene.*function)(arguments...);
+/// A function of the scene with two names as one of its Python object, which remembers the call.
+template <class Name>
+auto rule(const char* name, void (Scene::*function)(Name, Name)) {
+    return [name, function](PythonScene& scene, const std::string& a, const std::string& b) {
+        (scene.scene.*function)(a, b);
+        scene.rules[{name, a, b}] = 0;
+    };
+}
+
+template <class Name>
+auto rule(const char* name, void (Scene::*function)(Name, Name, double)) {
+    return [name, function](PythonScene& scene, const std::string& a, const std::string& b, double margin) {
+        (scene.scene.*function)(a, b, margin);
+        scene.rules.erase({name, b, a}); // the same pair
+        scene.rules[{name, a, b}] = margin;
     };
 }
 
@@ -235,8 +255,9 @@ void bind_scene(nb::module_& module) {
     static const std::string all_text = std::string("The first contact of each pair that touches, in order of time.") +
                                         question_doc + "Returns\n-------\nlist of SceneContact";
     bind_contact(module);
-    nb::class_<PythonScene>(module, "Scene", doc("Scene"))
-        .def(nb::init<>())
+    nb::class_<PythonScene> type(module, "Scene", doc("Scene"));
+    bind_scene_state(type);
+    type.def(nb::init<>())
         .def("add", add, "name"_a, "shape"_a.none(), "pose"_a = nb::none(), "goal"_a = nb::none(), nb::kw_only(),
              "motion"_a = nb::none(), "centre"_a = nb::none(), "group"_a = "",
              nb::sig("def add(self, name: str, shape: Polyhedron, pose: numpy.typing.ArrayLike | None = None, "
@@ -257,10 +278,10 @@ void bind_scene(nb::module_& module) {
                      "motion: str = 'velocity') -> None"),
              "Give all bodies other motions: arrays (n, 4, 4) or (n, 7), in the order of `names`. Raises InvalidInput "
              "with the number of the body, and then changes nothing.")
-        .def("ignore", forwarded(&Scene::ignore), "a"_a, "b"_a, doc("Scene.ignore"))
-        .def("ignore_groups", forwarded(&Scene::ignore_groups), "a"_a, "b"_a, doc("Scene.ignore_groups"))
-        .def("set_margin", forwarded(&Scene::set_margin), "a"_a, "b"_a, "margin"_a, doc("Scene.set_margin"))
-        .def("set_group_margin", forwarded(&Scene::set_group_margin), "a"_a, "b"_a, "margin"_a,
+        .def("ignore", rule("ignore", &Scene::ignore), "a"_a, "b"_a, doc("Scene.ignore"))
+        .def("ignore_groups", rule("ignore_groups", &Scene::ignore_groups), "a"_a, "b"_a, doc("Scene.ignore_groups"))
+        .def("set_margin", rule("set_margin", &Scene::set_margin), "a"_a, "b"_a, "margin"_a, doc("Scene.set_margin"))
+        .def("set_group_margin", rule("set_group_margin", &Scene::set_group_margin), "a"_a, "b"_a, "margin"_a,
              doc("Scene.set_group_margin"))
         .def_prop_ro(
             "names", [](const PythonScene& s) { return names_of(s); }, "The names of the bodies.")

@@ -8,15 +8,26 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <tuple>
 #include <utility>
 #include <vector>
 
 namespace chasles::python {
 
-/// A scene with the Python objects of its bodies.
+/// What a motion was made of, for pickle: None or numbers of poses, or the Python object of a motion.
+struct GivenMotion {
+    nb::object pose, goal, motion, centre;
+};
+
+/// A call of ignore, ignore_groups, set_margin or set_group_margin: the name of the function and its two names.
+using SceneRule = std::tuple<std::string, std::string, std::string>;
+
+/// A scene with the Python objects of its bodies, and with what is needed to make it again.
 struct PythonScene {
     Scene scene;
     std::map<std::string, nb::object> shapes;
+    std::map<std::string, GivenMotion> motions; ///< of each body
+    std::map<SceneRule, double> rules;          ///< with the margin, or 0
 };
 
 /// Of the moving and of the fixed body.
@@ -41,5 +52,11 @@ std::vector<std::string> names_of(const PythonScene& scene);
 /// A motion by poses in the world. `motion` is None, a motion, or the name of a kind. Without a goal the body stands
 /// still.
 Motion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre);
+
+/// The arguments of `motion_of_body`, with poses as copies of their numbers.
+GivenMotion given_copies(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre);
+
+/// Pickle of scenes.
+void bind_scene_state(nb::class_<PythonScene>& type);
 
 } // namespace chasles::python

@@ -2,6 +2,7 @@
 #include "chasles/ompl.h"
 
 #include "tests/query/bodies.h"
+#include "tests/support/refusal.h"
 
 #include <atomic>
 #include <gtest/gtest.h>
@@ -145,6 +146,29 @@ TEST(Ompl, GoesRoundTheShorterWayAsOmplDoes) {
             JointPath::straight(bars.robot, std::array{Configuration{{-1, 3}}, Configuration{{-1, -3}}}).at(t);
         EXPECT_NEAR(std::remainder(ours[1] - bars.reals(middle.get())[1], 2 * std::numbers::pi), 0, 1e-14);
     }
+}
+
+/// From 3 to -3 a RealVectorStateSpace goes through 0, and a continuous joint through pi.
+TEST(Ompl, SpacesThatGoAnotherWayAreRefused) {
+    const Robot robot = two_bars();
+    const RobotChecker checker(robot);
+    const Robot body = ompl::free_body(box({1, 1, 1}).polyhedron());
+    const RobotChecker of_body(body);
+    const auto why = [](const ob::StateSpacePtr& space, const RobotChecker& asked, const ompl::StateMap& map) {
+        const auto information = std::make_shared<ob::SpaceInformation>(space);
+        const std::string refused = refusal([&] { ompl::RobotMotionValidator(information, asked, map); });
+        EXPECT_EQ(refusal([&] { ompl::RobotValidityChecker(information, asked, map); }), refused);
+        return refused;
+    };
+    const ompl::StateMap all(robot);
+    EXPECT_EQ(why(std::make_shared<ob::RealVectorStateSpace>(2), checker, all),
+              "space: number 1: elbow goes the shorter way round, as in an SO2StateSpace");
+    EXPECT_EQ(why(std::make_shared<ob::SO2StateSpace>(), checker, ompl::StateMap(robot, {"shoulder"})),
+              "space: number 0: shoulder goes straight, as in a RealVectorStateSpace");
+    EXPECT_EQ(why(std::make_shared<ob::SE3StateSpace>(), checker, all),
+              "state: has 7 numbers, and 2 variables are named");
+    EXPECT_EQ(why(std::make_shared<ob::RealVectorStateSpace>(7), of_body, ompl::StateMap(body)),
+              "space: number 3: free/rot_x is part of a quaternion, as in an SO3StateSpace");
 }
 
 TEST(Ompl, MayBeAskedFromSeveralThreads) {

@@ -1,5 +1,7 @@
 """Robots: answers of a small arm, and real robots beside Pinocchio where it is installed."""
 
+import pickle
+
 import numpy as np
 import pytest
 
@@ -72,9 +74,56 @@ def test_many_edges_are_answered_as_one_by_one(arm, world):
     table = chasles.first_contacts_on_edges(arm, starts, goals, scene=world)
     for row, start, goal in zip(table, starts, goals):
         found = arm.first_contact(start, goal, scene=world)
-        assert (row["verdict"], row["time"], row["clear_until"]) == (found.verdict, found.time, found.clear_until)
+        assert (row["verdict"], row["clear_until"]) == (found.verdict, found.clear_until)
+        if found.pair:
+            assert (row["time"], row["time_upper"], row["certain"]) == (found.time, found.time_upper, found.certain)
+        else:
+            assert np.isnan([row["time"], row["time_upper"]]).all() and row["certain"]
         assert (row["first"], row["second"]) == (found.pair or ("", ""))
     assert {"clear", "contact"} <= set(table["verdict"])
+
+
+def test_edges_that_cannot_be_used_are_marked(arm, world):
+    starts, goals = np.zeros((7, 2)), np.tile([np.pi / 2, 0], (7, 1))
+    expected = chasles.first_contacts_on_edges(arm, starts, goals, scene=world)[0]
+    starts[1, 0], goals[3, 1], goals[4, 0] = np.nan, np.inf, 1e6
+    with pytest.raises(chasles.InvalidInput, match="edge 1"):
+        chasles.first_contacts_on_edges(arm, starts, goals, scene=world)
+    table = chasles.first_contacts_on_edges(arm, starts, goals, scene=world, errors="mark")
+    assert np.flatnonzero(table["verdict"] == "error").tolist() == [1, 3, 4]
+    assert np.isnan(table["time"][[1, 3, 4]]).all() and (table["clear_until"][[1, 3, 4]] == 0).all()
+    assert all(table[i] == expected for i in (0, 2, 5, 6))
+    assert len(chasles.first_contacts_on_edges(arm, np.zeros((0, 2)), np.zeros((0, 2)), errors="mark")) == 0
+    for starts, goals, message in [
+        (np.zeros((2, 3)), np.zeros((2, 3)), "starts: the shape is (2, 3); (n, 2) is needed"),
+        (np.zeros((2, 2)), np.zeros((3, 2)), "starts, goals: 2 starts and 3 goals"),
+        ("no", np.zeros((2, 2)), "starts: not an array of numbers"),
+    ]:
+        with pytest.raises(chasles.InvalidInput) as error:
+            chasles.first_contacts_on_edges(arm, starts, goals, errors="mark")
+        assert str(error.value).startswith(message)
+
+
+def test_a_robot_is_pickled_with_all_its_changes(arm, world, cube):
+    arm.set_base(np.array([0.1, 0.2, 0.3, 0.9, 0.1, 0.2, 0.3]))
+    arm.attach("box", "lower", cube, pose=np.array([1, -0.5, -0.5, 1, 0, 0, 0]), touch_links=["upper"])
+    arm.ignore("base", "lower")
+    arm.test("upper", "lower")
+    arm.ignore_in_scene("box", "wall")
+    arm.set_margin("upper", "lower", 0.125)
+    again = pickle.loads(pickle.dumps(arm))
+    assert (again.variables, again.links, again.continuous) == (arm.variables, arm.links, [False, True])
+    np.testing.assert_array_equal(again.limits, arm.limits)
+    for a, b in [("base", "lower"), ("upper", "lower"), ("box", "upper"), ("box", "lower"), ("box", "base")]:
+        assert again.is_tested(a, b) == arm.is_tested(a, b)
+    random = np.random.default_rng(4)
+    starts, goals = random.uniform(-2, 2, (2, 40, 2))
+    tables = [chasles.first_contacts_on_edges(robot, starts, goals, scene=world) for robot in (arm, again)]
+    for name in tables[0].dtype.names:
+        np.testing.assert_array_equal(tables[0][name], tables[1][name])
+    assert len(set(tables[0]["verdict"])) > 1
+    assert pickle.dumps(again) == pickle.dumps(pickle.loads(pickle.dumps(again)))
+    assert chasles.RobotChecker(arm, world).robot.variables == arm.variables
 
 
 def test_how_near_it_comes(arm, world):

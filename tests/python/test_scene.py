@@ -1,5 +1,7 @@
 """Scenes: the answers are those of the pairs, and wrong arguments get one clear error."""
 
+import pickle
+
 import numpy as np
 import pytest
 from cubes import pose
@@ -87,6 +89,33 @@ def test_bodies_move_one_by_one_and_all_at_once(scene):
 def test_groups_are_ignored(scene):
     scene.ignore_groups("right", "")
     assert scene.first_contact().verdict == "clear"
+
+
+def test_a_scene_is_pickled_with_all_its_rules(scene, cube):
+    scene.add("twist", cube, pose(0, 9, 0), pose(0, 3, 0, 0.9, 0.1, 0.2, 0.3), motion="twist")
+    scene.add("given", cube, motion=chasles.ConstantVelocity.between(pose(0, -9, 0), pose(0, 0, 0), [0.5, 0.5, 0.5]))
+    scene.add("gone", cube, pose(9, 9, 9))
+    scene.ignore("left", "given")
+    scene.set_margin("left", "gone", 2)
+    scene.remove("gone")
+    scene.add("gone", cube, pose(90, 9, 9))  # another body: the rules of the first one are forgotten
+    scene.set_margin("left", "right", 1)
+    scene.set_margin("right", "left", 0.5)  # the same pair
+    scene.set_group_margin("", "right", 0.25)
+    scene.ignore_groups("right", "right")
+    scene.move("floor", pose(0, 0, -9), pose(0, 0, -0.5, 0.9, 0.1, 0.2, 0.3), centre=[0.5, 0.5, 0.5])
+    again = pickle.loads(pickle.dumps(scene))
+    assert again.names == scene.names
+    found, expected = (
+        [(c.pair, c.time, c.time_upper) for c in s.all_contacts(margin=0.1)] for s in (again, scene)
+    )
+    assert found == expected and len(found) > 1
+    assert again.first_contact().time == pytest.approx(6.5 / 8, abs=1e-12)
+    again.move("left", pose(-4, 0, 0))
+    assert again.first_contact().time != scene.first_contact().time
+    scene.move("left", motion=chasles.Motion.at_rest(pose(0, 0, 0)))
+    with pytest.raises(TypeError, match="cannot pickle"):
+        pickle.dumps(scene)
 
 
 def test_wrong_arguments_are_refused(scene, cube):

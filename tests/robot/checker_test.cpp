@@ -56,6 +56,7 @@ TEST(RobotChecker, AnswersAsAllPairsByThemselves) {
         if (expected.count == 0) {
             ++clear;
             EXPECT_EQ(found.clear_until, 1);
+            EXPECT_TRUE(found.certain);
             continue;
         }
         EXPECT_EQ(found.verdict == Verdict::contact_at_start, expected.at_start) << "trial " << trial;

@@ -1,0 +1,321 @@
+"""Objects by name at rest: which touch, and how near they are, in the manner of ``trimesh.collision``."""
+
+import math
+from collections.abc import Iterable, Mapping
+from typing import Any, Literal
+
+import numpy as np
+import numpy.typing as npt
+
+from ._core import InvalidInput, Motion, Polyhedron, Scene, SceneContact, least_distance, relative
+from .collision_data import ContactData, DistanceData
+from .enums import Verdict
+from .meshes import from_trimesh
+from .placed import Placed, candidates_of_all, candidates_of_one, candidates_of_two, scene_of
+
+EXTERNAL = "__external"  # the name of an object that is not in the manager, as in trimesh
+
+class CollisionManager:
+    """Objects by name with transforms, in the manner of ``trimesh.collision.CollisionManager``.
+
+    The methods, arguments and return values are those of trimesh, which needs python-fcl. There are four differences:
+
+    - Surfaces collide, not volumes: an object wholly inside another one does not touch it.
+    - Distances are never negative; they are 0 where surfaces touch or cross. Contacts have no depth.
+    - Meshes are a `chasles.Polyhedron` or a ``trimesh.Trimesh``. Many objects may share one Polyhedron.
+    - `first_contact` tells which objects touch first, and when, while they move from their transforms to goals.
+
+    Lengths are in the meshes' own unit. Transforms are arrays (4, 4), or (7,) for x y z qw qx qy qz. Wrong arguments
+    raise InvalidInput, a ValueError, and change nothing. A manager is used by one thread at a time.
+    """
+
+    def __init__(self) -> None:
+        self._objects: dict[str, Placed] = {}
+        self._within, self._beside = Scene(), Scene()  # all objects; in the second one they are not tested in pairs
+        self._beside.ignore_groups("", "")
+
+    def __repr__(self) -> str:
+        return f"<chasles.CollisionManager: {len(self._objects)} objects>"
+
+    def add_object(self, name: str, mesh: Any, transform: npt.ArrayLike | None = None) -> Polyhedron:
+        """Add an object, in the place of one with the same name if there is one, and return its Polyhedron.
+
+        Parameters
+        ----------
+        name : str
+            Printable, not empty, and not "__external".
+        mesh : Polyhedron or trimesh.Trimesh
+        transform : array (4, 4) or (7,), optional
+            The pose in the world; the identity by default.
+        """
+        if not isinstance(name, str) or name in ("", EXTERNAL) or not name.isprintable():
+            raise InvalidInput(f"name: {name!r}: must be a printable text, not empty and not {EXTERNAL!r}")
+        placed = _placed(mesh, transform)
+        if name in self._objects:
+            self.remove_object(name)
+        for scene in self._scenes():
+            scene.add(name, placed.shape, placed.pose)
+        self._objects[name] = placed
+        return placed.shape
+
+    def remove_object(self, name: str) -> None:
+        """Remove an object. Raises InvalidInput for an unknown name."""
+        self._get(name)
+        for scene in self._scenes():
+            scene.remove(name)
+        del self._objects[name]
+
+    def set_transform(self, name: str, transform: npt.ArrayLike) -> None:
+        """Give an object another transform. Raises InvalidInput for an unknown name, and for no transform."""
+        moved = Placed(self._get(name).shape, _pose(transform))
+        for scene in self._scenes():
+            scene.move(name, moved.pose)
+        self._objects[name] = moved
+
+    def _scenes(self) -> tuple[Scene, Scene]:
+        return self._within, self._beside
+
+    def _get(self, name: str) -> Placed:
+        if not isinstance(name, str) or name not in self._objects:
+            raise InvalidInput(f"{name} not in collision manager")
+        return self._objects[name]
+
+    def in_collision_single(
+        self, mesh: Any, transform: npt.ArrayLike | None = None, return_names: bool = False, return_data: bool = False
+    ) -> Any:
+        """Whether an object that is not in the manager touches one in it.
+
+        Parameters
+        ----------
+        mesh, transform
+            As for `add_object`.
+        return_names : bool
+            Also return the set of names of the objects that it touches.
+        return_data : bool
+            Also return a list of ContactData, in which the given object has the name "__external".
+
+        Returns
+        -------
+        bool, or a tuple of it and what was asked for
+        """
+        placed = _placed(mesh, transform)
+        self._beside.add(EXTERNAL, placed.shape, placed.pose, group=EXTERNAL)
+        try:
+            found = _contacts(self._beside, return_names, return_data)
+        finally:
+            self._beside.remove(EXTERNAL)
+        bodies = {**self._objects, EXTERNAL: placed}
+        names = {name for contact in found for name in contact.pair if name != EXTERNAL}  # type: ignore[union-attr]
+        return _collisions(found, names, bodies, return_names, return_data)
+
+    def in_collision_internal(self, return_names: bool = False, return_data: bool = False) -> Any:
+        """Whether any two objects of the manager touch.
+
+        Parameters
+        ----------
+        return_names : bool
+            Also return the set of pairs of names, each in the order of the alphabet.
+        return_data : bool
+            Also return a list of ContactData.
+
+        Returns
+        -------
+        bool, or a tuple of it and what was asked for
+        """
+        found = _contacts(self._within, return_names, return_data)
+        names = {tuple(sorted(contact.pair)) for contact in found}  # type: ignore[type-var]
+        return _collisions(found, names, self._objects, return_names, return_data)
+
+    def in_collision_other(
+        self, other_manager: "CollisionManager", return_names: bool = False, return_data: bool = False
+    ) -> Any:
+        """Whether any object of this manager touches one of another manager.
+
+        Parameters
+        ----------
+        other_manager : CollisionManager
+        return_names : bool
+            Also return the set of pairs of names, that of this manager first.
+        return_data : bool
+            Also return a list of ContactData.
+
+        Returns
+        -------
+        bool, or a tuple of it and what was asked for
+        """
+        scene, bodies = scene_of([self._objects, _objects_of(other_manager)])
+        found = _contacts(scene, return_names, return_data)
+        names = {tuple(name[1:] for name in sorted(contact.pair)) for contact in found}  # type: ignore[type-var]
+        return _collisions(found, names, bodies, return_names, return_data, first_letter=1)
+
+    def min_distance_single(
+        self, mesh: Any, transform: npt.ArrayLike | None = None, return_name: bool = False, return_data: bool = False
+    ) -> Any:
+        """The least distance of an object that is not in the manager from those in it; infinite if there are none.
+
+        Parameters
+        ----------
+        mesh, transform
+            As for `add_object`.
+        return_name : bool
+            Also return the name of the nearest object, or None.
+        return_data : bool
+            Also return a DistanceData, or None. The given object has the name "__external".
+
+        Returns
+        -------
+        float, or a tuple of it and what was asked for
+        """
+        one = _placed(mesh, transform)
+        distance, names, data = _nearest(candidates_of_one(self._objects, EXTERNAL, one))
+        return _chosen(distance, (return_name, names and names[0]), (return_data, data))
+
+    def min_distance_internal(
+        self, name: str | None = None, return_names: bool = False, return_data: bool = False
+    ) -> Any:
+        """The least distance of any two objects, or of one object from the others; infinite if there is no pair.
+
+        Parameters
+        ----------
+        name : str, optional
+            The one object. Raises InvalidInput if it is unknown.
+        return_names : bool
+            Also return both names in the order of the alphabet, or None.
+        return_data : bool
+            Also return a DistanceData, or None.
+
+        Returns
+        -------
+        float, or a tuple of it and what was asked for
+        """
+        if name is None:
+            distance, names, data = _nearest(candidates_of_all(self._objects))
+        else:
+            one = self._get(name)
+            others = {key: placed for key, placed in self._objects.items() if key != name}
+            distance, names, data = _nearest(candidates_of_one(others, name, one))
+        return _chosen(distance, (return_names, names and tuple(sorted(names))), (return_data, data))
+
+    def min_distance_other(
+        self, other_manager: "CollisionManager", return_names: bool = False, return_data: bool = False
+    ) -> Any:
+        """The least distance of any object of this manager from any of another one; infinite if there is no pair.
+
+        Parameters
+        ----------
+        other_manager : CollisionManager
+        return_names : bool
+            Also return both names, that of this manager first, or None.
+        return_data : bool
+            Also return a DistanceData, or None.
+
+        Returns
+        -------
+        float, or a tuple of it and what was asked for
+        """
+        distance, names, data = _nearest(candidates_of_two(self._objects, _objects_of(other_manager)))
+        return _chosen(distance, (return_names, names), (return_data, data))
+
+    def first_contact(
+        self,
+        goals: Mapping[str, npt.ArrayLike],
+        *,
+        margin: float = 0.0,
+        motion: Literal["velocity", "twist"] = "velocity",
+    ) -> SceneContact:
+        """The first contact of all objects, while those with goals move from their transforms to their goals.
+
+        The manager stays as it is. The answer is proven for the whole motion, not for samples.
+
+        Parameters
+        ----------
+        goals : dict of arrays (4, 4) or (7,)
+            By name. Objects without a goal stand still.
+        margin : float
+            Distance that counts as contact, mesh unit.
+        motion : "velocity" or "twist"
+            How the objects move: as `Scene.add` says.
+
+        Returns
+        -------
+        SceneContact
+            Its `pair` names the two objects, or is None if the whole motion is clear. Times are in [0, 1].
+        """
+        if not isinstance(goals, Mapping):
+            raise InvalidInput(f"goals: a {type(goals).__name__} is not a dict of transforms by name")
+        for name in goals:
+            self._get(name)
+        scene = Scene()
+        for name, placed in self._objects.items():
+            goal = _pose(goals[name], f"goals[{name!r}]") if name in goals else None
+            scene.add(name, placed.shape, placed.pose, goal, motion=motion)
+        return scene.first_contact(margin=margin)
+
+
+def _placed(mesh: Any, transform: npt.ArrayLike | None) -> Placed:
+    shape = mesh if isinstance(mesh, Polyhedron) else from_trimesh(mesh)
+    return Placed(shape, _pose(np.eye(4) if transform is None else transform))
+
+
+def _pose(transform: npt.ArrayLike, name: str = "transform") -> npt.NDArray[np.float64]:
+    """A copy that later changes of the argument do not reach. Refuses what is no pose."""
+    try:
+        pose = np.array(transform, np.float64)
+        Motion.at_rest(pose)
+    except (TypeError, ValueError) as error:
+        raise InvalidInput(f"{name}: {str(error).removeprefix('pose: ')}") from None
+    return pose
+
+
+def _objects_of(manager: Any) -> dict[str, Placed]:
+    if not isinstance(manager, CollisionManager):
+        raise TypeError(f"other_manager: a {type(manager).__name__} is not a chasles.CollisionManager")
+    return manager._objects
+
+
+def _contacts(scene: Scene, return_names: bool, return_data: bool) -> list[SceneContact]:
+    """All pairs that touch if they are asked for, otherwise at most one."""
+    if return_names or return_data:
+        return scene.all_contacts(find="first_with_all_contacts" if return_data else "first")
+    found = scene.first_contact(find="any")
+    return [] if found.verdict == Verdict.clear else [found]
+
+
+def _collisions(
+    found: list[SceneContact],
+    names: set[Any],
+    bodies: Mapping[str, Placed],
+    return_names: bool,
+    return_data: bool,
+    first_letter: int = 0,
+) -> Any:
+    data: list[ContactData] = []
+    for pair in found if return_data else []:
+        moving, fixed = pair.pair  # type: ignore[misc]
+        placed, shown = (bodies[moving], bodies[fixed]), (moving[first_letter:], fixed[first_letter:])
+        overlap = [pair.overlap] if pair.overlap is not None else []
+        data += [ContactData(shown, placed, contact) for contact in [*pair.contacts, *overlap]]
+    return _chosen(bool(found), (return_names, names), (return_data, data))
+
+
+def _chosen(first: Any, *others: tuple[bool, Any]) -> Any:
+    chosen = [first, *(value for is_asked, value in others if is_asked)]
+    return tuple(chosen) if len(chosen) > 1 else first
+
+
+def _nearest(
+    candidates: Iterable[tuple[float, str, str, Placed, Placed]],
+) -> tuple[float, tuple[str, str] | None, DistanceData | None]:
+    """The nearest pair. The candidates ascend by lower bounds of their distances."""
+    best: Any = None
+    for bound, first, second, a, b in candidates:
+        if best is not None and bound > best[0]:
+            break
+        motion = relative(Motion.at_rest(a.pose), Motion.at_rest(b.pose))
+        found = least_distance(a.shape, b.shape, motion=motion, tolerance=1e-12)
+        if best is None or found.distance_upper < best[0]:
+            best = found.distance_upper, (first, second), (a, b), found
+    if best is None:
+        return math.inf, None, None
+    distance, names, placed, found = best
+    return distance, names, DistanceData(names, placed, found)
