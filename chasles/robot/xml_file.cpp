@@ -9,6 +9,8 @@ namespace chasles::robot {
 
 namespace {
 
+constexpr const char* xacro_source = " source of xacro; expand the file first (xacro FILE > ROBOT.urdf)";
+
 std::string place(const std::filesystem::path& file, int line) {
     return io::shown_name(file) + ':' + std::to_string(line);
 }
@@ -18,6 +20,11 @@ std::string trimmed(std::string_view text) {
     const std::size_t begin = text.find_first_not_of(blanks);
     return begin == std::string_view::npos ? std::string()
                                            : std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
+}
+
+/// Files are often written by merging others, which repeats elements as they are.
+bool is_the_same(const XmlFile::Element& a, const XmlFile::Element& b) {
+    return a.NoChildren() && b.NoChildren() && a.ShallowEqual(&b);
 }
 
 } // namespace
@@ -31,6 +38,18 @@ XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(fi
     if (!element || std::string_view(element->Name()) != root)
         throw InvalidInput(place(path_, element ? element->GetLineNum() : 1) + ": the root element must be <" + root +
                            ">");
+    if (const Element* const second = element->NextSiblingElement())
+        throw InvalidInput(place(path_, second->GetLineNum()) + ": <" + io::one_line(second->Name()) +
+                           ">: a file has one root element only");
+    refuse_xacro(*element);
+}
+
+/// What a macro stands for would be left out. The parser bounds the depth.
+void XmlFile::refuse_xacro(const Element& element) const {
+    if (std::string_view(element.Name()).starts_with("xacro:"))
+        fail(element, std::string("is") + xacro_source);
+    for (const Element* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+        refuse_xacro(*child);
 }
 
 void XmlFile::fail(const Element& element, const std::string& why) const {
@@ -49,8 +68,9 @@ std::vector<const XmlFile::Element*> XmlFile::children(const Element& element, c
 
 const XmlFile::Element* XmlFile::child(const Element& element, const char* name) const {
     const Element* const first = element.FirstChildElement(name);
-    if (first && first->NextSiblingElement(name))
-        fail(element, std::string("has <") + name + "> more than once");
+    for (const Element* other = first; other; other = other->NextSiblingElement(name))
+        if (other != first && !is_the_same(*other, *first))
+            fail(*other, std::string("<") + io::one_line(element.Name()) + "> has another one already");
     return first;
 }
 
@@ -73,6 +93,8 @@ std::string XmlFile::text(const Element& element, const char* attribute) const {
     if (value.empty())
         fail(element,
              std::string(given ? "the attribute " : "has no attribute ") + attribute + (given ? " is empty" : ""));
+    if (value.find("${") != std::string::npos || value.find("$(") != std::string::npos)
+        fail(element, std::string(attribute) + ": " + io::in_quotes(value) + " is" + xacro_source);
     return value;
 }
 
@@ -83,7 +105,8 @@ std::vector<double> XmlFile::numbers(const Element& element, const char* attribu
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         const std::optional<double> value = io::parse_finite(word);
         if (!value)
-            fail(element, std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number");
+            fail(element, std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number" +
+                              (word.find(',') != std::string_view::npos ? "; blanks separate numbers" : ""));
         values.push_back(*value);
     }
     if (values.size() != count)
