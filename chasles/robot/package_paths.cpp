@@ -129,7 +129,9 @@ std::vector<fs::path> places_of(const std::string& uri, const fs::path& urdf, co
         return {urdf.parent_path() / uri};
     if (!uri.starts_with("package://") && !uri.starts_with("model://"))
         throw InvalidInput(quoted(uri) + " is no package://, no file:// and no path");
-    const fs::path path = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
+    std::string in_package = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
+    std::ranges::replace(in_package, '\\', '/');
+    const fs::path path = in_package;
     if (!path.has_parent_path() || !path.has_filename())
         throw InvalidInput(quoted(uri) + " names no file in a package");
     return places(path, urdf, files);

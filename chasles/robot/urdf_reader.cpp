@@ -2,6 +2,7 @@
 #include "chasles/robot/urdf_reader.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
@@ -104,6 +105,8 @@ CollisionDescription UrdfReader::collision(const Element& element) {
     const Element* const shape = geometry.FirstChildElement();
     if (!shape)
         file_.fail(geometry, "has no shape");
+    if (const Element* const second = shape->NextSiblingElement())
+        file_.fail(*second, "<geometry> has another shape already; write a second <collision>");
     const std::string_view kind = shape->Name();
     const Pose place = origin(element);
     try {
@@ -229,7 +232,8 @@ void UrdfReader::add_limits(const Element& element, JointDescription& joint) con
     joint.lower = limit(*given, "lower");
     joint.upper = limit(*given, "upper");
     if (joint.lower > joint.upper)
-        file_.fail(element, "limit: the lower one is above the upper one");
+        file_.fail(element, "limit: the lower one, " + number_text(joint.lower) + ", is above the upper one, " +
+                                number_text(joint.upper));
 }
 
 /// A joint that has to follow one of an unknown name is free. `Robot` checks the rest too, but has no lines.

@@ -22,6 +22,27 @@ std::string trimmed(std::string_view text) {
                                            : std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
 }
 
+void check_encoding(const std::filesystem::path& file, std::string_view bytes) {
+    try {
+        (void)io::without_byte_order_mark(bytes);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(place(file, 1) + ": " + error.what());
+    }
+}
+
+/// Whether each character is one byte below 0x80, or a first byte that is followed by as many others as it says.
+bool is_utf8(std::string_view text) {
+    int following = 0;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_following = (byte & 0xc0) == 0x80;
+        if (is_following != (following > 0) || byte > 0xf4 || byte == 0xc0 || byte == 0xc1)
+            return false;
+        following = is_following ? following - 1 : byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc0 ? 1 : 0;
+    }
+    return following == 0;
+}
+
 /// Files are often written by merging others, which repeats elements as they are.
 bool is_the_same(const XmlFile::Element& a, const XmlFile::Element& b) {
     return a.NoChildren() && b.NoChildren() && a.ShallowEqual(&b);
@@ -31,6 +52,7 @@ bool is_the_same(const XmlFile::Element& a, const XmlFile::Element& b) {
 
 XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(file) {
     const std::string bytes = io::read_file(file);
+    check_encoding(path_, bytes);
     if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS)
         throw InvalidInput(place(path_, document_.ErrorLineNum()) + ": is no well-formed XML (" +
                            io::one_line(document_.ErrorName()) + ")");
@@ -93,6 +115,8 @@ std::string XmlFile::text(const Element& element, const char* attribute) const {
     if (value.empty())
         fail(element,
              std::string(given ? "the attribute " : "has no attribute ") + attribute + (given ? " is empty" : ""));
+    if (!is_utf8(value))
+        fail(element, std::string(attribute) + ": " + io::in_quotes(value) + " is not in UTF-8");
     if (value.find("${") != std::string::npos || value.find("$(") != std::string::npos)
         fail(element, std::string(attribute) + ": " + io::in_quotes(value) + " is" + xacro_source);
     return value;

@@ -23,8 +23,8 @@ class XmlFile {
 public:
     using Element = tinyxml2::XMLElement;
 
-    /// Throws InvalidInput "FILE:LINE: WHY" for what is no XML, whose root has another name, that has two roots, or that
-    /// is source of xacro.
+    /// Throws InvalidInput "FILE:LINE: WHY" for what is no XML, whose root has another name, that has two roots, or
+    /// that is source of xacro.
     XmlFile(const std::filesystem::path& file, const char* root);
 
     [[nodiscard]] const Element& root() const { return *document_.RootElement(); }

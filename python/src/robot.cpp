@@ -54,7 +54,8 @@ nb::list collisions_of(const Robot& robot, const std::string& link) {
         throw InvalidInput("robot: " + link + ": there is no such link");
     nb::list shapes;
     for (const CollisionDescription& shape : found->collisions)
-        shapes.append(nb::make_tuple(nb::cast(Body{shape.shape, nullptr, {}}), matrix_of(shape.origin), shape.deviation));
+        shapes.append(
+            nb::make_tuple(nb::cast(Body{shape.shape, nullptr, {}}), matrix_of(shape.origin), shape.deviation));
     return shapes;
 }
 
@@ -179,7 +180,8 @@ void bind_robot(nb::module_& module) {
         .def_prop_ro("links", links_of, "The names of the links.")
         .def("collisions", collisions_of, "link"_a,
              nb::sig("def collisions(self, link: str) -> list[tuple[Polyhedron, " CHASLES_ARRAY ", float]]"),
-             "The shapes of a link: each with its pose in the frame of the link, (4, 4), and with the deviation by which "
+             "The shapes of a link: each with its pose in the frame of the link, (4, 4), and with the deviation by "
+             "which "
              "it\nencloses a round body, mesh unit.\n\nRaises\n------\nInvalidInput\n    For an unknown link.")
         .def(
             "neutral", [](const Robot& r) { return array_of(r.neutral()); },
