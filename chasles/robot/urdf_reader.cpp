@@ -15,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace chasles::robot {
@@ -37,7 +38,9 @@ private:
     [[nodiscard]] CollisionDescription collision(const Element& element);
     [[nodiscard]] Polyhedron mesh(const Element& element);
     [[nodiscard]] CollisionDescription box(const Element& element, const Pose& place) const;
-    [[nodiscard]] EnclosingPolyhedron round_body(const Element& element) const;
+    using RoundBody = std::tuple<std::string, double, double>; ///< kind, radius, length
+    [[nodiscard]] EnclosingPolyhedron round_body(const Element& element);
+    [[nodiscard]] EnclosingPolyhedron made_round_body(const RoundBody& given) const;
     [[nodiscard]] JointDescription joint(const Element& element);
     void add_limits(const Element& element, JointDescription& joint) const;
     [[nodiscard]] double limit(const Element& element, const char* attribute) const;
@@ -56,6 +59,7 @@ private:
     std::map<std::string, const Element*> joint_elements_; ///< by name
     std::map<std::string, std::string> parents_;           ///< of each link that is the child of a joint
     std::map<MeshKey, Polyhedron> meshes_;                 ///< by file and scale
+    std::map<RoundBody, EnclosingPolyhedron> round_bodies_;
 };
 
 Vector3d UrdfReader::vector(const Element& element, const char* attribute) const {
@@ -140,11 +144,10 @@ CollisionDescription UrdfReader::box(const Element& element, const Pose& place) 
     return {make_box(sides), place, 0.5 * (sides - given).norm()};
 }
 
-EnclosingPolyhedron UrdfReader::round_body(const Element& element) const {
-    const std::string_view kind = element.Name();
-    const double given_radius = file_.number(element, "radius"), radius = with_extent(given_radius);
-    const double given_length = kind == "sphere" ? 0 : file_.number(element, "length");
-    const double deviation = files_.primitive_deviation * radius, added = radius - given_radius;
+EnclosingPolyhedron UrdfReader::made_round_body(const RoundBody& given) const {
+    const auto& [kind, given_radius, given_length] = given;
+    const double radius = with_extent(given_radius), added = radius - given_radius;
+    const double deviation = files_.primitive_deviation * radius;
     if (kind == "cylinder") {
         const double length = with_extent(given_length);
         const EnclosingPolyhedron body = enclosing_cylinder(radius, length, deviation);
@@ -154,6 +157,15 @@ EnclosingPolyhedron UrdfReader::round_body(const Element& element) const {
                                          ? enclosing_sphere(radius, deviation)
                                          : enclosing_capsule(radius, given_length, deviation);
     return {body.shape, body.deviation + added};
+}
+
+/// Equal bodies share their polyhedron.
+EnclosingPolyhedron UrdfReader::round_body(const Element& element) {
+    const std::string kind = element.Name();
+    const RoundBody body{kind, file_.number(element, "radius"), kind == "sphere" ? 0 : file_.number(element, "length")};
+    if (const auto known = round_bodies_.find(body); known != round_bodies_.end())
+        return known->second;
+    return round_bodies_.emplace(body, made_round_body(body)).first->second;
 }
 
 /// A mirrored mesh has its faces the other way round.

@@ -188,7 +188,7 @@ def test_shapes_are_those_of_pinocchio(urdf):
 
 
 def file_of(name: str, urdf: pathlib.Path) -> pathlib.Path:
-    path = pathlib.PurePosixPath(name.split("://")[-1])
+    path = pathlib.PurePosixPath(name.split("://")[-1].lstrip("/"))
     return next(folder / path for folder in urdf.parents if (folder / path).is_file())
 
 

@@ -87,6 +87,25 @@ TEST_F(UrdfFile, ShapesWithoutExtentAreThin) {
     EXPECT_EQ(reach(read_shape("<capsule radius=\"1\" length=\"0\"/>")), reach(read_shape("<sphere radius=\"1\"/>")));
 }
 
+TEST_F(UrdfFile, EqualShapesShareTheirMemory) {
+    const auto vertices_of = [&](const std::string& first, const std::string& second) {
+        const auto shapes =
+            read("<box size=\"1 2 3\"/></geometry></collision>",
+                 first + "</geometry></collision><collision><geometry>" + second + "</geometry></collision>")
+                .links[1]
+                .collisions;
+        return std::pair(shapes.at(0).shape.vertices().data(), shapes.at(1).shape.vertices().data());
+    };
+    for (const std::string shape : {"<sphere radius=\"1\"/>", "<capsule radius=\"1\" length=\"2\"/>",
+                                    "<mesh filename=\"cube.obj\" scale=\"1 2 3\"/>"}) {
+        const auto [first, second] = vertices_of(shape, shape);
+        EXPECT_EQ(first, second) << shape;
+    }
+    const auto [long_one, short_one] =
+        vertices_of("<cylinder radius=\"1\" length=\"2\"/>", "<cylinder radius=\"1\" length=\"1\"/>");
+    EXPECT_NE(long_one, short_one);
+}
+
 TEST_F(UrdfFile, LimitsMayBeInfinite) {
     const JointDescription joint = read("lower=\"-1\" upper=\"2\"", "lower=\"-INF\" upper=\"infinity\"").joints[0];
     EXPECT_EQ(joint.lower, -std::numeric_limits<double>::infinity());
