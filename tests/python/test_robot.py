@@ -109,6 +109,14 @@ def test_parts_and_pairs(arm, world, cube):
         arm.detach("box")
 
 
+def test_shapes_of_links(arm):
+    (shape, pose, deviation), *others = arm.collisions("lower")
+    assert not others and deviation == 0 and pose.shape == (4, 4)
+    assert isinstance(shape, chasles.Polyhedron) and len(shape.faces) == 6
+    with pytest.raises(chasles.InvalidInput, match="elbow: there is no such link"):
+        arm.collisions("elbow")
+
+
 def test_pairs_are_proven(arm):
     (proof,) = arm.prove_pairs()
     assert proof.links == ("upper", "lower") and proof.reason == "adjacent" and proof.witness is None

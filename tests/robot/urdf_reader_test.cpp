@@ -64,7 +64,7 @@ TEST_F(UrdfFile, ShapesWithoutExtentAreThin) {
     const auto read_shape = [&](const std::string& geometry) {
         return read("<box size=\"1 2 3\"/>", geometry).links[1].collisions.at(0);
     };
-    const auto reach = [](const CollisionDescription& c) { return c.shape.report().upper.cwiseAbs(); };
+    const auto reach = [](const CollisionDescription& c) -> Eigen::Vector3d { return c.shape.report().upper; };
     for (const char* const nothing :
          {"<sphere radius=\"0\"/>", "<box size=\"0 0 0\"/>", "<cylinder radius=\"0\" length=\"0\"/>",
           "<capsule radius=\"0\" length=\"0\"/>"}) {
