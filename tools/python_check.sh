@@ -16,6 +16,6 @@ if [ $# -eq 1 ]; then
     set -- --config-settings=cmake.define.CHASLES_PYTHON_OF_INSTALLED=ON --config-settings=cmake.define.chasles_ROOT="$prefix" \
         --config-settings=build-dir=build/python/check
 fi
-"$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$@" ".[test]"
+"$environment/bin/python" -m pip install --quiet --disable-pip-version-check "$@" ".[test,oracles]"
 cd tests/python # outside python/chasles, so that the tests import the installed package
 "$environment/bin/python" -m pytest -q -p no:cacheprovider

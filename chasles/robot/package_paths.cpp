@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <iterator>
 #include <optional>
+#include <string_view>
 #include <tinyxml2.h>
 #include <vector>
 
@@ -80,6 +81,11 @@ std::vector<fs::path> places(const fs::path& path, const fs::path& urdf, const R
     return all;
 }
 
+/// In full, as paths are of use only when they are.
+std::string quoted(const std::string& uri) {
+    return '\'' + io::one_line(uri) + '\'';
+}
+
 std::string listed(const std::vector<fs::path>& paths) {
     constexpr std::size_t most = 4;
     std::string list;
@@ -88,29 +94,63 @@ std::string listed(const std::vector<fs::path>& paths) {
     return list + (paths.size() > most ? ", and the folders above" : "");
 }
 
+/// The value of a hexadecimal digit; empty for other characters.
+std::optional<int> hexadecimal(char digit) {
+    constexpr std::string_view digits = "0123456789abcdef";
+    const std::size_t value = digits.find(io::lower_case(std::string(1, digit)));
+    return value == std::string_view::npos ? std::nullopt : std::optional(int(value));
+}
+
+/// With %20 and the like replaced.
+std::string decoded(const std::string& uri) {
+    std::string text;
+    for (std::size_t i = 0; i < uri.size(); ++i) {
+        const bool is_code = uri[i] == '%' && i + 2 < uri.size() && hexadecimal(uri[i + 1]) && hexadecimal(uri[i + 2]);
+        text += is_code ? char(16 * *hexadecimal(uri[i + 1]) + *hexadecimal(uri[i + 2])) : uri[i];
+        i += is_code ? 2 : 0;
+    }
+    return text;
+}
+
+/// As it is, with the separators of Windows replaced, and with the codes of a URI replaced.
+std::vector<std::string> spellings(const std::string& uri) {
+    std::string with_slashes = uri;
+    std::ranges::replace(with_slashes, '\\', '/');
+    std::vector<std::string> all{uri, with_slashes, decoded(with_slashes)};
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
 /// The places of a file that a URI means.
 std::vector<fs::path> places_of(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
-    if (uri.starts_with("file://"))
-        return {uri.substr(7)};
+    if (uri.starts_with("file:/"))
+        return {uri.substr(uri.starts_with("file://localhost/") ? 16 : uri.starts_with("file://") ? 7 : 5)};
     if (uri.find("://") == std::string::npos)
         return {urdf.parent_path() / uri};
     if (!uri.starts_with("package://") && !uri.starts_with("model://"))
-        throw InvalidInput(io::in_quotes(uri) + " is no package://, no file:// and no path");
-    const fs::path path = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
+        throw InvalidInput(quoted(uri) + " is no package://, no file:// and no path");
+    std::string in_package = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
+    std::ranges::replace(in_package, '\\', '/');
+    const fs::path path = in_package;
     if (!path.has_parent_path() || !path.has_filename())
-        throw InvalidInput(io::in_quotes(uri) + " names no file in a package");
+        throw InvalidInput(quoted(uri) + " names no file in a package");
     return places(path, urdf, files);
 }
 
 } // namespace
 
 fs::path resolved(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
-    const std::vector<fs::path> tried = places_of(uri, urdf, files);
-    const auto found = std::ranges::find_if(tried, is_file);
-    if (found != tried.end())
-        return *found;
-    throw InvalidInput("there is no file " + io::in_quotes(uri) + "; tried " + listed(tried) +
-                       (tried.size() > 1 ? "; name the folder of the package" : ""));
+    std::vector<fs::path> tried;
+    for (const std::string& spelling : spellings(uri)) {
+        const std::vector<fs::path> more = places_of(spelling, urdf, files);
+        if (const auto found = std::ranges::find_if(more, is_file); found != more.end())
+            return *found;
+        tried.insert(tried.end(), more.begin(), more.end());
+    }
+    throw InvalidInput("there is no file " + quoted(uri) + "; tried " + listed(tried) +
+                       (uri.starts_with("file:") || uri.find("://") == std::string::npos
+                            ? ""
+                            : "; say where the package is, by the map of packages"));
 }
 
 } // namespace chasles::robot

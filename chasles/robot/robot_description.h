@@ -47,8 +47,8 @@ struct JointDescription {
 struct CollisionDescription {
     Polyhedron shape;
     Pose origin = {}; ///< of the shape in the frame of the link
-    /// The shape encloses a sphere, cylinder or capsule, and has no point farther than this from it; 0 for a mesh or a
-    /// box.
+    /// The shape encloses a sphere, a cylinder, a capsule or something without extent, and has no point farther than
+    /// this from it; 0 for a mesh or a box.
     double deviation = 0;
 };
 

@@ -2,6 +2,7 @@
 #include "chasles/robot/urdf_reader.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <map>
 #include <set>
+#include <tuple>
 #include <utility>
 
 namespace chasles::robot {
@@ -35,20 +37,29 @@ private:
     [[nodiscard]] LinkDescription link(const Element& element);
     [[nodiscard]] CollisionDescription collision(const Element& element);
     [[nodiscard]] Polyhedron mesh(const Element& element);
-    [[nodiscard]] EnclosingPolyhedron round_body(const Element& element) const;
+    [[nodiscard]] CollisionDescription box(const Element& element, const Pose& place) const;
+    using RoundBody = std::tuple<std::string, double, double>; ///< kind, radius, length
+    [[nodiscard]] EnclosingPolyhedron round_body(const Element& element);
+    [[nodiscard]] EnclosingPolyhedron made_round_body(const RoundBody& given) const;
     [[nodiscard]] JointDescription joint(const Element& element);
     void add_limits(const Element& element, JointDescription& joint) const;
+    [[nodiscard]] double limit(const Element& element, const char* attribute) const;
+    void mend_mimic(JointDescription& joint, const RobotDescription& robot) const;
+    void check_version() const;
     [[nodiscard]] std::string name(const Element& element, std::set<std::string>& names) const;
     [[nodiscard]] std::string link_named(const Element& joint, const char* child) const;
     void check_one_root() const;
+    void check_connected(const std::string& root) const;
 
     using MeshKey = std::pair<std::filesystem::path, std::array<double, 3>>;
 
     XmlFile file_;
     const RobotFiles& files_;
     std::set<std::string> links_, joints_;
-    std::set<std::string> children_;       ///< links that are the child of a joint
-    std::map<MeshKey, Polyhedron> meshes_; ///< by file and scale
+    std::map<std::string, const Element*> joint_elements_; ///< by name
+    std::map<std::string, std::string> parents_;           ///< of each link that is the child of a joint
+    std::map<MeshKey, Polyhedron> meshes_;                 ///< by file and scale
+    std::map<RoundBody, EnclosingPolyhedron> round_bodies_;
 };
 
 Vector3d UrdfReader::vector(const Element& element, const char* attribute) const {
@@ -98,13 +109,15 @@ CollisionDescription UrdfReader::collision(const Element& element) {
     const Element* const shape = geometry.FirstChildElement();
     if (!shape)
         file_.fail(geometry, "has no shape");
+    if (const Element* const second = shape->NextSiblingElement())
+        file_.fail(*second, "<geometry> has another shape already; write a second <collision>");
     const std::string_view kind = shape->Name();
     const Pose place = origin(element);
     try {
         if (kind == "mesh")
             return {mesh(*shape), place};
         if (kind == "box")
-            return {make_box(vector(*shape, "size")), place};
+            return box(*shape, place);
         if (kind == "cylinder" || kind == "sphere" || kind == "capsule") {
             const EnclosingPolyhedron body = round_body(*shape);
             return {body.shape, place, body.deviation};
@@ -117,15 +130,42 @@ CollisionDescription UrdfReader::collision(const Element& element) {
     file_.fail(*shape, "is no mesh, box, cylinder, sphere or capsule");
 }
 
-EnclosingPolyhedron UrdfReader::round_body(const Element& element) const {
-    const std::string_view kind = element.Name();
-    const double radius = file_.number(element, "radius");
+/// Files have shapes without extent, as placeholders. A polyhedron needs some, so they become this thick, in the length
+/// unit of the file.
+constexpr double least_size = 1e-6;
+
+double with_extent(double size) {
+    return size == 0 ? least_size : size;
+}
+
+CollisionDescription UrdfReader::box(const Element& element, const Pose& place) const {
+    const Vector3d given = vector(element, "size");
+    const Vector3d sides = given.unaryExpr(&with_extent);
+    return {make_box(sides), place, 0.5 * (sides - given).norm()};
+}
+
+EnclosingPolyhedron UrdfReader::made_round_body(const RoundBody& given) const {
+    const auto& [kind, given_radius, given_length] = given;
+    const double radius = with_extent(given_radius), added = radius - given_radius;
     const double deviation = files_.primitive_deviation * radius;
-    if (kind == "sphere")
-        return enclosing_sphere(radius, deviation);
-    const double length = file_.number(element, "length");
-    return kind == "cylinder" ? enclosing_cylinder(radius, length, deviation)
-                              : enclosing_capsule(radius, length, deviation);
+    if (kind == "cylinder") {
+        const double length = with_extent(given_length);
+        const EnclosingPolyhedron body = enclosing_cylinder(radius, length, deviation);
+        return {body.shape, body.deviation + added + 0.5 * (length - given_length)};
+    }
+    const EnclosingPolyhedron body = given_length == 0 // a capsule without length is a sphere
+                                         ? enclosing_sphere(radius, deviation)
+                                         : enclosing_capsule(radius, given_length, deviation);
+    return {body.shape, body.deviation + added};
+}
+
+/// Equal bodies share their polyhedron.
+EnclosingPolyhedron UrdfReader::round_body(const Element& element) {
+    const std::string kind = element.Name();
+    const RoundBody body{kind, file_.number(element, "radius"), kind == "sphere" ? 0 : file_.number(element, "length")};
+    if (const auto known = round_bodies_.find(body); known != round_bodies_.end())
+        return known->second;
+    return round_bodies_.emplace(body, made_round_body(body)).first->second;
 }
 
 /// A mirrored mesh has its faces the other way round.
@@ -151,7 +191,8 @@ std::string UrdfReader::link_named(const Element& joint, const char* child) cons
     const Element& element = file_.required_child(joint, child);
     std::string link = file_.text(element, "link");
     if (!links_.contains(link))
-        file_.fail(joint, std::string(child) + ": there is no link " + io::in_quotes(link));
+        file_.fail(joint, std::string(child) + ": there is no link " + io::in_quotes(link) +
+                              (link == "world" ? "; add <link name=\"world\"/>" : ""));
     return link;
 }
 
@@ -162,11 +203,12 @@ JointDescription UrdfReader::joint(const Element& element) {
     JointDescription joint;
     const auto type = types.find(file_.text(element, "type"));
     if (type == types.end())
-        file_.fail(element, "type: " + io::in_quotes(file_.text(element, "type")) + " is unknown");
+        file_.fail(element, "type: " + io::in_quotes(file_.text(element, "type")) +
+                                " is none of fixed, revolute, continuous, prismatic, planar and floating");
     joint.type = type->second;
     joint.parent = link_named(element, "parent");
     joint.child = link_named(element, "child");
-    if (!children_.insert(joint.child).second)
+    if (!parents_.emplace(joint.child, joint.parent).second)
         file_.fail(element, "child: another joint has the link " + io::in_quotes(joint.child) + " already");
     joint.origin = origin(element);
     if (const Element* const axis = file_.child(element, "axis"))
@@ -182,22 +224,55 @@ JointDescription UrdfReader::joint(const Element& element) {
     return joint;
 }
 
-/// Limits that are left out are 0, as the format says.
+/// Limits that are left out are 0, as the format says. Some writers give infinite ones.
+double UrdfReader::limit(const Element& element, const char* attribute) const {
+    if (!element.Attribute(attribute))
+        return 0;
+    const std::string given = io::lower_case(file_.text(element, attribute));
+    if (const auto number = io::parse_number(given); number && given.find("inf") != std::string::npos)
+        return *number;
+    return file_.number(element, attribute);
+}
+
 void UrdfReader::add_limits(const Element& element, JointDescription& joint) const {
     if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
         return;
-    const Element& limit = file_.required_child(element, "limit");
-    joint.lower = file_.number(limit, "lower", 0);
-    joint.upper = file_.number(limit, "upper", 0);
+    const Element* const given = file_.child(element, "limit");
+    if (!given)
+        file_.fail(element, joint.type == JointType::revolute ? "has no <limit>; a joint without limits is continuous"
+                                                              : "has no <limit>");
+    joint.lower = limit(*given, "lower");
+    joint.upper = limit(*given, "upper");
     if (joint.lower > joint.upper)
-        file_.fail(element, "limit: the lower one is above the upper one");
+        file_.fail(element, "limit: the lower one, " + number_text(joint.lower) + ", is above the upper one, " +
+                                number_text(joint.upper));
+}
+
+/// A joint that has to follow one of an unknown name is free. `Robot` checks the rest too, but has no lines.
+void UrdfReader::mend_mimic(JointDescription& joint, const RobotDescription& robot) const {
+    if (joint.mimic && !joints_.contains(joint.mimic->joint))
+        joint.mimic.reset();
+    if (!joint.mimic)
+        return;
+    const Element& element = *joint_elements_.at(joint.name);
+    if (joint.type == JointType::planar || joint.type == JointType::floating)
+        file_.fail(element, "mimic: a joint with several variables cannot follow another one");
+    std::set<std::string> chain{joint.name};
+    for (const JointDescription* follower = &joint; follower->mimic && joints_.contains(follower->mimic->joint);) {
+        follower = &*std::ranges::find(robot.joints, follower->mimic->joint, &JointDescription::name);
+        if (follower->type == JointType::fixed || follower->type == JointType::planar ||
+            follower->type == JointType::floating)
+            file_.fail(element, "mimic: " + io::in_quotes(follower->name) + " has not one variable");
+        if (!chain.insert(follower->name).second)
+            file_.fail(element, "mimic: follows itself");
+    }
 }
 
 /// `Robot` checks this too, but has no lines.
 void UrdfReader::check_one_root() const {
     const Element* root = nullptr;
     for (const Element* link : XmlFile::children(file_.root(), "link")) {
-        if (children_.contains(file_.text(*link, "name")))
+        if (parents_.contains(file_.text(*link, "name")))
             continue;
         if (root)
             file_.fail(*link,
@@ -206,9 +281,32 @@ void UrdfReader::check_one_root() const {
     }
     if (!root)
         file_.fail(file_.root(), "has no root: every link is the child of a joint");
+    check_connected(file_.text(*root, "name"));
+}
+
+/// Links that are not below the root are below themselves.
+void UrdfReader::check_connected(const std::string& root) const {
+    std::set<std::string> connected{root};
+    for (const Element* element : XmlFile::children(file_.root(), "link")) {
+        std::set<std::string> way;
+        std::string link = file_.text(*element, "name");
+        for (; !connected.contains(link); link = parents_.at(link))
+            if (!way.insert(link).second)
+                file_.fail(*element, "is not connected with the root " + io::in_quotes(root));
+        connected.merge(way);
+    }
+}
+
+/// Later versions may mean other things by the same words.
+void UrdfReader::check_version() const {
+    static const std::set<std::string_view> known{"1", "1.0", "1.1", "1.2"};
+    const auto version = file_.optional_text(file_.root(), "version");
+    if (version && !known.contains(*version))
+        file_.fail(file_.root(), "version: " + io::in_quotes(*version) + " is none of 1.0, 1.1 and 1.2");
 }
 
 RobotDescription UrdfReader::read() {
+    check_version();
     RobotDescription robot{file_.optional_text(file_.root(), "name").value_or(file_.path().stem().string())};
     for (const Element* element : XmlFile::children(file_.root(), "link"))
         robot.links.push_back(link(*element));
@@ -217,11 +315,11 @@ RobotDescription UrdfReader::read() {
     for (const Element* element : XmlFile::children(file_.root(), "joint")) {
         JointDescription made = joint(*element);
         made.name = name(*element, joints_);
+        joint_elements_.emplace(made.name, element);
         robot.joints.push_back(std::move(made));
     }
     for (JointDescription& joint : robot.joints)
-        if (joint.mimic && !joints_.contains(joint.mimic->joint))
-            joint.mimic.reset();
+        mend_mimic(joint, robot);
     check_one_root();
     try {
         (void)Robot(robot);

@@ -8,8 +8,9 @@
 namespace chasles::robot {
 
 /// The links, joints and collision shapes of a URDF file of version 1.0 to 1.2. Whatever else it has is ignored: visual
-/// shapes, masses, transmissions. A joint that has to follow a joint of an unknown name has a variable of its own, as
-/// in MoveIt and Pinocchio: real files misname joints there. Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
+/// shapes, masses, transmissions. Shapes without extent become 1e-6 length units thick. A joint that has to follow a
+/// joint of an unknown name has a variable of its own, as in MoveIt and Pinocchio: real files misname joints there.
+/// Throws InvalidInput "FILE:LINE: <ELEMENT NAME>: WHY".
 RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& files);
 
 /// Adds the pairs, groups and states of an SRDF file to a tree. Files are often shared by variants of a robot.

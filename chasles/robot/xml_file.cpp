@@ -9,6 +9,8 @@ namespace chasles::robot {
 
 namespace {
 
+constexpr const char* xacro_source = " source of xacro; expand the file first (xacro FILE > ROBOT.urdf)";
+
 std::string place(const std::filesystem::path& file, int line) {
     return io::shown_name(file) + ':' + std::to_string(line);
 }
@@ -20,10 +22,37 @@ std::string trimmed(std::string_view text) {
                                            : std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
 }
 
+void check_encoding(const std::filesystem::path& file, std::string_view bytes) {
+    try {
+        (void)io::without_byte_order_mark(bytes);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(place(file, 1) + ": " + error.what());
+    }
+}
+
+/// Whether each character is one byte below 0x80, or a first byte that is followed by as many others as it says.
+bool is_utf8(std::string_view text) {
+    int following = 0;
+    for (const char c : text) {
+        const auto byte = static_cast<unsigned char>(c);
+        const bool is_following = (byte & 0xc0) == 0x80;
+        if (is_following != (following > 0) || byte > 0xf4 || byte == 0xc0 || byte == 0xc1)
+            return false;
+        following = is_following ? following - 1 : byte >= 0xf0 ? 3 : byte >= 0xe0 ? 2 : byte >= 0xc0 ? 1 : 0;
+    }
+    return following == 0;
+}
+
+/// Files are often written by merging others, which repeats elements as they are.
+bool is_the_same(const XmlFile::Element& a, const XmlFile::Element& b) {
+    return a.NoChildren() && b.NoChildren() && a.ShallowEqual(&b);
+}
+
 } // namespace
 
 XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(file) {
     const std::string bytes = io::read_file(file);
+    check_encoding(path_, bytes);
     if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS)
         throw InvalidInput(place(path_, document_.ErrorLineNum()) + ": is no well-formed XML (" +
                            io::one_line(document_.ErrorName()) + ")");
@@ -31,6 +60,18 @@ XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(fi
     if (!element || std::string_view(element->Name()) != root)
         throw InvalidInput(place(path_, element ? element->GetLineNum() : 1) + ": the root element must be <" + root +
                            ">");
+    if (const Element* const second = element->NextSiblingElement())
+        throw InvalidInput(place(path_, second->GetLineNum()) + ": <" + io::one_line(second->Name()) +
+                           ">: a file has one root element only");
+    refuse_xacro(*element);
+}
+
+/// What a macro stands for would be left out. The parser bounds the depth.
+void XmlFile::refuse_xacro(const Element& element) const {
+    if (std::string_view(element.Name()).starts_with("xacro:"))
+        fail(element, std::string("is") + xacro_source);
+    for (const Element* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+        refuse_xacro(*child);
 }
 
 void XmlFile::fail(const Element& element, const std::string& why) const {
@@ -49,8 +90,9 @@ std::vector<const XmlFile::Element*> XmlFile::children(const Element& element, c
 
 const XmlFile::Element* XmlFile::child(const Element& element, const char* name) const {
     const Element* const first = element.FirstChildElement(name);
-    if (first && first->NextSiblingElement(name))
-        fail(element, std::string("has <") + name + "> more than once");
+    for (const Element* other = first; other; other = other->NextSiblingElement(name))
+        if (other != first && !is_the_same(*other, *first))
+            fail(*other, std::string("<") + io::one_line(element.Name()) + "> has another one already");
     return first;
 }
 
@@ -73,6 +115,10 @@ std::string XmlFile::text(const Element& element, const char* attribute) const {
     if (value.empty())
         fail(element,
              std::string(given ? "the attribute " : "has no attribute ") + attribute + (given ? " is empty" : ""));
+    if (!is_utf8(value))
+        fail(element, std::string(attribute) + ": " + io::in_quotes(value) + " is not in UTF-8");
+    if (value.find("${") != std::string::npos || value.find("$(") != std::string::npos)
+        fail(element, std::string(attribute) + ": " + io::in_quotes(value) + " is" + xacro_source);
     return value;
 }
 
@@ -83,7 +129,8 @@ std::vector<double> XmlFile::numbers(const Element& element, const char* attribu
     for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
         const std::optional<double> value = io::parse_finite(word);
         if (!value)
-            fail(element, std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number");
+            fail(element, std::string(attribute) + ": " + io::in_quotes(word) + " is not a finite number" +
+                              (word.find(',') != std::string_view::npos ? "; blanks separate numbers" : ""));
         values.push_back(*value);
     }
     if (values.size() != count)

@@ -23,7 +23,8 @@ class XmlFile {
 public:
     using Element = tinyxml2::XMLElement;
 
-    /// Throws InvalidInput "FILE:LINE: WHY" for what is no XML, or whose root has another name.
+    /// Throws InvalidInput "FILE:LINE: WHY" for what is no XML, whose root has another name, that has two roots, or
+    /// that is source of xacro.
     XmlFile(const std::filesystem::path& file, const char* root);
 
     [[nodiscard]] const Element& root() const { return *document_.RootElement(); }
@@ -36,11 +37,11 @@ public:
 
     /// The children of this name, in order.
     static std::vector<const Element*> children(const Element& element, const char* name);
-    /// Null if there is none; fails if there are several.
+    /// Null if there is none; fails if there are several that differ.
     [[nodiscard]] const Element* child(const Element& element, const char* name) const;
     [[nodiscard]] const Element& required_child(const Element& element, const char* name) const;
 
-    /// The value of an attribute without blanks around it; fails if it is missing or empty.
+    /// The value of an attribute without blanks around it; fails if it is missing or empty, or is source of xacro.
     [[nodiscard]] std::string text(const Element& element, const char* attribute) const;
     [[nodiscard]] std::optional<std::string> optional_text(const Element& element, const char* attribute) const;
     /// Finite numbers; fails for another count.
@@ -49,6 +50,8 @@ public:
     [[nodiscard]] double number(const Element& element, const char* attribute, double otherwise) const;
 
 private:
+    void refuse_xacro(const Element& element) const;
+
     std::filesystem::path path_;
     tinyxml2::XMLDocument document_;
 };

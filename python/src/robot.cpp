@@ -47,6 +47,18 @@ std::vector<std::string> links_of(const Robot& robot) {
     return names;
 }
 
+nb::list collisions_of(const Robot& robot, const std::string& link) {
+    const std::vector<LinkDescription>& links = robot.description().links;
+    const auto found = std::ranges::find(links, link, &LinkDescription::name);
+    if (found == links.end())
+        throw InvalidInput("robot: " + link + ": there is no such link");
+    nb::list shapes;
+    for (const CollisionDescription& shape : found->collisions)
+        shapes.append(
+            nb::make_tuple(nb::cast(Body{shape.shape, nullptr, {}}), matrix_of(shape.origin), shape.deviation));
+    return shapes;
+}
+
 nb::dict link_poses(const Robot& robot, nb::handle configuration) {
     const std::vector<Pose> poses = robot.link_poses(configuration_from(configuration, "configuration"));
     nb::dict by_name;
@@ -177,6 +189,11 @@ void bind_robot(nb::module_& module) {
             nb::sig("def continuous(self) -> list[bool]"),
             "Of each variable, whether it is an angle without limits: values that differ by 2 pi are the same.")
         .def_prop_ro("links", links_of, "The names of the links.")
+        .def("collisions", collisions_of, "link"_a,
+             nb::sig("def collisions(self, link: str) -> list[tuple[Polyhedron, " CHASLES_ARRAY ", float]]"),
+             "The shapes of a link: each with its pose in the frame of the link, (4, 4), and with the deviation by "
+             "which "
+             "it\nencloses a round body, mesh unit.\n\nRaises\n------\nInvalidInput\n    For an unknown link.")
         .def(
             "neutral", [](const Robot& r) { return array_of(r.neutral()); },
             nb::sig("def neutral(self) -> " CHASLES_ARRAY), doc("Robot.neutral"))

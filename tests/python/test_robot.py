@@ -158,6 +158,15 @@ def test_parts_and_pairs(arm, world, cube):
         arm.detach("box")
 
 
+def test_shapes_of_links(arm):
+    (shape, pose, deviation), *others = arm.collisions("lower")
+    assert not others and 0 < deviation <= 0.01 * 0.05
+    np.testing.assert_allclose(pose[:3, 3], [0.5, 0, 0])
+    assert 0.05 <= np.linalg.norm(shape.vertices[:, :2], axis=1).max() <= 0.05 + deviation
+    with pytest.raises(chasles.InvalidInput, match="elbow: there is no such link"):
+        arm.collisions("elbow")
+
+
 def test_pairs_are_proven(arm):
     (proof,) = arm.prove_pairs()
     assert proof.links == ("upper", "lower") and proof.reason == "adjacent" and proof.witness is None
@@ -183,18 +192,3 @@ def test_wrong_arguments_are_refused(arm, tmp_path):
     (tmp_path / "bad.urdf").write_text(ARM.replace('link="lower"/><origin', 'link="hand"/><origin'))
     with pytest.raises(chasles.InvalidInput, match=r"bad.urdf:\d+: <joint elbow>: child: there is no link 'hand'"):
         chasles.Robot.load(tmp_path / "bad.urdf")
-
-
-def test_the_panda_has_the_kinematics_of_pinocchio(data):
-    pinocchio = pytest.importorskip("pinocchio")
-    urdf = data / "robots" / "panda" / "panda.urdf"
-    robot = chasles.Robot.load(urdf)
-    model = pinocchio.buildModelFromUrdf(str(urdf))
-    state = model.createData()
-    random = np.random.default_rng(2)
-    for _ in range(20):
-        values = random.uniform(*robot.limits.T)
-        pinocchio.framesForwardKinematics(model, state, values)
-        for link, pose in robot.link_poses(values).items():
-            expected = state.oMf[model.getFrameId(link)].homogeneous
-            np.testing.assert_allclose(pose, expected, atol=1e-12)

@@ -1,0 +1,54 @@
+// Names of mesh files as they are written on other systems.
+#include "chasles/robot/package_paths.h"
+
+#include "tests/robot/urdf_file.h"
+
+namespace chasles::tests {
+namespace {
+
+class PackagePaths : public UrdfFile {
+protected:
+    PackagePaths() {
+        std::filesystem::create_directories(path("arm/new meshes"));
+        std::filesystem::copy_file(path("cube.obj"), path("arm/new meshes/part.obj"));
+        write("robot.urdf", "");
+    }
+    [[nodiscard]] bool finds(const std::string& uri) const {
+        return std::filesystem::equivalent(robot::resolved(uri, path("robot.urdf"), {}),
+                                           path("arm/new meshes/part.obj"));
+    }
+    [[nodiscard]] std::string fault(const std::string& uri) const {
+        return without_folder(message_of([&] { (void)robot::resolved(uri, path("robot.urdf"), {}); }));
+    }
+};
+
+TEST_F(PackagePaths, ReadNamesOfOtherSystems) {
+    const std::string folder = path("").string();
+    EXPECT_TRUE(finds("package://arm/new meshes/part.obj"));
+    EXPECT_TRUE(finds("package://arm/new%20meshes/part.obj"));
+    EXPECT_TRUE(finds("package://arm\\new meshes\\part.obj"));
+    EXPECT_TRUE(finds("arm\\new meshes\\part.obj"));
+    EXPECT_TRUE(finds("./arm/../arm/new%20meshes/part.obj"));
+    EXPECT_TRUE(finds("file://" + folder + "arm/new%20meshes/part.obj"));
+    EXPECT_TRUE(finds("file://localhost" + folder + "arm/new meshes/part.obj"));
+    EXPECT_TRUE(finds("file:" + folder + "arm/new meshes/part.obj"));
+}
+
+/// A name with a percent sign of its own is found as it is.
+TEST_F(PackagePaths, TryTheNameAsItIsFirst) {
+    write("50%20.obj", "");
+    write("50 .obj", "");
+    EXPECT_EQ(robot::resolved("50%20.obj", path("robot.urdf"), {}), path("50%20.obj"));
+}
+
+TEST_F(PackagePaths, SayWhereTheyLooked) {
+    const std::string far = "package://leg/a/quite/long/name/of/a/folder/with/meshes/of/the/robot/part.obj";
+    EXPECT_EQ(fault(far).find("there is no file '" + far + "'; tried "), 0U);
+    EXPECT_NE(fault(far).find("; say where the package is, by the map of packages"), std::string::npos);
+    EXPECT_EQ(fault("part%.obj"), "there is no file 'part%.obj'; tried part%.obj");
+    EXPECT_EQ(fault("package://arm"), "'package://arm' names no file in a package");
+    EXPECT_EQ(fault("http://host/part.obj"), "'http://host/part.obj' is no package://, no file:// and no path");
+}
+
+} // namespace
+} // namespace chasles::tests
