@@ -1,7 +1,8 @@
 // The 400 planning problems of the Panda with OMPL's RRT-Connect: with motions that are proven, and with OMPL's own
 // validator over FCL at its default of 1 %, and at 0.1 %. How many of the paths that they return touch something, and
-// where does the time go? `planning_bench FOLDER` writes problems.csv, paths.csv and
-// edges.csv: times, the paths, and some of the edges that the planner asked for.
+// where does the time go? `planning_bench FOLDER [STRIDE]` writes problems.csv, paths.csv and
+// edges.csv: times, the paths, and some of the edges that the planner asked for; with a stride, each STRIDE-th
+// problem is planned. All times are of the processor.
 #include "bench/counted_validators.h"
 #include "bench/fcl_robot.h"
 #include "bench/timings.h"
@@ -10,8 +11,8 @@
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cstdio>
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <functional>
@@ -28,7 +29,7 @@ namespace {
 namespace ob = ::ompl::base;
 namespace og = ::ompl::geometric;
 
-constexpr double longest = 10; ///< seconds for a problem
+constexpr double longest = 10; ///< seconds of the processor for a problem
 
 std::shared_ptr<ob::RealVectorStateSpace> space_of(const Robot& robot) {
     auto space = std::make_shared<ob::RealVectorStateSpace>(unsigned(robot.variables().size()));
@@ -68,9 +69,14 @@ std::vector<std::vector<double>> rows_of(const og::PathGeometric& path) {
 }
 
 double seconds_of(const std::function<void()>& work) {
-    const auto start = std::chrono::steady_clock::now();
+    const double start = processor_seconds();
     work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return processor_seconds() - start;
+}
+
+/// After so many seconds of the processor.
+ob::PlannerTerminationCondition after(double seconds) {
+    return ob::PlannerTerminationCondition([end = processor_seconds() + seconds] { return processor_seconds() > end; });
 }
 
 using Validators = std::pair<std::shared_ptr<ob::StateValidityChecker>, std::shared_ptr<ob::MotionValidator>>;
@@ -93,9 +99,9 @@ Outcome plan(const test::PlanningProblem& problem, const RobotChecker& checker,
     setup.setStartAndGoalStates(state(problem.start), state(problem.goal));
     setup.setPlanner(std::make_shared<og::RRTConnect>(information));
     outcome.planning =
-        seconds_of([&] { outcome.is_solved = setup.solve(longest) == ob::PlannerStatus::EXACT_SOLUTION; });
+        seconds_of([&] { outcome.is_solved = setup.solve(after(longest)) == ob::PlannerStatus::EXACT_SOLUTION; });
     if (outcome.is_solved) {
-        outcome.shortening = seconds_of([&] { setup.simplifySolution(1); });
+        outcome.shortening = seconds_of([&] { setup.simplifySolution(after(1)); });
         judge(outcome, setup.getSolutionPath(), checker);
         outcome.path = rows_of(setup.getSolutionPath());
     }
@@ -200,7 +206,7 @@ void write(const std::filesystem::path& folder, const std::vector<Planned>& all)
     }
 }
 
-int run(const char* out) {
+int run(const char* out, std::size_t stride) {
     const std::filesystem::path folder = std::filesystem::path(CHASLES_DATA_DIR) / "robots/panda";
     if (!std::filesystem::exists(folder)) {
         std::printf("skipped: no folder robots/panda of real inputs\n");
@@ -212,7 +218,9 @@ int run(const char* out) {
     constexpr std::array names{"proven", "OMPL's own at 1 % over FCL", "OMPL's own at 0.1 % over FCL"};
     std::array<std::vector<Outcome>, names.size()> outcomes;
     std::vector<Planned> all;
-    for (const std::string& name : test::planning_problem_names(folder / "mbm-problems")) {
+    const std::vector<std::string> problems = test::planning_problem_names(folder / "mbm-problems");
+    for (std::size_t p = 0; p < problems.size(); p += stride) {
+        const std::string& name = problems[p];
         const test::PlanningProblem problem = test::read_planning_problem(folder / "mbm-problems", name, robot);
         const RobotChecker checker(robot, &problem.world);
         FclRobot peer(robot, problem.world);
@@ -235,5 +243,6 @@ int run(const char* out) {
 } // namespace chasles::bench
 
 int main(int argument_count, char** arguments) {
-    return chasles::bench::run(argument_count > 1 ? arguments[1] : nullptr);
+    return chasles::bench::run(argument_count > 1 ? arguments[1] : nullptr,
+                               argument_count > 2 ? std::max(1ul, std::strtoul(arguments[2], nullptr, 10)) : 1);
 }
