@@ -60,18 +60,18 @@ class CoalRobot:
         """The answer and the seconds of the calls: samples are made before."""
         samples = list(self.samples(start, goal, part))
         collides, arguments = pinocchio.computeCollisions, (self.model, self.data, self.geometry, self.geometry_data)
-        began = time.perf_counter()
+        began = time.process_time()
         for sample in samples:
             if collides(*arguments, sample, True):
-                return False, time.perf_counter() - began
-        return True, time.perf_counter() - began
+                return False, time.process_time() - began
+        return True, time.process_time() - began
 
     def overhead(self) -> float:
         """Seconds of Python a sample: the same call for a model without shapes, with its kinematics."""
         geometry = pinocchio.GeometryModel()
         arguments = (self.model, self.data, geometry, geometry.createData())
         sample = pinocchio.neutral(self.model)
-        began = time.perf_counter()
+        began = time.process_time()
         for _ in range(10000):
             pinocchio.computeCollisions(*arguments, sample, True)
-        return (time.perf_counter() - began) / 10000
+        return (time.process_time() - began) / 10000

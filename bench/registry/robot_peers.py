@@ -4,7 +4,7 @@
 Usage: robot_peers.py [FOLDER]   where `planning_bench FOLDER` wrote edges.csv: without it, random edges only
 
 Each answer of Chasles is judged by Coal at 2,000 samples of the edge, and shortly after a contact. A contradiction ends
-the program with exit status 1. docs/decisions/0040-peers.md says how each peer is called.
+the program with exit status 1. Times are of the processor. docs/decisions/0040-peers.md says how each peer is called.
 """
 
 import csv
@@ -61,6 +61,8 @@ class Worlds:
     def __init__(self, world: robot_worlds.World):
         self.robot = world.robot.load()
         self.checker = chasles.RobotChecker(self.robot, world.scene())
+        inside = dataclasses.replace(world, cylinders_inside=True)
+        self.checker_inside = chasles.RobotChecker(self.robot, inside.scene())
         self.coal = coal_robot.CoalRobot(world, self.robot)
         self.asks: dict[str, Ask | str] = {
             "chasles, is_clear": self.chasles_is_clear,
@@ -72,14 +74,14 @@ class Worlds:
         }
 
     def chasles_is_clear(self, start: np.ndarray, goal: np.ndarray) -> tuple[bool, float]:
-        began = time.perf_counter()
+        began = time.process_time()
         answer = self.checker.is_clear(start, goal)
-        return answer, time.perf_counter() - began
+        return answer, time.process_time() - began
 
     def chasles_first_contact(self, start: np.ndarray, goal: np.ndarray) -> tuple[bool, float]:
-        began = time.perf_counter()
+        began = time.process_time()
         answer = self.checker.first_contact(start, goal)
-        return answer.verdict == "clear", time.perf_counter() - began
+        return answer.verdict == "clear", time.process_time() - began
 
     def hpp(self, world: robot_worlds.World) -> dict[str, Ask | str]:
         kinds = {"hpp, Dichotomy": ("Dichotomy", 0.0), "hpp, Progressive, 1 mm": ("Progressive", 1e-3)}
@@ -137,7 +139,11 @@ def race(rows: dict[str, Row], worlds: Worlds, edges: list[tuple[np.ndarray, np.
                 row.absent = ask
                 continue
             answers = [ask(start, goal) for _ in range(RUNS)]
-            row.add(answers[0][0], truth, float(np.median([seconds for _, seconds in answers])))
+            is_clear = answers[0][0]
+            judged = truth
+            if name == "VAMP" and is_clear and not truth:  # its cylinders are thinner than our prisms
+                judged = worlds.checker_inside.is_clear(start, goal)
+            row.add(is_clear, judged, float(np.median([seconds for _, seconds in answers])))
 
 
 def report(title: str, rows: dict[str, Row]) -> None:

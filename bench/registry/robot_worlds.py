@@ -38,11 +38,17 @@ class World:
     start: np.ndarray | None = None
     goal: np.ndarray | None = None
 
+    cylinders_inside: bool = False  # prisms inside of cylinders: what touches them touches the cylinders
+
     def scene(self) -> chasles.Scene:
         scene = chasles.Scene()
         for obstacle in self.obstacles:
-            scene.add(obstacle.name, chasles.Polyhedron(*mesh(obstacle)), obstacle.pose)
+            scene.add(obstacle.name, chasles.Polyhedron(*self.mesh(obstacle)), obstacle.pose)
         return scene
+
+
+    def mesh(self, obstacle: Obstacle) -> tuple[np.ndarray, list[list[int]]]:
+        return box(obstacle.sizes) if obstacle.is_box else prism(*obstacle.sizes, self.cylinders_inside)
 
 
 @dataclasses.dataclass
@@ -67,11 +73,11 @@ ABB_FOLDER = DATA / "robots/abb_irb2400"
 ABB = RobotFiles("irb2400", ABB_FOLDER / "abb_irb2400.urdf", ABB_FOLDER / "abb_irb2400.srdf", "package://tesseract/support/", ABB_FOLDER)
 
 
-def prism(height: float, radius: float) -> tuple[np.ndarray, list[list[int]]]:
-    """A prism around a cylinder along z, by a hundredth of the radius too thick at most."""
+def prism(height: float, radius: float, is_inside: bool) -> tuple[np.ndarray, list[list[int]]]:
+    """A prism around a cylinder along z, by a hundredth of the radius too thick at most, or inside of it."""
     sides = math.ceil(math.pi / math.acos(1 / 1.01))
     angles = 2 * math.pi * np.arange(sides) / sides
-    ring = radius / math.cos(math.pi / sides) * np.column_stack([np.cos(angles), np.sin(angles)])
+    ring = radius / (1 if is_inside else math.cos(math.pi / sides)) * np.column_stack([np.cos(angles), np.sin(angles)])
     bottom, top = (np.column_stack([ring, np.full(sides, z)]) for z in (-height / 2, height / 2))
     walls = [[i, (i + 1) % sides, sides + (i + 1) % sides, sides + i] for i in range(sides)]
     vertices = np.vstack([bottom, top]).astype(np.float32).astype(float)
@@ -86,10 +92,6 @@ def box(sizes: tuple[float, ...]) -> tuple[np.ndarray, list[list[int]]]:
 
 def triangles(faces: list[list[int]]) -> list[list[int]]:
     return [[face[0], face[i], face[i + 1]] for face in faces for i in range(1, len(face) - 1)]
-
-
-def mesh(obstacle: Obstacle) -> tuple[np.ndarray, list[list[int]]]:
-    return box(obstacle.sizes) if obstacle.is_box else prism(*obstacle.sizes)
 
 
 def pose_of(node: dict) -> np.ndarray:
@@ -178,7 +180,7 @@ def urdf_with_world(world: World) -> pathlib.Path:
         if obstacle.is_box:
             xml.SubElement(geometry, "box", size=" ".join(map(repr, map(float, obstacle.sizes))))
         else:
-            write_obj(folder / f"{i}.obj", *mesh(obstacle))
+            write_obj(folder / f"{i}.obj", *world.mesh(obstacle))
             xml.SubElement(geometry, "mesh", filename=str(folder / f"{i}.obj"))
         joint = xml.SubElement(root, "joint", name=f"obstacle{i}_joint", type="fixed")
         xml.SubElement(joint, "parent", link=base)
