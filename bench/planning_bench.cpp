@@ -163,11 +163,11 @@ void print(const char* name, const std::vector<Outcome>& outcomes) {
         asked.motions += outcome.asked.motions;
         asked.motions_with_last += outcome.asked.motions_with_last;
     }
-    std::printf("%s: solved %zu of %zu; median %.1f ms, 90 %% %.1f ms, mean %.1f ms (planning %.1f ms, shortening %.1f ms)\n",
-                name, solved, outcomes.size(), 1e3 * quantile(seconds, 0.5), 1e3 * quantile(seconds, 0.9),
-                1e3 * mean(outcomes, &Outcome::seconds),
-                1e3 * mean(outcomes, [](const Outcome& o) { return o.planning; }),
-                1e3 * mean(outcomes, [](const Outcome& o) { return o.shortening; }));
+    std::printf(
+        "%s: solved %zu of %zu; median %.1f ms, 90 %% %.1f ms, mean %.1f ms (planning %.1f ms, shortening %.1f ms)\n",
+        name, solved, outcomes.size(), 1e3 * quantile(seconds, 0.5), 1e3 * quantile(seconds, 0.9),
+        1e3 * mean(outcomes, &Outcome::seconds), 1e3 * mean(outcomes, [](const Outcome& o) { return o.planning; }),
+        1e3 * mean(outcomes, [](const Outcome& o) { return o.shortening; }));
     std::printf("  %zu paths touch, by %zu of %zu edges\n", touching, touching_edges, edges);
     print("states", asked.states, outcomes.size());
     print("motions", asked.motions, outcomes.size());
@@ -226,8 +226,7 @@ int run(const char* out, std::size_t stride) {
         FclRobot peer(robot, problem.world);
         for (std::size_t v = 0; v < names.size(); ++v) {
             outcomes[v].push_back(plan(problem, checker, [&](const ob::SpaceInformationPtr& information) {
-                return v == 0 ? proven(information, checker)
-                              : sampled(information, peer, robot, v == 1 ? 0.01 : 0.001);
+                return v == 0 ? proven(information, checker) : sampled(information, peer, robot, v == 1 ? 0.01 : 0.001);
             }));
             all.push_back({name, names[v], outcomes[v].back()});
         }

@@ -116,11 +116,12 @@ public:
 private:
     [[nodiscard]] Configuration values(const State* state) const { return map_(*si_->getStateSpace(), state); }
 
-    /// A state that touches refutes a motion at a fifth of the cost of a search along the way, and a state that is clear
-    /// adds a tenth to the cost of a proof. So states come first where enough motions touch: one in eight so far.
+    /// A state that touches refutes a motion at a fifth of the cost of a search along the way, and a state that is
+    /// clear adds a tenth to the cost of a proof. So states come first where enough motions touch: one in eight so far.
     [[nodiscard]] bool is_clear(const State* s1, const State* s2) const {
         const bool refutes_first = 8 * touching_ >= asked_++;
-        const bool is_clear = !(refutes_first && touches_at_states(s1, s2)) && checker_.is_clear(values(s1), values(s2));
+        const bool is_clear =
+            !(refutes_first && touches_at_states(s1, s2)) && checker_.is_clear(values(s1), values(s2));
         touching_ += is_clear ? 0 : 1;
         return is_clear;
     }

@@ -22,6 +22,9 @@ class CoalRobot:
         self.geometry_data = self.geometry.createData()
         for request in self.geometry_data.collisionRequests:
             request.break_distance = 0.0  # see docs/decisions/0040-peers.md
+        self.broad_phase = pinocchio.BroadPhaseManager_DynamicAABBTreeCollisionManager(
+            self.model, self.geometry, self.geometry_data
+        )
         self.fcl = fcl_judge.FclJudge(self.geometry)
         self.extent = float(
             np.linalg.norm(self.model.upperPositionLimit - self.model.lowerPositionLimit)
@@ -40,9 +43,7 @@ class CoalRobot:
                     self.geometry.addCollisionPair(pinocchio.CollisionPair(i, j))
 
     def collides(self, configuration: np.ndarray) -> bool:
-        return pinocchio.computeCollisions(
-            self.model, self.data, self.geometry, self.geometry_data, configuration, True
-        )
+        return pinocchio.computeCollisions(self.model, self.data, self.broad_phase, configuration, True)
 
     def surely_collides(self, configuration: np.ndarray) -> bool:
         """Not only within Coal's tolerance."""
@@ -59,7 +60,7 @@ class CoalRobot:
     def timed(self, start: np.ndarray, goal: np.ndarray, part: float) -> tuple[bool, float]:
         """The answer and the seconds of the calls: samples are made before."""
         samples = list(self.samples(start, goal, part))
-        collides, arguments = pinocchio.computeCollisions, (self.model, self.data, self.geometry, self.geometry_data)
+        collides, arguments = pinocchio.computeCollisions, (self.model, self.data, self.broad_phase)
         began = time.process_time()
         for sample in samples:
             if collides(*arguments, sample, True):

@@ -31,7 +31,7 @@ def with_points_between(path: np.ndarray, spacing: float) -> np.ndarray:
 def by_toppra(robot: chasles.Robot, path: np.ndarray) -> chasles.JointPath | None:
     """A cubic spline through the points, timed, and fitted again over time (ParametrizeSpline, the default).
 
-    None where TOPP-RA finds no timing.
+    ParametrizeConstAccel would only time the first spline. None where TOPP-RA finds no timing.
     """
     lengths = np.linalg.norm(np.diff(path, axis=0), axis=1)
     spline = toppra.SplineInterpolator(np.concatenate([[0], np.cumsum(lengths)]), path)

@@ -1,11 +1,11 @@
 #!/usr/bin/env python3
 """How many planned paths of the Panda collide as planned, and how many only as executed?
 
-Usage: executed_paths.py FOLDER [PROBLEMS]   `planning_bench FOLDER` wrote paths.csv there; the page of a path comes there, too
+Usage: executed_paths.py FOLDER [PROBLEMS]
 
-Paths of OMPL's RRT-Connect (proven, and with its own validator) and of VAMP, over its problems: straight edges as planned,
-then TOPP-RA's splines and Ruckig's steps. Coal tests 500 samples of each motion. A contradiction to Chasles ends the
-program with exit status 1.
+`planning_bench FOLDER` wrote paths.csv there; the page of a path comes there, too. Paths of OMPL's RRT-Connect (proven, and
+with its own validator) and of VAMP: straight edges as planned, then TOPP-RA's splines and Ruckig's steps. Coal tests 500
+samples of each motion. A contradiction to Chasles ends the program with exit status 1.
 """
 
 import csv
@@ -111,7 +111,7 @@ VAMP_SECONDS: list[float] = []
 
 def report(counts: dict[str, Count]) -> None:
     for planner, count in counts.items():
-        print(f"\n{planner}: {count.paths} paths, {count.touch_as_planned} touch as planned; of the others, as executed:")
+        print(f"\n{planner}: {count.paths} paths, {count.touch_as_planned} touch as planned; the others as executed:")
         for name, paths in count.executed.items():
             print(f"  {name:38} {count.touch[name]:4} of {paths} touch; not timed: {count.untimed.get(name, 0)}")
     if VAMP_SECONDS:
@@ -141,7 +141,8 @@ def main(arguments: list[str]) -> int:
             touching = judge(counts.setdefault(planner, Count()), asked, path)
             if touching is not None and not has_page:
                 title = f"{name}: a path that is clear as planned ({planner}), and touches as executed"
-                page = chasles.write_robot_page(asked.robot, touching, folder / "executed.html", scene=asked.scene, title=title)
+                page = folder / "executed.html"
+                chasles.write_robot_page(asked.robot, touching, page, scene=asked.scene, title=title)
                 print(f"{page}: {title}: {asked.checker.first_contact_on_path(touching)}")
                 has_page = True
     report(counts)

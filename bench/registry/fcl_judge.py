@@ -1,4 +1,4 @@
-"""Coal counts triangles as colliding that are 1e-6 apart or less. Where that matters, FCL's exact tests of triangles decide."""
+"""FCL's tests of triangles, which have no tolerance: Coal counts triangles as colliding that are 1e-6 apart or less."""
 
 import fcl
 import numpy as np

@@ -154,8 +154,8 @@ def report(title: str, rows: dict[str, Row]) -> None:
         if row.absent:
             print(f"{name:24} absent: {row.absent}")
             continue
-        times = 1e6 * np.array([np.median(row.seconds), np.median(row.of_clear), np.mean(row.seconds), max(row.seconds)])
-        print(f"{name:24} " + " ".join(f"{t:9.1f}" for t in times) + f" {row.missed:7} {row.false_alarms:13}")
+        times = [np.median(row.seconds), np.median(row.of_clear), np.mean(row.seconds), max(row.seconds)]
+        print(f"{name:24} " + " ".join(f"{1e6 * t:9.1f}" for t in times) + f" {row.missed:7} {row.false_alarms:13}")
     sys.stdout.flush()
 
 

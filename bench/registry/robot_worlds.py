@@ -70,7 +70,13 @@ PANDA = RobotFiles(
     "panda", DATA / "robots/panda/panda.urdf", DATA / "robots/panda/panda.srdf", "package://", DATA / "robots/panda"
 )
 ABB_FOLDER = DATA / "robots/abb_irb2400"
-ABB = RobotFiles("irb2400", ABB_FOLDER / "abb_irb2400.urdf", ABB_FOLDER / "abb_irb2400.srdf", "package://tesseract/support/", ABB_FOLDER)
+ABB = RobotFiles(
+    "irb2400",
+    ABB_FOLDER / "abb_irb2400.urdf",
+    ABB_FOLDER / "abb_irb2400.srdf",
+    "package://tesseract/support/",
+    ABB_FOLDER,
+)
 
 
 def prism(height: float, radius: float, is_inside: bool) -> tuple[np.ndarray, list[list[int]]]:

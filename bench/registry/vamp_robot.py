@@ -37,7 +37,10 @@ class VampRobot:
                 height, radius = obstacle.sizes
                 loaded.vamp_add_capsule(self.handle, centre, angles, ctypes.c_float(radius), ctypes.c_float(height))
                 continue
-            sizes = obstacle.sizes if obstacle.is_box else (2 * obstacle.sizes[1], 2 * obstacle.sizes[1], obstacle.sizes[0])
+            sizes = obstacle.sizes
+            if not obstacle.is_box:
+                height, radius = sizes
+                sizes = (2 * radius, 2 * radius, height)
             loaded.vamp_add_cuboid(self.handle, centre, angles, floats([size / 2 for size in sizes]))
         loaded.vamp_ready(self.handle)
 

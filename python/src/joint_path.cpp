@@ -43,8 +43,8 @@ std::pair<double, double> scaled(double value, double scale, Eigen::Index k) {
     return {value, rest};
 }
 
-/// The laid-out coefficients of scipy.interpolate.PPoly: `coefficients` has the shape (powers, segments, variables), the
-/// highest power comes first, and times count from the begin of the segment.
+/// The laid-out coefficients of scipy.interpolate.PPoly: `coefficients` has the shape (powers, segments, variables),
+/// the highest power comes first, and times count from the begin of the segment.
 JointPath polynomials(const Robot& robot, nb::handle breaks, nb::handle coefficients) {
     const std::vector<double> times = numbers_from(breaks, "breaks");
     const DoubleArray array(coefficients, "coefficients");

@@ -223,7 +223,8 @@ void bind_robot(nb::module_& module) {
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
-            "The first contact along a JointPath, or along configurations (n, variables): straight from each configuration to the next, with time "
+            "The first contact along a JointPath, or along configurations (n, variables): straight from each "
+            "configuration to the next, with time "
             "stamps\nor without; with velocities by cubic splines, with accelerations, too, by quintic ones. With "
             "stamps, times\nof the answer count in stamps, otherwise within the segment, in [0, 1].")
         .def(

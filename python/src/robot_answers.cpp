@@ -222,8 +222,9 @@ void bind_robot_answers(nb::module_& module) {
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None) -> RobotContact"),
-            "Along a path: a JointPath; or configurations: straight, or cubic with velocities, or quintic with accelerations, "
-             "too.")
+            "Along a path: a JointPath; or configurations: straight, or cubic with velocities, or quintic with "
+            "accelerations, "
+            "too.")
         .def("least_distance", clearance_on_edge, "start"_a, "goal"_a, "tolerance"_a = default_tolerance,
              nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, "
                      "tolerance: float = 1e-6) -> RobotClearance"),
