@@ -212,6 +212,10 @@ int run(const char* out, std::size_t stride) {
         std::printf("skipped: no folder robots/panda of real inputs\n");
         return 0;
     }
+    if (out && !std::filesystem::is_directory(out)) {
+        std::fprintf(stderr, "%s: is no folder\n", out);
+        return 1;
+    }
     ::ompl::msg::setLogLevel(::ompl::msg::LOG_ERROR);
     ::ompl::RNG::setSeed(1);
     const Robot robot = Robot::load(folder / "panda.urdf", {.srdf = folder / "panda.srdf"});
