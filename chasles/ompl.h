@@ -11,6 +11,8 @@
 #include "chasles/robot/robot.h"
 
 #include <algorithm>
+#include <array>
+#include <atomic>
 #include <numeric>
 #include <ompl/base/MotionValidator.h>
 #include <ompl/base/SpaceInformation.h>
@@ -126,7 +128,7 @@ public:
     }
 
     bool checkMotion(const State* s1, const State* s2) const override {
-        const bool is_valid = si_->isValid(s2) && checker_.is_clear(values(s1), values(s2));
+        const bool is_valid = si_->isValid(s2) && is_clear(s1, s2);
         ++(is_valid ? valid_ : invalid_);
         return is_valid;
     }
@@ -146,6 +148,27 @@ public:
 
 private:
     [[nodiscard]] Configuration values(const State* state) const { return map_(*si_->getStateSpace(), state); }
+
+    /// A state that touches refutes a motion at a fifth of the cost of a search along the way, and a state that is
+    /// clear adds a tenth to the cost of a proof. So states come first where enough motions touch: one in eight so far.
+    [[nodiscard]] bool is_clear(const State* s1, const State* s2) const {
+        const bool refutes_first = 8 * touching_ >= asked_++;
+        const bool is_clear =
+            !(refutes_first && touches_at_states(s1, s2)) && checker_.is_clear(values(s1), values(s2));
+        touching_ += is_clear ? 0 : 1;
+        return is_clear;
+    }
+
+    /// In the middle and at the quarters.
+    [[nodiscard]] bool touches_at_states(const State* s1, const State* s2) const {
+        State* const between = si_->allocState();
+        const bool touches = std::ranges::any_of(std::array{0.5, 0.25, 0.75}, [&](double fraction) {
+            si_->getStateSpace()->interpolate(s1, s2, fraction, between);
+            return !checker_.is_clear(values(between));
+        });
+        si_->freeState(between);
+        return touches;
+    }
 
     /// States are rounded, so the one at the end of the clear part may touch: it is approached from before. `s1` counts
     /// as valid. `last.first` may be one of both states, and is written at the end.
@@ -170,6 +193,7 @@ private:
 
     const RobotChecker& checker_;
     StateMap map_;
+    mutable std::atomic<std::size_t> asked_{0}, touching_{0}; ///< motions whose ends are valid
 };
 
 } // namespace chasles::ompl

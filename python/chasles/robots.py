@@ -7,7 +7,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _core
-from ._core import InvalidInput, Robot, RobotChecker, Scene
+from ._core import InvalidInput, JointPath, Robot, RobotChecker, Scene
 from .batch import Errors, _marks, _thread_count
 
 edge_dtype = np.dtype(
@@ -118,21 +118,22 @@ def _refused(rows: int) -> np.ndarray:
 
 def write_robot_page(
     robot: Robot,
-    configurations: npt.ArrayLike,
+    configurations: npt.ArrayLike | JointPath,
     out: str | os.PathLike[str] = "page.html",
     *,
     scene: Scene | None = None,
     margin: float = 0.0,
     title: str = "Chasles",
 ) -> pathlib.Path:
-    """Write a page of HTML that shows the robot on a straight path up to its first contact, and return its path.
+    """Write a page of HTML that shows the robot on its path up to its first contact, and return the path of the page.
 
     The page is one file and needs no network.
 
     Parameters
     ----------
     robot : Robot
-    configurations : array (n, variables)
+    configurations : array (n, variables) or JointPath
+        Straight from each one to the next, or any path.
     out : path
         The file to write.
     scene : Scene, optional

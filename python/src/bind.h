@@ -18,6 +18,7 @@ void bind_scene(nanobind::module_& module);
 void bind_stepper(nanobind::module_& module);
 void bind_robot(nanobind::module_& module);
 void bind_robot_answers(nanobind::module_& module);
+void bind_joint_path(nanobind::module_& module);
 void bind_robot_clearance(nanobind::module_& module);
 void bind_view(nanobind::module_& module);
 void bind_record(nanobind::module_& module);

@@ -96,14 +96,10 @@ nb::list proofs_of(const Robot& robot, double seconds, unsigned threads) {
     return list;
 }
 
-/// A page of HTML that shows the robot on a straight path up to its first contact.
+/// A page of HTML that shows the robot on a path up to its first contact.
 std::string page_of(const Robot& robot, nb::handle configurations, nb::handle scene, double margin,
                     const std::string& title) {
-    const Eigen::MatrixXd matrix = configurations_from(configurations, "configurations");
-    std::vector<Configuration> rows;
-    for (Eigen::Index i = 0; i < matrix.rows(); ++i)
-        rows.emplace_back(matrix.row(i));
-    const JointPath path = JointPath::straight(robot, rows);
+    const JointPath path = path_from(robot, {configurations, nb::none(), nb::none(), nb::none()});
     const nb::str find("first");
     const RobotChecker checker = checker_of(robot, {scene, margin, default_time_tolerance, find});
     const Scene* world = scene.is_none() ? nullptr : &nb::cast<const PythonScene&>(scene).scene;
@@ -252,10 +248,11 @@ void bind_robot(nb::module_& module) {
             "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
             nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "time_tolerance"_a = default_time_tolerance,
             "find"_a.none() = "first",
-            nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike, "
+            nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
-            "The first contact along a path (n, variables): straight from each configuration to the next, with time "
+            "The first contact along a JointPath, or along configurations (n, variables): straight from each "
+            "configuration to the next, with time "
             "stamps\nor without; with velocities by cubic splines, with accelerations, too, by quintic ones. With "
             "stamps, times\nof the answer count in stamps, otherwise within the segment, in [0, 1].")
         .def(

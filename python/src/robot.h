@@ -47,6 +47,7 @@ RobotChecker checker_of(const Robot& robot, const RobotArguments& arguments);
 /// Numbers of shape (n,) or (n, variables). Throws InvalidInput "NAME: WHY".
 Configuration configuration_from(nb::handle argument, const std::string& name);
 Eigen::MatrixXd configurations_from(nb::handle argument, const std::string& name);
+std::vector<Configuration> rows_of(nb::handle argument, const std::string& name);
 
 nb::object array_of(const Configuration& configuration);
 std::vector<std::string> names_of(const Robot& robot);
@@ -55,7 +56,13 @@ std::vector<std::string> names_of(const Robot& robot);
 struct PathArguments {
     nb::handle configurations, times, velocities, accelerations;
 };
+/// `configurations` may be a JointPath.
 JointPath path_from(const Robot& robot, const PathArguments& arguments);
+
+/// Whether times of answers count in stamps.
+inline bool has_stamps(const PathArguments& arguments) {
+    return !arguments.times.is_none() || nb::isinstance<JointPath>(arguments.configurations);
+}
 
 /// On another thread, so that Ctrl-C is seen; a question itself is short.
 template <class Ask>

@@ -59,8 +59,6 @@ std::vector<std::string> names_of(const Robot& robot) {
     return names;
 }
 
-namespace {
-
 std::vector<Configuration> rows_of(nb::handle argument, const std::string& name) {
     const Eigen::MatrixXd matrix = configurations_from(argument, name);
     std::vector<Configuration> rows;
@@ -69,10 +67,13 @@ std::vector<Configuration> rows_of(nb::handle argument, const std::string& name)
     return rows;
 }
 
-} // namespace
-
 JointPath path_from(const Robot& robot, const PathArguments& arguments) {
     const auto& [configurations, times, velocities, accelerations] = arguments;
+    if (const JointPath* path = nullptr; nb::try_cast(configurations, path) && path) {
+        if (!times.is_none() || !velocities.is_none() || !accelerations.is_none())
+            throw InvalidInput("times: a JointPath has its own");
+        return *path;
+    }
     const std::vector<Configuration> rows = rows_of(configurations, "configurations");
     if (times.is_none()) {
         if (!velocities.is_none() || !accelerations.is_none())
@@ -155,7 +156,7 @@ PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, 
 
 PythonRobotAnswer answer_on_path(const RobotChecker& checker, const PathArguments& arguments) {
     const JointPath path = path_from(checker.robot(), arguments);
-    return {asked([&] { return checker.first_contact(path); }), !arguments.times.is_none()};
+    return {asked([&] { return checker.first_contact(path); }), has_stamps(arguments)};
 }
 
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads) {
@@ -221,10 +222,12 @@ void bind_robot_answers(nb::module_& module) {
                 return answer_on_path(checker, {configurations, times, velocities, accelerations});
             },
             "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
-            nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike, "
+            nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None) -> RobotContact"),
-            "Along a path: straight, or cubic with velocities, or quintic with accelerations, too.")
+            "Along a path: a JointPath; or configurations: straight, or cubic with velocities, or quintic with "
+            "accelerations, "
+            "too.")
         .def("least_distance", clearance_on_edge, "start"_a, "goal"_a, "tolerance"_a = default_tolerance,
              nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, "
                      "tolerance: float = 1e-6) -> RobotClearance"),
@@ -237,7 +240,7 @@ void bind_robot_answers(nb::module_& module) {
             },
             "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
             "tolerance"_a = default_tolerance,
-            nb::sig("def least_distance_on_path(self, configurations: numpy.typing.ArrayLike, "
+            nb::sig("def least_distance_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-6) -> RobotClearance"),
             "Likewise along a path, as in first_contact_on_path.")

@@ -27,7 +27,7 @@ PythonClearance clearance_on_edge(const RobotChecker& checker, nb::handle start,
 
 PythonClearance clearance_on_path(const RobotChecker& checker, const PathArguments& arguments, double tolerance) {
     const JointPath path = path_from(checker.robot(), arguments);
-    return {asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); }), !arguments.times.is_none()};
+    return {asked([&] { return checker.least_distance(path, {.tolerance = tolerance}); }), has_stamps(arguments)};
 }
 
 void bind_robot_clearance(nb::module_& module) {

@@ -4,6 +4,8 @@
 #include "tests/query/bodies.h"
 #include "tests/support/refusal.h"
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
@@ -124,6 +126,30 @@ TEST(Ompl, AMotionThatLeavesTheBoundsIsNotValid) {
     EXPECT_TRUE(bars.information->isValid(last.get()));
     EXPECT_GE(pair.second, 0);
     EXPECT_LE(pair.second, 0.5);
+}
+
+/// The validator tries states first where many motions touched, and answers as the checker does all the same.
+TEST(Ompl, AnswersDoNotDependOnTheMotionsBefore) {
+    const Bars bars;
+    ::ompl::RNG random(3);
+    int touching = 0, missed_by_states = 0;
+    for (int i = 0; i < 4000; ++i) {
+        const bool is_far = i / 1000 % 2 == 0; // from the wall: motions touch seldom
+        const double middle = is_far ? -2 : 0.4;
+        const Configuration from{{middle + random.uniformReal(-0.9, 0.9), random.uniformReal(-3, 3)}},
+            to{{middle + random.uniformReal(-0.9, 0.9), random.uniformReal(-3, 3)}};
+        const auto s1 = bars.state(from[0], from[1]), s2 = bars.state(to[0], to[1]);
+        const bool expected = bars.checker->is_clear(to) && bars.checker->is_clear(from, to);
+        EXPECT_EQ(bars.validator->checkMotion(s1.get(), s2.get()), expected) << "motion " << i;
+        if (expected || !bars.checker->is_clear(to))
+            continue;
+        ++touching;
+        const JointPath path = JointPath::straight(bars.robot, std::array<Configuration, 2>{from, to});
+        missed_by_states += std::ranges::all_of(std::array{0.25, 0.5, 0.75},
+                                                [&](double t) { return bars.checker->is_clear(path.at(t)); });
+    }
+    EXPECT_GT(touching, 200);
+    EXPECT_GT(missed_by_states, 20);
 }
 
 TEST(Ompl, AStartThatTouchesIsKept) {

@@ -68,6 +68,73 @@ def test_paths_have_segments_and_stamps(arm, world):
     assert 10 * t**3 - 15 * t**4 + 6 * t**5 == pytest.approx(edge.time, abs=1e-9)
 
 
+def test_polynomials_are_laid_out_as_by_scipy(arm, world):
+    breaks = np.array([0.0, 0.5, 2.0])
+    positions = np.array([[-1.0, 0.2], [0.5, -0.4], [1.5, 0.3]])
+    velocities = np.array([[1.0, 0.0], [2.0, -0.1], [0.0, 0.3]])
+    h = np.diff(breaks)[:, None]
+    change = np.diff(positions, axis=0) / h
+    coefficients = np.array(
+        [
+            (velocities[:-1] + velocities[1:] - 2 * change) / h**2,
+            (3 * change - 2 * velocities[:-1] - velocities[1:]) / h,
+            velocities[:-1],
+            positions[:-1],
+        ]
+    )
+    path = chasles.JointPath.polynomials(arm, breaks, coefficients)
+    splines = chasles.JointPath.cubic(arm, breaks, positions, velocities)
+    np.testing.assert_array_equal(path.times, breaks)
+    for time in np.linspace(-1, 3, 41):
+        np.testing.assert_allclose(path.at(time), splines.at(time), atol=1e-14)
+        s = int(min(max(time, 0), 2) > 0.5)
+        local = min(max(time, 0), 2) - breaks[s]
+        by_hand = [np.polyval(coefficients[:, s, i], local) for i in range(2)]
+        np.testing.assert_allclose(path.at(time), by_hand, atol=1e-14)
+    found = arm.first_contact_on_path(path, scene=world)
+    expected = arm.first_contact_on_path(positions, breaks, velocities, scene=world)
+    assert found.verdict == expected.verdict == "contact" and found.pair == expected.pair
+    assert abs(found.time - expected.time) < 1e-9 and found.time > 0.5 and found.segment == 1
+    checker = chasles.RobotChecker(arm, world)
+    assert checker.first_contact_on_path(path).time == found.time
+    assert checker.least_distance_on_path(path).distance == 0
+
+
+def test_paths_are_made_once_and_asked_often(arm, world):
+    positions = [[0, 0], [1, 0], [1.5, 0]]
+    straight = chasles.JointPath.straight(arm, positions, [0, 2, 3])
+    expected = arm.first_contact_on_path(positions, [0, 2, 3], scene=world)
+    assert arm.first_contact_on_path(straight, scene=world).time == expected.time
+    natural = chasles.JointPath.natural_spline(arm, [0, 2, 3], positions)
+    for time, position in zip([0, 2, 3], positions):
+        np.testing.assert_allclose(natural.at(time), position, atol=1e-14)
+    step = 1e-4  # second derivatives vanish at both ends
+    for time in (0, 3 - 2 * step):
+        second = (natural.at(time) - 2 * natural.at(time + step) + natural.at(time + 2 * step)) / step**2
+        np.testing.assert_allclose(second, 0, atol=1e-3)
+    still = np.zeros((3, 2))
+    quintic = chasles.JointPath.quintic(arm, [0, 2, 3], positions, still, still)
+    np.testing.assert_allclose(quintic.at(1), [0.5, 0], atol=1e-15)
+
+
+def test_wrong_paths_are_refused(arm):
+    with pytest.raises(chasles.InvalidInput, match=r"coefficients: must have the shape \(powers, segments, variables\)"):
+        chasles.JointPath.polynomials(arm, [0, 1], np.zeros((2, 2)))
+    with pytest.raises(chasles.InvalidInput, match="breaks: there must be 2 for 1 segments, and there are 3"):
+        chasles.JointPath.polynomials(arm, [0, 1, 2], np.zeros((2, 1, 2)))
+    with pytest.raises(chasles.InvalidInput, match="segment 0"):
+        chasles.JointPath.polynomials(arm, [0, 1], np.zeros((2, 1, 3)))
+    with pytest.raises(chasles.InvalidInput, match="segment 1"):  # a jump
+        chasles.JointPath.polynomials(arm, [0, 1, 2], [[[0, 0], [1, 0]]])
+    with pytest.raises(chasles.InvalidInput, match="must end later"):
+        chasles.JointPath.polynomials(arm, [1, 1], np.zeros((2, 1, 2)))
+    path = chasles.JointPath.straight(arm, [[0, 0], [1, 0]])
+    with pytest.raises(chasles.InvalidInput, match="times: a JointPath has its own"):
+        arm.first_contact_on_path(path, [0, 1])
+    with pytest.raises(chasles.InvalidInput, match="time: must be a finite number"):
+        path.at(np.nan)
+
+
 def test_many_edges_are_answered_as_one_by_one(arm, world):
     random = np.random.default_rng(1)
     starts, goals = random.uniform(-1, 1, (2, 40, 2))
@@ -176,6 +243,9 @@ def test_a_page_shows_the_robot(arm, world, tmp_path):
     page = chasles.write_robot_page(arm, [[0, 0], [1.5, 0]], tmp_path / "page.html", scene=world)
     text = page.read_text(encoding="utf-8")
     assert "upper" in text and "wall" in text
+    spline = chasles.JointPath.cubic(arm, [0, 4], [[0, 0], [1.5, 0]], np.zeros((2, 2)))
+    page = chasles.write_robot_page(arm, spline, tmp_path / "spline.html", scene=world)
+    assert page.read_text(encoding="utf-8") != text
 
 
 def test_wrong_arguments_are_refused(arm, tmp_path):
