@@ -44,6 +44,22 @@ void set_joint(Configuration& values, std::span<const RobotVariable> variables, 
     std::ranges::copy(given.values, values.data() + index);
 }
 
+const StateDescription& state_named(const RobotDescription& robot, std::string_view name, std::string_view group) {
+    const StateDescription* found = nullptr;
+    for (const StateDescription& state : robot.states) {
+        if (state.name != name || (!group.empty() && state.group != group))
+            continue;
+        if (found)
+            robot::refuse(name, "the groups " + found->group + " and " + state.group +
+                                    " have such a state; name one of them");
+        found = &state;
+    }
+    if (!found)
+        robot::refuse(name, group.empty() ? "there is no such state"
+                                          : "the group " + std::string(group) + " has no such state");
+    return *found;
+}
+
 } // namespace
 
 Robot::Robot(RobotDescription description) : model_(std::make_shared<const Model>(std::move(description))) {}
@@ -72,12 +88,9 @@ Configuration Robot::neutral() const {
     return values;
 }
 
-Configuration Robot::state(std::string_view name) const {
-    const auto found = std::ranges::find(model_->description.states, name, &StateDescription::name);
-    if (found == model_->description.states.end())
-        robot::refuse(name, "there is no such state");
+Configuration Robot::state(std::string_view name, std::string_view group) const {
     Configuration values = neutral();
-    for (const StateDescription::Value& value : found->values)
+    for (const StateDescription::Value& value : state_named(model_->description, name, group).values)
         set_joint(values, model_->variables, value);
     return values;
 }

@@ -88,9 +88,9 @@ public:
     [[nodiscard]] std::size_t variable(std::string_view name) const;
     /// Each variable at 0, or at its limit nearest to 0.
     [[nodiscard]] Configuration neutral() const;
-    /// A named state of the description; variables of other joints are those of neutral(). Throws InvalidInput for an
-    /// unknown name.
-    [[nodiscard]] Configuration state(std::string_view name) const;
+    /// A named state of a group of the description; variables of other joints are those of neutral(). Throws
+    /// InvalidInput for an unknown name, and without a group for a name that several groups use.
+    [[nodiscard]] Configuration state(std::string_view name, std::string_view group = {}) const;
 
     /// The pose of a link in the world. Throws InvalidInput for an unknown link, and for values as JointPath::straight.
     [[nodiscard]] Pose link_pose(std::string_view link, const Configuration& configuration) const;

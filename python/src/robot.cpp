@@ -194,8 +194,12 @@ void bind_robot(nb::module_& module) {
             "neutral", [](const Robot& r) { return array_of(r.neutral()); },
             nb::sig("def neutral(self) -> " CHASLES_ARRAY), doc("Robot.neutral"))
         .def(
-            "state", [](const Robot& r, const std::string& name) { return array_of(r.state(name)); }, "name"_a,
-            nb::sig("def state(self, name: str) -> " CHASLES_ARRAY), doc("Robot.state"))
+            "state",
+            [](const Robot& r, const std::string& name, const std::string& group) {
+                return array_of(r.state(name, group));
+            },
+            "name"_a, "group"_a = "", nb::sig("def state(self, name: str, group: str = '') -> " CHASLES_ARRAY),
+            doc("Robot.state"))
         .def(
             "link_pose",
             [](const Robot& r, const std::string& link, nb::handle configuration) {

@@ -65,6 +65,17 @@ TEST(Robot, HasVariablesAndNeutralValues) {
     EXPECT_EQ(refusal([&] { (void)robot.state("down"); }), "robot: down: there is no such state");
 }
 
+TEST(Robot, AStateOfSeveralGroupsNeedsItsGroup) {
+    RobotDescription description = planar_arm();
+    description.states = {{"home", "left", {{"joint1", {0.5}}}}, {"home", "right", {{"joint3", {0.25}}}}};
+    const Robot robot(description);
+    EXPECT_EQ(robot.state("home", "left"), values({0.5, 0, 0}));
+    EXPECT_EQ(robot.state("home", "right"), values({0, 0, 0.25}));
+    EXPECT_EQ(refusal([&] { (void)robot.state("home"); }),
+              "robot: home: the groups left and right have such a state; name one of them");
+    EXPECT_EQ(refusal([&] { (void)robot.state("home", "head"); }), "robot: home: the group head has no such state");
+}
+
 /// The tip of the third bar comes back to the first one: at angles a, a the bars make a triangle-like figure.
 TEST(Robot, FindsThatItTouchesItself) {
     const Robot robot(planar_arm());
