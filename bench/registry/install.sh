@@ -1,7 +1,7 @@
 #!/bin/sh
 # Installs the peers that have no Debian package into a folder: a virtual environment with requirements.txt, robots.txt and
-# this project's own package, the program that runs Parry, and VAMP's Panda as a library. If a peer cannot be installed, FOLDER/<which>-is-absent.txt has the reason, and the script goes
-# on. Peers that are installed already stay unchanged.
+# this project's own package, the program that runs Parry, and VAMP's Panda as a library. If a peer cannot be installed,
+# FOLDER/<which>-is-absent.txt has the reason, and the script goes on. Peers that are installed already stay unchanged.
 #
 #   install.sh FOLDER
 set -eu

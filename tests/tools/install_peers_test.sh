@@ -4,7 +4,7 @@
 set -eu
 
 here=$(cd "$(dirname "$0")" && pwd)
-set -- cat cmp cp cut dirname grep mkdir rm tail
+set -- cat cmp cp cut dirname grep mkdir rm tail touch
 . "$here/pretended.sh"
 
 run() {
@@ -30,10 +30,19 @@ expect "what pip says last is the reason" \
 
 pretend pip ''
 run
+expect "no tar: VAMP's source stays packed, and all else is brought" \
+    '[ $status -eq 0 ] && [ "$(reason python)$(reason parry)$(reason robots)$(reason chasles)" = nonenonenonenone ] &&
+    reason vamp | grep -q "tar: not found"'
+
+pretend tar ''
+pretend g++ "touch $folder/peers/libvamp_panda.so"
+run
 expect "everything brought: no reasons, no output" \
-    '[ $status -eq 0 ] && [ "$(reason python)$(reason parry)" = nonenone ] && [ -z "$output" ]'
+    '[ $status -eq 0 ] && [ "$(reason vamp)" = none ] && [ -z "$output" ]'
 
 run
-expect "an environment of these versions is left alone" '! grep -q -e python3 -e pip "$folder/log"'
+expect "what is there is left alone, but for the project itself" \
+    '! grep -q -e python3 -e "requirements.txt" -e "robots.txt" -e "^tar" -e "^g++" "$folder/log" &&
+    [ "$(grep -c "^pip" "$folder/log")" = 1 ]'
 
 echo "every case as expected"
