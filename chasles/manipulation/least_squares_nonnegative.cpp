@@ -26,8 +26,11 @@ public:
     }
 
     NonnegativeSolution solve() {
-        for (Eigen::Index next = steepest(); next >= 0; next = steepest())
-            enter(next);
+        // in exact arithmetic the residual shortens with each entry, so no set comes twice; the bound is for rounding
+        const Eigen::Index most_entries = 8 * (unit_.cols() + most_equations);
+        Eigen::Index next = steepest();
+        for (Eigen::Index entries = 0; next >= 0 && entries < most_entries; entries += enter(next), next = steepest())
+            ;
         for (Eigen::Index i = 0; i < unknowns_.size(); ++i)
             if (unknowns_[i] > 0)
                 unknowns_[i] /= lengths_[i];
@@ -53,21 +56,25 @@ private:
         return best;
     }
 
-    /// Makes an unknown positive, and keeps the change if the residual gets shorter.
-    void enter(Eigen::Index next) {
+    /// Makes an unknown positive, and keeps the change if the residual gets shorter. If not, the unknown is refused
+    /// until another one has entered.
+    bool enter(Eigen::Index next) {
         const std::vector<Eigen::Index> before = active_;
         const Eigen::VectorXd unknowns_before = unknowns_;
         const Equations residual_before = residual_;
         active_.push_back(next);
         settle();
-        if (residual_.squaredNorm() < residual_before.squaredNorm() && unknowns_[next] > 0) {
+        // a change of 1e-9 makes the residual shorter by 1e-18, so squares of lengths must not be subtracted
+        const Equations change = unit_ * (unknowns_before - unknowns_);
+        if (unknowns_[next] > 0 && change.dot(2 * residual_before - change) > 0) {
             is_refused_.assign(is_refused_.size(), false);
-            return;
+            return true;
         }
         active_ = before;
         unknowns_ = unknowns_before;
         residual_ = residual_before;
         is_refused_[std::size_t(next)] = true;
+        return false;
     }
 
     /// Goes to the least squares of the active set, and leaves out unknowns that become negative on the way.

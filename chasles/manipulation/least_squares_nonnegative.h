@@ -21,8 +21,9 @@ struct NonnegativeSolution {
 
 /// Unknowns x >= 0 for which |columns * x - wanted| is least. Numbers must be finite.
 ///
-/// Ends for every input: each change of the set of positive unknowns makes the residual shorter, and a set that does
-/// not is left out. Where several sets are as good, the smallest index decides, so the answer is the same in every run.
+/// Ends for every input: each change of the set of positive unknowns makes the residual shorter, a set that does not is
+/// left out, and the number of changes has a bound. Where several unknowns are as good, the first one is used, so the
+/// answer is the same in every run.
 NonnegativeSolution least_squares_nonnegative(const Columns& columns, const Equations& wanted);
 
 } // namespace chasles::manipulation

@@ -57,6 +57,19 @@ TEST(AdmissibleTwist, ABoxOnATableSlidesAndTheTablePushes) {
     EXPECT_NEAR((found.wrench - twist({0, 0, 2})).norm(), 0, 1e-14);
 }
 
+/// Four corners in one plane, of which any two opposite ones nearly do: the third one lacks a billionth.
+TEST(AdmissibleTwist, ARowThatLacksABillionthHolds) {
+    std::vector<std::pair<Vector3d, Vector3d>> corners;
+    for (const double x : {-0.5, 0.5})
+        for (const double y : {-0.5, 0.5})
+            corners.emplace_back(Vector3d::UnitZ(), Vector3d(x, y, -0.5));
+    Metric metric = unit_metric;
+    metric.bottomRightCorner<3, 3>() /= 6;
+    const Twist wish = twist({-0.4, 0, -0.3}, {0.21213203297663522, 0.21213203573529316, -1e-8});
+    const AdmissibleTwist found = admissible_twist(touching(corners), metric, wish);
+    EXPECT_NEAR((found.twist - twist({-0.4, 0, 0}, {0, 0, -1e-8})).norm(), 0, 1e-14);
+}
+
 TEST(AdmissibleTwist, AGapMayBeUsedUpAndNotMore) {
     TwistConstraints floor = touching({{Vector3d::UnitZ(), Vector3d::Zero()}});
     floor.gaps[0] = 0.5;
