@@ -104,7 +104,7 @@ public:
                labelled("states",
                         fmt::format("{} reached, {} resting, {} moving, {} touching", count(DragState::reached),
                                     count(DragState::resting), count(DragState::moving), count(DragState::touching))) +
-               labelled("in contact", std::to_string(in_contact_)) +
+               labelled("contact", counted(in_contact_, "update")) +
                labelled("pieces", std::to_string(pieces_) + ", each proven clear") + report(work_);
     }
 

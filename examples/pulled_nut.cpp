@@ -66,7 +66,8 @@ int main(int count, char** arguments) {
         const chasles::DragStep step = hand.update(chasles::Pose(place, Quaterniond(before.rotation)));
         turns += turns_between(before, step.pose);
         pieces += step.pieces.size();
-        if (!step.contacts.empty()) {
+        // the last turn is loose, as only a part of the thread holds
+        if (step.pose.translation.z() < fastener.bolt_length - fastener.pitch / 2) {
             turns_on_thread = turns;
             rise_on_thread = step.pose.translation.z() - start_height;
         }

@@ -26,6 +26,9 @@ constexpr double default_margin = 1e-4; // of the diagonal of the box
 constexpr double default_reach = 2;     // margins
 constexpr double listed_within = 2;     // margins: the contacts that a step lists
 constexpr double pushes_within = 1.125; // margins: the contacts that push
+constexpr double least_step = 0x1p-10;  // margins: a body that has no more to go rests
+/// Likewise after the first round of an update. What is left is for the next update: it is not worth a round.
+constexpr double least_further_step = 0x1p-3;
 
 void require(bool holds, const char* option, const char* why) {
     if (!holds)
@@ -108,8 +111,8 @@ public:
     [[nodiscard]] const Distances& distances() const { return distances_; }
 
 private:
-    [[nodiscard]] SlideProblem problem(const Pose& goal) const {
-        return {spring_, pose_, goal, near_.contacts, distances_.margin, size_};
+    [[nodiscard]] SlideProblem problem(const Pose& goal, double rest) const {
+        return {spring_, pose_, goal, near_.contacts, distances_.margin, size_, rest * distances_.margin};
     }
     void look_around(DragStep& step);
     void meet(const Other& other, DragStep& step) const;
@@ -189,7 +192,7 @@ DragState DraggedBody::Implementation::go_on(const Pose& goal, double seconds, D
             return DragState::touching;
         if (is_equal(pose_, goal))
             return DragState::reached;
-        const Slide slide = next_slide(problem(goal));
+        const Slide slide = next_slide(problem(goal, round == 0 ? least_step : least_further_step));
         if (slide.kind == SlideKind::rest || !go(slide, step))
             return DragState::resting;
     }
@@ -198,7 +201,7 @@ DragState DraggedBody::Implementation::go_on(const Pose& goal, double seconds, D
 
 /// What is in contact at the pose reached, and with which force.
 void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
-    const manipulation::AdmissibleTwist pushed = pushes(problem(goal), pushes_within * distances_.margin);
+    const manipulation::AdmissibleTwist pushed = pushes(problem(goal, least_step), pushes_within * distances_.margin);
     std::vector<DragContact> contacts;
     for (std::size_t i = 0; i < near_.contacts.size(); ++i) {
         const ModelledContact& near = near_.contacts[i];

@@ -14,8 +14,8 @@ namespace {
 /// The longest step along contacts: of the size of the body, and in radians.
 constexpr double longest_way = 0.5;
 constexpr double longest_turn = 0.5;
-/// A step shorter than this share of the margin is none.
-constexpr double rest_share = 0x1p-10;
+/// What is shorter than this share of the margin does not matter.
+constexpr double negligible = 0x1p-10;
 /// Contacts keep this share of the margin during a step; the certified step asks for less (`safe_level`).
 constexpr double kept_share = 0.75;
 /// The spring loses at least this share of what it would lose by its force at the start of the step.
@@ -77,7 +77,7 @@ private:
     [[nodiscard]] double length_of(const Twist& step) const {
         return step.head<3>().norm() + problem_.size * step.tail<3>().norm();
     }
-    [[nodiscard]] bool is_short(const Twist& step) const { return length_of(step) < rest_share * problem_.margin; }
+    [[nodiscard]] bool is_short(const Twist& step) const { return length_of(step) < problem_.rest; }
 
     /// How many times the longest step along contacts.
     [[nodiscard]] static double excess_of(const Twist& step, double size) {
@@ -86,7 +86,7 @@ private:
 
     /// Whether the screw to the goal leads away from all contacts, or along them.
     [[nodiscard]] bool is_free() const {
-        const double tolerance = rest_share * problem_.margin;
+        const double tolerance = negligible * problem_.margin;
         const Pose soon = Motion::screw(problem_.pose, problem_.goal).pose_at(0x1p-10);
         const Displacement displacement = Displacement::between(problem_.pose, soon);
         const auto leads_away = [&](const ModelledContact& contact) {
@@ -121,7 +121,7 @@ private:
             const Eigen::VectorXd next = bend_of(step);
             const double change = (next - bend).cwiseAbs().maxCoeff();
             bend = next;
-            if (change < rest_share * problem_.margin)
+            if (change < negligible * problem_.margin)
                 break;
         }
         return step;

@@ -16,12 +16,13 @@ struct SlideProblem {
     std::span<const ModelledContact> contacts; ///< at the pose
     double margin = 0;                         ///< the gap that contacts keep
     double size = 0;                           ///< of the body
+    double rest = 0;                           ///< a shorter step is none
 };
 
 enum class SlideKind : std::uint8_t {
     free,    ///< nothing is in the way of the screw to the goal
     partial, ///< some way, along contacts or towards them
-    rest,    ///< the contacts hold the body, up to some thousandth of the margin
+    rest,    ///< the contacts hold the body, up to a step that is too short
 };
 
 struct Slide {
