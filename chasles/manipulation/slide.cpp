@@ -147,11 +147,14 @@ private:
     /// Out of contacts that are nearer than the margin, or would be by their bend; to where they balance, if there is
     /// no room for all. The multipliers of soft rows, one after another.
     [[nodiscard]] Twist recovery_for(const Eigen::VectorXd& bend) const {
-        constexpr int sweeps = 30;
-        constexpr double softness = 0x1p-6;
+        // between two walls a sweep leaves 1 / (1 + softness)^2 of the error
+        constexpr int sweeps = 60;
+        constexpr double softness = 0x1p-4;
         Twist recovery = Twist::Zero();
         Eigen::VectorXd pushes = Eigen::VectorXd::Zero(bend.size());
-        for (int sweep = 0; sweep < sweeps; ++sweep)
+        double change = problem_.margin;
+        for (int sweep = 0; sweep < sweeps && change > negligible * problem_.margin; ++sweep) {
+            change = 0;
             for (Eigen::Index i = 0; i < bend.size(); ++i) {
                 const double ease = contacts_.rows.row(i).dot(answers_.col(i));
                 const double lacking =
@@ -159,8 +162,10 @@ private:
                 const double push =
                     std::max(0.0, pushes[i] + (lacking - softness * ease * pushes[i]) / ((1 + softness) * ease));
                 recovery += (push - pushes[i]) * answers_.col(i);
+                change = std::max(change, std::abs(push - pushes[i]) * ease);
                 pushes[i] = push;
             }
+        }
         return recovery;
     }
 

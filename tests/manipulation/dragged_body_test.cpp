@@ -180,7 +180,7 @@ TEST(DraggedBody, ABodyThatComesWithinTheMarginPushes) {
     for (int i = 1; i <= 20; ++i) {
         const double height = i * margin / 2;
         scene.move(0, Motion::at_rest(shifted(0, 0, height - 0.5)));
-        EXPECT_LE(place_error(body.update(low), {0, 0, 0.5 + height + margin}), 1e-2 * margin) << i;
+        EXPECT_LE(place_error(body.update(low), {0, 0, 0.5 + height + margin}), margin / 8) << i;
     }
 }
 
