@@ -191,6 +191,21 @@ TEST(DraggedBody, BodiesThatAreIgnoredDoNotStopIt) {
     EXPECT_EQ(body.update(shifted(0, 0, -2)).state, DragState::reached);
 }
 
+/// One round is always done.
+TEST(DraggedBody, StopsWhenTheTimeIsOver) {
+    Scene scene = box_and_table();
+    DraggedBody body(scene, "box", {.margin = margin});
+    const Pose goal = turned({0.3, 0.1, -2}, {1, 2, 0}, 0.4);
+    const DragStep first = body.update(goal, 1e-12);
+    EXPECT_EQ(first.state, DragState::moving);
+    EXPECT_EQ(first.pieces.size(), 1U);
+    DragStep last;
+    for (int i = 0; i < 40; ++i)
+        last = body.update(goal, 1e-12);
+    EXPECT_EQ(last.state, DragState::resting);
+    EXPECT_LE(place_error(last, {0.3, 0.1, 0.5 + margin}), 1e-6);
+}
+
 TEST(DraggedBody, RefusesWhatItCannotUse) {
     Scene scene = box_and_table();
     const auto refusal_with = [&](const DragOptions& options) {

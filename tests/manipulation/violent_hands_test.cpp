@@ -1,4 +1,5 @@
 // Hands that jump by ten body sizes and spin: the body never touches anything, and no step leads through anything.
+#include "scenes/threaded_fastener.h"
 #include "tests/manipulation/drag_scenes.h"
 
 #include <gtest/gtest.h>
@@ -126,6 +127,17 @@ TEST(ViolentHands, LinkedRings) {
     EXPECT_GT(tally.in_contact, 0.4 * tally.updates);
     // the rings stay linked, so their middles stay near each other
     EXPECT_LT(scene.bodies()[1].motion.pose_at(1).translation.norm(), 2);
+}
+
+TEST(ViolentHands, ANutOnItsBolt) {
+    const scenes::ThreadedFastener fastener{
+        .bolt_length = 12, .nut_height = 5, .radial_clearance = 0.3, .segments = 18};
+    Scene scene;
+    scene.add({"bolt", scenes::bolt(fastener)});
+    scene.add({"nut", scenes::nut(fastener), Motion::at_rest(shifted(0, 0, 4))});
+    const Tally tally = drag(scene, "nut", shifted(0, 0, 4), 5, updates(15));
+    EXPECT_GT(tally.in_contact, 0.4 * tally.updates);
+    EXPECT_GT(tally.sliding, 0.1 * tally.updates);
 }
 
 TEST(ViolentHands, ABoxInACorner) {

@@ -36,7 +36,7 @@ def test_a_box_slides_on_another_one(scene):
 def test_each_piece_is_clear(scene, cube):
     hand = chasles.DraggedBody(scene, "box")
     random = np.random.default_rng(1)
-    goals = np.array([pose(*random.uniform(-3, 3, 3)) for _ in range(30)])
+    goals = np.array([pose(*random.uniform(-2, 2, 3)) for _ in range(60)])
     before, in_contact = hand.pose, 0
     for step in hand.follow(goals):
         for start, goal, until, clearance in step.pieces:
