@@ -138,6 +138,7 @@ DraggedBody::Implementation::Implementation(Scene& scene, const std::string& nam
     : scene_(scene), name_(name), shape_(scene.bodies()[scene.index_of(name)].shape), options_(options),
       distances_(distances_of(options, shape_)), spring_(mass_of(options, shape_)), size_(diagonal(shape_)),
       pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)), surroundings_(distances_) {
+    manipulation::prepare(shape_.body());
     DragStep step;
     surroundings_.refresh(scene_, scene_.index_of(name_));
     look_around(step);

@@ -21,6 +21,7 @@ Other placed(const Scene& scene, std::size_t index, std::size_t dragged) {
     other.centre = other.pose.isometry() * body.shape.body().bvh().centre();
     other.radius = body.shape.body().vertex_radius();
     other.radius += ball_rounding * (other.radius + other.centre.norm());
+    prepare(body.shape.body());
     return other;
 }
 
@@ -31,6 +32,11 @@ bool is_same(const Other& other, const SceneBody& body) {
 }
 
 } // namespace
+
+void prepare(const Body& body) {
+    (void)body.normal_cones();
+    (void)body.faces_around(0);
+}
 
 double Distances::safe_level(double distance) const {
     return distance >= reach ? margin : std::min(distance, margin) / 2;

@@ -51,6 +51,9 @@ struct Distances {
     [[nodiscard]] double time_at_margin(const FirstContact& found, double level) const;
 };
 
+/// Computes what a body computes on the first contact, so that no update has to wait for it.
+void prepare(const Body& body);
+
 class Surroundings {
 public:
     explicit Surroundings(const Distances& distances) : distances_(distances) {}
