@@ -117,6 +117,7 @@ private:
     void look_around(DragStep& step);
     void meet(const Other& other, DragStep& step) const;
     void read_scene(DragStep& step);
+    void renumber_contacts();
     bool go(const Slide& slide, DragStep& step);
     [[nodiscard]] DragState go_on(const Pose& goal, double seconds, DragStep& step);
     void report(const Pose& goal, DragStep& step);
@@ -130,8 +131,9 @@ private:
     double size_;
     Pose pose_;
     manipulation::Surroundings surroundings_;
-    Neighbourhood near_; ///< at the pose
-    std::vector<DragContact> contacts_;
+    Neighbourhood near_;                        ///< at the pose
+    std::vector<DragContact> contacts_;         ///< of the last update
+    std::vector<std::string> contact_partners_; ///< the names of their other bodies
 };
 
 DraggedBody::Implementation::Implementation(Scene& scene, const std::string& name, const DragOptions& options)
@@ -165,9 +167,26 @@ void DraggedBody::Implementation::read_scene(DragStep& step) {
     const auto moved = surroundings_.refresh(scene_, scene_.index_of(name_));
     if (!moved)
         return;
+    renumber_contacts();
     for (const std::size_t place : *moved)
         meet(surroundings_.others()[place], step);
     look_around(step);
+}
+
+/// Bodies that were removed change the indices of others, and take their contacts with them.
+void DraggedBody::Implementation::renumber_contacts() {
+    std::vector<DragContact> left;
+    std::vector<std::string> partners;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const auto other = std::ranges::find(surroundings_.others(), contact_partners_[i], &Other::name);
+        if (other == surroundings_.others().end())
+            continue;
+        left.push_back(contacts_[i]);
+        left.back().body = other->index;
+        partners.push_back(other->name);
+    }
+    contacts_ = std::move(left);
+    contact_partners_ = std::move(partners);
 }
 
 /// One certified step. False if nothing could be gone.
@@ -217,6 +236,9 @@ void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
     append_events(step.events, contacts, contacts_, true);
     append_events(step.events, contacts_, contacts, false);
     contacts_ = contacts;
+    contact_partners_.clear();
+    for (const DragContact& contact : contacts)
+        contact_partners_.push_back(scene_.bodies()[contact.body].name);
     step.contacts = std::move(contacts);
     const Eigen::Vector3d lever = pose_.isometry() * spring_.centre() - pose_.translation;
     step.force = options_.stiffness * pushed.wrench.head<3>();

@@ -39,7 +39,8 @@ struct DragContact {
     double force = 0;     ///< along the normal, on the dragged body; not negative
 };
 
-/// A contact that was not there after the update before, or is no longer there.
+/// A contact that was not there after the update before, or is no longer there. Contacts with a body that is removed
+/// from the scene end without an event.
 struct DragEvent {
     bool begins = true;
     std::size_t body = 0;

@@ -184,6 +184,27 @@ TEST(DraggedBody, ABodyThatComesWithinTheMarginPushes) {
     }
 }
 
+TEST(DraggedBody, BodiesMayBeRemovedAndAdded) {
+    Scene scene;
+    scene.add({"far", box({1, 1, 1}).polyhedron(), Motion::at_rest(shifted(50, 0, 0))});
+    scene.add({"box", box({0.5, 0.5, 0.5}).polyhedron(), Motion::at_rest(shifted(0, 0, 1))});
+    scene.add({"table", box({5, 5, 0.5}).polyhedron(), Motion::at_rest(shifted(0, 0, -0.5))});
+    DraggedBody body(scene, "box", {.margin = margin});
+    const Pose low = shifted(0, 0, 0.4);
+    EXPECT_EQ(body.update(low).blocking, std::vector<std::size_t>{2});
+    scene.remove("far"); // the table takes its index
+    const DragStep renumbered = body.update(low);
+    EXPECT_EQ(renumbered.blocking, std::vector<std::size_t>{0});
+    EXPECT_TRUE(renumbered.events.empty());
+    scene.remove("table"); // the box takes its index
+    const DragStep alone = body.update(low);
+    EXPECT_EQ(alone.state, DragState::reached);
+    EXPECT_TRUE(alone.events.empty());
+    scene.add({"floor", box({5, 5, 0.5}).polyhedron(), Motion::at_rest(shifted(0, 0, -1))});
+    EXPECT_EQ(body.update(shifted(0, 0, -1)).events.size(), 4U);
+    EXPECT_NEAR(body.pose().translation.z(), margin, 1e-9);
+}
+
 TEST(DraggedBody, BodiesThatAreIgnoredDoNotStopIt) {
     Scene scene = box_and_table();
     scene.ignore("box", "table");
