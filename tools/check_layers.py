@@ -26,6 +26,9 @@ MAY_INCLUDE = {
     "robot": [
         "base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "query", "scene", "io",
     ],
+    "manipulation": [
+        "base", "algebra", "motion", "elementary", "hierarchy", "mesh", "culling", "contact", "search", "query", "scene",
+    ],
     "scenes": [],
     "view": [],
     "cli": ["base", "io", "robot", "scenes", "view"],

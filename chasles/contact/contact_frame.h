@@ -13,6 +13,7 @@ struct ContactScene {
     bool at_start = false; ///< at time 0 the velocity does not tell the side of the contact
     double margin = 0;     ///< distance that counts as contact; 0: features touch
     double slack = 0;      ///< bound for the distance of points from their places at the contact, mesh unit
+    double slope = 0;      ///< a descent of the distance (a cosine) up to this still counts as a local minimum
 };
 
 /// A bound for the distance of points from their places at the contact, at a tau within `width` of the contact.

@@ -106,9 +106,10 @@ std::vector<Contact> at_corners_of_hulls(std::vector<Contact> contacts, double s
         std::vector<std::size_t> group;
         const auto is_alike = [&](const Contact& other) {
             const Contact& first = contacts[i];
+            const Eigen::Vector3d way = other.point - first.point;
+            const double same_height = slack + same_normal * way.norm();
             return (other.normal - first.normal).norm() <= same_normal &&
-                   std::abs(first.normal.dot(other.point - first.point)) <=
-                       slack + same_normal * (other.point - first.point).norm();
+                   std::abs(first.normal.dot(way)) <= same_height && std::abs(other.gap - first.gap) <= same_height;
         };
         for (std::size_t j = i; j < contacts.size(); ++j)
             if (!is_grouped[j] && is_alike(contacts[j])) {

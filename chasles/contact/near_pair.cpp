@@ -136,7 +136,8 @@ bool NearTest::are_in_contact(const FeaturePair& features) {
 
 bool is_local_minimum(const ContactScene& scene, const FeaturePair& features, const NearestPoints& nearest) {
     const double distance = nearest.apart().norm();
-    return distance <= scene.slack || scene.bodies.descent(features, nearest) <= 4 * scene.slack / distance;
+    return distance <= scene.slack ||
+           scene.bodies.descent(features, nearest) <= scene.slope + 4 * scene.slack / distance;
 }
 
 } // namespace chasles::contact

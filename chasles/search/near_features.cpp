@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 /// Culls pairs of nodes in whose boxes no connection between near features is along a normal of both surfaces.
 class ConeTest {
 public:
-    explicit ConeTest(const ContactScene& scene) : scene_(scene) {}
+    explicit ConeTest(const ContactScene& scene) : scene_(scene), slope_(std::asin(scene.slope)) {}
 
     [[nodiscard]] bool separates(const culling::NodePair& pair) const {
         const RelativeBox moving(scene_.bodies.moving().bvh(), pair.moving);
@@ -33,7 +33,7 @@ public:
             return false;
         const double deviation = std::asin(spread / distance);
         const auto excludes = [&](const NormalCone& cone, const Vector3d& along) {
-            const double angle = double(cone.angle) + deviation + tolerance;
+            const double angle = double(cone.angle) + deviation + tolerance + slope_;
             return angle < right_angle && std::abs(cone.axis.cast<double>().dot(along)) < std::cos(angle) * distance;
         };
         return excludes(scene_.bodies.fixed().normal_cones()[pair.fixed], apart) ||
@@ -58,6 +58,7 @@ private:
     };
 
     const ContactScene& scene_;
+    double slope_; ///< of what counts as a local minimum, in radians
 };
 
 /// The leaf tests of a traversal at rest.

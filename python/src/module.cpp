@@ -41,6 +41,7 @@ NB_MODULE(_core, module) {
     python::bind_scene(module);
     python::bind_stepper(module);
     python::bind_joint_path(module);
+    python::bind_drag(module);
     python::bind_robot(module);
     python::bind_robot_clearance(module);
     python::bind_robot_answers(module);

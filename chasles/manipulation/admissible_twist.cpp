@@ -1,0 +1,120 @@
+#include "chasles/manipulation/admissible_twist.h"
+
+#include "chasles/manipulation/least_squares_nonnegative.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <vector>
+
+namespace chasles::manipulation {
+
+namespace {
+
+/// Rounding, as a share of the numbers that enter a row.
+constexpr double rounding = 0x1p-40;
+
+/// The problem in coordinates L^T v, M = L L^T, in which the metric is Euclidean, with rows of length 1 and the wish
+/// as the origin: the shortest z with rows z >= lacking.
+struct LeastDistance {
+    Rows rows;
+    Eigen::VectorXd lengths; ///< that the rows had
+    Eigen::VectorXd lacking;
+    Twist wish; ///< L^T wish
+};
+
+LeastDistance least_distance_problem(const TwistConstraints& constraints, const Eigen::LLT<Metric>& root,
+                                     const Twist& wish) {
+    LeastDistance problem;
+    // A = J L^-T, so A^T = L^-1 J^T
+    const Eigen::Matrix<double, 6, Eigen::Dynamic> columns = root.matrixL().solve(constraints.rows.transpose());
+    problem.rows = columns.transpose();
+    problem.lengths = problem.rows.rowwise().norm();
+    problem.wish = root.matrixU() * wish;
+    problem.lacking.resize(problem.rows.rows());
+    for (Eigen::Index i = 0; i < problem.rows.rows(); ++i) {
+        if (problem.lengths[i] > 0)
+            problem.rows.row(i) /= problem.lengths[i];
+        const double allowed = problem.lengths[i] > 0 ? std::max(0.0, constraints.gaps[i]) / problem.lengths[i] : 0;
+        problem.lacking[i] = -allowed - problem.rows.row(i).dot(problem.wish);
+    }
+    return problem;
+}
+
+/// Lawson and Hanson's problem LDP: z = -p / p_7 with the residual p of the non-negative least squares below. Without
+/// a solution in floating point, rest is the answer, and what balances the wish.
+Eigen::VectorXd multipliers_of(const LeastDistance& problem, double scale) {
+    Columns columns(most_equations, problem.rows.rows());
+    columns.topRows<6>() = problem.rows.transpose();
+    columns.row(6) = problem.lacking.transpose() / scale;
+    const NonnegativeSolution solution = least_squares_nonnegative(columns, Equations::Unit(most_equations, 6));
+    const double last = -solution.residual[6]; // the squared length of the residual
+    if (last > rounding * rounding)
+        return solution.unknowns * (scale / last);
+    const Columns directions = problem.rows.transpose();
+    return least_squares_nonnegative(directions, -problem.wish).unknowns;
+}
+
+/// How far the rows are violated at most.
+double violation(const LeastDistance& problem, const Twist& change) {
+    return (problem.lacking - problem.rows * change).maxCoeff();
+}
+
+struct Solution {
+    Twist change; ///< of the wish
+    Eigen::VectorXd multipliers;
+};
+
+/// In a narrow wedge the squared length of the residual has few digits. The rows that push have to hold with equality,
+/// which gives the solution to all digits.
+Solution refined(const LeastDistance& problem, Solution solution) {
+    std::vector<Eigen::Index> active;
+    for (Eigen::Index i = 0; i < solution.multipliers.size(); ++i)
+        if (solution.multipliers[i] > 0)
+            active.push_back(i);
+    const Eigen::MatrixXd rows = problem.rows(active, Eigen::all);
+    const Twist change = rows.completeOrthogonalDecomposition().solve(problem.lacking(active));
+    const Eigen::VectorXd pushes = rows.transpose().completeOrthogonalDecomposition().solve(change);
+    if (violation(problem, change) >= violation(problem, solution.change) || pushes.minCoeff() < 0)
+        return solution;
+    solution.change = change;
+    solution.multipliers(active) = pushes;
+    return solution;
+}
+
+/// Rest is admissible, so a point between a twist and rest is as near to admissible as one likes.
+double admissible_share(const LeastDistance& problem, const Twist& moved) {
+    double share = 1;
+    for (Eigen::Index i = 0; i < problem.rows.rows(); ++i) {
+        const double rate = problem.rows.row(i).dot(moved);
+        const double least = problem.lacking[i] + problem.rows.row(i).dot(problem.wish); // at most 0
+        if (rate < least - rounding * problem.wish.norm())
+            share = std::min(share, least / rate);
+    }
+    return share;
+}
+
+} // namespace
+
+AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metric& metric, const Twist& wish) {
+    const Eigen::LLT<Metric> root(metric);
+    const LeastDistance problem = least_distance_problem(constraints, root, wish);
+    AdmissibleTwist answer{wish, Eigen::VectorXd::Zero(problem.rows.rows())};
+    const double scale = problem.rows.rows() > 0 ? problem.lacking.maxCoeff() : 0;
+    if (!(scale > 0))
+        return answer;
+    const Eigen::VectorXd raw = multipliers_of(problem, scale);
+    const auto& [change, multipliers] = refined(problem, {problem.rows.transpose() * raw, raw});
+    Twist moved = problem.wish + change;
+    moved *= admissible_share(problem, moved);
+    if (moved.squaredNorm() > problem.wish.squaredNorm()) // by rounding
+        moved *= problem.wish.norm() / moved.norm();
+    answer.twist = root.matrixU().solve(moved);
+    for (Eigen::Index i = 0; i < problem.rows.rows(); ++i)
+        answer.multipliers[i] = problem.lengths[i] > 0 ? multipliers[i] / problem.lengths[i] : 0;
+    answer.wrench = constraints.rows.transpose() * answer.multipliers;
+    return answer;
+}
+
+} // namespace chasles::manipulation

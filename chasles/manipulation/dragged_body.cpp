@@ -1,0 +1,284 @@
+#include "chasles/manipulation/dragged_body.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/manipulation/slide.h"
+#include "chasles/manipulation/surroundings.h"
+#include "chasles/query/pair_query.h"
+#include "chasles/scene/pair_question.h"
+
+#include <algorithm>
+#include <chrono>
+
+namespace chasles {
+
+using manipulation::Distances;
+using manipulation::ModelledContact;
+using manipulation::Neighbourhood;
+using manipulation::Other;
+using manipulation::Passage;
+using manipulation::Slide;
+using manipulation::SlideKind;
+using manipulation::SlideProblem;
+
+namespace {
+
+constexpr double default_margin = 1e-4; // of the diagonal of the box
+constexpr double default_reach = 2;     // margins
+constexpr double listed_within = 2;     // margins: the contacts that a step lists
+constexpr double pushes_within = 1.125; // margins: the contacts that push
+constexpr double least_step = 0x1p-10;  // margins: a body that has no more to go rests
+/// Likewise after the first round of an update. What is left is for the next update: it is not worth a round.
+constexpr double least_further_step = 0x1p-3;
+
+void require(bool holds, const char* option, const char* why) {
+    if (!holds)
+        throw InvalidInput(std::string("drag: ") + option + ": " + why);
+}
+
+double diagonal(const Polyhedron& shape) {
+    const MeshReport report = shape.report();
+    return (report.upper - report.lower).norm();
+}
+
+Distances distances_of(const DragOptions& options, const Polyhedron& shape) {
+    const auto is_positive = [](double number) { return number > 0 && number <= 1e30; };
+    require(options.margin == 0 || is_positive(options.margin), "margin", "must be in (0, 1e30], or 0 for the default");
+    const double margin = options.margin == 0 ? default_margin * diagonal(shape) : options.margin;
+    const double reach = options.reach == 0 ? default_reach * margin : options.reach;
+    require(reach >= 2 * margin && reach <= 1e30, "reach", "must be at least twice the margin, and at most 1e30");
+    require(is_positive(options.stiffness), "stiffness", "must be in (0, 1e30]");
+    require(options.rounds > 0, "rounds", "must be positive");
+    return {margin, reach};
+}
+
+MassProperties mass_of(const DragOptions& options, const Polyhedron& shape) {
+    if (!options.mass)
+        return manipulation::mass_of_box(shape.body());
+    manipulation::check(*options.mass);
+    return *options.mass;
+}
+
+/// The longest way of a corner of the body's box from one pose to another one.
+double longest_way(const MeshReport& box, const Pose& from, const Pose& to) {
+    double longest = 0;
+    for (int i = 0; i < 8; ++i) {
+        const Eigen::Vector3d corner((i & 1 ? box.upper : box.lower).x(), (i & 2 ? box.upper : box.lower).y(),
+                                     (i & 4 ? box.upper : box.lower).z());
+        longest = std::max(longest, (to.isometry() * corner - from.isometry() * corner).norm());
+    }
+    return longest;
+}
+
+bool is_equal(const Pose& a, const Pose& b) {
+    return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
+}
+
+bool is_same(const DragContact& a, const DragContact& b) {
+    return a.body == b.body && a.contact.kind == b.contact.kind && a.contact.moving == b.contact.moving &&
+           a.contact.fixed == b.contact.fixed;
+}
+
+/// Appends an event for each contact that is not among the others.
+void append_events(std::vector<DragEvent>& events, const std::vector<DragContact>& contacts,
+                   const std::vector<DragContact>& others, bool begins) {
+    for (const DragContact& contact : contacts)
+        if (std::ranges::none_of(others, [&](const DragContact& other) { return is_same(contact, other); }))
+            events.push_back({begins, contact.body, contact.contact});
+}
+
+/// A bound of time for the rounds of an update.
+class Deadline {
+public:
+    explicit Deadline(double seconds) : seconds_(seconds) {}
+    [[nodiscard]] bool is_over() const {
+        return seconds_ > 0 && std::chrono::duration<double>(Clock::now() - start_).count() > seconds_;
+    }
+
+private:
+    using Clock = std::chrono::steady_clock;
+    double seconds_;
+    Clock::time_point start_ = Clock::now();
+};
+
+} // namespace
+
+class DraggedBody::Implementation {
+public:
+    Implementation(Scene& scene, const std::string& name, const DragOptions& options);
+
+    DragStep update(const Pose& goal, double seconds);
+    [[nodiscard]] const Pose& pose() const { return pose_; }
+    [[nodiscard]] const Distances& distances() const { return distances_; }
+
+private:
+    [[nodiscard]] SlideProblem problem(const Pose& goal, double rest) const {
+        return {spring_, pose_, goal, near_.contacts, distances_.margin, size_, rest * distances_.margin};
+    }
+    void look_around(DragStep& step);
+    void meet(const Other& other, DragStep& step) const;
+    void read_scene(DragStep& step);
+    void renumber_contacts();
+    bool go(const Slide& slide, DragStep& step);
+    [[nodiscard]] DragState go_on(const Pose& goal, double seconds, DragStep& step);
+    void report(const Pose& goal, DragStep& step);
+
+    Scene& scene_;
+    std::string name_;
+    Polyhedron shape_;
+    DragOptions options_;
+    Distances distances_;
+    manipulation::HandSpring spring_;
+    double size_;
+    Pose pose_;
+    manipulation::Surroundings surroundings_;
+    Neighbourhood near_;                        ///< at the pose
+    std::vector<DragContact> contacts_;         ///< of the last update
+    std::vector<std::string> contact_partners_; ///< the names of their other bodies
+};
+
+DraggedBody::Implementation::Implementation(Scene& scene, const std::string& name, const DragOptions& options)
+    : scene_(scene), name_(name), shape_(scene.bodies()[scene.index_of(name)].shape), options_(options),
+      distances_(distances_of(options, shape_)), spring_(mass_of(options, shape_)), size_(diagonal(shape_)),
+      pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)), surroundings_(distances_) {
+    manipulation::prepare(shape_.body());
+    DragStep step;
+    surroundings_.refresh(scene_, scene_.index_of(name_));
+    look_around(step);
+}
+
+void DraggedBody::Implementation::look_around(DragStep& step) {
+    near_ = surroundings_.near(shape_.body(), pose_);
+    step.work += near_.work;
+}
+
+/// The motion of another body, while this one stood still.
+void DraggedBody::Implementation::meet(const Other& other, DragStep& step) const {
+    const scene::WorldMotion& motion = scene_.motion_of(other.index);
+    if (other.is_ignored || motion.rests)
+        return; // where it stands is looked at in any case
+    const scene::WorldMotion here = scene::world_motion(Motion::at_rest(pose_), name_);
+    FirstContact found = scene::first_contact_of({shape_, here}, {other.shape, motion}, {}, 1);
+    step.work += found.work;
+    if (found.verdict != Verdict::clear)
+        step.intrusions.push_back({other.index, std::move(found)});
+}
+
+void DraggedBody::Implementation::read_scene(DragStep& step) {
+    const auto moved = surroundings_.refresh(scene_, scene_.index_of(name_));
+    if (!moved)
+        return;
+    renumber_contacts();
+    for (const std::size_t place : *moved)
+        meet(surroundings_.others()[place], step);
+    look_around(step);
+}
+
+/// Bodies that were removed change the indices of others, and take their contacts with them.
+void DraggedBody::Implementation::renumber_contacts() {
+    std::vector<DragContact> left;
+    std::vector<std::string> partners;
+    for (std::size_t i = 0; i < contacts_.size(); ++i) {
+        const auto other = std::ranges::find(surroundings_.others(), contact_partners_[i], &Other::name);
+        if (other == surroundings_.others().end())
+            continue;
+        left.push_back(contacts_[i]);
+        left.back().body = other->index;
+        partners.push_back(other->name);
+    }
+    contacts_ = std::move(left);
+    contact_partners_ = std::move(partners);
+}
+
+/// One certified step. False if nothing could be gone.
+bool DraggedBody::Implementation::go(const Slide& slide, DragStep& step) {
+    const Passage passage = surroundings_.passage(shape_.body(), pose_, slide.end, near_.distances);
+    step.work += passage.work;
+    step.blocking.clear();
+    if (passage.blocked_by)
+        step.blocking.push_back(*passage.blocked_by);
+    if (passage.until <= 0)
+        return false;
+    const Motion screw = Motion::screw(pose_, slide.end);
+    step.pieces.push_back({screw, passage.until, passage.clearance});
+    pose_ = passage.until < 1 ? screw.pose_at(passage.until) : slide.end;
+    look_around(step);
+    return true;
+}
+
+DragState DraggedBody::Implementation::go_on(const Pose& goal, double seconds, DragStep& step) {
+    const Deadline deadline(seconds);
+    for (int round = 0; round < options_.rounds && !(round > 0 && deadline.is_over()); ++round) {
+        if (!near_.touching.empty())
+            return DragState::touching;
+        if (is_equal(pose_, goal))
+            return DragState::reached;
+        const Slide slide = next_slide(problem(goal, round == 0 ? least_step : least_further_step));
+        if (slide.kind == SlideKind::rest || !go(slide, step))
+            return DragState::resting;
+    }
+    return is_equal(pose_, goal) ? DragState::reached : DragState::moving;
+}
+
+/// What is in contact at the pose reached, and with which force.
+void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
+    const manipulation::AdmissibleTwist pushed = pushes(problem(goal, least_step), pushes_within * distances_.margin);
+    std::vector<DragContact> contacts;
+    for (std::size_t i = 0; i < near_.contacts.size(); ++i) {
+        const ModelledContact& near = near_.contacts[i];
+        const double force = options_.stiffness * pushed.multipliers[Eigen::Index(i)];
+        if (force > 0)
+            step.blocking.push_back(near.body);
+        if (near.contact.gap <= listed_within * distances_.margin)
+            contacts.push_back({near.body, near.contact, force});
+    }
+    std::ranges::sort(step.blocking);
+    step.blocking.erase(std::unique(step.blocking.begin(), step.blocking.end()), step.blocking.end());
+    append_events(step.events, contacts, contacts_, true);
+    append_events(step.events, contacts_, contacts, false);
+    contacts_ = contacts;
+    contact_partners_.clear();
+    for (const DragContact& contact : contacts)
+        contact_partners_.push_back(scene_.bodies()[contact.body].name);
+    step.contacts = std::move(contacts);
+    const Eigen::Vector3d lever = pose_.isometry() * spring_.centre() - pose_.translation;
+    step.force = options_.stiffness * pushed.wrench.head<3>();
+    step.torque = options_.stiffness * pushed.wrench.tail<3>() + lever.cross(step.force);
+    step.touching = near_.touching;
+    step.distance = longest_way(shape_.report(), pose_, goal);
+    step.pose = pose_;
+}
+
+DragStep DraggedBody::Implementation::update(const Pose& wanted, double seconds) {
+    require(seconds >= 0, "seconds", "must not be negative");
+    const Pose goal(wanted.translation, Eigen::Quaterniond(wanted.rotation)); // checks what was filled in by hand
+    DragStep step;
+    read_scene(step);
+    step.state = go_on(goal, seconds, step);
+    report(goal, step);
+    scene_.move(scene_.index_of(name_), Motion::at_rest(pose_));
+    return step;
+}
+
+DraggedBody::DraggedBody(Scene& scene, const std::string& name, const DragOptions& options)
+    : implementation_(std::make_unique<Implementation>(scene, name, options)) {}
+DraggedBody::~DraggedBody() = default;
+DraggedBody::DraggedBody(DraggedBody&& other) noexcept = default;
+DraggedBody& DraggedBody::operator=(DraggedBody&& other) noexcept = default;
+
+DragStep DraggedBody::update(const Pose& goal, double seconds) {
+    return implementation_->update(goal, seconds);
+}
+
+const Pose& DraggedBody::pose() const {
+    return implementation_->pose();
+}
+
+double DraggedBody::margin() const {
+    return implementation_->distances().margin;
+}
+
+double DraggedBody::reach() const {
+    return implementation_->distances().reach;
+}
+
+} // namespace chasles

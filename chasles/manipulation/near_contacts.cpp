@@ -1,0 +1,39 @@
+#include "chasles/manipulation/near_contacts.h"
+
+#include "chasles/motion/motion.h"
+#include "chasles/query/report.h"
+
+#include <algorithm>
+
+namespace chasles::manipulation {
+
+namespace {
+
+/// A corner of a box that is tilted by a hair is no local minimum of the distance from a table, but stops the box as
+/// soon as it turns. So pairs count where the distance falls by up to this cosine beside them.
+constexpr double most_slope = 0.25;
+
+} // namespace
+
+NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, double reach) {
+    const ScrewMotion rest = ScrewMotion::relative(moving.pose, moving.pose, fixed.pose, fixed.pose);
+    const auto pieces = Motion(rest).trajectory().pieces();
+    search::PieceContext context(moving.body, fixed.body, pieces->at(0));
+    const query::ContactMoment moment(context, reach, most_slope);
+    const search::NearFeatures near = moment.find({.finds_overlaps = true});
+    NearContacts found{{}, reach, near.overlap.has_value(), near.is_cut, near.work};
+    if (found.overlaps) {
+        found.distance = 0;
+        return found;
+    }
+    if (near.is_cut)
+        found.distance = std::min(reach, near.complete_within);
+    if (!near.pairs.empty())
+        found.contacts = moment.contacts_of(near.pairs);
+    found.is_cut = query::cut_to_most(found.contacts) || near.is_cut;
+    for (const Contact& contact : found.contacts)
+        found.distance = std::min(found.distance, contact.gap);
+    return found;
+}
+
+} // namespace chasles::manipulation

@@ -1,0 +1,207 @@
+// chasles drag: a body of a scene follows the goals of a hand.
+#include "cli/commands.h"
+#include "cli/interruption.h"
+#include "cli/options.h"
+#include "cli/output.h"
+#include "cli/progress_bar.h"
+#include "cli/report.h"
+#include "cli/scene_file.h"
+#include "view/page.h"
+
+#include "chasles/io/motion_files.h"
+
+#include <algorithm>
+#include <filesystem>
+#include <fmt/format.h>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+namespace chasles::cli {
+namespace {
+
+struct DragCommand {
+    std::string scene;
+    std::string body;
+    std::string goals;
+    std::string out;
+    std::string page; ///< empty: none
+    PolyhedronOptions polyhedron;
+    std::string margin = "0";
+    std::string stiffness = "1";
+    int rounds = DragOptions().rounds;
+    bool json = false;
+};
+
+/// A hand moves one body. What else moves in the scene has no clock here.
+void require_rest(const std::string& file, const Scene& scene) {
+    for (const SceneBody& body : scene.bodies())
+        for (const double time : {0.5, 1.0})
+            if (body.motion.pose_at(time).isometry().matrix() != body.motion.pose_at(0).isometry().matrix())
+                throw InvalidInput(file + ": " + body.name + ": moves; a scene to drag a body in must be at rest");
+}
+
+std::string csv_row(double time, const DragStep& step) {
+    const Eigen::Vector3d& place = step.pose.translation;
+    const auto turn = step.pose.rotation.normalized();
+    return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}\n", time, place.x(), place.y(), place.z(),
+                       turn.w(), turn.x(), turn.y(), turn.z(), step.contacts.size(), step.force.x(), step.force.y(),
+                       step.force.z(), step.torque.x(), step.torque.y(), step.torque.z(), step.distance);
+}
+
+/// What happened, counted and recorded.
+class Hand {
+public:
+    Hand(const Scene& scene, std::size_t dragged) : dragged_(dragged) {
+        for (const SceneBody& body : scene.bodies())
+            record_.bodies.push_back({body.name, body.shape, {row_of(body.motion.pose_at(1))}});
+        record_.bodies[dragged].poses.clear();
+    }
+
+    void add(double time, const DragStep& step) {
+        ++states_[step.state];
+        in_contact_ += step.contacts.empty() ? 0 : 1;
+        pieces_ += step.pieces.size();
+        work_ += step.work;
+        record_.times.push_back(time);
+        view::PoseRow row = row_of(step.pose);
+        if (std::vector<view::PoseRow>& rows = record_.bodies[dragged_].poses; !rows.empty())
+            keep_sign(row, rows.back());
+        record_.bodies[dragged_].poses.push_back(row);
+        std::map<std::size_t, std::vector<Contact>> begun;
+        for (const DragEvent& event : step.events)
+            if (event.begins)
+                begun[event.body].push_back(event.contact);
+        for (auto& [body, contacts] : begun)
+            record_.contacts.push_back({.time = time,
+                                        .time_upper = time,
+                                        .moving = dragged_,
+                                        .fixed = body,
+                                        .kind = "contact",
+                                        .contacts = std::move(contacts)});
+    }
+
+    [[nodiscard]] view::SceneRecord record(const DragCommand& options, double margin) const {
+        view::SceneRecord record = record_;
+        record.title = options.body + " in " + std::filesystem::path(options.scene).filename().string();
+        record.margin = margin;
+        return record;
+    }
+    [[nodiscard]] bool has_contact() const { return in_contact_ > 0; }
+    [[nodiscard]] nlohmann::ordered_json json(double margin) const {
+        return {{"updates", record_.times.size()},
+                {"reached", count(DragState::reached)},
+                {"resting", count(DragState::resting)},
+                {"moving", count(DragState::moving)},
+                {"touching", count(DragState::touching)},
+                {"in_contact", in_contact_},
+                {"pieces", pieces_},
+                {"margin", margin}};
+    }
+    [[nodiscard]] std::string text() const {
+        return counted(record_.times.size(), "update") + "\n" +
+               labelled("states",
+                        fmt::format("{} reached, {} resting, {} moving, {} touching", count(DragState::reached),
+                                    count(DragState::resting), count(DragState::moving), count(DragState::touching))) +
+               labelled("contact", counted(in_contact_, "update")) +
+               labelled("pieces", std::to_string(pieces_) + ", each proven clear") + report(work_);
+    }
+
+private:
+    static view::PoseRow row_of(const Pose& pose) {
+        const auto turn = pose.rotation.normalized();
+        const Eigen::Vector3d& place = pose.translation;
+        return {place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z()};
+    }
+    /// A page goes the shorter way between two poses.
+    static void keep_sign(view::PoseRow& row, const view::PoseRow& last) {
+        double product = 0;
+        for (std::size_t i = 3; i < 7; ++i)
+            product += row[i] * last[i];
+        for (std::size_t i = 3; i < 7 && product < 0; ++i)
+            row[i] = -row[i];
+    }
+    [[nodiscard]] std::size_t count(DragState state) const {
+        const auto found = states_.find(state);
+        return found == states_.end() ? 0 : found->second;
+    }
+
+    std::size_t dragged_;
+    view::SceneRecord record_;
+    std::map<DragState, std::size_t> states_;
+    std::size_t in_contact_ = 0;
+    std::size_t pieces_ = 0;
+    Work work_;
+};
+
+DragOptions drag_options(const DragCommand& options) {
+    DragOptions drag;
+    drag.margin = number_of("--margin", options.margin);
+    drag.stiffness = number_of("--stiffness", options.stiffness);
+    drag.rounds = options.rounds;
+    return drag;
+}
+
+int run_drag(const DragCommand& options) {
+    SceneFile file = load_scene(options.scene, options.polyhedron);
+    require_rest(options.scene, file.scene);
+    const io::Path goals = io::load_path(options.goals);
+    DraggedBody body(file.scene, options.body, drag_options(options));
+    OutputFile out(options.out);
+    std::optional<OutputFile> page;
+    if (!options.page.empty()) {
+        view::require_page_template();
+        page.emplace(options.page);
+    }
+    const Interruption interruption;
+    Hand hand(file.scene, file.scene.index_of(options.body));
+    ProgressBar bar("updates", goals.poses.size());
+    out.write("t,x,y,z,qw,qx,qy,qz,contacts,fx,fy,fz,tx,ty,tz,distance\n");
+    for (std::size_t i = 0; i < goals.poses.size() && !Interruption::is_requested(); ++i) {
+        const double time = goals.stamps.empty() ? double(i) : goals.stamps[i];
+        const DragStep step = body.update(goals.poses[i]);
+        out.write(csv_row(time, step));
+        hand.add(time, step);
+        bar.show(i + 1);
+    }
+    out.close();
+    if (Interruption::is_requested())
+        return is_interrupted;
+    if (page) {
+        page->write(view::scene_page(hand.record(options, body.margin())));
+        page->close();
+    }
+    if (!is_standard_output(options.out))
+        print(options.json ? hand.json(body.margin()).dump() + "\n" : hand.text());
+    return hand.has_contact() ? is_contact : is_clear;
+}
+
+} // namespace
+
+void add_drag(CLI::App& app, Task& task) {
+    const auto options = std::make_shared<DragCommand>();
+    CLI::App& command = *app.add_subcommand("drag", "Drag a body by a hand: it slides along what it touches");
+    command.add_option("SCENE", options->scene, "JSON file with bodies at rest")->required()->type_name("FILE");
+    command.add_option("--body", options->body, "name of the body in the hand")->required()->type_name("NAME");
+    command
+        .add_option("--goals", options->goals, "CSV file with the poses of the hand (x,y,z,qw,qx,qy,qz; optional t)")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--out", options->out, "CSV file for the poses reached and the forces on the hand")
+        ->required()
+        ->type_name("FILE");
+    command.add_option("--page", options->page, "write a page (HTML) that replays the hand too")->type_name("FILE");
+    add_mesh_options(command, options->polyhedron);
+    command.add_option("--margin", options->margin, "gap that contacts keep; 0: a ten-thousandth of the body")
+        ->type_name("D")
+        ->capture_default_str();
+    command.add_option("--stiffness", options->stiffness, "force of the hand for a distance of 1")
+        ->type_name("K")
+        ->capture_default_str();
+    command.add_option("--rounds", options->rounds, "certified steps of an update at most")->capture_default_str();
+    command.add_flag("--json", options->json, "print one JSON object");
+    command.callback([options, &task] { task = [options] { return run_drag(*options); }; });
+}
+
+} // namespace chasles::cli

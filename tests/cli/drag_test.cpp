@@ -1,0 +1,90 @@
+// chasles drag: the rows are those of the library, and wrong input gets one line.
+#include "tests/cli/cli_test_files.h"
+
+#include "chasles/chasles.h"
+
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <sstream>
+
+namespace chasles {
+namespace {
+
+using Json = nlohmann::json;
+
+class DragCommand : public tests::CommandLine {
+protected:
+    DragCommand() {
+        write("scene.json", R"({"bodies": [{"name": "table", "mesh": "cube.obj", "scale": 4, "pose": [-2, -2, -4]},
+                                           {"name": "box", "mesh": "cube.obj", "pose": [0, 0, 1]}]})");
+        write("goals.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,-0.5,1,0,0,0\n0.1,0.3,0.2,-0.5,1,0,0,0\n0.2,0,0,2,1,0,0,0\n");
+    }
+    [[nodiscard]] std::vector<std::vector<double>> rows(const std::string& file) const {
+        std::ifstream stream(path(file));
+        std::string line;
+        std::getline(stream, line);
+        EXPECT_EQ(line, "t,x,y,z,qw,qx,qy,qz,contacts,fx,fy,fz,tx,ty,tz,distance");
+        std::vector<std::vector<double>> rows;
+        while (std::getline(stream, line)) {
+            rows.emplace_back();
+            std::istringstream cells(line);
+            for (std::string cell; std::getline(cells, cell, ',');)
+                rows.back().push_back(std::stod(cell));
+        }
+        return rows;
+    }
+};
+
+TEST_F(DragCommand, WritesPosesAndForces) {
+    const auto result = run("drag scene.json --body box --goals goals.csv --out out.csv --margin 0.001 --stiffness 2 "
+                            "--json");
+    EXPECT_EQ(result.status, 1);
+    const Json json = Json::parse(result.out);
+    EXPECT_EQ(json["updates"], 3);
+    EXPECT_EQ(json["resting"], 2);
+    EXPECT_EQ(json["reached"], 1);
+    EXPECT_EQ(json["in_contact"], 2);
+    EXPECT_EQ(json["margin"], 0.001);
+    const auto rows = this->rows("out.csv");
+    ASSERT_EQ(rows.size(), 3U);
+    const std::vector<double> slid{0.1, 0.3, 0.2, 0.001, 1, 0, 0, 0, 4, 0, 0, 2 * 0.501};
+    for (std::size_t i = 0; i < slid.size(); ++i)
+        EXPECT_NEAR(rows[1][i], slid[i], 1e-9) << i;
+    EXPECT_EQ(rows[1].size(), 16U);
+    EXPECT_NEAR(rows[1][15], 0.501, 1e-9);
+    EXPECT_EQ(rows[2][3], 2);
+    EXPECT_EQ(rows[2][15], 0);
+}
+
+TEST_F(DragCommand, WritesAPageToo) {
+    const auto result = run("drag scene.json --body box --goals goals.csv --out out.csv --page page.html");
+    if (result.err.find("this build has no viewer") != std::string::npos)
+        GTEST_SKIP() << result.err;
+    EXPECT_EQ(result.status, 1);
+    std::ifstream page(path("page.html"));
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    EXPECT_NE(text.find("box in scene.json"), std::string::npos);
+}
+
+TEST_F(DragCommand, AHandThatMeetsNothingIsClear) {
+    write("free.csv", "x,y,z,qw,qx,qy,qz\n0,0,2,1,0,0,0\n1,0,2,1,0,0,1\n");
+    const auto result = run("drag scene.json --body box --goals free.csv --out out.csv");
+    EXPECT_EQ(result.status, 0);
+    EXPECT_NE(result.out.find("2 reached, 0 resting"), std::string::npos) << result.out;
+    EXPECT_EQ(rows("out.csv")[1][0], 1); // without stamps, the number of the row
+}
+
+TEST_F(DragCommand, RefusesWhatItCannotUse) {
+    EXPECT_EQ(error_line("drag scene.json --body nut --goals goals.csv --out out.csv"),
+              "chasles: scene: nut: is not in the scene");
+    EXPECT_EQ(error_line("drag scene.json --body box --goals goals.csv --out out.csv --margin -1"),
+              "chasles: drag: margin: must be in (0, 1e30], or 0 for the default");
+    write("moving.json", R"({"bodies": [{"name": "box", "mesh": "cube.obj"},
+                                        {"name": "other", "mesh": "cube.obj", "pose": [5, 0, 0], "goal": [3, 0, 0]}]})");
+    EXPECT_EQ(error_line("drag moving.json --body box --goals goals.csv --out out.csv"),
+              "chasles: moving.json: other: moves; a scene to drag a body in must be at rest");
+}
+
+} // namespace
+} // namespace chasles
