@@ -58,6 +58,15 @@ MassProperties mass_of(const DragOptions& options, const Polyhedron& shape) {
     return *options.mass;
 }
 
+/// The gap of contacts is far above the rounding of poses. The least clearance is 2^-22 of the margin, and a point of
+/// the body is off its place by less than 2^-50 of the lengths that enter.
+void check_rounding(const Distances& distances, const Polyhedron& shape, const Pose& pose) {
+    const MeshReport report = shape.report();
+    const double lengths = pose.translation.norm() + report.lower.norm() + report.upper.norm();
+    require(distances.margin >= 0x1p-28 * lengths, "margin",
+            "is below a 2^28th of the lengths of the pose, and so too near to its rounding");
+}
+
 /// The longest way of a corner of the body's box from one pose to another one.
 double longest_way(const MeshReport& box, const Pose& from, const Pose& to) {
     double longest = 0;
@@ -140,6 +149,7 @@ DraggedBody::Implementation::Implementation(Scene& scene, const std::string& nam
     : scene_(scene), name_(name), shape_(scene.bodies()[scene.index_of(name)].shape), options_(options),
       distances_(distances_of(options, shape_)), spring_(mass_of(options, shape_)), size_(diagonal(shape_)),
       pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)), surroundings_(distances_) {
+    check_rounding(distances_, shape_, pose_);
     manipulation::prepare(shape_.body());
     DragStep step;
     surroundings_.refresh(scene_, scene_.index_of(name_));
@@ -251,6 +261,7 @@ void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
 DragStep DraggedBody::Implementation::update(const Pose& wanted, double seconds) {
     require(seconds >= 0, "seconds", "must not be negative");
     const Pose goal(wanted.translation, Eigen::Quaterniond(wanted.rotation)); // checks what was filled in by hand
+    check_rounding(distances_, shape_, goal);
     DragStep step;
     read_scene(step);
     step.state = go_on(goal, seconds, step);

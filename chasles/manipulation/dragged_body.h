@@ -89,15 +89,16 @@ struct DragStep {
 class CHASLES_EXPORT DraggedBody {
 public:
     /// The body starts where its motion ends in the scene. The scene must outlive the dragged body. Throws InvalidInput
-    /// for an unknown name and for options out of their range.
+    /// for an unknown name and for options out of their range. The margin must be far above the rounding of poses: at
+    /// least a 2^28th of the lengths of the pose and of the body's coordinates.
     DraggedBody(Scene& scene, const std::string& name, const DragOptions& options = {});
     ~DraggedBody();
     DraggedBody(DraggedBody&& other) noexcept;
     DraggedBody& operator=(DraggedBody&& other) noexcept;
 
     /// Goes towards the goal as far as contacts, rounds and `seconds` allow, and places the body in the scene there. A
-    /// round that has begun is finished; 0 seconds: no bound. Throws InvalidInput for a goal that cannot be used, and
-    /// if the body is no longer in the scene.
+    /// round that has begun is finished; 0 seconds: no bound. Throws InvalidInput for a goal that cannot be used or is
+    /// too far away for the margin, and if the body is no longer in the scene.
     DragStep update(const Pose& goal, double seconds = 0);
 
     [[nodiscard]] const Pose& pose() const;
