@@ -183,7 +183,7 @@ void DraggedBody::Implementation::read_scene(DragStep& step) {
     look_around(step);
 }
 
-/// Bodies that were removed change the indices of others, and take their contacts with them.
+/// If bodies were removed from the scene, the others may have new indices. Contacts of removed bodies are dropped.
 void DraggedBody::Implementation::renumber_contacts() {
     std::vector<DragContact> left;
     std::vector<std::string> partners;

@@ -1,4 +1,4 @@
-// What two bodies have in contact, or nearly so, at one pair of poses.
+// The contacts of two bodies at one pair of poses, and the pairs that are almost contacts.
 // Source: docs/derivations/18-contact-set.md.
 #pragma once
 

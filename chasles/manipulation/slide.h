@@ -34,7 +34,7 @@ struct Slide {
 /// way.
 Slide next_slide(const SlideProblem& problem);
 
-/// What contacts push with: the rows of those within `touch` of each other, by the whole wish of the spring.
+/// The forces of the contacts whose gap is at most `touch`, against the whole wish of the spring.
 AdmissibleTwist pushes(const SlideProblem& problem, double touch);
 
 } // namespace chasles::manipulation

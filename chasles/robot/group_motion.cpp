@@ -50,7 +50,7 @@ void GroupRates::Steps::add(const motion::TimePolynomial& value, bool turns) {
     }
 }
 
-/// The turn first, in whatever order they are, so that slides have its rates, too.
+/// The turn comes first, whatever the order of the steps. Then its rates count for the slides.
 void GroupRates::Steps::apply_to(RateBounds& bounds) const {
     bounds.turn_acceleration += turn_acceleration + bounds.turn_rate * turn_rate;
     bounds.turn_rate += turn_rate;

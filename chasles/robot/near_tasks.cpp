@@ -270,7 +270,7 @@ bool Culling::are_nodes_apart(const Cell& cell, const Candidate& pair) {
                                                 *coarse, pair.margin);
 }
 
-/// Two parts of one pair that meet become one.
+/// Joins two parts of one pair that follow each other.
 void Culling::add(const Task& task, const Bracket& part) {
     for (Task& earlier : tasks_)
         if (earlier.kind == task.kind && earlier.first == task.first && earlier.second == task.second &&

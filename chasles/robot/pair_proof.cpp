@@ -23,7 +23,7 @@ using robot::Axis;
 using robot::Element;
 using robot::Model;
 
-/// So many random lines are asked first. Most pairs that can touch do so on one of them.
+/// This many random lines are searched first. Most pairs that can touch do touch on one of these lines.
 constexpr int random_lines = 400;
 /// Cells that are examined together.
 constexpr std::size_t cells_together = 256;
@@ -165,7 +165,7 @@ bool PairSearch::overlap(const Configuration& values) const {
     return overlaps;
 }
 
-/// Asks a line. It may show a configuration in which the links touch, and one in which they do not.
+/// Searches a line. It may show a configuration in which the links touch, and another one in which they are apart.
 void PairSearch::note(const std::vector<double>& values, PairProof& proof) {
     const LineContact contact = first_contact_on(values);
     was_clear_ = was_clear_ || contact.starts_clear;

@@ -43,7 +43,7 @@ struct AttachedPart {
     std::vector<std::string> touch_links = {}; ///< besides `link`: not tested against the part
 };
 
-/// What has been changed of a robot since it was made of its description: to save a robot and to make it again.
+/// The changes of a robot since it was made from its description. They serve to save a robot and to make it again.
 struct RobotChanges {
     using Names = std::pair<std::string, std::string>;
     Pose base = {};                                     ///< where the root link stands in the world

@@ -1,4 +1,4 @@
-// What has been changed of a robot, to save it and to make it again.
+// The changes of a robot since it was made, to save it and to make it again.
 #include "chasles/robot/model.h"
 #include "chasles/robot/robot.h"
 

@@ -1,4 +1,4 @@
-// What a robot is made of: links with collision shapes, joints, and which links are not tested against each other. Read
+// The parts of a robot: links with collision shapes, joints, and pairs of links that are not tested. They come
 // from URDF and SRDF files by chasles/robot/urdf_reader.h, or written by hand.
 #pragma once
 
@@ -22,7 +22,7 @@ enum class JointType : std::uint8_t {
     floating, ///< a translation and a quaternion
 };
 
-/// A joint that follows another one: its value is multiplier * (value of the other one) + offset.
+/// A joint that follows a leader. Its value is multiplier * (value of the leader) + offset.
 struct MimicDescription {
     std::string joint;
     double multiplier = 1;

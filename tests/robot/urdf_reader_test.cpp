@@ -1,4 +1,4 @@
-// URDF and SRDF files: what they say, and one clear error for what they lack.
+// URDF and SRDF files: their contents, and one clear error for each fault.
 #include "chasles/robot/urdf_reader.h"
 
 #include "tests/robot/urdf_file.h"

@@ -24,7 +24,7 @@ TEST_F(XmlFileTest, RefusesOtherEncodings) {
                   std::string::npos);
 }
 
-/// What others leave out without a word.
+/// Other readers leave these parts out without a message.
 TEST_F(XmlFileTest, RefusesWhatWouldBeLeftOut) {
     EXPECT_EQ(refused("</robot>", "</robot><robot name=\"other\"/>"),
               "robot.urdf:11: <robot>: a file has one root element only");
