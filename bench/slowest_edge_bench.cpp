@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <cstdlib>
 
 namespace {
 
@@ -12,7 +13,6 @@ using namespace chasles;
 using namespace chasles::bench;
 
 constexpr std::size_t problems = 400;
-constexpr std::size_t edges_of_problem = 2500;
 constexpr int further_runs = 2; ///< of edges that seem slow: the machine may have paused
 constexpr double slow = 5000;   ///< microseconds
 
@@ -42,13 +42,14 @@ void print(double length, const Times& times) {
 
 } // namespace
 
-int main() {
+int main(int argc, char** argv) {
+    const std::size_t edges = argc > 1 ? std::strtoul(argv[1], nullptr, 10) : 1'000'000;
     for (const double length : {1.0, 5.0}) {
         Draw draw(23);
         Times times;
         const auto measure_world = [&](const Robot& robot, const test::PlanningProblem& problem) {
             const RobotChecker checker(robot, &problem.world);
-            for (std::size_t i = 0; i < edges_of_problem; ++i) {
+            for (std::size_t i = 0; i < edges / problems; ++i) {
                 const Configuration start = random_within_limits(draw, robot);
                 measure(times, checker, start, start + random_way(draw, robot, length));
             }
@@ -56,5 +57,6 @@ int main() {
         if (!for_each_panda_world(problems, measure_world))
             return 0;
         print(length, times);
+        std::fflush(stdout);
     }
 }
