@@ -56,6 +56,8 @@ public:
 
     /// The number of joints between the links: pairs with few are decided fast.
     [[nodiscard]] std::size_t dimension() const { return axes_.size(); }
+    /// Whether more time may decide an open pair.
+    [[nodiscard]] bool is_unfinished() const { return has_limits_ && !may_touch_; }
     void run(PairProof& proof, double seconds);
 
 private:
@@ -275,7 +277,7 @@ void PairSearch::run(PairProof& proof, double seconds) {
     const auto start = std::chrono::steady_clock::now();
     if (has_limits_ && !sample(proof) && !may_touch_)
         branch(proof, seconds, start);
-    proof.seconds = seconds_since(start);
+    proof.seconds += seconds_since(start);
 }
 
 /// A pair of links, and how to examine it; neighbours are not examined.
@@ -300,14 +302,28 @@ std::vector<Examined> pairs_of(const Robot& robot, const PairProofOptions& optio
     return pairs;
 }
 
-/// Pairs with few joints between them come first, and leave their time to the others.
+/// The pairs that more time may decide. Pairs with few joints between them come first, and leave their time to the
+/// others.
 std::vector<std::size_t> in_order_of_effort(const std::vector<Examined>& pairs) {
     std::vector<std::size_t> order;
     for (std::size_t i = 0; i < pairs.size(); ++i)
-        if (pairs[i].search)
+        if (pairs[i].search && pairs[i].proof.reason == PairReason::open && pairs[i].search->is_unfinished())
             order.push_back(i);
     std::ranges::stable_sort(order, {}, [&](std::size_t i) { return pairs[i].search->dimension(); });
     return order;
+}
+
+/// Each pair has an equal share of the time that is left. False if the user ends it.
+bool examine_in_turn(std::vector<Examined>& pairs, const std::vector<std::size_t>& order,
+                     const PairProofOptions& options, std::chrono::steady_clock::time_point start) {
+    for (std::size_t k = 0; k < order.size(); ++k) {
+        auto& [proof, search] = pairs[order[k]];
+        if (options.progress && !options.progress(pairs.size() - (order.size() - k), pairs.size()))
+            return false;
+        const double left = options.seconds - seconds_since(start);
+        search->run(proof, std::max(0.0, left / double(order.size() - k)));
+    }
+    return true;
 }
 
 } // namespace
@@ -316,14 +332,10 @@ std::vector<PairProof> prove_pairs(const Robot& robot, const PairProofOptions& o
     query::require(options.seconds > 0, "seconds", "must be positive");
     const auto start = std::chrono::steady_clock::now();
     std::vector<Examined> pairs = pairs_of(robot, options);
-    const std::vector<std::size_t> order = in_order_of_effort(pairs);
-    for (std::size_t k = 0; k < order.size(); ++k) {
-        auto& [proof, search] = pairs[order[k]];
-        if (options.progress && !options.progress(pairs.size() - (order.size() - k), pairs.size()))
+    // Pairs that their share of the time left open share what the others have not used.
+    for (std::vector<std::size_t> order = in_order_of_effort(pairs); !order.empty(); order = in_order_of_effort(pairs))
+        if (!examine_in_turn(pairs, order, options, start) || seconds_since(start) >= options.seconds)
             break;
-        const double left = options.seconds - seconds_since(start);
-        search->run(proof, std::max(0.0, left / double(order.size() - k)));
-    }
     if (options.progress)
         options.progress(pairs.size(), pairs.size());
     std::vector<PairProof> proofs;
