@@ -133,7 +133,8 @@ public:
         return is_valid;
     }
 
-    /// `last.second` is a proven lower bound: the motion is clear up to there, and the state there is valid itself.
+    /// `last.second` is a proven lower bound: the motion is clear up to there, and the state there is valid itself. The
+    /// motion to that state, rounded as it is, is proven both ways.
     bool checkMotion(const State* s1, const State* s2, std::pair<State*, double>& last) const override {
         const RobotAnswer found = checker_.first_contact(values(s1), values(s2));
         const bool is_clear = found.verdict == Verdict::clear;
@@ -170,16 +171,18 @@ private:
         return touches;
     }
 
-    /// States are rounded, so the one at the end of the clear part may touch: it is approached from before. `s1` counts
-    /// as valid. `last.first` may be one of both states, and is written at the end.
+    /// States are rounded, so the one at the end of the clear part may touch: it is approached from before, until the
+    /// motion to it and back is proven, as a planner may use it either way. `s1` counts as valid. `last.first` may be
+    /// one of both states, and is written at the end.
     void set_last(const State* s1, const State* s2, double clear_until, std::pair<State*, double>& last) const {
         State* const between = si_->allocState();
         double fraction = clear_until;
         bool is_valid = false;
-        for (double step = 1e-12; step < 1 && !is_valid; step *= 4) {
+        for (double step = 1e-10; step < 1 && !is_valid; step *= 4) {
             fraction = std::max(0.0, clear_until - step);
             si_->getStateSpace()->interpolate(s1, s2, fraction, between);
-            is_valid = fraction > 0 && si_->isValid(between);
+            is_valid = fraction > 0 && si_->isValid(between) && checker_.is_clear(values(between), values(s1)) &&
+                       checker_.is_clear(values(s1), values(between));
         }
         if (!is_valid) {
             fraction = 0;

@@ -253,7 +253,8 @@ class RobotMotionValidator(_base.MotionValidator):
             `s1` counts as valid, as in OMPL.
         last : LastValid, optional
             Stays as it is if the motion is valid. Otherwise `second` is a proven lower bound: the motion is clear up to
-            there, and the state there is valid itself. This state is written to `first`, unless it is None.
+            there, and the state there is valid itself. This state is written to `first`, unless it is None. The motion
+            to it, rounded as it is, is proven both ways.
         """
         if last is not None and not isinstance(last, LastValid):
             raise TypeError(f"last: a {type(last).__name__} is not a chasles.ompl.LastValid")
@@ -276,15 +277,16 @@ class RobotMotionValidator(_base.MotionValidator):
         return False
 
     def _set_last(self, s1: Any, s2: Any, clear_until: float, last: LastValid) -> None:
-        """States are rounded, so the one at the end of the clear part may touch: it is approached from before."""
+        """States are rounded, so the one at the end of the clear part may touch: it is approached from before, until the
+        motion to it and back is proven."""
         information, between = self._information, self._scratch()
         space = information.getStateSpace()
-        for k in range(20):  # steps of 1e-12 to 0.27 of the motion
-            fraction = clear_until - 1e-12 * 4.0**k
+        for k in range(17):  # steps of 1e-10 to 0.43 of the motion
+            fraction = clear_until - 1e-10 * 4.0**k
             if fraction <= 0:
                 break
             space.interpolate(s1, s2, fraction, between)
-            if information.isValid(between):
+            if information.isValid(between) and self._is_clear_both_ways(s1, between):
                 break
         else:
             fraction = 0.0
@@ -294,6 +296,10 @@ class RobotMotionValidator(_base.MotionValidator):
         if last.first is not None:
             information.copyState(last.first, between)
         last.second = fraction
+
+    def _is_clear_both_ways(self, s1: Any, s2: Any) -> bool:
+        a, b = self._values(s1), self._values(s2)
+        return self._checker.is_clear(b, a) and self._checker.is_clear(a, b)
 
     def _scratch(self) -> Any:
         """A state of this thread. It is made once, because the package may free states twice, or never."""

@@ -116,6 +116,26 @@ TEST(Ompl, GivesAValidStateAndAProvenFractionOnFailure) {
     EXPECT_EQ(bars.validator->getInvalidMotionCount(), 5U);
 }
 
+/// Planners such as LBKPIECE1 grow trees from the goal: they use the motion to the last valid state backwards.
+TEST(Ompl, TheMotionToTheLastValidStateIsProvenBothWays) {
+    const Bars bars;
+    ::ompl::RNG random(5);
+    int touching = 0;
+    for (int i = 0; i < 1000; ++i) {
+        const auto s1 = bars.state(random.uniformReal(-0.5, 0.3), random.uniformReal(-1, 1)),
+                   s2 = bars.state(random.uniformReal(0.3, 1.5), random.uniformReal(-1, 1));
+        ob::ScopedState<> last(s1);
+        std::pair<ob::State*, double> pair{last.get(), 1};
+        if (!bars.information->isValid(s1.get()) || bars.validator->checkMotion(s1.get(), s2.get(), pair) ||
+            pair.second == 0)
+            continue;
+        ++touching;
+        EXPECT_TRUE(bars.validator->checkMotion(s1.get(), last.get()));
+        EXPECT_TRUE(bars.validator->checkMotion(last.get(), s1.get()));
+    }
+    EXPECT_GT(touching, 500);
+}
+
 TEST(Ompl, AMotionThatLeavesTheBoundsIsNotValid) {
     const Bars bars;
     const auto s1 = bars.state(-2, 0), s2 = bars.state(-4, 0);
@@ -232,6 +252,7 @@ void expect_proven(const og::PathGeometric& path, const RobotChecker& checker, c
 
 template <class Planner>
 void plan_for_bars(const char* name) {
+    ::ompl::RNG::setSeed(1); // the same random numbers in every run
     Bars bars;
     og::SimpleSetup setup(bars.information);
     setup.setStartAndGoalStates(bars.state(0, 0), bars.state(1.2, 0));

@@ -65,8 +65,14 @@ class Bars:
         return self.map(self.space, state)
 
 
+@pytest.fixture(autouse=True)
+def seeded():
+    """The same random numbers in every run: OMPL seeds each new generator from this one."""
+    ou.RNG.setSeed(1)
+
+
 @pytest.fixture
-def bars(tmp_path):
+def bars(tmp_path, seeded):
     return Bars(tmp_path)
 
 

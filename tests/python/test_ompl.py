@@ -10,7 +10,7 @@ import chasles
 pytest.importorskip("ompl")
 from ompl import base as ob  # noqa: E402
 from ompl import geometric as og  # noqa: E402
-from ompl_problems import Problem, bars, box, plan, quiet, wall  # noqa: E402, F401
+from ompl_problems import Problem, bars, box, plan, quiet, seeded, wall  # noqa: E402, F401
 
 import chasles.ompl  # noqa: E402
 from chasles.ompl import LastValid, RobotMotionValidator, RobotValidityChecker, StateMap  # noqa: E402
@@ -42,7 +42,7 @@ def test_last_valid_is_a_valid_state_and_a_proven_fraction_on_failure(bars, alia
     if target is not None:
         assert bars.information.isValid(target)
         assert bars.values(target) == pytest.approx([last.second, 0], abs=1e-15)
-        assert bars.checker.is_clear([0, 0], bars.values(target))
+        assert bars.checker.is_clear([0, 0], bars.values(target)) and bars.checker.is_clear(bars.values(target), [0, 0])
     assert bars.validator.getInvalidMotionCount() == 1 and bars.validator.getCheckedMotionCount() == 1
 
 
@@ -92,8 +92,10 @@ def test_what_a_planner_in_cpp_asks_reaches_the_validator(bars):
 
     bars.information.setMotionValidator(Spy(bars.information, bars.checker))
     for planner in (og.RRTConnect, og.KPIECE1):
+        asked = len(seen)
         plan(bars, planner, bars.state(0, 0), bars.state(-1, 0))
-    assert len(seen) > 3 and set(seen) == {2}
+        assert len(seen) > asked
+    assert set(seen) == {2}
     assert bars.information.getMotionValidator().getCheckedMotionCount() == len(seen)
 
 

@@ -10,7 +10,7 @@ import chasles
 pytest.importorskip("ompl")
 from ompl import base as ob  # noqa: E402
 from ompl import geometric as og  # noqa: E402
-from ompl_problems import Problem, bars, bounds, box, plan, quiet  # noqa: E402, F401
+from ompl_problems import Problem, bars, bounds, box, plan, quiet, seeded  # noqa: E402, F401
 
 import chasles.ompl  # noqa: E402
 
