@@ -25,6 +25,58 @@ std::optional<Vector3<double>> FaceSeparation::direction(std::uint32_t moving_fa
     return std::nullopt;
 }
 
+/// Gilbert's algorithm converges slowly for faces that lie along each other: they are widest apart along a normal of a
+/// face, or along a direction that is perpendicular to two edges.
+std::optional<Vector3<double>> FaceSeparation::widest(std::uint32_t moving_face, std::uint32_t fixed_face,
+                                                      double time) {
+    constexpr int most_steps = 3;
+    constexpr double enough = 0.9; // of the distance
+    constexpr std::size_t most_edge_pairs = 64;
+    place_corners(moving_face, fixed_face, time);
+    WidestGap widest;
+    Vector3<double> nearest = between_means();
+    for (int step = 0; step < most_steps; ++step) {
+        const double distance = length(nearest);
+        if (!(distance > 0))
+            break;
+        const Vector3<double> farthest = try_direction(scale(nearest, 1 / distance), widest);
+        if (widest.gap > enough * distance)
+            return widest.direction;
+        const Vector3<double> way = farthest - nearest;
+        nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
+    }
+    for (const auto* corners : {&fixed_corners_, &moving_corners_})
+        try_across((*corners)[1] - (*corners)[0], (*corners)[2] - (*corners)[0], widest);
+    if (moving_corners_.size() * fixed_corners_.size() <= most_edge_pairs)
+        for (std::size_t i = 0; i < moving_corners_.size(); ++i)
+            for (std::size_t j = 0; j < fixed_corners_.size(); ++j)
+                try_across(edge(moving_corners_, i), edge(fixed_corners_, j), widest);
+    return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
+}
+
+/// From a corner to the next one.
+Vector3<double> FaceSeparation::edge(const std::vector<Vector3<double>>& corners, std::size_t from) {
+    return corners[from + 1 < corners.size() ? from + 1 : 0] - corners[from];
+}
+
+/// Along a unit direction. Returns the support.
+Vector3<double> FaceSeparation::try_direction(const Vector3<double>& along, WidestGap& widest) const {
+    const Vector3<double> farthest = support(along);
+    if (const double gap = dot(along, farthest); gap > widest.gap)
+        widest = {along, gap};
+    return farthest;
+}
+
+/// Perpendicular to both, towards the moving face.
+void FaceSeparation::try_across(const Vector3<double>& a, const Vector3<double>& b, WidestGap& widest) const {
+    const Vector3<double> across = cross(a, b);
+    const double size = length(across);
+    if (!(size > 0))
+        return;
+    const bool is_towards_moving = dot(across, between_means()) > 0;
+    try_direction(scale(across, is_towards_moving ? 1 / size : -1 / size), widest);
+}
+
 void FaceSeparation::place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time) {
     const MatrixPose place = ends_.at(time);
     moving_corners_.clear();

@@ -22,7 +22,17 @@ public:
     std::optional<Vector3<double>> direction(std::uint32_t moving_face, std::uint32_t fixed_face, double time,
                                              double distance);
 
+    /// The unit direction with the widest gap that a longer search finds, up to rounding. Empty if it finds no gap.
+    std::optional<Vector3<double>> widest(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
+
 private:
+    struct WidestGap {
+        Vector3<double> direction{};
+        double gap = 0;
+    };
+    Vector3<double> try_direction(const Vector3<double>& along, WidestGap& widest) const;
+    void try_across(const Vector3<double>& a, const Vector3<double>& b, WidestGap& widest) const;
+    static Vector3<double> edge(const std::vector<Vector3<double>>& corners, std::size_t from);
     void place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
     [[nodiscard]] Vector3<double> between_means() const;
     [[nodiscard]] Vector3<double> support(const Vector3<double>& direction) const;

@@ -15,12 +15,13 @@ constexpr double most_slope = 0.25;
 
 } // namespace
 
-NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, double reach) {
+NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, double reach,
+                           search::NeighbourList* neighbours) {
     const ScrewMotion rest = ScrewMotion::relative(moving.pose, moving.pose, fixed.pose, fixed.pose);
     const auto pieces = Motion(rest).trajectory().pieces();
     search::PieceContext context(moving.body, fixed.body, pieces->at(0));
     const query::ContactMoment moment(context, reach, most_slope);
-    const search::NearFeatures near = moment.find({.finds_overlaps = true});
+    const search::NearFeatures near = moment.find({.finds_overlaps = true, .neighbours = neighbours});
     NearContacts found{{}, reach, near.overlap.has_value(), near.is_cut, near.work};
     if (found.overlaps) {
         found.distance = 0;

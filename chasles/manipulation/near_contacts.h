@@ -5,7 +5,7 @@
 #include "chasles/contact/contact.h"
 #include "chasles/mesh/body.h"
 #include "chasles/motion/pose.h"
-#include "chasles/search/find.h"
+#include "chasles/search/neighbour_list.h"
 
 #include <optional>
 #include <vector>
@@ -27,7 +27,8 @@ struct NearContacts {
     Work work;
 };
 
-/// All that is within `reach`, positive.
-NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, double reach);
+/// All that is within `reach`, positive. `neighbours`, the list of both bodies, saves time.
+NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, double reach,
+                           search::NeighbourList* neighbours = nullptr);
 
 } // namespace chasles::manipulation

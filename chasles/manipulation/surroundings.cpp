@@ -17,11 +17,12 @@ constexpr double ball_rounding = 1e-12;
 Other placed(const Scene& scene, std::size_t index, std::size_t dragged) {
     const SceneBody& body = scene.bodies()[index];
     const bool is_ignored = scene.is_ignored(index, dragged);
-    Other other{index, body.name, body.shape, body.motion, body.motion.pose_at(1), is_ignored, {}, 0};
+    Other other{index, body.name, body.shape, body.motion, body.motion.pose_at(1), is_ignored, {}, 0, nullptr};
     other.centre = other.pose.isometry() * body.shape.body().bvh().centre();
     other.radius = body.shape.body().vertex_radius();
     other.radius += ball_rounding * (other.radius + other.centre.norm());
     prepare(body.shape.body());
+    other.neighbours = std::make_unique<search::NeighbourList>(scene.bodies()[dragged].shape.body(), body.shape.body());
     return other;
 }
 
@@ -85,7 +86,7 @@ Neighbourhood Surroundings::near(const Body& body, const Pose& pose) const {
         if (other.is_ignored || (centre - other.centre).norm() > radius + other.radius)
             continue;
         const PlacedBody there{other.shape.body(), other.pose};
-        const NearContacts near = near_contacts({body, pose}, there, distances_.reach);
+        const NearContacts near = near_contacts({body, pose}, there, distances_.reach, other.neighbours.get());
         found.work += near.work;
         found.distances.back() = near.distance;
         for (const Contact& contact : near.contacts)
@@ -112,8 +113,12 @@ Passage Surroundings::passage(const Body& body, const Pose& start, const Pose& g
             continue;
         passage.clearance = std::min(passage.clearance, level);
         const Motion relative = ScrewMotion::relative(start, goal, other.pose, other.pose);
-        const FirstContact found =
-            query::answer({body, other.shape.body(), relative.trajectory(), {.margin = level}, passage.until});
+        const FirstContact found = query::answer({body,
+                                                  other.shape.body(),
+                                                  relative.trajectory(),
+                                                  {.margin = level},
+                                                  passage.until,
+                                                  other.neighbours.get()});
         passage.work += found.work;
         if (found.verdict == Verdict::clear || found.clear_until >= passage.until)
             continue;

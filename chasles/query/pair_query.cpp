@@ -83,6 +83,7 @@ private:
         search.tolerance = piece.piece().tau_tolerance(options_.time_tolerance);
         search.finds_any = options_.find == Find::any;
         search.margin = margin;
+        search.neighbours = query_.neighbours;
         return search;
     }
     [[nodiscard]] double resting_slack(const PieceContext& piece) const;
@@ -232,7 +233,7 @@ void check_options(const QueryOptions& options) {
 }
 
 FirstContact answer(const PairQuery& query) {
-    const auto& [moving, fixed, trajectory, options, until] = query;
+    const auto& [moving, fixed, trajectory, options, until, neighbours] = query;
     if (culling::are_far_apart(moving, fixed, trajectory, options.margin) ||
         culling::are_clearly_apart(moving, fixed, trajectory, options.margin)) {
         FirstContact clear;

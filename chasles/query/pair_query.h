@@ -6,6 +6,10 @@
 #include "chasles/query/first_contact.h"
 #include "chasles/query/least_distance.h"
 
+namespace chasles::search {
+class NeighbourList;
+}
+
 namespace chasles::query {
 
 /// A question by reference: batches answer many of them without copying bodies.
@@ -15,6 +19,7 @@ struct PairQuery {
     const motion::AnyTrajectory& trajectory;
     const QueryOptions& options;
     double until = 1; ///< time in [0, 1]: contacts that begin later need not be found. Without effect with `hold`
+    search::NeighbourList* neighbours = nullptr; ///< of both bodies: saves time where questions follow each other
 };
 
 /// Likewise for the least distance.

@@ -137,8 +137,25 @@ private:
     NearFeatures found_;
 };
 
+NearFeatures search_among(std::span<const TwoFaces> pairs, NearLeaves& leaves) {
+    for (const TwoFaces& faces : pairs) {
+        if (leaves.is_over())
+            break;
+        leaves.test({faces.moving, faces.fixed, {0, 0}, {0, 1}, 0, 0});
+    }
+    return leaves.take(0);
+}
+
 NearFeatures search_once(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     const double reach = scene.margin + scene.slack;
+    Work work;
+    if (const auto pairs =
+            search.neighbours && scene.margin > 0 ? search.neighbours->within(context, reach, work) : std::nullopt) {
+        NearLeaves leaves(context, scene, search);
+        NearFeatures found = search_among(*pairs, leaves);
+        found.work += work;
+        return found;
+    }
     const culling::TimeTree times = context.time_tree(reach, context.parts(reach));
     NearLeaves leaves(context, scene, search);
     culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, reach, false, leaves);
@@ -178,6 +195,8 @@ NearFeatures search_nearer(PieceContext& context, const ContactScene& scene, dou
 
 NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     NearFeatures near = search_once(context, scene, tau, search);
+    if (search.neighbours) // the order does not tell whether there was a list
+        std::ranges::sort(near.pairs);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)
         return search_nearer(context, scene, tau, search, near);

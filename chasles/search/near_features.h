@@ -4,6 +4,7 @@
 
 #include "chasles/contact/contact_frame.h"
 #include "chasles/search/find.h"
+#include "chasles/search/neighbour_list.h"
 #include "chasles/search/piece_context.h"
 
 #include <vector>
@@ -12,10 +13,11 @@ namespace chasles::search {
 
 /// What is near at one tau of a piece.
 struct NearFeatures {
-    std::vector<contact::FeaturePair> pairs; ///< each once, in the order of the traversal
-    bool is_cut = false;                     ///< there may be more pairs than these
-    double complete_within = 0;              ///< every pair within this distance is listed
-    std::optional<Overlap> overlap;          ///< the point is in the frame of the fixed body
+    std::vector<contact::FeaturePair>
+        pairs;                      ///< each once, in the order of the traversal; sorted if neighbours are kept
+    bool is_cut = false;            ///< there may be more pairs than these
+    double complete_within = 0;     ///< every pair within this distance is listed
+    std::optional<Overlap> overlap; ///< the point is in the frame of the fixed body
     Work work;
 };
 
@@ -24,6 +26,8 @@ struct NearSearch {
     std::size_t most_pairs = 1 << 12;    ///< feature pairs to list
     std::uint64_t most_visits = 1 << 16; ///< pairs of nodes to visit at one distance
     bool finds_overlaps = false;         ///< also edges that pass through faces; only at tau = 0
+    NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
+                                         ///< a margin and for motions that rest
 };
 
 /// The feature pairs of a scene that touch or, with a margin, are within it at a local minimum of the distance

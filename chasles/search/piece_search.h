@@ -6,6 +6,7 @@
 #include "chasles/search/candidate.h"
 #include "chasles/search/find.h"
 #include "chasles/search/held_contacts.h"
+#include "chasles/search/neighbour_list.h"
 #include "chasles/search/piece_context.h"
 
 namespace chasles::search {
@@ -19,8 +20,10 @@ struct SearchOptions {
                               ///< features within it
     double from = 0;  ///< tau at which the search begins: before and at it nothing is within the margin, unless it is 0
     double until = 1; ///< tau after which no contact matters
-    const HeldContacts* held = nullptr; ///< with a margin: report only new contacts, which are local minima of the
-                                        ///< distance that fall to the margin; null: every contact is new
+    const HeldContacts* held = nullptr;  ///< with a margin: report only new contacts, which are local minima of the
+                                         ///< distance that fall to the margin; null: every contact is new
+    NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
+                                         ///< a margin only
 };
 
 /// The answer for one piece.

@@ -250,5 +250,39 @@ TEST(DraggedBody, RefusesWhatItCannotUse) {
     EXPECT_EQ(refusal([&] { (void)body.update(Pose()); }), "scene: box: is not in the scene");
 }
 
+/// Neighbours that are known from the steps before save time and nothing else: a hand that begins anew goes the same
+/// way.
+TEST(DraggedBody, WhatItRemembersChangesNoStep) {
+    const Polyhedron moving = torus(1, 0.3, 24, 10).polyhedron(), fixed = torus(1, 0.3, 26, 11).polyhedron();
+    const auto scene_at = [&](const Pose& pose) {
+        Scene scene;
+        scene.add({"fixed", fixed});
+        scene.add({"moving", moving, Motion::at_rest(pose)});
+        return scene;
+    };
+    Scene scene = scene_at(turned({1, 0, 0}, Vector3d::UnitX(), 1.5));
+    DraggedBody body(scene, "moving");
+    std::size_t contacts = 0;
+    int compared = 0;
+    for (int i = 0; i < 120; ++i) {
+        const Pose goal = turned({1.5 + 0.1 * std::sin(0.3 * i), 0.1 * std::sin(0.2 * i), 0.1 * std::cos(0.3 * i)},
+                                 Vector3d::UnitX(), 1.5 + 0.3 * std::sin(0.1 * i));
+        Scene other = scene_at(body.pose());
+        DraggedBody anew(other, "moving");
+        const bool is_same_start = anew.pose().rotation.coeffs() == body.pose().rotation.coeffs();
+        const DragStep step = body.update(goal), expected = anew.update(goal);
+        if (!is_same_start) // a scene rounds the rotation to unit length once more
+            continue;
+        ++compared;
+        contacts += step.contacts.size();
+        EXPECT_EQ(step.pose.translation, expected.pose.translation) << i;
+        EXPECT_EQ(step.pose.rotation.coeffs(), expected.pose.rotation.coeffs()) << i;
+        EXPECT_EQ(step.contacts.size(), expected.contacts.size()) << i;
+        EXPECT_EQ(step.force, expected.force) << i;
+    }
+    EXPECT_GT(compared, 20);
+    EXPECT_GT(contacts, 30U);
+}
+
 } // namespace
 } // namespace chasles::test

@@ -1,0 +1,210 @@
+#include "chasles/search/neighbour_list.h"
+
+#include "chasles/culling/bvh_traversal.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace chasles::search {
+
+namespace {
+
+using algebra::Vector3;
+using culling::MatrixPose;
+
+// Measured with drag_bench.
+constexpr std::size_t most_pairs = 1 << 15;
+constexpr double travels_ahead = 32;   ///< pieces of the usual length that a list serves
+constexpr double skin_of_edges = 0.25; ///< the longest skin: of the mean edge of the body with the longer edges
+
+/// For sums of positions, of which each is off by a bound of coefficients: a matrix has nine (note 31).
+constexpr double roundings = 16;
+
+bool is_before(const TwoFaces& a, const TwoFaces& b) {
+    return a.moving != b.moving ? a.moving < b.moving : a.fixed < b.fixed;
+}
+
+double mean_edge(const Body& body) {
+    double sum = 0;
+    std::size_t count = 0;
+    for (std::size_t face = 0; face < body.face_count(); ++face)
+        for (const Edge& edge : body.owned_edges(face)) {
+            sum += (body.vertices()[edge.from] - body.vertices()[edge.to]).norm();
+            ++count;
+        }
+    return count > 0 ? sum / double(count) : 0;
+}
+
+/// Collects the leaves of a traversal.
+class Collector {
+public:
+    // The functions that a traversal requires of its leaves.
+    [[nodiscard]] static double best() { return 1; }
+    [[nodiscard]] bool is_over() const { return found_.size() > most_pairs; }
+    [[nodiscard]] static bool is_kept_apart(const culling::NodePair&, double) { return false; }
+    void test(const culling::FacePair& pair) { found_.push_back({pair.moving, pair.fixed}); }
+
+    [[nodiscard]] std::vector<TwoFaces>& found() { return found_; }
+
+private:
+    std::vector<TwoFaces> found_;
+};
+
+} // namespace
+
+NeighbourList::NeighbourList(const Body& moving, const Body& fixed)
+    : moving_(moving), fixed_(fixed), separation_(moving, fixed),
+      longest_skin_(skin_of_edges * std::max(mean_edge(moving), mean_edge(fixed))) {}
+
+std::optional<std::span<const TwoFaces>> NeighbourList::within(const PieceContext& context, double margin, Work& work) {
+    if (context.is_enclosed())
+        return std::nullopt;
+    const Way way = way_of(context, margin);
+    if (!reaches(context, way, work))
+        return std::nullopt;
+    if (tests_ > 2 * pairs_.size())
+        measure_gaps(way.ends.start);
+    separation_.use(way.ends);
+    placed_.clear();
+    near_.clear();
+    const double least = margin + travel(gap_place_, way);
+    for (std::size_t i = 0; i < pairs_.size(); ++i)
+        if (!(gaps_[i] > least) && !is_apart(i, way))
+            near_.push_back(pairs_[i].faces);
+    return near_;
+}
+
+NeighbourList::Way NeighbourList::way_of(const PieceContext& context, double margin) const {
+    const culling::PieceParts parts = context.parts(margin);
+    const culling::TimeInterval interval = context.time_tree(margin, parts).interval({});
+    return {culling::IntervalEnds(context.maps()), margin, interval.deviation,
+            elementary::with_underflow<double>(roundings * elementary::position_error<double>(parts.scale()))};
+}
+
+/// How far points of the moving body that come within the margin on their way are then from their places in `from`.
+double NeighbourList::travel(const MatrixPose& from, const Way& way) const {
+    return std::max(distance(from, way.ends.start), distance(from, way.ends.end)) + way.deviation + 2 * way.rounding;
+}
+
+/// A bound for the distance of the two places of any point of the moving body. The spectral norm of the difference of
+/// two rotations is its Frobenius norm over the square root of two.
+double NeighbourList::distance(const MatrixPose& from, const MatrixPose& to) const {
+    const Eigen::Vector3d& middle = moving_.bvh().centre();
+    const Vector3<double> centre{middle.x(), middle.y(), middle.z()};
+    double squares = 0;
+    for (int i = 0; i < 3; ++i) {
+        const Vector3<double> row = to.rotation.row[i] - from.rotation.row[i];
+        squares += dot(row, row);
+    }
+    return length(to(centre) - from(centre)) + std::sqrt(squares / 2) * moving_.bvh().radius();
+}
+
+/// Whether all that may come within the margin on this way is listed. Makes a new list if that pays.
+bool NeighbourList::reaches(const PieceContext& context, const Way& way, Work& work) {
+    const double own = travel(way.ends.start, way);
+    const bool moves = own > 4 * way.rounding;
+    if (moves)
+        usual_travel_ += (std::min(own, 2 * usual_travel_ + way.margin) - usual_travel_) / 4;
+    if (way.margin + travel(place_, way) <= reach_)
+        return true;
+    if (2 * own > longest_skin_)
+        return false;
+    place_ = way.ends.start;
+    if (make(context, way.margin + std::clamp(travels_ahead * usual_travel_, 2 * own, longest_skin_), work))
+        return true;
+    longest_skin_ /= 2;
+    return make(context, way.margin + 2 * own, work);
+}
+
+/// Lists the pairs within `reach` at the start of the piece. False if there are too many; then there is no list.
+bool NeighbourList::make(const PieceContext& context, double reach, Work& work) {
+    const culling::TimeTree times = context.time_tree(reach, context.parts(reach));
+    Collector leaves;
+    culling::BvhTraversal traversal(moving_.bvh(), fixed_.bvh(), times, reach, false, leaves);
+    work.node_pairs += traversal.run({0, 0});
+    work.face_pairs += leaves.found().size();
+    reach_ = leaves.is_over() ? 0 : reach;
+    if (leaves.is_over())
+        leaves.found().clear();
+    std::ranges::sort(leaves.found(), is_before);
+    take(leaves.found());
+    return reach_ > 0;
+}
+
+/// Pairs that were listed before keep their normals.
+void NeighbourList::take(const std::vector<TwoFaces>& found) {
+    std::vector<Neighbours> pairs;
+    pairs.reserve(found.size());
+    auto before = pairs_.begin();
+    for (const TwoFaces& faces : found) {
+        while (before != pairs_.end() && is_before(before->faces, faces))
+            ++before;
+        const bool is_known = before != pairs_.end() && !is_before(faces, before->faces);
+        pairs.push_back(is_known ? *before : Neighbours{faces});
+    }
+    pairs_ = std::move(pairs);
+    measure_gaps(place_);
+}
+
+void NeighbourList::measure_gaps(const MatrixPose& place) {
+    gap_place_ = place;
+    tests_ = 0;
+    gaps_.clear();
+    for (const Neighbours& pair : pairs_)
+        gaps_.push_back(gap(pair, place));
+}
+
+double NeighbourList::gap(const Neighbours& pair, const MatrixPose& pose) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const std::uint32_t corner : moving_.face(pair.faces.moving))
+        least = std::min(least, dot(pair.normal, pose(culling::point_of<double>(moving_, corner))));
+    return least - pair.offset;
+}
+
+/// Pairs are ascending, so consecutive ones often share the moving face.
+void NeighbourList::place_corners(std::uint32_t face, const Way& way) {
+    if (!placed_.empty() && placed_face_ == face)
+        return;
+    placed_face_ = face;
+    placed_.clear();
+    for (const std::uint32_t corner : moving_.face(face)) {
+        const Vector3<double> point = culling::point_of<double>(moving_, corner);
+        placed_.push_back(way.ends.start(point));
+        placed_.push_back(way.ends.end(point));
+    }
+}
+
+/// By the half space that is known or, if it does not tell, by a new one. Without a new one if the gap is still about
+/// the widest.
+bool NeighbourList::is_apart(std::size_t index, const Way& way) {
+    ++tests_;
+    Neighbours& pair = pairs_[index];
+    const double least = way.margin + way.deviation + 2 * way.rounding;
+    place_corners(pair.faces.moving, way);
+    const double known = gap_on_way(pair);
+    if (known > least)
+        return true;
+    if (std::abs(known - pair.widest) < 0.25 * pair.widest)
+        return false;
+    const auto direction = separation_.widest(pair.faces.moving, pair.faces.fixed, 0.5);
+    if (!direction)
+        return false;
+    pair.normal = *direction;
+    pair.offset = -std::numeric_limits<double>::infinity();
+    for (const std::uint32_t corner : fixed_.face(pair.faces.fixed))
+        pair.offset = std::max(pair.offset, dot(pair.normal, culling::point_of<double>(fixed_, corner)));
+    gaps_[index] = gap(pair, gap_place_);
+    pair.widest = gap_on_way(pair);
+    return pair.widest > least;
+}
+
+/// The least gap along the normal of a pair whose moving face is placed. Its corners are there at both ends, so they
+/// are on their chords, too.
+double NeighbourList::gap_on_way(const Neighbours& pair) const {
+    double least = std::numeric_limits<double>::infinity();
+    for (const Vector3<double>& corner : placed_)
+        least = std::min(least, dot(pair.normal, corner));
+    return least - pair.offset;
+}
+
+} // namespace chasles::search

@@ -1,0 +1,193 @@
+// Neighbour lists against the distances of all pairs of triangles, and searches with a list against searches without.
+#include "chasles/search/neighbour_list.h"
+
+#include "chasles/query/pair_query.h"
+#include "chasles/search/near_features.h"
+#include "tests/mesh/shapes.h"
+#include "tests/query/bodies.h"
+#include "tests/support/surface_distance.h"
+
+#include <gtest/gtest.h>
+#include <set>
+
+namespace chasles::search {
+namespace {
+
+using contact::FeaturePair;
+using test::uniform;
+
+/// Two links of a chain: one of them wanders along the surface of the other one.
+class Wanderer {
+public:
+    static Pose home() { return test::turned({1.393, 0, 0}, Eigen::Vector3d::UnitX(), 1.5); }
+
+    /// A piece of the way: mostly short, sometimes long.
+    Motion next() {
+        const double step = uniform(random_, 0, 1) < 0.1 ? 0.2 : 0.003;
+        const Pose goal = test::composed(pose_, test::turned(test::random_vector(random_, step),
+                                                             test::random_vector(random_, 1).normalized(),
+                                                             uniform(random_, 0, step)));
+        const Motion way = ScrewMotion::between(pose_, goal);
+        pose_ = goal;
+        if ((pose_.translation - home().translation).norm() > 0.03)
+            pose_ = home();
+        return way;
+    }
+
+    [[nodiscard]] const Polyhedron& moving() const { return moving_; }
+    [[nodiscard]] const Polyhedron& fixed() const { return fixed_; }
+    [[nodiscard]] PieceContext context(const Motion& way) const {
+        return {moving_.body(), fixed_.body(), way.trajectory().pieces()->at(0)};
+    }
+
+private:
+    static Polyhedron link(std::uint32_t around, std::uint32_t across) {
+        const test::Soup soup = test::torus(around, across);
+        return Polyhedron::from_polygons(soup.vertices, soup.faces);
+    }
+
+    Polyhedron moving_ = link(24, 10);
+    Polyhedron fixed_ = link(26, 11);
+    Pose pose_ = home();
+    std::mt19937 random_{7};
+};
+
+test::Triangle3<double> triangle_at(const Polyhedron& shape, std::uint32_t face, const Pose& pose) {
+    const auto corners = shape.body().face(face);
+    const auto point = [&](std::size_t i) {
+        const Eigen::Vector3d place = pose.isometry() * shape.body().vertices()[corners[i]];
+        return test::Point3<double>{place.x(), place.y(), place.z()};
+    };
+    return {point(0), point(1), point(2)};
+}
+
+/// Whether balls around two triangles are within a distance.
+bool may_be_near(const test::Triangle3<double>& a, const test::Triangle3<double>& b, double distance) {
+    const auto radius = [](const test::Triangle3<double>& t) {
+        return std::max((t[1] - t[0]).norm(), (t[2] - t[0]).norm());
+    };
+    return (a[0] - b[0]).norm() <= distance + radius(a) + radius(b);
+}
+
+/// Pairs of faces that come within a distance at some time, of some that are tried.
+std::set<std::pair<std::uint32_t, std::uint32_t>> sampled_near(const Wanderer& bodies, const Motion& way,
+                                                               double margin) {
+    const auto triangles_at = [](const Polyhedron& shape, const Pose& pose) {
+        std::vector<test::Triangle3<double>> triangles;
+        for (std::uint32_t face = 0; face < shape.face_count(); ++face)
+            triangles.push_back(triangle_at(shape, face, pose));
+        return triangles;
+    };
+    std::set<std::pair<std::uint32_t, std::uint32_t>> near;
+    const auto fixed = triangles_at(bodies.fixed(), Pose());
+    for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0}) {
+        const auto moving = triangles_at(bodies.moving(), way.pose_at(time));
+        for (std::size_t f = 0; f < moving.size(); ++f)
+            for (std::size_t g = 0; g < fixed.size(); ++g)
+                if (may_be_near(moving[f], fixed[g], margin) &&
+                    test::squared_distance_of_triangles<double>(moving[f], fixed[g]) < margin * margin)
+                    near.insert({std::uint32_t(f), std::uint32_t(g)});
+    }
+    return near;
+}
+
+TEST(NeighbourList, ListsAllThatComesNear) {
+    Wanderer bodies;
+    NeighbourList list(bodies.moving().body(), bodies.fixed().body());
+    int near_pairs = 0, lists = 0;
+    std::size_t listed = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Motion way = bodies.next();
+        const double margin = i % 2 == 0 ? 0.02 : 0.005;
+        Work work;
+        const auto found = list.within(bodies.context(way), margin, work);
+        if (!found)
+            continue;
+        ++lists;
+        listed += found->size();
+        std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
+        for (const TwoFaces& faces : *found)
+            EXPECT_TRUE(pairs.insert({faces.moving, faces.fixed}).second);
+        for (const auto& near : sampled_near(bodies, way, margin * (1 - 1e-9))) {
+            ++near_pairs;
+            EXPECT_TRUE(pairs.contains(near)) << "piece " << i << ": faces " << near.first << ", " << near.second;
+        }
+    }
+    EXPECT_GT(lists, 40);
+    EXPECT_GT(near_pairs, 500);
+    EXPECT_LT(double(listed), 1.5 * near_pairs); // hardly more than what is near
+}
+
+TEST(NeighbourList, ListsNothingAnewWhileTheBodyStaysNearItsPlace) {
+    const Wanderer bodies;
+    NeighbourList list(bodies.moving().body(), bodies.fixed().body());
+    Work first, later;
+    const auto ask = [&](double shift, Work& work) {
+        Pose goal = Wanderer::home();
+        goal.translation.y() += shift;
+        return list.within(bodies.context(ScrewMotion::between(Wanderer::home(), goal)), 0.01, work).has_value();
+    };
+    ASSERT_TRUE(ask(1e-3, first));
+    EXPECT_GT(first.node_pairs, 0U);
+    for (const double shift : {0.0, 1e-3, -1e-3})
+        ASSERT_TRUE(ask(shift, later));
+    EXPECT_EQ(later.node_pairs, 0U);
+}
+
+TEST(NeighbourList, GivesUpOnLongWaysAndOnEnclosedMotions) {
+    const Wanderer bodies;
+    NeighbourList list(bodies.moving().body(), bodies.fixed().body());
+    Work work;
+    const Motion far = ScrewMotion::between(Pose(), test::shifted(3, 0, 0));
+    EXPECT_FALSE(list.within(bodies.context(far), 0.01, work));
+    const Motion enclosed =
+        ConstantTwist::between(Wanderer::home(), test::turned({1.393, 0, 0}, Eigen::Vector3d::UnitX(), 1.51));
+    EXPECT_FALSE(list.within(bodies.context(enclosed), 0.01, work));
+}
+
+std::set<FeaturePair> set_of(const NearFeatures& near) {
+    return {near.pairs.begin(), near.pairs.end()};
+}
+
+TEST(NeighbourList, ChangesNoAnswer) {
+    Wanderer bodies;
+    NeighbourList list(bodies.moving().body(), bodies.fixed().body());
+    int contacts = 0, at_start = 0, clear = 0, overlaps = 0;
+    for (int i = 0; i < 600; ++i) {
+        const Motion way = bodies.next();
+        QueryOptions options{.margin = 1e-4 + 0.02 * (i % 10) / 10};
+        options.find = i % 3 == 0 ? Find::any : i % 3 == 1 ? Find::first : Find::first_with_all_contacts;
+        query::PairQuery question{bodies.moving().body(), bodies.fixed().body(), way.trajectory(), options};
+        const FirstContact expected = query::answer(question);
+        question.neighbours = &list;
+        const FirstContact found = query::answer(question);
+        EXPECT_EQ(found.verdict == Verdict::clear, expected.verdict == Verdict::clear) << "piece " << i;
+        if (options.find != Find::any) { // any contact may be another one
+            EXPECT_EQ(found.verdict, expected.verdict) << "piece " << i;
+            EXPECT_EQ(found.time.lower, expected.time.lower) << "piece " << i;
+            EXPECT_EQ(found.clear_until, expected.clear_until) << "piece " << i;
+        }
+        contacts += found.verdict == Verdict::contact ? 1 : 0;
+        at_start += found.verdict == Verdict::contact_at_start ? 1 : 0;
+        clear += found.verdict == Verdict::clear ? 1 : 0;
+
+        PieceContext rest = bodies.context(Motion::at_rest(way.pose_at(0)));
+        const contact::RelativeConfiguration placed = rest.configuration_at(0);
+        const contact::ContactScene scene{placed, true, options.margin,
+                                          contact::touch_slack(placed, rest.error_scale(options.margin), 0)};
+        const NearFeatures without = near_features(rest, scene, 0, {.finds_overlaps = true});
+        const NearFeatures with = near_features(rest, scene, 0, {.finds_overlaps = true, .neighbours = &list});
+        EXPECT_EQ(with.overlap.has_value(), without.overlap.has_value()) << "piece " << i;
+        if (!with.overlap) {
+            EXPECT_EQ(set_of(with), set_of(without)) << "piece " << i;
+        }
+        overlaps += with.overlap ? 1 : 0;
+    }
+    EXPECT_GT(contacts, 20);
+    EXPECT_GT(at_start, 50);
+    EXPECT_GT(clear, 50);
+    EXPECT_GT(overlaps, 10);
+}
+
+} // namespace
+} // namespace chasles::search
