@@ -5,6 +5,7 @@
 #include "chasles/contact/contact.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
+#include "chasles/query/pair_memory.h"
 #include "chasles/search/find.h"
 
 #include <optional>
@@ -61,9 +62,10 @@ struct FirstContactQuery {
     Polyhedron fixed;
     Motion motion;
     QueryOptions options = {};
+    PairMemory* memory = nullptr; ///< of both bodies: saves time where questions follow each other at nearby places
 };
 
-/// Answers the question. Throws InvalidInput for an option out of its range.
+/// Answers the question. Throws InvalidInput for an option out of its range, and for a memory of other bodies.
 /// Source: paper sections 2, 3, 4 and 5.1; docs/derivations/07-swept-boxes.md proves that the search loses nothing.
 CHASLES_EXPORT FirstContact first_contact(const FirstContactQuery& query);
 

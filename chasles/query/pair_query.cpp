@@ -122,7 +122,7 @@ FirstContact PieceByPiece::run_holding() {
     require_no_enclosure(first_piece);
     // A motion that stopped at the margin ended within it, up to rounding.
     const ContactMoment start(first_piece, 0, true, options_.margin + resting_slack(first_piece), 0);
-    const search::NearFeatures near = start.find({.finds_overlaps = true});
+    const search::NearFeatures near = start.find({.finds_overlaps = true, .neighbours = query_.neighbours});
     const bool is_held = near.overlap || (!near.pairs.empty() && near.complete_within > 0);
     FirstContact found = is_held ? FirstContact() : run_within(options_.margin);
     found.work += near.work;

@@ -13,7 +13,7 @@ using algebra::Vector3;
 using culling::MatrixPose;
 
 // Measured with drag_bench.
-constexpr std::size_t most_pairs = 1 << 15;
+constexpr std::size_t most_pairs = 1 << 17;
 constexpr double travels_ahead = 32;   ///< pieces of the usual length that a list serves
 constexpr double skin_of_edges = 0.25; ///< the longest skin: of the mean edge of the body with the longer edges
 

@@ -6,6 +6,7 @@
 #include "python/src/query_options.h"
 #include "python/src/signals.h"
 
+#include <mutex>
 #include <nanobind/stl/optional.h>
 
 namespace chasles::python {
@@ -13,9 +14,18 @@ namespace {
 
 using namespace nb::literals;
 
+/// A memory that threads of Python may share: a question waits for the one before.
+struct SharedMemory {
+    PairMemory memory;
+    std::mutex in_use;
+
+    SharedMemory(nb::handle moving, nb::handle fixed)
+        : memory(polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")) {}
+};
+
 Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goal, nb::handle motion,
            nb::handle fixed_start, nb::handle fixed_goal, double margin, std::optional<double> hold,
-           double time_tolerance, std::optional<double> max_turn, nb::handle find) {
+           double time_tolerance, std::optional<double> max_turn, nb::handle find, SharedMemory* memory) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     Answer answer{{},
@@ -25,7 +35,9 @@ Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goa
                   margin};
     const QueryOptions options{margin, hold, time_tolerance, find_from(find)};
     const nb::gil_scoped_release release;
-    answer.found = first_contact({moving_body, fixed_body, plain(answer.motion), options});
+    const auto lock = memory ? std::unique_lock(memory->in_use) : std::unique_lock<std::mutex>();
+    answer.found = first_contact(
+        {moving_body, fixed_body, plain(answer.motion), options, memory ? &memory->memory : nullptr});
     return answer;
 }
 
@@ -51,6 +63,8 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
 
 std::string first_contact_doc() {
     return "When do two polyhedra first touch, where, and how?\n\n" + motion_docs() + option_docs(max_turn_docs) +
+           "memory : PairMemory, optional\n    Of both bodies. Saves time where questions with a margin follow each other at "
+           "nearby places.\n"
            "\nReturns\n-------\nFirstContact\n    Its verdict states the proven result.\n\n" + invalid_input_docs;
 }
 
@@ -67,12 +81,20 @@ std::string path_doc() {
 } // namespace
 
 void bind_queries(nb::module_& module) {
+    nb::class_<SharedMemory>(
+        module, "PairMemory",
+        "What questions about the same two bodies keep for the next ones.\n\n"
+        "A body that slides, or is driven by a simulation in small steps, is asked about at nearly the same place each\n"
+        "time. The memory changes no answer, only the time of the next ones. It helps questions with a margin.\n\n"
+        "Parameters\n----------\nmoving, fixed : Polyhedron\n    Of all questions with this memory, in these roles.")
+        .def(nb::init<nb::handle, nb::handle>(), "moving"_a.none(), "fixed"_a.none(),
+             nb::sig("def __init__(self, moving: Polyhedron, fixed: Polyhedron) -> None"));
     static const std::string first_contact_text = first_contact_doc(), path_text = path_doc();
     module.def(
         "first_contact", ask, "moving"_a.none(), "fixed"_a.none(), "start"_a = nb::none(), "goal"_a = nb::none(),
         nb::kw_only(), "motion"_a = nb::none(), "fixed_start"_a = nb::none(), "fixed_goal"_a = nb::none(),
         "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance, "max_turn"_a = nb::none(),
-        "find"_a.none() = "first",
+        "find"_a.none() = "first", "memory"_a = nb::none(),
         nb::sig(
             "def first_contact(moving: Polyhedron, fixed: Polyhedron, "
             "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
@@ -80,7 +102,7 @@ void bind_queries(nb::module_& module) {
             "None = None, "
             "fixed_start: numpy.typing.ArrayLike | None = None, "
             "fixed_goal: numpy.typing.ArrayLike | None = None, " CHASLES_OPTION_TYPES
-            "max_turn: float | None = None, " CHASLES_FIND_TYPE ") -> FirstContact"),
+            "max_turn: float | None = None, " CHASLES_FIND_TYPE ", memory: PairMemory | None = None) -> FirstContact"),
         first_contact_text.c_str());
     module.def("first_contact_on_path", ask_path, "moving"_a.none(), "fixed"_a.none(), "poses"_a.none(), nb::kw_only(),
                "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,

@@ -59,13 +59,15 @@ protected:
     }
 
     static void print(const char* name, const SlideTally& tally) {
+        const auto plain = [&](double part) { return SlideTally::milliseconds(tally.seconds, part); };
+        const auto kept = [&](double part) { return SlideTally::milliseconds(tally.seconds_with_memory, part); };
         print_figures(
             "%s: %d steps, %d clear, %d stopped at the hold, %d new contacts (%d at cracks, %d seen by NewPlaces), "
             "%d in doubt, %d stuck; least distance %.15g of the hold, FCL off by %.2g; median query %.2f ms, 99 of 100 "
-            "within %.1f ms, slowest %.1f ms",
+            "within %.1f ms, slowest %.1f ms; with a memory %.3f, %.2f and %.1f ms",
             name, tally.steps, tally.clear, tally.held, tally.new_contacts, tally.at_cracks, tally.seen, tally.in_doubt,
-            tally.stuck, tally.lowest, tally.peer_error, tally.milliseconds(0.5), tally.milliseconds(0.99),
-            tally.milliseconds(1));
+            tally.stuck, tally.lowest, tally.peer_error, plain(0.5), plain(0.99), plain(1), kept(0.5), kept(0.99),
+            kept(1));
     }
 
     /// Moves the body into the margin from the start of its case, in several attempts.

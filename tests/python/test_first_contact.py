@@ -6,7 +6,7 @@ import threading
 
 import numpy as np
 import pytest
-from cubes import CUBE_VERTICES, RAGGED, matrix, pose
+from cubes import CUBE_FACES, CUBE_VERTICES, RAGGED, matrix, pose
 
 import chasles
 
@@ -249,3 +249,21 @@ def test_bodies_that_are_held_go_on(cube):
     assert found.verdict == "clear" and found.held
     path = chasles.first_contact_on_path(cube, cube, [start, goal], margin=0.01, hold=0.001)
     assert path.verdict == "clear" and path.held
+
+
+def test_a_memory_changes_no_answer():
+    box, table = chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES), chasles.Polyhedron(CUBE_VERTICES * [9, 9, 1], CUBE_FACES)
+    memory = chasles.PairMemory(box, table)
+    at = np.array([4, 4, 1.015, 1, 0, 0, 0])
+    for i in range(50):
+        goal = at + [0.01, -0.005, 0.004 * (-1) ** i, 0, 0, 0, 0]
+        options = {"margin": 0.02, "hold": 0.01, "find": "first_with_all_contacts"}
+        found = chasles.first_contact(box, table, at, goal, memory=memory, **options)
+        expected = chasles.first_contact(box, table, at, goal, **options)
+        assert (found.verdict, found.clear_until, found.time) == (expected.verdict, expected.clear_until, expected.time)
+        assert len(found.held) == len(expected.held) == 4
+        at = goal
+    with pytest.raises(chasles.InvalidInput, match="query: memory: is of other bodies"):
+        chasles.first_contact(table, box, at, goal, memory=memory)
+    with pytest.raises(chasles.InvalidInput, match="moving"):
+        chasles.PairMemory(None, box)

@@ -24,6 +24,7 @@ struct SlideTally {
     double lowest = std::numeric_limits<double>::infinity(); ///< least ratio of distance to hold
     double peer_error = 0;                                   ///< greatest error of the other distance
     std::vector<double> seconds = {};                        ///< of each query
+    std::vector<double> seconds_with_memory = {};            ///< of each query with a memory of both bodies
 
     SlideTally& operator+=(const SlideTally& other) {
         steps += other.steps;
@@ -38,12 +39,13 @@ struct SlideTally {
         lowest = std::min(lowest, other.lowest);
         peer_error = std::max(peer_error, other.peer_error);
         seconds.insert(seconds.end(), other.seconds.begin(), other.seconds.end());
+        seconds_with_memory.insert(seconds_with_memory.end(), other.seconds_with_memory.begin(),
+                                   other.seconds_with_memory.end());
         return *this;
     }
 
     /// The time that this part of the queries does not exceed, in milliseconds. There must be a query.
-    [[nodiscard]] double milliseconds(double part) const {
-        std::vector<double> sorted = seconds;
+    [[nodiscard]] static double milliseconds(std::vector<double> sorted, double part) {
         std::ranges::sort(sorted);
         return 1e3 * sorted[static_cast<std::size_t>(part * double(sorted.size() - 1))];
     }
@@ -66,6 +68,7 @@ struct SlidingBody {
     Pose at = {};
     SlideTally tally = {};
     TreePair surfaces = {moving, fixed};
+    PairMemory memory = {moving, fixed};
 
     /// The distance over all pairs of triangles. The other distance limits the search.
     [[nodiscard]] double distance(const Pose& there) {
@@ -87,13 +90,14 @@ struct SlidingBody {
     FirstContact step(const Pose& to) {
         const ScrewMotion motion = ScrewMotion::between(at, to);
         const double before = distance(at);
-        const auto asked = std::chrono::steady_clock::now();
-        const FirstContact found =
-            first_contact({.moving = moving,
-                           .fixed = fixed,
-                           .motion = motion,
-                           .options = {.margin = margin, .hold = hold, .find = Find::first_with_all_contacts}});
-        count(found, std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count());
+        FirstContactQuery query{.moving = moving,
+                                .fixed = fixed,
+                                .motion = motion,
+                                .options = {.margin = margin, .hold = hold, .find = Find::first_with_all_contacts}};
+        const FirstContact found = timed(query, tally.seconds);
+        query.memory = &memory;
+        expect_same(timed(query, tally.seconds_with_memory), found);
+        count(found);
         const double end = found.clear_until;
         for (int i = 1; i <= samples; ++i) {
             SCOPED_TRACE("time " + std::to_string(end * i / samples) + " of " + std::to_string(end));
@@ -106,12 +110,29 @@ struct SlidingBody {
     }
 
 private:
-    void count(const FirstContact& found, double seconds) {
+    static FirstContact timed(const FirstContactQuery& query, std::vector<double>& seconds) {
+        const auto asked = std::chrono::steady_clock::now();
+        FirstContact found = first_contact(query);
+        seconds.push_back(std::chrono::duration<double>(std::chrono::steady_clock::now() - asked).count());
+        return found;
+    }
+
+    /// A memory changes no answer; contacts may come in another order.
+    static void expect_same(const FirstContact& with, const FirstContact& without) {
+        EXPECT_EQ(with.verdict, without.verdict);
+        EXPECT_EQ(with.certain, without.certain);
+        EXPECT_EQ(with.time.lower, without.time.lower);
+        EXPECT_EQ(with.time.upper, without.time.upper);
+        EXPECT_EQ(with.clear_until, without.clear_until);
+        EXPECT_EQ(with.contacts.size(), without.contacts.size());
+        EXPECT_EQ(with.held.size(), without.held.size());
+    }
+
+    void count(const FirstContact& found) {
         ++tally.steps;
         tally.clear += found.verdict == Verdict::clear ? 1 : 0;
         tally.touching += found.verdict == Verdict::contact_at_start ? 1 : 0;
         tally.stuck += found.verdict != Verdict::clear && found.clear_until == 0 ? 1 : 0;
-        tally.seconds.push_back(seconds);
         if (found.verdict == Verdict::clear) {
             EXPECT_EQ(found.clear_until, 1);
         }
