@@ -68,7 +68,7 @@ def test_locks_leave_what_they_name(scene):
     slider = chasles.DragLock("slider", [0, 0, -2])
     assert slider.kind == "slider" and "slider" in repr(slider)
     step = chasles.DraggedBody(scene, "box", lock=slider).update(pose(4, -3, 5))
-    assert step.state == "reached" and step.pose == pytest.approx(pose(0, 0, 5), abs=1e-12)
+    assert step.state == "reached" and step.pose[:3, 3] == pytest.approx([0, 0, 5], abs=1e-12)
     assert step.distance == pytest.approx(5, abs=1e-9)
     hinge = chasles.DragLock("hinge", direction=[0, 0, 1], point=[-2, 0, 0])
     hand = chasles.DraggedBody(scene, "box", lock=hinge)
