@@ -14,7 +14,7 @@ namespace {
 constexpr double negligible = 0x1p-28;
 constexpr double cone_rounding = 0x1p-32;
 constexpr int most_cuts = 100;
-constexpr int most_rounds = 60;
+constexpr int most_rounds = 30;
 
 /// The convex problem: the twist nearest to a wish, |v - wish|_M, for which n v + gap >= coefficient * |T v| at each
 /// contact. Its cones are approached by planes, each of which touches its cone at the twist that the planes before have

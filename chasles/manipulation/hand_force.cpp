@@ -54,8 +54,10 @@ ContactForces contact_forces(const SlideProblem& problem) {
     } else {
         found = solved(contacts, wish);
     }
-    ContactForces forces{found.normal, Eigen::Matrix3Xd::Zero(3, found.normal.size()),
-                         contacts.normals.rows.transpose() * found.normal};
+    ContactForces forces{found.normal, Eigen::Matrix3Xd::Zero(3, found.normal.size())};
+    if (!(found.normal.array() > 0).any())
+        return forces;
+    forces.wrench = contacts.normals.rows.transpose() * found.normal;
     if (problem.friction > 0)
         forces.wrench += contacts.tangents.transpose() * found.tangential;
     for (Eigen::Index i = 0; i < found.normal.size(); ++i)
