@@ -43,6 +43,27 @@ Pose goal_at(const Case& hand, double time) {
     return {hand.home.translation + shift, turn * Quaterniond(hand.home.rotation)};
 }
 
+/// The time of a force for another goal, from the contacts of the last update. Microseconds.
+void run_forces(const Case& hand, int updates, double friction) {
+    Scene scene;
+    scene.add({"fixed", hand.fixed});
+    scene.add({"moving", hand.moving, Motion::at_rest(hand.start)});
+    DragOptions options;
+    options.friction = friction;
+    DraggedBody body(scene, "moving", options);
+    std::vector<double> times;
+    std::size_t most_contacts = 0;
+    for (int i = 0; i < updates; ++i) {
+        const DragStep step = body.update(goal_at(hand, i / 60.0));
+        most_contacts = std::max(most_contacts, step.contacts.size());
+        for (int k = 0; k < 16 && !step.contacts.empty(); ++k)
+            times.push_back(least_microseconds(1, [&] { (void)body.force(goal_at(hand, (i + k / 16.0) / 60)); }));
+    }
+    if (!times.empty())
+        std::printf("  force, us, friction %.1f       %8.1f %8.1f %8.1f   (%zu contacts at most)\n", friction,
+                    median(times), quantile(times, 0.99), quantile(times, 1), most_contacts);
+}
+
 void run(const Case& hand, int updates) {
     Scene scene;
     scene.add({"fixed", hand.fixed});
@@ -65,6 +86,8 @@ void run(const Case& hand, int updates) {
     }
     std::printf("%-28s %8.3f %8.3f %8.3f %10d %10d %8.2f\n", hand.name, median(times), quantile(times, 0.99),
                 quantile(times, 1), in_contact, unfinished, double(pieces) / updates);
+    for (const double friction : {0.0, 0.3})
+        run_forces(hand, updates, friction);
 }
 
 Pose at(double x, double y, double z) {

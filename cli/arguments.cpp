@@ -11,10 +11,11 @@
 namespace chasles::cli {
 namespace {
 
-constexpr auto takes_numbers = std::to_array<std::string_view>(
-    {"--start", "--goal", "--fixed-start", "--fixed-goal", "--centre", "--fixed-centre"});
+constexpr auto takes_numbers =
+    std::to_array<std::string_view>({"--start", "--goal", "--fixed-start", "--fixed-goal", "--centre", "--fixed-centre",
+                                     "--lock-axis", "--lock-point"});
 constexpr auto takes_number = std::to_array<std::string_view>(
-    {"--margin", "--hold", "--max-turn-deg", "--time-tolerance", "--tolerance", "--threads"});
+    {"--margin", "--hold", "--max-turn-deg", "--time-tolerance", "--tolerance", "--threads", "--friction"});
 
 template <typename Names>
 bool contains(const Names& names, std::string_view name) {

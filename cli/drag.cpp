@@ -30,6 +30,10 @@ struct DragCommand {
     PolyhedronOptions polyhedron;
     std::string margin = "0";
     std::string stiffness = "1";
+    std::string friction = "0";
+    std::string lock; ///< empty: none
+    std::string lock_axis = "0 0 1";
+    std::string lock_point = "0 0 0";
     int rounds = DragOptions().rounds;
     bool json = false;
 };
@@ -135,11 +139,23 @@ private:
     Work work_;
 };
 
+DragLock lock_of(const DragCommand& options) {
+    static const std::map<std::string, DragLockKind> kinds{{"", DragLockKind::free},
+                                                           {"hinge", DragLockKind::hinge},
+                                                           {"slider", DragLockKind::slider},
+                                                           {"cylinder", DragLockKind::cylinder},
+                                                           {"plane", DragLockKind::plane}};
+    return {kinds.at(options.lock), point_of("--lock-axis", options.lock_axis),
+            point_of("--lock-point", options.lock_point)};
+}
+
 DragOptions drag_options(const DragCommand& options) {
     DragOptions drag;
     drag.margin = number_of("--margin", options.margin);
     drag.stiffness = number_of("--stiffness", options.stiffness);
     drag.rounds = options.rounds;
+    drag.friction = number_of("--friction", options.friction);
+    drag.lock = lock_of(options);
     return drag;
 }
 
@@ -177,6 +193,18 @@ int run_drag(const DragCommand& options) {
     return hand.has_contact() ? is_contact : is_clear;
 }
 
+void add_lock_options(CLI::App& command, DragCommand& options) {
+    command.add_option("--lock", options.lock, "the body only turns, slides, does both, or moves in a plane")
+        ->check(CLI::IsMember({"hinge", "slider", "cylinder", "plane"}))
+        ->type_name("KIND");
+    command.add_option("--lock-axis", options.lock_axis, "direction of the line, or normal of the plane")
+        ->type_name("\"X Y Z\"")
+        ->capture_default_str();
+    command.add_option("--lock-point", options.lock_point, "a point on the line of a hinge or a cylinder")
+        ->type_name("\"X Y Z\"")
+        ->capture_default_str();
+}
+
 } // namespace
 
 void add_drag(CLI::App& app, Task& task) {
@@ -199,6 +227,10 @@ void add_drag(CLI::App& app, Task& task) {
     command.add_option("--stiffness", options->stiffness, "force of the hand for a distance of 1")
         ->type_name("K")
         ->capture_default_str();
+    command.add_option("--friction", options->friction, "friction force of a contact, as a share of its normal force")
+        ->type_name("MU")
+        ->capture_default_str();
+    add_lock_options(command, *options);
     command.add_option("--rounds", options->rounds, "certified steps of an update at most")->capture_default_str();
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_drag(*options); }; });

@@ -1,7 +1,7 @@
 #include "chasles/manipulation/dragged_body.h"
 
 #include "chasles/base/invalid_input.h"
-#include "chasles/manipulation/slide.h"
+#include "chasles/manipulation/hand_force.h"
 #include "chasles/manipulation/surroundings.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/scene/pair_question.h"
@@ -25,7 +25,6 @@ namespace {
 constexpr double default_margin = 1e-4; // of the diagonal of the box
 constexpr double default_reach = 2;     // margins
 constexpr double listed_within = 2;     // margins: the contacts that a step lists
-constexpr double pushes_within = 1.125; // margins: the contacts that push
 constexpr double least_step = 0x1p-10;  // margins: a body that has no more to go rests
 /// Likewise after the first round of an update. What is left is for the next update: it is not worth a round.
 constexpr double least_further_step = 0x1p-3;
@@ -48,6 +47,7 @@ Distances distances_of(const DragOptions& options, const Polyhedron& shape) {
     require(reach >= 2 * margin && reach <= 1e30, "reach", "must be at least twice the margin, and at most 1e30");
     require(is_positive(options.stiffness), "stiffness", "must be in (0, 1e30]");
     require(options.rounds > 0, "rounds", "must be positive");
+    require(options.friction >= 0 && options.friction <= 100, "friction", "must be in [0, 100]");
     return {margin, reach};
 }
 
@@ -116,13 +116,13 @@ public:
     Implementation(Scene& scene, const std::string& name, const DragOptions& options);
 
     DragStep update(const Pose& goal, double seconds);
+    [[nodiscard]] DragForce force(const Pose& wanted) const;
     [[nodiscard]] const Pose& pose() const { return pose_; }
     [[nodiscard]] const Distances& distances() const { return distances_; }
 
 private:
-    [[nodiscard]] SlideProblem problem(const Pose& goal, double rest) const {
-        return {spring_, pose_, goal, near_.contacts, distances_.margin, size_, rest * distances_.margin};
-    }
+    [[nodiscard]] Pose checked(const Pose& wanted) const;
+    void grip();
     void look_around(DragStep& step);
     void meet(const Other& other, DragStep& step) const;
     void read_scene(DragStep& step);
@@ -139,6 +139,8 @@ private:
     manipulation::HandSpring spring_;
     double size_;
     Pose pose_;
+    manipulation::Lock lock_;
+    manipulation::SharedGrip grip_; ///< for the forces that other threads ask for
     manipulation::Surroundings surroundings_;
     Neighbourhood near_;                        ///< at the pose
     std::vector<DragContact> contacts_;         ///< of the last update
@@ -148,12 +150,20 @@ private:
 DraggedBody::Implementation::Implementation(Scene& scene, const std::string& name, const DragOptions& options)
     : scene_(scene), name_(name), shape_(scene.bodies()[scene.index_of(name)].shape), options_(options),
       distances_(distances_of(options, shape_)), spring_(mass_of(options, shape_)), size_(diagonal(shape_)),
-      pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)), surroundings_(distances_) {
+      pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)), lock_(options.lock, pose_),
+      surroundings_(distances_) {
     check_rounding(distances_, shape_, pose_);
     manipulation::prepare(shape_.body());
     DragStep step;
     surroundings_.refresh(scene_, scene_.index_of(name_));
     look_around(step);
+    grip();
+}
+
+/// Keeps what the forces on the hand depend on.
+void DraggedBody::Implementation::grip() {
+    grip_.replace(std::make_shared<manipulation::Grip>(manipulation::Grip{
+        spring_, lock_, distances_.margin, options_.friction, options_.stiffness, pose_, near_.contacts}));
 }
 
 void DraggedBody::Implementation::look_around(DragStep& step) {
@@ -217,29 +227,37 @@ bool DraggedBody::Implementation::go(const Slide& slide, DragStep& step) {
 
 DragState DraggedBody::Implementation::go_on(const Pose& goal, double seconds, DragStep& step) {
     const Deadline deadline(seconds);
+    const Pose target = lock_.nearest(spring_, goal);
+    SlideProblem problem{spring_,           pose_,  goal,   near_.contacts, distances_.margin, size_, 0,
+                         options_.friction, &lock_, &target};
     for (int round = 0; round < options_.rounds && !(round > 0 && deadline.is_over()); ++round) {
         if (!near_.touching.empty())
             return DragState::touching;
-        if (is_equal(pose_, goal))
+        if (is_equal(pose_, target))
             return DragState::reached;
-        const Slide slide = next_slide(problem(goal, round == 0 ? least_step : least_further_step));
+        problem.contacts = near_.contacts;
+        problem.rest = (round == 0 ? least_step : least_further_step) * distances_.margin;
+        const Slide slide = next_slide(problem);
         if (slide.kind == SlideKind::rest || !go(slide, step))
             return DragState::resting;
     }
-    return is_equal(pose_, goal) ? DragState::reached : DragState::moving;
+    return is_equal(pose_, target) ? DragState::reached : DragState::moving;
 }
 
 /// What is in contact at the pose reached, and with which force.
 void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
-    const manipulation::AdmissibleTwist pushed = pushes(problem(goal, least_step), pushes_within * distances_.margin);
+    grip();
+    const std::shared_ptr<const manipulation::Grip> grip = grip_.get();
+    const manipulation::ContactForces pushed = grip->forces_at(goal);
     std::vector<DragContact> contacts;
     for (std::size_t i = 0; i < near_.contacts.size(); ++i) {
         const ModelledContact& near = near_.contacts[i];
-        const double force = options_.stiffness * pushed.multipliers[Eigen::Index(i)];
+        const double force = options_.stiffness * pushed.normal[Eigen::Index(i)];
         if (force > 0)
             step.blocking.push_back(near.body);
         if (near.contact.gap <= listed_within * distances_.margin)
-            contacts.push_back({near.body, near.contact, force});
+            contacts.push_back(
+                {near.body, near.contact, force, options_.stiffness * pushed.friction.col(Eigen::Index(i))});
     }
     std::ranges::sort(step.blocking);
     step.blocking.erase(std::unique(step.blocking.begin(), step.blocking.end()), step.blocking.end());
@@ -250,18 +268,29 @@ void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
     for (const DragContact& contact : contacts)
         contact_partners_.push_back(scene_.bodies()[contact.body].name);
     step.contacts = std::move(contacts);
-    const Eigen::Vector3d lever = pose_.isometry() * spring_.centre() - pose_.translation;
-    step.force = options_.stiffness * pushed.wrench.head<3>();
-    step.torque = options_.stiffness * pushed.wrench.tail<3>() + lever.cross(step.force);
+    const auto& [force, torque] = grip->on_hand(pushed);
+    step.force = force;
+    step.torque = torque;
     step.touching = near_.touching;
     step.distance = longest_way(shape_.report(), pose_, goal);
     step.pose = pose_;
 }
 
+Pose DraggedBody::Implementation::checked(const Pose& wanted) const {
+    Pose goal(wanted.translation, Eigen::Quaterniond(wanted.rotation)); // checks what was filled in by hand
+    check_rounding(distances_, shape_, goal);
+    return goal;
+}
+
+DragForce DraggedBody::Implementation::force(const Pose& wanted) const {
+    const std::shared_ptr<const manipulation::Grip> grip = grip_.get();
+    const auto& [force, torque] = grip->on_hand(grip->forces_at(checked(wanted)));
+    return {force, torque};
+}
+
 DragStep DraggedBody::Implementation::update(const Pose& wanted, double seconds) {
     require(seconds >= 0, "seconds", "must not be negative");
-    const Pose goal(wanted.translation, Eigen::Quaterniond(wanted.rotation)); // checks what was filled in by hand
-    check_rounding(distances_, shape_, goal);
+    const Pose goal = checked(wanted);
     DragStep step;
     read_scene(step);
     step.state = go_on(goal, seconds, step);
@@ -278,6 +307,10 @@ DraggedBody& DraggedBody::operator=(DraggedBody&& other) noexcept = default;
 
 DragStep DraggedBody::update(const Pose& goal, double seconds) {
     return implementation_->update(goal, seconds);
+}
+
+DragForce DraggedBody::force(const Pose& goal) const {
+    return implementation_->force(goal);
 }
 
 const Pose& DraggedBody::pose() const {

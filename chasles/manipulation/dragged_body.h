@@ -3,6 +3,7 @@
 // "A six degree-of-freedom god-object method for haptic display of rigid bodies with surface properties", 2007.
 #pragma once
 
+#include "chasles/manipulation/drag_lock.h"
 #include "chasles/manipulation/mass_properties.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/scene/scene.h"
@@ -22,11 +23,15 @@ struct DragOptions {
     double stiffness = 1; ///< of the spring between the body and the hand: force per mesh unit
     int rounds = 8;       ///< of one update at most; each goes one certified step
     std::optional<MassProperties> mass = {}; ///< empty: those of the solid box around the body
+    /// Of Coulomb: the greatest friction force of a contact, as a share of its normal force; not negative, at most 100.
+    /// The body rests where friction can hold it, and so a body that is clamped between contacts stays.
+    double friction = 0;
+    DragLock lock = {}; ///< the body moves only as the lock lets it, from where it is at first
 };
 
 /// Where an update has ended.
 enum class DragState : std::uint8_t {
-    reached,  ///< the pose is the goal
+    reached,  ///< the pose is the goal; with a lock, the pose of the lock at which the spring holds the least energy
     resting,  ///< the contacts hold the body against the pull of the hand
     moving,   ///< the rounds or the time are used up; the next update goes on
     touching, ///< another body has come so near, or into the body, that it cannot be kept apart; nothing moves
@@ -34,9 +39,16 @@ enum class DragState : std::uint8_t {
 
 /// A contact of the dragged body, which is its moving body.
 struct DragContact {
-    std::size_t body = 0; ///< the other body, an index of Scene::bodies()
-    Contact contact;      ///< in the world, at the pose reached
-    double force = 0;     ///< along the normal, on the dragged body; not negative
+    std::size_t body = 0;                               ///< the other body, an index of Scene::bodies()
+    Contact contact;                                    ///< in the world, at the pose reached
+    double force = 0;                                   ///< along the normal, on the dragged body; not negative
+    Eigen::Vector3d friction = Eigen::Vector3d::Zero(); ///< force on the dragged body, across the normal, in the world
+};
+
+/// What contacts push the hand with, in the world. What a lock takes is not a part of it.
+struct DragForce {
+    Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< the sum of the forces, friction included
+    Eigen::Vector3d torque = Eigen::Vector3d::Zero(); ///< about the body's origin
 };
 
 /// A contact that was not there after the update before, or is no longer there. Contacts with a body that is removed
@@ -67,8 +79,8 @@ struct DragStep {
     DragState state = DragState::resting;
     std::vector<DragContact> contacts; ///< within twice the margin
     std::vector<DragEvent> events;
-    /// What the contacts push the hand with, in the world: the sum of their forces, and the torque about the body's
-    /// origin.
+    /// What the contacts push the hand with, in the world: the sum of their forces, friction included, and the torque
+    /// about the body's origin. What a lock takes is not a part of it.
     Eigen::Vector3d force = Eigen::Vector3d::Zero();
     Eigen::Vector3d torque = Eigen::Vector3d::Zero();
     double distance = 0;               ///< of the goal: the longest way left of a corner of the body's box
@@ -100,6 +112,11 @@ public:
     /// round that has begun is finished; 0 seconds: no bound. Throws InvalidInput for a goal that cannot be used or is
     /// too far away for the margin, and if the body is no longer in the scene.
     DragStep update(const Pose& goal, double seconds = 0);
+
+    /// The force on the hand for another goal, from the contacts and the pose that the last update ended with. No
+    /// geometry is computed, so a haptic device may ask a thousand times a second. Other threads may call this while
+    /// an update runs. Throws InvalidInput for a goal that cannot be used.
+    [[nodiscard]] DragForce force(const Pose& goal) const;
 
     [[nodiscard]] const Pose& pose() const;
     [[nodiscard]] double margin() const; ///< in use

@@ -1,5 +1,7 @@
 #include "chasles/manipulation/slide.h"
 
+#include "chasles/manipulation/contact_rows.h"
+#include "chasles/manipulation/friction.h"
 #include "chasles/motion/motion.h"
 
 #include <Eigen/Cholesky>
@@ -22,24 +24,42 @@ constexpr double kept_share = 0.75;
 constexpr double least_gain = 0.1;
 constexpr int attempts = 10;
 
-TwistConstraints constraints_of(const SlideProblem& problem) {
-    const auto count = Eigen::Index(problem.contacts.size());
-    TwistConstraints constraints{Rows(count, 6), Eigen::VectorXd(count)};
-    const Eigen::Vector3d centre = problem.pose.isometry() * problem.spring.centre();
-    for (Eigen::Index i = 0; i < count; ++i) {
-        const Contact& contact = problem.contacts[std::size_t(i)].contact;
-        constraints.rows.row(i) << contact.normal.transpose(),
-            (contact.point - centre).cross(contact.normal).transpose();
-        constraints.gaps[i] = contact.gap;
-    }
-    return constraints;
+/// A contact that a lock lets move by less than this share is not in the way of the lock's twists.
+constexpr double least_row = 0x1p-20;
+/// Nothing is done against a lack of gap at a contact that resists as if the body had this many times its mass.
+constexpr double least_ease = 0x1p-10;
+
+const Pose& target_of(const SlideProblem& problem) {
+    return problem.target ? *problem.target : problem.goal;
+}
+
+/// Leaves the twists of the lock.
+void lock(const Metric& projection, const Metric& metric, Rows& rows) {
+    rows *= projection;
+    const Eigen::LLT<Metric> root(metric);
+    for (Eigen::Index i = 0; i < rows.rows(); ++i)
+        if (root.matrixL().solve(rows.row(i).transpose()).norm() < least_row)
+            rows.row(i).setZero();
+}
+
+/// The wish less the friction of the contacts. Zero if they hold the body.
+Twist after_friction(const FrictionProblem& contacts, const Twist& wish, double margin) {
+    FrictionProblem touching = contacts;
+    for (Eigen::Index i = 0; i < contacts.normals.gaps.size(); ++i)
+        if (contacts.normals.gaps[i] > (touch_share - 1) * margin)
+            touching.normals.rows.row(i).setZero(), touching.tangents.middleRows<2>(2 * i).setZero();
+    if (is_held(touching, holding_forces(touching, wish), wish))
+        return Twist::Zero();
+    return changed_wish(contacts, sliding_forces(contacts, wish), wish);
 }
 
 class Slider {
 public:
     explicit Slider(const SlideProblem& problem)
-        : problem_(problem), contacts_(constraints_of(problem)), metric_(problem.spring.metric(problem.pose)),
-          wish_(problem.spring.wish(problem.pose, problem.goal)), answers_(6, contacts_.rows.rows()) {
+        : problem_(problem), centre_(problem.pose.isometry() * problem.spring.centre()),
+          contacts_(normal_rows(problem.contacts, centre_)), metric_(problem.spring.metric(problem.pose)),
+          wish_(problem.spring.wish(problem.pose, problem.goal)), drive_(wish_), answers_(6, contacts_.rows.rows()) {
+        restrict();
         answers_ = metric_.llt().solve(contacts_.rows.transpose());
         kept_ = problem.margin;
         for (const ModelledContact& contact : problem.contacts)
@@ -49,7 +69,7 @@ public:
 
     Slide run() const {
         if (is_free())
-            return {SlideKind::free, problem_.goal};
+            return {SlideKind::free, target_of(problem_)};
         const Twist recovery = recovery_for(Eigen::VectorXd::Zero(contacts_.gaps.size()));
         const Pose recovered = displaced_by(recovery);
         // far within the margin the next step would be certified for little, and blocked by what it gains
@@ -57,7 +77,7 @@ public:
             return {SlideKind::partial, recovered};
         double share = 1; // of the wish
         for (int i = 0; i < attempts; ++i) {
-            const Twist step = step_for(share * wish_);
+            const Twist step = step_for(share * drive_);
             if (is_short(step))
                 break;
             const double excess = excess_of(step, problem_.size);
@@ -70,8 +90,26 @@ public:
     }
 
 private:
+    /// By the lock and by friction.
+    void restrict() {
+        Rows tangents = tangent_rows(problem_.contacts, centre_);
+        if (problem_.lock && !problem_.lock->is_free()) {
+            const Metric projection = problem_.lock->projection(metric_, centre_);
+            lock(projection, metric_, contacts_.rows);
+            tangents *= projection;
+            wish_ = projection * wish_;
+        }
+        drive_ = wish_;
+        if (!(problem_.friction > 0))
+            return;
+        FrictionProblem friction{contacts_, tangents, problem_.friction, metric_};
+        friction.normals.gaps = (contacts_.gaps.array() - problem_.margin).cwiseMax(0);
+        drive_ = after_friction(friction, wish_, problem_.margin);
+    }
+
     [[nodiscard]] Pose displaced_by(const Twist& step) const {
-        return displaced(problem_.pose, problem_.spring.centre(), step);
+        const Pose end = displaced(problem_.pose, problem_.spring.centre(), step);
+        return problem_.lock ? problem_.lock->onto(end) : end;
     }
 
     [[nodiscard]] double length_of(const Twist& step) const {
@@ -84,16 +122,18 @@ private:
         return std::max(step.head<3>().norm() / (longest_way * size), step.tail<3>().norm() / longest_turn);
     }
 
-    /// Whether the screw to the goal leads away from all contacts, or along them.
+    /// Whether the screw to the target leads away from all contacts, or along them, without friction.
     [[nodiscard]] bool is_free() const {
+        if (drive_ != wish_)
+            return false;
         const double tolerance = negligible * problem_.margin;
-        const Pose soon = Motion::screw(problem_.pose, problem_.goal).pose_at(0x1p-10);
+        const Pose soon = Motion::screw(problem_.pose, target_of(problem_)).pose_at(0x1p-10);
         const Displacement displacement = Displacement::between(problem_.pose, soon);
         const auto leads_away = [&](const ModelledContact& contact) {
             const double lost = (contact.contact.gap - gap_after(contact, displacement)) * 0x1p10;
             return lost <= std::max(0.0, contact.contact.gap - problem_.margin) + tolerance;
         };
-        return std::ranges::all_of(problem_.contacts, leads_away) && keeps_gaps(problem_.goal);
+        return std::ranges::all_of(problem_.contacts, leads_away) && keeps_gaps(target_of(problem_));
     }
 
     /// In the middle and at the end of the screw.
@@ -106,9 +146,10 @@ private:
         });
     }
 
+    /// More than friction takes.
     [[nodiscard]] bool loses_energy(const Pose& from, const Pose& end, const Twist& step) const {
-        const double work = wish_.dot(metric_ * step);
-        return problem_.spring.energy_lost(from, end, problem_.goal) >= least_gain * work;
+        const double work = drive_.dot(metric_ * step), taken = (wish_ - drive_).dot(metric_ * step);
+        return problem_.spring.energy_lost(from, end, problem_.goal) - taken >= least_gain * work;
     }
 
     /// The step for a wish: rows to first order, and then to second order by what the features do.
@@ -157,6 +198,8 @@ private:
             change = 0;
             for (Eigen::Index i = 0; i < bend.size(); ++i) {
                 const double ease = contacts_.rows.row(i).dot(answers_.col(i));
+                if (ease < least_ease)
+                    continue;
                 const double lacking =
                     problem_.margin - contacts_.gaps[i] - bend[i] - contacts_.rows.row(i).dot(recovery);
                 const double push =
@@ -170,9 +213,11 @@ private:
     }
 
     const SlideProblem& problem_;
+    Eigen::Vector3d centre_;
     TwistConstraints contacts_; ///< the gaps are whole
     Metric metric_;
-    Twist wish_;
+    Twist wish_;                                       ///< of the spring, as far as the lock leaves it
+    Twist drive_;                                      ///< the wish less friction
     Eigen::Matrix<double, 6, Eigen::Dynamic> answers_; ///< of the body to a push of 1 at each contact
     double kept_ = 0;
 };
@@ -180,18 +225,7 @@ private:
 } // namespace
 
 Slide next_slide(const SlideProblem& problem) {
-    return problem.contacts.empty() ? Slide{SlideKind::free, problem.goal} : Slider(problem).run();
-}
-
-AdmissibleTwist pushes(const SlideProblem& problem, double touch) {
-    TwistConstraints constraints = constraints_of(problem);
-    for (Eigen::Index i = 0; i < constraints.gaps.size(); ++i) {
-        if (constraints.gaps[i] > touch)
-            constraints.rows.row(i).setZero();
-        constraints.gaps[i] = 0;
-    }
-    return admissible_twist(constraints, problem.spring.metric(problem.pose),
-                            problem.spring.wish(problem.pose, problem.goal));
+    return problem.contacts.empty() ? Slide{SlideKind::free, target_of(problem)} : Slider(problem).run();
 }
 
 } // namespace chasles::manipulation

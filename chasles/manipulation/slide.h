@@ -4,6 +4,7 @@
 
 #include "chasles/manipulation/contact_model.h"
 #include "chasles/manipulation/hand_spring.h"
+#include "chasles/manipulation/lock.h"
 
 #include <span>
 
@@ -17,10 +18,13 @@ struct SlideProblem {
     double margin = 0;                         ///< the gap that contacts keep
     double size = 0;                           ///< of the body
     double rest = 0;                           ///< a shorter step is none
+    double friction = 0;                       ///< of each contact: the friction force as a share of the normal force
+    const Lock* lock = nullptr;                ///< null: free
+    const Pose* target = nullptr;              ///< the pose of the lock nearest to the goal; null: the goal
 };
 
 enum class SlideKind : std::uint8_t {
-    free,    ///< nothing is in the way of the screw to the goal
+    free,    ///< nothing is in the way of the screw to the target
     partial, ///< some way, along contacts or towards them
     rest,    ///< the contacts hold the body, up to a step that is too short
 };
@@ -33,8 +37,5 @@ struct Slide {
 /// By the gaps of the contacts after the step, to second order. Nothing is proven here: other contacts may be in the
 /// way.
 Slide next_slide(const SlideProblem& problem);
-
-/// The forces of the contacts whose gap is at most `touch`, against the whole wish of the spring.
-AdmissibleTwist pushes(const SlideProblem& problem, double touch);
 
 } // namespace chasles::manipulation

@@ -7,6 +7,8 @@
 #include "python/src/poses.h"
 #include "python/src/scene.h"
 
+#include <algorithm>
+#include <array>
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -35,6 +37,7 @@ struct PythonDragContact {
     std::string body;
     Contact contact;
     double force = 0;
+    Eigen::Vector3d friction;
 };
 
 struct PythonDragEvent {
@@ -42,6 +45,15 @@ struct PythonDragEvent {
     std::string body;
     Contact contact;
 };
+
+constexpr std::array<const char*, 5> lock_kinds{"free", "hinge", "slider", "cylinder", "plane"}; // as DragLockKind
+
+DragLockKind lock_kind(const std::string& name) {
+    const auto found = std::ranges::find(lock_kinds, name);
+    if (found == lock_kinds.end())
+        throw InvalidInput("drag: lock: the kind must be free, hinge, slider, cylinder or plane, not " + name);
+    return DragLockKind(found - lock_kinds.begin());
+}
 
 const char* name_of(DragState state) {
     switch (state) {
@@ -57,13 +69,23 @@ const char* name_of(DragState state) {
     return "touching";
 }
 
+nb::object wrench_of(const Eigen::Vector3d& force, const Eigen::Vector3d& torque) {
+    const std::array<double, 6> numbers{force.x(), force.y(), force.z(), torque.x(), torque.y(), torque.z()};
+    return array_of(numbers, {6});
+}
+
 class PythonDraggedBody {
 public:
     PythonDraggedBody(PythonScene& scene, std::string name, const DragOptions& options)
         : scene_(scene), name_(std::move(name)), body_(scene.scene, name_, options) {}
 
     PythonStep update(nb::handle goal, double seconds) {
-        return {body_.update(pose_from(goal, "goal"), seconds), names_of(scene_)};
+        const Pose wanted = pose_from(goal, "goal");
+        DragStep step = [&] {
+            const nb::gil_scoped_release released; // other threads may ask for forces
+            return body_.update(wanted, seconds);
+        }();
+        return {std::move(step), names_of(scene_)};
     }
     std::vector<PythonStep> follow(nb::handle goals, double seconds) {
         const PoseArray poses(goals, "goals");
@@ -77,6 +99,14 @@ public:
             nb::none());
         return steps;
     }
+    [[nodiscard]] nb::object force(nb::handle wanted) const {
+        const Pose goal = pose_from(wanted, "goal");
+        const DragForce found = [&] {
+            const nb::gil_scoped_release released;
+            return body_.force(goal);
+        }();
+        return wrench_of(found.force, found.torque);
+    }
     [[nodiscard]] nb::object pose() const { return matrix_of(body_.pose()); }
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const DraggedBody& body() const { return body_; }
@@ -87,20 +117,29 @@ private:
     DraggedBody body_;
 };
 
-void make(PythonDraggedBody* body, PythonScene& scene, const std::string& name, double margin, double reach,
-          double stiffness, int rounds) {
+/// The options that have a name of their own in Python.
+struct Named {
+    double margin = 0, reach = 0, stiffness = 1, friction = 0;
+    int rounds = 8;
+};
+
+void make(PythonDraggedBody* body, PythonScene& scene, const std::string& name, const Named& named,
+          const std::optional<DragLock>& lock) {
     DragOptions options;
-    options.margin = margin;
-    options.reach = reach;
-    options.stiffness = stiffness;
-    options.rounds = rounds;
+    options.margin = named.margin;
+    options.reach = named.reach;
+    options.stiffness = named.stiffness;
+    options.friction = named.friction;
+    options.rounds = named.rounds;
+    options.lock = lock.value_or(DragLock());
     new (body) PythonDraggedBody(scene, name, options);
 }
 
 nb::list contacts_of(const PythonStep& step) {
     nb::list list;
     for (const DragContact& contact : step.step.contacts)
-        list.append(nb::cast(PythonDragContact{step.names[contact.body], contact.contact, contact.force}));
+        list.append(
+            nb::cast(PythonDragContact{step.names[contact.body], contact.contact, contact.force, contact.friction}));
     return list;
 }
 
@@ -126,12 +165,6 @@ nb::list intrusions_of(const PythonStep& step) {
     return list;
 }
 
-nb::object wrench_of(const PythonStep& step) {
-    const std::array<double, 6> numbers{step.step.force.x(),  step.step.force.y(),  step.step.force.z(),
-                                        step.step.torque.x(), step.step.torque.y(), step.step.torque.z()};
-    return array_of(numbers, {6});
-}
-
 constexpr const char* body_doc =
     "A body of a scene in a hand: it stops at contacts, slides along them and lifts off, and never goes through.\n\n"
     "    hand = chasles.DraggedBody(scene, \"nut\")\n    step = hand.update(goal)\n    step.pose, step.contacts, "
@@ -142,8 +175,28 @@ constexpr const char* body_doc =
     "    The gap that contacts keep, mesh unit. 0: a ten-thousandth of the diagonal of the body's box.\n"
     "reach : float\n    Contacts within it are foreseen, mesh unit; at least twice the margin, and 0: just that.\n"
     "stiffness : float\n    Force of the hand for a distance of 1 between the body and the goal.\nrounds : int\n"
-    "    Certified steps of one update at most.\n\n"
+    "    Certified steps of one update at most.\nfriction : float\n"
+    "    Of Coulomb: the greatest friction force of a contact, as a share of its normal force. The body rests where\n"
+    "    friction can hold it.\nlock : DragLock, optional\n    The body moves only as the lock lets it.\n\n"
     "Raises\n------\nInvalidInput\n    For an unknown name, and for an option out of its range.";
+
+constexpr const char* lock_doc =
+    "How a dragged body may move, in the world, from where it is when the dragging begins.\n\n"
+    "    hand = chasles.DraggedBody(scene, \"door\", lock=chasles.DragLock(\"hinge\", [0, 0, 1], [2, 0, 0]))\n\n"
+    "Parameters\n----------\nkind : str\n"
+    "    \"hinge\": it turns about a line. \"slider\": it slides along a direction. \"cylinder\": both. \"plane\": it\n"
+    "    slides in a plane and turns about its normal. \"free\": every motion.\ndirection : array (3,)\n"
+    "    Of the line, or the normal of the plane; of any length but zero.\npoint : array (3,)\n"
+    "    On the line of a hinge or a cylinder, mesh unit.\n\n"
+    "Raises\n------\nInvalidInput\n    For an unknown kind. `DraggedBody` refuses directions and points that cannot be "
+    "used.";
+
+constexpr const char* force_doc =
+    "The force on the hand for another goal, from the contacts and the pose that the last update ended with.\n\n"
+    "No geometry is computed. Another thread may call this while `update` or `follow` runs.\n\n"
+    "Parameters\n----------\ngoal : array (4, 4) or (7,)\n\nReturns\n-------\narray (6,)\n"
+    "    The sum of the forces of the contacts, and their torque about the body's origin, in the world.\n\n"
+    "Raises\n------\nInvalidInput\n    For a goal that cannot be used.";
 
 constexpr const char* update_doc =
     "Go towards the goal as far as contacts, rounds and time allow.\n\n"
@@ -161,11 +214,32 @@ void bind_parts(nb::module_& module) {
     nb::class_<PythonDragContact>(module, "DragContact", doc("DragContact"))
         .def_ro("body", &PythonDragContact::body, "Name of the other body.")
         .def_ro("contact", &PythonDragContact::contact, doc("DragContact.contact"))
-        .def_ro("force", &PythonDragContact::force, doc("DragContact.force"));
+        .def_ro("force", &PythonDragContact::force, doc("DragContact.force"))
+        .def_prop_ro(
+            "friction", [](const PythonDragContact& c) { return array_of(c.friction); },
+            nb::sig("def friction(self) -> numpy.typing.NDArray[numpy.float64]"),
+            "Force on the dragged body across the normal, in the world, as an array (3,).");
     nb::class_<PythonDragEvent>(module, "DragEvent", doc("DragEvent"))
         .def_ro("begins", &PythonDragEvent::begins, "False for a contact that has ended.")
         .def_ro("body", &PythonDragEvent::body, "Name of the other body.")
         .def_ro("contact", &PythonDragEvent::contact, doc("DragEvent.contact"));
+}
+
+void bind_lock(nb::module_& module) {
+    nb::class_<DragLock>(module, "DragLock", lock_doc)
+        .def(
+            "__init__",
+            [](DragLock* lock, const std::string& kind, nb::handle direction, nb::handle point) {
+                new (lock) DragLock{lock_kind(kind), vector_from(direction, "direction"), vector_from(point, "point")};
+            },
+            "kind"_a, "direction"_a = nb::make_tuple(0, 0, 1), "point"_a = nb::make_tuple(0, 0, 0),
+            nb::sig("def __init__(self, kind: str, direction: numpy.typing.ArrayLike = (0, 0, 1), point: "
+                    "numpy.typing.ArrayLike = (0, 0, 0)) -> None"))
+        .def_prop_ro(
+            "kind", [](const DragLock& lock) { return lock_kinds.at(std::size_t(lock.kind)); }, "As it was given.")
+        .def("__repr__", [](const DragLock& lock) {
+            return fmt::format("<chasles.DragLock: {}>", lock_kinds.at(std::size_t(lock.kind)));
+        });
 }
 
 void bind_step(nb::module_& module) {
@@ -181,9 +255,12 @@ void bind_step(nb::module_& module) {
                      doc("DragStep.contacts"))
         .def_prop_ro("events", events_of, nb::sig("def events(self) -> list[DragEvent]"),
                      "Contacts that were not there after the update before, or are no longer there.")
-        .def_prop_ro("wrench", wrench_of, nb::sig("def wrench(self) -> numpy.typing.NDArray[numpy.float64]"),
-                     "What the contacts push the hand with, in the world, as an array (6,): the sum of their forces, "
-                     "and the\ntorque about the body's origin.")
+        .def_prop_ro(
+            "wrench", [](const PythonStep& s) { return wrench_of(s.step.force, s.step.torque); },
+            nb::sig("def wrench(self) -> numpy.typing.NDArray[numpy.float64]"),
+            "What the contacts push the hand with, in the world, as an array (6,): the sum of their forces, "
+            "friction\nincluded, and the torque about the body's origin. What a lock takes is not a part of "
+            "it.")
         .def_prop_ro(
             "distance", [](const PythonStep& s) { return s.step.distance; }, doc("DragStep.distance"))
         .def_prop_ro(
@@ -212,15 +289,24 @@ void bind_step(nb::module_& module) {
 
 void bind_drag(nb::module_& module) {
     bind_parts(module);
+    bind_lock(module);
     bind_step(module);
     nb::class_<PythonDraggedBody>(module, "DraggedBody", body_doc)
-        .def("__init__", make, "scene"_a, "name"_a, nb::kw_only(), "margin"_a = 0.0, "reach"_a = 0.0,
-             "stiffness"_a = 1.0, "rounds"_a = 8, nb::keep_alive<1, 2>())
+        .def(
+            "__init__",
+            [](PythonDraggedBody* body, PythonScene& scene, const std::string& name, double margin, double reach,
+               double stiffness, int rounds, double friction, const std::optional<DragLock>& lock) {
+                make(body, scene, name, {margin, reach, stiffness, friction, rounds}, lock);
+            },
+            "scene"_a, "name"_a, nb::kw_only(), "margin"_a = 0.0, "reach"_a = 0.0, "stiffness"_a = 1.0, "rounds"_a = 8,
+            "friction"_a = 0.0, "lock"_a = nb::none(), nb::keep_alive<1, 2>())
         .def("update", &PythonDraggedBody::update, "goal"_a, "seconds"_a = 0.0,
              nb::sig("def update(self, goal: numpy.typing.ArrayLike, seconds: float = 0.0) -> DragStep"), update_doc)
         .def("follow", &PythonDraggedBody::follow, "goals"_a, "seconds"_a = 0.0,
              nb::sig("def follow(self, goals: numpy.typing.ArrayLike, seconds: float = 0.0) -> list[DragStep]"),
              follow_doc)
+        .def("force", &PythonDraggedBody::force, "goal"_a,
+             nb::sig("def force(self, goal: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]"), force_doc)
         .def_prop_ro("pose", &PythonDraggedBody::pose, nb::sig("def pose(self) -> numpy.typing.NDArray[numpy.float64]"),
                      "The present pose, as an array (4, 4).")
         .def_prop_ro(

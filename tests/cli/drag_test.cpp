@@ -57,6 +57,31 @@ TEST_F(DragCommand, WritesPosesAndForces) {
     EXPECT_EQ(rows[2][15], 0);
 }
 
+/// The cube is pressed by 0.501, and so lags by a half of that.
+TEST_F(DragCommand, FrictionHoldsBack) {
+    write("goals.csv", "x,y,z,qw,qx,qy,qz\n0,0,-0.5,1,0,0,0\n0,0.2,-0.5,1,0,0,0\n0,0.75,-0.5,1,0,0,0\n");
+    EXPECT_EQ(run("drag scene.json --body box --goals goals.csv --out out.csv --margin 0.001 --friction .5").status, 1);
+    const auto rows = this->rows("out.csv");
+    ASSERT_EQ(rows.size(), 3U);
+    EXPECT_EQ(rows[1][2], 0);
+    EXPECT_NEAR(rows[1][10], -0.2, 1e-6);
+    EXPECT_NEAR(rows[2][2], 0.75 - 0.501 / 2, 1e-6);
+    EXPECT_NEAR(rows[2][10], -0.501 / 2, 1e-6);
+}
+
+TEST_F(DragCommand, ALockLeavesALine) {
+    write("goals.csv", "x,y,z,qw,qx,qy,qz\n1,3,2,1,0,0,0\n-5,1,-1,1,0,0,0.3\n");
+    EXPECT_EQ(
+        run("drag scene.json --body box --goals goals.csv --out out.csv --lock slider --lock-axis \"-1 0 0\"").status,
+        0);
+    const auto rows = this->rows("out.csv");
+    ASSERT_EQ(rows.size(), 2U);
+    EXPECT_NEAR(rows[0][1], 1, 1e-12);
+    EXPECT_NEAR(rows[1][1], -5, 1);
+    for (const auto& row : rows)
+        EXPECT_NEAR(std::abs(row[2]) + std::abs(row[3] - 1), 0, 1e-12);
+}
+
 TEST_F(DragCommand, WritesAPageToo) {
     const auto result = run("drag scene.json --body box --goals goals.csv --out out.csv --page page.html");
     if (result.err.find("this build has no viewer") != std::string::npos)
@@ -80,6 +105,12 @@ TEST_F(DragCommand, RefusesWhatItCannotUse) {
               "chasles: scene: nut: is not in the scene");
     EXPECT_EQ(error_line("drag scene.json --body box --goals goals.csv --out out.csv --margin -1"),
               "chasles: drag: margin: must be in (0, 1e30], or 0 for the default");
+    EXPECT_EQ(error_line("drag scene.json --body box --goals goals.csv --out out.csv --friction -1"),
+              "chasles: drag: friction: must be in [0, 100]");
+    EXPECT_EQ(error_line("drag scene.json --body box --goals goals.csv --out out.csv --lock hinge --lock-axis '0 0 0'"),
+              "chasles: drag: lock: the direction must be finite and not zero");
+    EXPECT_NE(error_line("drag scene.json --body box --goals goals.csv --out out.csv --lock door").find("--lock"),
+              std::string::npos);
     write("moving.json", R"({"bodies": [{"name": "box", "mesh": "cube.obj"},
                                         {"name": "other", "mesh": "cube.obj", "pose": [5, 0, 0], "goal": [3, 0, 0]}]})");
     EXPECT_EQ(error_line("drag moving.json --body box --goals goals.csv --out out.csv"),

@@ -1,0 +1,179 @@
+#include "chasles/manipulation/friction.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <vector>
+
+namespace chasles::manipulation {
+
+namespace {
+
+/// What remains of the wish is rounding, or not worth another iteration.
+constexpr double negligible = 0x1p-28;
+constexpr double cone_rounding = 0x1p-32;
+constexpr int most_cuts = 100;
+constexpr int most_rounds = 30;
+
+/// The convex problem: the twist nearest to a wish, |v - wish|_M, for which n v + gap >= coefficient * |T v| at each
+/// contact. Its cones are approached by planes, each of which touches its cone at the twist that the planes before have
+/// left.
+class ConeTwist {
+public:
+    explicit ConeTwist(const FrictionProblem& problem)
+        : problem_(problem), inverse_(problem.metric), scales_(problem.normals.rows.rows()) {
+        for (Eigen::Index i = 0; i < scales_.size(); ++i) {
+            const double normal = inverse_.matrixL().solve(problem.normals.rows.row(i).transpose()).norm();
+            scales_[i] = cone_rounding * normal * (1 + problem.coefficient);
+        }
+    }
+
+    /// The planes of the last call that push are kept for the next one.
+    FrictionForces solve(const Eigen::VectorXd& gaps, const Twist& wish) {
+        const double length = std::sqrt(wish.dot(problem_.metric * wish));
+        AdmissibleTwist answer{wish, Eigen::VectorXd()};
+        for (int i = 0; i < most_cuts; ++i) {
+            answer = admissible_twist(constraints(gaps), problem_.metric, wish);
+            // not the answer's twist, which is at rest where rounding violates a plane
+            answer.twist = wish + inverse_.solve(answer.wrench);
+            if (!cut(answer, gaps, length))
+                break;
+        }
+        return forces_of(answer);
+    }
+
+private:
+    /// A plane at the cone of a contact.
+    struct Cut {
+        Eigen::Index contact = 0;
+        Eigen::Vector2d friction = Eigen::Vector2d::Zero(); ///< its direction; of length 1, or 0 at the tip of the cone
+    };
+
+    [[nodiscard]] Eigen::Vector2d sliding(Eigen::Index contact, const Twist& twist) const {
+        return problem_.tangents.middleRows<2>(2 * contact) * twist;
+    }
+
+    [[nodiscard]] TwistConstraints constraints(const Eigen::VectorXd& gaps) const {
+        const auto count = Eigen::Index(cuts_.size());
+        TwistConstraints planes{Rows(count, 6), Eigen::VectorXd(count)};
+        for (Eigen::Index k = 0; k < count; ++k) {
+            const auto& [contact, friction] = cuts_[std::size_t(k)];
+            planes.rows.row(k) =
+                problem_.normals.rows.row(contact) +
+                problem_.coefficient * (friction.transpose() * problem_.tangents.middleRows<2>(2 * contact));
+            planes.gaps[k] = gaps[contact];
+        }
+        return planes;
+    }
+
+    /// Adds planes where the twist leaves the cones, and drops those that do not push. False if it leaves none.
+    bool cut(const AdmissibleTwist& answer, const Eigen::VectorXd& gaps, double length) {
+        std::vector<Cut> added;
+        for (Eigen::Index i = 0; i < gaps.size(); ++i) {
+            const Eigen::Vector2d slide = sliding(i, answer.twist);
+            const double left = problem_.normals.rows.row(i).dot(answer.twist) + gaps[i];
+            if (problem_.coefficient * slide.norm() - left > scales_[i] * length)
+                added.push_back({i, -slide.stableNormalized()});
+        }
+        if (added.empty())
+            return false;
+        std::size_t k = 0;
+        std::erase_if(cuts_, [&](const Cut&) { return !(answer.multipliers[Eigen::Index(k++)] > 0); });
+        cuts_.insert(cuts_.end(), added.begin(), added.end());
+        return true;
+    }
+
+    [[nodiscard]] FrictionForces forces_of(const AdmissibleTwist& answer) const {
+        FrictionForces forces{answer.twist, Eigen::VectorXd::Zero(scales_.size()),
+                              Eigen::VectorXd::Zero(2 * scales_.size())};
+        for (Eigen::Index k = 0; k < answer.multipliers.size(); ++k) {
+            const auto& [contact, friction] = cuts_[std::size_t(k)];
+            forces.normal[contact] += answer.multipliers[k];
+            forces.tangential.segment<2>(2 * contact) += problem_.coefficient * answer.multipliers[k] * friction;
+        }
+        return forces;
+    }
+
+    const FrictionProblem& problem_;
+    Eigen::LLT<Metric> inverse_;
+    Eigen::VectorXd scales_; ///< of what is rounding, for a wish of length 1
+    std::vector<Cut> cuts_;
+};
+
+/// Anderson's acceleration of x -> f(x), for few unknowns.
+class Acceleration {
+public:
+    /// The next x, after x has led to f(x).
+    Twist next(const Twist& x, const Twist& image) {
+        const Twist residual = image - x;
+        if (has_last_)
+            remember(residual - last_residual_, image - last_image_);
+        last_residual_ = residual;
+        last_image_ = image;
+        has_last_ = true;
+        if (count_ == 0)
+            return image;
+        const Eigen::Index used = std::min<Eigen::Index>(count_, memory);
+        const Eigen::VectorXd weights = residuals_.leftCols(used).completeOrthogonalDecomposition().solve(residual);
+        return image - images_.leftCols(used) * weights;
+    }
+
+private:
+    static constexpr Eigen::Index memory = 6;
+    void remember(const Twist& residual, const Twist& image) {
+        residuals_.col(count_ % memory) = residual;
+        images_.col(count_ % memory) = image;
+        ++count_;
+    }
+
+    using History = Eigen::Matrix<double, 6, memory>;
+    History residuals_ = History::Zero(), images_ = History::Zero(); ///< differences
+    Twist last_residual_ = Twist::Zero(), last_image_ = Twist::Zero();
+    Eigen::Index count_ = 0;
+    bool has_last_ = false;
+};
+
+/// How far each contact slides.
+Eigen::VectorXd slides(const FrictionProblem& problem, const Twist& twist) {
+    const Eigen::VectorXd along = problem.tangents * twist;
+    Eigen::VectorXd lengths(along.size() / 2);
+    for (Eigen::Index i = 0; i < lengths.size(); ++i)
+        lengths[i] = along.segment<2>(2 * i).norm();
+    return lengths;
+}
+
+} // namespace
+
+FrictionForces holding_forces(const FrictionProblem& problem, const Twist& wish) {
+    return ConeTwist(problem).solve(Eigen::VectorXd::Zero(problem.normals.gaps.size()), wish);
+}
+
+bool is_held(const FrictionProblem& problem, const FrictionForces& holding, const Twist& wish) {
+    const double left = holding.twist.dot(problem.metric * holding.twist);
+    return left <= negligible * negligible * wish.dot(problem.metric * wish);
+}
+
+FrictionForces sliding_forces(const FrictionProblem& problem, const Twist& wish) {
+    const double tolerance = negligible * std::sqrt(wish.dot(problem.metric * wish));
+    ConeTwist cones(problem);
+    Acceleration acceleration;
+    Twist slid = Twist::Zero();
+    FrictionForces forces;
+    for (int i = 0; i < most_rounds; ++i) {
+        // the cones, opened by as much as the sliding would lift the body
+        forces = cones.solve(problem.normals.gaps + problem.coefficient * slides(problem, slid), wish);
+        const Twist change = forces.twist - slid;
+        forces.has_converged = std::sqrt(change.dot(problem.metric * change)) <= tolerance;
+        if (forces.has_converged)
+            break;
+        slid = acceleration.next(slid, forces.twist);
+    }
+    return forces;
+}
+
+Twist changed_wish(const FrictionProblem& problem, const FrictionForces& forces, const Twist& wish) {
+    return wish + problem.metric.llt().solve(problem.tangents.transpose() * forces.tangential);
+}
+
+} // namespace chasles::manipulation
