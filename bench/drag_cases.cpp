@@ -31,6 +31,11 @@ Found box_on_a_plate() {
     return DragCase{"", peg({4, 1, 1}), peg({4, 5, 1}), at(0, 0, 2), at(0, 0, 0.9), 0.3, 0.1};
 }
 
+/// The hand goes through the plate and back.
+Found box_at_a_thin_plate() {
+    return DragCase{"", peg({4, 1, 1}), peg({4, 5, 0.02}), at(0, 0, 1), at(0, 0, 0), 3, 0.5};
+}
+
 Found peg_in_its_hole() {
     return DragCase{"", peg({64, 1, 3}), plate_with_hole({64, 3, 2}, 1.01), at(0, 0, -0.5), at(0, 0, -0.5), 0.3, 0.05};
 }
@@ -107,6 +112,7 @@ struct Entry {
 
 constexpr Entry entries[] = {
     {"box on a plate", box_on_a_plate},
+    {"box at a thin plate", box_at_a_thin_plate},
     {"peg of 64 sides in its hole", peg_in_its_hole},
     {"nut on its bolt", nut_on_its_bolt},
     {"gear at a gear", gear_at_a_gear},

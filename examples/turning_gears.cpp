@@ -30,7 +30,7 @@ constexpr double bearing = 0.1; // radius of a bore less that of its pin
 constexpr chasles::scenes::SpurGear first{.teeth = 18, .play = 0.4, .bore_radius = pin + bearing};
 constexpr chasles::scenes::SpurGear second{.teeth = 27, .play = 0.4, .bore_radius = pin + bearing};
 constexpr double step_angle = 4 * degree; // of the hand before the first gear
-constexpr int updates = 30;
+constexpr int updates = 20;
 
 /// On a pin, turned about it, and pressed a little on the ground.
 Pose on_pin(const Vector3d& axis, double angle) {
