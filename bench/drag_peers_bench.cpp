@@ -3,8 +3,8 @@
 //
 // The hand gives 60 goals a second. Chasles makes one update of each; Bullet steps at 60, 240 and 1,000 Hz, with the
 // hand interpolated, tied by springs or rigidly. Judges share no code with either: FCL for overlaps, and
-// bench/penetration.h for depths (of closed bodies; vertices in the other body only, so a lower bound) and for a point
-// inside of the body that goes through the surface of the other one. Depths are shares of the body's diagonal.
+// bench/penetration.h for depths (of closed bodies; vertices in the other body only, so a lower bound) and for points
+// of the body that end up on the other side of a surface. Depths are shares of the body's diagonal.
 //
 //     drag_peers_bench [--seconds=5] [--only=SCENE]
 #include "bench/bullet_hand.h"
@@ -15,6 +15,7 @@
 #include "tests/data/fcl_model.h"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -31,23 +32,25 @@ using Eigen::Quaterniond;
 using Eigen::Vector3d;
 
 constexpr int goals_a_second = 60;
+constexpr int samples_of_piece = 4;
 
 /// How a scene is put to Bullet and to the judges.
 struct PeerScene {
     std::string_view name;
     bool is_convex = false; ///< the dragged body
+    bool has_core = false;  ///< the middle of its box is inside of it
     double pitch = 0;       ///< of a thread about z; 0: none
     double play = 0;        ///< along the thread
 };
 
-constexpr PeerScene scenes_of_peers[] = {{"box on a plate", true},
-                                         {"box at a thin plate", true},
-                                         {"peg of 64 sides in its hole", true},
-                                         {"key in a maze"},
+constexpr PeerScene scenes_of_peers[] = {{"box on a plate", true, true},
+                                         {"box at a thin plate", true, true},
+                                         {"peg of 64 sides in its hole", true, true},
+                                         {"key in a maze", false, true},
                                          {"piano in a house"},
-                                         {"bunny on bunny"},
-                                         {"nut on its bolt", false, 2, 0.06},
-                                         {"M16 nut, loose", false, 0.002, 1.8e-4}};
+                                         {"nut on its bolt", false, false, 2, 0.06},
+                                         {"M16 nut, loose", false, false, 0.002, 1.8e-4},
+                                         {"bunny on bunny", false, true}};
 
 /// What came of a hand.
 struct Outcome {
@@ -62,27 +65,36 @@ class Judge {
 public:
     Judge(const DragCase& hand, const PeerScene& scene)
         : hand_(hand), scene_(scene), moving_model_(test::fcl_model_of(hand.moving)),
-          fixed_model_(test::fcl_model_of(hand.fixed)), moving_(hand.moving), fixed_(hand.fixed),
-          core_((hand.moving.report().lower + hand.moving.report().upper) / 2), last_(hand.start) {}
+          fixed_model_(test::fcl_model_of(hand.fixed)), moving_(hand.moving), fixed_(hand.fixed), last_(hand.start) {
+        const MeshReport box = hand.moving.report();
+        if (scene.has_core)
+            markers_.push_back({(box.lower + box.upper) / 2, 0, {}});
+        const std::size_t step = std::max<std::size_t>(1, hand.moving.vertex_count() / 6);
+        for (std::size_t i = 0; i < hand.moving.vertex_count() && !scene.has_core; i += step)
+            markers_.push_back({hand.moving.vertices()[i], 0, {}});
+        for (Marker& marker : markers_)
+            marker.last_free = hand.start.isometry() * marker.point;
+    }
 
     /// A pose between two goals, or at one.
-    void reached(const Pose& pose, double time, Outcome& outcome) {
-        if (scene_.pitch > 0)
-            turns_ += turns_between(last_, pose);
-        if (outcome.through_at < 0 && goes_through(pose))
-            outcome.through_at = time;
+    void reached(const Pose& pose) {
+        turns_ += turns_between(last_, pose);
+        for (Marker& marker : markers_)
+            marker.crossings += fixed_.crossings(last_.isometry() * marker.point, pose.isometry() * marker.point);
         last_ = pose;
     }
-    /// At a goal.
-    void judge(const Pose& pose, Outcome& outcome) const {
+    /// The last pose is at a goal.
+    void judge(double time, Outcome& outcome) {
         ++outcome.frames;
         fcl::CollisionRequestd request;
         fcl::CollisionResultd result;
-        fcl::collide(moving_model_.get(), pose.isometry(), fixed_model_.get(), fcl::Transform3d::Identity(), request,
+        fcl::collide(moving_model_.get(), last_.isometry(), fixed_model_.get(), fcl::Transform3d::Identity(), request,
                      result);
         outcome.overlaps += result.isCollision() ? 1 : 0;
+        if (outcome.through_at < 0 && is_through(result.isCollision()))
+            outcome.through_at = time;
         if (moving_.is_closed() && fixed_.is_closed())
-            outcome.deepest = std::max(outcome.deepest, penetration(hand_.moving, moving_, hand_.fixed, fixed_, pose));
+            outcome.deepest = std::max(outcome.deepest, penetration(hand_.moving, moving_, hand_.fixed, fixed_, last_));
     }
 
 private:
@@ -91,20 +103,39 @@ private:
         return std::remainder(2 * std::atan2(turn.z(), turn.w()), 2 * std::numbers::pi) / (2 * std::numbers::pi);
     }
 
-    /// A nut has slipped by half of a pitch; or the core of the body is behind a surface.
-    [[nodiscard]] bool goes_through(const Pose& pose) const {
+    struct Marker {
+        Vector3d point; ///< of the body
+        std::size_t crossings = 0;
+        Vector3d last_free; ///< its place when the bodies last did not overlap
+    };
+
+    bool is_through(bool is_overlapping) {
         if (scene_.pitch > 0) {
-            const double rise = pose.translation.z() - hand_.start.translation.z();
+            const double rise = last_.translation.z() - hand_.start.translation.z();
             return std::abs(rise - scene_.pitch * turns_) > scene_.play + 0.5 * scene_.pitch;
         }
-        return fixed_.is_crossed(last_.isometry() * core_, pose.isometry() * core_);
+        if (scene_.has_core)
+            return markers_.front().crossings > 0;
+        return !is_overlapping && has_changed_sides();
+    }
+
+    /// Whether a vertex has crossed the surface since the bodies last did not overlap, and not back the same way.
+    bool has_changed_sides() {
+        bool has_changed = false;
+        for (Marker& marker : markers_) {
+            const Vector3d here = last_.isometry() * marker.point;
+            has_changed = has_changed || (marker.crossings > 0 && fixed_.crossings(marker.last_free, here) > 0);
+            marker.crossings = 0;
+            marker.last_free = here;
+        }
+        return has_changed;
     }
 
     const DragCase& hand_;
     const PeerScene& scene_;
     std::shared_ptr<const test::FclModel> moving_model_, fixed_model_;
     Surface moving_, fixed_;
-    Vector3d core_;
+    std::vector<Marker> markers_;
     Pose last_;
     double turns_ = 0;
 };
@@ -143,8 +174,9 @@ Outcome drag_by_chasles(const DragCase& hand, const PeerScene& scene_of, double 
         const Pose goal = hand_at(hand, time);
         outcome.times.push_back(processor_milliseconds([&] { step = body.update(goal); }));
         for (const DragPiece& piece : step.pieces)
-            judge.reached(piece.motion.pose_at(piece.until), time, outcome);
-        judge.judge(step.pose, outcome);
+            for (int k = 1; k <= samples_of_piece; ++k)
+                judge.reached(piece.motion.pose_at(piece.until * k / samples_of_piece));
+        judge.judge(time, outcome);
     }
     return outcome;
 }
@@ -158,12 +190,11 @@ Outcome drag_by_bullet(const DragCase& hand, const PeerScene& scene_of, double s
         const double time = i / rate;
         const Pose goal = hand_at(hand, time);
         outcome.times.push_back(processor_milliseconds([&] { body.step(goal); }));
-        const Pose pose = body.pose();
-        judge.reached(pose, time, outcome);
+        judge.reached(body.pose());
         if (int(time * goals_a_second + 1e-9) == frames)
             continue;
         ++frames;
-        judge.judge(pose, outcome);
+        judge.judge(time, outcome);
     }
     return outcome;
 }

@@ -105,8 +105,9 @@ double Surface::depth(const Vector3d& point) const {
     return least;
 }
 
-bool Surface::is_crossed(const Vector3d& from, const Vector3d& to) const {
-    return std::ranges::any_of(triangles_, [&](const Corners& t) { return is_between(t, from, to); });
+std::size_t Surface::crossings(const Vector3d& from, const Vector3d& to) const {
+    const auto is_crossed = [&](const Corners& t) { return is_between(t, from, to); };
+    return std::size_t(std::ranges::count_if(triangles_, is_crossed));
 }
 
 double penetration(const Polyhedron& moving, const Surface& moving_surface, const Polyhedron& fixed,

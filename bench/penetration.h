@@ -1,4 +1,4 @@
-// How deep two bodies are in each other, and whether a point of one has gone through the surface of the other. Judges
+// How deep two bodies are in each other, and how often a point crosses a surface. Judges
 // answers; shares no code with them.
 #pragma once
 
@@ -18,8 +18,8 @@ public:
     /// How far a point inside is from the surface; 0 for a point outside. Inside is where a ray along z crosses the
     /// surface an odd number of times. The body has to be closed.
     [[nodiscard]] double depth(const Eigen::Vector3d& point) const;
-    /// Whether the segment crosses a triangle.
-    [[nodiscard]] bool is_crossed(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
+    /// How many triangles a segment crosses.
+    [[nodiscard]] std::size_t crossings(const Eigen::Vector3d& from, const Eigen::Vector3d& to) const;
     [[nodiscard]] bool is_closed() const { return is_closed_; }
 
 private:

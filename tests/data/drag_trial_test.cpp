@@ -17,6 +17,7 @@ struct Trial {
     int updates;      ///< in a test run
     int long_updates; ///< in the long one
     int samples;      ///< of FCL, at least, of a piece that is near a contact all the way
+    bool has_free_goals = true;
 };
 
 void PrintTo(const Trial& trial, std::ostream* out) {
@@ -79,30 +80,29 @@ TEST_P(DragTrial, NothingPenetratesAndNothingIsPassedThrough) {
     EXPECT_GT(tally.in_contact, 0.3 * tally.updates);
     EXPECT_GT(tally.sliding, 0.1 * tally.updates);
     if (tally.updates >= 200) {
-        EXPECT_GT(tally.reached, 0.03 * tally.updates);
+        EXPECT_GT(tally.reached, trial.has_free_goals ? 0.03 * tally.updates : -1);
         EXPECT_GT(tally.far, 0.005 * tally.updates);
         EXPECT_GT(tally.spins, 0.005 * tally.updates);
     }
 #endif
 }
 
-INSTANTIATE_TEST_SUITE_P(, DragTrial,
-                         testing::Values(Trial{"box on a plate", 300, 50000, 8},
-                                         Trial{"peg of 64 sides in its hole", 20, 3000, 3},
-                                         Trial{"nut on its bolt", 3, 400, 3}, Trial{"gear at a gear", 20, 3000, 3},
-                                         Trial{"key in a maze", 50, 15000, 4}, Trial{"bunny on bunny", 10, 3000, 4},
-                                         Trial{"piano in a house", 50, 16000, 4},
-                                         Trial{"round peg, loose", 10, 1500, 3}, Trial{"round peg, tight", 10, 1500, 3},
-                                         Trial{"rectangular peg, loose", 15, 3200, 3},
-                                         Trial{"rectangular peg, tight", 15, 3200, 3},
-                                         Trial{"M16 nut, loose", 2, 150, 2}, Trial{"M12 nut, tight", 2, 50, 2}),
-                         [](const auto& trial) {
-                             std::string name;
-                             for (const char letter : std::string(trial.param.name))
-                                 if (std::isalnum(static_cast<unsigned char>(letter)))
-                                     name += letter;
-                             return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    , DragTrial,
+    testing::Values(Trial{"box on a plate", 300, 50000, 8}, Trial{"peg of 64 sides in its hole", 20, 3000, 3},
+                    Trial{"nut on its bolt", 3, 400, 3, false}, Trial{"gear at a gear", 20, 3000, 3},
+                    Trial{"key in a maze", 50, 15000, 4}, Trial{"bunny on bunny", 10, 3000, 4},
+                    Trial{"piano in a house", 50, 16000, 4}, Trial{"round peg, loose", 10, 1500, 3},
+                    Trial{"round peg, tight", 10, 1500, 3}, Trial{"rectangular peg, loose", 15, 3200, 3},
+                    Trial{"rectangular peg, tight", 15, 3200, 3}, Trial{"M16 nut, loose", 2, 150, 2, false},
+                    Trial{"M12 nut, tight", 2, 50, 2, false}),
+    [](const auto& trial) {
+        std::string name;
+        for (const char letter : std::string(trial.param.name))
+            if (std::isalnum(static_cast<unsigned char>(letter)))
+                name += letter;
+        return name;
+    });
 
 } // namespace
 } // namespace chasles::test
