@@ -67,13 +67,12 @@ public:
         : hand_(hand), scene_(scene), moving_model_(test::fcl_model_of(hand.moving)),
           fixed_model_(test::fcl_model_of(hand.fixed)), moving_(hand.moving), fixed_(hand.fixed), last_(hand.start) {
         const MeshReport box = hand.moving.report();
+        const auto add = [&](const Vector3d& point) { markers_.push_back({point, 0, hand.start.isometry() * point}); };
         if (scene.has_core)
-            markers_.push_back({(box.lower + box.upper) / 2, 0, {}});
+            add((box.lower + box.upper) / 2);
         const std::size_t step = std::max<std::size_t>(1, hand.moving.vertex_count() / 6);
         for (std::size_t i = 0; i < hand.moving.vertex_count() && !scene.has_core; i += step)
-            markers_.push_back({hand.moving.vertices()[i], 0, {}});
-        for (Marker& marker : markers_)
-            marker.last_free = hand.start.isometry() * marker.point;
+            add(hand.moving.vertices()[i]);
     }
 
     /// A pose between two goals, or at one.
