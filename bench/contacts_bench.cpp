@@ -8,6 +8,7 @@
 #include "bench/generated_bodies.h"
 #include "chasles/chasles.h"
 #include "chasles/mesh/body.h"
+#include "scenes/spur_gear.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -128,7 +129,7 @@ void run_flat(int times) {
 int run_all(int count) {
     std::printf("%-14s %-38s %10s %10s %7s %9s %6s %6s %12s\n", "body", "family", "first, us", "all, us", "ratio",
                 "contacts", "slow", "cut", "worst, us");
-    std::vector<NamedBody> bodies{{"torus 4k", bumpy_torus(61, 30)}, {"gear", gear({})}, large_body()};
+    std::vector<NamedBody> bodies{{"torus 4k", bumpy_torus(61, 30)}, {"gear", scenes::spur_gear({})}, large_body()};
     if (const auto small = small_gear())
         bodies.push_back({"small gear", *small});
     for (const NamedBody& body : bodies)

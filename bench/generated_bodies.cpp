@@ -4,7 +4,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <utility>
 
 namespace chasles::bench {
@@ -75,52 +74,6 @@ void join(Mesh& mesh, const std::vector<std::uint32_t>& from, const std::vector<
     }
 }
 
-/// The angle between the middle of a tooth and its flank, at a radius.
-double half_tooth(const Gear& gear, double radius) {
-    const double pitch_radius = gear.pitch_radius();
-    const double pressure = 20 * std::numbers::pi / 180;
-    const auto involute = [&](double at) {
-        const double angle = std::acos(pitch_radius * std::cos(pressure) / at);
-        return std::tan(angle) - angle;
-    };
-    const double thickness = 0.5 * (std::numbers::pi * gear.module - gear.play);
-    return 0.5 * thickness / pitch_radius + involute(pitch_radius) - involute(radius);
-}
-
-/// The flank of a tooth from the root to the tip: radius, and angle from the tooth's middle.
-std::vector<std::pair<double, double>> flank(const Gear& gear) {
-    constexpr int chords = 8;
-    const double base = gear.pitch_radius() * std::cos(20 * std::numbers::pi / 180);
-    const double tip = gear.pitch_radius() + gear.module;
-    std::vector<std::pair<double, double>> points{
-        {gear.pitch_radius() - 1.25 * gear.module, 1.02 * half_tooth(gear, base)}};
-    for (int i = 0; i <= chords; ++i) {
-        const double radius = base + (tip - base) * i / chords;
-        points.emplace_back(radius, half_tooth(gear, radius));
-    }
-    return points;
-}
-
-/// Adds the outline of a gear, or a hole of the given radius with corners at the same angles. Both run
-/// counter-clockwise when viewed from above.
-std::vector<std::uint32_t> add_outline(Mesh& mesh, const Gear& gear, std::optional<double> hole, double height) {
-    const auto half = flank(gear);
-    std::vector<std::uint32_t> ring;
-    const auto add = [&](double radius, double angle) {
-        ring.push_back(std::uint32_t(mesh.vertices.size()));
-        const double at = hole.value_or(radius);
-        mesh.vertices.emplace_back(at * std::cos(angle), at * std::sin(angle), height);
-    };
-    for (std::size_t tooth = 0; tooth < gear.teeth; ++tooth) {
-        const double middle = 2 * std::numbers::pi * double(tooth) / double(gear.teeth);
-        for (auto point = half.begin(); point != half.end(); ++point)
-            add(point->first, middle - point->second);
-        for (auto point = half.rbegin(); point != half.rend(); ++point)
-            add(point->first, middle + point->second);
-    }
-    return ring;
-}
-
 /// Adds the prism between two outlines and two holes.
 void join_all(Mesh& mesh, const std::array<std::vector<std::uint32_t>, 4>& rings) {
     for (std::size_t i = 0; i < 4; ++i)
@@ -168,17 +121,6 @@ Polyhedron plate_with_hole(const Prism& plate, double hole_radius) {
     const auto top = add_ring(mesh, plate.sides, plate.radius, plate.height);
     const auto hole_top = add_ring(mesh, plate.sides, hole_radius, plate.height);
     const auto hole_bottom = add_ring(mesh, plate.sides, hole_radius, 0);
-    join_all(mesh, {bottom, top, hole_top, hole_bottom});
-    return Polyhedron::from_polygons(mesh.vertices, mesh.faces);
-}
-
-Polyhedron gear(const Gear& size) {
-    Mesh mesh;
-    const double hole = 0.5 * size.pitch_radius();
-    const auto bottom = add_outline(mesh, size, {}, 0);
-    const auto top = add_outline(mesh, size, {}, size.width);
-    const auto hole_top = add_outline(mesh, size, hole, size.width);
-    const auto hole_bottom = add_outline(mesh, size, hole, 0);
     join_all(mesh, {bottom, top, hole_top, hole_bottom});
     return Polyhedron::from_polygons(mesh.vertices, mesh.faces);
 }

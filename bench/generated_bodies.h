@@ -22,17 +22,4 @@ Polyhedron peg(const Prism& size);
 /// A prism with a prismatic through hole of another radius and the same corner angles, for a peg.
 Polyhedron plate_with_hole(const Prism& plate, double hole_radius);
 
-/// A spur gear about z with a through hole and its lower face in z = 0. One tooth points along x.
-struct Gear {
-    std::size_t teeth = 20;
-    double module = 1; ///< pitch diameter divided by the number of teeth
-    double width = 4;
-    double play = 0.2; ///< backlash of two equal gears; the pitch is pi times the module
-
-    [[nodiscard]] double pitch_radius() const { return 0.5 * module * double(teeth); }
-};
-
-/// Flanks are involutes with a pressure angle of 20 degrees. Chords make the teeth thinner, never thicker.
-Polyhedron gear(const Gear& size);
-
 } // namespace chasles::bench

@@ -12,6 +12,7 @@
 #include "bench/timings.h"
 #include "chasles/chasles.h"
 #include "chasles/mesh/body.h"
+#include "scenes/spur_gear.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -124,7 +125,7 @@ int run_all(int count) {
     std::printf("%-12s %-26s %10s %10s %7s %7s %8s %5s %12s %12s %8s %8s\n", "body", "family", "least, us",
                 "margin, us", "ratio", "worst", "touching", "wide", "worst, us", "FCL, us", "too far", "most");
     std::vector<NamedBody> bodies{
-        {"box", peg({4, 1, 1})}, {"torus 4k", bumpy_torus(61, 30)}, {"gear", gear({})}, large_body()};
+        {"box", peg({4, 1, 1})}, {"torus 4k", bumpy_torus(61, 30)}, {"gear", scenes::spur_gear({})}, large_body()};
     if (const auto small = small_gear())
         bodies.push_back({"small gear", *small});
     for (const NamedBody& body : bodies)

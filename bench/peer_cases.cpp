@@ -6,6 +6,7 @@
 #include "bench/generated_bodies.h"
 #include "chasles/query/first_contact.h"
 #include "scenes/nut_motions.h"
+#include "scenes/spur_gear.h"
 #include "scenes/threaded_fastener.h"
 
 #include <algorithm>
@@ -333,9 +334,9 @@ void add_gears(std::vector<PeerCase>& cases, const std::string& name, GearPair p
 }
 
 void add_gears(std::vector<PeerCase>& cases) {
-    const Gear size;
+    const scenes::SpurGear size;
     add_gears(cases, "own gears",
-              {gear(size), Vector3d::Zero(), 2 * size.pitch_radius(), 2 * pi / double(size.teeth),
+              {scenes::spur_gear(size), Vector3d::Zero(), 2 * size.pitch_radius(), 2 * pi / double(size.teeth),
                size.play / size.pitch_radius(), 0});
     if (const auto small = small_gear()) {
         // The axes are half a millimetre farther apart than necessary, as are the shafts of their base.
