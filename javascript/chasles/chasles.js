@@ -92,6 +92,7 @@ export class Chasles {
   }
 
   /** A body that another instance sent. */
+  // For the package itself.
   static adopt(chasles, copy) {
     return Polyhedron.ofCopy(chasles.#border, copy);
   }
