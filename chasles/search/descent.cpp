@@ -44,9 +44,9 @@ private:
 
 /// The ends are in order and the rates at them have different signs, so that the solver reports no error. A policy that
 /// could report one would bring streams and locales into every program.
-using NoErrors = boost::math::policies::policy<
-    boost::math::policies::domain_error<boost::math::policies::ignore_error>,
-    boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
+using NoErrors =
+    boost::math::policies::policy<boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+                                  boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
 
 /// Goes downhill from `tau` in growing steps until the distance grows, then to the minimum in the last step.
 void descend(Approach& approach, double tau) {

@@ -128,7 +128,8 @@ Json Answerer::path_json(const Json& json) const {
     for (std::size_t i = 0; i + 1 < poses.size(); ++i)
         query.motions.push_back(between(json, poses[i], poses[i + 1]).motion);
     const PathContact found = first_contact_on_path(query);
-    Json answer = view::answer_json(found.contact, between(json, poses[found.segment], poses[found.segment + 1]).numbers);
+    Json answer =
+        view::answer_json(found.contact, between(json, poses[found.segment], poses[found.segment + 1]).numbers);
     answer["segment"] = found.segment;
     return answer;
 }
