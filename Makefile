@@ -11,13 +11,15 @@ TIDY = algebra base hierarchy io mesh
 empty :=
 one_of = ^($(subst $(empty) ,|,$(strip $(1))))$$
 
-.PHONY: help demo quick check python-check facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core format clean
+.PHONY: help demo quick check python-check wasm wasm-check facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
 	@echo "make quick    build and run the unit tests of the layers, without the slow ones: a minute where little has changed"
 	@echo "make check    install what is missing, build with checks, and run every test"
 	@echo "make python-check  install the Python package into a fresh environment and run its tests"
+	@echo "make wasm     build the npm package: the library for WebAssembly, in build/wasm/package"
+	@echo "make wasm-check  build and pack it, install it into an empty project, and run its tests there"
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
 	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
@@ -54,6 +56,16 @@ quick:
 python-check:
 	@tools/install_dependencies.sh python
 	tools/python_check.sh
+
+wasm:
+	@tools/install_dependencies.sh wasm
+	cmake --preset wasm
+	cmake --build --preset wasm -j $(JOBS)
+
+wasm-check: wasm
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS) --target chasles_native_answers
+	tools/wasm_check.sh build/wasm/package build/dev/bin/chasles_native_answers
 
 facts:
 	@tools/install_dependencies.sh check

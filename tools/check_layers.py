@@ -33,11 +33,12 @@ MAY_INCLUDE = {
     "view": [],
     "cli": ["base", "io", "robot", "scenes", "view"],
     "python": ["base", "motion", "io", "view"],
+    "javascript": ["base", "motion", "io", "view"],
     "ompl": [],
 }
-FACES = ["scenes", "view", "cli", "python", "ompl"]  # beside chasles/, not in it; they may include the public headers
+FACES = ["scenes", "view", "cli", "python", "javascript", "ompl"]  # beside chasles/, not in it; they may include the public headers
 SURFACE = "chasles/chasles.h"
-MAY_INCLUDE_SURFACE = ["scenes", "view", "cli", "python", "tests", "bench", "examples"]
+MAY_INCLUDE_SURFACE = ["scenes", "view", "cli", "python", "javascript", "tests", "bench", "examples"]
 FREE = ["tests", "bench"]  # may include any layer, but by the same names
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

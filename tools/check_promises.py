@@ -18,7 +18,7 @@ import pathlib
 import re
 import sys
 
-SOURCES = ["chasles", "cli", "view", "viewer", "scenes", "python", "tests", "bench", "tools", "examples", "cmake"]
+SOURCES = ["chasles", "cli", "view", "viewer", "scenes", "python", "javascript", "tests", "bench", "tools", "examples", "cmake"]
 BUILD_FILES = ["Makefile", "CMakeLists.txt", "CMakePresets.json", "pyproject.toml"]
 NOT_OURS = {"node_modules", "__pycache__", "corpus"}
 PROMISES = "docs/promises.md"
@@ -61,7 +61,7 @@ class Tree:
                 continue
             if path.suffix == ".cpp":
                 self.tests.update(TEST.findall(text))
-            if path.suffix in [".h", ".inl", ".cpp", ".ts"]:
+            if path.suffix in [".h", ".inl", ".cpp", ".ts", ".js", ".mjs"]:
                 text = LINE_COMMENT.sub("", text)
             if path.name not in own:
                 self.words.append({*WORD.findall(text), *WORD.findall(path.relative_to(root).as_posix())})

@@ -4,7 +4,7 @@
 #   install_dependencies.sh [GROUP...]           what the make targets of these names need (default: install)
 #   install_dependencies.sh --list [GROUP...]    prints the packages instead
 #
-# Groups: demo, install, check, fuzz, python, bench, tidy, format.
+# Groups: demo, install, check, fuzz, python, wasm, bench, tidy, format.
 set -eu
 
 clang_version=$(cat "$(dirname "$0")/clang-tools-version")
@@ -62,6 +62,11 @@ add_group() {
             add_install
             add python3-venv python3-dev
             ;;
+        # The compiler comes from the package index; the native answers to compare with are built with the tests.
+        wasm)
+            add_group check
+            add python3-venv
+            ;;
         # Highway is what the lanes are compared with, FCL and Bullet what whole queries are; other peers are brought by
         # Python and Rust.
         bench)
@@ -72,7 +77,7 @@ add_group() {
         tidy) add "clang-tidy-$clang_version" ;;
         format) add "clang-format-$clang_version" ;;
         *)
-            echo "install_dependencies.sh: unknown group \"$1\" (known: demo, install, check, fuzz, python, bench, tidy, format)" >&2
+            echo "install_dependencies.sh: unknown group \"$1\" (known: demo, install, check, fuzz, python, wasm, bench, tidy, format)" >&2
             exit 2
             ;;
     esac

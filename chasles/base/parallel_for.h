@@ -1,16 +1,42 @@
 // Runs independent pieces of work on several threads. The results do not depend on the number of threads.
-// This file is not part of the public interface.
+// This file is not part of the public interface. A build with CHASLES_ONE_THREAD (a machine without threads, as
+// WebAssembly) needs neither oneTBB nor locks; this file is the only one that knows.
 #pragma once
 
 #include <algorithm>
 #include <cstddef>
+#include <vector>
+
+#if !defined(CHASLES_ONE_THREAD)
+#include <mutex>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/info.h>
 #include <oneapi/tbb/parallel_for.h>
 #include <oneapi/tbb/task_arena.h>
-#include <vector>
+#endif
 
 namespace chasles {
+
+#if defined(CHASLES_ONE_THREAD)
+
+/// There is no other thread to lock out.
+struct Mutex {};
+struct Lock {
+    explicit Lock(Mutex& /*mutex*/) {}
+};
+
+/// Calls work(0, count) if count is not 0.
+template <typename Work>
+void parallel_for(unsigned /*threads*/, std::size_t count, const Work& work) {
+    if (count > 0)
+        work(std::size_t{0}, count);
+}
+
+#else
+
+/// What one thread at a time may hold, by a Lock.
+using Mutex = std::mutex;
+using Lock = std::lock_guard<std::mutex>;
 
 /// Calls work(begin, end) for ranges that together make up [0, count), concurrently on at most `threads` threads (0:
 /// all cores). If count is 1, the calling thread does the work.
@@ -29,6 +55,8 @@ void parallel_for(unsigned threads, std::size_t count, const Work& work) {
         oneapi::tbb::parallel_for(Range(0, count, 1), [&](const Range& range) { work(range.begin(), range.end()); });
     });
 }
+
+#endif
 
 /// Calls work(index, begin, end) for consecutive chunks of [0, count) with `piece` elements each. The chunks do not
 /// depend on the number of threads.

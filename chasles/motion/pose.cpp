@@ -3,11 +3,11 @@
 #include "chasles/motion/pose.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/motion/rational_motion.h"
 
 #include <Eigen/SVD>
 #include <cmath>
-#include <sstream>
 
 namespace chasles {
 
@@ -48,12 +48,10 @@ Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
 /// The nearest rotation in the Frobenius norm, by a singular value decomposition.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
     const double deviation = (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
-    if (!(deviation <= orthogonality_tolerance)) {
-        std::ostringstream message;
-        message << "pose: matrix: the 3x3 part is not a rotation (an entry of R^T R is off by " << deviation
-                << ", allowed are " << orthogonality_tolerance << ")";
-        throw InvalidInput(message.str());
-    }
+    if (!(deviation <= orthogonality_tolerance))
+        throw InvalidInput("pose: matrix: the 3x3 part is not a rotation (an entry of R^T R is off by " +
+                           number_text(deviation, 6) + ", allowed are " + number_text(orthogonality_tolerance, 6) +
+                           ")");
     if (matrix.determinant() < 0)
         throw InvalidInput("pose: matrix: the 3x3 part is a reflection (its determinant is negative)");
     if (deviation <= rounding_tolerance)

@@ -4,8 +4,6 @@
 #include "chasles/base/parallel_for.h"
 #include "chasles/query/batch.h"
 
-#include <mutex>
-
 namespace chasles::query {
 
 /// `answer(i)` for each of `count` questions, in order.
@@ -13,11 +11,11 @@ template <class A, class Answer>
 std::vector<A> all_answers(std::size_t count, const BatchOptions& options, Answer answer) {
     std::vector<A> results(count);
     std::size_t done = 0;
-    std::mutex reporting;
+    Mutex reporting;
     parallel_for(options.threads, count, [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
             results[i] = answer(i);
-        const std::lock_guard lock(reporting);
+        const Lock lock(reporting);
         done += end - begin;
         if (options.progress)
             options.progress(done);

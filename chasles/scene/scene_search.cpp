@@ -9,7 +9,6 @@
 #include <algorithm>
 #include <atomic>
 #include <iterator>
-#include <mutex>
 #include <numeric>
 #include <tuple>
 
@@ -64,7 +63,7 @@ private:
     const Scene& scene_;
     const SceneQuery& query_;
     std::vector<PairTask> tasks_;
-    std::mutex reporting_;
+    Mutex reporting_;
     std::size_t done_ = 0;
     std::atomic<bool> is_cancelled_ = false;
     Work work_;
@@ -97,7 +96,7 @@ std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double unti
 void SceneSearch::report_progress() {
     if (!query_.progress)
         return;
-    const std::lock_guard lock(reporting_);
+    const Lock lock(reporting_);
     ++done_;
     if (!is_cancelled_ && !query_.progress(done_, tasks_.size()))
         is_cancelled_ = true;

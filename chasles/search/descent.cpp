@@ -42,6 +42,12 @@ private:
     double least_ = std::numeric_limits<double>::infinity();
 };
 
+/// The ends are in order and the rates at them have different signs, so that the solver reports no error. A policy that
+/// could report one would bring streams and locales into every program.
+using NoErrors =
+    boost::math::policies::policy<boost::math::policies::domain_error<boost::math::policies::ignore_error>,
+                                  boost::math::policies::evaluation_error<boost::math::policies::ignore_error>>;
+
 /// Goes downhill from `tau` in growing steps until the distance grows, then to the minimum in the last step.
 void descend(Approach& approach, double tau) {
     constexpr int bits = 40;
@@ -56,7 +62,7 @@ void descend(Approach& approach, double tau) {
             const auto rate_at = [&](double time) { return approach.rate_at(time); };
             boost::math::tools::toms748_solve(rate_at, std::min(tau, next), std::max(tau, next),
                                               step > 0 ? rate : next_rate, step > 0 ? next_rate : rate,
-                                              boost::math::tools::eps_tolerance<double>(bits), most);
+                                              boost::math::tools::eps_tolerance<double>(bits), most, NoErrors());
             return;
         }
         tau = next;

@@ -1,0 +1,87 @@
+// Chooses the reader by the extension, and adds line numbers to what the mesh layer refuses.
+#include "chasles/io/mesh_bytes.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/text_scan.h"
+
+#include <new>
+
+namespace chasles::io {
+namespace {
+
+// "face 7: ..." from the mesh layer becomes "line 12: face 7: ...".
+std::string with_line(const std::string& why, const PolygonSoup& soup) {
+    Words words(why);
+    if (words.next() != "face")
+        return why;
+    const std::string_view number = words.next();
+    const auto face = parse_integer(number.substr(0, number.find(':')));
+    const bool has_line = face && *face >= 0 && static_cast<std::size_t>(*face) < soup.face_lines.size();
+    return has_line ? "line " + std::to_string(soup.face_lines[static_cast<std::size_t>(*face)]) + ": " + why : why;
+}
+
+// The part of a name from its last dot on; empty if there is none.
+std::string_view extension_of(std::string_view name) {
+    const std::size_t dot = name.rfind('.');
+    return dot == std::string_view::npos ? std::string_view() : name.substr(dot);
+}
+
+PolygonSoup read_without_name(std::string_view bytes, std::string_view extension) {
+    const Reader reader = reader_for(extension);
+    if (!reader)
+        throw InvalidInput("the extension is none of .obj, .off, .ply and .stl");
+    if (bytes.empty())
+        throw InvalidInput("is empty");
+    return with_faces(reader(bytes));
+}
+
+// `work()`; every failure becomes InvalidInput with the name at the start of the message.
+template <typename Work>
+auto with_name(const std::string& name, const Work& work) {
+    try {
+        return work();
+    } catch (const std::bad_alloc&) {
+        throw InvalidInput(name + ": does not fit into memory");
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(name + ": " + error.what());
+    }
+}
+
+} // namespace
+
+Reader reader_for(std::string_view extension) {
+    const std::string lower = lower_case(std::string(extension));
+    if (lower == ".obj")
+        return read_obj;
+    if (lower == ".off")
+        return read_off;
+    if (lower == ".ply")
+        return read_ply;
+    if (lower == ".stl")
+        return read_stl;
+    return nullptr;
+}
+
+PolygonSoup with_faces(PolygonSoup soup) {
+    if (soup.faces.empty())
+        throw InvalidInput("has no face; a mesh needs at least one");
+    return soup;
+}
+
+Polyhedron make_polyhedron(const PolygonSoup& soup, const PolyhedronOptions& options) {
+    try {
+        return Polyhedron::from_polygons(soup.vertices, soup.faces, options);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(with_line(error.what(), soup));
+    }
+}
+
+PolygonSoup read_polygons(std::string_view bytes, const std::string& name) {
+    return with_name(name, [&] { return read_without_name(bytes, extension_of(name)); });
+}
+
+Polyhedron read_polyhedron(std::string_view bytes, const std::string& name, const PolyhedronOptions& options) {
+    return with_name(name, [&] { return make_polyhedron(read_without_name(bytes, extension_of(name)), options); });
+}
+
+} // namespace chasles::io

@@ -1,0 +1,32 @@
+// Meshes from the content of a file, without the file: where there is no file system, and for files that were read
+// already.
+#pragma once
+
+#include "chasles/io/mesh_files.h"
+#include "chasles/mesh/polyhedron.h"
+
+#include <string>
+#include <string_view>
+
+namespace chasles::io {
+
+/// A reader of one format.
+using Reader = PolygonSoup (*)(std::string_view);
+
+/// The reader for an extension, for example ".obj", in capitals or not; null if only Assimp may read such a file.
+Reader reader_for(std::string_view extension);
+
+/// The same mesh. Throws InvalidInput if it has no face.
+PolygonSoup with_faces(PolygonSoup soup);
+
+/// Makes the body; messages of the mesh layer get line numbers.
+Polyhedron make_polyhedron(const PolygonSoup& soup, const PolyhedronOptions& options);
+
+/// The mesh in the content of an OBJ, OFF, PLY or STL file. The extension of `name` chooses the format; there need be
+/// no file of this name. Throws InvalidInput with the name, the line number if the format has lines, and the reason.
+PolygonSoup read_polygons(std::string_view bytes, const std::string& name);
+
+/// A body of it.
+Polyhedron read_polyhedron(std::string_view bytes, const std::string& name, const PolyhedronOptions& options = {});
+
+} // namespace chasles::io

@@ -1,0 +1,102 @@
+// The module in memory: arguments go in through two buffers, answers come out of one (javascript/src/border.h).
+import { InstanceStopped, InvalidInput } from "./errors.js";
+
+const refused = -1;
+const outOfMemory = -2;
+
+/** What the module imports: a clock. Nothing in it reads or writes files; the rest stands for "not supported". */
+function imports(module, memory) {
+  const notSupported = () => 52;
+  const given = {
+    clock_time_get(_clock, _precision, address) {
+      new DataView(memory().buffer).setBigUint64(address, BigInt(Math.round(performance.now() * 1e6)), true);
+      return 0;
+    },
+    proc_exit(code) {
+      throw new Error(`the module ended itself with ${code}`);
+    },
+  };
+  const named = {};
+  for (const { module: from, name } of WebAssembly.Module.imports(module))
+    (named[from] ??= {})[name] = given[name] ?? notSupported;
+  return named;
+}
+
+/** One instance of the module. Every call goes through `call`, so that no fault of the module stays unnoticed. */
+export class Border {
+  #exports;
+  #stopped = null;
+
+  constructor(module, exports) {
+    this.module = module;
+    this.#exports = exports;
+    this.#enter(() => exports._initialize());
+  }
+
+  static async open(module) {
+    let exports = null;
+    const instance = await WebAssembly.instantiate(module, imports(module, () => exports.memory));
+    exports = instance.exports;
+    return new Border(module, exports);
+  }
+
+  /** Calls `chasles_NAME`. Returns its count or handle; throws what went wrong. */
+  call(name, ...values) {
+    const status = this.#enter(() => this.#exports[`chasles_${name}`](...values));
+    if (status >= 0) return status;
+    if (status === refused) throw new InvalidInput(this.#text());
+    if (status === outOfMemory) throw new RangeError("chasles: out of memory");
+    this.#stopped = new Error(this.#text());
+    throw new InstanceStopped(this.#stopped);
+  }
+
+  /** Calls `chasles_NAME`, which answers with numbers. The array is a copy. */
+  ask(name, ...values) {
+    const count = this.call(name, ...values);
+    return new Float64Array(this.#exports.memory.buffer, this.#address("answer"), count).slice();
+  }
+
+  /** Writes numbers for the next call: an array, or a typed array. */
+  giveNumbers(numbers) {
+    const address = this.#address("numbers", numbers.length);
+    new Float64Array(this.#exports.memory.buffer, address, numbers.length).set(numbers);
+  }
+
+  /** Writes byte arrays, one after another, for the next call. */
+  giveBytes(...parts) {
+    const size = parts.reduce((sum, part) => sum + part.length, 0);
+    let address = this.#address("bytes", size);
+    for (const part of parts) {
+      new Uint8Array(this.#exports.memory.buffer, address, part.length).set(part);
+      address += part.length;
+    }
+  }
+
+  /** Frees an object; without effect in an instance that has stopped. */
+  free(kind, handle) {
+    if (!this.#stopped) this.call(`free_${kind}`, handle);
+  }
+
+  /** The address of a buffer, which has room for `count`. */
+  #address(buffer, count = 0) {
+    const address = this.#enter(() => this.#exports[`chasles_${buffer}`](count)) >>> 0;
+    if (address === 0 && count > 0) throw new RangeError("chasles: out of memory");
+    return address;
+  }
+
+  /** A trap within `work` leaves the module in a state that nobody knows: the instance is not used again. */
+  #enter(work) {
+    if (this.#stopped) throw new InstanceStopped(this.#stopped);
+    try {
+      return work();
+    } catch (error) {
+      this.#stopped = error;
+      throw new InstanceStopped(error);
+    }
+  }
+
+  #text() {
+    const bytes = new Uint8Array(this.#exports.memory.buffer, this.#address("text"));
+    return new TextDecoder().decode(bytes.slice(0, bytes.indexOf(0)));
+  }
+}

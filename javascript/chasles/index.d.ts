@@ -1,0 +1,340 @@
+// The types of the package `chasles`, and of `chasles/inline`, which has the same names.
+
+/** Numbers of a point, of a direction, or of other coordinates. */
+export type Numbers = readonly number[] | Float64Array | Float32Array;
+
+/**
+ * A pose: 3 numbers x y z, 7 numbers x y z qw qx qy qz (a quaternion of any non-zero length), or 16 numbers (a 4x4 matrix,
+ * row by row). Objects of three.js are poses, too: a Matrix4, and an Object3D.
+ */
+export type Pose =
+  | Numbers
+  | { readonly elements: Numbers }
+  | {
+      readonly position: { readonly x: number; readonly y: number; readonly z: number };
+      readonly quaternion: { readonly x: number; readonly y: number; readonly z: number; readonly w: number };
+    };
+
+/** An array of numbers that says nothing else: x y z qw qx qy qz, with a quaternion of length one. */
+export type PoseNumbers = [number, number, number, number, number, number, number];
+export type Point = [number, number, number];
+
+/** What is proven: no contact on [0, 1]; the first contact within the bracket; touching or overlapping at time 0. */
+export type Verdict = "clear" | "contact" | "contact_at_start";
+export type Find = "first" | "any" | "first_with_all_contacts";
+
+/** A vertex is a number, a face a list of one number, an edge a list of its two vertices. Ids are those of the input. */
+export type Feature = number | [number] | [number, number];
+
+export interface Contact {
+  kind: "vertex_face" | "face_vertex" | "edge_edge" | "vertex_edge" | "edge_vertex" | "vertex_vertex";
+  moving_feature: Feature;
+  fixed_feature: Feature;
+  /** On the fixed feature, in the world, mesh unit. */
+  point: Point;
+  /** Unit, from the fixed body to the moving body. */
+  normal: Point;
+  /** Distance of the two features, mesh unit. */
+  gap: number;
+  /** -d(gap)/dtime, mesh unit per motion. */
+  approach_speed: number;
+}
+
+export interface Overlap {
+  moving_feature: Feature;
+  fixed_feature: Feature;
+  point: Point;
+}
+
+/** How much was done. */
+export interface Work {
+  node_pairs: number;
+  face_pairs: number;
+  elementary_tests: number;
+  root_brackets: number;
+  refined: number;
+  exact: number;
+}
+
+/** Numbers of a motion: the turn in radians, and slide and axis of the screw between the end poses. */
+export interface MotionNumbers {
+  angle: number;
+  slide: number;
+  axis_point: Point;
+  axis_direction: Point;
+  displacement?: Point;
+}
+
+/** The keys that an answer with a contact has, and an answer without one lacks. */
+interface ContactParts {
+  /** The bracket of the first contact, in [0, 1]. */
+  time: number;
+  time_upper: number;
+  /** The same in the paper's parameter; for screws and sweeps. */
+  tau?: number;
+  tau_upper?: number;
+  /** True if a contact is proven to be in the bracket. */
+  certain: boolean;
+  /** Of the moving body in the world, at `time`; likewise of the fixed body. */
+  pose: PoseNumbers;
+  fixed_pose: PoseNumbers;
+  contacts: Contact[];
+  contacts_cut?: true;
+  overlap?: Overlap;
+}
+
+interface ClearAnswer {
+  verdict: "clear";
+  /** With `hold`: the contacts at time 0. */
+  held?: Contact[];
+  clear_until: number;
+  motion: MotionNumbers;
+  work: Work;
+}
+interface ContactAnswer extends ContactParts {
+  verdict: "contact" | "contact_at_start";
+  held?: Contact[];
+  /** Before this time the bodies are proven to stay apart, or farther apart than the margin. */
+  clear_until: number;
+  motion: MotionNumbers;
+  work: Work;
+}
+
+/** The keys of `chasles check --json`. */
+export type FirstContact = ClearAnswer | ContactAnswer;
+/** The times count within the segment, which counts from 0. */
+export type PathContact = FirstContact & { segment: number };
+
+/** The keys of `chasles clearance --json`. The bracket [distance, distance_upper] encloses the least distance. */
+export interface LeastDistance extends ContactParts {
+  distance: number;
+  distance_upper: number;
+  motion: MotionNumbers;
+  work: Work;
+}
+
+export interface MotionOptions {
+  /** "screw" by default: the paper's motion. "velocity" and "twist" are even in time. */
+  motion?: "screw" | "sweep" | "velocity" | "twist";
+  /** The body point that a sweep or a constant velocity carries along a line; the body's origin by default. */
+  centre?: Numbers;
+  /** Largest turn of one piece of a screw, radians; 10 degrees by default. */
+  maxTurn?: number;
+}
+
+export interface FixedOptions {
+  /** Poses of the fixed body, if it moves too. */
+  fixedStart?: Pose;
+  fixedGoal?: Pose;
+  fixedCentre?: Numbers;
+}
+
+export interface QueryOptions {
+  /** Distance of the surfaces that counts as contact, mesh unit; in [0, 1e30]. */
+  margin?: number;
+  /** Less than the margin: bodies that start within the margin may move on until they come within this distance. */
+  hold?: number;
+  /** Width of the bracket to aim for, as a part of the motion; in [1e-15, 1]. */
+  timeTolerance?: number;
+  find?: Find;
+}
+
+export type FirstContactOptions = QueryOptions & MotionOptions & FixedOptions;
+export type LeastDistanceOptions = { tolerance?: number; timeTolerance?: number; find?: Find } & MotionOptions & FixedOptions;
+
+/** An object that holds memory of the instance, until it is freed or nothing refers to it any more. */
+declare abstract class Held {
+  free(): void;
+  [Symbol.dispose](): void;
+}
+
+export interface MeshReport {
+  vertices: number;
+  distinct_vertices: number;
+  faces: number;
+  triangles: number;
+  polygons: number;
+  edges: number;
+  boundary_edges: number;
+  nonmanifold_edges: number;
+  dropped_faces: number;
+  segments: number;
+  closed: boolean;
+  lower: Point;
+  upper: Point;
+}
+
+/** A polyhedral surface. It never changes; scenes and hands that use it keep it. */
+export declare class Polyhedron extends Held {
+  private constructor();
+  readonly report: MeshReport;
+  /** x y z of each vertex. */
+  readonly vertices: Float64Array;
+  /** The outline of each face. */
+  readonly faces: number[][];
+  /** Triangles that cover the faces, three vertex ids each. */
+  readonly triangles: Uint32Array;
+  /** The id of each face in the input. */
+  readonly sourceFaces: Uint32Array;
+}
+
+export interface BodyMotion {
+  pose?: Pose;
+  goal?: Pose;
+  motion?: "velocity" | "twist";
+  centre?: Numbers;
+  /** A track: poses with times from 0 to 1, instead of pose and goal. */
+  poses?: readonly Pose[];
+  times?: Numbers;
+}
+
+export interface SceneOptions {
+  margin?: number;
+  timeTolerance?: number;
+  find?: Find;
+  /** Contacts that begin later are left out. */
+  until?: number;
+}
+
+/** The keys of `chasles scene --json`. */
+export type SceneContact =
+  | { verdict: "clear"; clear_until: number; work: Work }
+  | (ContactParts & {
+      verdict: "contact" | "contact_at_start";
+      clear_until: number;
+      /** Names of the moving and the fixed body. */
+      pair: [string, string];
+      /** Further pairs that may touch at the same time. */
+      simultaneous?: [string, string][];
+      work: Work;
+    });
+
+export interface SceneEvents {
+  events: { time: number; time_upper: number; certain: boolean; pair: [string, string]; contacts: Contact[] }[];
+  work: Work;
+}
+
+/** Many bodies in one world over the time [0, 1]. */
+export declare class Scene extends Held {
+  private constructor();
+  readonly names: string[];
+  add(name: string, shape: Polyhedron, options?: BodyMotion & { group?: string }): string;
+  remove(name: string): void;
+  move(name: string, options?: BodyMotion): void;
+  ignore(a: string, b: string): void;
+  ignoreGroups(a: string, b: string): void;
+  setMargin(a: string, b: string, margin: number): void;
+  setGroupMargin(a: string, b: string, margin: number): void;
+  /** The earliest contact of all pairs. */
+  firstContact(options?: SceneOptions): SceneContact;
+  /** The first contact of each pair that touches, in order of time. */
+  allContacts(options?: SceneOptions): SceneEvents;
+  /** For each body the time until which it is proven clear of all others. */
+  clearUntil(options?: SceneOptions): Record<string, number>;
+}
+
+export interface DragOptions {
+  /** The gap that contacts keep, mesh unit; 0: a ten-thousandth of the diagonal of the body's box. */
+  margin?: number;
+  /** Contacts within it are foreseen, mesh unit; 0: twice the margin. */
+  reach?: number;
+  /** Force of the hand for a distance of 1. */
+  stiffness?: number;
+  /** Certified steps of one update at most. */
+  rounds?: number;
+}
+
+export interface DragStep {
+  /** The pose reached. */
+  pose: PoseNumbers;
+  state: "reached" | "resting" | "moving" | "touching";
+  contacts: (Contact & { body: string; force: number })[];
+  events: (Contact & { body: string; begins: boolean })[];
+  /** Force and torque about the body's origin, in the world, with which the contacts push the hand. */
+  wrench: [number, number, number, number, number, number];
+  /** Of the goal, mesh unit. */
+  distance: number;
+  blocking: string[];
+  touching: string[];
+  /** The way, in screws that are proven clear until a time. */
+  pieces: { start: PoseNumbers; goal: PoseNumbers; until: number; clearance: number }[];
+  intrusions: { body: string; time: number }[];
+  work: Work;
+}
+
+/** A body of a scene in a hand: it stops at contacts, slides along them and lifts off, and never goes through. */
+export declare class DraggedBody extends Held {
+  private constructor();
+  readonly name: string;
+  readonly pose: number[];
+  readonly margin: number;
+  readonly reach: number;
+  /** Goes towards the goal. No round begins after so many seconds; 0: no bound. */
+  update(goal: Pose, seconds?: number): DragStep;
+}
+
+/** What a BufferGeometry of three.js has, and this package needs. */
+export interface GeometryLike {
+  readonly attributes: {
+    readonly position?: { readonly count: number; getX(i: number): number; getY(i: number): number; getZ(i: number): number };
+  };
+  readonly index?: { readonly count: number; getX(i: number): number } | null;
+}
+
+/** Workers with an instance each. */
+export declare class Workers {
+  private constructor();
+  readonly count: number;
+  /** The answers of Chasles.firstContactBatch. */
+  firstContactBatch(
+    moving: Polyhedron, fixed: Polyhedron, starts: readonly Pose[], goals: readonly Pose[], options?: FirstContactOptions,
+  ): Promise<FirstContact[]>;
+  stop(): void;
+  [Symbol.dispose](): void;
+}
+
+/** An instance of the library. Its objects belong to it. */
+export declare class Chasles {
+  private constructor();
+  /** A body of points, and of triangles in one array or of faces with three corners or more. */
+  polyhedron(
+    vertices: Numbers | readonly Numbers[],
+    faces: readonly number[] | Uint32Array | Uint16Array | Int32Array | readonly (readonly number[] | Uint32Array)[],
+    options?: { triangulate?: boolean },
+  ): Polyhedron;
+  /** A body of the content of an OBJ, OFF, PLY or STL file; the extension of the name says which. */
+  fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: { triangulate?: boolean }): Polyhedron;
+  /** A body of a geometry of three.js. Vertices at equal places count as one. */
+  fromBufferGeometry(geometry: GeometryLike, options?: { triangulate?: boolean }): Polyhedron;
+  scene(): Scene;
+  draggedBody(scene: Scene, name: string, options?: DragOptions): DraggedBody;
+
+  /** When do two bodies first touch, where, and how? */
+  firstContact(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: FirstContactOptions): FirstContact;
+  /** True if it is proven that no contact occurs on the whole motion. */
+  isClear(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: Omit<FirstContactOptions, "find">): boolean;
+  /** The first contact on the way from pose to pose. */
+  firstContactOnPath(
+    moving: Polyhedron, fixed: Polyhedron, poses: readonly Pose[], options?: QueryOptions & MotionOptions,
+  ): PathContact;
+  /** How near do two bodies come, when, and where? */
+  leastDistance(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: LeastDistanceOptions): LeastDistance;
+  /** One answer a motion, in order. */
+  firstContactBatch(
+    moving: Polyhedron, fixed: Polyhedron, starts: readonly Pose[], goals: readonly Pose[], options?: FirstContactOptions,
+  ): FirstContact[];
+  /** Workers for batches; `worker` makes one of them where the package's own script cannot be found. */
+  workers(options?: { count?: number; worker?: () => Worker }): Promise<Workers>;
+  /** How many objects are not freed. */
+  readonly held: { polyhedra: number; scenes: number; draggedBodies: number };
+}
+
+/** Wrong input: the message says what is wrong, where and why. */
+export declare class InvalidInput extends Error {}
+/** The instance stopped within a call, and answers no more; load() makes a new one. */
+export declare class InstanceStopped extends Error {}
+
+/** Makes an instance. `wasm` stands for chasles.wasm if that lies elsewhere: a URL, a Response, bytes, or a module. */
+export declare function load(options?: {
+  wasm?: string | URL | Response | ArrayBuffer | Uint8Array | WebAssembly.Module | Promise<Response>;
+}): Promise<Chasles>;

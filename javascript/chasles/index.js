@@ -1,0 +1,13 @@
+// The plain build: chasles.wasm is a file beside this one.
+import { Chasles } from "./chasles.js";
+import { compiled } from "./module.js";
+
+export { Chasles };
+export { InstanceStopped, InvalidInput } from "./errors.js";
+export { Polyhedron } from "./polyhedron.js";
+export { DraggedBody, Scene } from "./scene.js";
+
+/** Makes an instance of the library. `wasm` stands for chasles.wasm if that lies elsewhere. */
+export async function load({ wasm = new URL("./chasles.wasm", import.meta.url) } = {}) {
+  return Chasles.of(await compiled(wasm));
+}

@@ -1,0 +1,137 @@
+// Arguments as numbers, in the order in which javascript/src/numbers_in.cpp reads them.
+import { InvalidInput } from "./errors.js";
+
+const kinds = ["screw", "sweep", "velocity", "twist"];
+const finds = ["first", "any", "first_with_all_contacts"];
+
+export const queryOptions = ["margin", "hold", "timeTolerance", "find"];
+export const motionOptions = ["motion", "centre", "maxTurn"];
+export const fixedOptions = ["fixedStart", "fixedGoal", "fixedCentre"];
+
+/** Options are an object without other keys than these. */
+export function checkOptions(options, known) {
+  if (options === null || typeof options !== "object") throw new InvalidInput("options: must be an object");
+  for (const key of Object.keys(options))
+    if (!known.includes(key)) throw new InvalidInput(`${key}: is no option here; there are ${known.join(", ")}`);
+}
+
+/** A number, or the default if there is none. Its range is checked by the library. */
+export function number(value, name, byDefault) {
+  if (value === undefined && byDefault !== undefined) return byDefault;
+  if (typeof value !== "number") throw new InvalidInput(`${name}: ${shown(value)} is not a number`);
+  return value;
+}
+
+export function text(value, name) {
+  if (typeof value !== "string") throw new InvalidInput(`${name}: ${shown(value)} is not a text`);
+  return value;
+}
+
+export const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+
+function shown(value) {
+  return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value);
+}
+
+/** A list of numbers, behind their count. */
+function counted(list, name) {
+  if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of numbers`);
+  return [list.length, ...Array.from(list, (value, i) => number(value, `${name}[${i}]`))];
+}
+
+/** A pose: 3, 7 or 16 numbers, or an object of three.js: a Matrix4, or an Object3D with position and quaternion. */
+export function pose(value, name) {
+  if (value?.position && value?.quaternion) {
+    const { position: p, quaternion: q } = value;
+    return counted([p.x, p.y, p.z, q.w, q.x, q.y, q.z], name);
+  }
+  if (value?.elements?.length === 16) {
+    const columns = value.elements; // three.js stores columns, and a pose has rows
+    return counted(Array.from({ length: 16 }, (_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]), name);
+  }
+  return counted(value, name);
+}
+
+export function poses(list, name) {
+  if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of poses`);
+  return [list.length, ...Array.from(list, (value, i) => pose(value, `${name}[${i}]`)).flat()];
+}
+
+/** A flag, and the value behind it if there is one. */
+const optional = (value, encoded) => (value === undefined || value === null ? [0] : [1, ...encoded(value)]);
+
+function oneOf(names, value, name) {
+  const index = names.indexOf(value);
+  if (index < 0) throw new InvalidInput(`${name}: ${shown(value)}: must be ${quoted(names)}`);
+  return index;
+}
+
+const quoted = (names) => `${names.slice(0, -1).map((n) => `'${n}'`).join(", ")} or '${names.at(-1)}'`;
+
+/** How a body goes from one pose to the next. */
+export function rule({ motion, centre, maxTurn }, byDefault = "screw") {
+  return [
+    oneOf(kinds, motion ?? byDefault, "motion"),
+    ...optional(maxTurn, (turn) => [number(turn, "maxTurn")]),
+    ...optional(centre, (point) => counted(point, "centre")),
+  ];
+}
+
+export function find(value = "first") {
+  return oneOf(finds, value, "find");
+}
+
+/** Margin, hold, tolerance and what to find. */
+export function query(options) {
+  return [
+    number(options.margin, "margin", 0),
+    ...optional(options.hold, (hold) => [number(hold, "hold")]),
+    number(options.timeTolerance, "timeTolerance", 1e-12),
+    find(options.find),
+  ];
+}
+
+/** The motion of a query for two bodies. */
+export function motion(start, goal, options) {
+  const isFixedMoving = options.fixedStart !== undefined || options.fixedGoal !== undefined;
+  if (!isFixedMoving && options.fixedCentre !== undefined)
+    throw new InvalidInput("fixedCentre: is for a fixed body that moves, with fixedStart and fixedGoal");
+  const fixed = !isFixedMoving
+    ? [0]
+    : [
+        1,
+        ...pose(options.fixedStart, "fixedStart"),
+        ...pose(options.fixedGoal, "fixedGoal"),
+        ...optional(options.fixedCentre, (point) => counted(point, "fixedCentre")),
+      ];
+  return [...rule(options), ...pose(start, "start"), ...pose(goal, "goal"), ...fixed];
+}
+
+/** The motion of a body in a scene. */
+export function worldMotion(options) {
+  const kind = options.motion ?? "velocity";
+  if (kind === "screw" || kind === "sweep")
+    throw new InvalidInput(
+      `motion: ${kind} is the motion of one body as seen from another one; a scene takes velocity and twist`,
+    );
+  const head = rule({ motion: kind, centre: options.centre });
+  if (options.poses === undefined) {
+    if (options.times !== undefined) throw new InvalidInput("times: are for poses, and there are none");
+    const start = pose(options.pose ?? [0, 0, 0], "pose");
+    return [...head, 0, ...start, ...optional(options.goal, (goal) => pose(goal, "goal"))];
+  }
+  if (options.pose !== undefined || options.goal !== undefined)
+    throw new InvalidInput("poses: stand instead of pose and goal");
+  const [count, ...times] = counted(options.times, "times");
+  if (count !== options.poses.length)
+    throw new InvalidInput(`times: there are ${count} for ${options.poses.length} poses`);
+  return [...head, 1, ...poses(options.poses, "poses"), ...times];
+}
+
+/** Two lists of poses of one length. */
+export function checkBatch(starts, goals) {
+  for (const [list, name] of [[starts, "starts"], [goals, "goals"]])
+    if (!isList(list)) throw new InvalidInput(`${name}: must be an array of poses`);
+  if (starts.length !== goals.length)
+    throw new InvalidInput(`starts, goals: ${starts.length} and ${goals.length} poses`);
+}

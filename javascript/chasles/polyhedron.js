@@ -1,0 +1,135 @@
+// Bodies: from arrays, from the content of a file, from a geometry of three.js.
+import { meshReport, Reader } from "./answers.js";
+import { InvalidInput } from "./errors.js";
+import { Held } from "./held.js";
+import { checkOptions, isList, number, text } from "./numbers.js";
+
+const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
+const largestIndex = 2 ** 32 - 1;
+
+/** A polyhedral surface. It never changes. */
+export class Polyhedron extends Held {
+  constructor(border, handle) {
+    super(border, "body", handle);
+  }
+
+  #part(name) {
+    const border = Held.border(this);
+    return border.ask("body_part", Held.handle(this, border, Polyhedron, "polyhedron"), parts[name]);
+  }
+
+  get report() {
+    return meshReport(new Reader(this.#part("report")));
+  }
+  get vertices() {
+    return this.#part("vertices");
+  }
+  get triangles() {
+    return Uint32Array.from(this.#part("triangles"));
+  }
+  get sourceFaces() {
+    return Uint32Array.from(this.#part("sourceFaces"));
+  }
+  get faces() {
+    const reader = new Reader(this.#part("faces"));
+    return reader.some(reader.number()).map((corners) => reader.some(corners));
+  }
+
+  /** The arrays that make the same body, with the same ids, in another instance. */
+  static copy(body) {
+    const given = body.#part("given");
+    const count = given[1];
+    const sizes = Uint32Array.from(given.subarray(2, 2 + count));
+    const corners = Uint32Array.from(given.subarray(2 + count));
+    return { vertices: body.vertices, sizes, corners, triangulate: given[0] === 1 };
+  }
+  static ofCopy(border, { vertices, sizes, corners, triangulate }) {
+    border.giveNumbers(vertices);
+    border.giveBytes(bytesOf(sizes), bytesOf(corners));
+    return new Polyhedron(border, border.call("body_from_arrays", sizes.length, triangulate ? 1 : 0));
+  }
+}
+
+const bytesOf = (array) => new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
+
+function triangulated(options) {
+  checkOptions(options, ["triangulate"]);
+  const { triangulate = false } = options;
+  if (typeof triangulate !== "boolean") throw new InvalidInput("triangulate: must be true or false");
+  return triangulate;
+}
+
+/** Points as one array of numbers: a typed array, or an array of numbers or of points. */
+function flatPoints(vertices) {
+  if (!isList(vertices)) throw new InvalidInput("vertices: must be an array of numbers or of points");
+  if (ArrayBuffer.isView(vertices)) return Float64Array.from(vertices, Number);
+  if (typeof vertices[0] === "number") return Float64Array.from(vertices, (x, i) => number(x, `vertices[${i}]`));
+  const numbers = new Float64Array(3 * vertices.length);
+  vertices.forEach((point, i) => {
+    if (!isList(point) || point.length !== 3) throw new InvalidInput(`vertices[${i}]: is no point of 3 numbers`);
+    for (let k = 0; k < 3; ++k) numbers[3 * i + k] = number(point[k], `vertices[${i}][${k}]`);
+  });
+  return numbers;
+}
+
+function index(value, face) {
+  if (!Number.isInteger(value) || value < 0 || value > largestIndex)
+    throw new InvalidInput(`faces[${face}]: there is no vertex ${String(value)}`);
+  return value;
+}
+
+/** Faces as the numbers of their corners, and all corners. */
+function flatFaces(faces) {
+  if (!isList(faces)) throw new InvalidInput("faces: must be an array of indices or of faces");
+  if (!ArrayBuffer.isView(faces) && isList(faces[0])) return polygonFaces(faces);
+  if (faces.length % 3 !== 0)
+    throw new InvalidInput(`faces: ${faces.length} indices are no triangles of 3 corners each`);
+  const corners = Uint32Array.from(faces, (value, i) => index(value, Math.floor(i / 3)));
+  return { sizes: new Uint32Array(faces.length / 3).fill(3), corners };
+}
+
+function polygonFaces(faces) {
+  const sizes = new Uint32Array(faces.length);
+  const corners = [];
+  faces.forEach((face, i) => {
+    if (!isList(face)) throw new InvalidInput(`faces[${i}]: is no list of indices`);
+    sizes[i] = face.length;
+    for (const value of face) corners.push(index(value, i));
+  });
+  return { sizes, corners: Uint32Array.from(corners) };
+}
+
+export function fromArrays(border, vertices, faces, options) {
+  const triangulate = triangulated(options);
+  return Polyhedron.ofCopy(border, { vertices: flatPoints(vertices), ...flatFaces(faces), triangulate });
+}
+
+export function fromFile(border, content, name, options) {
+  const triangulate = triangulated(options);
+  const bytes = content instanceof ArrayBuffer ? new Uint8Array(content) : content;
+  if (!ArrayBuffer.isView(bytes)) throw new InvalidInput("content: must be a Uint8Array or an ArrayBuffer");
+  const nameBytes = new TextEncoder().encode(text(name, "name"));
+  border.giveBytes(nameBytes, bytesOf(bytes));
+  return new Polyhedron(border, border.call("body_from_file", nameBytes.length, triangulate ? 1 : 0));
+}
+
+/** The places of a geometry's vertices. Accessors know interleaved and normalised arrays. */
+function positions(geometry) {
+  const position = geometry?.attributes?.position;
+  if (typeof position?.getX !== "function" || !(position.count >= 0))
+    throw new InvalidInput("geometry: has no attribute position");
+  const vertices = new Float64Array(3 * position.count);
+  for (let i = 0; i < position.count; ++i)
+    vertices.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i);
+  return vertices;
+}
+
+/** Vertices at equal places, which normals and texture need, count as one. Groups and draw ranges are left aside. */
+export function fromBufferGeometry(border, geometry, options) {
+  const vertices = positions(geometry);
+  const { index: given } = geometry;
+  const corners = given
+    ? Array.from({ length: given.count }, (_, i) => given.getX(i))
+    : Uint32Array.from({ length: vertices.length / 3 }, (_, i) => i);
+  return fromArrays(border, vertices, corners, options);
+}

@@ -1,0 +1,144 @@
+// Many bodies in one world, and a body in a hand.
+import { dragStep, Reader, sceneContact, sceneEvents } from "./answers.js";
+import { InvalidInput } from "./errors.js";
+import { Held } from "./held.js";
+import { checkOptions, number, pose, query, text, worldMotion } from "./numbers.js";
+import { Polyhedron } from "./polyhedron.js";
+
+const motionKeys = ["pose", "goal", "motion", "centre", "poses", "times"];
+const questions = { firstContact: 0, allContacts: 1, clearUntil: 2 };
+const rules = { ignore: 0, ignoreGroups: 1, setMargin: 2, setGroupMargin: 3 };
+
+const encode = (value, name) => new TextEncoder().encode(text(value, name));
+
+/** Many bodies in one world, each with its own motion over the time [0, 1]. */
+export class Scene extends Held {
+  #names = []; // in the order of the bodies
+
+  constructor(border) {
+    super(border, "scene", border.call("scene"));
+  }
+
+  get names() {
+    return [...this.#names];
+  }
+
+  add(name, shape, options = {}) {
+    const { border, handle } = this.#own();
+    checkOptions(options, [...motionKeys, "group"]);
+    const body = Held.handle(shape, border, Polyhedron, "shape");
+    const nameBytes = encode(name, "name");
+    border.giveNumbers(worldMotion(options));
+    border.giveBytes(nameBytes, encode(options.group ?? "", "group"));
+    border.call("scene_add", handle, body, nameBytes.length);
+    this.#names.push(name);
+    return name;
+  }
+
+  /** The last body takes the place of the removed one in `names`. */
+  remove(name) {
+    const { border, handle } = this.#own();
+    border.giveBytes(encode(name, "name"));
+    const index = border.call("scene_remove", handle);
+    const last = this.#names.pop();
+    if (index < this.#names.length) this.#names[index] = last;
+  }
+
+  move(name, options = {}) {
+    const { border, handle } = this.#own();
+    checkOptions(options, motionKeys);
+    border.giveNumbers(worldMotion(options));
+    border.giveBytes(encode(name, "name"));
+    border.call("scene_move", handle);
+  }
+
+  ignore(a, b) {
+    this.#rule("ignore", a, b);
+  }
+  ignoreGroups(a, b) {
+    this.#rule("ignoreGroups", a, b);
+  }
+  setMargin(a, b, margin) {
+    this.#rule("setMargin", a, b, number(margin, "margin"));
+  }
+  setGroupMargin(a, b, margin) {
+    this.#rule("setGroupMargin", a, b, number(margin, "margin"));
+  }
+
+  firstContact(options = {}) {
+    return sceneContact(this.#ask("firstContact", options), this.#names);
+  }
+  allContacts(options = {}) {
+    return sceneEvents(this.#ask("allContacts", options), this.#names);
+  }
+  clearUntil(options = {}) {
+    const reader = this.#ask("clearUntil", options);
+    return Object.fromEntries(this.#names.map((name) => [name, reader.number()]));
+  }
+
+  #own() {
+    const border = Held.border(this);
+    return { border, handle: Held.handle(this, border, Scene, "scene") };
+  }
+
+  #rule(rule, a, b, margin = 0) {
+    const { border, handle } = this.#own();
+    const first = encode(a, "a");
+    border.giveBytes(first, encode(b, "b"));
+    border.call("scene_rule", handle, rules[rule], first.length, margin);
+  }
+
+  #ask(question, options) {
+    const { border, handle } = this.#own();
+    checkOptions(options, ["margin", "hold", "until", "timeTolerance", "find"]);
+    border.giveNumbers([...query(options), number(options.until, "until", 1)]);
+    return new Reader(border.ask("scene_question", handle, questions[question]));
+  }
+}
+
+/** A body of a scene in a hand: it stops at contacts, slides along them and lifts off, and never goes through. */
+export class DraggedBody extends Held {
+  #scene;
+
+  constructor(border, scene, name, options = {}) {
+    checkOptions(options, ["margin", "reach", "stiffness", "rounds"]);
+    const handle = Held.handle(scene, border, Scene, "scene");
+    const { margin, reach, stiffness, rounds } = options;
+    if (!Number.isInteger(rounds ?? 8)) throw new InvalidInput("rounds: must be a whole number");
+    border.giveNumbers([
+      number(margin, "margin", 0),
+      number(reach, "reach", 0),
+      number(stiffness, "stiffness", 1),
+      Math.max(number(rounds, "rounds", 8), 0),
+    ]);
+    border.giveBytes(encode(name, "name"));
+    super(border, "hand", border.call("hand", handle));
+    this.#scene = scene;
+    this.name = name;
+  }
+
+  update(goal, seconds = 0) {
+    const { border, handle } = this.#own();
+    border.giveNumbers(pose(goal, "goal"));
+    return dragStep(new Reader(border.ask("hand_update", handle, number(seconds, "seconds"))), this.#scene.names);
+  }
+
+  get pose() {
+    return this.#state().slice(0, 7);
+  }
+  get margin() {
+    return this.#state()[7];
+  }
+  get reach() {
+    return this.#state()[8];
+  }
+
+  #own() {
+    const border = Held.border(this);
+    return { border, handle: Held.handle(this, border, DraggedBody, "dragged body") };
+  }
+  #state() {
+    const { border, handle } = this.#own();
+    return Array.from(border.ask("hand_state", handle));
+  }
+}

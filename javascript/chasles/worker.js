@@ -1,0 +1,42 @@
+// The other side of workers.js: an instance that answers parts of batches.
+import { Chasles } from "./chasles.js";
+import { InvalidInput } from "./errors.js";
+
+let chasles = null;
+const bodies = new Map();
+
+function batch({ moving, fixed, begin, starts, goals, options }) {
+  return starts.map((start, i) => {
+    try {
+      return chasles.firstContact(bodies.get(moving), bodies.get(fixed), start, goals[i], options);
+    } catch (error) {
+      throw error instanceof InvalidInput ? new InvalidInput(`motion ${begin + i}: ${error.message}`) : error;
+    }
+  });
+}
+
+const tasks = {
+  async open({ module }) {
+    chasles = await Chasles.of(module);
+  },
+  body({ number, copy }) {
+    bodies.set(number, Chasles.adopt(chasles, copy));
+  },
+  batch,
+};
+
+async function answered(message) {
+  try {
+    return { job: message.job, answer: await tasks[message.task](message) };
+  } catch (error) {
+    return { job: message.job, error: { message: error.message, isInput: error instanceof InvalidInput } };
+  }
+}
+
+if (globalThis.process?.versions?.node) {
+  const threads = "node:worker_threads";
+  const { parentPort } = await import(/* @vite-ignore */ /* webpackIgnore: true */ threads);
+  parentPort.on("message", async (message) => parentPort.postMessage(await answered(message)));
+} else {
+  globalThis.onmessage = async ({ data }) => globalThis.postMessage(await answered(data));
+}

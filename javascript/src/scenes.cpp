@@ -1,0 +1,143 @@
+// Scenes. Names are in the bytes; the numbers hold motions and options.
+#include "javascript/src/border.h"
+#include "javascript/src/numbers_in.h"
+#include "javascript/src/numbers_out.h"
+#include "javascript/src/objects.h"
+
+namespace chasles::javascript {
+
+Handles<std::shared_ptr<Scene>>& scenes() {
+    static Handles<std::shared_ptr<Scene>> held("scene");
+    return held;
+}
+
+namespace {
+
+/// The bytes as two texts, the first one of this size.
+struct TwoTexts {
+    std::string first;
+    std::string second;
+};
+TwoTexts given_texts(std::uint32_t first_size) {
+    const std::string_view bytes = given_bytes();
+    const std::size_t size = std::min<std::size_t>(first_size, bytes.size());
+    return {std::string(bytes.substr(0, size)), std::string(bytes.substr(size))};
+}
+
+Scene& scene_of(std::int32_t handle) {
+    return *scenes().get(handle);
+}
+
+SceneQuery query_in() {
+    NumbersIn in(given_numbers());
+    SceneQuery query;
+    query.options = options_in(in);
+    query.until = in.number();
+    return query;
+}
+
+/// The verdict, the time until which all is clear, and each contact with the indices of its bodies.
+void write(Numbers& out, const SceneAnswer& found) {
+    out.insert(out.end(), {double(found.verdict), found.clear_until, double(found.contacts.size())});
+    for (const SceneContact& contact : found.contacts) {
+        out.insert(out.end(), {double(contact.moving), double(contact.fixed)});
+        javascript::write(out, contact.contact);
+    }
+    javascript::write(out, found.work);
+}
+
+enum class Question : std::uint8_t { first_contact, all_contacts, clear_until };
+
+void answer_scene(Numbers& out, const Scene& scene, Question question) {
+    const SceneQuery query = query_in();
+    switch (question) {
+    case Question::first_contact:
+        return write(out, scene.first_contact(query));
+    case Question::all_contacts:
+        return write(out, scene.all_contacts(query));
+    case Question::clear_until:
+        break;
+    }
+    for (const double time : scene.clear_until(query))
+        out.push_back(time);
+}
+
+enum class Rule : std::uint8_t { ignore, ignore_groups, set_margin, set_group_margin };
+
+void apply(Scene& scene, Rule rule, const TwoTexts& names, double margin) {
+    switch (rule) {
+    case Rule::ignore:
+        return scene.ignore(names.first, names.second);
+    case Rule::ignore_groups:
+        return scene.ignore_groups(names.first, names.second);
+    case Rule::set_margin:
+        return scene.set_margin(names.first, names.second, margin);
+    case Rule::set_group_margin:
+        break;
+    }
+    scene.set_group_margin(names.first, names.second, margin);
+}
+
+} // namespace
+} // namespace chasles::javascript
+
+namespace js = chasles::javascript;
+
+CHASLES_JAVASCRIPT(scene)() {
+    return js::guarded([] { return js::scenes().add(std::make_shared<chasles::Scene>()); });
+}
+
+CHASLES_JAVASCRIPT(free_scene)(std::int32_t scene) {
+    return js::guarded([&] { return js::scenes().free(scene), 0; });
+}
+
+/// Adds a body: its name and its group in the bytes, its motion in the numbers. Returns its index.
+CHASLES_JAVASCRIPT(scene_add)(std::int32_t scene, std::int32_t body, std::uint32_t name_size) {
+    return js::guarded([&] {
+        js::TwoTexts texts = js::given_texts(name_size);
+        js::NumbersIn in(js::given_numbers());
+        chasles::SceneBody added{std::move(texts.first), js::bodies().get(body).shape, js::world_motion_in(in),
+                                 std::move(texts.second)};
+        return js::scene_of(scene).add(std::move(added));
+    });
+}
+
+/// Removes the body whose name is in the bytes. Returns the index that it had, which the last body takes.
+CHASLES_JAVASCRIPT(scene_remove)(std::int32_t scene) {
+    return js::guarded([&] {
+        chasles::Scene& changed = js::scene_of(scene);
+        const std::size_t index = changed.index_of(js::given_bytes());
+        changed.remove(js::given_bytes());
+        return index;
+    });
+}
+
+/// Gives the body whose name is in the bytes the motion in the numbers. Returns its index.
+CHASLES_JAVASCRIPT(scene_move)(std::int32_t scene) {
+    return js::guarded([&] {
+        chasles::Scene& changed = js::scene_of(scene);
+        const std::size_t index = changed.index_of(js::given_bytes());
+        js::NumbersIn in(js::given_numbers());
+        changed.move(index, js::world_motion_in(in));
+        return index;
+    });
+}
+
+/// A rule for the two bodies or the two groups in the bytes.
+CHASLES_JAVASCRIPT(scene_rule)(std::int32_t scene, std::int32_t rule, std::uint32_t first_size, double margin) {
+    return js::guarded([&] {
+        if (rule < 0 || rule > std::int32_t(js::Rule::set_group_margin))
+            throw chasles::InvalidInput("scene: there is no such rule");
+        js::apply(js::scene_of(scene), js::Rule(rule), js::given_texts(first_size), margin);
+        return 0;
+    });
+}
+
+/// Answers a question about a scene. The options are in the numbers.
+CHASLES_JAVASCRIPT(scene_question)(std::int32_t scene, std::int32_t question) {
+    return js::answered([&](js::Numbers& out) {
+        if (question < 0 || question > std::int32_t(js::Question::clear_until))
+            throw chasles::InvalidInput("scene: there is no such question");
+        js::answer_scene(out, js::scene_of(scene), js::Question(question));
+    });
+}

@@ -1,0 +1,320 @@
+// What the package does with good and bad input; no other program is needed.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { createRequire } from "node:module";
+import { test } from "node:test";
+import * as plain from "chasles";
+import * as inline from "chasles/inline";
+import { BoxGeometry, IcosahedronGeometry, Matrix4, Object3D } from "three";
+import { box, potato, randomNumbers } from "./shapes.mjs";
+
+const { InvalidInput, InstanceStopped, load } = plain;
+const chasles = await load();
+const cube = chasles.polyhedron(box().vertices, box().faces);
+const far = [5, 0, 0];
+const near = [0.5, 0, 0, 1, 0.2, 0.1, 0];
+
+/** The message of the InvalidInput that `work` throws. */
+function refusal(work) {
+  try {
+    work();
+  } catch (error) {
+    assert.ok(error instanceof InvalidInput, `${error.name}: ${error.message}`);
+    assert.equal(error.name, "InvalidInput");
+    assert.ok(!error.message.includes("\n"));
+    return error.message;
+  }
+  return assert.fail("nothing was refused");
+}
+
+test("both builds, and every way to the module, give the same answer", async () => {
+  const url = new URL(import.meta.resolve("chasles/chasles.wasm"));
+  const bytes = await readFile(url);
+  const ways = [{ wasm: url }, { wasm: bytes }, { wasm: new Uint8Array(bytes).buffer }, { wasm: new WebAssembly.Module(bytes) }];
+  const instances = [await inline.load(), await inline.load({ wasm: bytes })];
+  for (const way of ways) instances.push(await load(way));
+  const expected = chasles.firstContact(cube, cube, far, near);
+  for (const instance of instances) {
+    const body = instance.polyhedron(box().vertices, box().faces);
+    assert.deepEqual(instance.firstContact(body, body, far, near), expected);
+  }
+  assert.equal(inline.InvalidInput, InvalidInput);
+});
+
+test("bodies from all kinds of arrays are the same", () => {
+  const { vertices, faces } = potato(randomNumbers(1), 3, 5);
+  const bodies = [
+    chasles.polyhedron(vertices, faces),
+    chasles.polyhedron(vertices.flat(), faces.flat()),
+    chasles.polyhedron(Float64Array.from(vertices.flat()), Uint32Array.from(faces.flat())),
+    chasles.polyhedron(vertices.map((v) => Float64Array.from(v)), Uint16Array.from(faces.flat())),
+    chasles.polyhedron(vertices, faces.map((f) => Uint32Array.from(f))),
+  ];
+  for (const body of bodies) {
+    assert.deepEqual([...body.vertices], vertices.flat());
+    assert.deepEqual(body.faces, faces);
+    assert.deepEqual([...body.triangles], faces.flat());
+    assert.deepEqual(body.report, bodies[0].report);
+    assert.ok(body.report.closed);
+  }
+});
+
+test("polygons are cut into triangles that cover them, and ids stay those of the input", () => {
+  assert.equal(cube.triangles.length, 36);
+  assert.deepEqual([...cube.sourceFaces], [0, 1, 2, 3, 4, 5]);
+  const bent = [[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]];
+  assert.match(refusal(() => chasles.polyhedron(bent, [[0, 1, 2, 3]])), /^face 0: .*planar/);
+  assert.deepEqual([...chasles.polyhedron(bent, [[0, 1, 2, 3]], { triangulate: true }).sourceFaces], [0, 0]);
+});
+
+const files = {
+  "cube.obj": "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n",
+  "cube.OFF": "OFF\n4 4 0\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+  "cube.ply":
+    "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\nproperty double y\nproperty double z\nelement face 4\n" +
+    "property list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n",
+  "cube.stl": `solid a\n${[[[0, 0, 0], [0, 1, 0], [1, 0, 0]], [[0, 0, 0], [1, 0, 0], [0, 0, 1]],
+    [[0, 0, 0], [0, 0, 1], [0, 1, 0]], [[1, 0, 0], [0, 1, 0], [0, 0, 1]]]
+    .map((t) => `facet normal 0 0 0\nouter loop\n${t.map((v) => `vertex ${v.join(" ")}`).join("\n")}\nendloop\nendfacet`)
+    .join("\n")}\nendsolid a\n`,
+};
+
+test("the four formats give the same body", () => {
+  for (const [name, text] of Object.entries(files)) {
+    const { vertices: _, ...report } = chasles.fromFile(new TextEncoder().encode(text), name).report;
+    assert.deepEqual([report.distinct_vertices, report.faces, report.edges, report.closed], [4, 4, 6, true], name);
+  }
+});
+
+test("files that cannot be read are refused with their name, the line and the reason", () => {
+  const read = (text, name) => refusal(() => chasles.fromFile(new TextEncoder().encode(text), name));
+  assert.equal(read("v 0 0 nan\n", "a.obj").slice(0, 13), "a.obj: line 1");
+  assert.match(read("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 9\n", "a.obj"), /^a\.obj: line 4: /);
+  assert.match(read("", "a.obj"), /^a\.obj: is empty/);
+  assert.match(read("solid", "picture.png"), /^picture\.png: the extension is none of/);
+  assert.match(read("v 0 0 0\n", "two\nlines.obj"), /has no face/);
+  assert.match(refusal(() => chasles.fromFile("text", "a.obj")), /^content: /);
+  const random = randomNumbers(2);
+  for (let i = 0; i < 300; ++i) {
+    // Broken files: some bytes of a good one are random.
+    const [name, text] = Object.entries(files)[i % 4];
+    const bytes = new TextEncoder().encode(text);
+    for (let k = 0; k < 3; ++k) bytes[Math.floor(random() * bytes.length)] = Math.floor(random() * 256);
+    try {
+      chasles.fromFile(bytes.subarray(0, Math.ceil(bytes.length * (0.5 + random()))), name).free();
+    } catch (error) {
+      assert.ok(error instanceof InvalidInput, error.message);
+    }
+  }
+});
+
+test("geometries of three.js: with and without an index, and with vertices that stand for one", () => {
+  const geometry = new BoxGeometry(2, 2, 2);
+  const [indexed, loose] = [chasles.fromBufferGeometry(geometry), chasles.fromBufferGeometry(geometry.toNonIndexed())];
+  for (const body of [indexed, loose]) {
+    const { distinct_vertices, faces, closed } = body.report;
+    assert.deepEqual([distinct_vertices, faces, closed], [8, 12, true]);
+    const found = chasles.firstContact(body, body, far, near);
+    const { time, time_upper } = chasles.firstContact(cube, cube, far, near);
+    assert.ok(Math.abs(found.time - time) < 1e-12 && Math.abs(found.time_upper - time_upper) < 1e-12);
+  }
+  assert.ok(chasles.fromBufferGeometry(new IcosahedronGeometry(1)).report.closed);
+  assert.match(refusal(() => chasles.fromBufferGeometry({ attributes: {} })), /^geometry: has no attribute position/);
+  assert.match(refusal(() => chasles.fromBufferGeometry(null)), /^geometry: /);
+});
+
+test("poses: 3, 7 and 16 numbers, matrices and objects of three.js", () => {
+  const object = new Object3D();
+  object.position.set(0.5, 0, 0);
+  object.quaternion.set(0.2, 0.1, 0, 1).normalize();
+  object.updateMatrix();
+  const expected = chasles.firstContact(cube, cube, far, near);
+  const ways = [object, object.matrix, new Matrix4().copy(object.matrix).transpose().toArray()];
+  for (const goal of ways) {
+    const found = chasles.firstContact(cube, cube, far, goal);
+    assert.ok(Math.abs(found.time - expected.time) < 1e-12);
+  }
+  assert.equal(chasles.firstContact(cube, cube, Float64Array.from(far), near).time, expected.time);
+});
+
+test("wrong arguments are refused in words, and the instance goes on", () => {
+  const ask = (start, goal, options) => refusal(() => chasles.firstContact(cube, cube, start, goal, options));
+  assert.match(ask([1, 2], near), /^start: 2 numbers found; a pose has 3/);
+  assert.match(ask(far, [0, 0, 0, 0, 0, 0, 0]), /^goal: pose: /);
+  assert.match(ask([NaN, 0, 0], near), /^start: pose: .*NaN/);
+  assert.match(ask([Infinity, 0, 0], near), /^start: pose: /);
+  assert.match(ask(["1", 0, 0], near), /^start\[0\]: "1" is not a number/);
+  assert.match(ask(undefined, near), /^start: undefined is no array/);
+  assert.match(ask(far, near, { margn: 1 }), /^margn: is no option here/);
+  assert.match(ask(far, near, { margin: -1 }), /^query: margin: must be in/);
+  assert.match(ask(far, near, { margin: NaN }), /^query: margin: must be in/);
+  assert.match(ask(far, near, { hold: 2, margin: 1 }), /hold/);
+  assert.match(ask(far, near, { timeTolerance: 0 }), /^query: time_tolerance/);
+  assert.match(ask(far, near, { find: "all" }), /^find: "all": must be 'first', 'any' or 'first_with_all_contacts'/);
+  assert.match(ask(far, near, { motion: "spiral" }), /^motion: "spiral": must be 'screw'/);
+  assert.match(ask(far, near, { centre: [0, 0, 0] }), /^centre: is for the motions sweep and velocity/);
+  assert.match(ask(far, near, { motion: "sweep", centre: [0, 0] }), /^centre: a point needs 3 numbers/);
+  assert.match(ask(far, near, { maxTurn: 0 }), /max_turn/);
+  assert.match(ask(far, near, { fixedStart: far }), /^fixedGoal: undefined/);
+  assert.match(ask(far, near, { fixedCentre: [0, 0, 0] }), /^fixedCentre: is for a fixed body/);
+  assert.match(ask(far, near, null), /^options: must be an object/);
+  assert.match(refusal(() => chasles.firstContact({}, cube, far, near)), /^moving: is no Polyhedron/);
+  assert.match(refusal(() => chasles.firstContactOnPath(cube, cube, [far])), /^poses: a path needs at least two/);
+  assert.match(refusal(() => chasles.firstContactOnPath(cube, cube, [far, [1]])), /^poses\[1\]: 1 number found/);
+  assert.match(refusal(() => chasles.leastDistance(cube, cube, far, near, { margin: 1 })), /^margin: is no option/);
+  assert.match(refusal(() => chasles.leastDistance(cube, cube, far, near, { tolerance: 2 })), /tolerance/);
+  assert.match(refusal(() => chasles.firstContactBatch(cube, cube, [far], [])), /^starts, goals: 1 and 0 poses/);
+  assert.match(refusal(() => chasles.firstContactBatch(cube, cube, [far, [1]], [near, near])), /^motion 1: start: 1 number/);
+  const mesh = (vertices, faces, options) => refusal(() => chasles.polyhedron(vertices, faces, options));
+  assert.match(mesh(box().vertices, [[0, 1, 8]]), /^face 0: vertex index 8 is out of range/);
+  assert.match(mesh(box().vertices, [[0, 1, -1]]), /^faces\[0\]: there is no vertex -1/);
+  assert.match(mesh(box().vertices, [[0, 1, 1.5]]), /^faces\[0\]: there is no vertex 1.5/);
+  assert.match(mesh(box().vertices, [0, 1]), /^faces: 2 indices are no triangles/);
+  assert.match(mesh(box().vertices, [[0, 1]]), /^face 0: /);
+  assert.match(mesh(box().vertices, []), /face/);
+  assert.match(mesh([1, 2], [0, 1, 2]), /^vertices: 2 numbers are no points/);
+  assert.match(mesh([[0, 0]], [0, 1, 2]), /^vertices\[0\]: is no point/);
+  assert.match(mesh([[0, 0, NaN], [1, 0, 0], [0, 1, 0]], [0, 1, 2]), /vertex 0/);
+  assert.match(mesh(box().vertices, box().faces, { triangulate: 1 }), /^triangulate: /);
+  assert.equal(chasles.firstContact(cube, cube, far, near).verdict, "contact");
+});
+
+test("freed bodies are refused, and what uses them goes on", () => {
+  const before = chasles.held;
+  const body = chasles.polyhedron(box().vertices, box().faces);
+  const scene = chasles.scene();
+  scene.add("a", body, { pose: far });
+  scene.add("b", body);
+  const hand = chasles.draggedBody(scene, "a");
+  body.free();
+  body.free();
+  assert.match(refusal(() => chasles.firstContact(body, cube, far, near)), /^moving: has been freed/);
+  assert.match(refusal(() => body.report), /^polyhedron: has been freed/);
+  assert.match(refusal(() => scene.add("c", body)), /^shape: has been freed/);
+  assert.equal(scene.firstContact().verdict, "clear");
+  scene[Symbol.dispose ?? Symbol.for("Symbol.dispose")]();
+  assert.match(refusal(() => scene.firstContact()), /^scene: has been freed/);
+  assert.equal(hand.update([0, 0, 0]).state, "resting");
+  hand.free();
+  assert.match(refusal(() => hand.update(far)), /^dragged body: has been freed/);
+  assert.deepEqual(chasles.held, before);
+});
+
+test("bodies that nothing refers to are freed", { skip: globalThis.gc ? false : "skipped: no --expose-gc" }, async () => {
+  const before = chasles.held.polyhedra;
+  (() => Array.from({ length: 50 }, () => chasles.polyhedron(box().vertices, box().faces)))();
+  assert.equal(chasles.held.polyhedra, before + 50);
+  for (let i = 0; i < 50 && chasles.held.polyhedra > before; ++i) {
+    globalThis.gc();
+    await new Promise((resolve) => setTimeout(resolve, 10));
+  }
+  assert.ok(chasles.held.polyhedra <= before);
+});
+
+test("bodies of another instance are refused", async () => {
+  const other = await load();
+  const body = other.polyhedron(box().vertices, box().faces);
+  assert.match(refusal(() => chasles.firstContact(cube, body, far, near)), /^fixed: belongs to another instance/);
+});
+
+test("what is out of memory throws RangeError, and the instance goes on", async () => {
+  const instance = await load();
+  const body = instance.polyhedron(box().vertices, box().faces);
+  assert.throws(() => instance.fromFile(new Uint8Array(2 ** 31 - 1), "a.obj"), (error) => error instanceof RangeError || error instanceof InvalidInput);
+  assert.equal(instance.firstContact(body, body, far, near).verdict, "contact");
+});
+
+test("a trap stops the instance, and nothing else", async () => {
+  const require = createRequire(import.meta.resolve("chasles"));
+  const { Border } = await import(require.resolve("chasles").replace(/index\.js$/, "border.js"));
+  const bytes = Uint8Array.from([0, 97, 115, 109, 1, 0, 0, 0, 1, 8, 2, 96, 0, 0, 96, 0, 1, 127, 3, 3, 2, 0, 1, 7, 28, 2, 11,
+    95, 105, 110, 105, 116, 105, 97, 108, 105, 122, 101, 0, 0, 10, 99, 104, 97, 115, 108, 101, 115, 95, 103, 111, 0, 1, 10, 8,
+    2, 2, 0, 11, 3, 0, 0, 11]); // _initialize does nothing; chasles_go runs into `unreachable`
+  const border = await Border.open(new WebAssembly.Module(bytes));
+  for (let i = 0; i < 2; ++i) assert.throws(() => border.call("go"), (error) => error instanceof InstanceStopped && /unreachable/.test(error.message));
+  border.free("body", 1); // a finalizer may come later: no effect
+});
+
+test("scenes: adding, moving, removing, rules", () => {
+  const scene = chasles.scene();
+  scene.add("a", cube, { pose: far, goal: [-5, 0, 0] });
+  scene.add("b", cube, { group: "static" });
+  scene.add("c", cube, { poses: [[0, 9, 0], [0, 8, 0], [0, 5, 0]], times: [0, 0.5, 1], group: "static" });
+  const found = scene.firstContact();
+  assert.deepEqual([found.verdict, found.pair], ["contact", ["a", "b"]]);
+  assert.ok(Math.abs(found.time - 0.3) < 1e-9 && found.time <= 0.3 && found.time_upper >= 0.3);
+  assert.deepEqual(scene.allContacts().events.map((event) => event.pair), [["a", "b"]]);
+  assert.deepEqual(Object.keys(scene.clearUntil()), ["a", "b", "c"]);
+  assert.equal(scene.clearUntil().c, 1);
+  assert.equal(scene.firstContact({ until: 0.2 }).verdict, "clear");
+  scene.setMargin("a", "b", 1);
+  assert.ok(Math.abs(scene.firstContact().time - 0.2) < 1e-9);
+  scene.setGroupMargin("static", "static", 4);
+  scene.ignore("a", "b");
+  assert.deepEqual(scene.firstContact().pair, ["c", "b"]);
+  scene.ignoreGroups("static", "static");
+  assert.equal(scene.firstContact().verdict, "clear");
+  scene.remove("a");
+  assert.deepEqual(scene.names, ["c", "b"]);
+  assert.deepEqual(Object.keys(scene.clearUntil()), ["c", "b"]);
+  scene.move("c", { pose: [0, 1, 0] });
+  assert.match(refusal(() => scene.add("b", cube)), /^scene: b: /);
+  assert.match(refusal(() => scene.add("", cube)), /^scene: /);
+  assert.match(refusal(() => scene.add(7, cube)), /^name: 7 is not a text/);
+  assert.match(refusal(() => scene.add("d", cube, { motion: "screw" })), /^motion: screw is the motion of one body/);
+  assert.match(refusal(() => scene.add("d", cube, { poses: [far, near], times: [0] })), /^times: there are 1 for 2/);
+  assert.match(refusal(() => scene.add("d", cube, { poses: [far, near], times: [0, 2] })), /^times: must run from 0 to 1/);
+  assert.match(refusal(() => scene.add("d", cube, { poses: [far], pose: far })), /^poses: stand instead/);
+  assert.match(refusal(() => scene.remove("x")), /^scene: x: is not in the scene/);
+  assert.match(refusal(() => scene.firstContact({ hold: 0 })), /hold/);
+  assert.deepEqual(scene.names, ["c", "b"]);
+});
+
+test("a dragged body stops at contacts, slides, and lifts off", () => {
+  const scene = chasles.scene();
+  const table = chasles.polyhedron(box(20, 20, 1).vertices, box(20, 20, 1).faces);
+  scene.add("table", table, { pose: [0, 0, -2] });
+  scene.add("cube", cube, { pose: [0, 0, 3] });
+  const hand = chasles.draggedBody(scene, "cube", { rounds: 16 });
+  let step = hand.update([0, 0, -4]);
+  assert.deepEqual([step.state, step.blocking], ["resting", ["table"]]);
+  assert.ok(step.events.every((event) => event.begins && event.body === "table") && step.events.length > 0);
+  assert.ok(step.contacts.reduce((sum, contact) => sum + contact.force, 0) > 0 && step.wrench[2] > 0);
+  for (let i = 0; i < 20; ++i) step = hand.update([5, 0, -4]);
+  assert.ok(Math.abs(step.pose[0] - 5) < 1e-3 && step.pose[2] > 0 && step.pose[2] < 0.01, String(step.pose));
+  for (let i = 0; i < 20; ++i) step = hand.update([5, 0, 4]);
+  assert.equal(step.state, "reached");
+  assert.deepEqual(step.contacts, []);
+  assert.deepEqual(hand.pose, step.pose);
+  assert.ok(hand.update([6, 0, 4], 1e-9).pieces.length <= 1, "the clock of the module runs");
+  assert.match(refusal(() => hand.update([1])), /^goal: 1 number found/);
+  assert.match(refusal(() => hand.update(far, "1")), /^seconds: "1" is not a number/);
+  assert.match(refusal(() => chasles.draggedBody(scene, "x")), /x/);
+  assert.match(refusal(() => chasles.draggedBody(scene, "cube", { margin: -1 })), /margin/);
+  assert.match(refusal(() => chasles.draggedBody(scene, "cube", { rounds: -1 })), /rounds/);
+});
+
+test("workers answer as one instance does", async () => {
+  const { vertices, faces } = potato(randomNumbers(3), 4, 7);
+  const body = chasles.polyhedron(vertices, faces);
+  const starts = Array.from({ length: 101 }, (_, i) => [4, 0.03 * i, 0]);
+  const goals = starts.map((_, i) => [0, 0.06 * i, 0, 1, 0.1, 0.02 * i, 0]);
+  const workers = await chasles.workers({ count: 2 });
+  try {
+    const options = { find: "first_with_all_contacts" };
+    const answers = await workers.firstContactBatch(body, cube, starts, goals, options);
+    assert.deepEqual(answers, chasles.firstContactBatch(body, cube, starts, goals, options));
+    assert.ok(answers.some((answer) => answer.verdict === "contact") && answers.some((answer) => answer.verdict === "clear"));
+    starts[77] = [1];
+    await assert.rejects(workers.firstContactBatch(body, cube, starts, goals), (error) =>
+      error instanceof InvalidInput && /^motion 77: start: 1 number found/.test(error.message));
+    const dropped = chasles.polyhedron([...vertices, [9, 9, 9]], [[0, 1, 0], ...faces]); // a face without area
+    starts[77] = far;
+    const ids = await workers.firstContactBatch(dropped, cube, starts.slice(0, 5), goals.slice(0, 5));
+    assert.deepEqual(ids, chasles.firstContactBatch(dropped, cube, starts.slice(0, 5), goals.slice(0, 5)));
+  } finally {
+    workers.stop();
+  }
+  await assert.rejects(workers.firstContactBatch(body, cube, starts, goals), InvalidInput);
+  await assert.rejects(chasles.workers({ count: 0 }), InvalidInput);
+});

@@ -1,0 +1,30 @@
+// Compiled, not run: the types accept what the README shows, and refuse what is wrong.
+import { load, InvalidInput, Polyhedron, type FirstContact } from "chasles";
+import { load as loadInline } from "chasles/inline";
+import { BoxGeometry, Matrix4, Object3D } from "three";
+
+const chasles = await load();
+const other = await loadInline({ wasm: new Uint8Array(8) });
+const cube: Polyhedron = chasles.polyhedron(new Float64Array(24), new Uint32Array(36), { triangulate: true });
+const box = chasles.fromBufferGeometry(new BoxGeometry(1, 1, 1));
+const nested = other.polyhedron([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]);
+const found: FirstContact = chasles.firstContact(cube, box, new Object3D(), new Matrix4(), { margin: 0.1, motion: "twist" });
+if (found.verdict !== "clear") console.log(found.time, found.contacts[0]?.normal[0], found.tau?.toFixed());
+// @ts-expect-error: an answer without contact has no time
+console.log(found.time);
+// @ts-expect-error: there is no such motion
+chasles.firstContact(cube, box, [0, 0, 0], [1, 0, 0], { motion: "spiral" });
+// @ts-expect-error: bodies come from an instance
+new Polyhedron();
+const segment: number = chasles.firstContactOnPath(cube, nested, [[0, 0, 0], new Float64Array(7)], { hold: 0 }).segment;
+const clear: boolean = chasles.isClear(cube, box, [0, 0, 0], [1, 0, 0], { fixedStart: [0, 0, 0], fixedGoal: [1, 1, 1] });
+const scene = chasles.scene();
+scene.add("cube", cube, { pose: [0, 0, 0], goal: [1, 0, 0], motion: "velocity", group: "moving" });
+const first = scene.firstContact({ until: 0.5 });
+if (first.verdict === "contact") console.log(first.pair[0], first.time_upper);
+const hand = chasles.draggedBody(scene, "cube", { rounds: 4 });
+const force: number = hand.update([0, 0, 0], 1 / 60).contacts[0]?.force ?? 0;
+const workers = await chasles.workers({ count: 2 });
+const answers: FirstContact[] = await workers.firstContactBatch(cube, box, [[0, 0, 0]], [[1, 0, 0]]);
+cube[Symbol.dispose]();
+console.log(segment, clear, force, answers, new InvalidInput("x").message);
