@@ -36,8 +36,8 @@ Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goa
     const QueryOptions options{margin, hold, time_tolerance, find_from(find)};
     const nb::gil_scoped_release release;
     const auto lock = memory ? std::unique_lock(memory->in_use) : std::unique_lock<std::mutex>();
-    answer.found = first_contact(
-        {moving_body, fixed_body, plain(answer.motion), options, memory ? &memory->memory : nullptr});
+    answer.found =
+        first_contact({moving_body, fixed_body, plain(answer.motion), options, memory ? &memory->memory : nullptr});
     return answer;
 }
 
@@ -63,9 +63,11 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
 
 std::string first_contact_doc() {
     return "When do two polyhedra first touch, where, and how?\n\n" + motion_docs() + option_docs(max_turn_docs) +
-           "memory : PairMemory, optional\n    Of both bodies. Saves time where questions with a margin follow each other at "
+           "memory : PairMemory, optional\n    Of both bodies. Saves time where questions with a margin follow each "
+           "other at "
            "nearby places.\n"
-           "\nReturns\n-------\nFirstContact\n    Its verdict states the proven result.\n\n" + invalid_input_docs;
+           "\nReturns\n-------\nFirstContact\n    Its verdict states the proven result.\n\n" +
+           invalid_input_docs;
 }
 
 std::string path_doc() {
@@ -84,7 +86,8 @@ void bind_queries(nb::module_& module) {
     nb::class_<SharedMemory>(
         module, "PairMemory",
         "What questions about the same two bodies keep for the next ones.\n\n"
-        "A body that slides, or is driven by a simulation in small steps, is asked about at nearly the same place each\n"
+        "A body that slides, or is driven by a simulation in small steps, is asked about at nearly the same place "
+        "each\n"
         "time. The memory changes no answer, only the time of the next ones. It helps questions with a margin.\n\n"
         "Parameters\n----------\nmoving, fixed : Polyhedron\n    Of all questions with this memory, in these roles.")
         .def(nb::init<nb::handle, nb::handle>(), "moving"_a.none(), "fixed"_a.none(),
