@@ -4,6 +4,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace chasles::manipulation {
@@ -11,10 +12,11 @@ namespace chasles::manipulation {
 namespace {
 
 /// What remains of the wish is rounding, or not worth another iteration.
-constexpr double negligible = 0x1p-28;
-constexpr double cone_rounding = 0x1p-32;
-constexpr int most_cuts = 100;
+constexpr double negligible = 0x1p-26;
+constexpr double cone_rounding = 0x1p-30;
+constexpr int most_solutions = 150; ///< of the convex problem with planes, in all rounds; for the worst case
 constexpr int most_rounds = 30;
+constexpr std::size_t most_new_cuts = 12;
 
 /// The convex problem: the twist nearest to a wish, |v - wish|_M, for which n v + gap >= coefficient * |T v| at each
 /// contact. Its cones are approached by planes, each of which touches its cone at the twist that the planes before have
@@ -33,15 +35,17 @@ public:
     FrictionForces solve(const Eigen::VectorXd& gaps, const Twist& wish) {
         const double length = std::sqrt(wish.dot(problem_.metric * wish));
         AdmissibleTwist answer{wish, Eigen::VectorXd()};
-        for (int i = 0; i < most_cuts; ++i) {
+        do {
             answer = admissible_twist(constraints(gaps), problem_.metric, wish);
             // not the answer's twist, which is at rest where rounding violates a plane
             answer.twist = wish + inverse_.solve(answer.wrench);
-            if (!cut(answer, gaps, length))
-                break;
-        }
+            ++solutions_;
+        } while (!is_exhausted() && cut(answer, gaps, length));
         return forces_of(answer);
     }
+
+    /// The last answer may leave the cones.
+    [[nodiscard]] bool is_exhausted() const { return solutions_ >= most_solutions; }
 
 private:
     /// A plane at the cone of a contact.
@@ -67,20 +71,23 @@ private:
         return planes;
     }
 
-    /// Adds planes where the twist leaves the cones, and drops those that do not push. False if it leaves none.
+    /// Adds planes where the twist leaves the cones most, and drops those that do not push. False if it leaves none.
     bool cut(const AdmissibleTwist& answer, const Eigen::VectorXd& gaps, double length) {
-        std::vector<Cut> added;
+        std::vector<std::pair<double, Eigen::Index>> left; // by how much, and which one
         for (Eigen::Index i = 0; i < gaps.size(); ++i) {
-            const Eigen::Vector2d slide = sliding(i, answer.twist);
-            const double left = problem_.normals.rows.row(i).dot(answer.twist) + gaps[i];
-            if (problem_.coefficient * slide.norm() - left > scales_[i] * length)
-                added.push_back({i, -slide.stableNormalized()});
+            const double above = problem_.normals.rows.row(i).dot(answer.twist) + gaps[i];
+            const double excess = problem_.coefficient * sliding(i, answer.twist).norm() - above;
+            if (excess > scales_[i] * length)
+                left.emplace_back(-excess, i);
         }
-        if (added.empty())
+        if (left.empty())
             return false;
+        std::ranges::sort(left);
+        left.resize(std::min(left.size(), most_new_cuts));
         std::size_t k = 0;
         std::erase_if(cuts_, [&](const Cut&) { return !(answer.multipliers[Eigen::Index(k++)] > 0); });
-        cuts_.insert(cuts_.end(), added.begin(), added.end());
+        for (const auto& [excess, contact] : left)
+            cuts_.push_back({contact, -sliding(contact, answer.twist).stableNormalized()});
         return true;
     }
 
@@ -99,6 +106,7 @@ private:
     Eigen::LLT<Metric> inverse_;
     Eigen::VectorXd scales_; ///< of what is rounding, for a wish of length 1
     std::vector<Cut> cuts_;
+    int solutions_ = 0;
 };
 
 /// Anderson's acceleration of x -> f(x), for few unknowns.
@@ -164,8 +172,8 @@ FrictionForces sliding_forces(const FrictionProblem& problem, const Twist& wish)
         // the cones, opened by as much as the sliding would lift the body
         forces = cones.solve(problem.normals.gaps + problem.coefficient * slides(problem, slid), wish);
         const Twist change = forces.twist - slid;
-        forces.has_converged = std::sqrt(change.dot(problem.metric * change)) <= tolerance;
-        if (forces.has_converged)
+        forces.has_converged = std::sqrt(change.dot(problem.metric * change)) <= tolerance && !cones.is_exhausted();
+        if (forces.has_converged || cones.is_exhausted())
             break;
         slid = acceleration.next(slid, forces.twist);
     }

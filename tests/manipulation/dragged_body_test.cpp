@@ -244,6 +244,10 @@ TEST(DraggedBody, RefusesWhatItCannotUse) {
     EXPECT_EQ(refusal_with({.rounds = 0}), "drag: rounds: must be positive");
     EXPECT_EQ(refusal_with({.mass = MassProperties{Vector3d::Zero(), -Eigen::Matrix3d::Identity()}}),
               "drag: mass: the inertia must be symmetric and positive definite");
+    EXPECT_EQ(refusal_with({.friction = -0.1}), "drag: friction: must be in [0, 100]");
+    EXPECT_EQ(refusal_with({.friction = std::nan("")}), "drag: friction: must be in [0, 100]");
+    EXPECT_EQ(refusal_with({.lock = {DragLockKind::plane, Vector3d::Zero(), {}}}),
+              "drag: lock: the direction must be finite and not zero");
     DraggedBody body(scene, "box");
     EXPECT_EQ(refusal([&] { (void)body.update(Pose(), -1); }), "drag: seconds: must not be negative");
     scene.remove("box");

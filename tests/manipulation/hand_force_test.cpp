@@ -67,6 +67,18 @@ TEST(HandForce, FollowsTheHandWithoutAnUpdate) {
     EXPECT_NE(refusal([&] { (void)body.force(Pose(Vector3d(0, std::nan(""), 0), Quaterniond::Identity())); }), "");
 }
 
+TEST(HandForce, ContactsThatDoNotTouchDoNotPush) {
+    for (const auto& [gap, pushes] : {std::pair(1.1, true), std::pair(1.5, false)}) {
+        Scene scene;
+        scene.add({"table", box({9, 9, 0.5}).polyhedron(), Motion::at_rest(shifted(0, 0, -0.5))});
+        scene.add({"box", box({0.5, 0.5, 0.5}).polyhedron(), Motion::at_rest(shifted(0, 0, 0.5 + gap * margin))});
+        for (const double friction : {0.0, 0.5}) {
+            const DraggedBody body(scene, "box", options_with(friction));
+            EXPECT_EQ(body.force(shifted(0.1, 0, 0)).force.norm() > 0, pushes) << gap;
+        }
+    }
+}
+
 /// The hand presses by 0.1 wherever the box is, so each answer is known however the threads interleave.
 TEST(HandForce, MayBeAskedForWhileAnotherThreadUpdates) {
     Scene scene = box_on_table();
