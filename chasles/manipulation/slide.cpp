@@ -22,7 +22,9 @@ constexpr double negligible = 0x1p-10;
 constexpr double kept_share = 0.75;
 /// The spring loses at least this share of what it would lose by its force at the start of the step.
 constexpr double least_gain = 0.1;
-constexpr int attempts = 10;
+/// Each halves the wish. A hand that pulls by 500 margins may turn a body that is easy to turn by 10,000 margins: ten
+/// are too few. A step that is too short to count ends them.
+constexpr int attempts = 24;
 
 /// A contact that a lock lets move by less than this share is not in the way of the lock's twists.
 constexpr double least_row = 0x1p-20;

@@ -49,6 +49,15 @@ DragStep pull(DraggedBody& hand) {
     return hand.update(Pose(Vector3d(0, 0, now.translation.z() + 1e-3), Quaterniond(now.rotation)));
 }
 
+/// Easy to turn, so that the hand need not help.
+DragOptions options_for(const Polyhedron& nut, double margin) {
+    const Vector3d centre(0, 0, (nut.report().lower.z() + nut.report().upper.z()) / 2);
+    DragOptions options;
+    options.margin = margin;
+    options.mass = MassProperties{centre, 5e-9 * Eigen::Matrix3d::Identity()};
+    return options;
+}
+
 void expect_to_come_off(const PulledNut& asked) {
     const Polyhedron nut = body_of(asked.nut), bolt = body_of(asked.bolt);
     const bool is_long = times_if_long(2) == 2;
@@ -59,12 +68,7 @@ void expect_to_come_off(const PulledNut& asked) {
     Scene scene;
     scene.add({"bolt", bolt});
     scene.add({"nut", nut, Motion::at_rest(start)});
-    // easy to turn, so that the hand need not help
-    const Vector3d centre(0, 0, (nut.report().lower.z() + nut.report().upper.z()) / 2);
-    DragOptions options;
-    options.margin = asked.margin;
-    options.mass = MassProperties{centre, 5e-9 * Eigen::Matrix3d::Identity()};
-    DraggedBody hand(scene, "nut", options);
+    DraggedBody hand(scene, "nut", options_for(nut, asked.margin));
     double turns = 0, turns_on_thread = 0, rise_on_thread = 0;
     int updates = 0;
     for (; updates < most_updates && hand.pose().translation.z() < top && !testing::Test::HasFailure(); ++updates) {
@@ -93,6 +97,21 @@ void expect_to_come_off(const PulledNut& asked) {
 TEST(PulledNut, M16ComesOffByItsThread) {
     CHASLES_REQUIRE_DATA("assembly-factory");
     expect_to_come_off({"nut_m16_loose_subdiv_3x", "bolt_m16_loose", 0.002, 0.97 * 0.002, 10, 2e-6, 0.4, 300});
+}
+
+/// The pull would turn the nut by 10,000 margins: the first steps that are tried are much too long.
+TEST(PulledNut, M16DoesNotRestWhereNothingHoldsIt) {
+    CHASLES_REQUIRE_DATA("assembly-factory");
+    const Polyhedron nut = body_of("nut_m16_loose_subdiv_3x"), bolt = body_of("bolt_m16_loose");
+    const Pose start({3.4182440703415349e-05, 1.5173933769241124e-05, 0.020927663410618223},
+                     {0.28030707901940749, -0.00048028229078717061, -0.00039201972575089792, 0.95991018178841281});
+    Scene scene;
+    scene.add({"bolt", bolt});
+    scene.add({"nut", nut, Motion::at_rest(start)});
+    DraggedBody hand(scene, "nut", options_for(nut, 2e-6));
+    const DragStep step = pull(hand);
+    EXPECT_NE(step.state, DragState::resting);
+    EXPECT_GT(turns_between(start, step.pose), 1e-3);
 }
 
 TEST(PulledNut, M12RisesByItsThread) {
