@@ -8,7 +8,7 @@ import { InvalidInput, load } from "chasles";
 import { asCommandLine, nativeAnswers, optionsOf, skip } from "./native.mjs";
 import { box, potato, randomNumbers, randomPose } from "./shapes.mjs";
 
-const queries = Number(process.env.CHASLES_QUERIES ?? 10000);
+const queries = 10000;
 
 /** Answers lines as the native program does. */
 class Answerer {
