@@ -24,5 +24,6 @@ npm ci --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error
 npm install --no-save --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error ./chasles-*.tgz
 
 node node_modules/typescript/bin/tsc
-CHASLES_NATIVE_ANSWERS=${native:-} CHASLES_DATA_DIR=${CHASLES_DATA_DIR:-} node --expose-gc --test --test-reporter=spec \
+export CHASLES_NATIVE_ANSWERS="${native:-}" CHASLES_DATA_DIR="${CHASLES_DATA_DIR:-}"
+node --expose-gc --test --test-reporter=spec \
     package.test.mjs native.test.mjs readme.test.mjs

@@ -22,8 +22,9 @@ export class Reader {
     return this.number() === 1;
   }
   some(count) {
-    this.#at += count;
-    return Array.from(this.#numbers.subarray(this.#at - count, this.#at));
+    const taken = new Array(count);
+    for (let i = 0; i < count; ++i) taken[i] = this.#numbers[this.#at++];
+    return taken;
   }
   point() {
     return this.some(3);
@@ -32,7 +33,9 @@ export class Reader {
     return this.some(7);
   }
   list(read) {
-    return Array.from({ length: this.number() }, () => read(this));
+    const items = [];
+    for (let left = this.number(); left > 0; --left) items.push(read(this));
+    return items;
   }
 }
 

@@ -36,7 +36,12 @@ function shown(value) {
 /** A list of numbers, behind their count. */
 function counted(list, name) {
   if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of numbers`);
-  return [list.length, ...Array.from(list, (value, i) => number(value, `${name}[${i}]`))];
+  const numbers = [list.length];
+  for (let i = 0; i < list.length; ++i) {
+    if (typeof list[i] !== "number") number(list[i], `${name}[${i}]`); // throws
+    numbers.push(list[i]);
+  }
+  return numbers;
 }
 
 /** A pose: 3, 7 or 16 numbers, or an object of three.js: a Matrix4, or an Object3D with position and quaternion. */

@@ -8,8 +8,8 @@
 #include "chasles/io/pose_text.h"
 #include "view/answer_json.h"
 
-#include <chrono>
 #include <cstdlib>
+#include <ctime>
 #include <functional>
 #include <iostream>
 #include <limits>
@@ -200,10 +200,10 @@ Json Answerer::answer(const Json& line) {
 }
 
 double Answerer::round() const {
-    const auto start = std::chrono::steady_clock::now();
+    const std::clock_t start = std::clock(); // of the processor: other programs count less
     for (const auto& ask : again_)
         ask();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    return double(std::clock() - start) / CLOCKS_PER_SEC;
 }
 
 void run(int rounds) {

@@ -312,6 +312,9 @@ test("workers answer as one instance does", async () => {
     starts[77] = far;
     const ids = await workers.firstContactBatch(dropped, cube, starts.slice(0, 5), goals.slice(0, 5));
     assert.deepEqual(ids, chasles.firstContactBatch(dropped, cube, starts.slice(0, 5), goals.slice(0, 5)));
+    const bent = chasles.polyhedron([[0, 0, 0], [1, 0, 0], [1, 1, 0.5], [0, 1, 0]], [[0, 1, 2, 3]], { triangulate: true });
+    const cut = await workers.firstContactBatch(bent, cube, starts.slice(0, 5), goals.slice(0, 5));
+    assert.deepEqual(cut, chasles.firstContactBatch(bent, cube, starts.slice(0, 5), goals.slice(0, 5)));
   } finally {
     workers.stop();
   }

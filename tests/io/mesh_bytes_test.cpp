@@ -1,0 +1,39 @@
+// Meshes from the content of files.
+#include "chasles/io/mesh_bytes.h"
+
+#include "tests/io/message_of.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::tests {
+namespace {
+
+constexpr const char* tetrahedron = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST(MeshBytes, TheExtensionChoosesTheReaderInCapitalsToo) {
+    for (const char* const name : {"a.obj", "A.OBJ", "folder/a.b.Obj"}) {
+        EXPECT_EQ(io::read_polyhedron(tetrahedron, name).face_count(), 4U) << name;
+        EXPECT_EQ(io::read_polygons(tetrahedron, name).vertices.size(), 4U) << name;
+    }
+    EXPECT_EQ(io::reader_for(".ply"), io::read_ply);
+    EXPECT_EQ(io::reader_for(".stl"), io::read_stl);
+    EXPECT_EQ(io::reader_for(".off"), io::read_off);
+    EXPECT_EQ(io::reader_for(".glb"), nullptr);
+}
+
+TEST(MeshBytes, RefusalsNameTheFileTheLineAndTheReason) {
+    const auto refusal = [](std::string_view bytes, const std::string& name) {
+        return message_of([&] { (void)io::read_polyhedron(bytes, name); });
+    };
+    EXPECT_EQ(refusal(tetrahedron, "a.png"), "a.png: the extension is none of .obj, .off, .ply and .stl");
+    EXPECT_EQ(refusal(tetrahedron, "obj"), "obj: the extension is none of .obj, .off, .ply and .stl");
+    EXPECT_EQ(refusal("", "a.obj"), "a.obj: is empty");
+    EXPECT_EQ(refusal("v 0 0 0\n", "a.obj"), "a.obj: has no face; a mesh needs at least one");
+    EXPECT_TRUE(refusal("v 0 0 0\nv 1 x 0\n", "a.obj").starts_with("a.obj: line 2: "));
+    const std::string bent = "v 0 0 0\nv 1 0 0\nv 1 1 0.5\nv 0 1 0\nf 1 2 3 4\n"; // refused by the mesh layer
+    EXPECT_TRUE(refusal(bent, "a.obj").starts_with("a.obj: line 5: face 0: "));
+    EXPECT_EQ(io::read_polyhedron(bent, "a.obj", {.triangulate = true}).face_count(), 2U);
+}
+
+} // namespace
+} // namespace chasles::tests
