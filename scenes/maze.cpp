@@ -1,6 +1,6 @@
 #include "scenes/maze.h"
 
-#include "chasles/base/invalid_input.h"
+#include "scenes/require.h"
 #include "scenes/triangle_mesh.h"
 
 #include <algorithm>
@@ -15,16 +15,11 @@ namespace chasles::scenes {
 
 namespace {
 
-void require(bool holds, const char* where, const char* why) {
-    if (!holds)
-        throw InvalidInput(fmt::format("maze: {}: {}", where, why));
-}
-
 void require_usable(const Maze& size) {
     for (const double length : {size.corridor, size.wall, size.height, size.floor})
-        require(length > 0 && length < 1e6, "lengths", "each must be positive");
+        require("maze", length > 0 && length < 1e6, "lengths", "each must be positive");
     for (const int count : {size.columns, size.rows})
-        require(count >= 1 && count <= 200, "columns and rows", "between 1 and 200");
+        require("maze", count >= 1 && count <= 200, "columns and rows", "between 1 and 200");
 }
 
 /// The squares of the plate: those with two odd indices are cells, those with one odd index are open or a wall, and all

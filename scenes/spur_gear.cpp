@@ -1,6 +1,6 @@
 #include "scenes/spur_gear.h"
 
-#include "chasles/base/invalid_input.h"
+#include "scenes/require.h"
 #include "scenes/triangle_mesh.h"
 
 #include <algorithm>
@@ -17,11 +17,6 @@ using std::numbers::pi;
 
 constexpr double pressure_angle = pi / 9; // 20 degrees
 
-void require(bool holds, const char* where, const char* why) {
-    if (!holds)
-        throw InvalidInput(fmt::format("spur gear: {}: {}", where, why));
-}
-
 double root_radius(const SpurGear& gear) {
     return gear.pitch_radius() - 1.25 * gear.module;
 }
@@ -32,11 +27,12 @@ double bore_radius(const SpurGear& gear) {
 
 void require_usable(const SpurGear& gear) {
     const auto is_positive = [](double length) { return length > 0 && length < 1e6; };
-    require(gear.teeth >= 17 && gear.teeth <= 1000, "teeth", "between 17 and 1000");
-    require(is_positive(gear.module), "module", "must be positive");
-    require(is_positive(gear.width), "width", "must be positive");
-    require(gear.play >= 0 && gear.play < 0.5 * pi * gear.module, "play", "at least 0 and below half of a pitch");
-    require(is_positive(bore_radius(gear)) && bore_radius(gear) < root_radius(gear), "bore radius",
+    require("spur gear", gear.teeth >= 17 && gear.teeth <= 1000, "teeth", "between 17 and 1000");
+    require("spur gear", is_positive(gear.module), "module", "must be positive");
+    require("spur gear", is_positive(gear.width), "width", "must be positive");
+    require("spur gear", gear.play >= 0 && gear.play < 0.5 * pi * gear.module, "play",
+            "at least 0 and below half of a pitch");
+    require("spur gear", is_positive(bore_radius(gear)) && bore_radius(gear) < root_radius(gear), "bore radius",
             "must be positive and below the radius of the roots");
 }
 

@@ -1,6 +1,6 @@
 #include "scenes/threaded_fastener.h"
 
-#include "chasles/base/invalid_input.h"
+#include "scenes/require.h"
 #include "scenes/triangle_mesh.h"
 
 #include <cmath>
@@ -13,21 +13,18 @@ namespace {
 
 using std::numbers::pi;
 
-void require(bool holds, const char* where, const char* why) {
-    if (!holds)
-        throw InvalidInput(fmt::format("threaded fastener: {}: {}", where, why));
-}
-
 void require_usable(const ThreadedFastener& size) {
     const double lengths[] = {size.nominal_diameter, size.pitch,      size.bolt_length,
                               size.head_height,      size.nut_height, size.width_across_flats,
                               size.radial_clearance};
     for (const double length : lengths)
-        require(length > 0 && length < 1e6, "sizes", "each must be positive");
-    require(size.segments >= 12 && size.segments <= 10000, "segments", "between 12 and 10000");
-    require(size.bolt_thread().root_radius() > 0, "pitch", "too coarse for the diameter");
-    require(size.width_across_flats > 1.2 * size.nominal_diameter, "width across flats", "too small for the thread");
-    require(radial_facet_error(size) < size.radial_clearance && axial_facet_error(size) < axial_clearance(size),
+        require("threaded fastener", length > 0 && length < 1e6, "sizes", "each must be positive");
+    require("threaded fastener", size.segments >= 12 && size.segments <= 10000, "segments", "between 12 and 10000");
+    require("threaded fastener", size.bolt_thread().root_radius() > 0, "pitch", "too coarse for the diameter");
+    require("threaded fastener", size.width_across_flats > 1.2 * size.nominal_diameter, "width across flats",
+            "too small for the thread");
+    require("threaded fastener",
+            radial_facet_error(size) < size.radial_clearance && axial_facet_error(size) < axial_clearance(size),
             "segments", "too few: the facets would use up the clearance");
 }
 

@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 
 namespace {
 
-Quaterniond rotation(const Pose& pose) {
+Quaterniond unit_rotation(const Pose& pose) {
     return Quaterniond(pose.rotation).normalized();
 }
 
@@ -71,13 +71,13 @@ Metric Lock::projection(const Metric& metric, const Vector3d& centre) const {
 Pose Lock::turned(double angle) const {
     const Quaterniond turn(Eigen::AngleAxisd(angle, direction_));
     const Vector3d place = has_line() ? Vector3d(point_ + turn * (start_.translation - point_)) : start_.translation;
-    return {place, turn * rotation(start_)};
+    return {place, turn * unit_rotation(start_)};
 }
 
 Pose Lock::onto(const Pose& pose) const {
     if (is_free())
         return pose;
-    const Quaterniond turn = rotation(pose) * rotation(start_).conjugate();
+    const Quaterniond turn = unit_rotation(pose) * unit_rotation(start_).conjugate();
     const Pose here = turned(turns() ? 2 * std::atan2(turn.vec().dot(direction_), turn.w()) : 0);
     const Vector3d way = pose.translation - start_.translation;
     const Vector3d along = direction_ * direction_.dot(way);

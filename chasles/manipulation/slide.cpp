@@ -17,7 +17,7 @@ namespace {
 constexpr double longest_way = 0.5;
 constexpr double longest_turn = 0.5;
 /// What is shorter than this share of the margin does not matter.
-constexpr double negligible = 0x1p-10;
+constexpr double negligible_share = 0x1p-10;
 /// Contacts keep this share of the margin during a step; the certified step asks for less (`safe_level`).
 constexpr double kept_share = 0.75;
 /// The spring loses at least this share of what it would lose by its force at the start of the step.
@@ -128,7 +128,7 @@ private:
     [[nodiscard]] bool is_free() const {
         if (drive_ != wish_)
             return false;
-        const double tolerance = negligible * problem_.margin;
+        const double tolerance = negligible_share * problem_.margin;
         const Pose soon = Motion::screw(problem_.pose, target_of(problem_)).pose_at(0x1p-10);
         const Displacement displacement = Displacement::between(problem_.pose, soon);
         const auto leads_away = [&](const ModelledContact& contact) {
@@ -164,7 +164,7 @@ private:
             const Eigen::VectorXd next = bend_of(step);
             const double change = (next - bend).cwiseAbs().maxCoeff();
             bend = next;
-            if (change < negligible * problem_.margin)
+            if (change < negligible_share * problem_.margin)
                 break;
         }
         return step;
@@ -196,7 +196,7 @@ private:
         Twist recovery = Twist::Zero();
         Eigen::VectorXd pushes = Eigen::VectorXd::Zero(bend.size());
         double change = problem_.margin;
-        for (int sweep = 0; sweep < sweeps && change > negligible * problem_.margin; ++sweep) {
+        for (int sweep = 0; sweep < sweeps && change > negligible_share * problem_.margin; ++sweep) {
             change = 0;
             for (Eigen::Index i = 0; i < bend.size(); ++i) {
                 const double ease = contacts_.rows.row(i).dot(answers_.col(i));
