@@ -12,8 +12,9 @@ namespace search {
 class NeighbourList;
 }
 
-/// The memory of two bodies, for one thread at a time. It changes no answer, only the time of the next ones: a small
-/// step of a nut on its bolt takes a tenth of the time. It helps questions with a margin.
+/// The memory of two bodies, for one thread at a time. It changes the time that the next answers take, and no verdict.
+/// Brackets of time may differ within their tolerance, and contacts may come in another order. It helps questions with
+/// a margin.
 ///
 ///     PairMemory memory(nut, bolt);
 ///     for (...)

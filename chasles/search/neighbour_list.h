@@ -15,8 +15,8 @@
 
 namespace chasles::search {
 
-/// A list for two bodies, which are kept by reference. For one thread. What it holds changes no answer, only the time
-/// of the next ones.
+/// A list for two bodies, which are kept by reference. For one thread. What it holds changes the time of the
+/// next searches, and their brackets within the tolerance.
 class NeighbourList {
 public:
     NeighbourList(const Body& moving, const Body& fixed);
