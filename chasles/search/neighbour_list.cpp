@@ -14,8 +14,8 @@ using culling::MatrixPose;
 
 // Measured with drag_bench.
 constexpr std::size_t most_pairs = 1 << 17;
-constexpr double travels_ahead = 32;   ///< pieces of the usual length that a list serves
-constexpr double skin_of_edges = 0.25; ///< the longest skin: of the mean edge of the body with the longer edges
+constexpr double travels_ahead = 32;  ///< pieces of the usual length that a list serves
+constexpr double skin_of_edges = 0.1; ///< the longest skin: of the mean edge of the body with the longer edges
 
 /// For sums of positions, of which each is off by a bound of coefficients: a matrix has nine (note 31).
 constexpr double roundings = 16;
@@ -107,7 +107,7 @@ bool NeighbourList::reaches(const PieceContext& context, const Way& way, Work& w
         usual_travel_ += (std::min(own, 2 * usual_travel_ + way.margin) - usual_travel_) / 4;
     if (way.margin + travel(place_, way) <= reach_)
         return true;
-    if (2 * own > longest_skin_)
+    if (std::max(2 * own, usual_travel_) > longest_skin_)
         return false;
     place_ = way.ends.start;
     if (make(context, way.margin + std::clamp(travels_ahead * usual_travel_, 2 * own, longest_skin_), work))
