@@ -31,7 +31,6 @@ std::optional<Vector3<double>> FaceSeparation::widest(std::uint32_t moving_face,
                                                       double time) {
     constexpr int most_steps = 3;
     constexpr double enough = 0.9; // of the distance
-    constexpr std::size_t most_edge_pairs = 64;
     place_corners(moving_face, fixed_face, time);
     WidestGap widest;
     Vector3<double> nearest = between_means();
@@ -45,13 +44,19 @@ std::optional<Vector3<double>> FaceSeparation::widest(std::uint32_t moving_face,
         const Vector3<double> way = farthest - nearest;
         nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
     }
+    try_all_across(widest);
+    return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
+}
+
+/// The normals of both faces, and the perpendiculars of their edges.
+void FaceSeparation::try_all_across(WidestGap& widest) const {
+    constexpr std::size_t most_edge_pairs = 64;
     for (const auto* corners : {&fixed_corners_, &moving_corners_})
         try_across((*corners)[1] - (*corners)[0], (*corners)[2] - (*corners)[0], widest);
     if (moving_corners_.size() * fixed_corners_.size() <= most_edge_pairs)
         for (std::size_t i = 0; i < moving_corners_.size(); ++i)
             for (std::size_t j = 0; j < fixed_corners_.size(); ++j)
                 try_across(edge(moving_corners_, i), edge(fixed_corners_, j), widest);
-    return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
 }
 
 /// From a corner to the next one.

@@ -31,6 +31,7 @@ private:
         double gap = 0;
     };
     Vector3<double> try_direction(const Vector3<double>& along, WidestGap& widest) const;
+    void try_all_across(WidestGap& widest) const;
     void try_across(const Vector3<double>& a, const Vector3<double>& b, WidestGap& widest) const;
     static Vector3<double> edge(const std::vector<Vector3<double>>& corners, std::size_t from);
     void place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time);

@@ -22,7 +22,6 @@ Other placed(const Scene& scene, std::size_t index, std::size_t dragged) {
     other.radius = body.shape.body().vertex_radius();
     other.radius += ball_rounding * (other.radius + other.centre.norm());
     prepare(body.shape.body());
-    other.neighbours = std::make_unique<search::NeighbourList>(scene.bodies()[dragged].shape.body(), body.shape.body());
     return other;
 }
 
@@ -72,20 +71,24 @@ std::optional<std::vector<std::size_t>> Surroundings::refresh(const Scene& scene
         if (before != others_.end() && !is_same(*before, body))
             moved.push_back(now.size());
         now.push_back(placed(scene, i, dragged));
+        if (before != others_.end() && &before->shape.body() == &body.shape.body())
+            now.back().neighbours = std::move(before->neighbours);
     }
     others_ = std::move(now);
     return moved;
 }
 
-Neighbourhood Surroundings::near(const Body& body, const Pose& pose) const {
+Neighbourhood Surroundings::near(const Body& body, const Pose& pose) {
     Neighbourhood found;
     const Eigen::Vector3d centre = pose.isometry() * body.bvh().centre();
     const double radius = distances_.reach + body.vertex_radius() + ball_rounding * centre.norm();
-    for (const Other& other : others_) {
+    for (Other& other : others_) {
         found.distances.push_back(distances_.reach);
         if (other.is_ignored || (centre - other.centre).norm() > radius + other.radius)
             continue;
         const PlacedBody there{other.shape.body(), other.pose};
+        if (!other.neighbours)
+            other.neighbours = std::make_unique<search::NeighbourList>(body, there.body);
         const NearContacts near = near_contacts({body, pose}, there, distances_.reach, other.neighbours.get());
         found.work += near.work;
         found.distances.back() = near.distance;

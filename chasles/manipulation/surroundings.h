@@ -22,7 +22,7 @@ struct Other {
     bool is_ignored = false;
     Eigen::Vector3d centre; ///< of a ball around the body, in the world
     double radius = 0;
-    std::unique_ptr<search::NeighbourList> neighbours; ///< of the dragged body and this one
+    std::unique_ptr<search::NeighbourList> neighbours; ///< of the dragged body and this one, once they were near
 };
 
 /// What is near the dragged body at one pose.
@@ -66,7 +66,8 @@ public:
     std::optional<std::vector<std::size_t>> refresh(const Scene& scene, std::size_t dragged);
 
     [[nodiscard]] const std::vector<Other>& others() const { return others_; }
-    [[nodiscard]] Neighbourhood near(const Body& body, const Pose& pose) const;
+    /// `body` is the dragged one: the same in all calls.
+    [[nodiscard]] Neighbourhood near(const Body& body, const Pose& pose);
     /// How far the screw between two poses is clear of all others, by their distances at its start.
     [[nodiscard]] Passage passage(const Body& body, const Pose& start, const Pose& goal,
                                   const std::vector<double>& at_start) const;

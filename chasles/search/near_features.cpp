@@ -102,8 +102,7 @@ public:
             for_each_owned_pair<false>(context_.moving(), context_.fixed(), faces, moving, fixed, visit);
     }
 
-    NearFeatures take(std::uint64_t node_pairs) {
-        found_.work.node_pairs = node_pairs;
+    NearFeatures take() {
         if (found_.pairs.empty())
             overlaps_.decide();
         found_.work += overlaps_.work();
@@ -137,30 +136,26 @@ private:
     NearFeatures found_;
 };
 
-NearFeatures search_among(std::span<const TwoFaces> pairs, NearLeaves& leaves) {
-    for (const TwoFaces& faces : pairs) {
-        if (leaves.is_over())
-            break;
-        leaves.test({faces.moving, faces.fixed, {0, 0}, {0, 1}, 0, 0});
-    }
-    return leaves.take(0);
+/// A traversal. Returns the number of node pairs tested.
+std::uint64_t visit_all(PieceContext& context, double reach, double tau, NearLeaves& leaves) {
+    const culling::TimeTree times = context.time_tree(reach, context.parts(reach));
+    culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, reach, false, leaves);
+    return traversal.run({tau, tau});
 }
 
 NearFeatures search_once(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     const double reach = scene.margin + scene.slack;
-    Work work;
-    if (const auto pairs =
-            search.neighbours && scene.margin > 0 ? search.neighbours->within(context, reach, work) : std::nullopt) {
-        NearLeaves leaves(context, scene, search);
-        NearFeatures found = search_among(*pairs, leaves);
-        found.work += work;
-        return found;
-    }
-    const culling::TimeTree times = context.time_tree(reach, context.parts(reach));
     NearLeaves leaves(context, scene, search);
-    culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, reach, false, leaves);
-    const std::uint64_t node_pairs = traversal.run({tau, tau});
-    return leaves.take(node_pairs);
+    Work work;
+    const auto pairs =
+        search.neighbours && scene.margin > 0 ? search.neighbours->within(context, reach, work) : std::nullopt;
+    if (pairs)
+        test_pairs(*pairs, {tau, tau}, leaves);
+    else
+        work.node_pairs += visit_all(context, reach, tau, leaves);
+    NearFeatures found = leaves.take();
+    found.work += work;
+    return found;
 }
 
 /// A search within the whole margin was cut. The answer is that within the greatest part of the margin, a power of two,

@@ -1,7 +1,5 @@
 #include "chasles/search/neighbour_list.h"
 
-#include "chasles/culling/bvh_traversal.h"
-
 #include <algorithm>
 #include <limits>
 
@@ -16,6 +14,9 @@ using culling::MatrixPose;
 constexpr std::size_t most_pairs = 1 << 17;
 constexpr double travels_ahead = 32;  ///< pieces of the usual length that a list serves
 constexpr double skin_of_edges = 0.1; ///< the longest skin: of the mean edge of the body with the longer edges
+
+/// Too much is near even without a skin.
+constexpr int questions_to_pause = 64;
 
 /// For sums of positions, of which each is off by a bound of coefficients: a matrix has nine (note 31).
 constexpr double roundings = 16;
@@ -107,13 +108,17 @@ bool NeighbourList::reaches(const PieceContext& context, const Way& way, Work& w
         usual_travel_ += (std::min(own, 2 * usual_travel_ + way.margin) - usual_travel_) / 4;
     if (way.margin + travel(place_, way) <= reach_)
         return true;
-    if (std::max(2 * own, usual_travel_) > longest_skin_)
+    if (std::max(2 * own, usual_travel_) > longest_skin_ || pause_-- > 0)
         return false;
+    pause_ = 0;
     place_ = way.ends.start;
     if (make(context, way.margin + std::clamp(travels_ahead * usual_travel_, 2 * own, longest_skin_), work))
         return true;
     longest_skin_ /= 2;
-    return make(context, way.margin + 2 * own, work);
+    if (make(context, way.margin + 2 * own, work))
+        return true;
+    pause_ = questions_to_pause;
+    return false;
 }
 
 /// Lists the pairs within `reach` at the start of the piece. False if there are too many; then there is no list.
@@ -122,7 +127,6 @@ bool NeighbourList::make(const PieceContext& context, double reach, Work& work) 
     Collector leaves;
     culling::BvhTraversal traversal(moving_.bvh(), fixed_.bvh(), times, reach, false, leaves);
     work.node_pairs += traversal.run({0, 0});
-    work.face_pairs += leaves.found().size();
     reach_ = leaves.is_over() ? 0 : reach;
     if (leaves.is_over())
         leaves.found().clear();
@@ -182,24 +186,27 @@ bool NeighbourList::is_apart(std::size_t index, const Way& way) {
     const double least = way.margin + way.deviation + 2 * way.rounding;
     place_corners(pair.faces.moving, way);
     const double known = gap_on_way(pair);
-    if (known > least)
-        return true;
-    if (std::abs(known - pair.widest) < 0.25 * pair.widest)
-        return false;
+    if (known > least || std::abs(known - pair.widest) < 0.25 * pair.widest)
+        return known > least;
     const auto direction = separation_.widest(pair.faces.moving, pair.faces.fixed, 0.5);
-    if (!direction)
-        return false;
-    pair.normal = *direction;
+    if (direction)
+        take_direction(index, *direction);
+    return direction && pair.widest > least;
+}
+
+/// A half space for a pair whose moving face is placed.
+void NeighbourList::take_direction(std::size_t index, const Vector3<double>& direction) {
+    Neighbours& pair = pairs_[index];
+    pair.normal = direction;
     pair.offset = -std::numeric_limits<double>::infinity();
     for (const std::uint32_t corner : fixed_.face(pair.faces.fixed))
         pair.offset = std::max(pair.offset, dot(pair.normal, culling::point_of<double>(fixed_, corner)));
     gaps_[index] = gap(pair, gap_place_);
     pair.widest = gap_on_way(pair);
-    return pair.widest > least;
 }
 
-/// The least gap along the normal of a pair whose moving face is placed. Its corners are there at both ends, so they
-/// are on their chords, too.
+/// The least gap along the normal of a pair whose moving face is placed. Heights on chords are between those at the
+/// ends.
 double NeighbourList::gap_on_way(const Neighbours& pair) const {
     double least = std::numeric_limits<double>::infinity();
     for (const Vector3<double>& corner : placed_)

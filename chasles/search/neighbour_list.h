@@ -4,6 +4,7 @@
 // fluids", 1967.
 #pragma once
 
+#include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_separation.h"
 #include "chasles/search/find.h"
 #include "chasles/search/owned_pairs.h"
@@ -52,6 +53,7 @@ private:
     void place_corners(std::uint32_t face, const Way& way);
     [[nodiscard]] double gap(const Neighbours& pair, const culling::MatrixPose& pose) const;
     bool is_apart(std::size_t index, const Way& way);
+    void take_direction(std::size_t index, const algebra::Vector3<double>& direction);
     [[nodiscard]] double gap_on_way(const Neighbours& pair) const;
 
     const Body& moving_;
@@ -62,6 +64,7 @@ private:
     double reach_ = 0;              ///< pairs within it at that place are listed; 0: there is no list
     double usual_travel_ = 0;       ///< of a piece
     double longest_skin_;           ///< of a list
+    int pause_ = 0;                 ///< questions until the next try, after a list that was too long
     std::vector<Neighbours> pairs_; ///< ascending by faces
     std::vector<double> gaps_;      ///< of each pair along its normal
     std::size_t tests_ = 0;         ///< of pairs since the gaps were measured
@@ -69,5 +72,16 @@ private:
     std::vector<algebra::Vector3<double>> placed_; ///< corners of one moving face at both ends of the piece
     std::vector<TwoFaces> near_;
 };
+
+/// The leaf tests of pairs of faces that a list gave, over a range of tau, instead of a traversal. Not for searches
+/// without a margin, which use chords.
+template <culling::LeafTests Leaves>
+void test_pairs(std::span<const TwoFaces> pairs, const culling::TimeRange& range, Leaves& leaves) {
+    for (const TwoFaces& faces : pairs) {
+        if (leaves.is_over())
+            break;
+        leaves.test({faces.moving, faces.fixed, range, {0, 1}, range.lower, 0});
+    }
+}
 
 } // namespace chasles::search

@@ -7,18 +7,26 @@
 
 namespace chasles::search {
 
+namespace {
+
+PieceResult search_among(std::span<const TwoFaces> pairs, PieceContext& context, const SearchOptions& options) {
+    LeafSearch<DistanceStages> leaves(context, options);
+    test_pairs(pairs, {options.from, 1}, leaves);
+    return leaves.take();
+}
+
+} // namespace
+
 PieceResult search_piece(PieceContext& context, const SearchOptions& options) {
     if (context.is_enclosed())
         return search_enclosed_piece(context, options);
-    if (options.neighbours && options.margin > 0) {
-        Work work;
-        if (const auto pairs = options.neighbours->within(context, options.margin, work)) {
-            PieceResult result = search_among<DistanceStages>(*pairs, context, options);
-            result.work += work;
-            return result;
-        }
-    }
-    return options.margin > 0 ? traverse<DistanceStages>(context, options) : traverse<TouchStages>(context, options);
+    if (options.margin <= 0)
+        return traverse<TouchStages>(context, options);
+    Work work;
+    const auto pairs = options.neighbours ? options.neighbours->within(context, options.margin, work) : std::nullopt;
+    PieceResult result = pairs ? search_among(*pairs, context, options) : traverse<DistanceStages>(context, options);
+    result.work += work;
+    return result;
 }
 
 } // namespace chasles::search

@@ -6,19 +6,6 @@
 
 namespace chasles::search {
 
-/// The search among the pairs of a list instead of a traversal.
-template <class Stages>
-PieceResult search_among(std::span<const TwoFaces> pairs, PieceContext& context, const SearchOptions& options) {
-    LeafSearch<Stages> leaves(context, options);
-    const culling::TimeRange range{options.from, 1};
-    for (const TwoFaces& faces : pairs) {
-        if (leaves.is_over())
-            break;
-        leaves.test({faces.moving, faces.fixed, range, {0, 1}, range.lower, 0});
-    }
-    return leaves.take();
-}
-
 template <class Stages>
 PieceResult traverse(PieceContext& context, const SearchOptions& options) {
     LeafSearch<Stages> leaves(context, options);
