@@ -153,6 +153,16 @@ Eigen::VectorXd slides(const FrictionProblem& problem, const Twist& twist) {
 
 } // namespace
 
+void keep_nearer(FrictionProblem& problem, double most_gap) {
+    for (Eigen::Index i = 0; i < problem.normals.gaps.size(); ++i) {
+        if (problem.normals.gaps[i] <= most_gap)
+            continue;
+        problem.normals.rows.row(i).setZero();
+        if (problem.tangents.rows() > 0)
+            problem.tangents.middleRows<2>(2 * i).setZero();
+    }
+}
+
 FrictionForces holding_forces(const FrictionProblem& problem, const Twist& wish) {
     return ConeTwist(problem).solve(Eigen::VectorXd::Zero(problem.normals.gaps.size()), wish);
 }

@@ -9,10 +9,14 @@ namespace chasles::manipulation {
 /// Contacts with friction.
 struct FrictionProblem {
     TwistConstraints normals; ///< gaps: what each contact may close by
-    Rows tangents;            ///< two for each contact: along unit vectors orthogonal to the normal and to each other
+    Rows tangents;            ///< two for each contact: along unit vectors orthogonal to the normal and to each other;
+                              ///< none are needed where the coefficient is 0
     double coefficient = 0;   ///< the greatest friction force of a contact, as a share of its normal force
     Metric metric = Metric::Identity();
 };
+
+/// Leaves the contacts whose gap is at most this one. The rows of the others become zero, so that they do nothing.
+void keep_nearer(FrictionProblem& problem, double most_gap);
 
 /// Forces per stiffness of the spring.
 struct FrictionForces {

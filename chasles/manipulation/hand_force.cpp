@@ -12,15 +12,11 @@ namespace {
 /// Only contacts that touch push. Their gaps are used up.
 FrictionProblem touching(const SlideProblem& problem) {
     const Eigen::Vector3d centre = problem.pose.isometry() * problem.spring.centre();
-    FrictionProblem found{normal_rows(problem.contacts, centre), tangent_rows(problem.contacts, centre),
-                          problem.friction, problem.spring.metric(problem.pose)};
-    for (Eigen::Index i = 0; i < found.normals.gaps.size(); ++i) {
-        if (found.normals.gaps[i] > touch_share * problem.margin) {
-            found.normals.rows.row(i).setZero();
-            found.tangents.middleRows<2>(2 * i).setZero();
-        }
-        found.normals.gaps[i] = 0;
-    }
+    FrictionProblem found{normal_rows(problem.contacts, centre),
+                          problem.friction > 0 ? tangent_rows(problem.contacts, centre) : Rows(0, 6), problem.friction,
+                          problem.spring.metric(problem.pose)};
+    keep_nearer(found, touch_share * problem.margin);
+    found.normals.gaps.setZero();
     return found;
 }
 
@@ -38,7 +34,7 @@ FrictionForces solved(const FrictionProblem& problem, const Twist& wish) {
         return is_held(problem, holding, wish) ? holding : sliding_forces(problem, wish);
     }
     const AdmissibleTwist pushed = admissible_twist(problem.normals, problem.metric, wish);
-    return {pushed.twist, pushed.multipliers, Eigen::VectorXd::Zero(problem.tangents.rows()), true};
+    return {pushed.twist, pushed.multipliers, Eigen::VectorXd(), true};
 }
 
 } // namespace
@@ -58,8 +54,9 @@ ContactForces contact_forces(const SlideProblem& problem) {
     if (!(found.normal.array() > 0).any())
         return forces;
     forces.wrench = contacts.normals.rows.transpose() * found.normal;
-    if (problem.friction > 0)
-        forces.wrench += contacts.tangents.transpose() * found.tangential;
+    if (!(problem.friction > 0))
+        return forces;
+    forces.wrench += contacts.tangents.transpose() * found.tangential;
     for (Eigen::Index i = 0; i < found.normal.size(); ++i)
         forces.friction.col(i) =
             plane_across(problem.contacts[std::size_t(i)].contact.normal) * found.tangential.segment<2>(2 * i);

@@ -47,9 +47,7 @@ void lock(const Metric& projection, const Metric& metric, Rows& rows) {
 /// The wish less the friction of the contacts. Zero if they hold the body.
 Twist after_friction(const FrictionProblem& contacts, const Twist& wish, double margin) {
     FrictionProblem touching = contacts;
-    for (Eigen::Index i = 0; i < contacts.normals.gaps.size(); ++i)
-        if (contacts.normals.gaps[i] > (touch_share - 1) * margin)
-            touching.normals.rows.row(i).setZero(), touching.tangents.middleRows<2>(2 * i).setZero();
+    keep_nearer(touching, (touch_share - 1) * margin);
     if (is_held(touching, holding_forces(touching, wish), wish))
         return Twist::Zero();
     return changed_wish(contacts, sliding_forces(contacts, wish), wish);
@@ -94,19 +92,21 @@ public:
 private:
     /// By the lock and by friction.
     void restrict() {
-        Rows tangents = tangent_rows(problem_.contacts, centre_);
-        if (problem_.lock && !problem_.lock->is_free()) {
-            const Metric projection = problem_.lock->projection(metric_, centre_);
+        const bool is_locked = problem_.lock && !problem_.lock->is_free();
+        const Metric projection = is_locked ? problem_.lock->projection(metric_, centre_) : Metric(Metric::Identity());
+        if (is_locked) {
             lock(projection, metric_, contacts_.rows);
-            tangents *= projection;
             wish_ = projection * wish_;
         }
-        drive_ = wish_;
-        if (!(problem_.friction > 0))
-            return;
-        FrictionProblem friction{contacts_, tangents, problem_.friction, metric_};
+        drive_ = problem_.friction > 0 ? driven(projection) : wish_;
+    }
+
+    /// By what the contacts leave of the wish.
+    [[nodiscard]] Twist driven(const Metric& projection) const {
+        FrictionProblem friction{contacts_, tangent_rows(problem_.contacts, centre_) * projection, problem_.friction,
+                                 metric_};
         friction.normals.gaps = (contacts_.gaps.array() - problem_.margin).cwiseMax(0);
-        drive_ = after_friction(friction, wish_, problem_.margin);
+        return after_friction(friction, wish_, problem_.margin);
     }
 
     [[nodiscard]] Pose displaced_by(const Twist& step) const {
