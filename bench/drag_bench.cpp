@@ -1,10 +1,11 @@
 // How long one update of a dragged body takes: hands at 60 Hz that press a body into others and move along.
 //
-// For each scene it prints the median, the 99th percentile and the slowest update in milliseconds, how many updates
-// were in contact, and how many ended before they came to rest. Goals wander around a place where there is much to
-// touch.
+// For each scene, without friction and with it, it prints the median, the 99th percentile and the slowest update in
+// milliseconds, how many updates were in contact, and how many ended before they came to rest. Goals wander around a
+// place where there is much to touch. The last columns are for forces for other goals, from the contacts of the last
+// update.
 //
-//     drag_bench [--updates=600]
+//     drag_bench [--updates=600] [--only=SCENE] [--seconds=20]    no hand takes longer than so many seconds
 #include "bench/drag_cases.h"
 #include "bench/timings.h"
 #include "chasles/chasles.h"
@@ -17,72 +18,86 @@
 namespace chasles::bench {
 namespace {
 
-/// The time of a force for another goal, from the contacts of the last update. Microseconds.
-void run_forces(const DragCase& hand, int updates, double friction) {
+struct Limits {
+    int updates = 600;
+    double seconds = 20; ///< of one hand
+    std::string_view only = {};
+};
+
+/// What came of one hand.
+struct Outcome {
+    std::vector<double> updates; ///< ms
+    std::vector<double> forces;  ///< for other goals near the last one, us
+    int in_contact = 0;
+    int unfinished = 0;
+    std::size_t pieces = 0;
+};
+
+Outcome drag(const DragCase& hand, const Limits& limits, double friction) {
     Scene scene;
     scene.add({"fixed", hand.fixed});
     scene.add({"moving", hand.moving, Motion::at_rest(hand.start)});
     DragOptions options;
     options.friction = friction;
     DraggedBody body(scene, "moving", options);
-    std::vector<double> times;
-    std::size_t most_contacts = 0;
-    for (int i = 0; i < updates; ++i) {
-        const DragStep step = body.update(goal_at(hand, i / 60.0));
-        most_contacts = std::max(most_contacts, step.contacts.size());
-        for (int k = 0; k < 16 && !step.contacts.empty(); ++k)
-            times.push_back(least_microseconds(1, [&] { (void)body.force(goal_at(hand, (i + k / 16.0) / 60)); }));
-    }
-    if (!times.empty())
-        std::printf("  force, us, friction %.1f       %8.1f %8.1f %8.1f   (%zu contacts at most)\n", friction,
-                    median(times), quantile(times, 0.99), quantile(times, 1), most_contacts);
-}
-
-void run(const DragCase& hand, int updates) {
-    Scene scene;
-    scene.add({"fixed", hand.fixed});
-    scene.add({"moving", hand.moving, Motion::at_rest(hand.start)});
-    DraggedBody body(scene, "moving");
-    std::vector<double> times;
-    int in_contact = 0, unfinished = 0;
-    std::size_t pieces = 0;
-    for (int i = 0; i < updates; ++i) {
-        const Pose goal = goal_at(hand, i / 60.0);
+    Outcome outcome;
+    double left = 1000 * limits.seconds;
+    for (int i = 0; i < limits.updates && left > 0; ++i) {
         DragStep step;
-        times.push_back(least_microseconds(1, [&] { step = body.update(goal); }) / 1000);
-        in_contact += step.contacts.empty() ? 0 : 1;
-        unfinished += step.state == DragState::moving ? 1 : 0;
-        pieces += step.pieces.size();
+        const Pose goal = goal_at(hand, i / 60.0);
+        outcome.updates.push_back(least_microseconds(1, [&] { step = body.update(goal); }) / 1000);
+        left -= outcome.updates.back();
+        outcome.in_contact += step.contacts.empty() ? 0 : 1;
+        outcome.unfinished += step.state == DragState::moving ? 1 : 0;
+        outcome.pieces += step.pieces.size();
         if (step.state == DragState::touching) {
             std::printf("%s: the bodies touch\n", hand.name.c_str());
             std::exit(1);
         }
+        for (int k = 0; k < 4 && !step.contacts.empty(); ++k)
+            outcome.forces.push_back(
+                least_microseconds(1, [&] { (void)body.force(goal_at(hand, (i + k / 4.0) / 60)); }));
     }
-    std::printf("%-28s %8.3f %8.3f %8.3f %10d %10d %8.2f\n", hand.name.c_str(), median(times), quantile(times, 0.99),
-                quantile(times, 1), in_contact, unfinished, double(pieces) / updates);
-    for (const double friction : {0.0, 0.3})
-        run_forces(hand, updates, friction);
+    return outcome;
 }
 
-void run_all(int updates) {
-    std::printf("%-28s %8s %8s %8s %10s %10s %8s\n", "update, ms", "median", "99 %", "slowest", "in contact",
-                "unfinished", "pieces");
-    for (const std::string_view name : drag_case_names())
-        if (const auto hand = drag_case(name))
-            run(*hand, updates);
-        else
+void print(const DragCase& hand, double friction, const Outcome& outcome) {
+    const auto& [updates, forces, in_contact, unfinished, pieces] = outcome;
+    std::printf("%-28s %8.1f %8zu %10d %10d %8.2f %8.3f %8.3f %8.3f %10.1f %8.1f\n", hand.name.c_str(), friction,
+                updates.size(), in_contact, unfinished, double(pieces) / double(updates.size()), median(updates),
+                quantile(updates, 0.99), quantile(updates, 1), median(forces), quantile(forces, 0.99));
+    std::fflush(stdout);
+}
+
+void run_all(const Limits& limits) {
+    std::printf("%-28s %8s %8s %10s %10s %8s %8s %8s %8s %10s %8s\n", "update, ms; force, us", "friction", "updates",
+                "in contact", "unfinished", "pieces", "median", "99 %", "slowest", "force", "99 %");
+    for (const std::string_view name : drag_case_names()) {
+        if (!limits.only.empty() && name != limits.only)
+            continue;
+        const auto hand = drag_case(name);
+        if (!hand)
             std::printf("%s: skipped, the data is missing\n", std::string(name).c_str());
+        for (const double friction : {0.0, 0.3})
+            if (hand)
+                print(*hand, friction, drag(*hand, limits, friction));
+    }
 }
 
 } // namespace
 } // namespace chasles::bench
 
 int main(int argc, char** argv) {
-    constexpr std::string_view option = "--updates=";
-    int updates = 600;
-    for (const std::string_view argument : std::span(argv, std::size_t(argc)).subspan(1))
-        if (argument.starts_with(option)) // options of Google Benchmark are for the other programs
-            updates = std::max(1, std::atoi(argument.substr(option.size()).data()));
-    chasles::bench::run_all(updates);
+    chasles::bench::Limits limits;
+    for (const std::string_view argument : std::span(argv, std::size_t(argc)).subspan(1)) {
+        // options of Google Benchmark are for the other programs
+        if (argument.starts_with("--updates="))
+            limits.updates = std::max(1, std::atoi(argument.substr(10).data()));
+        if (argument.starts_with("--seconds="))
+            limits.seconds = std::max(0.1, std::atof(argument.substr(10).data()));
+        if (argument.starts_with("--only="))
+            limits.only = argument.substr(7);
+    }
+    chasles::bench::run_all(limits);
     return 0;
 }

@@ -22,7 +22,7 @@ struct DragCase {
     double turn = 0;  ///< likewise, radians
 };
 
-/// The names of all cases. Those that need data outside the project are among them.
+/// The names of all cases, also of those that need data from outside the project.
 std::vector<std::string_view> drag_case_names();
 
 /// The case. Empty if its data is missing. Throws InvalidInput for an unknown name.

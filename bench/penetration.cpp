@@ -1,6 +1,7 @@
 #include "bench/penetration.h"
 
 #include "bench/bodies.h"
+#include "tests/support/segment_distance.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -12,25 +13,6 @@ namespace {
 
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-
-double distance_to_segment(const Vector3d& p, const Vector3d& a, const Vector3d& b) {
-    const Vector3d way = b - a;
-    const double square = way.squaredNorm();
-    const double share = square > 0 ? std::clamp(way.dot(p - a) / square, 0.0, 1.0) : 0.0;
-    return (p - a - share * way).norm();
-}
-
-double distance_to_triangle(const Vector3d& p, const std::array<Vector3d, 3>& t) {
-    const Vector3d normal = (t[1] - t[0]).cross(t[2] - t[0]);
-    bool is_above = normal.squaredNorm() > 0;
-    double least = 1e300;
-    for (std::size_t i = 0; i < 3; ++i) {
-        const Vector3d &a = t[i], &b = t[(i + 1) % 3];
-        is_above = is_above && normal.dot((b - a).cross(p - a)) >= 0;
-        least = std::min(least, distance_to_segment(p, a, b));
-    }
-    return is_above ? std::abs(normal.normalized().dot(p - t[0])) : least;
-}
 
 double cross(const Vector2d& a, const Vector2d& b) {
     return a.x() * b.y() - a.y() * b.x();
@@ -101,7 +83,7 @@ double Surface::depth(const Vector3d& point) const {
         return 0;
     double least = 1e300;
     for (const Corners& triangle : triangles_)
-        least = std::min(least, distance_to_triangle(point, triangle));
+        least = std::min(least, test::distance_to_triangle(point, triangle));
     return least;
 }
 
