@@ -27,23 +27,13 @@ EndPoses read_poses(const OneMotionOptions& options) {
     return poses;
 }
 
-struct NamedMotion {
-    Motion motion;
-    view::MotionNumbers numbers;
-};
-
-template <typename Typed>
-NamedMotion named(const Typed& motion) {
-    return {motion, view::numbers_of(motion)};
-}
-
 // Screws and sweeps are motions of one body as seen from the other one. The even motions are motions in the world.
-NamedMotion motion_of_two(const EndPoses& poses, const MotionRule& rule, const Eigen::Vector3d& fixed_centre) {
+view::NumberedMotion motion_of_two(const EndPoses& poses, const MotionRule& rule, const Eigen::Vector3d& fixed_centre) {
     const auto& [start, goal, fixed_start, fixed_goal, is_fixed_moving] = poses;
     if (rule.kind == view::MotionKind::screw)
-        return named(ScrewMotion::relative(start, goal, fixed_start, fixed_goal, rule.max_turn));
+        return view::numbered(ScrewMotion::relative(start, goal, fixed_start, fixed_goal, rule.max_turn));
     if (rule.kind == view::MotionKind::sweep)
-        return named(SweepMotion::relative(start, goal, fixed_start, fixed_goal).about(rule.centre));
+        return view::numbered(SweepMotion::relative(start, goal, fixed_start, fixed_goal).about(rule.centre));
     MotionRule fixed_rule = rule;
     fixed_rule.centre = fixed_centre;
     view::MotionNumbers numbers = numbers_between(rule, start, goal);
@@ -51,7 +41,7 @@ NamedMotion motion_of_two(const EndPoses& poses, const MotionRule& rule, const E
     return {relative(motion_between(rule, start, goal), motion_between(fixed_rule, fixed_start, fixed_goal)), numbers};
 }
 
-NamedMotion read_motion(const OneMotionOptions& options) {
+view::NumberedMotion read_motion(const OneMotionOptions& options) {
     const EndPoses poses = read_poses(options);
     const MotionRule rule = rule_of(options.motion, options.query);
     const Eigen::Vector3d fixed_centre =
@@ -96,7 +86,7 @@ void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
 
 // Poses and numbers are read before meshes, which may be large.
 OneMotion read_one_motion(const OneMotionOptions& options) {
-    const NamedMotion motion = read_motion(options);
+    const view::NumberedMotion motion = read_motion(options);
     const QueryOptions query = options_of(options.query);
     return {motion.motion, motion.numbers, query, load_bodies(options.bodies)};
 }

@@ -32,6 +32,17 @@ MotionNumbers numbers_of(const SweepMotion& sweep);
 MotionNumbers numbers_of(const ConstantVelocity& velocity);
 MotionNumbers numbers_of(const ConstantTwist& twist);
 
+/// A motion of one of these kinds, with its numbers.
+struct NumberedMotion {
+    Motion motion;
+    MotionNumbers numbers;
+};
+
+template <typename Typed>
+NumberedMotion numbered(const Typed& motion) {
+    return {motion, numbers_of(motion)};
+}
+
 /// Whether a point of the body moves straight: in a sweep and at constant velocity.
 bool moves_straight(MotionKind kind);
 

@@ -1,5 +1,5 @@
-// What questions about the same two bodies keep for the next ones: a body that slides, or is driven by a simulation in
-// small steps, is asked about at nearly the same place each time. Source: docs/derivations/31-neighbour-lists.md.
+// What questions about the same two bodies keep for the next ones. Questions about a body that slides come at nearly
+// the same place each time. Source: docs/derivations/31-neighbour-lists.md.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"

@@ -53,39 +53,30 @@ QueryOptions options_in(const Json& json) {
     return options;
 }
 
-struct NamedMotion {
-    Motion motion;
-    view::MotionNumbers numbers;
-};
-
-template <typename Typed>
-NamedMotion named(const Typed& motion) {
-    return {motion, view::numbers_of(motion)};
-}
-
-NamedMotion between(const Json& json, const Pose& start, const Pose& goal, const char* centre = "centre") {
+view::NumberedMotion between(const Json& json, const Pose& start, const Pose& goal, const char* centre = "centre") {
     const std::string kind = json.value("motion", "screw");
     if (kind == "screw")
-        return named(ScrewMotion::between(start, goal, json.value("max_turn", ScrewMotion::default_max_turn)));
+        return view::numbered(ScrewMotion::between(start, goal, json.value("max_turn", ScrewMotion::default_max_turn)));
     if (kind == "sweep")
-        return named(SweepMotion::between(start, goal, centre_in(json, centre)));
+        return view::numbered(SweepMotion::between(start, goal, centre_in(json, centre)));
     if (kind == "velocity")
-        return named(ConstantVelocity::between(start, goal, centre_in(json, centre)));
-    return named(ConstantTwist::between(start, goal));
+        return view::numbered(ConstantVelocity::between(start, goal, centre_in(json, centre)));
+    return view::numbered(ConstantTwist::between(start, goal));
 }
 
-NamedMotion motion_in(const Json& json) {
+view::NumberedMotion motion_in(const Json& json) {
     const Pose start = pose_in(json["start"]), goal = pose_in(json["goal"]);
     if (!json.contains("fixed_start"))
         return between(json, start, goal);
     const Pose fixed_start = pose_in(json["fixed_start"]), fixed_goal = pose_in(json["fixed_goal"]);
     const std::string kind = json.value("motion", "screw");
     if (kind == "screw")
-        return named(ScrewMotion::relative(start, goal, fixed_start, fixed_goal,
-                                           json.value("max_turn", ScrewMotion::default_max_turn)));
+        return view::numbered(ScrewMotion::relative(start, goal, fixed_start, fixed_goal,
+                                                    json.value("max_turn", ScrewMotion::default_max_turn)));
     if (kind == "sweep")
-        return named(SweepMotion::relative(start, goal, fixed_start, fixed_goal).about(centre_in(json, "centre")));
-    const NamedMotion moving = between(json, start, goal);
+        return view::numbered(
+            SweepMotion::relative(start, goal, fixed_start, fixed_goal).about(centre_in(json, "centre")));
+    const view::NumberedMotion moving = between(json, start, goal);
     return {relative(moving.motion, between(json, fixed_start, fixed_goal, "fixed_centre").motion), moving.numbers};
 }
 
@@ -111,7 +102,7 @@ private:
 
 Json Answerer::first_contact_json(const Json& json) {
     const Polyhedron moving = body(json["moving"]), fixed = body(json["fixed"]);
-    const NamedMotion motion = motion_in(json);
+    const view::NumberedMotion motion = motion_in(json);
     const QueryOptions options = options_in(json);
     Json answer = view::answer_json(first_contact({moving, fixed, motion.motion, options}), motion.numbers);
     again_.emplace_back([moving, fixed, json, options] {
@@ -135,7 +126,7 @@ Json Answerer::path_json(const Json& json) const {
 }
 
 Json Answerer::least_distance_json(const Json& json) const {
-    const NamedMotion motion = motion_in(json);
+    const view::NumberedMotion motion = motion_in(json);
     const LeastDistanceOptions options{.tolerance = json.value("tolerance", 1e-6), .find = find_in(json)};
     return view::answer_json(least_distance({body(json["moving"]), body(json["fixed"]), motion.motion, options}),
                              motion.numbers);
