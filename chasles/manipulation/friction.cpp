@@ -72,9 +72,8 @@ private:
     }
 
     /// The cones that the twist leaves most: minus by how much, and which one.
-    [[nodiscard]] std::vector<std::pair<double, Eigen::Index>> cones_left(const AdmissibleTwist& answer,
-                                                                          const Eigen::VectorXd& gaps,
-                                                                          double length) const {
+    [[nodiscard]] std::vector<std::pair<double, Eigen::Index>>
+    cones_left(const AdmissibleTwist& answer, const Eigen::VectorXd& gaps, double length) const {
         std::vector<std::pair<double, Eigen::Index>> left;
         for (Eigen::Index i = 0; i < gaps.size(); ++i) {
             const double above = problem_.normals.rows.row(i).dot(answer.twist) + gaps[i];
