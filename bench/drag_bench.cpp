@@ -7,8 +7,8 @@
 //
 //     drag_bench [--updates=600] [--only=SCENE] [--seconds=20] [--budget=0] [--rounds=8]
 //
-// No hand takes longer than `seconds` in all. `budget` is that of one update in milliseconds (0: none), and `rounds` the
-// steps that it may take: with one round, the times are those of single certified steps.
+// No hand takes longer than `seconds` in all. `budget` is that of one update in milliseconds (0: none), and `rounds`
+// the steps that it may take: with one round, the times are those of single certified steps.
 #include "bench/drag_cases.h"
 #include "bench/timings.h"
 #include "chasles/chasles.h"
@@ -51,7 +51,8 @@ Outcome drag(const DragCase& hand, const Limits& limits, double friction) {
     for (int i = 0; i < limits.updates && left > 0; ++i) {
         DragStep step;
         const Pose goal = goal_at(hand, i / 60.0);
-        outcome.updates.push_back(least_microseconds(1, [&] { step = body.update(goal, limits.budget / 1000); }) / 1000);
+        outcome.updates.push_back(least_microseconds(1, [&] { step = body.update(goal, limits.budget / 1000); }) /
+                                  1000);
         left -= outcome.updates.back();
         outcome.in_contact += step.contacts.empty() ? 0 : 1;
         outcome.unfinished += step.state == DragState::moving ? 1 : 0;
