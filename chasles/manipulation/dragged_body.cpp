@@ -30,7 +30,7 @@ constexpr double default_reach = 2;     // margins
 constexpr double listed_within = 2;     // margins: the contacts that a step lists
 constexpr double least_step = 0x1p-10;  // margins: a body that has no more to go rests
 /// Likewise after the first round of an update. What is left is for the next update: it is not worth a round.
-constexpr double least_further_step = 1;
+constexpr double least_further_step = 0x1p-3;
 
 void require(bool holds, const char* option, const char* why) {
     if (!holds)
