@@ -6,6 +6,7 @@
 #include "scenes/spur_gear.h"
 #include "scenes/threaded_fastener.h"
 
+#include <algorithm>
 #include <cmath>
 #include <fmt/format.h>
 #include <initializer_list>
@@ -26,8 +27,8 @@ using examples::turned_ring;
 constexpr scenes::ThreadedFastener fastener{
     .pitch = 4, .bolt_length = 20, .head_height = 7, .nut_height = 6, .radial_clearance = 0.5, .segments = 24};
 constexpr scenes::Maze maze_size{.columns = 6, .rows = 4, .seed = 3};
-constexpr scenes::SpurGear sun{.teeth = 24, .module = 2, .width = 8, .play = 0.5, .bore_radius = 6};
-constexpr scenes::SpurGear planet{.teeth = 18, .module = 2, .width = 8, .play = 0.5, .bore_radius = 5};
+constexpr scenes::SpurGear sun{.teeth = 24, .module = 2, .width = 8, .play = 0.5};
+constexpr scenes::SpurGear planet{.teeth = 18, .module = 2, .width = 8, .play = 0.5};
 constexpr int sides = 48;          // of what is round
 constexpr double peg_radius = 8;   // millimetres
 constexpr double peg_play = 0.08;  // of the radius
@@ -113,11 +114,41 @@ void add_maze(Text& text) {
     text.add("lid", box({0, 0, top + gap}, {end.x() - maze_size.corridor / 2, end.y() + maze_size.corridor, top + 2}));
 }
 
+/// The gear of scenes/spur_gear.h without bore and with three chords a flank, for updates within a frame. Chords make
+/// teeth thinner, never thicker. Below the base circle flanks are radial.
+Polyhedron coarse_gear(const scenes::SpurGear& size) {
+    constexpr double pressure_angle = 20 * std::numbers::pi / 180;
+    constexpr int chords = 3;
+    const double pitch = size.pitch_radius(), base = pitch * std::cos(pressure_angle);
+    const double tip = pitch + size.module, root = pitch - 1.25 * size.module;
+    const double half_tooth = (std::numbers::pi * size.module - size.play) / (4 * pitch);
+    const auto involute = [](double angle) { return std::tan(angle) - angle; };
+    const auto half_angle = [&](double radius) {
+        return half_tooth + involute(pressure_angle) - involute(std::acos(std::min(1.0, base / radius)));
+    };
+    std::vector<Eigen::Vector2d> flank{{root, half_angle(base)}}; // radius and angle from the middle of the tooth
+    for (int i = 0; i <= chords; ++i) {
+        const double radius = base + (tip - base) * i / chords;
+        flank.emplace_back(radius, half_angle(radius));
+    }
+    std::vector<Eigen::Vector2d> outline;
+    for (std::size_t tooth = 0; tooth < size.teeth; ++tooth) {
+        const double middle = 2 * std::numbers::pi * double(tooth) / double(size.teeth);
+        const auto add = [&](double radius, double angle) {
+            outline.emplace_back(radius * std::cos(middle + angle), radius * std::sin(middle + angle));
+        };
+        for (const Eigen::Vector2d& point : flank)
+            add(point.x(), -point.y());
+        for (std::size_t i = flank.size(); i-- > 0;)
+            add(flank[i].x(), flank[i].y());
+    }
+    return examples::extruded(outline, size.width);
+}
+
 void add_gears(Text& text) {
-    text.add("sun gear", scenes::spur_gear(sun));
-    text.add("planet gear", scenes::spur_gear(planet));
-    text.add("pin", rod(5.9, 12, sides));
-    text.add("ground", box({-62, -62, -3}, {62, 62, -0.01}));
+    text.add("sun gear", coarse_gear(sun));
+    text.add("planet gear", coarse_gear(planet));
+    text.add("ground", box({-66, -66, -3}, {66, 66, -0.01}));
 }
 
 /// A gripper with two fingers, and what stands in its cell. It looks along x.

@@ -4,7 +4,7 @@ import { Hand, type Shown } from "./drag";
 import { Keys } from "./keys";
 import { fragmentOf, sharedIn } from "./link";
 import { type OwnFile, ownScene, readOwnFile, warningAbout } from "./own_files";
-import { clearProof, hideTrouble, showButtons, showProof, showStep, showTrouble } from "./panel";
+import { clearProof, hideTrouble, showButtons, showProof, showStep, showTrouble, withoutForces } from "./panel";
 import { Pointer } from "./pointer";
 import type { Pose } from "./poses";
 import type { Step } from "./protocol";
@@ -41,12 +41,17 @@ export class App implements Shown {
 
   released(): void {
     this.view.showHand();
-    if (this.hand.session) void this.hand.atRest().then(() => showStep(this.hand, this.lastStep, true));
+    if (this.lastStep) void this.hand.atRest().then(() => this.leave());
   }
 
   failed(error: Error): void {
     showTrouble(`${error.message}. The ${this.hand.scene.spec.moving} stays where it was.`);
     this.moved(this.hand.pose);
+  }
+
+  private leave(): void {
+    if (this.hand.grip || !this.lastStep) return;
+    this.moved(this.hand.pose, withoutForces(this.lastStep));
   }
 
   /** Opens a scene; says so if that is not possible, and leaves the scene before. */

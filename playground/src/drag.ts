@@ -35,6 +35,7 @@ export class Hand {
   private inFlight: Promise<void> = Promise.resolve();
   private isBusy = false;
   private hasChanged = false;
+  private isLooping = false;
   private rest: (() => void)[] = [];
 
   constructor(private readonly shown: Shown) {}
@@ -68,7 +69,8 @@ export class Hand {
     this.grip = new Grip(this.inertia, point, this.isLoose, this.pose);
     this.timings.begin();
     this.hasChanged = true;
-    requestAnimationFrame((time) => this.frame(time));
+    if (!this.isLooping) requestAnimationFrame((time) => this.frame(time));
+    this.isLooping = true;
   }
 
   async letGo(): Promise<void> {
@@ -113,6 +115,7 @@ export class Hand {
   }
 
   private frame(time: number): void {
+    this.isLooping = this.grip !== undefined;
     if (!this.grip) return this.nowAtRest();
     this.timings.frame(time);
     if (!this.isBusy && this.hasChanged) this.inFlight = this.update(this.grip);

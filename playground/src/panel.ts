@@ -3,7 +3,7 @@ import { byId, element, setText } from "./elements";
 import type { Hand } from "./drag";
 import type { Proofs } from "./prover";
 import type { ContactShown, Step } from "./protocol";
-import { handInWords, short, stateInWords, wayInWords } from "./words";
+import { handInWords, letGoInWords, short, stateInWords, wayInWords } from "./words";
 
 const mostListed = 8;
 const pauseOfNumbers = 120; // milliseconds
@@ -13,7 +13,8 @@ let lastNumbers = 0;
 /** The state in words, at once; the numbers a few times a second. */
 export function showStep(hand: Hand, step: Step | undefined, isLast: boolean): void {
   const { moving } = hand.scene.spec;
-  setText("status", step ? stateInWords(moving, step) : `The ${moving} is at rest. Drag it.`);
+  const words = !step ? `The ${moving} is at rest. Drag it.` : hand.grip ? stateInWords(moving, step) : letGoInWords(moving, step);
+  setText("status", words);
   byId("status").classList.toggle("is-held", step !== undefined && step.blocking.length > 0);
   byId("status").classList.toggle("is-free", step !== undefined && step.blocking.length === 0 && step.contacts.length === 0);
   const now = performance.now();
@@ -23,6 +24,11 @@ export function showStep(hand: Hand, step: Step | undefined, isLast: boolean): v
   showSummary(hand, step);
   showButtons(hand);
   setText("figures", hand.timings.words);
+}
+
+/** What a step leaves when the hand pulls no more: contacts without forces. */
+export function withoutForces(step: Step): Step {
+  return { ...step, contacts: step.contacts.map((contact) => ({ ...contact, force: 0 })), wrench: [0, 0, 0, 0, 0, 0], blocking: [] };
 }
 
 export function showButtons(hand: Hand): void {

@@ -36,7 +36,6 @@ export class Pointer {
     const place = event.button === 1 ? undefined : this.view.onPart(event);
     if (!place) return;
     event.stopPropagation();
-    event.target.focus({ preventScroll: true });
     this.stage.setPointerCapture(event.pointerId);
     this.stage.classList.add("is-dragging");
     const isTurning = byId<HTMLInputElement>("mode-turn").checked !== (event.shiftKey || event.button === 2);

@@ -51,7 +51,7 @@ export const readyScenes: PlaygroundScene[] = [
   ready(
     "peg",
     "Peg and hole",
-    "The hole is 0.08 mm wider than the peg. Find it: the peg slides on the plate, tilts at the rim, and drops in once it stands straight.",
+    "The hole is 0.16 mm wider than the peg. Find it: press the peg on the plate and slide until it drops in.",
     ["peg", "plate", "table"],
     at(-4, -22, 24),
     { margin: 0.01, handling: { isLoose: false } },
@@ -68,7 +68,7 @@ export const readyScenes: PlaygroundScene[] = [
     "gears",
     "Planet gear",
     "Nothing but teeth connects the two gears. Drag the small one around the large one: it has to roll.",
-    ["planet gear", "sun gear", "pin", "ground"],
+    ["planet gear", "sun gear", "ground"],
     at(planetX + 0.3, 0, 0.2, planetAngle),
     { margin: 0.02, handling: { isLoose: true, axis: z, plane: z }, view: [0.15, -0.9, 1] },
   ),

@@ -24,6 +24,12 @@ export function stateInWords(moving: string, step: Step): string {
   return `The ${moving} follows the hand.`;
 }
 
+/** After the part was let go. */
+export function letGoInWords(moving: string, step: Step): string {
+  const bodies = [...new Set(step.contacts.map(({ body }) => body))];
+  return bodies.length === 0 ? `The ${moving} stays where it is.` : `The ${moving} stays where it is, at ${the(bodies)}.`;
+}
+
 const ordinal = (index: number) => (index + 1).toLocaleString("en");
 
 /** The proof of the body's own way. */
