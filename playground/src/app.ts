@@ -33,6 +33,7 @@ export class App implements Shown {
 
   moved(pose: Pose, step?: Step): void {
     this.lastStep = step;
+    if (this.hand.grip) this.view.keepUp(this.hand.timings.judged);
     this.view.moveTo(pose);
     this.view.showContacts(step?.contacts ?? [], step?.blocking ?? []);
     this.view.showHand(this.hand.line);
@@ -41,6 +42,7 @@ export class App implements Shown {
 
   released(): void {
     this.view.showHand();
+    this.view.sharpen();
     if (this.lastStep) void this.hand.atRest().then(() => this.leave());
   }
 

@@ -1,5 +1,5 @@
 // The hand: holds the part, asks for updates as long as anything changes, and shows what they did.
-import type { Vector3 } from "three";
+import { Vector3 } from "three";
 import { Engine, EngineError } from "./engine";
 import { Grip, Inertia } from "./grip";
 import { carried, placeOf, type Pose, turnOf } from "./poses";
@@ -8,7 +8,7 @@ import type { PlaygroundScene } from "./scenes";
 import { Session } from "./session";
 import { Timings } from "./timings";
 
-const budget = 0.004; // seconds; an update starts no further round after this time
+const budget = 0.002; // seconds; an update starts no further round after this time
 const still = 2e-6; // of the size of the part: less than this is no motion
 
 export interface Shown {
@@ -64,9 +64,9 @@ export class Hand {
   /** Takes the part at one of its points, which is given in the scene. */
   async take(place: Vector3): Promise<void> {
     await this.letGo();
-    const point = place.clone().sub(placeOf(this.pose)).applyQuaternion(turnOf(this.pose).invert());
+    const { plane } = this.scene.handling;
     this.session.begin(this.pose);
-    this.grip = new Grip(this.inertia, point, this.isLoose, this.pose);
+    this.grip = new Grip(this.inertia, place, this.pose, this.isLoose, plane && new Vector3(...plane));
     this.timings.begin();
     this.hasChanged = true;
     if (!this.isLooping) requestAnimationFrame((time) => this.frame(time));

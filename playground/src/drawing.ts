@@ -17,11 +17,15 @@ const nowhere = new Matrix4().makeScale(0, 0, 0);
 export interface Palette {
   moving: string;
   fixed: string;
+  ground: string;
   contact: string;
   edge: string;
   text: string;
   background: string;
 }
+
+/** How a body is drawn. */
+export type Kind = "moving" | "fixed" | "glass" | "ground";
 
 /** A body. Its vertices are in single precision, so they are relative to its middle. */
 export class DrawnBody {
@@ -30,14 +34,14 @@ export class DrawnBody {
   private readonly surface: MeshLambertMaterial;
   private readonly lines = new LineBasicMaterial();
 
-  constructor(readonly shape: BodyShape, readonly isMoving: boolean, private readonly isGlass: boolean) {
+  constructor(readonly shape: BodyShape, readonly kind: Kind) {
     const middle = new Vector3(...shape.lower).add(new Vector3(...shape.upper)).multiplyScalar(0.5);
     const vertices = new Float32Array(shape.vertices.length);
     for (let i = 0; i < vertices.length; ++i) vertices[i] = shape.vertices[i] - middle.getComponent(i % 3);
     const geometry = new BufferGeometry().setAttribute("position", new BufferAttribute(vertices, 3));
     geometry.setIndex(new BufferAttribute(shape.triangles, 1));
     this.surface = new MeshLambertMaterial({ flatShading: true, ...pushedBack });
-    if (isGlass) Object.assign(this.surface, { transparent: true, opacity: 0.12, depthWrite: false });
+    if (kind === "glass") Object.assign(this.surface, { transparent: true, opacity: 0.12, depthWrite: false });
     this.mesh = new Mesh(geometry, this.surface);
     this.group.matrixAutoUpdate = false;
     this.add(this.mesh, middle);
@@ -50,10 +54,10 @@ export class DrawnBody {
   }
 
   paint(palette: Palette, isBlocking: boolean): void {
-    this.surface.color.set(this.isMoving ? palette.moving : palette.fixed);
+    this.surface.color.set(palette[this.kind === "glass" ? "fixed" : this.kind]);
     this.lines.color.set(isBlocking ? palette.contact : palette.edge);
-    this.lines.opacity = this.isGlass ? 0.35 : 1;
-    this.lines.transparent = this.isGlass;
+    this.lines.transparent = this.kind === "glass";
+    this.lines.opacity = this.lines.transparent ? 0.35 : 1;
   }
 
   dispose(): void {
@@ -73,11 +77,11 @@ export class ContactMarks {
   readonly group = new Group();
   private readonly colour = new MeshBasicMaterial({ depthTest: false, transparent: true });
   private readonly rimColour = new MeshBasicMaterial({ depthTest: false, transparent: true, opacity: 0.9 });
-  private readonly rims = this.instanced(new SphereGeometry(1.4, 20, 14), this.rimColour, 10);
-  private readonly spheres = this.instanced(new SphereGeometry(1, 20, 14), this.colour, 11);
-  private readonly normals = this.instanced(new CylinderGeometry(0.16, 0.16, 1, 8).translate(0, 0.5, 0), this.colour, 11);
-  private readonly shafts = this.instanced(new CylinderGeometry(0.42, 0.42, 1, 12).translate(0, 0.5, 0), this.colour, 12);
-  private readonly heads = this.instanced(new ConeGeometry(1.15, 3, 20).translate(0, 1.5, 0), this.colour, 12);
+  private readonly rims = this.instanced(new SphereGeometry(1.4, 14, 10), this.rimColour, 10);
+  private readonly spheres = this.instanced(new SphereGeometry(1, 14, 10), this.colour, 11);
+  private readonly normals = this.instanced(new CylinderGeometry(0.16, 0.16, 1, 6).translate(0, 0.5, 0), this.colour, 11);
+  private readonly shafts = this.instanced(new CylinderGeometry(0.42, 0.42, 1, 8).translate(0, 0.5, 0), this.colour, 12);
+  private readonly heads = this.instanced(new ConeGeometry(1.15, 3, 12).translate(0, 1.5, 0), this.colour, 12);
   private contacts: ContactShown[] = [];
 
   show(contacts: ContactShown[]): void {
@@ -93,19 +97,18 @@ export class ContactMarks {
   resize(sizeAt: (place: Vector3) => number, longest: number): void {
     const greatest = Math.max(...this.contacts.map(({ force }) => force), 0);
     const scale = greatest > longest ? longest / greatest : 1;
-    for (let index = 0; index < mostMarkers; ++index) this.place(index, this.contacts[index], sizeAt, scale);
-    for (const part of this.parts) part.instanceMatrix.needsUpdate = true;
+    this.contacts.forEach((contact, index) => this.place(index, contact, sizeAt, scale));
+    for (const part of this.parts) {
+      part.count = this.contacts.length;
+      part.instanceMatrix.needsUpdate = true;
+    }
   }
 
   private get parts(): InstancedMesh[] {
     return [this.rims, this.spheres, this.normals, this.shafts, this.heads];
   }
 
-  private place(index: number, contact: ContactShown | undefined, sizeAt: (place: Vector3) => number, scale: number): void {
-    if (!contact) {
-      for (const part of this.parts) part.setMatrixAt(index, nowhere);
-      return;
-    }
+  private place(index: number, contact: ContactShown, sizeAt: (place: Vector3) => number, scale: number): void {
     const point = new Vector3(...contact.point);
     const normal = new Vector3(...contact.normal);
     const turn = new Quaternion().setFromUnitVectors(up, normal);

@@ -25,24 +25,28 @@ export class Inertia {
   }
 }
 
-/** The body is held at one of its points. */
+/** The body is held at one of its points. In a plane a loose grip neither lifts nor tilts it. */
 export class Grip {
-  private readonly grabbedTurn: Quaternion;
+  readonly point: Vector3; // of the body
   private wantedTurn: Quaternion;
   private wantedPlace: Vector3; // of the grabbed point
 
-  constructor(private readonly inertia: Inertia, readonly point: Vector3, private readonly isLoose: boolean, pose: Pose) {
-    this.grabbedTurn = turnOf(pose);
-    this.wantedTurn = this.grabbedTurn.clone();
-    this.wantedPlace = carried(pose, point);
+  constructor(private readonly inertia: Inertia, place: Vector3, pose: Pose, private readonly isLoose: boolean, private readonly plane?: Vector3) {
+    this.wantedPlace = place.clone();
+    if (plane) this.wantedPlace.addScaledVector(plane, centreOf(inertia, pose).sub(place).dot(plane));
+    this.wantedTurn = turnOf(pose);
+    this.point = this.wantedPlace.clone().sub(placeOf(pose)).applyQuaternion(turnOf(pose).invert());
   }
 
   get place(): Vector3 {
     return this.wantedPlace.clone();
   }
 
+  /** With a plane, `place` is in it or above it. */
   moveTo(place: Vector3): void {
+    const height = this.plane ? this.wantedPlace.dot(this.plane) : 0;
     this.wantedPlace = place.clone();
+    if (this.plane) this.wantedPlace.addScaledVector(this.plane, height - place.dot(this.plane));
   }
 
   moveBy(way: Vector3): void {
@@ -78,8 +82,10 @@ export class Grip {
     const centre = carried(pose, this.inertia.centre);
     const grabbed = carried(pose, this.point);
     const lever = grabbed.clone().sub(centre);
+    if (this.plane) lever.addScaledVector(this.plane, -lever.dot(this.plane));
     const force = this.forceFor(this.wantedPlace.clone().sub(grabbed), lever, turn);
     const rotation = this.inertia.turnFor(force, lever, turn);
+    if (this.plane) rotation.copy(this.plane).multiplyScalar(this.inertia.turnFor(force, lever, turn).dot(this.plane));
     const share = Math.min(1, mostTurn / rotation.length());
     const goalTurn = turnBy(rotation.multiplyScalar(share)).multiply(turn);
     this.wantedTurn = goalTurn;

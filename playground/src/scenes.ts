@@ -17,6 +17,7 @@ export interface PlaygroundScene {
   spec: SceneSpec;
   handling: Handling;
   glass: string[]; // bodies that are drawn transparent
+  ground: string[]; // bodies that are drawn paler
   view: number[]; // from where it is looked at
   unit: string; // of lengths
 }
@@ -30,10 +31,11 @@ function ready(
   about: string,
   bodies: string[],
   start: Pose,
-  more: { margin: number; handling: Handling; glass?: string[]; view?: number[] },
+  more: { margin: number; handling: Handling; glass?: string[]; ground?: string[]; view?: number[] },
 ): PlaygroundScene {
   const spec = { moving: bodies[0], bodies: bodies.map((name) => ({ name, shape: name })), start, margin: more.margin };
-  return { id, title, about, spec, handling: more.handling, glass: more.glass ?? [], view: more.view ?? [0.55, -1, 0.5], unit: "mm" };
+  const { handling, glass = [], ground = [], view = [0.55, -1, 0.5] } = more;
+  return { id, title, about, spec, handling, glass, ground, view, unit: "mm" };
 }
 
 const [keyX, keyY, , keyAngle] = places.key;
@@ -43,10 +45,10 @@ export const readyScenes: PlaygroundScene[] = [
   ready(
     "nut",
     "Nut and bolt",
-    "A thread with real flanks: 16 mm wide, 4 mm a turn, 0.5 mm of play. Pull the nut: it does not come off. Drag its rim around the bolt, or turn it with Shift: the thread carries it up and down.",
+    "A thread with real flanks: 16 mm wide, 4 mm a turn, 0.6 mm of play. Pull the nut: it does not come off. Drag its rim around the bolt, or turn it with Shift: the thread carries it up and down.",
     ["nut", "bolt"],
     at(0, 0, 8),
-    { margin: 0.002, handling: { isLoose: true, axis: z } },
+    { margin: 0.003, handling: { isLoose: true, axis: z } },
   ),
   ready(
     "peg",
@@ -54,7 +56,7 @@ export const readyScenes: PlaygroundScene[] = [
     "The hole is 0.16 mm wider than the peg. Find it: press the peg on the plate and slide until it drops in.",
     ["peg", "plate", "table"],
     at(-4, -22, 24),
-    { margin: 0.01, handling: { isLoose: false } },
+    { margin: 0.01, handling: { isLoose: false }, ground: ["table"] },
   ),
   ready(
     "maze",
@@ -70,7 +72,7 @@ export const readyScenes: PlaygroundScene[] = [
     "Nothing but teeth connects the two gears. Drag the small one around the large one: it has to roll.",
     ["planet gear", "sun gear", "ground"],
     at(planetX + 0.3, 0, 0.2, planetAngle),
-    { margin: 0.02, handling: { isLoose: true, axis: z, plane: z }, view: [0.15, -0.9, 1] },
+    { margin: 0.02, handling: { isLoose: true, axis: z, plane: z }, ground: ["ground"], view: [0.15, -0.9, 1] },
   ),
   ready(
     "robot",
@@ -78,7 +80,7 @@ export const readyScenes: PlaygroundScene[] = [
     "The hand of a robot, without its arm. Put it into the shelf, so that the bottle stands between its fingers: 4 mm are left on each side.",
     ["gripper", "shelf", "bottle", "cell floor"],
     at(-130, 0, 70),
-    { margin: 0.05, handling: { isLoose: false }, view: [-0.9, -0.75, 0.65] },
+    { margin: 0.05, handling: { isLoose: false }, ground: ["cell floor"], view: [-0.9, -0.75, 0.65] },
   ),
 ];
 

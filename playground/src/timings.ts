@@ -10,6 +10,7 @@ export function quantile(values: number[], share: number): number {
 
 export class Timings {
   readonly frames: number[] = []; // milliseconds between two of them
+  readonly judged: number[] = []; // the same, since the picture was made coarser
   readonly updates: number[] = []; // milliseconds of the library alone
   private last?: number;
 
@@ -18,7 +19,7 @@ export class Timings {
   }
 
   frame(time: number): void {
-    if (this.last !== undefined) this.keep(this.frames, time - this.last);
+    if (this.last !== undefined) for (const list of [this.frames, this.judged]) this.keep(list, time - this.last);
     this.last = time;
   }
 

@@ -1,17 +1,26 @@
 // The picture of a scene. The scene is shifted to its middle and scaled to radius one, as the viewer's stage wants it.
 import { Box3, Group, Matrix4, Plane, Ray, Raycaster, Sphere, Vector2, Vector3 } from "three";
 import { Stage } from "../../viewer/src/stage";
-import { ContactMarks, cornersOf, DrawnBody, HandLine, markerSize, type Palette } from "./drawing";
+import { ContactMarks, cornersOf, DrawnBody, HandLine, type Kind, markerSize, type Palette } from "./drawing";
 import { carried, type Pose } from "./poses";
 import type { ContactShown, Opened } from "./protocol";
 import type { PlaygroundScene } from "./scenes";
+import { quantile } from "./timings";
 
 const longestArrow = 0.4; // of the radius of the scene
-const names = ["moving", "fixed", "contact", "edge", "text", "background"] as const;
+const slowFrame = 24; // milliseconds
+const leastSharpness = 0.35;
+const framesToJudge = 10;
+const names = ["moving", "fixed", "ground", "contact", "edge", "text", "background"] as const;
 
 function currentPalette(): Palette {
   const style = getComputedStyle(document.documentElement);
   return Object.fromEntries(names.map((name) => [name, style.getPropertyValue(`--${name}`).trim()])) as unknown as Palette;
+}
+
+function kindOf({ spec, glass, ground }: PlaygroundScene, name: string): Kind {
+  if (name === spec.moving) return "moving";
+  return glass.includes(name) ? "glass" : ground.includes(name) ? "ground" : "fixed";
 }
 
 export class View {
@@ -22,6 +31,8 @@ export class View {
   private bodies: DrawnBody[] = [];
   private ball = new Sphere(new Vector3(), 1);
   private blocking = "";
+  private sharpness = 1; // while something is dragged
+  private isSharp = true;
 
   constructor(private readonly canvas: HTMLCanvasElement) {
     this.stage = new Stage(canvas, new Sphere(new Vector3(), 1), () => this.resizeMarks());
@@ -42,8 +53,7 @@ export class View {
       this.world.remove(body.group);
       body.dispose();
     }
-    const isMoving = (name: string) => name === scene.spec.moving;
-    this.bodies = bodies.map((shape) => new DrawnBody(shape, isMoving(shape.name), scene.glass.includes(shape.name)));
+    this.bodies = bodies.map((shape) => new DrawnBody(shape, kindOf(scene, shape.name)));
     this.world.add(...this.bodies.map(({ group }) => group));
     this.moveTo(scene.spec.start);
     const whole = new Box3().setFromPoints(this.corners());
@@ -70,7 +80,7 @@ export class View {
   }
 
   moveTo(pose: Pose): void {
-    for (const body of this.bodies) if (body.isMoving) body.moveTo(pose);
+    for (const body of this.bodies) if (body.kind === "moving") body.moveTo(pose);
     this.draw();
   }
 
@@ -93,12 +103,30 @@ export class View {
     this.stage.draw();
   }
 
+  /** Without a graphics card many pixels take long: while something is dragged, slow frames get fewer of them. */
+  keepUp(frames: number[]): void {
+    const last = frames.slice(-framesToJudge);
+    if (last.length === framesToJudge && quantile(last, 0.5) > slowFrame && this.sharpness > leastSharpness) {
+      this.sharpness = Math.max(leastSharpness, 0.7 * this.sharpness);
+      frames.splice(0);
+      this.isSharp = true;
+    }
+    if (this.isSharp && this.sharpness < 1) this.stage.setSharpness(this.sharpness);
+    this.isSharp = this.sharpness === 1;
+  }
+
+  /** All pixels again. */
+  sharpen(): void {
+    if (!this.isSharp) this.stage.setSharpness(1);
+    this.isSharp = true;
+  }
+
   /** The place on the moving body under the pointer, in the scene, if no other body is in front of it. */
   onPart(event: { clientX: number; clientY: number }): Vector3 | undefined {
-    const solid = this.bodies.filter(({ mesh }) => !(mesh.material as { transparent: boolean }).transparent);
+    const solid = this.bodies.filter(({ kind }) => kind !== "glass");
     const [hit] = this.stage.under(event as PointerEvent, solid.map(({ mesh }) => mesh));
     const body = hit && solid.find(({ mesh }) => mesh === hit.object);
-    return body?.isMoving ? this.toScene(hit.point) : undefined;
+    return body?.kind === "moving" ? this.toScene(hit.point) : undefined;
   }
 
   /** Where the pointer is on the plane through a place of the scene: parallel to the picture, or with this normal. */

@@ -108,6 +108,12 @@ export class Stage {
     return ray.intersectObjects(objects);
   }
 
+  /** Draws with a share of the pixels along each side. */
+  setSharpness(share: number): void {
+    this.renderer.setPixelRatio(share * Math.min(devicePixelRatio, 2));
+    this.draw();
+  }
+
   setBackground(colour: string): void {
     this.renderer.setClearColor(colour);
     this.draw();
