@@ -18,14 +18,15 @@ function obj({ vertices, faces }: BodyShape): string {
 }
 
 function csv(poses: Pose[]): string {
-  return ["t,x,y,z,qw,qx,qy,qz", ...poses.map((pose, index) => [index, ...pose].join(","))].join("\n") + "\n";
+  return `${["x,y,z,qw,qx,qy,qz", ...poses.map((pose) => pose.join(","))].join("\n")}\n`;
 }
 
 function explanation(name: string, command: string, hasFiles: boolean): string {
   return `A hand that was recorded by the playground of Chasles.
 
 hand.csv     the poses that the hand asked for, one an update
-reached.csv  the poses that the body reached on the page
+reached.csv  the poses that the body reached on the page, one an update
+way.csv      all ends of the pieces of its way there, each of which is a screw that is proven clear
 scene.json   the bodies${hasFiles ? ", which are the files as they were dropped" : ""}
 
 ${command}
@@ -60,6 +61,7 @@ export function savedHand(title: string, spec: SceneSpec, margin: number, shapes
     text("scene.json", `${JSON.stringify({ bodies }, null, 2)}\n`),
     text("hand.csv", csv(session.goals)),
     text("reached.csv", csv(session.reached)),
+    text("way.csv", csv(session.way)),
     text("drag.sh", `#!/bin/sh\n# Replays the hand. CHASLES names the program.\ncd "$(dirname "$0")"\n${command.replace(/^chasles/, '"${CHASLES:-chasles}"')}\n`),
     ...meshes,
   ]);
