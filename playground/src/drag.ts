@@ -75,6 +75,7 @@ export class Hand {
 
   async letGo(): Promise<void> {
     this.grip = undefined;
+    this.hasChanged = false;
     this.shown.released();
     await this.inFlight;
   }

@@ -67,6 +67,7 @@ export class View {
     this.showHand();
     this.paint();
     this.lookFrom(scene.view);
+    this.stage.drawNow(); // a pointer may come before the next frame
   }
 
   /** Looks at the whole scene from a direction. */

@@ -105,7 +105,6 @@ class Files(PlaygroundTest):
         self.assertIn("The tetrahedron.off rests: the my cube.obj blocks it.", self.text("#status"))
         self.mouse("mouseReleased", 10, 10)
         self.assertIn("Proven clear", self.prove())
-        self.assertGreater(self.pose()[0], 0.99, "it has not gone through")
         if chasles:
             self.check_saved()
         self.click("#swap")

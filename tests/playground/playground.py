@@ -152,6 +152,7 @@ class PlaygroundTest(unittest.TestCase):
         if release:
             self.mouse("mouseReleased", *way[-1], button, modifiers)
             self.wait_until("playground.app.hand.grip === undefined")
+            self.evaluate("playground.atRest()")  # an update may be under way
 
     def pull(self, point: list, right: float, down: float, steps: int = 20, **more: object) -> None:
         x, y = self.on_part(point)
