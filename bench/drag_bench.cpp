@@ -5,7 +5,10 @@
 // place where there is much to touch. The last columns are for forces for other goals, from the contacts of the last
 // update.
 //
-//     drag_bench [--updates=600] [--only=SCENE] [--seconds=20]    no hand takes longer than so many seconds
+//     drag_bench [--updates=600] [--only=SCENE] [--seconds=20] [--budget=0] [--rounds=8]
+//
+// No hand takes longer than `seconds` in all. `budget` is that of one update in milliseconds (0: none), and `rounds`
+// the steps that it may take: with one round, the times are those of single certified steps.
 #include "bench/drag_cases.h"
 #include "bench/timings.h"
 #include "chasles/chasles.h"
@@ -21,6 +24,8 @@ namespace {
 struct Limits {
     int updates = 600;
     double seconds = 20; ///< of one hand
+    double budget = 0;   ///< of one update, ms
+    int rounds = DragOptions{}.rounds;
     std::string_view only = {};
 };
 
@@ -39,13 +44,15 @@ Outcome drag(const DragCase& hand, const Limits& limits, double friction) {
     scene.add({"moving", hand.moving, Motion::at_rest(hand.start)});
     DragOptions options;
     options.friction = friction;
+    options.rounds = limits.rounds;
     DraggedBody body(scene, "moving", options);
     Outcome outcome;
     double left = 1000 * limits.seconds;
     for (int i = 0; i < limits.updates && left > 0; ++i) {
         DragStep step;
         const Pose goal = goal_at(hand, i / 60.0);
-        outcome.updates.push_back(least_microseconds(1, [&] { step = body.update(goal); }) / 1000);
+        outcome.updates.push_back(least_microseconds(1, [&] { step = body.update(goal, limits.budget / 1000); }) /
+                                  1000);
         left -= outcome.updates.back();
         outcome.in_contact += step.contacts.empty() ? 0 : 1;
         outcome.unfinished += step.state == DragState::moving ? 1 : 0;
@@ -95,6 +102,10 @@ int main(int argc, char** argv) {
             limits.updates = std::max(1, std::atoi(argument.substr(10).data()));
         if (argument.starts_with("--seconds="))
             limits.seconds = std::max(0.1, std::atof(argument.substr(10).data()));
+        if (argument.starts_with("--budget="))
+            limits.budget = std::max(0.0, std::atof(argument.substr(9).data()));
+        if (argument.starts_with("--rounds="))
+            limits.rounds = std::max(1, std::atoi(argument.substr(9).data()));
         if (argument.starts_with("--only="))
             limits.only = argument.substr(7);
     }

@@ -95,27 +95,57 @@ void mark_corners(const std::vector<Contact>& contacts, const std::vector<std::s
         is_kept[corner.index] = 1;
 }
 
+/// Whether two contacts belong to one flat contact.
+bool are_flat(const Contact& first, const Contact& other, double slack) {
+    const Eigen::Vector3d way = other.point - first.point;
+    const double same_height = slack + same_normal * way.norm();
+    return (other.normal - first.normal).norm() <= same_normal && std::abs(first.normal.dot(way)) <= same_height &&
+           std::abs(other.gap - first.gap) <= same_height;
+}
+
+/// Contacts sorted along a direction that tells most normals apart, so that like ones are found without a look at all.
+class ByNormal {
+public:
+    explicit ByNormal(const std::vector<Contact>& contacts) : contacts_(contacts) {
+        for (std::size_t i = 0; i < contacts.size(); ++i)
+            sorted_.emplace_back(key_of(contacts[i]), i);
+        std::ranges::sort(sorted_);
+    }
+
+    /// Contacts that are not grouped yet and form one flat contact with this one, in ascending order.
+    [[nodiscard]] std::vector<std::size_t> group_of(std::size_t first, const std::vector<char>& is_grouped,
+                                                    double slack) const {
+        const double key = key_of(contacts_[first]);
+        std::vector<std::size_t> group;
+        for (auto at = std::ranges::lower_bound(sorted_, std::pair(key - 2 * same_normal, std::size_t{0}));
+             at != sorted_.end() && at->first <= key + 2 * same_normal; ++at)
+            if (!is_grouped[at->second] && are_flat(contacts_[first], contacts_[at->second], slack))
+                group.push_back(at->second);
+        std::ranges::sort(group);
+        return group;
+    }
+
+private:
+    [[nodiscard]] static double key_of(const Contact& contact) {
+        return contact.normal.dot(Eigen::Vector3d(0.41, 0.53, 0.74)); // shorter than 1
+    }
+
+    const std::vector<Contact>& contacts_;
+    std::vector<std::pair<double, std::size_t>> sorted_;
+};
+
 } // namespace
 
 std::vector<Contact> at_corners_of_hulls(std::vector<Contact> contacts, double slack) {
+    const ByNormal by_normal(contacts);
     std::vector<char> is_kept(contacts.size(), 0);
     std::vector<char> is_grouped(contacts.size(), 0);
     for (std::size_t i = 0; i < contacts.size(); ++i) {
         if (is_grouped[i])
             continue;
-        std::vector<std::size_t> group;
-        const auto is_alike = [&](const Contact& other) {
-            const Contact& first = contacts[i];
-            const Eigen::Vector3d way = other.point - first.point;
-            const double same_height = slack + same_normal * way.norm();
-            return (other.normal - first.normal).norm() <= same_normal &&
-                   std::abs(first.normal.dot(way)) <= same_height && std::abs(other.gap - first.gap) <= same_height;
-        };
-        for (std::size_t j = i; j < contacts.size(); ++j)
-            if (!is_grouped[j] && is_alike(contacts[j])) {
-                group.push_back(j);
-                is_grouped[j] = 1;
-            }
+        const std::vector<std::size_t> group = by_normal.group_of(i, is_grouped, slack);
+        for (const std::size_t index : group)
+            is_grouped[index] = 1;
         mark_corners(contacts, group, slack, is_kept);
     }
     std::vector<Contact> left;

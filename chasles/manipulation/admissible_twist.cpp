@@ -95,6 +95,14 @@ double admissible_share(const LeastDistance& problem, const Twist& moved) {
     return share;
 }
 
+/// The twist as far as the rows admit it, and no longer than the wish: both differ by rounding only.
+Twist within_bounds(const LeastDistance& problem, Twist moved) {
+    moved *= admissible_share(problem, moved);
+    if (moved.squaredNorm() > problem.wish.squaredNorm())
+        moved *= problem.wish.norm() / moved.norm();
+    return moved;
+}
+
 } // namespace
 
 AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metric& metric, const Twist& wish) {
@@ -106,11 +114,7 @@ AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metr
         return answer;
     const Eigen::VectorXd raw = multipliers_of(problem, scale);
     const auto& [change, multipliers] = refined(problem, {problem.rows.transpose() * raw, raw});
-    Twist moved = problem.wish + change;
-    moved *= admissible_share(problem, moved);
-    if (moved.squaredNorm() > problem.wish.squaredNorm()) // by rounding
-        moved *= problem.wish.norm() / moved.norm();
-    answer.twist = root.matrixU().solve(moved);
+    answer.twist = root.matrixU().solve(within_bounds(problem, problem.wish + change));
     for (Eigen::Index i = 0; i < problem.rows.rows(); ++i)
         answer.multipliers[i] = problem.lengths[i] > 0 ? multipliers[i] / problem.lengths[i] : 0;
     answer.wrench = constraints.rows.transpose() * answer.multipliers;

@@ -2,12 +2,15 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/manipulation/hand_force.h"
+#include "chasles/manipulation/stride.h"
 #include "chasles/manipulation/surroundings.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/scene/pair_question.h"
 
 #include <algorithm>
 #include <chrono>
+#include <iterator>
+#include <tuple>
 
 namespace chasles {
 
@@ -27,7 +30,7 @@ constexpr double default_reach = 2;     // margins
 constexpr double listed_within = 2;     // margins: the contacts that a step lists
 constexpr double least_step = 0x1p-10;  // margins: a body that has no more to go rests
 /// Likewise after the first round of an update. What is left is for the next update: it is not worth a round.
-constexpr double least_further_step = 0x1p-3;
+constexpr double least_further_step = 1;
 
 void require(bool holds, const char* option, const char* why) {
     if (!holds)
@@ -82,16 +85,19 @@ bool is_equal(const Pose& a, const Pose& b) {
     return a.translation == b.translation && a.rotation.coeffs() == b.rotation.coeffs();
 }
 
-bool is_same(const DragContact& a, const DragContact& b) {
-    return a.body == b.body && a.contact.kind == b.contact.kind && a.contact.moving == b.contact.moving &&
-           a.contact.fixed == b.contact.fixed;
+/// The body and the features by which a contact is known from update to update.
+auto identity(const DragContact& contact) {
+    return std::tuple(contact.body, contact.contact.kind, contact.contact.moving, contact.contact.fixed);
 }
 
 /// Appends an event for each contact that is not among the others.
 void append_events(std::vector<DragEvent>& events, const std::vector<DragContact>& contacts,
                    const std::vector<DragContact>& others, bool begins) {
+    std::vector<decltype(identity(others.front()))> known;
+    std::ranges::transform(others, std::back_inserter(known), identity);
+    std::ranges::sort(known);
     for (const DragContact& contact : contacts)
-        if (std::ranges::none_of(others, [&](const DragContact& other) { return is_same(contact, other); }))
+        if (!std::ranges::binary_search(known, identity(contact)))
             events.push_back({begins, contact.body, contact.contact});
 }
 
@@ -141,6 +147,7 @@ private:
     Pose pose_;
     manipulation::Lock lock_;
     manipulation::SharedGrip grip_; ///< for the forces that other threads ask for
+    manipulation::Stride stride_;
     manipulation::Surroundings surroundings_;
     Neighbourhood near_;                        ///< at the pose
     std::vector<DragContact> contacts_;         ///< of the last update
@@ -151,7 +158,7 @@ DraggedBody::Implementation::Implementation(Scene& scene, const std::string& nam
     : scene_(scene), name_(name), shape_(scene.bodies()[scene.index_of(name)].shape), options_(options),
       distances_(distances_of(options, shape_)), spring_(mass_of(options, shape_)), size_(diagonal(shape_)),
       pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)), lock_(options.lock, pose_),
-      surroundings_(distances_) {
+      stride_(distances_.margin), surroundings_(distances_) {
     check_rounding(distances_, shape_, pose_);
     manipulation::prepare(shape_.body());
     DragStep step;
@@ -211,16 +218,20 @@ void DraggedBody::Implementation::renumber_contacts() {
 
 /// One certified step. False if nothing could be gone.
 bool DraggedBody::Implementation::go(const Slide& slide, DragStep& step) {
-    const Passage passage = surroundings_.passage(shape_.body(), pose_, slide.end, near_.distances);
+    const double way = longest_way(shape_.report(), pose_, slide.end);
+    const double share = stride_.share(way);
+    const Pose end = share < 1 ? lock_.onto(Motion::screw(pose_, slide.end).pose_at(share)) : slide.end;
+    const Passage passage = surroundings_.passage(shape_.body(), pose_, end, near_.distances);
+    stride_.learn(way, passage);
     step.work += passage.work;
     step.blocking.clear();
     if (passage.blocked_by)
         step.blocking.push_back(*passage.blocked_by);
     if (passage.until <= 0)
         return false;
-    const Motion screw = Motion::screw(pose_, slide.end);
+    const Motion screw = Motion::screw(pose_, end);
     step.pieces.push_back({screw, passage.until, passage.clearance});
-    pose_ = passage.until < 1 ? screw.pose_at(passage.until) : slide.end;
+    pose_ = passage.until < 1 ? screw.pose_at(passage.until) : end;
     look_around(step);
     return true;
 }

@@ -71,19 +71,26 @@ private:
         return planes;
     }
 
-    /// Adds planes where the twist leaves the cones most, and drops those that do not push. False if it leaves none.
-    bool cut(const AdmissibleTwist& answer, const Eigen::VectorXd& gaps, double length) {
-        std::vector<std::pair<double, Eigen::Index>> left; // by how much, and which one
+    /// The cones that the twist leaves most: minus by how much, and which one.
+    [[nodiscard]] std::vector<std::pair<double, Eigen::Index>>
+    cones_left(const AdmissibleTwist& answer, const Eigen::VectorXd& gaps, double length) const {
+        std::vector<std::pair<double, Eigen::Index>> left;
         for (Eigen::Index i = 0; i < gaps.size(); ++i) {
             const double above = problem_.normals.rows.row(i).dot(answer.twist) + gaps[i];
             const double excess = problem_.coefficient * sliding(i, answer.twist).norm() - above;
             if (excess > scales_[i] * length)
                 left.emplace_back(-excess, i);
         }
-        if (left.empty())
-            return false;
         std::ranges::sort(left);
         left.resize(std::min(left.size(), most_new_cuts));
+        return left;
+    }
+
+    /// Adds planes where the twist leaves the cones most, and drops those that do not push. False if it leaves none.
+    bool cut(const AdmissibleTwist& answer, const Eigen::VectorXd& gaps, double length) {
+        const std::vector<std::pair<double, Eigen::Index>> left = cones_left(answer, gaps, length);
+        if (left.empty())
+            return false;
         std::size_t k = 0;
         std::erase_if(cuts_, [&](const Cut&) { return !(answer.multipliers[Eigen::Index(k++)] > 0); });
         for (const auto& [excess, contact] : left)

@@ -152,20 +152,25 @@ void check_rates(const robot::Model& model, std::span<const double> times, const
     }
 }
 
+/// Of joint `i` from knot `s` to the next one, over [0, 1].
+std::vector<Wide> hermite_polynomial(const Rates& rates, std::size_t s, std::size_t i, const Wide& duration) {
+    std::vector<Wide> start, goal;
+    Wide factor(1.0);
+    for (const std::span<const Configuration>& rate : rates) {
+        start.push_back(Wide(rate[s][Eigen::Index(i)]) * factor);
+        goal.push_back(Wide(rate[s + 1][Eigen::Index(i)]) * factor);
+        factor = factor * duration;
+    }
+    return hermite(start, goal);
+}
+
 /// From knot `s` to the next one.
 Segment hermite_segment(std::span<const double> times, const Rates& rates, std::size_t s) {
     const Wide duration = Wide(times[s + 1]) - Wide(times[s]);
     const auto count = std::size_t(rates[0][0].size());
     std::vector<std::vector<Wide>> values(2 * rates.size(), std::vector<Wide>(count));
     for (std::size_t i = 0; i < count; ++i) {
-        std::vector<Wide> start, goal;
-        Wide factor(1.0);
-        for (const std::span<const Configuration>& rate : rates) {
-            start.push_back(Wide(rate[s][Eigen::Index(i)]) * factor);
-            goal.push_back(Wide(rate[s + 1][Eigen::Index(i)]) * factor);
-            factor = factor * duration;
-        }
-        const std::vector<Wide> polynomial = hermite(start, goal);
+        const std::vector<Wide> polynomial = hermite_polynomial(rates, s, i, duration);
         for (std::size_t k = 0; k < polynomial.size(); ++k)
             values[k][i] = polynomial[k];
     }

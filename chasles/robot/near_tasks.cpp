@@ -64,6 +64,19 @@ public:
             of_group_[g] = of_group_[model_.groups[g].parent];
             rates_.go_down(of_group_[g], g);
         }
+        bound_rounding(motion);
+    }
+
+    std::vector<Task> run() {
+        visit({}, candidates());
+        add_movers();
+        std::ranges::stable_sort(tasks_, {}, [](const Task& task) { return task.part.lower; });
+        return std::move(tasks_);
+    }
+
+private:
+    /// The size of all places, and what rounding may move them.
+    void bound_rounding(const SegmentMotion& motion) {
         for (const RigidGroup& group : model_.groups)
             size_ += norm1(group.origin.in_double.translation);
         for (const auto& values : motion.values)
@@ -75,14 +88,6 @@ public:
         rounding_ += motion::pose_rounding<double> * 8 * double(model_.groups.size());
     }
 
-    std::vector<Task> run() {
-        visit({}, candidates());
-        add_movers();
-        std::ranges::stable_sort(tasks_, {}, [](const Task& task) { return task.part.lower; });
-        return std::move(tasks_);
-    }
-
-private:
     [[nodiscard]] std::vector<Candidate> candidates();
     void add_candidate(std::vector<Candidate>& all, const Task& task, const RateBounds& rates, double margin) const;
     void add_obstacles(std::vector<Candidate>& all, std::size_t element);

@@ -58,6 +58,7 @@ private:
     /// Asks the tasks of a round, and returns the contacts in the order of the tasks.
     std::vector<SceneContact> ask_all(const Rounds& rounds, double until);
     void report_progress();
+    [[nodiscard]] std::vector<SceneContact> sorted(std::vector<SceneContact> contacts) const;
     [[nodiscard]] SceneAnswer answer(std::vector<SceneContact> contacts) const;
 
     const Scene& scene_;
@@ -102,8 +103,8 @@ void SceneSearch::report_progress() {
         is_cancelled_ = true;
 }
 
-/// With the contacts in order of time, and of names where brackets are equal.
-SceneAnswer SceneSearch::answer(std::vector<SceneContact> contacts) const {
+/// In order of time, and of names where brackets are equal.
+std::vector<SceneContact> SceneSearch::sorted(std::vector<SceneContact> contacts) const {
     const auto key = [&](std::size_t i) {
         const SceneContact& c = contacts[i];
         return std::tuple(c.contact.time.lower, c.contact.time.upper, scene::names_of(scene_, {c.moving, c.fixed}));
@@ -111,10 +112,16 @@ SceneAnswer SceneSearch::answer(std::vector<SceneContact> contacts) const {
     std::vector<std::size_t> order(contacts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
     std::ranges::sort(order, {}, key);
-    SceneAnswer answer;
+    std::vector<SceneContact> sorted;
     for (const std::size_t i : order)
-        answer.contacts.push_back(std::move(contacts[i]));
-    answer.verdict = order.empty() ? Verdict::clear : answer.contacts.front().contact.verdict;
+        sorted.push_back(std::move(contacts[i]));
+    return sorted;
+}
+
+SceneAnswer SceneSearch::answer(std::vector<SceneContact> contacts) const {
+    SceneAnswer answer;
+    answer.contacts = sorted(std::move(contacts));
+    answer.verdict = answer.contacts.empty() ? Verdict::clear : answer.contacts.front().contact.verdict;
     answer.clear_until = query_.until;
     for (const SceneContact& contact : answer.contacts)
         answer.clear_until = std::min(answer.clear_until, contact.contact.clear_until);

@@ -1,5 +1,7 @@
 #include "chasles/search/neighbour_list.h"
 
+#include <boost/sort/spreadsort/integer_sort.hpp>
+
 #include <algorithm>
 #include <limits>
 
@@ -11,9 +13,9 @@ using algebra::Vector3;
 using culling::MatrixPose;
 
 // Measured with drag_bench.
-constexpr std::size_t most_pairs = 1 << 17;
+constexpr std::size_t most_pairs = 1 << 20;
 constexpr double travels_ahead = 32;  ///< pieces of the usual length that a list serves
-constexpr double skin_of_edges = 0.1; ///< the longest skin: of the mean edge of the body with the longer edges
+constexpr double skin_of_edges = 0.2; ///< the longest skin: of the mean edge of the body with the longer edges
 
 /// Too much is near even without a skin.
 constexpr int questions_to_pause = 64;
@@ -21,8 +23,13 @@ constexpr int questions_to_pause = 64;
 /// For sums of positions, of which each is off by a bound of coefficients: a matrix has nine (note 31).
 constexpr double roundings = 16;
 
-bool is_before(const TwoFaces& a, const TwoFaces& b) {
-    return a.moving != b.moving ? a.moving < b.moving : a.fixed < b.fixed;
+/// By which pairs are ordered: first the moving face, then the fixed one.
+std::uint64_t key_of(const TwoFaces& faces) {
+    return std::uint64_t(faces.moving) << 32 | faces.fixed;
+}
+
+TwoFaces faces_of(std::uint64_t key) {
+    return {std::uint32_t(key >> 32), std::uint32_t(key)};
 }
 
 double mean_edge(const Body& body) {
@@ -43,12 +50,12 @@ public:
     [[nodiscard]] static double best() { return 1; }
     [[nodiscard]] bool is_over() const { return found_.size() > most_pairs; }
     [[nodiscard]] static bool is_kept_apart(const culling::NodePair&, double) { return false; }
-    void test(const culling::FacePair& pair) { found_.push_back({pair.moving, pair.fixed}); }
+    void test(const culling::FacePair& pair) { found_.push_back(key_of({pair.moving, pair.fixed})); }
 
-    [[nodiscard]] std::vector<TwoFaces>& found() { return found_; }
+    [[nodiscard]] std::vector<std::uint64_t>& found() { return found_; }
 
 private:
-    std::vector<TwoFaces> found_;
+    std::vector<std::uint64_t> found_;
 };
 
 } // namespace
@@ -130,21 +137,21 @@ bool NeighbourList::make(const PieceContext& context, double reach, Work& work) 
     reach_ = leaves.is_over() ? 0 : reach;
     if (leaves.is_over())
         leaves.found().clear();
-    std::ranges::sort(leaves.found(), is_before);
+    boost::sort::spreadsort::integer_sort(leaves.found().begin(), leaves.found().end());
     take(leaves.found());
     return reach_ > 0;
 }
 
 /// Pairs that were listed before keep their normals.
-void NeighbourList::take(const std::vector<TwoFaces>& found) {
+void NeighbourList::take(const std::vector<std::uint64_t>& found) {
     std::vector<Neighbours> pairs;
     pairs.reserve(found.size());
     auto before = pairs_.begin();
-    for (const TwoFaces& faces : found) {
-        while (before != pairs_.end() && is_before(before->faces, faces))
+    for (const std::uint64_t key : found) {
+        while (before != pairs_.end() && key_of(before->faces) < key)
             ++before;
-        const bool is_known = before != pairs_.end() && !is_before(faces, before->faces);
-        pairs.push_back(is_known ? *before : Neighbours{faces});
+        const bool is_known = before != pairs_.end() && key_of(before->faces) == key;
+        pairs.push_back(is_known ? *before : Neighbours{faces_of(key)});
     }
     pairs_ = std::move(pairs);
     measure_gaps(place_);

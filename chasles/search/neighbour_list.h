@@ -48,7 +48,7 @@ private:
     [[nodiscard]] double distance(const culling::MatrixPose& from, const culling::MatrixPose& to) const;
     bool reaches(const PieceContext& context, const Way& way, Work& work);
     bool make(const PieceContext& context, double reach, Work& work);
-    void take(const std::vector<TwoFaces>& found);
+    void take(const std::vector<std::uint64_t>& found);
     void measure_gaps(const culling::MatrixPose& place);
     void place_corners(std::uint32_t face, const Way& way);
     [[nodiscard]] double gap(const Neighbours& pair, const culling::MatrixPose& pose) const;
