@@ -25,7 +25,7 @@ using examples::turned_ring;
 
 /// Lengths in millimetres. A coarse thread of few facets: an update has to fit into a frame.
 constexpr scenes::ThreadedFastener fastener{
-    .pitch = 4, .bolt_length = 20, .head_height = 7, .nut_height = 4.5, .radial_clearance = 0.6, .segments = 20};
+    .pitch = 4, .bolt_length = 20, .head_height = 7, .nut_height = 4.5, .radial_clearance = 0.7, .segments = 16};
 constexpr scenes::Maze maze_size{.columns = 6, .rows = 4, .seed = 3};
 constexpr scenes::SpurGear sun{.teeth = 24, .module = 2, .width = 8, .play = 0.5};
 constexpr scenes::SpurGear planet{.teeth = 18, .module = 2, .width = 8, .play = 0.5};
