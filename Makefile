@@ -20,7 +20,7 @@ help:
 	@echo "make python-check  install the Python package into a fresh environment and run its tests"
 	@echo "make wasm     build the npm package: the library for WebAssembly, in build/wasm/package"
 	@echo "make playground    build the page to drag bodies in a browser: build/playground/index.html"
-	@echo "make wasm-check  build and pack it, install it into an empty project, and run its tests there"
+	@echo "make wasm-check  install it, packed, into an empty project and test it there; test the page in a browser"
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
 	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
@@ -66,10 +66,11 @@ wasm:
 playground: wasm
 	cmake --build --preset wasm -j $(JOBS) --target chasles_playground
 
-wasm-check: wasm
+wasm-check: playground
 	cmake --preset dev
-	cmake --build --preset dev -j $(JOBS) --target chasles_native_answers
+	cmake --build --preset dev -j $(JOBS) --target chasles_native_answers chasles_cli
 	tools/wasm_check.sh build/wasm/package build/dev/bin/chasles_native_answers
+	tools/playground_check.sh build/wasm/page build/playground/index.html build/dev/bin/chasles
 
 facts:
 	@tools/install_dependencies.sh check

@@ -38,11 +38,12 @@ export function showButtons(hand: Hand): void {
 
 function showSummary(hand: Hand, step: Step | undefined): void {
   const { unit } = hand.scene;
+  const { goals, pieces } = hand.session.sizes;
   const force = step ? Math.hypot(...step.wrench.slice(0, 3)) : 0;
   const rows: [string, string][] = [
     ["contacts", String(step?.contacts.length ?? 0)],
     ["force on the hand", force === 0 ? "none" : `${short(force)}${unit && ` ${unit} of the spring`}`],
-    ["recorded", `${hand.session.goals.length} updates, ${hand.session.way.length - 1} proven pieces`],
+    ["recorded", `${goals} updates, ${pieces} proven pieces`],
   ];
   byId("summary").replaceChildren(...rows.flatMap(([name, value]) => [element("dt", "", name), element("dd", "", value)]));
 }

@@ -35,6 +35,11 @@ export class Session {
   get count(): number {
     return this.drags.filter(({ goals }) => goals.length > 0).length;
   }
+  /** How many goals and proven pieces there are. */
+  get sizes(): { goals: number; pieces: number } {
+    const sum = (sizeOf: (drag: Drag) => number) => this.drags.reduce((total, drag) => total + sizeOf(drag), 0);
+    return { goals: sum(({ goals }) => goals.length), pieces: sum(({ way }) => way.length - 1) };
+  }
   get goals(): Pose[] {
     return this.drags.flatMap(({ goals }) => goals);
   }
