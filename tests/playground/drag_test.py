@@ -121,7 +121,7 @@ class Dragging(PlaygroundTest):
             self.press("u")
             self.wait_until("document.getElementById('proof').children.length === 0")
             time.sleep(0.1)
-        self.wait_until(f"JSON.stringify(playground.pose()) === {json.dumps(json.dumps(start, separators=(',', ':')))}")
+        self.wait_for_pose(start)
 
     def test_walls_turn_the_key(self) -> None:
         self.open("#maze")
@@ -194,7 +194,7 @@ class Recordings(PlaygroundTest):
         kept = self.pose()
         self.pull([0, 0, 8], 60, 0)
         self.click("#undo")
-        self.wait_until(f"JSON.stringify(playground.pose()) === {json.dumps(json.dumps(kept, separators=(',', ':')))}")
+        self.wait_for_pose(kept)
         self.check("planet gear", ["sun-gear", "ground"])
 
 

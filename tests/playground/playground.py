@@ -130,6 +130,10 @@ class PlaygroundTest(unittest.TestCase):
             self.assertLess(time.monotonic(), deadline, f"waited for {expression}")
             time.sleep(0.03)
 
+    def wait_for_pose(self, pose: list) -> None:
+        numbers = ", ".join(repr(number) for number in pose)
+        self.wait_until(f"[{numbers}].every((number, index) => number === playground.pose()[index])")
+
     def mouse(self, kind: str, x: float, y: float, button: str = "left", modifiers: int = 0) -> None:
         pressed = {"left": 1, "right": 2, "none": 0}[button] if kind != "mouseReleased" else 0
         more = {"button": button, "buttons": pressed, "clickCount": 1, "modifiers": modifiers}
