@@ -55,7 +55,7 @@ class Dragging(PlaygroundTest):
         self.assertGreater(angle(self.pose(), by_mode), 0.5, "the button turns, too")
         self.pull(FRONT, 0, 0, button="right")
 
-    def test_a_peg_finds_its_hole(self) -> None:
+    def test_a_free_peg_follows_and_reset_brings_it_back(self) -> None:
         self.open("#peg")
         self.pull([0, -8, 30], 400, 60)
         self.assertNotIn("rests", self.text("#status"))
