@@ -45,7 +45,7 @@ export const readyScenes: PlaygroundScene[] = [
   ready(
     "nut",
     "Nut and bolt",
-    "A thread with real flanks: 16 mm wide, 4 mm a turn, 0.6 mm of play. Pull the nut: it does not come off. Drag its rim around the bolt, or turn it with Shift: the thread carries it up and down.",
+    "A thread with real flanks: 16 mm wide, 4 mm a turn, 0.7 mm of play. Pull the nut: it does not come off. Drag its rim around the bolt, or turn it with Shift: the thread carries it up and down.",
     ["nut", "bolt"],
     at(0, 0, 8),
     { margin: 0.003, handling: { isLoose: true, axis: z } },
