@@ -11,7 +11,7 @@ TIDY = algebra base hierarchy io mesh
 empty :=
 one_of = ^($(subst $(empty) ,|,$(strip $(1))))$$
 
-.PHONY: help demo quick check python-check wasm wasm-check facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core format clean
+.PHONY: help demo quick check python-check wasm playground wasm-check facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
@@ -19,7 +19,8 @@ help:
 	@echo "make check    install what is missing, build with checks, and run every test"
 	@echo "make python-check  install the Python package into a fresh environment and run its tests"
 	@echo "make wasm     build the npm package: the library for WebAssembly, in build/wasm/package"
-	@echo "make wasm-check  build and pack it, install it into an empty project, and run its tests there"
+	@echo "make playground    build the page to drag bodies in a browser: build/playground/index.html"
+	@echo "make wasm-check  install it, packed, into an empty project and test it there; test the page in a browser"
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
 	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
@@ -62,10 +63,14 @@ wasm:
 	cmake --preset wasm
 	cmake --build --preset wasm -j $(JOBS)
 
-wasm-check: wasm
+playground: wasm
+	cmake --build --preset wasm -j $(JOBS) --target chasles_playground
+
+wasm-check: playground
 	cmake --preset dev
-	cmake --build --preset dev -j $(JOBS) --target chasles_native_answers
+	cmake --build --preset dev -j $(JOBS) --target chasles_native_answers chasles_cli
 	tools/wasm_check.sh build/wasm/package build/dev/bin/chasles_native_answers
+	tools/playground_check.sh build/wasm/page build/playground/index.html build/dev/bin/chasles
 
 facts:
 	@tools/install_dependencies.sh check

@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <fmt/core.h>
-#include <fstream>
 #include <map>
 #include <utility>
 
@@ -164,22 +163,6 @@ void close_with_ring(TriangleMesh& mesh, const std::vector<Index>& rim, const st
 void flip(TriangleMesh& mesh) {
     for (Triangle& triangle : mesh.triangles)
         std::swap(triangle[1], triangle[2]);
-}
-
-void save_obj(const Polyhedron& body, const std::filesystem::path& file) {
-    std::ofstream out(file);
-    for (const Eigen::Vector3d& vertex : body.vertices()) {
-        out << fmt::format("v {} {} {}\n", vertex.x(), vertex.y(), vertex.z());
-    }
-    for (std::size_t face = 0; face < body.face_count(); ++face) {
-        out << 'f';
-        for (const Index corner : body.face(face))
-            out << ' ' << corner + 1;
-        out << '\n';
-    }
-    out.close();
-    if (!out)
-        throw InvalidInput(fmt::format("{}: the file cannot be written", file.string()));
 }
 
 } // namespace chasles::scenes

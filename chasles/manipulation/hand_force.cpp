@@ -80,12 +80,12 @@ ForceAndTorque Grip::on_hand(const ContactForces& forces) const {
 }
 
 void SharedGrip::replace(std::shared_ptr<const Grip> grip) {
-    const std::lock_guard guard(mutex_);
+    const chasles::Lock guard(mutex_);
     grip_.swap(grip); // the last one ends outside of the lock
 }
 
 std::shared_ptr<const Grip> SharedGrip::get() const {
-    const std::lock_guard guard(mutex_);
+    const chasles::Lock guard(mutex_);
     return grip_;
 }
 

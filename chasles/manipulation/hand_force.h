@@ -2,10 +2,10 @@
 // Source: docs/derivations/30-dragged-body.md, "Friction" and "Forces at their own rate".
 #pragma once
 
+#include "chasles/base/parallel_for.h"
 #include "chasles/manipulation/slide.h"
 
 #include <memory>
-#include <mutex>
 
 namespace chasles::manipulation {
 
@@ -48,7 +48,7 @@ public:
     [[nodiscard]] std::shared_ptr<const Grip> get() const;
 
 private:
-    mutable std::mutex mutex_; ///< held for the copy of a pointer
+    mutable Mutex mutex_; ///< held for the copy of a pointer
     std::shared_ptr<const Grip> grip_;
 };
 

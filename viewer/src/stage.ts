@@ -60,10 +60,10 @@ export class Stage {
 
   /**
    * Points the camera at `points` (world coordinates) so that they fill the picture. If `along` is given, the camera looks
-   * nearly perpendicular to it.
+   * nearly perpendicular to it. `from` is the direction towards the camera.
    */
-  lookAt(points: Vector3[], along?: Vector3): void {
-    const back = usualDirection.clone();
+  lookAt(points: Vector3[], along?: Vector3, from = usualDirection): void {
+    const back = from.clone().normalize();
     if (along) back.addScaledVector(along, -0.85 * back.dot(along));
     back.setZ(Math.max(back.z, 0.3)).normalize(); // from above
     const right = this.camera.up.clone().cross(back).normalize();
@@ -85,6 +85,20 @@ export class Stage {
     this.draw();
   }
 
+  /** Turns the camera around what it looks at, by angles to the right and upwards, and changes its distance. */
+  orbit(right: number, upwards: number, farther: number): void {
+    const { target } = this.controls;
+    const back = this.camera.position.clone().sub(target).multiplyScalar(farther);
+    const tilt = Math.asin(back.z / back.length());
+    const steepest = 1.55;
+    const up = Math.min(Math.max(tilt + upwards, -steepest), steepest) - tilt;
+    const side = this.camera.up.clone().cross(back).normalize();
+    back.applyAxisAngle(side, -up).applyAxisAngle(this.camera.up, right);
+    this.camera.position.copy(target).add(back);
+    this.controls.update();
+    this.draw();
+  }
+
   /** What the pointer is on, nearest first. */
   under({ clientX, clientY }: PointerEvent, objects: Object3D[]) {
     const { left, top, width, height } = this.canvas.getBoundingClientRect();
@@ -92,6 +106,12 @@ export class Stage {
     const ray = new Raycaster();
     ray.setFromCamera(place, this.camera);
     return ray.intersectObjects(objects);
+  }
+
+  /** Draws with a share of the pixels along each side. */
+  setSharpness(share: number): void {
+    this.renderer.setPixelRatio(share * Math.min(devicePixelRatio, 2));
+    this.draw();
   }
 
   setBackground(colour: string): void {

@@ -1,0 +1,245 @@
+// The page: connects the hand, the picture, the panel and the buttons.
+import { byId, onClick } from "./elements";
+import { Hand, type Shown } from "./drag";
+import { Keys } from "./keys";
+import { fragmentOf, sharedIn } from "./link";
+import { type OwnFile, ownScene, readOwnFile, warningAbout } from "./own_files";
+import { clearProof, hideTrouble, showButtons, showProof, showStep, showTrouble, withoutForces } from "./panel";
+import { Pointer } from "./pointer";
+import type { Pose } from "./poses";
+import type { Step } from "./protocol";
+import { Prover } from "./prover";
+import { offer, savedHand } from "./save";
+import { type PlaygroundScene, readyScenes, sceneNamed } from "./scenes";
+import { View } from "./view";
+import { list } from "./words";
+
+const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+export class App implements Shown {
+  readonly hand = new Hand(this);
+  readonly view = new View(byId<HTMLCanvasElement>("canvas"));
+  readonly prover = new Prover();
+  private own: OwnFile[] = [];
+  private lastStep?: Step;
+
+  async start(): Promise<void> {
+    for (const { id, title } of readyScenes) byId("scene").append(new Option(title, id));
+    await this.hand.load();
+    await this.openLink();
+    byId("loading").hidden = true;
+    this.connect();
+  }
+
+  moved(pose: Pose, step?: Step): void {
+    this.lastStep = step;
+    if (this.hand.grip) this.view.keepUp(this.hand.timings.judged);
+    this.view.moveTo(pose);
+    this.view.showContacts(step?.contacts ?? [], step?.blocking ?? []);
+    this.view.showHand(this.hand.line);
+    showStep(this.hand, step, !this.hand.grip);
+  }
+
+  released(): void {
+    this.view.showHand();
+    this.view.sharpen();
+    if (this.lastStep) void this.hand.atRest().then(() => this.leave());
+  }
+
+  failed(error: Error): void {
+    showTrouble(`${error.message}. The ${this.hand.scene.spec.moving} stays where it was.`);
+    this.moved(this.hand.pose);
+  }
+
+  private leave(): void {
+    if (this.hand.grip || !this.lastStep) return;
+    this.moved(this.hand.pose, withoutForces(this.lastStep));
+  }
+
+  /** Opens a scene; says so if that is not possible, and leaves the scene before. */
+  async open(scene: PlaygroundScene, start?: Pose, pose?: Pose): Promise<boolean> {
+    this.stopProof();
+    try {
+      await this.hand.open(scene, start, pose);
+    } catch (error) {
+      showTrouble(messageOf(error));
+      return false;
+    }
+    clearProof();
+    this.view.open(scene, this.hand.opened, this.hand.pose);
+    byId<HTMLSelectElement>("scene").value = scene.id;
+    byId("about").textContent = scene.about;
+    byId("moving-name").textContent = scene.spec.moving;
+    byId<HTMLInputElement>("loose").checked = this.hand.isLoose;
+    byId("swap").hidden = scene.id !== "own" || this.own.length < 2;
+    this.moved(this.hand.pose);
+    return true;
+  }
+
+  /** What the address says, or the first scene. */
+  async openLink(): Promise<void> {
+    try {
+      const shared = sharedIn(location.hash);
+      const scene = shared && sceneNamed(shared.scene);
+      if (shared && !scene) throw new Error(`there is no scene "${shared.scene}"`);
+      if (shared && scene && (await this.open(scene, shared.start, shared.pose))) return;
+    } catch (error) {
+      showTrouble(`This link cannot be used: ${messageOf(error)}.`);
+    }
+    if (!this.hand.scene) await this.open(readyScenes[0]);
+  }
+
+  async take(files: File[]): Promise<void> {
+    if (files.length === 0) return;
+    const troubles: string[] = files.length > 2 ? ["Two files at a time: the others are left out."] : [];
+    byId("kept").textContent = "";
+    const read: OwnFile[] = [];
+    for (const file of files.slice(0, 2)) {
+      try {
+        read.push(await readOwnFile(file));
+      } catch (error) {
+        troubles.push(`${messageOf(error)}.`);
+      }
+    }
+    if (read.length > 0 && (await this.openOwn([...this.own, ...read].slice(-2)))) troubles.push(...read.map(warningAbout).filter((text) => text));
+    else if (read.length > 0) return;
+    if (troubles.length > 0) showTrouble(troubles.join(" "));
+    else hideTrouble();
+  }
+
+  async prove(): Promise<void> {
+    if (this.prover.isRunning) return this.stopProof();
+    await this.hand.letGo();
+    clearProof();
+    byId("prove").textContent = "Stop";
+    byId("progress").hidden = false;
+    const begin = performance.now();
+    try {
+      const proofs = await this.prover.prove(this.hand, (part) => (byId<HTMLProgressElement>("progress").value = part));
+      showProof(this.hand, proofs, (performance.now() - begin) / 1000);
+    } catch (error) {
+      if (messageOf(error) !== "stopped") showTrouble(`The proof failed: ${messageOf(error)}`);
+    }
+    this.stopProof();
+  }
+
+  async undo(): Promise<void> {
+    this.stopProof();
+    if (await this.hand.undo()) clearProof();
+    showButtons(this.hand);
+  }
+
+  async reset(): Promise<void> {
+    this.stopProof();
+    clearProof();
+    await this.hand.reset();
+    showButtons(this.hand);
+  }
+
+  async save(): Promise<void> {
+    await this.hand.letGo();
+    const { scene, opened, session } = this.hand;
+    offer(savedHand(scene.title, scene.spec, opened.margin, opened.bodies, session));
+    byId("kept").textContent = "Saved: unpack it, and run drag.sh, or the command in README.txt.";
+  }
+
+  async share(): Promise<void> {
+    await this.hand.letGo();
+    const { scene, pose } = this.hand;
+    if (scene.id === "own") {
+      byId("kept").textContent = "A link cannot hold your files. Save the hand instead.";
+      return;
+    }
+    history.replaceState(null, "", fragmentOf({ scene: scene.id, start: scene.spec.start, pose }));
+    const copied = navigator.clipboard ? await navigator.clipboard.writeText(location.href).then(() => true, () => false) : false;
+    byId("kept").textContent = copied ? "The link is copied." : "The link is in the address bar.";
+  }
+
+  private async openOwn(files: OwnFile[]): Promise<boolean> {
+    const select = byId<HTMLSelectElement>("scene");
+    if (!select.querySelector("[value=own]")) select.append(new Option("Your own files", "own"));
+    const before = this.own;
+    this.own = files;
+    const isOpen = await this.open(ownScene(files));
+    if (!isOpen) this.own = before;
+    if (this.own.length === 0) select.querySelector("[value=own]")?.remove();
+    return isOpen;
+  }
+
+  private stopProof(): void {
+    this.prover.stop();
+    byId("prove").textContent = "Prove it";
+    byId("progress").hidden = true;
+    byId<HTMLProgressElement>("progress").value = 0;
+  }
+
+  private begun(): void {
+    this.stopProof();
+    clearProof();
+    hideTrouble();
+  }
+
+  private connect(): void {
+    new Pointer(this.view, this.hand, () => this.begun());
+    new Keys(this.view, this.hand, byId<HTMLCanvasElement>("canvas"), () => this.begun());
+    onClick("undo", () => this.undo());
+    onClick("reset", () => this.reset());
+    onClick("prove", () => this.prove());
+    onClick("save", () => this.save());
+    onClick("share", () => this.share());
+    onClick("dismiss", hideTrouble);
+    onClick("swap", () => this.openOwn([...this.own].reverse()));
+    onClick("look-scene", () => this.view.lookFrom(this.hand.scene.view));
+    onClick("look-front", () => this.view.lookFrom([0, -1, 0.3]));
+    onClick("look-top", () => this.view.lookFrom([0, -0.02, 1]));
+    byId<HTMLInputElement>("loose").addEventListener("change", ({ target }) => (this.hand.isLoose = (target as HTMLInputElement).checked));
+    byId<HTMLSelectElement>("scene").addEventListener("change", ({ target }) => void this.choose((target as HTMLSelectElement).value));
+    addEventListener("hashchange", () => void this.openLink());
+    addEventListener("keydown", (event) => this.key(event));
+    this.connectFiles();
+  }
+
+  private async choose(id: string): Promise<void> {
+    hideTrouble();
+    history.replaceState(null, "", id === "own" ? "#" : `#${id}`);
+    await this.open(id === "own" ? ownScene(this.own) : sceneNamed(id)!);
+  }
+
+  private key(event: KeyboardEvent): void {
+    const target = event.target as Element;
+    if (target.matches("select, input") || event.altKey) return;
+    const isUndo = event.key.toLowerCase() === "z" && (event.ctrlKey || event.metaKey);
+    if ((event.ctrlKey || event.metaKey) && !isUndo) return;
+    const actions: Record<string, () => unknown> = { u: () => this.undo(), r: () => this.reset(), p: () => this.prove() };
+    const action = isUndo ? actions.u : actions[event.key.toLowerCase()];
+    if (!action) return;
+    event.preventDefault();
+    void action();
+  }
+
+  private connectFiles(): void {
+    const chosen = byId<HTMLInputElement>("chosen-files");
+    onClick("files", () => chosen.click());
+    chosen.addEventListener("change", async () => {
+      await this.take([...(chosen.files ?? [])]);
+      chosen.value = "";
+    });
+    const stage = byId("stage");
+    const show = (isOver: boolean) => {
+      stage.classList.toggle("takes-files", isOver);
+      byId("drop-here").hidden = !isOver;
+    };
+    addEventListener("dragover", (event) => {
+      event.preventDefault();
+      show(true);
+    });
+    addEventListener("dragleave", (event) => event.relatedTarget === null && show(false));
+    addEventListener("drop", (event) => {
+      event.preventDefault();
+      show(false);
+      const files = [...(event.dataTransfer?.files ?? [])];
+      if (files.length === 0) showTrouble(`Nothing to read was dropped: only files are (${list(["OBJ", "OFF", "PLY", "STL"])}).`);
+      else void this.take(files);
+    });
+  }
+}

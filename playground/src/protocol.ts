@@ -1,0 +1,96 @@
+// What the page and its workers say to each other. The library runs in the workers only.
+import type { Pose } from "./poses";
+
+/** A body of a scene: a shape that the page brings along, or the content of a file. Fixed bodies stand at the origin. */
+export interface BodySpec {
+  name: string;
+  shape?: string;
+  file?: { name: string; content: ArrayBuffer };
+}
+
+export interface SceneSpec {
+  moving: string;
+  bodies: BodySpec[]; // the moving one among them
+  start: Pose;
+  margin: number; // 0: the library's own
+}
+
+/** A body as it is drawn and saved. */
+export interface BodyShape {
+  name: string;
+  vertices: Float64Array;
+  triangles: Uint32Array;
+  faces: number[][];
+  lower: number[];
+  upper: number[];
+  isClosed: boolean;
+}
+
+export interface Opened {
+  bodies: BodyShape[];
+  margin: number;
+}
+
+export interface ContactShown {
+  body: string;
+  point: number[];
+  normal: number[];
+  gap: number;
+  force: number;
+}
+
+export type State = "reached" | "resting" | "moving" | "touching";
+
+export interface Step {
+  pose: Pose;
+  state: State;
+  contacts: ContactShown[];
+  wrench: number[];
+  distance: number;
+  blocking: string[];
+  way: Pose[]; // the ends of the proven pieces of this update
+  milliseconds: number; // of the update alone
+}
+
+/** The first contact of a way, or undefined if the way is proven clear. */
+export interface WayContact {
+  body: string;
+  segment: number; // from 0
+  time: number; // within the segment
+  atStart: boolean;
+}
+
+export interface Proof {
+  segments: number;
+  contact?: WayContact;
+}
+
+export interface FileReport {
+  triangles: number;
+  isClosed: boolean;
+  boundaryEdges: number;
+  lower: number[];
+  upper: number[];
+}
+
+export interface Tasks {
+  load: { ask: Record<string, never>; answer: true };
+  read: { ask: { file: { name: string; content: ArrayBuffer } }; answer: FileReport };
+  open: { ask: { scene: SceneSpec; pose?: Pose }; answer: Opened };
+  place: { ask: { pose: Pose }; answer: true };
+  update: { ask: { goal: Pose; seconds: number }; answer: Step };
+  prove: { ask: { ways: Pose[][] }; answer: Proof };
+}
+
+export type Task = keyof Tasks;
+
+export interface Question {
+  id: number;
+  task: Task;
+  ask: unknown;
+}
+
+export type Reply =
+  | { id: number; answer: unknown }
+  | { id: number; error: string; isInput: boolean }
+  | { id: number; part: number }; // how much of the task is done

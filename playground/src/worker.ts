@@ -1,0 +1,153 @@
+// A worker with an instance of the library: reads files, drags, and proves ways.
+import { type Chasles, type DraggedBody, InvalidInput, load, type Polyhedron, type Scene } from "chasles";
+import { shapes } from "shapes";
+import type { Pose } from "./poses";
+import type { BodyShape, BodySpec, FileReport, Opened, Proof, Question, SceneSpec, Step, Tasks, WayContact } from "./protocol";
+
+const mostContacts = 64;
+const segmentsAtOnce = 64;
+
+/** A scene in the library, with the hand in it. */
+class OpenScene {
+  readonly bodies = new Map<string, Polyhedron>();
+  readonly fixed: string[];
+  private readonly scene: Scene;
+  private hand: DraggedBody;
+
+  constructor(private readonly chasles: Chasles, private readonly spec: SceneSpec, made: [string, Polyhedron][], pose: Pose) {
+    this.bodies = new Map(made);
+    this.scene = chasles.scene();
+    this.fixed = spec.bodies.map(({ name }) => name).filter((name) => name !== spec.moving);
+    for (const [name, body] of this.bodies) this.scene.add(name, body, name === spec.moving ? { pose } : {});
+    this.refuseOverlap();
+    this.hand = this.newHand();
+  }
+
+  get margin(): number {
+    return this.hand.margin;
+  }
+
+  place(pose: Pose): void {
+    this.hand.free();
+    this.scene.move(this.spec.moving, { pose });
+    this.hand = this.newHand();
+  }
+
+  update(goal: Pose, seconds: number): Step {
+    const begin = performance.now();
+    const step = this.hand.update(goal, seconds);
+    const milliseconds = performance.now() - begin;
+    const { pose, state, wrench, distance, blocking, touching } = step;
+    const contacts = step.contacts.slice(0, mostContacts).map(({ body, point, normal, gap, force }) => ({ body, point, normal, gap, force }));
+    const way = step.pieces.length === 0 ? [] : [...step.pieces.slice(1).map(({ start }) => start), pose];
+    return { pose, state, contacts, wrench, distance, blocking: [...new Set([...blocking, ...touching])], way, milliseconds };
+  }
+
+  /** The first contact of the moving body on a way from pose to pose. `onPart` hears of every few segments. */
+  firstContact(way: Pose[], onPart: (segments: number) => void): WayContact | undefined {
+    for (let from = 0; from < way.length - 1; from += segmentsAtOnce) {
+      const part = way.slice(from, from + segmentsAtOnce + 1);
+      const found = this.fixed.map((body) => this.contactWith(body, part)).filter((contact) => contact !== undefined);
+      found.sort((a, b) => a.segment + a.time - (b.segment + b.time));
+      if (found.length > 0) return { ...found[0], segment: from + found[0].segment };
+      onPart(part.length - 1);
+    }
+    return undefined;
+  }
+
+  free(): void {
+    this.hand.free();
+    this.scene.free();
+    for (const body of this.bodies.values()) body.free();
+  }
+
+  private contactWith(body: string, way: Pose[]): WayContact | undefined {
+    const found = this.chasles.firstContactOnPath(this.bodies.get(this.spec.moving)!, this.bodies.get(body)!, way);
+    if (found.verdict === "clear") return undefined;
+    return { body, segment: found.segment, time: found.time ?? 0, atStart: found.verdict === "contact_at_start" };
+  }
+
+  private newHand(): DraggedBody {
+    return this.chasles.draggedBody(this.scene, this.spec.moving, { margin: this.spec.margin });
+  }
+
+  private refuseOverlap(): void {
+    const found = this.scene.firstContact();
+    if (found.verdict !== "clear") throw new InvalidInput(`${found.pair.join(" and ")}: overlap`);
+  }
+}
+
+let chasles: Promise<Chasles> | undefined;
+let open: OpenScene | undefined;
+
+const library = () => (chasles ??= load());
+
+async function made({ shape, file }: BodySpec): Promise<Polyhedron> {
+  const instance = await library();
+  if (file) return instance.fromFile(new Uint8Array(file.content), file.name, { triangulate: true });
+  const { vertices, faces } = (await shapes())[shape!];
+  return instance.polyhedron(vertices, faces);
+}
+
+function shapeOf(name: string, body: Polyhedron): BodyShape {
+  const { vertices, triangles, faces, report } = body;
+  return { name, vertices, triangles, faces, lower: report.lower, upper: report.upper, isClosed: report.closed };
+}
+
+const tasks: { [Name in keyof Tasks]: (ask: Tasks[Name]["ask"], onPart: (part: number) => void) => Promise<Tasks[Name]["answer"]> } = {
+  async load() {
+    await library();
+    return true;
+  },
+
+  async read({ file }): Promise<FileReport> {
+    const body = await made({ name: file.name, file });
+    const { triangles, closed, boundary_edges, lower, upper } = body.report;
+    body.free();
+    return { triangles, isClosed: closed, boundaryEdges: boundary_edges, lower, upper };
+  },
+
+  async open({ scene, pose }): Promise<Opened> {
+    const bodies: [string, Polyhedron][] = [];
+    for (const spec of scene.bodies) bodies.push([spec.name, await made(spec)]);
+    const next = new OpenScene(await library(), scene, bodies, pose ?? scene.start);
+    open?.free();
+    open = next;
+    return { bodies: bodies.map(([name, body]) => shapeOf(name, body)), margin: open.margin };
+  },
+
+  async place({ pose }) {
+    open!.place(pose);
+    return true;
+  },
+
+  async update({ goal, seconds }) {
+    return open!.update(goal, seconds);
+  },
+
+  async prove({ ways }, onPart): Promise<Proof> {
+    const all = ways.reduce((sum, way) => sum + Math.max(0, way.length - 1), 0);
+    let done = 0;
+    for (const way of ways) {
+      const before = done;
+      const contact = open!.firstContact(way, (segments) => onPart((done += segments) / all));
+      if (contact) return { segments: all, contact: { ...contact, segment: before + contact.segment } };
+    }
+    return { segments: all };
+  },
+};
+
+async function answered({ id, task, ask }: Question): Promise<unknown> {
+  try {
+    const work = tasks[task] as (ask: unknown, onPart: (part: number) => void) => Promise<unknown>;
+    return { id, answer: await work(ask, (part) => postMessage({ id, part })) };
+  } catch (error) {
+    return { id, error: error instanceof Error ? error.message : String(error), isInput: error instanceof InvalidInput };
+  }
+}
+
+// One task after another: a message that comes while a task waits for the library has to wait, too.
+let last: Promise<void> = Promise.resolve();
+onmessage = ({ data }: MessageEvent<Question>) => {
+  last = last.then(async () => postMessage(await answered(data)));
+};

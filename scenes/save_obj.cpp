@@ -1,0 +1,26 @@
+// Apart from the other functions of a mesh, because WebAssembly has no files.
+#include "chasles/base/invalid_input.h"
+#include "scenes/triangle_mesh.h"
+
+#include <fmt/core.h>
+#include <fstream>
+
+namespace chasles::scenes {
+
+void save_obj(const Polyhedron& body, const std::filesystem::path& file) {
+    std::ofstream out(file);
+    for (const Eigen::Vector3d& vertex : body.vertices()) {
+        out << fmt::format("v {} {} {}\n", vertex.x(), vertex.y(), vertex.z());
+    }
+    for (std::size_t face = 0; face < body.face_count(); ++face) {
+        out << 'f';
+        for (const Index corner : body.face(face))
+            out << ' ' << corner + 1;
+        out << '\n';
+    }
+    out.close();
+    if (!out)
+        throw InvalidInput(fmt::format("{}: the file cannot be written", file.string()));
+}
+
+} // namespace chasles::scenes
