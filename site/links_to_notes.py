@@ -1,0 +1,48 @@
+"""Comments of the sources name documents by their paths: on the site these are links."""
+
+import pathlib
+import re
+from typing import Any
+
+from docutils import nodes
+from sphinx.transforms import SphinxTransform
+
+PATH = re.compile(r"(docs/(?:derivations|decisions)/(\d+)(?:-[\w-]+\.md)?|docs/[\w-]+\.md)")
+
+
+class LinksToNotes(SphinxTransform):
+    """Replaces "docs/derivations/02" and "docs/promises.md" by links, in the reference of the interfaces."""
+
+    default_priority = 600
+
+    def apply(self, **options: Any) -> None:
+        if not self.env.docname.startswith("api/"):
+            return
+        for text in list(self.document.findall(nodes.Text)):
+            if PATH.search(text) and not isinstance(text.parent, nodes.reference):
+                self.replace(text)
+
+    def replace(self, text: nodes.Text) -> None:
+        parts: list[nodes.Node] = []
+        end = 0
+        for match in PATH.finditer(text):
+            document = self.document_of(match[1])
+            if document:
+                uri = self.app.builder.get_relative_uri(self.env.docname, document)
+                parts += [nodes.Text(text[end : match.start()]), nodes.reference("", match[1], refuri=uri, internal=True)]
+                end = match.end()
+        if parts:
+            parts.append(nodes.Text(text[end:]))
+            text.parent.replace(text, parts)
+
+    def document_of(self, path: str) -> str:
+        """The document with this path, or with this number; empty if there is none."""
+        known = self.env.found_docs
+        if path.endswith(".md"):
+            return path.removesuffix(".md") if path.removesuffix(".md") in known else ""
+        return next((name for name in sorted(known) if pathlib.PurePath(name).as_posix().startswith(path + "-")), "")
+
+
+def setup(app: Any) -> dict[str, bool]:
+    app.add_transform(LinksToNotes)
+    return {"parallel_read_safe": True}
