@@ -18,6 +18,9 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 TOP = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "CONTRIBUTING.md", "javascript/README.md"]
 LISTED = {"docs/derivations": "Notes", "docs/decisions": "Decisions"}  # folders that have no index of their own
 
+PLAYGROUND = ROOT / "build" / "playground" / "index.html"
+
+ONLY_WITH_PLAYGROUND = re.compile(r"^%PLAYGROUND% (.*\n)", re.MULTILINE)
 QUOTE = re.compile(r'^%README% from "(.*)" until "(.*)"$', re.MULTILINE)
 LINK = re.compile(r"(\]\()([^)#:\s]+)(#[^)]*)?\)")
 INTRODUCTIONS = {
@@ -83,14 +86,30 @@ def with_quotes(page: str, readme: str) -> str:
     return QUOTE.sub(quote, page)
 
 
-def copy_pages(out: pathlib.Path) -> None:
+def with_playground(page: str, is_there: bool) -> str:
+    return ONLY_WITH_PLAYGROUND.sub(r"\1" if is_there else "", page)
+
+
+def copy_pages(out: pathlib.Path, has_playground: bool) -> None:
     """The pages that only the site has."""
     readme = (out / "README.md").read_text(encoding="utf-8")
     for page in sorted((ROOT / "site" / "pages").rglob("*.md")):
+        if page.name == "playground.md" and not has_playground:
+            continue
         target = out / page.relative_to(ROOT / "site" / "pages")
         target.parent.mkdir(parents=True, exist_ok=True)
-        target.write_text(with_quotes(page.read_text(encoding="utf-8"), readme), encoding="utf-8")
+        text = with_playground(page.read_text(encoding="utf-8"), has_playground)
+        target.write_text(with_quotes(text, readme), encoding="utf-8")
     (out / "README.md").unlink()  # the start page has it
+
+
+def copy_playground(extra: pathlib.Path) -> bool:
+    """Whether there is one. `make playground` builds it."""
+    shutil.rmtree(extra / "playground", ignore_errors=True)
+    if PLAYGROUND.is_file():
+        (extra / "playground").mkdir(parents=True)
+        shutil.copyfile(PLAYGROUND, extra / "playground" / "index.html")
+    return PLAYGROUND.is_file()
 
 
 def main() -> int:
@@ -98,7 +117,9 @@ def main() -> int:
     shutil.rmtree(out, ignore_errors=True)
     out.mkdir(parents=True)
     copy_documents(out)
-    copy_pages(out)
+    extra = out.parent / "extra"
+    extra.mkdir(exist_ok=True)
+    copy_pages(out, copy_playground(extra))
     plots.write(ROOT, out / "plots")
     xml = reference_cpp.run_doxygen(ROOT, out.parent / "doxygen")
     reference_cpp.write(ROOT, xml, out / "api" / "cpp")

@@ -23,7 +23,7 @@ extensions = [
     "sphinx_copybutton",
     "sphinx_design",
     "docstring_text",
-    "links_to_notes",
+    "repairs",
 ]
 exclude_patterns: list[str] = []
 language = "en"

@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-WIDTH, LABELS, RIGHT, ROW, TOP = 760, 250, 150, 34, 30
+WIDTH, LABELS, RIGHT, ROW, TOP = 820, 240, 230, 34, 12
 
 
 @dataclass
@@ -68,6 +68,8 @@ def least_distance(cells: list[str]) -> list[Mark]:
 
 
 def shown(value: float) -> str:
+    if value >= 1e6:
+        return f"{value / 1e6:g} million"
     return f"{value:,.0f}" if value >= 1 else f"{value:g}"
 
 
@@ -81,11 +83,12 @@ def plot(title: str, axis: str, marks: list[Mark]) -> str:
     def x(value: float) -> float:
         return LABELS + (math.log10(value) - low) / (high - low) * (right - LABELS)
 
-    parts = [f'<svg class="plot" viewBox="0 0 {WIDTH} {height}" role="img"><title>{html.escape(title)}</title>']
+    parts = [f'<div class="plot-frame" tabindex="0"><svg class="plot" viewBox="0 0 {WIDTH} {height}" role="img"><title>{html.escape(title)}</title>']
     for power in range(low, high + 1):
         at = x(10.0**power)
         parts.append(f'<line class="grid" x1="{at:.1f}" x2="{at:.1f}" y1="{TOP - 8}" y2="{height - 46}"/>')
-        parts.append(f'<text class="tick" x="{at:.1f}" y="{height - 28}">{shown(10.0**power)}</text>')
+        if (power - low) % (2 if high - low > 6 else 1) == 0:
+            parts.append(f'<text class="tick" x="{at:.1f}" y="{height - 28}">{shown(10.0**power)}</text>')
     parts.append(f'<text class="tick" x="{(LABELS + right) / 2}" y="{height - 8}">{html.escape(axis)}</text>')
     for index, mark in enumerate(marks):
         y = TOP + ROW * index + ROW / 2
@@ -94,7 +97,7 @@ def plot(title: str, axis: str, marks: list[Mark]) -> str:
         parts.append(f'<line class="range {kind}" x1="{x(mark.least):.1f}" x2="{x(mark.most):.1f}" y1="{y}" y2="{y}"/>')
         parts.append(f'<circle class="{kind}" cx="{x(mark.value):.1f}" cy="{y}" r="6"/>')
         parts.append(f'<text class="note" x="{right + 12}" y="{y + 4}">{html.escape(mark.note)}</text>')
-    return "\n".join([*parts, "</svg>\n"])
+    return "\n".join([*parts, "</svg></div>\n"])
 
 
 def peers_plot(root: pathlib.Path) -> str:

@@ -32,7 +32,7 @@ stubs=$(tools/python_stubs.sh "$build")
 "$python" site/assemble.py "$made/source" "$stubs"
 node "$tools/node_modules/typedoc/bin/typedoc" --options site/typedoc.json --out "$made/source/api/javascript" --logLevel Warn
 "$python" site/reference_javascript.py "$made/source/api/javascript"
-"$python" site/examples.py "$build" "$made"
+"$python" site/pictures.py "$build" "$made"
 
 CHASLES_SITE=$made "$tools/environment/bin/sphinx-build" --quiet --fail-on-warning --keep-going -j auto -E -d "$made/doctrees" \
     -c site -b html "$made/source" "$site.new"

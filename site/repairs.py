@@ -1,4 +1,4 @@
-"""Comments of the sources name documents by their paths: on the site these are links."""
+"""Repairs of pages: comments of the sources name documents by their paths, which are links here; equal ids of titles."""
 
 import pathlib
 import re
@@ -43,6 +43,18 @@ class LinksToNotes(SphinxTransform):
         return next((name for name in sorted(known) if pathlib.PurePath(name).as_posix().startswith(path + "-")), "")
 
 
+class TitlesWithoutIds(SphinxTransform):
+    """The titles inside a class of C++ ("Public Members") are on a page many times: their ids would be equal."""
+
+    default_priority = 600
+
+    def apply(self, **options: Any) -> None:
+        for title in self.document.findall(nodes.rubric):
+            if any(name.startswith("breathe-section-title") for name in title["ids"]):
+                title["ids"] = []
+
+
 def setup(app: Any) -> dict[str, bool]:
     app.add_transform(LinksToNotes)
+    app.add_transform(TitlesWithoutIds)
     return {"parallel_read_safe": True}
