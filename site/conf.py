@@ -25,8 +25,8 @@ extensions = [
     "docstring_text",
     "repairs",
 ]
-exclude_patterns: list[str] = []
 language = "en"
+smartquotes = False  # "-" and quotes stand in formulas and in code
 
 # Markdown as the repository has it: links to headings, and indented blocks that are formulas or output, in no language.
 myst_enable_extensions = ["colon_fence", "html_image", "attrs_block"]
@@ -43,6 +43,7 @@ cpp_maximum_signature_line_length = 88
 
 autodoc_mock_imports = ["ompl", "pyarrow", "dask", "tqdm"]
 autodoc_typehints = "signature"
+autodoc_preserve_defaults = True
 python_maximum_signature_line_length = 88
 python_use_unqualified_type_names = True
 add_module_names = False

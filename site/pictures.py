@@ -95,7 +95,7 @@ def take_pictures(browser: Browser, example: Example, page: pathlib.Path, pictur
 def section(example: Example) -> str:
     shown = " ".join("page.html" if word == "OUT" else f'"{word}"' if " " in word else word for word in example.command)
     pictures = "\n".join(
-        f"```{{image}} pictures/{example.name}-{theme}.png\n:alt: {example.text}\n:class: only-{theme}\n```" for theme in THEMES
+        f"```{{image}} pictures/{example.name}-{theme}.png\n:alt: {example.text}\n:class: only-{theme}\n:target: pages/{example.name}.html\n```" for theme in THEMES
     )
     return (
         f"## {example.title}\n\n{example.text} <a href=\"pages/{example.name}.html\">Open the page</a>.\n\n{pictures}\n\n"

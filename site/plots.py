@@ -10,7 +10,7 @@ import re
 from collections.abc import Callable
 from dataclasses import dataclass
 
-WIDTH, LABELS, RIGHT, ROW, TOP = 820, 240, 230, 34, 12
+WIDTH, LABELS, RIGHT, ROW, TOP = 860, 262, 236, 34, 12
 
 
 @dataclass

@@ -7,6 +7,7 @@ A public name that belongs to no topic is an error.
 
 import ast
 import pathlib
+import re
 import shutil
 
 TOPICS: dict[str, tuple[str, list[str]]] = {
@@ -49,17 +50,19 @@ def make_package(root: pathlib.Path, stubs: pathlib.Path, out: pathlib.Path) -> 
     package = out / "chasles"
     shutil.rmtree(package, ignore_errors=True)
     shutil.copytree(root / "python" / "chasles", package, ignore=shutil.ignore_patterns("__pycache__", "*.so"))
-    (package / "_core.py").write_text(stubs.read_text(encoding="utf-8") + "\n__version__ = ''\n", encoding="utf-8")
-    for module in package.glob("*.py"):  # annotations are not evaluated: what they name may be missing here
+    core = stubs.read_text(encoding="utf-8").replace("numpy.typing.NDArray", "NDArray")
+    (package / "_core.py").write_text(core + "\n__version__ = ''\n", encoding="utf-8")
+    for module in package.glob("*.py"):
         module.write_text(with_texts_for_annotations(module.read_text(encoding="utf-8")), encoding="utf-8")
 
 
 def with_texts_for_annotations(module: str) -> str:
+    """Annotations are not evaluated, since what they name may be missing here, and an ArrayLike is shown as one word."""
     docstring = ast.parse(module).body[0]
     lines = module.splitlines(keepends=True)
     is_docstring = isinstance(docstring, ast.Expr) and isinstance(docstring.value, ast.Constant)
     lines.insert((docstring.end_lineno or 0) if is_docstring else 0, "from __future__ import annotations\n")
-    return "".join(lines)
+    return re.sub(r"\b(?:numpy\.typing|npt)\.ArrayLike\b", "ArrayLike", "".join(lines))
 
 
 def public_names(root: pathlib.Path) -> list[str]:

@@ -1,4 +1,4 @@
-"""Repairs of pages: comments of the sources name documents by their paths, which are links here; equal ids of titles."""
+"""Repairs of pages: comments of the sources name documents by their paths, which are links here; equal ids of titles; dashes."""
 
 import pathlib
 import re
@@ -54,7 +54,19 @@ class TitlesWithoutIds(SphinxTransform):
                 title["ids"] = []
 
 
+class DashesOfFields(SphinxTransform):
+    """Sphinx writes two hyphens between a parameter and its text, and leaves it to its quotes to join them."""
+
+    default_priority = 600
+
+    def apply(self, **options: Any) -> None:
+        for text in list(self.document.findall(nodes.Text)):
+            if text == " -- ":
+                text.parent.replace(text, nodes.Text(" \u2013 "))
+
+
 def setup(app: Any) -> dict[str, bool]:
     app.add_transform(LinksToNotes)
     app.add_transform(TitlesWithoutIds)
+    app.add_post_transform(DashesOfFields)
     return {"parallel_read_safe": True}
