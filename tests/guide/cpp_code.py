@@ -11,12 +11,12 @@ import re
 import sys
 
 BLOCK = re.compile(r"^```(cpp|cmake)\n(.*?)^```", re.DOTALL | re.MULTILINE)
-PRINT = re.compile(r"std::(?:printf|puts)\((?:[^;]|\n)*?\);(?: // (.*))?")
+PRINT = re.compile(r"std::(?:printf|puts)\((?:[^;]|\n)*?\);(?:\n? *// (.*))?")
 HEAD = "#include <chasles/chasles.h>\n\n#include <cstdio>\n#include <vector>\n\nint main() {\n"
 
 
 def expected_of(code: str) -> str:
-    """What the code prints: the comment behind each statement that prints, where it has one."""
+    """What the code prints: the comment behind or below each statement that prints, where it has one."""
     return "".join(f"{line}\n" for line in PRINT.findall(code) if line)
 
 

@@ -10,9 +10,11 @@ class CppCode(unittest.TestCase):
     def test_comments_behind_prints_are_expected(self):
         code = 'std::puts("a"); // a\nstd::printf("%d",\n            f(1)); // 2 // 3\nint i = 0; // no print\n'
         self.assertEqual(cpp_code.expected_of(code), "a\n2 // 3\n")
+        self.assertEqual(cpp_code.expected_of('std::puts("a");\n    // a\n'), "a\n")
 
     def test_prints_without_a_comment_are_not_expected(self):
         self.assertEqual(cpp_code.expected_of('std::puts("never");\nint i; // other\n'), "")
+        self.assertEqual(cpp_code.expected_of('std::puts("never"); break;\n// other\n'), "")
 
     def test_a_document_without_a_program_is_refused(self):
         with self.assertRaisesRegex(SystemExit, "needs one block of CMake"):
