@@ -11,7 +11,7 @@ TIDY = algebra base hierarchy io mesh
 empty :=
 one_of = ^($(subst $(empty) ,|,$(strip $(1))))$$
 
-.PHONY: help demo quick check python-check wasm playground wasm-check facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core format clean
+.PHONY: help demo quick check python-check wasm playground wasm-check site facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
@@ -21,6 +21,7 @@ help:
 	@echo "make wasm     build the npm package: the library for WebAssembly, in build/wasm/package"
 	@echo "make playground    build the page to drag bodies in a browser: build/playground/index.html"
 	@echo "make wasm-check  install it, packed, into an empty project and test it there; test the page in a browser"
+	@echo "make site     build the manual as a site, with the playground: build/site/index.html"
 	@echo "make facts    print what real inputs give: known answers, exact queries, nuts, CAD motions, a large pair"
 	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
@@ -71,6 +72,16 @@ wasm-check: playground
 	cmake --build --preset dev -j $(JOBS) --target chasles_native_answers chasles_cli
 	tools/wasm_check.sh build/wasm/package build/dev/bin/chasles_native_answers
 	tools/playground_check.sh build/wasm/page build/playground/index.html build/dev/bin/chasles
+
+# The programs whose pages the site shows.
+PAGES = chasles_cli pulled_nut key_in_maze piano_through_door turning_gears dominoes box_of_bolts
+PLAYGROUND := $(shell grep -o '^playground:' Makefile | tr -d :)
+
+site: $(PLAYGROUND)
+	@tools/install_dependencies.sh site
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS) --target $(PAGES)
+	tools/site.sh build/dev
 
 facts:
 	@tools/install_dependencies.sh check

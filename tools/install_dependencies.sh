@@ -4,7 +4,7 @@
 #   install_dependencies.sh [GROUP...]           what the make targets of these names need (default: install)
 #   install_dependencies.sh --list [GROUP...]    prints the packages instead
 #
-# Groups: demo, install, check, fuzz, python, wasm, bench, tidy, format.
+# Groups: demo, install, check, fuzz, python, wasm, site, bench, tidy, format.
 set -eu
 
 clang_version=$(cat "$(dirname "$0")/clang-tools-version")
@@ -67,6 +67,12 @@ add_group() {
             add_group check
             add python3-venv
             ;;
+        # Doxygen reads the headers; the rest comes from the package indexes of Python and npm. The browser makes pictures.
+        site)
+            add_group check
+            add_group python
+            add doxygen
+            ;;
         # Highway is what the lanes are compared with, FCL and Bullet what whole queries are; other peers are brought by
         # Python and Rust.
         bench)
@@ -77,7 +83,7 @@ add_group() {
         tidy) add "clang-tidy-$clang_version" ;;
         format) add "clang-format-$clang_version" ;;
         *)
-            echo "install_dependencies.sh: unknown group \"$1\" (known: demo, install, check, fuzz, python, wasm, bench, tidy, format)" >&2
+            echo "install_dependencies.sh: unknown group \"$1\" (known: demo, install, check, fuzz, python, wasm, site, bench, tidy, format)" >&2
             exit 2
             ;;
     esac

@@ -17,7 +17,7 @@ done
 project=$package/../project
 mkdir -p "$project"
 find "$project" -mindepth 1 -maxdepth 1 ! -name node_modules -exec rm -rf {} +
-cp -R tests/javascript/. "$project"
+cp -R tests/javascript/. docs/guide/javascript.md "$project"
 (cd "$package" && npm pack --silent --pack-destination "$project" >/dev/null)
 cd "$project"
 npm ci --ignore-scripts --prefer-offline --no-audit --no-fund --loglevel=error

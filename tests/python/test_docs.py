@@ -28,11 +28,12 @@ def test_the_quick_start_can_be_pasted(tmp_path, monkeypatch, capsys):
     assert between.startswith("between 0.49999999999") and count == "400 of 1000 are clear"
 
 
-def test_the_guide_tells_the_truth(tmp_path, monkeypatch):
+@pytest.mark.parametrize("document", ["docs/python.md", "docs/guide/python.md"])
+def test_the_guides_tell_the_truth(document, tmp_path, monkeypatch):
     pytest.importorskip("pyarrow")
     monkeypatch.chdir(tmp_path)
-    code = code_of(ROOT / "docs" / "python.md")
-    example = doctest.DocTestParser().get_doctest(code, {}, "docs/python.md", "docs/python.md", 0)
+    code = code_of(ROOT / document)
+    example = doctest.DocTestParser().get_doctest(code, {}, document, document, 0)
     assert len(example.examples) > 20
     failures: list[str] = []
     doctest.DocTestRunner().run(example, out=failures.append)

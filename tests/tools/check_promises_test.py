@@ -80,9 +80,6 @@ class CheckPromises(SmallTree):
         self.assert_sound("```\n`fold_box`\n```\n")
         self.assertEqual(self.violations_with(**{"CHANGELOG.md": "`fold_box`\n"}), [])
 
-    def test_broken_link_is_found(self):
-        self.assert_violation("docs/notes/01.md", "[02](02.md)\n", "leads nowhere")
-
     def test_promise_without_proof_is_found(self):
         text = "1. **Kept** (`Box.IsClosed`).\n2. **Bare.** Trust us.\n\n## Other\n\n[01](notes/01.md)\n"
         self.assert_violation("docs/promises.md", text, "without a test or a note")
