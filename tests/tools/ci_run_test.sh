@@ -23,8 +23,8 @@ run
 expect "the summaries of ctest and pytest are added up, and steps without tests" \
     '[ $status -eq 0 ] && [ "$last" = "134 passed, 0 failed" ]'
 
-run 2290
-expect "after 38 minutes no step is begun" \
+run 3010
+expect "after 50 minutes no step is begun" \
     '[ $status -eq 0 ] && [ "$last" = "31 passed, 0 failed" ] && [ "$(cat "$folder/log")" = "make check" ]'
 
 pretend make 'case $1 in
