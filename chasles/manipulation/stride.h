@@ -23,15 +23,15 @@ public:
     /// What came of the step.
     void learn(double way, const Passage& passage) {
         const double tried = share(way) * way;
-        const bool was_dear = passage.work.node_pairs > dear;
-        if (was_dear && passage.until < 1)
+        if (passage.work.node_pairs > dear && passage.until < soon)
             longest_ = std::max(4 * passage.until * tried, 4 * margin_);
-        else if (!was_dear && tried < way)
+        else if (tried < way)
             longest_ *= 2;
     }
 
 private:
-    static constexpr std::uint64_t dear = 20000; ///< pairs of nodes: a millisecond or two
+    static constexpr std::uint64_t dear = 200000; ///< pairs of nodes: some 20 ms
+    static constexpr double soon = 0x1p-4;        ///< of the way
 
     double margin_;
     double longest_ = std::numeric_limits<double>::infinity();

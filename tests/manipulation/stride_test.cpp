@@ -20,9 +20,9 @@ TEST(Stride, IsAnyWayAtFirst) {
 
 TEST(Stride, IsFourTimesTheFreeWayWhereALongSearchWasBlocked) {
     Stride stride(margin);
-    stride.learn(8, passage(0.125, 1000000));
-    EXPECT_EQ(stride.share(4), 1);
-    EXPECT_EQ(stride.share(8), 0.5);
+    stride.learn(8, passage(1.0 / 32, 1000000));
+    EXPECT_EQ(stride.share(1), 1);
+    EXPECT_EQ(stride.share(2), 0.5);
 }
 
 TEST(Stride, IsNeverBelowFourMargins) {
@@ -32,22 +32,23 @@ TEST(Stride, IsNeverBelowFourMargins) {
     EXPECT_DOUBLE_EQ(stride.share(8 * margin), 0.5);
 }
 
-TEST(Stride, IsNotShortenedByAShortSearchNorByAFreeWay) {
+TEST(Stride, IsNotShortenedByAShortSearchNorWhereMuchOfTheWayWasFree) {
     Stride stride(margin);
-    stride.learn(8, passage(0.125, 100));
+    stride.learn(8, passage(1.0 / 32, 100));
+    stride.learn(8, passage(0.125, 1000000));
     stride.learn(8, passage(1, 1000000));
     EXPECT_EQ(stride.share(8), 1);
 }
 
-TEST(Stride, GrowsWhileSearchesAreShort) {
+TEST(Stride, GrowsWhereStepsGetThroughOrSearchesAreShort) {
     Stride stride(margin);
-    stride.learn(8, passage(0.125, 1000000)); // 4
-    stride.learn(8, passage(1, 1000000));     // a long search that got through: no longer
+    stride.learn(32, passage(1.0 / 32, 1000000)); // 4
+    stride.learn(2, passage(1, 1000000));         // shorter than it might have been
     EXPECT_EQ(stride.share(8), 0.5);
-    stride.learn(2, passage(1, 100)); // shorter than it might have been
-    EXPECT_EQ(stride.share(8), 0.5);
-    stride.learn(8, passage(1, 100));
+    stride.learn(8, passage(1, 1000000));
     EXPECT_EQ(stride.share(16), 0.5);
+    stride.learn(16, passage(0.01, 100));
+    EXPECT_EQ(stride.share(32), 0.5);
 }
 
 } // namespace
