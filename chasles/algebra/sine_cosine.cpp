@@ -1,8 +1,11 @@
-// Reduces the angle to a sixteenth of pi about zero by a table, then sums the Taylor series.
-// Source: docs/derivations/25-even-motions.md, "Sine and cosine".
+// Reduces the angle to a thirty-second of pi about zero by a table, then sums the Taylor series.
+// Sources: docs/derivations/25-even-motions.md, "Sine and cosine"; docs/derivations/32-angles-in-double.md.
 #include "chasles/algebra/sine_cosine.h"
 
 #include <array>
+#include <bit>
+#include <cstdint>
+#include <numbers>
 
 namespace chasles::algebra {
 
@@ -36,48 +39,88 @@ SineCosine<DoubleDouble> series(const DoubleDouble& angle, int terms) {
 }
 
 constexpr int steps_of_quarter = 8;
+constexpr int steps_of_turn = 4 * steps_of_quarter;
 
-/// Of the multiples of a sixteenth of pi up to a quarter turn.
-const std::array<SineCosine<DoubleDouble>, steps_of_quarter + 1>& table() {
+/// Of the multiples of a sixteenth of pi up to a whole turn.
+const std::array<SineCosine<DoubleDouble>, steps_of_turn>& table() {
     static const auto values = [] {
-        std::array<SineCosine<DoubleDouble>, steps_of_quarter + 1> all;
+        std::array<SineCosine<DoubleDouble>, steps_of_turn> all;
         for (int i = 0; i <= steps_of_quarter / 2; ++i) {
             const auto [sine, cosine] = series(quarter_turn() * DoubleDouble(double(i) / steps_of_quarter), 27);
             all[std::size_t(i)] = {sine, cosine};
             all[std::size_t(steps_of_quarter - i)] = {cosine, sine};
+        }
+        for (std::size_t i = steps_of_quarter; i < steps_of_turn; ++i) {
+            const auto& [sine, cosine] = all[i - steps_of_quarter];
+            all[i] = {cosine, -sine};
         }
         return all;
     }();
     return values;
 }
 
-} // namespace
+/// The multiple of a sixteenth of pi that is next to an angle.
+struct Multiple {
+    double steps;
+    const SineCosine<DoubleDouble>& values;
+};
 
-SineCosine<DoubleDouble> sine_cosine(const DoubleDouble& angle) {
-    const double step = quarter_turn().high() / steps_of_quarter;
-    const double steps = std::nearbyint(angle.high() / step);
-    const double quarters = std::floor(steps / steps_of_quarter);
-    const auto& [of_table, co_of_table] = table()[static_cast<std::size_t>(steps - steps_of_quarter * quarters)];
-    const auto [rest, co_rest] = series(angle - quarter_turn() * DoubleDouble(steps / steps_of_quarter), 17);
-    const DoubleDouble sine = of_table * co_rest + co_of_table * rest;
-    const DoubleDouble cosine = co_of_table * co_rest - of_table * rest;
-    switch (static_cast<int>(quarters - 4 * std::floor(quarters / 4))) {
-    case 0:
-        return {sine, cosine};
-    case 1:
-        return {cosine, -sine};
-    case 2:
-        return {-sine, -cosine};
-    default:
-        return {-cosine, sine};
-    }
+/// The sum with 1.5 * 2^52 is rounded to a whole number, and its last bits are those of this number.
+Multiple nearest_multiple(double angle) {
+    constexpr double whole = 0x1.8p52;
+    const double shifted = angle * (2 * steps_of_quarter / std::numbers::pi) + whole;
+    return {shifted - whole, table()[std::bit_cast<std::uint64_t>(shifted) % steps_of_turn]};
 }
 
-/// The angle in double is off by some 2^-52: its sine is the error up to 2^-158.
-DoubleDouble angle_of(const SineCosine<DoubleDouble>& direction) {
-    const DoubleDouble rough(std::atan2(direction.sine.high(), direction.cosine.high()));
-    const auto [sine, cosine] = sine_cosine(rough);
-    return rough + (direction.sine * cosine - direction.cosine * sine);
+/// An angle minus a multiple of a sixteenth of pi, which has four parts: the products of the first three with up to 20
+/// bits are exact.
+DoubleDouble rest_after(double steps, double angle) {
+    const auto first = detail::exact_sum(angle - steps * 0x1.921fb544p-3, -steps * 0x1.0b4611a6p-37);
+    const auto second = detail::exact_sum(first.high, -steps * 0x1.3198a2ep-72);
+    return DoubleDouble::exact_sum(second.high, second.low + first.low - steps * 0x1.b839a252049c1p-107);
+}
+
+/// Sine and cosine of an angle in double, as pairs with relative errors below 2^-56.
+SineCosine<DoubleDouble> pairs(double angle) {
+    constexpr double largest = 0x1p17;
+    if (std::abs(angle) > largest)
+        return pairs(std::remainder(angle, 2 * std::numbers::pi));
+    const auto& [steps, values] = nearest_multiple(angle);
+    const DoubleDouble rest = rest_after(steps, angle);
+    const double x = rest.high(), square = x * x;
+    const double odd =
+        -1.0 / 6 + square * (1.0 / 120 + square * (-1.0 / 5040 + square * (1.0 / 362880 - square / 39916800)));
+    const double even = -0.5 + square * (1.0 / 24 + square * (-1.0 / 720 + square * (1.0 / 40320 - square / 3628800)));
+    const double sine_low = rest.low() + x * (square * odd); // the sine is x + sine_low
+    const double cosine_low = square * even;                 // the cosine is 1 + cosine_low
+    const auto sum = [&](const DoubleDouble& own, const DoubleDouble& other) {
+        const auto product = detail::exact_product(other.high(), x);
+        const auto high = detail::ordered_sum(own.high(), product.high);
+        const double low = own.low() + other.low() * x + (other.high() * sine_low + own.high() * cosine_low);
+        return DoubleDouble::exact_sum(high.high, high.low + product.low + low);
+    };
+    return {sum(values.sine, values.cosine), sum(values.cosine, -values.sine)};
+}
+
+} // namespace
+
+SineCosine<double> sine_cosine(double angle) {
+    const auto [sine, cosine] = pairs(angle);
+    return {sine.high(), cosine.high()};
+}
+
+double tangent(double angle) {
+    const auto [sine, cosine] = pairs(angle);
+    const double quotient = sine.high() / cosine.high();
+    const auto product = detail::exact_product(quotient, cosine.high());
+    const double rest = sine.high() - product.high - product.low + (sine.low() - quotient * cosine.low());
+    return quotient + rest / cosine.high();
+}
+
+SineCosine<DoubleDouble> sine_cosine(const DoubleDouble& angle) {
+    const auto& [steps, values] = nearest_multiple(angle.high());
+    const auto [rest, co_rest] = series(angle - quarter_turn() * DoubleDouble(steps / steps_of_quarter), 17);
+    return {values.sine * co_rest + values.cosine * rest, values.cosine * co_rest - values.sine * rest};
 }
 
 } // namespace chasles::algebra

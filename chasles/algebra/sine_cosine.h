@@ -1,5 +1,5 @@
-// Sine and cosine in double and in double-double.
-// Source: docs/derivations/25-even-motions.md, "Sine and cosine".
+// Sine, cosine and tangent in double and in double-double, with the same bits on every machine.
+// Source: docs/derivations/25-even-motions.md and docs/derivations/32-angles-in-double.md.
 #pragma once
 
 #include "chasles/algebra/double_double.h"
@@ -12,20 +12,18 @@ struct SineCosine {
     S cosine;
 };
 
-/// By the C library.
-inline SineCosine<double> sine_cosine(double angle) {
-    return {std::sin(angle), std::cos(angle)};
-}
-
-inline double angle_of(const SineCosine<double>& direction) {
-    return std::atan2(direction.sine, direction.cosine);
-}
-
+/// With errors of at most 2/3 of an ulp for angles up to 2^17 radians. A larger angle counts as one within half an ulp.
+SineCosine<double> sine_cosine(double angle);
 /// With an error of at most 2^-96 for angles up to 200 radians, and 2^-94 up to 1000.
 SineCosine<DoubleDouble> sine_cosine(const DoubleDouble& angle);
 
-/// The angle in (-pi, pi] of a direction, for a sine and a cosine whose squares sum up to one, with an error of at most
-/// 2^-95.
-DoubleDouble angle_of(const SineCosine<DoubleDouble>& direction);
+inline double sine(double angle) {
+    return sine_cosine(angle).sine;
+}
+inline double cosine(double angle) {
+    return sine_cosine(angle).cosine;
+}
+/// With an error of at most 0.8 ulp, for the same angles.
+double tangent(double angle);
 
 } // namespace chasles::algebra

@@ -1,5 +1,6 @@
 #include "chasles/manipulation/hand_spring.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/base/invalid_input.h"
 
 #include <Eigen/Cholesky>
@@ -21,13 +22,15 @@ Vector3d rotation_vector(Quaterniond turn) {
     if (turn.w() < 0)
         turn.coeffs() = -turn.coeffs();
     const double sine = turn.vec().norm();
-    return sine > 0 ? Vector3d(turn.vec() * (2 * std::atan2(sine, turn.w()) / sine)) : Vector3d(2 * turn.vec());
+    return sine > 0 ? Vector3d(turn.vec() * (2 * algebra::arc_tangent(sine, turn.w()) / sine))
+                    : Vector3d(2 * turn.vec());
 }
 
 Quaterniond rotation_of(const Vector3d& vector) {
     const double angle = vector.norm();
-    const double share = angle > 0 ? std::sin(angle / 2) / angle : 0.5; // of the vector
-    return {std::cos(angle / 2), share * vector.x(), share * vector.y(), share * vector.z()};
+    const auto [sine, cosine] = algebra::sine_cosine(angle / 2);
+    const double share = angle > 0 ? sine / angle : 0.5; // of the vector
+    return {cosine, share * vector.x(), share * vector.y(), share * vector.z()};
 }
 
 Quaterniond rotation(const Pose& pose) {
@@ -48,7 +51,7 @@ Vector3d place_of(const Vector3d& point, const Pose& pose) {
 Vector3d transposed_rate(const Vector3d& w, const Vector3d& vector) {
     const double angle = w.norm(), half = angle / 2;
     // (1 - half cot half) / angle^2, and its limit; both are exact to rounding where they meet
-    const double c = angle > 1e-4 ? (1 - half / std::tan(half)) / (angle * angle) : 1.0 / 12;
+    const double c = angle > 1e-4 ? (1 - half / algebra::tangent(half)) / (angle * angle) : 1.0 / 12;
     return vector + w.cross(vector) / 2 + c * w.cross(w.cross(vector));
 }
 

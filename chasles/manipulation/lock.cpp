@@ -1,5 +1,6 @@
 #include "chasles/manipulation/lock.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/base/invalid_input.h"
 
 #include <Eigen/Cholesky>
@@ -69,7 +70,9 @@ Metric Lock::projection(const Metric& metric, const Vector3d& centre) const {
 
 /// The pose of the start after a turn.
 Pose Lock::turned(double angle) const {
-    const Quaterniond turn(Eigen::AngleAxisd(angle, direction_));
+    const auto [sine, cosine] = algebra::sine_cosine(angle / 2);
+    const Vector3d axis = sine * direction_;
+    const Quaterniond turn(cosine, axis.x(), axis.y(), axis.z());
     const Vector3d place = has_line() ? Vector3d(point_ + turn * (start_.translation - point_)) : start_.translation;
     return {place, turn * unit_rotation(start_)};
 }
@@ -78,7 +81,7 @@ Pose Lock::onto(const Pose& pose) const {
     if (is_free())
         return pose;
     const Quaterniond turn = unit_rotation(pose) * unit_rotation(start_).conjugate();
-    const Pose here = turned(turns() ? 2 * std::atan2(turn.vec().dot(direction_), turn.w()) : 0);
+    const Pose here = turned(turns() ? 2 * algebra::arc_tangent(turn.vec().dot(direction_), turn.w()) : 0);
     const Vector3d way = pose.translation - start_.translation;
     const Vector3d along = direction_ * direction_.dot(way);
     if (kind_ == DragLockKind::hinge)

@@ -1,5 +1,6 @@
 #include "chasles/mesh/normal_cones.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/mesh/adjacent_directions.h"
 #include "chasles/mesh/face_normal.h"
 
@@ -61,11 +62,12 @@ NormalCone cone_around(const Vector3d& axis, const Ways& ways) {
         const Vector2d across(first.dot(way), second.dot(way));
         if (across.norm() < 1e-3)
             return every_direction;
-        angles.push_back(std::atan2(across.y(), across.x()));
+        angles.push_back(algebra::arc_tangent(across.y(), across.x()));
         slope = std::max(slope, std::abs(axis.dot(way)) / across.norm());
     }
     const double half_gap = angles.empty() ? right_angle : 0.5 * greatest_gap(std::move(angles));
-    return half_gap >= right_angle ? every_direction : cone(axis, std::atan(slope / std::cos(half_gap)));
+    return half_gap >= right_angle ? every_direction
+                                   : cone(axis, algebra::arc_tangent(slope / algebra::cosine(half_gap)));
 }
 
 } // namespace
@@ -83,8 +85,8 @@ NormalCone cone_of_edge(const Body& body, const Edge& edge) {
     NormalCone best = every_direction;
     for (std::size_t i = 0; i < ways.size(); ++i)
         for (std::size_t j = 0; j < i; ++j) {
-            const NormalCone bound =
-                cone((ways[i] - ways[j]).cross(along), std::asin(std::min(1.0, 0.5 * (ways[i] + ways[j]).norm())));
+            const NormalCone bound = cone((ways[i] - ways[j]).cross(along),
+                                          algebra::arc_sine(std::min(1.0, 0.5 * (ways[i] + ways[j]).norm())));
             if (bound.angle < best.angle)
                 best = bound;
         }
@@ -115,7 +117,7 @@ NormalCone cone_of_vertex(const Body& body, std::uint32_t vertex) {
 NormalCone enclosing(const NormalCone& a, const NormalCone& b) {
     const Vector3d of_a = a.axis.cast<double>();
     const Vector3d of_b = (a.axis.dot(b.axis) < 0 ? -1 : 1) * b.axis.cast<double>();
-    const double between = std::atan2(of_a.cross(of_b).norm(), of_a.dot(of_b));
+    const double between = algebra::arc_tangent(of_a.cross(of_b).norm(), of_a.dot(of_b));
     if (between + double(b.angle) <= double(a.angle))
         return a;
     if (between + double(a.angle) <= double(b.angle))
@@ -124,7 +126,7 @@ NormalCone enclosing(const NormalCone& a, const NormalCone& b) {
     if (between < 1e-6)
         return cone(of_a, angle);
     const double turn = angle - double(a.angle); // from a's axis towards b's
-    return cone((std::sin(between - turn) * of_a + std::sin(turn) * of_b) / std::sin(between), angle);
+    return cone((algebra::sine(between - turn) * of_a + algebra::sine(turn) * of_b) / algebra::sine(between), angle);
 }
 
 namespace {

@@ -2,6 +2,7 @@
 // Source: docs/derivations/29-robots.md, "Round bodies".
 #include "chasles/mesh/primitives.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
 
@@ -41,7 +42,7 @@ void require_feasible(const char* body, double deviation, double least) {
 /// The least even number of sides of a polygon around a circle of radius 1 whose corners are at most 1 + deviation
 /// away.
 int sides_around(double deviation) {
-    const double half_angle = std::acos(1 / (1 + deviation));
+    const double half_angle = algebra::arc_tangent(std::sqrt(deviation * (2 + deviation)));
     const int sides = std::max(4, int(std::ceil(std::numbers::pi / half_angle - 1e-9)));
     return sides + sides % 2;
 }
@@ -60,7 +61,8 @@ public:
         starts_.push_back({std::uint32_t(vertices_.size()), sides_});
         for (std::uint32_t i = 0; i < sides_; ++i) {
             const double angle = 2 * std::numbers::pi * i / sides_;
-            vertices_.emplace_back(radius * std::cos(angle), radius * std::sin(angle), height);
+            const auto [sine, cosine] = algebra::sine_cosine(angle);
+            vertices_.emplace_back(radius * cosine, radius * sine, height);
         }
     }
 
@@ -118,15 +120,15 @@ EnclosingPolyhedron banded(double radius, double length, double deviation) {
     const int bands = std::max(2, sides / 2);                              // from pole to pole
     const double step = std::numbers::pi / bands;
     const double enlarged = radius + (outward - 1) * (radius + length);
-    const double ring = enlarged / std::cos(step / 2); // the circumscribed polygon of a meridian
-    const double across = 1 / std::cos(std::numbers::pi / sides);
+    const double ring = enlarged / algebra::cosine(step / 2); // the circumscribed polygon of a meridian
+    const double across = 1 / algebra::cosine(std::numbers::pi / sides);
     Rings rings(sides);
     for (int k = 0; k <= bands; ++k) {
         const double latitude = -std::numbers::pi / 2 + k * step;
         const bool is_pole = k == 0 || k == bands;
         const double shift = 2 * k < bands ? -length / 2 : length / 2;
-        const double width = is_pole ? 0 : ring * across * std::cos(latitude);
-        const double height = ring * std::sin(latitude) + shift;
+        const double width = is_pole ? 0 : ring * across * algebra::cosine(latitude);
+        const double height = ring * algebra::sine(latitude) + shift;
         if (2 * k == bands && length > 0)
             rings.add(width, height - length);
         rings.add(width, height);
@@ -150,7 +152,7 @@ EnclosingPolyhedron enclosing_cylinder(double radius, double length, double devi
     require_positive("cylinder", {{"radius", radius}, {"length", length}, {"deviation", deviation}});
     require_feasible("cylinder", deviation, 1e-5 * radius);
     const int sides = sides_around(deviation / radius);
-    const double corner = radius * outward / std::cos(std::numbers::pi / sides);
+    const double corner = radius * outward / algebra::cosine(std::numbers::pi / sides);
     Rings rings(sides);
     rings.add(corner, -0.5 * length * outward);
     rings.add(corner, 0.5 * length * outward);

@@ -2,6 +2,7 @@
 // Source: docs/derivations/24-enclosures.md.
 #include "chasles/motion/enclosure.h"
 
+#include "chasles/algebra/sine_cosine.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
@@ -20,7 +21,7 @@ double deviation_from_even_turn(double rate, double acceleration, double duratio
     const double turn = rate * duration;
     const double by_speed = 0.25 * turn;
     const double by_acceleration = acceleration * duration * duration / 16 + turn * turn * turn / 384;
-    const double sine = std::min(by_speed, by_acceleration) / std::cos(std::min(0.25 * turn, 1.0));
+    const double sine = std::min(by_speed, by_acceleration) / algebra::cosine(std::min(0.25 * turn, 1.0));
     return 2 * sine * (1 + 0.25 * sine * sine); // at least twice the arc sine, for sines up to 1/2
 }
 

@@ -2,6 +2,7 @@
 // Source: docs/derivations/25-even-motions.md.
 #include "chasles/motion/even_trajectory.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/motion/path_ends.h"
 
 #include <algorithm>

@@ -100,7 +100,7 @@ public:
         RateExpansion expansion{.pose = pose, .reference = pose.translation};
         const std::array rates{place_[0].rates(times), place_[1].rates(times), place_[2].rates(times)};
         const auto bound = [&](std::size_t order) {
-            return std::hypot(rates[0].bounds[order], rates[1].bounds[order], rates[2].bounds[order]);
+            return Eigen::Vector3d(rates[0].bounds[order], rates[1].bounds[order], rates[2].bounds[order]).stableNorm();
         };
         expansion.velocity = {rates[0].first, rates[1].first, rates[2].first};
         expansion.acceleration = {rates[0].second, rates[1].second, rates[2].second};

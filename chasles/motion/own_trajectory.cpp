@@ -2,6 +2,7 @@
 // Source: docs/derivations/26-frames.md, "The test kit".
 #include "chasles/motion/own_trajectory.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/motion/own_frame.h"
 #include "chasles/motion/screw_path.h"
 
@@ -41,7 +42,7 @@ public:
     // What the poses prove of each rate, at least.
 
     [[nodiscard]] double turn_rate() const {
-        return (2 * std::asin(half_sine_between(start_.rotation, end_.rotation)) - turn_noise_) / duration_;
+        return (2 * algebra::arc_sine(half_sine_between(start_.rotation, end_.rotation)) - turn_noise_) / duration_;
     }
     [[nodiscard]] double speed() const { return (length(place(end_) - place(start_)) - noise_) / duration_; }
     [[nodiscard]] double acceleration() const {
@@ -56,7 +57,8 @@ public:
         if (turn > large)
             return 0;
         const double sine = half_sine_between(half_way(start_.rotation, end_.rotation), middle_.rotation);
-        return 16 * (sine * std::cos(0.25 * turn) - turn * turn * turn / 384 - turn_noise_) / (duration_ * duration_);
+        return 16 * (sine * algebra::cosine(0.25 * turn) - turn * turn * turn / 384 - turn_noise_) /
+               (duration_ * duration_);
     }
 
 private:

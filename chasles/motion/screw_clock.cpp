@@ -2,6 +2,8 @@
 // Source: docs/derivations/01-screw-from-two-poses.md.
 #include "chasles/motion/screw_clock.h"
 
+#include "chasles/algebra/arc_tangent.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -21,17 +23,18 @@ constexpr double uniform_turn = 1e-9;
 double ScrewClock::tau_at(double time) const {
     if (time <= 0 || time >= 1) // both ends are exact
         return time <= 0 ? 0 : 1;
-    return turn_.angle < uniform_turn ? time : std::tan(turn_.angle / 2 * time) / turn_.half_tangent;
+    return turn_.angle < uniform_turn ? time : algebra::tangent(turn_.angle / 2 * time) / turn_.half_tangent;
 }
 
 double ScrewClock::time_at(double tau) const {
     const double tangent = turn_.half_tangent; // the same bits in both arc tangents: tau = 1 gives time 1
-    return turn_.angle < uniform_turn ? tau : std::atan(tau * tangent) / std::atan(tangent);
+    return turn_.angle < uniform_turn ? tau : algebra::arc_tangent(tau * tangent) / algebra::arc_tangent(tangent);
 }
 
 double ScrewClock::tau_rate(double tau) const {
     const double tangent = turn_.half_tangent;
-    return turn_.angle < uniform_turn ? 1 : std::atan(tangent) / tangent * (1 + tau * tau * tangent * tangent);
+    return turn_.angle < uniform_turn ? 1
+                                      : algebra::arc_tangent(tangent) / tangent * (1 + tau * tau * tangent * tangent);
 }
 
 std::size_t ScrewClock::piece_count(double max_turn) const {

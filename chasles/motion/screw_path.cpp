@@ -2,6 +2,7 @@
 // Source: docs/derivations/01-screw-from-two-poses.md.
 #include "chasles/motion/screw_path.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/motion/unit_quaternion.h"
 
 #include <cmath>
@@ -47,7 +48,7 @@ GeneralPose<Scalar> composed(const GeneralPose<Scalar>& outer, const GeneralPose
 /// The arc tangent of sine and cosine is accurate for all angles, also next to 0 and to a half turn.
 TurnAngle turn_angle(const Quaternion<Scalar>& turn) {
     const Scalar sine = length(turn.v);
-    return {2 * std::atan2(sine.high(), turn.w.high()), (sine / turn.w).high()};
+    return {2 * algebra::arc_tangent(sine.high(), turn.w.high()), (sine / turn.w).high()};
 }
 
 /// For a pure translation the direction is the direction of the displacement.
@@ -65,9 +66,9 @@ ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>
 }
 
 Pose ScrewPath::at(const ScrewProgress& progress) const {
-    const double half = progress.turned * std::atan2(half_sine_.high(), turn_.w.high());
-    const Scalar sine(std::sin(half));
-    const Scalar cosine(std::cos(half));
+    const double half = progress.turned * algebra::arc_tangent(half_sine_.high(), turn_.w.high());
+    const auto [half_sine, half_cosine] = algebra::sine_cosine(half);
+    const Scalar sine(half_sine), cosine(half_cosine);
     const Quaternion<Scalar> turn{cosine, scale(direction_, sine)};
     // The swing of the body's origin, with k the direction and w and v the whole and the partial half angle:
     // sin v ((cos v cot w + sin v) across + (sin v cot w - cos v) k x across); docs/derivations/01, "A pose at a part
@@ -86,7 +87,7 @@ Pose ScrewPath::at(const ScrewProgress& progress) const {
 
 ScrewNumbers ScrewPath::numbers() const {
     ScrewNumbers numbers;
-    numbers.angle = 2 * std::atan2(half_sine_.high(), turn_.w.high());
+    numbers.angle = 2 * algebra::arc_tangent(half_sine_.high(), turn_.w.high());
     numbers.half_tangent = (half_sine_ / turn_.w).high();
     numbers.slide = dot(along_, direction_).high();
     numbers.axis_direction = rounded(direction_);

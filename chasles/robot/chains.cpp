@@ -1,5 +1,5 @@
 // Chains of joints between two places of a robot. Source: docs/derivations/29-robots.md, "Chains".
-#include "chasles/algebra/sine_cosine.h"
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/motion/screw_path.h"
 #include "chasles/robot/model.h"
 

@@ -1,5 +1,6 @@
 #include "chasles/robot/group_motion.h"
 
+#include "chasles/algebra/sine_cosine.h"
 #include "chasles/motion/screw_path.h"
 
 #include <cmath>
@@ -18,11 +19,12 @@ void go_out(RateBounds& bounds, double arm) {
 }
 
 void apply(GeneralPose<double>& pose, const motion::FixedAxis& axis, bool turns, double value) {
-    if (turns)
-        pose.rotation = pose.rotation *
-                        motion::Quaternion<double>{std::cos(0.5 * value), scale(axis.in_double, std::sin(0.5 * value))};
-    else
+    if (turns) {
+        const auto [sine, cosine] = algebra::sine_cosine(0.5 * value);
+        pose.rotation = pose.rotation * motion::Quaternion<double>{cosine, scale(axis.in_double, sine)};
+    } else {
         pose.translation = pose.translation + rotated(pose.rotation, scale(axis.in_double, value));
+    }
 }
 
 } // namespace

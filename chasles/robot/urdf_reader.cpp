@@ -1,6 +1,7 @@
 // Reads the links and joints of a URDF file. Checks of the tree are those of `Robot`.
 #include "chasles/robot/urdf_reader.h"
 
+#include "chasles/algebra/sine_cosine.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
 #include "chasles/io/mesh_files.h"
@@ -24,6 +25,12 @@ namespace {
 
 using Eigen::Vector3d;
 using Element = XmlFile::Element;
+
+Eigen::Quaterniond turn_about(int axis, double angle) {
+    const auto [sine, cosine] = algebra::sine_cosine(angle / 2);
+    const Vector3d vector = sine * Vector3d::Unit(axis);
+    return {cosine, vector.x(), vector.y(), vector.z()};
+}
 
 class UrdfReader {
 public:
@@ -80,8 +87,7 @@ Pose UrdfReader::origin(const Element& element) const {
         turn = {q[3], q[0], q[1], q[2]};
     } else if (origin->Attribute("rpy")) {
         const Vector3d rpy = vector(*origin, "rpy");
-        turn = Eigen::AngleAxisd(rpy.z(), Vector3d::UnitZ()) * Eigen::AngleAxisd(rpy.y(), Vector3d::UnitY()) *
-               Eigen::AngleAxisd(rpy.x(), Vector3d::UnitX());
+        turn = turn_about(2, rpy.z()) * turn_about(1, rpy.y()) * turn_about(0, rpy.x());
     }
     try {
         return {place, turn};

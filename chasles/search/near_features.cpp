@@ -1,5 +1,6 @@
 #include "chasles/search/near_features.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/contact/near_pair.h"
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_planes.h"
@@ -21,7 +22,7 @@ using Eigen::Vector3d;
 /// Culls pairs of nodes in whose boxes no connection between near features is along a normal of both surfaces.
 class ConeTest {
 public:
-    explicit ConeTest(const ContactScene& scene) : scene_(scene), slope_(std::asin(scene.slope)) {}
+    explicit ConeTest(const ContactScene& scene) : scene_(scene), slope_(algebra::arc_sine(scene.slope)) {}
 
     [[nodiscard]] bool separates(const culling::NodePair& pair) const {
         const RelativeBox moving(scene_.bodies.moving().bvh(), pair.moving);
@@ -31,10 +32,11 @@ public:
         const double spread = moving.radius + fixed.radius;
         if (distance - spread <= least_distance * scene_.slack)
             return false;
-        const double deviation = std::asin(spread / distance);
+        const double deviation = algebra::arc_sine(spread / distance);
         const auto excludes = [&](const NormalCone& cone, const Vector3d& along) {
             const double angle = double(cone.angle) + deviation + tolerance + slope_;
-            return angle < right_angle && std::abs(cone.axis.cast<double>().dot(along)) < std::cos(angle) * distance;
+            return angle < right_angle &&
+                   std::abs(cone.axis.cast<double>().dot(along)) < algebra::cosine(angle) * distance;
         };
         return excludes(scene_.bodies.fixed().normal_cones()[pair.fixed], apart) ||
                excludes(scene_.bodies.moving().normal_cones()[pair.moving], scene_.bodies.turned_back(apart));

@@ -1,17 +1,14 @@
-// Sine and cosine in double-double against the functions of Boost in a hundred digits.
-#include "chasles/algebra/sine_cosine.h"
+// Sine, cosine and tangent in double and in double-double against the functions of Boost in a hundred digits.
+#include "chasles/algebra/arc_tangent.h"
 
-#include "tests/support/random.h"
+#include "tests/support/ulp_error.h"
 
-#include <boost/multiprecision/cpp_bin_float.hpp>
-#include <gtest/gtest.h>
+#include <numbers>
 
 namespace chasles::test {
 namespace {
 
 using algebra::DoubleDouble;
-using Digits = boost::multiprecision::cpp_bin_float_100;
-
 Digits exactly(const DoubleDouble& number) {
     return Digits(number.high()) + Digits(number.low());
 }
@@ -59,6 +56,52 @@ TEST(SineCosine, TheAngleOfADirection) {
         EXPECT_LE(distance(algebra::angle_of(algebra::sine_cosine(angle)), exactly(angle)), 0x1p-98);
     }
     EXPECT_EQ(double(algebra::angle_of(algebra::SineCosine<DoubleDouble>{0.0, 1.0})), 0);
+}
+
+/// All sizes, and the angles at which the table, the quarters and the signs change.
+TEST(SineCosineInDouble, ErrorsAreWithinTheBound) {
+    Random random(1803);
+    UlpError sine, cosine, tangent;
+    for (int i = 0; i < angle_rounds(); ++i) {
+        const double multiple = random.integer(-64, 64) * std::numbers::pi / 32;
+        const double angle = random.chance(0.5) ? random.scaled(-20, 5.1175) : multiple + random.scaled(-20, -3);
+        const Digits exact(angle);
+        sine.add(algebra::sine(angle), sin(exact), angle);
+        cosine.add(algebra::cosine(angle), cos(exact), angle);
+        tangent.add(algebra::tangent(angle), tan(exact), angle);
+    }
+    EXPECT_LE(sine.greatest("sine"), 2.0 / 3);
+    EXPECT_LE(cosine.greatest("cosine"), 2.0 / 3);
+    EXPECT_LE(tangent.greatest("tangent"), 0.8);
+}
+
+/// Next to multiples of a quarter turn, whose sine or cosine is tiny: the greatest cancellation.
+TEST(SineCosineInDouble, NextToQuarterTurns) {
+    UlpError sine, cosine, tangent;
+    for (int i = 1; i < 83'000; i += std::getenv("CHASLES_LONG") ? 1 : 17) {
+        const double angle(boost::math::constants::half_pi<Digits>() * i);
+        sine.add(algebra::sine(angle), sin(Digits(angle)), angle);
+        cosine.add(algebra::cosine(angle), cos(Digits(angle)), angle);
+        tangent.add(algebra::tangent(angle), tan(Digits(angle)), angle);
+    }
+    EXPECT_LE(sine.greatest("sine"), 2.0 / 3);
+    EXPECT_LE(cosine.greatest("cosine"), 2.0 / 3);
+    EXPECT_LE(tangent.greatest("tangent"), 0.8);
+}
+
+TEST(SineCosineInDouble, ALargeAngleCountsAsOneNextToIt) {
+    Random random(1804);
+    for (int i = 0; i < 1000; ++i) {
+        const double angle = random.scaled(5.2, 15);
+        const double half_ulp = std::ldexp(0.5, std::ilogb(angle) - 52);
+        EXPECT_NEAR(algebra::sine(angle), double(sin(Digits(angle))), half_ulp + 0x1p-53) << angle;
+        EXPECT_NEAR(algebra::cosine(angle), double(cos(Digits(angle))), half_ulp + 0x1p-53) << angle;
+    }
+    for (const double angle : {1e300, -1e300})
+        EXPECT_NEAR(std::hypot(algebra::sine(angle), algebra::cosine(angle)), 1, 1e-15);
+    const double infinity = std::numeric_limits<double>::infinity();
+    for (const double angle : {infinity, -infinity, std::nan("")})
+        EXPECT_TRUE(std::isnan(algebra::sine(angle)) && std::isnan(algebra::cosine(angle)));
 }
 
 } // namespace
