@@ -8,14 +8,14 @@ namespace chasles::algebra {
 
 namespace {
 
-constexpr int steps = 16;
+constexpr int parts = 16;
 
 /// The arc tangents of 0, 1/16, ... 1. Each Newton step leaves a sixth of the cube of the error.
-const std::array<DoubleDouble, steps + 1>& table() {
+const std::array<DoubleDouble, parts + 1>& arc_tangents() {
     static const auto values = [] {
-        std::array<DoubleDouble, steps + 1> all;
-        for (int i = 0; i <= steps; ++i) {
-            const DoubleDouble tangent(double(i) / steps);
+        std::array<DoubleDouble, parts + 1> all;
+        for (int i = 0; i <= parts; ++i) {
+            const DoubleDouble tangent(double(i) / parts);
             const DoubleDouble length = sqrt(DoubleDouble(1.0) + tangent * tangent);
             DoubleDouble angle = tangent;
             for (int step = 0; step < 4; ++step) {
@@ -44,8 +44,8 @@ DoubleDouble quotient(const detail::WordPair<double>& a, const detail::WordPair<
 
 /// The arc tangent of y / x for 0 <= y <= x. Not a number if one of them is none, or both are infinite.
 DoubleDouble arc_tangent_to_one(double y, double x) {
-    constexpr double negligible = 0x1p-40; // the square of such a tangent
-    if (y <= x * negligible)
+    constexpr double tiny = 0x1p-40; // such a tangent is its own arc tangent
+    if (y <= x * tiny)
         return x > 0 ? y / x : 0;
     const double scale = x > 0x1p900 ? 0x1p-200 : x < 0x1p-900 ? 0x1p200 : 1; // the products below stay in range
     y *= scale;
@@ -53,28 +53,28 @@ DoubleDouble arc_tangent_to_one(double y, double x) {
     const double ratio = y / x;
     if (!(ratio <= 1))
         return ratio;
-    const auto i = static_cast<std::size_t>(ratio * steps + 0.5);
-    const double tangent = double(i) / steps;
+    const auto i = static_cast<std::size_t>(ratio * parts + 0.5);
+    const double tangent = double(i) / parts;
     const auto across = detail::exact_product(tangent, x);
     const auto along = detail::exact_product(tangent, y);
     const auto denominator = detail::ordered_sum(x, along.high);
     const DoubleDouble rest =
         quotient(detail::ordered_sum(y - across.high, -across.low), {denominator.high, denominator.low + along.low});
     const double z = rest.high(), square = z * z;
-    const double series = -1.0 / 3 + square * (1.0 / 5 + square * (-1.0 / 7 + square * (1.0 / 9 - square / 11)));
-    return sum_of(table()[i], DoubleDouble::exact_sum(z, rest.low() + z * (square * series)));
+    const double odd = -1.0 / 3 + square * (1.0 / 5 + square * (-1.0 / 7 + square * (1.0 / 9 - square / 11)));
+    return sum_of(arc_tangents()[i], DoubleDouble::exact_sum(z, rest.low() + z * (square * odd)));
 }
 
-/// The angle with an error of 2^-60 of itself.
+/// The angle as a pair, with a relative error below 2^-60, or rounded where it is tiny.
 DoubleDouble pair(double y, double x) {
     constexpr DoubleDouble zero;
-    static const DoubleDouble half_turn = DoubleDouble::exact_sum(0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53);
-    static const DoubleDouble quarter_turn = DoubleDouble::exact_sum(0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54);
+    static const DoubleDouble straight_angle = DoubleDouble::exact_sum(0x1.921fb54442d18p+1, 0x1.1a62633145c07p-53);
+    static const DoubleDouble right_angle = DoubleDouble::exact_sum(0x1.921fb54442d18p+0, 0x1.1a62633145c07p-54);
     const double height = std::abs(y), width = std::abs(x);
     const bool is_steep = height > width;
     const bool is_backward = std::signbit(x);
     const DoubleDouble angle = is_steep ? arc_tangent_to_one(width, height) : arc_tangent_to_one(height, width);
-    const DoubleDouble& base = is_steep ? quarter_turn : is_backward ? half_turn : zero;
+    const DoubleDouble& base = is_steep ? right_angle : is_backward ? straight_angle : zero;
     const DoubleDouble upper = sum_of(base, is_steep != is_backward ? -angle : angle);
     return std::signbit(y) ? -upper : upper;
 }

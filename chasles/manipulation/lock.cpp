@@ -2,6 +2,7 @@
 
 #include "chasles/algebra/arc_tangent.h"
 #include "chasles/base/invalid_input.h"
+#include "chasles/motion/turn_about.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Geometry>
@@ -70,9 +71,7 @@ Metric Lock::projection(const Metric& metric, const Vector3d& centre) const {
 
 /// The pose of the start after a turn.
 Pose Lock::turned(double angle) const {
-    const auto [sine, cosine] = algebra::sine_cosine(angle / 2);
-    const Vector3d axis = sine * direction_;
-    const Quaterniond turn(cosine, axis.x(), axis.y(), axis.z());
+    const Quaterniond turn = turn_about(direction_, angle);
     const Vector3d place = has_line() ? Vector3d(point_ + turn * (start_.translation - point_)) : start_.translation;
     return {place, turn * unit_rotation(start_)};
 }

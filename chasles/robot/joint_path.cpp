@@ -2,8 +2,10 @@
 // Source: docs/derivations/29-robots.md, "Paths".
 #include "chasles/robot/joint_path.h"
 
+#include "chasles/algebra/arc_tangent.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/motion/splines.h"
+#include "chasles/motion/turn_about.h"
 #include "chasles/robot/model.h"
 
 #include <algorithm>
@@ -212,7 +214,13 @@ void turn_evenly(const Segment& segment, std::size_t first, double time, Configu
         const Eigen::Vector4d q = value_at(segment, t).segment<4>(Eigen::Index(first));
         return Eigen::Quaterniond(q[3], q[0], q[1], q[2]).normalized();
     };
-    const Eigen::Quaterniond q = quaternion(0).slerp(time, quaternion(1));
+    Eigen::Quaterniond turn = quaternion(0).conjugate() * quaternion(1);
+    if (turn.w() < 0) // the shorter way round
+        turn.coeffs() *= -1;
+    const double sine = turn.vec().norm();
+    const double angle = sine > 0 ? 2 * algebra::arc_tangent(sine, turn.w()) : 0;
+    const Eigen::Vector3d direction = sine > 0 ? Eigen::Vector3d(turn.vec() / sine) : Eigen::Vector3d::UnitZ();
+    const Eigen::Quaterniond q = quaternion(0) * turn_about(direction, time * angle);
     value.segment<4>(Eigen::Index(first)) << q.x(), q.y(), q.z(), q.w();
 }
 

@@ -1,13 +1,13 @@
 // Reads the links and joints of a URDF file. Checks of the tree are those of `Robot`.
 #include "chasles/robot/urdf_reader.h"
 
-#include "chasles/algebra/sine_cosine.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "chasles/mesh/primitives.h"
+#include "chasles/motion/turn_about.h"
 #include "chasles/robot/package_paths.h"
 #include "chasles/robot/xml_file.h"
 
@@ -25,12 +25,6 @@ namespace {
 
 using Eigen::Vector3d;
 using Element = XmlFile::Element;
-
-Eigen::Quaterniond turn_about(int axis, double angle) {
-    const auto [sine, cosine] = algebra::sine_cosine(angle / 2);
-    const Vector3d vector = sine * Vector3d::Unit(axis);
-    return {cosine, vector.x(), vector.y(), vector.z()};
-}
 
 class UrdfReader {
 public:
@@ -87,7 +81,8 @@ Pose UrdfReader::origin(const Element& element) const {
         turn = {q[3], q[0], q[1], q[2]};
     } else if (origin->Attribute("rpy")) {
         const Vector3d rpy = vector(*origin, "rpy");
-        turn = turn_about(2, rpy.z()) * turn_about(1, rpy.y()) * turn_about(0, rpy.x());
+        turn = turn_about(Vector3d::UnitZ(), rpy.z()) * turn_about(Vector3d::UnitY(), rpy.y()) *
+               turn_about(Vector3d::UnitX(), rpy.x());
     }
     try {
         return {place, turn};

@@ -1,5 +1,5 @@
-// The answers of the native library: the known answers, and random questions of every kind. What a search decides is the same;
-// docs/decisions/0082-which-bits-are-the-same.md says which numbers may differ in their last places, and why.
+// The answers of the native library, bit for bit: the known answers, and random questions of every kind
+// (docs/decisions/0082-which-bits-are-the-same.md).
 import assert from "node:assert/strict";
 import { existsSync, readFileSync } from "node:fs";
 import { test } from "node:test";
@@ -61,23 +61,6 @@ class Answerer {
   }
 }
 
-// Numbers that the module's C library, or the order of Eigen's sums, rounds differently in the last places. All other values
-// have to be the same, bit for bit: verdicts, `certain`, features, names, counts, and the counters of the search.
-const rounded = new Set(["time", "time_upper", "tau", "tau_upper", "clear_until", "pose", "point", "normal", "gap", "approach_speed", "angle", "slide",
-  "axis_point", "axis_direction", "displacement"]);
-
-/** How far a number may be off, as a share of the largest number: 0 for the same bits. */
-function allowance(key) {
-  if (key === "approach_speed") return 1e-8; // of motions that are only enclosed
-  return rounded.has(key) ? 1e-12 : 0;
-}
-
-/** The largest number in a question or an answer: roundings are shares of it. */
-function size(value) {
-  if (typeof value === "number") return Math.abs(value);
-  return typeof value === "object" && value ? Math.max(1, ...Object.values(value).map(size)) : 1;
-}
-
 /** Calls `differs(key, a, b)` for each pair of leaves that are not the same bits. */
 function walk(a, b, key, differs) {
   if (typeof a !== "object" || typeof b !== "object" || !a || !b) return void (Object.is(a, b) || differs(key, a, b));
@@ -85,49 +68,28 @@ function walk(a, b, key, differs) {
     walk(a[name], b[name], Number.isNaN(Number(name)) ? name : key, differs);
 }
 
-/** How an answer and the native one differ: the numbers that were rounded, and all others. */
-function judge(question, answer, expected, roundings, wrong) {
-  const largest = Math.max(size(question), size(answer));
+/** Counts the leaves of an answer whose bits are not those of the native one, by their keys. */
+function judge(question, answer, expected, wrong) {
   walk(answer, expected, "", (key, a, b) => {
-    const isRounding = Math.abs(a - b) <= allowance(key) * largest;
-    const counts = isRounding ? roundings : wrong;
-    counts[key] = (counts[key] ?? 0) + 1;
-    if (!isRounding && counts[key] <= 2) console.error(`${key}: ${a} instead of ${b} in ${JSON.stringify(question)}`);
+    wrong[key] = (wrong[key] ?? 0) + 1;
+    if (wrong[key] <= 2) console.error(`${key}: ${a} instead of ${b} in ${JSON.stringify(question)}`);
   });
 }
 
-/** Both brackets hold the least distance, so they overlap; both are as narrow as asked. */
-function judgeDistance(question, answer, expected, wrong) {
-  const isTouch = answer.distance_upper === 0 && expected.distance_upper === 0;
-  const slack = 1e-12 * size(question);
-  const overlap = Math.max(answer.distance, expected.distance) <= Math.min(answer.distance_upper, expected.distance_upper) + slack;
-  const isNarrow = answer.distance_upper - answer.distance <= question.tolerance * answer.distance_upper + slack;
-  if (!(isTouch || (overlap && isNarrow)) && answer.certain) wrong.distance = (wrong.distance ?? 0) + 1;
-}
-
-/** Solver and contacts of a hand are in double, and small differences grow on the way: the first step is compared. */
-function judgeHand(answer, expected, wrong) {
-  const isNear = answer[0].pose.every((x, i) => Math.abs(x - expected[0].pose[i]) < 1e-6);
-  if (!isNear || answer.length !== expected.length) wrong.hand = (wrong.hand ?? 0) + 1;
-}
-
-/** Compares the answers to all lines. Returns them, and how many numbers are rounded differently. */
+/** Asserts that the answers to all lines are those of the native library, bit for bit. Returns them. */
 async function compare(lines) {
   const answerer = new Answerer(await load());
   const expected = nativeAnswers(lines);
   const questions = lines.filter((line) => line.ask);
   const answers = lines.map((line) => answerer.answer(line)).filter((answer) => answer !== undefined);
   assert.equal(answers.length, expected.length);
-  const [roundings, wrong] = [{}, {}];
+  const wrong = {};
   answers.forEach((answer, i) => {
-    const { ask } = questions[i];
     if (answer.error) assert.ok(answer.error.endsWith(expected[i].error), `${answer.error}, not ${expected[i].error}`);
-    else if (ask === "least_distance") judgeDistance(questions[i], answer, expected[i], wrong);
-    else if (ask === "drag") judgeHand(answer, expected[i], wrong);
-    else judge(questions[i], answer, expected[i], roundings, wrong);
+    else judge(questions[i], answer, expected[i], wrong);
   });
-  assert.deepEqual(wrong, {});
-  return { answers, roundings };
+  assert.deepEqual(wrong, {}, "numbers of other bits");
+  return answers;
 }
 
 const share = (answers, test) => answers.filter(test).length / answers.length;
@@ -144,11 +106,9 @@ export function knownAnswers(folder) {
 const data = process.env.CHASLES_DATA_DIR;
 const hasData = data && existsSync(`${data}/screw-known-answers`);
 
-test("the known answers", { skip: skip || (!hasData && "skipped: no folder screw-known-answers of real inputs") }, async (t) => {
-  const { answers, roundings } = await compare(knownAnswers(data));
+test("the known answers", { skip: skip || (!hasData && "skipped: no folder screw-known-answers of real inputs") }, async () => {
+  const answers = await compare(knownAnswers(data));
   assert.equal(answers.length, 2036);
-  assert.deepEqual([roundings.tau, roundings.tau_upper], [undefined, undefined]); // the same bits
-  t.diagnostic(`${answers.length} answers; numbers that are rounded differently: ${JSON.stringify(roundings)}`);
 });
 
 const random = randomNumbers(22);
@@ -192,9 +152,9 @@ function question(count) {
 test("random questions about two bodies", { skip }, async (t) => {
   const shapes = bodies();
   const lines = [...shapes, ...Array.from({ length: queries }, () => question(shapes.length))];
-  const { answers, roundings } = await compare(lines);
+  const answers = await compare(lines);
   const shares = ["clear", "contact", "contact_at_start"].map((verdict) => share(answers, (a) => a.verdict === verdict));
-  t.diagnostic(`${queries} questions, seed 22: ${shares.map((s) => `${(100 * s).toFixed(1)} %`).join(", ")} clear, contact, at start; roundings: ${JSON.stringify(roundings)}`);
+  t.diagnostic(`${queries} questions, seed 22: ${shares.map((s) => `${(100 * s).toFixed(1)} %`).join(", ")} clear, contact, at start`);
   const hits = {
     refined: share(answers, (a) => a.work?.refined > 0),
     exact: share(answers, (a) => a.work?.exact > 0),
@@ -233,8 +193,8 @@ test("random paths, least distances, scenes, hands and refused questions", { ski
     const goals = Array.from({ length: 10 }, () => [...randomPose(random, 1).slice(0, 3), 1, random(), random(), random()]);
     lines.push({ ask: "drag", bodies: members, body: "hand", goals });
   }
-  const { answers, roundings } = await compare(lines);
-  t.diagnostic(`${answers.length} questions; roundings: ${JSON.stringify(roundings)}`);
+  const answers = await compare(lines);
+  t.diagnostic(`${answers.length} questions`);
   assert.ok(share(answers, (a) => a.error) > 0.2 && share(answers, (a) => a.segment > 0) > 0.02);
   assert.ok(share(answers, (a) => a.distance > 0) > 0.05 && share(answers, (a) => a.pair || a.events) > 0.1);
   assert.ok(answers.some((a) => Array.isArray(a) && a.some((step) => step.contacts.length > 0)));
