@@ -36,10 +36,10 @@ DoubleDouble sum_of(const DoubleDouble& great, const DoubleDouble& small) {
 
 /// a / b for the pairs of a numerator and a denominator.
 DoubleDouble quotient(const detail::WordPair<double>& a, const detail::WordPair<double>& b) {
-    const double high = a.high / b.high;
+    const double high = a.high / b.high, inverse = 1 / b.high;
     const auto product = detail::exact_product(high, b.high);
     const double rest = a.high - product.high - product.low + (a.low - high * b.low);
-    return DoubleDouble::exact_sum(high, rest / b.high);
+    return DoubleDouble::exact_sum(high, rest * inverse);
 }
 
 /// The arc tangent of y / x for 0 <= y <= x. Not a number if one of them is none, or both are infinite.
@@ -60,8 +60,9 @@ DoubleDouble arc_tangent_to_one(double y, double x) {
     const auto denominator = detail::ordered_sum(x, along.high);
     const DoubleDouble rest =
         quotient(detail::ordered_sum(y - across.high, -across.low), {denominator.high, denominator.low + along.low});
-    const double z = rest.high(), square = z * z;
-    const double odd = -1.0 / 3 + square * (1.0 / 5 + square * (-1.0 / 7 + square * (1.0 / 9 - square / 11)));
+    const double z = rest.high(), square = z * z, fourth = square * square;
+    const double odd =
+        (-1.0 / 3 + square * (1.0 / 5)) + fourth * ((-1.0 / 7 + square * (1.0 / 9)) - fourth * (1.0 / 11));
     return sum_of(arc_tangents()[i], DoubleDouble::exact_sum(z, rest.low() + z * (square * odd)));
 }
 

@@ -72,33 +72,44 @@ Multiple nearest_multiple(double angle) {
     return {shifted - whole, table()[std::bit_cast<std::uint64_t>(shifted) % steps_of_turn]};
 }
 
+using Pair = detail::WordPair<double>;
+
 /// An angle minus a multiple of a sixteenth of pi, which has four parts: the products of the first three with up to 20
 /// bits are exact.
-DoubleDouble rest_after(double steps, double angle) {
-    const auto first = detail::exact_sum(angle - steps * 0x1.921fb544p-3, -steps * 0x1.0b4611a6p-37);
-    const auto second = detail::exact_sum(first.high, -steps * 0x1.3198a2ep-72);
-    return DoubleDouble::exact_sum(second.high, second.low + first.low - steps * 0x1.b839a252049c1p-107);
+Pair rest_after(double steps, double angle) {
+    const Pair first = detail::exact_sum(angle - steps * 0x1.921fb544p-3, -steps * 0x1.0b4611a6p-37);
+    const Pair second = detail::exact_sum(first.high, -steps * 0x1.3198a2ep-72);
+    return {second.high, second.low + first.low - steps * 0x1.b839a252049c1p-107};
 }
 
-/// Sine and cosine of an angle in double, as pairs with relative errors below 2^-56.
-SineCosine<DoubleDouble> pairs(double angle) {
+/// S + C (x + sine_low) + S cosine_low for the values S and C of the table, without rounding the sum of both words.
+struct AdditionTheorem {
+    Pair x; ///< in halves: the product of the upper ones is exact
+    double sine_low;
+    double cosine_low;
+
+    [[nodiscard]] Pair operator()(const DoubleDouble& own, const DoubleDouble& other) const {
+        const Pair factor = detail::halves(other.high());
+        const Pair sum = detail::ordered_sum(own.high(), factor.high * x.high);
+        const double product_low = factor.high * x.low + (factor.low + other.low()) * (x.high + x.low);
+        const double curved = other.high() * sine_low + own.high() * cosine_low;
+        return {sum.high, sum.low + (own.low() + product_low) + curved};
+    }
+};
+
+/// Sine and cosine of an angle in double, as pairs with relative errors below 2^-55.
+SineCosine<Pair> pairs(double angle) {
     constexpr double largest = 0x1p17;
     if (std::abs(angle) > largest)
         return pairs(std::remainder(angle, 2 * std::numbers::pi));
     const auto& [steps, values] = nearest_multiple(angle);
-    const DoubleDouble rest = rest_after(steps, angle);
-    const double x = rest.high(), square = x * x;
-    const double odd =
-        -1.0 / 6 + square * (1.0 / 120 + square * (-1.0 / 5040 + square * (1.0 / 362880 - square / 39916800)));
-    const double even = -0.5 + square * (1.0 / 24 + square * (-1.0 / 720 + square * (1.0 / 40320 - square / 3628800)));
-    const double sine_low = rest.low() + x * (square * odd); // the sine is x + sine_low
-    const double cosine_low = square * even;                 // the cosine is 1 + cosine_low
-    const auto sum = [&](const DoubleDouble& own, const DoubleDouble& other) {
-        const auto product = detail::exact_product(other.high(), x);
-        const auto high = detail::ordered_sum(own.high(), product.high);
-        const double low = own.low() + other.low() * x + (other.high() * sine_low + own.high() * cosine_low);
-        return DoubleDouble::exact_sum(high.high, high.low + product.low + low);
-    };
+    const auto [x, low] = rest_after(steps, angle);
+    const double square = x * x, fourth = square * square; // terms in pairs, which do not wait for one another
+    const double odd = (-1.0 / 6 + square * (1.0 / 120)) +
+                       fourth * ((-1.0 / 5040 + square * (1.0 / 362880)) - fourth * (1.0 / 39916800));
+    const double even =
+        (-0.5 + square * (1.0 / 24)) + fourth * ((-1.0 / 720 + square * (1.0 / 40320)) - fourth * (1.0 / 3628800));
+    const AdditionTheorem sum{detail::halves(x), low + x * (square * odd), square * even};
     return {sum(values.sine, values.cosine), sum(values.cosine, -values.sine)};
 }
 
@@ -106,15 +117,15 @@ SineCosine<DoubleDouble> pairs(double angle) {
 
 SineCosine<double> sine_cosine(double angle) {
     const auto [sine, cosine] = pairs(angle);
-    return {sine.high(), cosine.high()};
+    return {sine.high + sine.low, cosine.high + cosine.low};
 }
 
 double tangent(double angle) {
     const auto [sine, cosine] = pairs(angle);
-    const double quotient = sine.high() / cosine.high();
-    const auto product = detail::exact_product(quotient, cosine.high());
-    const double rest = sine.high() - product.high - product.low + (sine.low() - quotient * cosine.low());
-    return quotient + rest / cosine.high();
+    const Pair a = detail::ordered_sum(sine.high, sine.low), b = detail::ordered_sum(cosine.high, cosine.low);
+    const double quotient = a.high / b.high;
+    const Pair product = detail::exact_product(quotient, b.high);
+    return quotient + (a.high - product.high - product.low + (a.low - quotient * b.low)) / b.high;
 }
 
 SineCosine<DoubleDouble> sine_cosine(const DoubleDouble& angle) {

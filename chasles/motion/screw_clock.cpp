@@ -27,14 +27,13 @@ double ScrewClock::tau_at(double time) const {
 }
 
 double ScrewClock::time_at(double tau) const {
-    const double tangent = turn_.half_tangent; // the same bits in both arc tangents: tau = 1 gives time 1
-    return turn_.angle < uniform_turn ? tau : algebra::arc_tangent(tau * tangent) / algebra::arc_tangent(tangent);
+    // Half the angle is the arc tangent of the tangent, bit for bit: tau = 1 gives time 1.
+    return turn_.angle < uniform_turn ? tau : algebra::arc_tangent(tau * turn_.half_tangent) / (turn_.angle / 2);
 }
 
 double ScrewClock::tau_rate(double tau) const {
     const double tangent = turn_.half_tangent;
-    return turn_.angle < uniform_turn ? 1
-                                      : algebra::arc_tangent(tangent) / tangent * (1 + tau * tau * tangent * tangent);
+    return turn_.angle < uniform_turn ? 1 : turn_.angle / 2 / tangent * (1 + tau * tau * tangent * tangent);
 }
 
 std::size_t ScrewClock::piece_count(double max_turn) const {

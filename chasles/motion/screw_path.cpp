@@ -6,6 +6,7 @@
 #include "chasles/motion/unit_quaternion.h"
 
 #include <cmath>
+#include <limits>
 
 namespace chasles::motion {
 
@@ -45,15 +46,19 @@ GeneralPose<Scalar> composed(const GeneralPose<Scalar>& outer, const GeneralPose
     return {rotation_matrix(outer.rotation) * inner.translation + outer.translation, outer.rotation * inner.rotation};
 }
 
-/// The arc tangent of sine and cosine is accurate for all angles, also next to 0 and to a half turn.
+/// At a half turn the cosine is 0, or negative by rounding, and the tangent may be no number.
 TurnAngle turn_angle(const Quaternion<Scalar>& turn) {
     const Scalar sine = length(turn.v);
-    return {2 * algebra::arc_tangent(sine.high(), turn.w.high()), (sine / turn.w).high()};
+    const double tangent = (sine / turn.w).high();
+    const bool is_finite = tangent >= 0 && tangent <= std::numeric_limits<double>::max();
+    const double half = is_finite ? algebra::arc_tangent(tangent) : algebra::arc_tangent(sine.high(), turn.w.high());
+    return {2 * half, tangent};
 }
 
 /// For a pure translation the direction is the direction of the displacement.
 ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>& goal, const Quaternion<Scalar>& turn)
-    : start_(start), turn_(normalized(turn)), half_sine_(length(turn_.v)) {
+    : start_(start), turn_(normalized(turn)), half_sine_(length(turn_.v)),
+      half_angle_(algebra::arc_tangent(half_sine_.high(), turn_.w.high())) {
     const Vector shift = goal.translation - start.translation;
     const bool turns = half_sine_.high() > 0;
     const Vector raw = turns ? turn_.v : shift;
@@ -66,8 +71,7 @@ ScrewPath::ScrewPath(const GeneralPose<Scalar>& start, const GeneralPose<Scalar>
 }
 
 Pose ScrewPath::at(const ScrewProgress& progress) const {
-    const double half = progress.turned * algebra::arc_tangent(half_sine_.high(), turn_.w.high());
-    const auto [half_sine, half_cosine] = algebra::sine_cosine(half);
+    const auto [half_sine, half_cosine] = algebra::sine_cosine(progress.turned * half_angle_);
     const Scalar sine(half_sine), cosine(half_cosine);
     const Quaternion<Scalar> turn{cosine, scale(direction_, sine)};
     // The swing of the body's origin, with k the direction and w and v the whole and the partial half angle:
@@ -87,7 +91,7 @@ Pose ScrewPath::at(const ScrewProgress& progress) const {
 
 ScrewNumbers ScrewPath::numbers() const {
     ScrewNumbers numbers;
-    numbers.angle = 2 * algebra::arc_tangent(half_sine_.high(), turn_.w.high());
+    numbers.angle = 2 * half_angle_;
     numbers.half_tangent = (half_sine_ / turn_.w).high();
     numbers.slide = dot(along_, direction_).high();
     numbers.axis_direction = rounded(direction_);

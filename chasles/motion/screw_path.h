@@ -42,7 +42,7 @@ GeneralPose<algebra::DoubleDouble> composed(const GeneralPose<algebra::DoubleDou
 /// The angle of the rotation from one pose to another.
 struct TurnAngle {
     double angle;        ///< in radians, in [0, pi]
-    double half_tangent; ///< huge or infinite at a half turn
+    double half_tangent; ///< huge or infinite at a half turn; before, its arc tangent is angle / 2, bit for bit
 };
 /// `turn` is turn_between two poses.
 TurnAngle turn_angle(const Quaternion<algebra::DoubleDouble>& turn);
@@ -83,6 +83,7 @@ private:
     GeneralPose<Scalar> start_;
     Quaternion<Scalar> turn_;   ///< of unit length
     Scalar half_sine_;          ///< sine of half the angle
+    double half_angle_;         ///< in radians
     Vector3<Scalar> direction_; ///< unit; along the displacement if the angle is 0; zero if the poses are equal
     Vector3<Scalar> along_;     ///< displacement of the body's origin along the axis
     Vector3<Scalar> across_;    ///< displacement of the body's origin perpendicular to the axis

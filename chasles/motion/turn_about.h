@@ -1,4 +1,4 @@
-// The rotation about an axis, with the same bits on every machine. Eigen's AngleAxis calls the C library.
+// The rotation about an axis, with the same bits on every machine. Eigen's own version calls the C library.
 #pragma once
 
 #include "chasles/algebra/sine_cosine.h"
