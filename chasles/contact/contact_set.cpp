@@ -1,5 +1,6 @@
 #include "chasles/contact/contact_set.h"
 
+#include "chasles/base/sort.h"
 #include "chasles/contact/flat_hull.h"
 #include "chasles/contact/near_pair.h"
 #include "chasles/mesh/adjacent_directions.h"
@@ -101,7 +102,7 @@ public:
     void keep(const FeaturePair& features) { named_.push_back(features); }
 
     std::vector<FeaturePair> take() {
-        std::ranges::sort(named_);
+        chasles::sort(named_);
         const auto repeated = std::ranges::unique(named_);
         named_.erase(repeated.begin(), repeated.end());
         return std::move(named_);

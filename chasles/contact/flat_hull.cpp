@@ -1,5 +1,7 @@
 #include "chasles/contact/flat_hull.h"
 
+#include "chasles/base/sort.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 
@@ -109,7 +111,7 @@ public:
     explicit ByNormal(const std::vector<Contact>& contacts) : contacts_(contacts) {
         for (std::size_t i = 0; i < contacts.size(); ++i)
             sorted_.emplace_back(key_of(contacts[i]), i);
-        std::ranges::sort(sorted_);
+        chasles::sort(sorted_);
     }
 
     /// Contacts that are not grouped yet and form one flat contact with this one, in ascending order.
@@ -121,7 +123,7 @@ public:
              at != sorted_.end() && at->first <= key + 2 * same_normal; ++at)
             if (!is_grouped[at->second] && are_flat(contacts_[first], contacts_[at->second], slack))
                 group.push_back(at->second);
-        std::ranges::sort(group);
+        chasles::sort(group);
         return group;
     }
 

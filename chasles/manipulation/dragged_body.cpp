@@ -1,6 +1,7 @@
 #include "chasles/manipulation/dragged_body.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/sort.h"
 #include "chasles/manipulation/hand_force.h"
 #include "chasles/manipulation/stride.h"
 #include "chasles/manipulation/surroundings.h"
@@ -95,7 +96,7 @@ void append_events(std::vector<DragEvent>& events, const std::vector<DragContact
                    const std::vector<DragContact>& others, bool begins) {
     std::vector<decltype(identity(others.front()))> known;
     std::ranges::transform(others, std::back_inserter(known), identity);
-    std::ranges::sort(known);
+    chasles::sort(known);
     for (const DragContact& contact : contacts)
         if (!std::ranges::binary_search(known, identity(contact)))
             events.push_back({begins, contact.body, contact.contact});
@@ -270,7 +271,7 @@ void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
             contacts.push_back(
                 {near.body, near.contact, force, options_.stiffness * pushed.friction.col(Eigen::Index(i))});
     }
-    std::ranges::sort(step.blocking);
+    chasles::sort(step.blocking);
     step.blocking.erase(std::unique(step.blocking.begin(), step.blocking.end()), step.blocking.end());
     append_events(step.events, contacts, contacts_, true);
     append_events(step.events, contacts_, contacts, false);

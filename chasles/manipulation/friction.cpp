@@ -1,5 +1,7 @@
 #include "chasles/manipulation/friction.h"
 
+#include "chasles/base/sort.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 
@@ -81,7 +83,7 @@ private:
             if (excess > scales_[i] * length)
                 left.emplace_back(-excess, i);
         }
-        std::ranges::sort(left);
+        chasles::sort(left);
         left.resize(std::min(left.size(), most_new_cuts));
         return left;
     }

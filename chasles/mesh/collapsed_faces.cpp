@@ -2,6 +2,8 @@
 // corners covers the pieces between them. CornerIds are compared exactly.
 #include "chasles/mesh/collapsed_faces.h"
 
+#include "chasles/base/sort.h"
+
 #include <algorithm>
 #include <array>
 #include <optional>
@@ -21,7 +23,7 @@ CornerIds corners_along_line(std::span<const std::uint32_t> outline, std::span<c
         const Eigen::Vector3d& point = vertices[corner];
         return std::tuple(point.x(), point.y(), point.z());
     };
-    std::ranges::sort(corners, {}, place);
+    chasles::sort(corners, {}, place);
     corners.erase(std::ranges::unique(corners).begin(), corners.end());
     return corners;
 }
@@ -32,7 +34,7 @@ public:
     EdgesOnLine(const MeshEdges& edges, const CornerIds& corners) : edges_(edges), corners_(corners) {
         for (std::uint32_t place = 0; place < corners.size(); ++place)
             places_.emplace_back(corners[place], place);
-        std::ranges::sort(places_);
+        chasles::sort(places_);
     }
 
     /// For each corner: the last corner that an edge from a corner up to this one reaches.

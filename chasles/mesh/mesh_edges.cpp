@@ -2,6 +2,8 @@
 // This takes linear time for meshes of bounded valence.
 #include "chasles/mesh/mesh_edges.h"
 
+#include "chasles/base/sort.h"
+
 #include <algorithm>
 #include <numeric>
 
@@ -97,7 +99,7 @@ MeshEdges collect_edges(const FlatLists<std::uint32_t>& outlines, std::size_t ve
     for (std::uint32_t from = 0; from < vertex_count; ++from) {
         const std::span<Side> bucket(sides.items.data() + sides.offsets[from],
                                      sides.items.data() + sides.offsets[from + 1]);
-        std::ranges::sort(bucket, [](const Side& a, const Side& b) {
+        chasles::sort(bucket, [](const Side& a, const Side& b) {
             return a.to != b.to ? a.to < b.to : a.corner < b.corner; // corners ascend with faces
         });
         for (std::size_t begin = 0, end = 0; begin < bucket.size(); begin = end) {

@@ -1,6 +1,7 @@
 #include "chasles/mesh/normal_cones.h"
 
 #include "chasles/algebra/arc_tangent.h"
+#include "chasles/base/sort.h"
 #include "chasles/mesh/adjacent_directions.h"
 #include "chasles/mesh/face_normal.h"
 
@@ -43,7 +44,7 @@ Ways unit_ways(ForEachWay for_each_way) {
 
 /// The greatest angle between consecutive directions of the plane.
 double greatest_gap(std::vector<double> angles) {
-    std::ranges::sort(angles);
+    chasles::sort(angles);
     double gap = angles.front() + 2 * std::numbers::pi - angles.back();
     for (std::size_t i = 1; i < angles.size(); ++i)
         gap = std::max(gap, angles[i] - angles[i - 1]);

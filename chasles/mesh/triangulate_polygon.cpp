@@ -4,6 +4,7 @@
 // nothing else. The choice of the ears therefore needs no proof, and an invalid outline is always refused.
 #include "chasles/mesh/triangulate_polygon.h"
 
+#include "chasles/base/sort.h"
 #include "chasles/mesh/exact_orientation.h"
 
 #include <algorithm>
@@ -196,7 +197,7 @@ bool any_overlap(std::span<const Point> points, std::span<const std::uint32_t> c
     triangles.reserve(corners.size() / 3);
     for (std::size_t i = 0; i < corners.size(); i += 3)
         triangles.emplace_back(points[corners[i]], points[corners[i + 1]], points[corners[i + 2]]);
-    std::ranges::sort(triangles, {}, [](const Triangle& triangle) { return triangle.lower.x(); });
+    chasles::sort(triangles, {}, [](const Triangle& triangle) { return triangle.lower.x(); });
     for (std::size_t i = 0; i < triangles.size(); ++i)
         for (std::size_t j = i + 1; j < triangles.size() && triangles[j].lower.x() < triangles[i].upper.x(); ++j)
             if (overlap(triangles[i], triangles[j]))

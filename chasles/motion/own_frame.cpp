@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
+#include "chasles/base/sort.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
@@ -56,7 +57,7 @@ private:
     [[nodiscard]] double checked_way() const {
         std::vector<double> cuts = given_.knots;
         cuts.push_back(1);
-        std::ranges::sort(cuts);
+        chasles::sort(cuts);
         double way = 0, from = 0;
         for (const double cut : cuts) {
             way += checked_bounds(given_, from, cut).speed * (cut - from);

@@ -3,6 +3,7 @@
 #include "chasles/motion/smooth_trajectory.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/sort.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
@@ -141,7 +142,7 @@ void Sections::make() const {
     frame_->add_cuts(cuts);
     std::erase_if(cuts, [](double cut) { return !(0 < cut && cut < 1); });
     cuts.push_back(1);
-    std::ranges::sort(cuts);
+    chasles::sort(cuts);
     sections_.clear(); // the first try may have ended in an error
     Bracket times{0, 0};
     PartEnds<double> poses{{}, frame_->at(0)};

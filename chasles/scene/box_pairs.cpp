@@ -1,6 +1,7 @@
 #include "chasles/scene/box_pairs.h"
 
 #include "chasles/base/parallel_for.h"
+#include "chasles/base/sort.h"
 
 #include <algorithm>
 
@@ -160,7 +161,7 @@ std::vector<std::uint32_t> BoxTree::overlapping(const Box& box) const {
             if (overlap(items_[place].box, box))
                 found.push_back(items_[place].index);
     }
-    std::ranges::sort(found);
+    chasles::sort(found);
     return found;
 }
 

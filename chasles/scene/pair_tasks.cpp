@@ -1,6 +1,7 @@
 #include "chasles/scene/pair_tasks.h"
 
 #include "chasles/base/parallel_for.h"
+#include "chasles/base/sort.h"
 #include "chasles/scene/pair_question.h"
 
 #include <algorithm>
@@ -51,7 +52,7 @@ std::vector<PairTask> near_pairs(const Scene& scene, const SceneQuery& query, co
 std::vector<PairTask> pair_tasks(const Scene& scene, const SceneQuery& query) {
     const std::vector<SweptBody> bodies = swept_bodies(scene, query);
     std::vector<PairTask> tasks = near_pairs(scene, query, bodies, BoxTree(bodies));
-    std::ranges::sort(tasks, [&](const PairTask& a, const PairTask& b) { // names are compared only if they count
+    chasles::sort(tasks, [&](const PairTask& a, const PairTask& b) { // names are compared only if they count
         return a.earliest != b.earliest ? a.earliest < b.earliest : names_of(scene, a.pair) < names_of(scene, b.pair);
     });
     return tasks;

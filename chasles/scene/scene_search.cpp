@@ -2,6 +2,7 @@
 // rounds whose sizes are fixed, and what one pair is asked depends on earlier rounds only. Source:
 // docs/derivations/27-scenes.md, "Order".
 #include "chasles/base/parallel_for.h"
+#include "chasles/base/sort.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/scene/pair_question.h"
 #include "chasles/scene/pair_tasks.h"
@@ -111,7 +112,7 @@ std::vector<SceneContact> SceneSearch::sorted(std::vector<SceneContact> contacts
     };
     std::vector<std::size_t> order(contacts.size());
     std::iota(order.begin(), order.end(), std::size_t{0});
-    std::ranges::sort(order, {}, key);
+    chasles::sort(order, {}, key);
     std::vector<SceneContact> sorted;
     for (const std::size_t i : order)
         sorted.push_back(std::move(contacts[i]));

@@ -3,6 +3,7 @@
 #include "chasles/scene/stepper.h"
 
 #include "chasles/base/parallel_for.h"
+#include "chasles/base/sort.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/scene/pair_question.h"
 #include "chasles/scene/pair_tasks.h"
@@ -187,7 +188,7 @@ void Stepper::Implementation::foresee_neighbours(std::uint32_t index) {
 }
 
 void Stepper::Implementation::foresee_changes() {
-    std::ranges::sort(changed_);
+    chasles::sort(changed_);
     changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
     for (const std::uint32_t index : changed_)
         foresee_neighbours(index);
@@ -234,7 +235,7 @@ std::vector<IndexPair> Stepper::Implementation::take_first_contacts() {
 }
 
 void Stepper::Implementation::sort_by_names(std::vector<IndexPair>& pairs) const {
-    std::ranges::sort(pairs, {}, [&](const IndexPair& pair) { return scene::names_of(scene_, pair); });
+    chasles::sort(pairs, {}, [&](const IndexPair& pair) { return scene::names_of(scene_, pair); });
 }
 
 /// All contacts within the reach, now.

@@ -1,6 +1,8 @@
 // The boxes of a body at both ends of an interval, widened by how far its points leave their chords.
 #include "chasles/scene/swept_body.h"
 
+#include "chasles/base/sort.h"
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -58,7 +60,7 @@ std::vector<double> sections_of(const motion::MovingFrame& frame, double until) 
     std::erase_if(cuts, [&](double cut) { return !(0 < cut && cut < until); });
     cuts.push_back(0);
     cuts.push_back(until);
-    std::ranges::sort(cuts);
+    chasles::sort(cuts);
     return cuts;
 }
 

@@ -1,6 +1,7 @@
 #include "chasles/search/near_features.h"
 
 #include "chasles/algebra/arc_tangent.h"
+#include "chasles/base/sort.h"
 #include "chasles/contact/near_pair.h"
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_planes.h"
@@ -193,7 +194,7 @@ NearFeatures search_nearer(PieceContext& context, const ContactScene& scene, dou
 NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     NearFeatures near = search_once(context, scene, tau, search);
     if (search.neighbours) // the order does not tell whether there was a list
-        std::ranges::sort(near.pairs);
+        chasles::sort(near.pairs);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)
         return search_nearer(context, scene, tau, search, near);

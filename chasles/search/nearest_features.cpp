@@ -120,8 +120,10 @@ private:
             for (std::uint32_t j = 0; j < b.count; ++j)
                 if (!windows[2 * i + j].is_empty())
                     stack_.push_back(boxes_.placed(a.first + i, b.first + j));
-        std::ranges::sort(stack_.begin() + std::ptrdiff_t(before), stack_.end(), std::greater(),
-                          &NodesAtRest::distance);
+        const auto first = stack_.begin() + std::ptrdiff_t(before);
+        for (auto next = first; next != stack_.end(); ++next) // insertion: at most four, and the same order everywhere
+            std::rotate(std::ranges::upper_bound(first, next, next->distance, std::greater(), &NodesAtRest::distance),
+                        next, next + 1);
     }
 
     void test(const TwoFaces& faces) {
