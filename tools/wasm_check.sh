@@ -26,4 +26,4 @@ npm install --no-save --ignore-scripts --prefer-offline --no-audit --no-fund --l
 node node_modules/typescript/bin/tsc
 export CHASLES_NATIVE_ANSWERS="${native:-}" CHASLES_DATA_DIR="${CHASLES_DATA_DIR:-}"
 node --expose-gc --test --test-reporter=spec \
-    package.test.mjs native.test.mjs readme.test.mjs
+    package.test.mjs hands.test.mjs native.test.mjs readme.test.mjs
