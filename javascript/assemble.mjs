@@ -34,10 +34,9 @@ const workerInText = {
   name: "worker in text",
   setup(step) {
     step.onLoad({ filter: /new_worker\.js$/ }, async () => ({
-      contents: `const script = ${JSON.stringify(await bundled("worker.js", { format: "esm" }))};
+      contents: `const script = ${JSON.stringify(await bundled("worker.js", { format: "iife" }))};
         let address;
-        export const newWorker = () =>
-          new Worker((address ??= URL.createObjectURL(new Blob([script], { type: "text/javascript" }))), { type: "module" });`,
+        export const newWorker = () => new Worker((address ??= URL.createObjectURL(new Blob([script], { type: "text/javascript" }))));`,
     }));
   },
 };
