@@ -35,6 +35,23 @@ HandRecording::HandRecording(const Scene& scene, const std::string& title) : sce
     keep();
 }
 
+void HandRecording::keep_contacts(const std::string& dragged, const DragStep& step) {
+    const double time = double(record_.times.size());
+    const std::size_t moving = scene_.index_of(dragged);
+    for (const DragEvent& event : step.events) {
+        if (!event.begins)
+            continue;
+        auto& kept = record_.contacts;
+        const auto same = std::ranges::find_if(kept, [&](const view::RecordedContact& contact) {
+            return contact.time == time && contact.moving == moving && contact.fixed == event.body;
+        });
+        if (same == kept.end())
+            kept.push_back({.time = time, .time_upper = time, .moving = moving, .fixed = event.body, .contacts = {event.contact}});
+        else
+            same->contacts.push_back(event.contact);
+    }
+}
+
 void HandRecording::keep() {
     record_.times.push_back(double(record_.times.size()));
     for (std::size_t i = 0; i < record_.bodies.size(); ++i) {
