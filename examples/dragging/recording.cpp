@@ -46,7 +46,8 @@ void HandRecording::keep_contacts(const std::string& dragged, const DragStep& st
             return contact.time == time && contact.moving == moving && contact.fixed == event.body;
         });
         if (same == kept.end())
-            kept.push_back({.time = time, .time_upper = time, .moving = moving, .fixed = event.body, .contacts = {event.contact}});
+            kept.push_back(
+                {.time = time, .time_upper = time, .moving = moving, .fixed = event.body, .contacts = {event.contact}});
         else
             same->contacts.push_back(event.contact);
     }
