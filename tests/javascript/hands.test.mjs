@@ -2,7 +2,8 @@
 import assert from "node:assert/strict";
 import { test } from "node:test";
 import { InvalidInput, load } from "chasles";
-import { box, randomNumbers, randomPose } from "./shapes.mjs";
+import { nativeAnswers, skip } from "./native.mjs";
+import { box, potato, randomNumbers, randomPose } from "./shapes.mjs";
 
 const chasles = await load();
 const margin = 1e-4;
@@ -127,6 +128,33 @@ test("mass says how hard turning is against shifting", () => {
       near(angleOf(times(4, () => hand.update([2, 2 + t, 0])).pose), lower, 1e-6, inertia);
     }
   }
+});
+
+test("random hands with friction and locks go as the native ones do", { skip }, (t) => {
+  const shapes = [box(), potato(random, 3, 6), box(0.5, 1, 2)];
+  const bodies = shapes.map(({ vertices, faces }) => chasles.polyhedron(vertices, faces));
+  const kinds = ["free", "hinge", "slider", "cylinder", "plane"];
+  const questions = Array.from({ length: 150 }, (_, i) => {
+    const kind = kinds[i % kinds.length];
+    const lock = { kind, direction: randomPose(random, 1).slice(0, 3), point: randomPose(random, 2).slice(0, 3) };
+    const walls = [1, 2].map((shape) => ({ name: `wall ${shape}`, shape, pose: randomPose(random, 1.5), motion: "velocity" }));
+    const hand = { name: "hand", shape: 0, pose: [0, 0, 4], motion: "velocity" };
+    const goal = [...randomPose(random, 1).slice(0, 3), 1, random(), random(), random()];
+    return { ask: "drag", bodies: [hand, ...walls], body: "hand", goals: [goal], friction: random(), ...(kind === "free" ? {} : { lock }) };
+  });
+  const expected = nativeAnswers([...shapes, ...questions]);
+  let [touching, same] = [0, 0];
+  questions.forEach(({ bodies: members, goals, friction, lock }, i) => {
+    const scene = chasles.scene();
+    for (const { name, shape, pose } of members) scene.add(name, bodies[shape], { pose });
+    const step = chasles.draggedBody(scene, "hand", { friction, lock }).update(goals[0]);
+    const off = Math.max(...step.pose.map((part, k) => Math.abs(part - expected[i][0].pose[k])));
+    near(off, 0, 0.1 * 3.5e-4, `hand ${i}`); // it rests where a step is a small share of the margin, on either side
+    same += off < 1e-9 ? 1 : 0;
+    touching += step.contacts.some(({ friction }) => Math.hypot(...friction) > 0) ? 1 : 0;
+  });
+  t.diagnostic(`${touching} of ${questions.length} hands have friction, and ${same} end within 1e-9 of the native ones, seed 11`);
+  assert.ok(touching > 30 && same > 0.7 * questions.length, `${touching}, ${same}`);
 });
 
 test("wrong options are refused in the words of the library", () => {
