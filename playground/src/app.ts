@@ -34,6 +34,7 @@ export class App implements Shown {
   readonly prover = new Prover();
   private own: OwnFile[] = [];
   private lastStep?: Step;
+  private opening: Promise<unknown> = Promise.resolve();
 
   async start(): Promise<void> {
     for (const { id, title } of readyScenes) byId("scene").append(new Option(title, id));
@@ -69,7 +70,13 @@ export class App implements Shown {
   }
 
   /** Opens a scene; says so if that is not possible, and leaves the scene before. A part of the same scene is shown from the same side. */
-  async open(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false): Promise<boolean> {
+  open(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false): Promise<boolean> {
+    const opened = this.opening.then(() => this.openNext(scene, start, pose, isSame)); // one after another
+    this.opening = opened.catch(() => false);
+    return opened;
+  }
+
+  private async openNext(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false): Promise<boolean> {
     this.stopProof();
     const { isLoose } = this.hand;
     try {
@@ -171,6 +178,7 @@ export class App implements Shown {
 
   /** What the pointer is on goes into the hand: a link of an arm with its joint. */
   private async chooseBody(name: string): Promise<boolean> {
+    await this.opening;
     const { arm, spec } = this.hand.scene;
     return name === spec.moving || !arm || this.chooseJoint(arm.joints.findIndex(({ link }) => link === name));
   }

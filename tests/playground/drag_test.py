@@ -253,6 +253,30 @@ class RobotArm(PlaygroundTest):
         self.wait_until("playground.app.present.arm.values[2].slide === 0")
         self.assert_near(self.values(), start)
 
+    def test_hasty_hands_leave_a_whole_arm(self) -> None:
+        """Links that are grabbed before the one before them is in the hand."""
+        self.open("#robot")
+        places = [self.on_part(point) for point in (ON_QUILL, ON_FOREARM)] + [(330, 190)]
+        for i in range(12):
+            x, y = places[i % 3]
+            self.mouse("mousePressed", x, y)
+            self.mouse("mouseMoved", x + 5, y - 5)
+            if i % 4 == 0:
+                self.press("j")
+            self.mouse("mouseReleased", x + 5, y - 5)
+        self.evaluate("playground.app.opening.then(() => playground.atRest())")
+        self.wait_until("playground.app.hand.grip === undefined")
+        self.assertEqual(self.evaluate("playground.app.hand.opened.moving.name"), self.evaluate("playground.app.hand.scene.spec.moving"))
+        at = "(({turn, slide}) => [turn, slide])(playground.app.present.arm.values[playground.app.present.arm.active])"
+        pose, lock = self.pose(), self.evaluate("playground.app.hand.scene.spec.lock.point")
+        here = self.evaluate("playground.app.hand.scene.spec.start")
+        back = [lock[0] - here[0], lock[1] - here[1], 0]
+        turn = 2 * math.atan2(here[6], here[3])
+        point = [back[0] * math.cos(turn) + back[1] * math.sin(turn), back[1] * math.cos(turn) - back[0] * math.sin(turn), 0]
+        self.assert_near(carried(pose, point)[:2], lock[:2])
+        self.assertTrue(all(math.isfinite(value) for value in self.evaluate(at)))
+        self.assertEqual(self.text("#trouble-text"), "")
+
     def test_the_quill_fits_into_the_ring_which_then_holds_the_arm(self) -> None:
         self.open(joints_above(*RING))
         self.assert_near(carried(self.pose(), WRIST), [*RING, 240])
