@@ -12,6 +12,8 @@ namespace chasles::examples {
 
 namespace {
 
+constexpr std::size_t most_contacts = 24; // of a pair at a time: a nut has hundreds
+
 view::PoseRow row_of(const Pose& pose, const view::PoseRow* last) {
     const Eigen::Quaterniond turn(pose.rotation);
     const Eigen::Vector3d& place = pose.translation;
@@ -48,7 +50,7 @@ void HandRecording::keep_contacts(const std::string& dragged, const DragStep& st
         if (same == kept.end())
             kept.push_back(
                 {.time = time, .time_upper = time, .moving = moving, .fixed = event.body, .contacts = {event.contact}});
-        else
+        else if (same->contacts.size() < most_contacts)
             same->contacts.push_back(event.contact);
     }
 }
