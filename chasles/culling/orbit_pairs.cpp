@@ -185,13 +185,9 @@ void OrbitTraversal::visit(const Pair& pair) {
         found_.push_back({a.first, b.first, window(a, b)});
         return;
     }
-    if (b.is_leaf || (!a.is_leaf && size(a) >= size(b))) {
-        stack_.push_back({a.first, pair.fixed});
-        stack_.push_back({a.first + 1, pair.fixed});
-    } else {
-        stack_.push_back({pair.moving, b.first});
-        stack_.push_back({pair.moving, b.first + 1});
-    }
+    const bool splits_moving = b.is_leaf || (!a.is_leaf && size(a) >= size(b));
+    for (const std::uint32_t child : {0U, 1U})
+        stack_.push_back(splits_moving ? Pair{a.first + child, pair.fixed} : Pair{pair.moving, b.first + child});
 }
 
 bool OrbitTraversal::run_round(int round) {

@@ -248,10 +248,9 @@ void OrbitTree::Builder::close(std::size_t index) {
     node.inward = std::max(left.inward, right.inward);
     node.rising = std::max(left.rising, right.rising);
     node.around = std::max(left.around, right.around);
-    std::vector<OrbitPoint> hull;
-    for (const OrbitNode* child : {&left, &right})
-        for (const OrbitPoint& corner : tree_.corners(*child))
-            hull.push_back(corner);
+    const auto more = tree_.corners(right);
+    std::vector<OrbitPoint> hull(tree_.corners(left).begin(), tree_.corners(left).end());
+    hull.insert(hull.end(), more.begin(), more.end());
     take_hull(hull);
     finish(node, hull);
     add_corners(node, hull);

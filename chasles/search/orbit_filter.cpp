@@ -61,6 +61,13 @@ void OrbitFilter::add_cost(const PieceContext& context, const Work& work) {
     dearest_ = std::max(dearest_, cost);
 }
 
+/// It does not pay.
+void OrbitFilter::give_up() {
+    trees_.reset();
+    cost_ = 0;
+    cost_to_pay_ *= patience;
+}
+
 void OrbitFilter::make_trees() {
     if (!trees_)
         trees_ = Trees{{moving_, axis_->moving, axis_->pitch}, {fixed_, axis_->fixed, axis_->pitch}};
@@ -77,11 +84,8 @@ std::optional<std::vector<culling::NodePair>> OrbitFilter::pairs(const PieceCont
     make_trees();
     auto found = culling::orbit_pairs(trees_->moving, trees_->fixed, *way, std::size_t(share_to_test * dearest_),
                                       work.node_pairs);
-    if (!found) { // it does not pay
-        trees_.reset();
-        cost_ = 0;
-        cost_to_pay_ *= patience;
-    }
+    if (!found)
+        give_up();
     return found;
 }
 

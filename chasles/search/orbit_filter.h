@@ -35,6 +35,7 @@ private:
     [[nodiscard]] std::optional<culling::OrbitWay> way_of(const motion::Orbit& orbit, double margin) const;
 
     void make_trees();
+    void give_up();
 
     const Body& moving_;
     const Body& fixed_;
