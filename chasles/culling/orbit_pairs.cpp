@@ -1,5 +1,7 @@
 #include "chasles/culling/orbit_pairs.h"
 
+#include "chasles/motion/screw_path.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -17,41 +19,28 @@ constexpr double rounding = 0x1p-44;
 /// The angle between two points at least `nearest` from the axis is below this share of distance over radius.
 constexpr double turn_of_distance = 1.6;
 
-Vector3<double> vector(const Eigen::Vector3d& v) {
-    return {v.x(), v.y(), v.z()};
-}
-
-/// A bound of the distance between the places of a point of the ball.
-double distance(const motion::MatrixPose& a, const motion::MatrixPose& b, const motion::Ball& ball) {
-    const Vector3<double> centre = vector(ball.centre);
-    double squares = 0;
-    for (int i = 0; i < 3; ++i) {
-        const Vector3<double> row = a.rotation.row[i] - b.rotation.row[i];
-        squares += dot(row, row);
-    }
-    return length(a(centre) - b(centre)) + std::sqrt(squares) * ball.radius;
-}
-
-/// Where trees' moving frame stands when it is turned and raised over the fixed one.
+/// Where the trees' moving body stands when it is turned about the axis and raised along it.
 motion::MatrixPose placed(const motion::Orbit& trees, double turn, double height) {
-    motion::Orbit turned = trees;
     const motion::AxisFrame& fixed = trees.fixed;
-    turned.fixed.origin = fixed.origin + scale(fixed.along, height);
-    turned.fixed.across = scale(fixed.across, std::cos(turn)) + scale(fixed.beside, std::sin(turn));
-    turned.fixed.beside = scale(fixed.beside, std::cos(turn)) - scale(fixed.across, std::sin(turn));
-    return start_of(turned);
+    const Vector3<double> across = scale(fixed.across, std::cos(turn)) + scale(fixed.beside, std::sin(turn));
+    const Vector3<double> beside = scale(fixed.beside, std::cos(turn)) - scale(fixed.across, std::sin(turn));
+    const algebra::Matrix3<double> out = algebra::Matrix3<double>{{across, beside, fixed.along}}.transposed();
+    const motion::AxisFrame& moving = trees.moving;
+    const algebra::Matrix3<double> rotation =
+        out * algebra::Matrix3<double>{{moving.across, moving.beside, moving.along}};
+    return {rotation, fixed.origin + scale(fixed.along, height) - rotation * moving.origin};
 }
 
 /// How far any place of the moving body is from the point of the axis, at most.
 double extent(const motion::Orbit& orbit, const motion::Ball& moving) {
-    const Vector3<double> centre = start_of(orbit)(vector(moving.centre));
+    const Vector3<double> centre = orbit.start(motion::vector_in<double>(moving.centre));
     return length(centre - orbit.fixed.origin) + moving.radius + std::abs(orbit.pitch) * orbit.turn;
 }
 
 /// All lengths that enter the coordinates.
 double lengths(const motion::Orbit& orbit, const motion::Ball& moving) {
-    return extent(orbit, moving) + length(orbit.fixed.origin) + length(orbit.moving.origin) +
-           length(vector(moving.centre)) + 2 * pi * std::abs(orbit.pitch);
+    return extent(orbit, moving) + length(orbit.fixed.origin) + length(orbit.moving.origin) + moving.centre.norm() +
+           2 * pi * std::abs(orbit.pitch);
 }
 
 double size(const OrbitNode& node) {
@@ -86,21 +75,20 @@ private:
         std::uint32_t moving;
         std::uint32_t fixed;
     };
-    /// What the moving tree adds to the turns and rises of its points, relative to the turns of the fixed tree in one
-    /// of its rounds.
+    /// What is added to the turns and rises of the moving tree. One round is a whole turn of the fixed tree.
     struct Round {
         double first_turn;
         double last_turn;
         double rise;
     };
 
-    bool run_round(int round);
-    void visit(const Pair& pair);
     struct View {
         const OrbitNode& node;
         std::span<const OrbitPoint> corners;
     };
 
+    bool run_round(int round);
+    void visit(const Pair& pair);
     [[nodiscard]] bool are_apart(const OrbitNode& a, const OrbitNode& b) const;
     /// Two intervals with a gap of more than `reach` between them.
     static bool are_apart(double first_a, double last_a, double first_b, double last_b, double reach) {
@@ -222,16 +210,16 @@ bool OrbitTraversal::run() {
 OrbitWay way_along(const motion::Orbit& orbit, const motion::Orbit& of_trees, const motion::Ball& moving,
                    double margin) {
     const motion::AxisFrame& fixed = of_trees.fixed;
-    const motion::MatrixPose start = start_of(orbit);
-    const Vector3<double> across = start.rotation * of_trees.moving.across;
-    const double height = dot(start(of_trees.moving.origin) - fixed.origin, fixed.along);
+    const Vector3<double> across = orbit.start.rotation * of_trees.moving.across;
+    const double height = dot(orbit.start(of_trees.moving.origin) - fixed.origin, fixed.along);
     OrbitWay way;
     way.first_turn = std::atan2(dot(across, fixed.beside), dot(across, fixed.across));
     way.turn = is_against(orbit, of_trees) ? -orbit.turn : orbit.turn;
     way.pitch = of_trees.pitch;
     way.rise = height - way.pitch * way.first_turn;
     way.unevenness = orbit.unevenness;
-    const double apart = distance(start, placed(of_trees, way.first_turn, height), moving);
+    const double apart = distance(orbit.start, placed(of_trees, way.first_turn, height),
+                                  motion::vector_in<double>(moving.centre), moving.radius);
     way.reach = margin + orbit.deviation + apart + drift(orbit, of_trees, moving) +
                 rounding * (lengths(orbit, moving) + lengths(of_trees, moving) + std::abs(height));
     return way;

@@ -22,10 +22,13 @@ double cross(const OrbitPoint& a, const OrbitPoint& b, const OrbitPoint& c) {
     return (b.radius - a.radius) * (c.rise - a.rise) - (b.rise - a.rise) * (c.radius - a.radius);
 }
 
-/// How far b is from the line through a and c.
-double height_over(const OrbitPoint& a, const OrbitPoint& b, const OrbitPoint& c) {
-    const double base = std::hypot(c.radius - a.radius, c.rise - a.rise);
-    return base > 0 ? std::abs(cross(a, b, c)) / base : std::hypot(b.radius - a.radius, b.rise - a.rise);
+/// The distance of b from the line between a and c.
+double distance_from(const OrbitPoint& a, const OrbitPoint& b, const OrbitPoint& c) {
+    const Eigen::Vector2d line(c.radius - a.radius, c.rise - a.rise);
+    const Eigen::Vector2d arm(b.radius - a.radius, b.rise - a.rise);
+    const double square = line.squaredNorm();
+    const double share = square > 0 ? std::clamp(arm.dot(line) / square, 0.0, 1.0) : 0;
+    return (arm - share * line).norm();
 }
 
 /// Replaces points by the corners of their convex hull, counter-clockwise.
@@ -49,7 +52,8 @@ void take_hull(std::vector<OrbitPoint>& points) {
     points = std::move(hull);
 }
 
-/// Leaves out the corners that matter least. Returns a bound of the distance of what is lost.
+/// Leaves out the corners that matter least. Returns a bound of the distance from the rest of what is lost: the part
+/// that a corner makes with its neighbours is nowhere farther from the line between them than the corner.
 double simplify(std::vector<OrbitPoint>& hull, std::size_t most) {
     double lost = 0;
     while (hull.size() > most) {
@@ -57,8 +61,9 @@ double simplify(std::vector<OrbitPoint>& hull, std::size_t most) {
         std::size_t flattest = 0;
         double least = std::numeric_limits<double>::infinity();
         for (std::size_t i = 0; i < n; ++i)
-            if (const double height = height_over(hull[(i + n - 1) % n], hull[i], hull[(i + 1) % n]); height < least) {
-                least = height;
+            if (const double lost_here = distance_from(hull[(i + n - 1) % n], hull[i], hull[(i + 1) % n]);
+                lost_here < least) {
+                least = lost_here;
                 flattest = i;
             }
         hull.erase(hull.begin() + static_cast<std::ptrdiff_t>(flattest));

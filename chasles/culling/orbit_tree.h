@@ -1,5 +1,5 @@
-// The faces of one body as a helical motion sees them: by their distance from the axis and by the height at which their
-// helix starts. Both stay as they are during the motion. Source: docs/derivations/32-orbits.md.
+// The faces of one body in coordinates that a helical motion leaves as they are: the distance from the axis, and the
+// height less pitch times turn. Source: docs/derivations/32-orbits.md.
 #pragma once
 
 #include "chasles/mesh/body.h"

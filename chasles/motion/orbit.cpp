@@ -1,5 +1,7 @@
 #include "chasles/motion/orbit.h"
 
+#include "chasles/motion/screw_path.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,16 +10,6 @@ namespace chasles::motion {
 namespace {
 
 constexpr double least_turn = 0x1p-10;
-
-/// Any unit vector at right angles to a unit vector.
-Vector3<double> some_across(const Vector3<double>& along) {
-    const int shortest = std::abs(along.x) <= std::abs(along.y) ? (std::abs(along.x) <= std::abs(along.z) ? 0 : 2)
-                                                                : (std::abs(along.y) <= std::abs(along.z) ? 1 : 2);
-    Vector3<double> unit{};
-    unit[shortest] = 1;
-    const Vector3<double> across = cross(along, unit);
-    return scale(across, 1 / length(across));
-}
 
 /// A bound of |tau - phi / turn|: d phi / d tau = 2 |a| / |q|^2, and both are equal at both ends.
 double unevenness(double end_cosine, double tangent, double turn) {
@@ -29,7 +21,7 @@ double unevenness(double end_cosine, double tangent, double turn) {
     return std::max(2 * tangent / (turn * least) - 1, 1 - 2 * tangent / (turn * most)) / 2;
 }
 
-/// The frame as a body sees it that is placed so.
+/// The frame in the coordinates of a body that stands at the place.
 AxisFrame seen_from(const MatrixPose& place, const AxisFrame& frame) {
     const Matrix3<double> back = place.rotation.transposed();
     return {back * (frame.origin - place.translation), back * frame.across, back * frame.beside, back * frame.along};
@@ -51,20 +43,13 @@ std::optional<Orbit> orbit_of(const RationalMotion<algebra::DoubleDouble>& motio
     orbit.deviation = length(m.displacement - scale(along, slide)) + orbit.unevenness * std::abs(slide);
     if (!(orbit.deviation <= most_deviation))
         return std::nullopt;
-    const Vector3<double> across = some_across(along);
+    const Vector3<double> across = vector_in<double>(Eigen::Vector3d(along.x, along.y, along.z).unitOrthogonal());
+    orbit.start = {m.orientation, m.origin};
     orbit.fixed = {m.origin + scale(cross(m.axis, m.moment), 1 / square), across, cross(along, across), along};
-    orbit.moving = seen_from({m.orientation, m.origin}, orbit.fixed);
+    orbit.moving = seen_from(orbit.start, orbit.fixed);
     orbit.pitch = slide / turn;
     orbit.turn = turn;
     return orbit;
-}
-
-MatrixPose start_of(const Orbit& orbit) {
-    const auto columns = [](const AxisFrame& frame) {
-        return Matrix3<double>{{frame.across, frame.beside, frame.along}}.transposed();
-    };
-    const Matrix3<double> rotation = columns(orbit.fixed) * columns(orbit.moving).transposed();
-    return {rotation, orbit.fixed.origin - rotation * orbit.moving.origin};
 }
 
 } // namespace chasles::motion

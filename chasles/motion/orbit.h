@@ -21,6 +21,7 @@ struct AxisFrame {
 /// A helical motion, with the distance of a cubic motion from it. At the turn `phi` the frame of the moving body is at
 /// the turn phi about the axis, and at the height `pitch` phi along it, relative to the frame of the fixed body.
 struct Orbit {
+    MatrixPose start; ///< of the moving body in the frame of the fixed body
     AxisFrame moving;
     AxisFrame fixed;
     double pitch = 0;      ///< length per radian
@@ -32,8 +33,5 @@ struct Orbit {
 /// The orbit of a cubic motion, in double. Empty if it turns by less than a thousandth of a radian or slides across its
 /// axis by more than `most_deviation`.
 std::optional<Orbit> orbit_of(const RationalMotion<algebra::DoubleDouble>& motion, double most_deviation);
-
-/// Where the frame of the moving body places a point at the start of an orbit's motion.
-MatrixPose start_of(const Orbit& orbit);
 
 } // namespace chasles::motion

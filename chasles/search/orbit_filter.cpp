@@ -12,8 +12,7 @@ namespace {
 constexpr double cost_of_face = 128;
 /// How much dearer the next trees are after some that did not help.
 constexpr double patience = 4;
-/// The pairs of orbit nodes that may be tested, as a share of the node pairs of the dearest search. One costs about
-/// three.
+/// The pairs of orbit nodes that may be tested, as a share of the cost of the dearest search. One costs about three.
 constexpr double share_to_test = 0.25;
 
 // In pairs of nodes.

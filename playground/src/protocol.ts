@@ -1,4 +1,4 @@
-// What the page and its workers say to each other. The library runs in the workers only.
+// The messages between the page and its workers. The library runs in the workers only.
 import type { Pose } from "./poses";
 
 /** A body of a scene: a shape that the page brings along, or the content of a file. */
