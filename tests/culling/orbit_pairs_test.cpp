@@ -167,6 +167,50 @@ TEST(OrbitPairs, ReachAsFarAsTheAxesAreApart) {
     EXPECT_GT(near, 30);
 }
 
+/// The trees of a body that starts elsewhere on the same axis: likewise.
+TEST(OrbitPairs, ReachAsFarAsTheBodiesAreApartAtTheStart) {
+    const Rings rings;
+    const Pose start = test::turned({1.3, 0, 0}, Vector3d::UnitX(), 1.5);
+    std::mt19937 random(14);
+    int near = 0;
+    for (int i = 0; i < 10; ++i) {
+        const Pose screw = test::random_pose(random, 0.3, 1);
+        const auto piece_from = [&](const Pose& from) {
+            const Motion way = ScrewMotion::between(from, test::composed(screw, from), std::numbers::pi);
+            return way.trajectory().pieces()->at(0);
+        };
+        Pose shifted = start;
+        shifted.translation += test::random_vector(random, 1).normalized() * 0.05;
+        const Trees trees(motion::orbit_of(piece_from(shifted)->cubic(), 1).value(), rings.moving, rings.fixed);
+        const auto piece = piece_from(start);
+        const auto orbit = motion::orbit_of(piece->cubic(), 1);
+        near += expect_what_is_near(rings, *piece, pairs_of(trees, *orbit, rings.moving, rings.fixed, 0), 1e-12);
+    }
+    EXPECT_GT(near, 30);
+}
+
+/// In the plane x = 1 the image of a slender rectangle is an arc, off the line between its ends towards the axis and
+/// downwards.
+TEST(OrbitPairs, HoldWhatIsBetweenTheCornersOfAPolygon) {
+    const auto slender = [](double from, double to) {
+        const double height = 1e-5;
+        const std::vector<Vector3d> corners{{1, from, 0}, {1, to, 0}, {1, to, height}, {1, from, height}};
+        return Polyhedron::from_polygons(corners, std::vector<std::vector<std::uint32_t>>{{0, 1, 2, 3}});
+    };
+    const Polyhedron rectangle = slender(0.45, 0.55);
+    const Polyhedron middle = slender(0.49999, 0.50001);
+    for (const double pitch : {-1.0, 0.0, 1.0}) {
+        const motion::AxisFrame axis{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+        const motion::Orbit orbit{.start = {algebra::identity_matrix<double>(), {}},
+                                  .moving = axis,
+                                  .fixed = axis,
+                                  .pitch = pitch,
+                                  .turn = 0.001};
+        EXPECT_EQ(pairs_of(Trees(orbit, rectangle, middle), orbit, rectangle, middle, 0).size(), 1U) << pitch;
+        EXPECT_EQ(pairs_of(Trees(orbit, middle, rectangle), orbit, middle, rectangle, 0).size(), 1U) << pitch;
+    }
+}
+
 TEST(OrbitPairs, HardlyAnythingOfANutMeetsItsBoltOnTheThread) {
     const scenes::ThreadedFastener fastener;
     const Polyhedron nut = scenes::nut(fastener);
