@@ -62,6 +62,7 @@ int main(int count, char** arguments) {
         turned += std::abs(chasles::examples::turns_about_z(before, step.pose));
         pieces += step.pieces.size();
         in_contact += !step.contacts.empty();
+        recording.keep_contacts("key", step);
         recording.keep();
     }
     const bool is_out = hand.pose().translation.x() >= outside;

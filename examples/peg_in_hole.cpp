@@ -54,6 +54,7 @@ int main(int count, char** arguments) {
         const chasles::DragStep step = hand.update(upright(place));
         pieces += step.pieces.size();
         in_contact += !step.contacts.empty();
+        recording.keep_contacts("peg", step);
         recording.keep();
     };
     const auto height = [&] { return hand.pose().translation.z(); };

@@ -98,6 +98,7 @@ int main(int count, char** arguments) {
                 hand.update(hand_at(way[i - 1], way[i], double(k) / way[i].updates, updates));
             in_contact += !step.contacts.empty();
             pieces += step.pieces.size();
+            recording.keep_contacts("piano", step);
             recording.keep();
             // the mover waits for the piano
             k += step.distance < patience ? 1 : 0;

@@ -49,6 +49,7 @@ int main(int count, char** arguments) {
             turns_on_thread = turns;
             rise_on_thread = step.pose.translation.z() - start_height;
         }
+        recording.keep_contacts("nut", step);
         recording.keep();
     }
     std::printf("%zu proven pieces: the nut has turned %.2f times and risen %.2f mm on the thread, %.2f mm a turn\n",

@@ -106,6 +106,8 @@ int main(int count, char** arguments) {
             const double inertia = 0.5 * second.pitch_radius() * second.pitch_radius();
             const DragStep give = driven.turn_to(angle_of(driven.body.pose()) + torque / inertia);
             pieces += push.pieces.size() + give.pieces.size();
+            recording.keep_contacts("first gear", push);
+            recording.keep_contacts("second gear", give);
         }
         recording.keep();
     }

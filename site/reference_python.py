@@ -29,7 +29,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
     ),
     "least-distance": ("The least distance", ["least_distance", "LeastDistance"]),
     "scenes": ("Scenes", ["Scene", "SceneContact", "Stepper", "StepEvent", "CollisionManager"]),
-    "dragged-bodies": ("Dragged bodies", ["DraggedBody", "DragStep", "DragContact", "DragEvent", "DragLock"]),
+    "dragged-bodies": ("Dragged bodies", ["DraggedBody", "DragStep", "DragContact", "DragEvent", "DragLock", "MassProperties"]),
     "robots": (
         "Robots",
         ["Robot", "JointPath", "RobotContact", "RobotClearance", "RobotChecker", "PairProof", "first_contacts_on_edges",

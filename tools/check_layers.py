@@ -34,11 +34,13 @@ MAY_INCLUDE = {
     "cli": ["base", "io", "robot", "scenes", "view"],
     "python": ["base", "motion", "io", "view"],
     "javascript": ["base", "motion", "io", "view"],
+    "playground": ["examples", "scenes"],
     "ompl": [],
 }
-FACES = ["scenes", "view", "cli", "python", "javascript", "ompl"]  # beside chasles/, not in it; they may include the public headers
+# Beside chasles/, not in it; they may include the public headers.
+FACES = ["scenes", "view", "cli", "python", "javascript", "playground", "ompl"]
 SURFACE = "chasles/chasles.h"
-MAY_INCLUDE_SURFACE = ["scenes", "view", "cli", "python", "javascript", "tests", "bench", "examples"]
+MAY_INCLUDE_SURFACE = ["scenes", "view", "cli", "python", "javascript", "playground", "tests", "bench", "examples"]
 FREE = ["tests", "bench"]  # may include any layer, but by the same names
 
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

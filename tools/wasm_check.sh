@@ -1,14 +1,17 @@
 #!/bin/sh
 # Packs the npm package, installs it into an empty project, and runs its tests there.
 #
-#   wasm_check.sh PACKAGE [NATIVE_ANSWERS]    PACKAGE: the folder that the preset `wasm` assembles
+#   wasm_check.sh PACKAGE [NATIVE_ANSWERS]    PACKAGE: the folder that the preset `wasm` assembles; beside it lies page/, which
+#                                             holds the packages of the viewer, with esbuild
 #
 # NATIVE_ANSWERS is the program of that name: without it, the comparison with the native library is skipped. So are the known
 # answers without CHASLES_DATA_DIR, which is ../shared/data or shared/data where that is there.
 set -eu
 package=$(cd "$1" && pwd)
+bundler=$package/../page
 native=${2:+$(cd "$(dirname "$2")" && pwd)/$(basename "$2")}
 cd "$(dirname "$0")/.."
+tests=$PWD/tests/javascript
 
 for candidate in shared/data ../shared/data ../../shared/data; do
     [ -n "${CHASLES_DATA_DIR:-}" ] || [ ! -e "$candidate/README.md" ] || CHASLES_DATA_DIR=$(cd "$candidate" && pwd)
@@ -26,4 +29,9 @@ npm install --no-save --ignore-scripts --prefer-offline --no-audit --no-fund --l
 node node_modules/typescript/bin/tsc
 export CHASLES_NATIVE_ANSWERS="${native:-}" CHASLES_DATA_DIR="${CHASLES_DATA_DIR:-}"
 node --expose-gc --test --test-reporter=spec \
-    package.test.mjs native.test.mjs readme.test.mjs
+    package.test.mjs hands.test.mjs native.test.mjs readme.test.mjs
+
+chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
+status=0
+python3 "$tests/browser_test.py" . "$bundler" "$chromium" || status=$?
+[ "$status" -eq 0 ] || [ "$status" -eq 77 ] || exit "$status"

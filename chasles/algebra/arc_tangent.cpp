@@ -1,5 +1,5 @@
 // Turns the direction back by an angle of a table to within 1/32 of the axis, then sums the Taylor series.
-// Source: docs/derivations/32-angles-in-double.md.
+// Source: docs/derivations/33-angles-in-double.md.
 #include "chasles/algebra/arc_tangent.h"
 
 #include <array>

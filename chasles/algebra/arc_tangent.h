@@ -1,5 +1,5 @@
 // Arc tangent and arc sine in double and in double-double, with the same bits on every machine.
-// Source: docs/derivations/32-angles-in-double.md.
+// Source: docs/derivations/33-angles-in-double.md.
 #pragma once
 
 #include "chasles/algebra/sine_cosine.h"

@@ -1,5 +1,5 @@
 // Reduces the angle to a thirty-second of pi about zero by a table, then sums the Taylor series.
-// Sources: docs/derivations/25-even-motions.md, "Sine and cosine"; docs/derivations/32-angles-in-double.md.
+// Sources: docs/derivations/25-even-motions.md, "Sine and cosine"; docs/derivations/33-angles-in-double.md.
 #include "chasles/algebra/sine_cosine.h"
 
 #include <array>

@@ -1,5 +1,5 @@
 // Sine, cosine and tangent in double and in double-double, with the same bits on every machine.
-// Source: docs/derivations/25-even-motions.md and docs/derivations/32-angles-in-double.md.
+// Source: docs/derivations/25-even-motions.md and docs/derivations/33-angles-in-double.md.
 #pragma once
 
 #include "chasles/algebra/double_double.h"

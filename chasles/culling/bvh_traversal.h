@@ -49,6 +49,18 @@ public:
     /// followed by its earlier half, then by its later half.
     std::uint64_t run(TimeRange range = {}) {
         queue_.push({0, 0, {}}); // both roots
+        return run_queue(range);
+    }
+
+    /// Likewise for these pairs and what is below them, with their windows of `range`.
+    std::uint64_t run_among(std::span<const NodePair> pairs, TimeRange range) {
+        for (const NodePair& pair : pairs)
+            queue_.push(pair);
+        return run_queue(range);
+    }
+
+private:
+    std::uint64_t run_queue(TimeRange range) {
         do {
             const TimeInterval interval = times_.interval(range);
             std::vector<NodePair> deferred;
@@ -60,7 +72,6 @@ public:
         return node_pairs_;
     }
 
-private:
     /// The interval of a pair is halved if the chord deviation exceeds this fraction of the box size plus this fraction
     /// of the margin. Measured with peers_bench: 0.05 of the size doubles the time for large rotations of large meshes
     /// and saves a tenth for short motions. Measured with margin_bench at a margin of a tenth of the body: without the

@@ -34,7 +34,8 @@ Lock::Lock(const DragLock& lock, const Pose& start) : kind_(lock.kind), point_(l
         throw InvalidInput("drag: lock: the kind is unknown");
     if (!is_free() && !(lock.direction.allFinite() && lock.direction.cwiseAbs().maxCoeff() > 0))
         throw InvalidInput("drag: lock: the direction must be finite and not zero");
-    if (has_line() && !(lock.point.cwiseAbs().maxCoeff() <= Pose::largest_length))
+    // the greatest of numbers with a NaN among them is any of them
+    if (has_line() && !(lock.point.allFinite() && lock.point.cwiseAbs().maxCoeff() <= Pose::largest_length))
         throw InvalidInput("drag: lock: the point must be finite, and no component beyond 1e30");
     if (!is_free())
         direction_ = lock.direction.stableNormalized();

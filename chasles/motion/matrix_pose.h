@@ -15,4 +15,16 @@ struct MatrixPose {
     }
 };
 
+/// A bound of the distance between the places of any point of a ball. The Frobenius norm of the difference of two
+/// rotations is sqrt(2) times its spectral norm. Source: docs/derivations/31-neighbour-lists.md.
+inline double distance(const MatrixPose& a, const MatrixPose& b, const algebra::Vector3<double>& centre,
+                       double radius) {
+    double squares = 0;
+    for (int i = 0; i < 3; ++i) {
+        const algebra::Vector3<double> row = a.rotation.row[i] - b.rotation.row[i];
+        squares += dot(row, row);
+    }
+    return length(a(centre) - b(centre)) + std::sqrt(squares / 2) * radius;
+}
+
 } // namespace chasles::motion

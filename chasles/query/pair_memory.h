@@ -1,5 +1,5 @@
 // What questions about the same two bodies keep for the next ones. Questions about a body that slides come at nearly
-// the same place each time. Source: docs/derivations/31-neighbour-lists.md.
+// the same place each time. Source: docs/derivations/31-neighbour-lists.md and 32-orbits.md.
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -10,11 +10,12 @@ namespace chasles {
 
 namespace search {
 class NeighbourList;
-}
+class OrbitFilter;
+} // namespace search
 
 /// The memory of two bodies, for one thread at a time. It changes the time that the next answers take, and no verdict.
 /// Brackets of time may differ within their tolerance, and contacts may come in another order. It helps questions with
-/// a margin.
+/// a margin, and screws about one axis.
 ///
 ///     PairMemory memory(nut, bolt);
 ///     for (...)
@@ -32,11 +33,13 @@ public:
 
     /// Internal.
     [[nodiscard]] search::NeighbourList& neighbours() { return *neighbours_; }
+    [[nodiscard]] search::OrbitFilter& orbits() { return *orbits_; }
 
 private:
     Polyhedron moving_;
     Polyhedron fixed_;
     std::unique_ptr<search::NeighbourList> neighbours_;
+    std::unique_ptr<search::OrbitFilter> orbits_;
 };
 
 } // namespace chasles

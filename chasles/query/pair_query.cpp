@@ -57,7 +57,10 @@ double tau_after(const motion::AnyPiece& piece, double time) {
 class PieceByPiece {
 public:
     explicit PieceByPiece(const PairQuery& query)
-        : query_(query), options_(query.options), pieces_(query.trajectory.pieces()) {}
+        : query_(query), options_(query.options), pieces_(query.trajectory.pieces()), orbits_(query.orbits) {
+        if (!orbits_ && pieces_->size() > 1)
+            orbits_ = &own_orbits_.emplace(query.moving, query.fixed);
+    }
 
     FirstContact run_within(double margin);
     FirstContact run_holding();
@@ -84,6 +87,7 @@ private:
         search.finds_any = options_.find == Find::any;
         search.margin = margin;
         search.neighbours = query_.neighbours;
+        search.orbits = orbits_;
         return search;
     }
     [[nodiscard]] double resting_slack(const PieceContext& piece) const;
@@ -92,6 +96,8 @@ private:
     const PairQuery& query_;
     const QueryOptions& options_;
     std::unique_ptr<const motion::AnyPieces> pieces_;
+    std::optional<search::OrbitFilter> own_orbits_;
+    search::OrbitFilter* orbits_;
 };
 
 FirstContact PieceByPiece::run_within(double margin) {
@@ -233,7 +239,7 @@ void check_options(const QueryOptions& options) {
 }
 
 FirstContact answer(const PairQuery& query) {
-    const auto& [moving, fixed, trajectory, options, until, neighbours] = query;
+    const auto& [moving, fixed, trajectory, options, until, neighbours, orbits] = query;
     if (culling::are_far_apart(moving, fixed, trajectory, options.margin) ||
         culling::are_clearly_apart(moving, fixed, trajectory, options.margin)) {
         FirstContact clear;

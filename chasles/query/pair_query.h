@@ -8,7 +8,8 @@
 
 namespace chasles::search {
 class NeighbourList;
-}
+class OrbitFilter;
+} // namespace chasles::search
 
 namespace chasles::query {
 
@@ -20,6 +21,7 @@ struct PairQuery {
     const QueryOptions& options;
     double until = 1; ///< time in [0, 1]: contacts that begin later need not be found. Without effect with `hold`
     search::NeighbourList* neighbours = nullptr; ///< of both bodies: saves time where questions follow each other
+    search::OrbitFilter* orbits = nullptr;       ///< likewise, where they turn about one axis
 };
 
 /// Likewise for the least distance.

@@ -2,6 +2,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/search/orbit_filter.h"
 
 namespace chasles {
 
@@ -11,10 +12,11 @@ PathContact first_contact_on_path(const PathQuery& query) {
     query::check_options(query.options);
     PathContact result;
     Work work;
+    search::OrbitFilter orbits(query.moving.body(), query.fixed.body());
     for (std::size_t segment = 0; segment < query.motions.size(); ++segment) {
         result.segment = segment;
-        result.contact = query::answer(
-            {query.moving.body(), query.fixed.body(), query.motions[segment].trajectory(), query.options});
+        result.contact = query::answer({query.moving.body(), query.fixed.body(), query.motions[segment].trajectory(),
+                                        query.options, 1, nullptr, &orbits});
         work += result.contact.work;
         if (query.progress)
             query.progress(segment + 1);

@@ -97,14 +97,7 @@ double NeighbourList::travel(const MatrixPose& from, const Way& way) const {
 /// A bound for the distance of the two places of any point of the moving body. The spectral norm of the difference of
 /// two rotations is its Frobenius norm over the square root of two.
 double NeighbourList::distance(const MatrixPose& from, const MatrixPose& to) const {
-    const Eigen::Vector3d& middle = moving_.bvh().centre();
-    const Vector3<double> centre{middle.x(), middle.y(), middle.z()};
-    double squares = 0;
-    for (int i = 0; i < 3; ++i) {
-        const Vector3<double> row = to.rotation.row[i] - from.rotation.row[i];
-        squares += dot(row, row);
-    }
-    return length(to(centre) - from(centre)) + std::sqrt(squares / 2) * moving_.bvh().radius();
+    return motion::distance(from, to, motion::vector_in<double>(moving_.bvh().centre()), moving_.bvh().radius());
 }
 
 /// Whether all that may come within the margin on this way is listed. Makes a new list if that pays.

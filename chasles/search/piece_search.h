@@ -7,6 +7,7 @@
 #include "chasles/search/find.h"
 #include "chasles/search/held_contacts.h"
 #include "chasles/search/neighbour_list.h"
+#include "chasles/search/orbit_filter.h"
 #include "chasles/search/piece_context.h"
 
 namespace chasles::search {
@@ -24,6 +25,7 @@ struct SearchOptions {
                                          ///< distance that fall to the margin; null: every contact is new
     NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
                                          ///< a margin only
+    OrbitFilter* orbits = nullptr;       ///< likewise, where they turn about one axis
 };
 
 /// The answer for one piece.

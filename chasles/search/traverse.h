@@ -8,13 +8,19 @@ namespace chasles::search {
 
 template <class Stages>
 PieceResult traverse(PieceContext& context, const SearchOptions& options) {
+    Work work;
+    const bool is_whole = options.from == 0;
+    const auto pairs = options.orbits && is_whole ? options.orbits->pairs(context, options.margin, work) : std::nullopt;
     LeafSearch<Stages> leaves(context, options);
     const culling::TimeTree times = context.time_tree(options.margin, leaves.parts());
     culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, options.margin,
                                     !options.finds_any, leaves);
-    const std::uint64_t node_pairs = traversal.run({options.from, 1});
+    const culling::TimeRange range{options.from, 1};
+    work.node_pairs += pairs ? traversal.run_among(*pairs, range) : traversal.run(range);
     PieceResult result = leaves.take();
-    result.work.node_pairs += node_pairs;
+    result.work += work;
+    if (options.orbits && !pairs)
+        options.orbits->add_cost(context, result.work);
     return result;
 }
 

@@ -12,6 +12,8 @@ namespace chasles::examples {
 
 namespace {
 
+constexpr std::size_t most_contacts = 24; // of a pair at a time: a nut has hundreds
+
 view::PoseRow row_of(const Pose& pose, const view::PoseRow* last) {
     const Eigen::Quaterniond turn(pose.rotation);
     const Eigen::Vector3d& place = pose.translation;
@@ -33,6 +35,24 @@ HandRecording::HandRecording(const Scene& scene, const std::string& title) : sce
     for (const SceneBody& body : scene.bodies())
         record_.bodies.push_back({body.name, body.shape, {}});
     keep();
+}
+
+void HandRecording::keep_contacts(const std::string& dragged, const DragStep& step) {
+    const double time = double(record_.times.size());
+    const std::size_t moving = scene_.index_of(dragged);
+    for (const DragEvent& event : step.events) {
+        if (!event.begins)
+            continue;
+        auto& kept = record_.contacts;
+        const auto same = std::ranges::find_if(kept, [&](const view::RecordedContact& contact) {
+            return contact.time == time && contact.moving == moving && contact.fixed == event.body;
+        });
+        if (same == kept.end())
+            kept.push_back(
+                {.time = time, .time_upper = time, .moving = moving, .fixed = event.body, .contacts = {event.contact}});
+        else if (same->contacts.size() < most_contacts)
+            same->contacts.push_back(event.contact);
+    }
 }
 
 void HandRecording::keep() {

@@ -7,12 +7,14 @@
 
 namespace chasles::examples {
 
-/// Keeps the poses of all bodies of a scene after each update.
+/// Keeps the poses of all bodies of a scene after each update, and the contacts that begin.
 class HandRecording {
 public:
     /// The scene must outlive it, and is to have all its bodies.
     HandRecording(const Scene& scene, const std::string& title);
 
+    /// What a dragged body has begun to touch; shown with the poses that are kept next.
+    void keep_contacts(const std::string& dragged, const DragStep& step);
     /// The poses now: where the motions of the bodies end.
     void keep();
 

@@ -157,7 +157,7 @@ export function dragStep(reader, names) {
   return {
     pose: reader.pose(),
     state: dragStates[reader.number()],
-    contacts: reader.list(() => ({ body: name(), force: reader.number(), ...contact(reader) })),
+    contacts: reader.list(() => ({ body: name(), force: reader.number(), friction: reader.point(), ...contact(reader) })),
     events: reader.list(() => ({ body: name(), begins: reader.flag(), ...contact(reader) })),
     wrench: reader.some(6),
     distance: reader.number(),

@@ -68,6 +68,13 @@ export class Chasles {
     return leastDistance(this.#ask("least_distance"));
   }
 
+  /** Where the moving body is at a time in [0, 1]. */
+  poseAt(start, goal, time, options = {}) {
+    checkOptions(options, [...motionOptions, ...fixedOptions]);
+    this.#border.giveNumbers([number(time, "time"), ...motion(start, goal, options)]);
+    return Array.from(this.#border.ask("pose_at"));
+  }
+
   /** One answer a motion, in order. */
   firstContactBatch(moving, fixed, starts, goals, options = {}) {
     checkBatch(starts, goals);

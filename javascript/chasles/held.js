@@ -34,7 +34,7 @@ export class Held {
     return held.#border;
   }
   static handle(held, border, type, name) {
-    if (!(held instanceof type)) throw new InvalidInput(`${name}: is no ${type.name}`);
+    if (!(held instanceof type)) throw new InvalidInput(`${name}: is no ${type.title}`);
     if (held.#handle === 0) throw new InvalidInput(`${name}: has been freed`);
     if (held.#border !== border) throw new InvalidInput(`${name}: belongs to another instance`);
     return held.#handle;

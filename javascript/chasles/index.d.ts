@@ -1,4 +1,5 @@
-// The types of the package `chasles`, and of `chasles/inline`, which has the same names.
+// The types of the package `chasles`, of `chasles/inline`, and of the global `chasles` of script.js, which have the same names.
+export as namespace chasles;
 
 /** Numbers of a point, of a direction, or of other coordinates. */
 export type Numbers = readonly number[] | Float64Array | Float32Array;
@@ -178,13 +179,21 @@ export declare class Polyhedron extends Held {
   readonly sourceFaces: Uint32Array;
 }
 
+/** How a body of a scene moves: from a pose to a goal, or along several poses. Without a goal it stands still. */
 export interface BodyMotion {
   pose?: Pose;
   goal?: Pose;
-  motion?: "velocity" | "twist";
+  /**
+   * "velocity" by default. It and "twist" are even from pose to pose. "spline": the body's origin follows the natural cubic
+   * spline through all poses, with slerp from turn to turn. "b_spline": smooth in velocity and acceleration, near its poses
+   * but not through them.
+   */
+  motion?: "velocity" | "twist" | "spline" | "b_spline";
+  /** The body point that "velocity" carries along a line; the body's origin by default. */
   centre?: Numbers;
-  /** A track: poses with times from 0 to 1, instead of pose and goal. */
+  /** Two or more poses, instead of pose and goal. */
   poses?: readonly Pose[];
+  /** One for each pose, ascending from 0 to 1; a "b_spline" has none. */
   times?: Numbers;
 }
 
@@ -221,6 +230,10 @@ export declare class Scene extends Held {
   add(name: string, shape: Polyhedron, options?: BodyMotion & { group?: string }): string;
   remove(name: string): void;
   move(name: string, options?: BodyMotion): void;
+  /** All bodies at once, in the order of `names`. If an argument is refused, nothing has moved. */
+  moveAll(starts: readonly Pose[], goals: readonly Pose[], options?: { motion?: "velocity" | "twist" }): void;
+  /** Where a body is at a time in [0, 1]. */
+  poseAt(name: string, time: number): PoseNumbers;
   ignore(a: string, b: string): void;
   ignoreGroups(a: string, b: string): void;
   setMargin(a: string, b: string, margin: number): void;
@@ -242,16 +255,44 @@ export interface DragOptions {
   stiffness?: number;
   /** Certified steps of one update at most. */
   rounds?: number;
+  /** Of Coulomb: the greatest friction force of a contact, as a share of its normal force. The body rests where friction can hold it. */
+  friction?: number;
+  /** How hard turning is against shifting; by default that of the solid box around the body. */
+  mass?: MassProperties;
+  /** The body moves only as the lock lets it. */
+  lock?: DragLock;
 }
+
+/** The mass of a body, as a share of its whole mass. */
+export interface MassProperties {
+  /** Of mass, in the body's frame, mesh unit; the body's origin by default. */
+  centre?: Numbers;
+  /** Moments about the centre in the body's frame, per mass: 9 numbers or 3 rows, symmetric and positive definite. */
+  inertia: Numbers | readonly Numbers[];
+}
+
+/** How a dragged body may move, in the world, from where it is when the dragging begins. */
+export interface DragLock {
+  /** To turn about a line; to slide along a direction; both; to slide in a plane and to turn about its normal. */
+  kind: "free" | "hinge" | "slider" | "cylinder" | "plane";
+  /** Of the line, or the normal of the plane; 0 0 1 by default. */
+  direction?: Numbers;
+  /** On the line of a hinge or a cylinder; 0 0 0 by default. */
+  point?: Numbers;
+}
+
+/** A force, and a torque about the body's origin, in the world. */
+export type Wrench = [number, number, number, number, number, number];
 
 export interface DragStep {
   /** The pose reached. */
   pose: PoseNumbers;
   state: "reached" | "resting" | "moving" | "touching";
-  contacts: (Contact & { body: string; force: number })[];
+  /** With the force along the normal, and the friction force across it, both on the dragged body. */
+  contacts: (Contact & { body: string; force: number; friction: Point })[];
   events: (Contact & { body: string; begins: boolean })[];
-  /** Force and torque about the body's origin, in the world, with which the contacts push the hand. */
-  wrench: [number, number, number, number, number, number];
+  /** What the contacts push the hand with. What a lock takes is not a part of it. */
+  wrench: Wrench;
   /** Of the goal, mesh unit. */
   distance: number;
   blocking: string[];
@@ -271,6 +312,8 @@ export declare class DraggedBody extends Held {
   readonly reach: number;
   /** Goes towards the goal. No round begins after so many seconds; 0: no bound. */
   update(goal: Pose, seconds?: number): DragStep;
+  /** What the contacts would push the hand with at another goal, from where the last update ended. No geometry is computed. */
+  force(goal: Pose): Wrench;
 }
 
 /** What a BufferGeometry of three.js has, and this package needs. */
@@ -319,6 +362,8 @@ export declare class Chasles {
   ): PathContact;
   /** How near do two bodies come, when, and where? */
   leastDistance(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: LeastDistanceOptions): LeastDistance;
+  /** Where the moving body is at a time in [0, 1] of the motion that the questions are asked about. */
+  poseAt(start: Pose, goal: Pose, time: number, options?: MotionOptions & FixedOptions): PoseNumbers;
   /** One answer a motion, in order. */
   firstContactBatch(
     moving: Polyhedron, fixed: Polyhedron, starts: readonly Pose[], goals: readonly Pose[], options?: FirstContactOptions,

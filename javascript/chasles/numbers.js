@@ -9,8 +9,8 @@ export const motionOptions = ["motion", "centre", "maxTurn"];
 export const fixedOptions = ["fixedStart", "fixedGoal", "fixedCentre"];
 
 /** Options are an object without other keys than these. */
-export function checkOptions(options, known) {
-  if (options === null || typeof options !== "object") throw new InvalidInput("options: must be an object");
+export function checkOptions(options, known, name = "options") {
+  if (options === null || typeof options !== "object") throw new InvalidInput(`${name}: must be an object`);
   for (const key of Object.keys(options))
     if (!known.includes(key)) throw new InvalidInput(`${key}: is no option here; there are ${known.join(", ")}`);
 }
@@ -65,6 +65,8 @@ export function poses(list, name) {
 /** A flag, and the value behind it if there is one. */
 const optional = (value, encoded) => (value === undefined || value === null ? [0] : [1, ...encoded(value)]);
 
+const optionalPoint = (value, name) => optional(value, (point) => counted(point, name));
+
 function oneOf(names, value, name) {
   const index = names.indexOf(value);
   if (index < 0) throw new InvalidInput(`${name}: ${shown(value)}: must be ${quoted(names)}`);
@@ -78,7 +80,7 @@ export function rule({ motion, centre, maxTurn }, byDefault = "screw") {
   return [
     oneOf(kinds, motion ?? byDefault, "motion"),
     ...optional(maxTurn, (turn) => [number(turn, "maxTurn")]),
-    ...optional(centre, (point) => counted(point, "centre")),
+    ...optionalPoint(centre, "centre"),
   ];
 }
 
@@ -107,30 +109,90 @@ export function motion(start, goal, options) {
         1,
         ...pose(options.fixedStart, "fixedStart"),
         ...pose(options.fixedGoal, "fixedGoal"),
-        ...optional(options.fixedCentre, (point) => counted(point, "fixedCentre")),
+        ...optionalPoint(options.fixedCentre, "fixedCentre"),
       ];
   return [...rule(options), ...pose(start, "start"), ...pose(goal, "goal"), ...fixed];
+}
+
+const worldForms = { poses: 0, track: 1, spline: 2, b_spline: 3 };
+
+/** How a body of a scene goes from pose to pose. */
+export function worldRule(kind, centre) {
+  if (kind === "screw" || kind === "sweep")
+    throw new InvalidInput(
+      `motion: ${kind} is the motion of one body as seen from another one; a scene takes velocity and twist`,
+    );
+  return rule({ motion: kind, centre });
 }
 
 /** The motion of a body in a scene. */
 export function worldMotion(options) {
   const kind = options.motion ?? "velocity";
-  if (kind === "screw" || kind === "sweep")
-    throw new InvalidInput(
-      `motion: ${kind} is the motion of one body as seen from another one; a scene takes velocity and twist`,
-    );
-  const head = rule({ motion: kind, centre: options.centre });
-  if (options.poses === undefined) {
-    if (options.times !== undefined) throw new InvalidInput("times: are for poses, and there are none");
-    const start = pose(options.pose ?? [0, 0, 0], "pose");
-    return [...head, 0, ...start, ...optional(options.goal, (goal) => pose(goal, "goal"))];
-  }
-  if (options.pose !== undefined || options.goal !== undefined)
-    throw new InvalidInput("poses: stand instead of pose and goal");
-  const [count, ...times] = counted(options.times, "times");
+  if (kind === "spline" || kind === "b_spline") return splineMotion(kind, options);
+  const head = worldRule(kind, options.centre);
+  if (options.poses !== undefined) return [...head, worldForms.track, ...places(options), ...times(options)];
+  if (options.times !== undefined) throw new InvalidInput("times: are for poses, and there are none");
+  const start = pose(options.pose ?? [0, 0, 0], "pose");
+  return [...head, worldForms.poses, ...start, ...optional(options.goal, (goal) => pose(goal, "goal"))];
+}
+
+function splineMotion(kind, options) {
+  if (options.centre !== undefined) throw new InvalidInput(`centre: is for the motion velocity, but the motion is a ${kind}`);
+  const head = [...worldRule("velocity"), worldForms[kind], ...places(options)];
+  if (kind === "spline") return [...head, ...times(options)];
+  if (options.times !== undefined) throw new InvalidInput("times: a b_spline has none");
+  return head;
+}
+
+function places({ pose, goal, poses: given }) {
+  if (pose !== undefined || goal !== undefined) throw new InvalidInput("poses: stand instead of pose and goal");
+  return poses(given, "poses");
+}
+
+/** As many times as there are poses. */
+function times(options) {
+  const [count, ...given] = counted(options.times, "times");
   if (count !== options.poses.length)
     throw new InvalidInput(`times: there are ${count} for ${options.poses.length} poses`);
-  return [...head, 1, ...poses(options.poses, "poses"), ...times];
+  return given;
+}
+
+// Dragged bodies.
+const lockKinds = ["free", "hinge", "slider", "cylinder", "plane"];
+
+/** How a dragged body may move at all. */
+function lock(given) {
+  checkOptions(given, ["kind", "direction", "point"], "lock");
+  const kind = lockKinds.indexOf(text(given.kind, "lock.kind"));
+  if (kind < 0)
+    throw new InvalidInput(`drag: lock: the kind must be free, hinge, slider, cylinder or plane, not ${given.kind}`);
+  return [kind, ...optionalPoint(given.direction, "lock.direction"), ...optionalPoint(given.point, "lock.point")];
+}
+
+/** A centre, and the moments of inertia per mass: 9 numbers, or 3 rows. */
+function mass(given) {
+  checkOptions(given, ["centre", "inertia"], "mass");
+  const flat = (rows) => Array.from(rows, (row) => (isList(row) ? Array.from(row) : row)).flat();
+  const [count, ...inertia] = counted(isList(given.inertia) ? flat(given.inertia) : given.inertia, "mass.inertia");
+  if (count !== 9) throw new InvalidInput(`mass.inertia: a matrix needs 9 numbers, and there are ${count}`);
+  return [...optionalPoint(given.centre, "mass.centre"), ...inertia];
+}
+
+export const dragOptions = ["margin", "reach", "stiffness", "rounds", "friction", "mass", "lock"];
+
+/** How a body is dragged. */
+export function drag(options) {
+  const { margin, reach, stiffness, rounds, friction } = options;
+  if (!Number.isInteger(rounds ?? 8)) throw new InvalidInput("rounds: must be a whole number");
+  return [
+    number(margin, "margin", 0),
+    number(reach, "reach", 0),
+    number(stiffness, "stiffness", 1),
+    Math.max(number(rounds, "rounds", 8), 0),
+    number(friction, "friction", 0),
+    ...optional(options.mass, mass),
+    ...lock(options.lock ?? { kind: "free" }),
+  ];
 }
 
 /** Two lists of poses of one length. */

@@ -9,6 +9,8 @@ const largestIndex = 2 ** 32 - 1;
 
 /** A polyhedral surface. It never changes. */
 export class Polyhedron extends Held {
+  static title = "Polyhedron"; // in messages, also where a bundler renames classes
+
   constructor(border, handle) {
     super(border, "body", handle);
   }

@@ -1,8 +1,7 @@
 // Many bodies in one world, and a body in a hand.
 import { dragStep, Reader, sceneContact, sceneEvents } from "./answers.js";
-import { InvalidInput } from "./errors.js";
 import { Held } from "./held.js";
-import { checkOptions, number, pose, query, text, worldMotion } from "./numbers.js";
+import { checkOptions, drag, dragOptions, number, pose, poses, query, text, worldMotion, worldRule } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
 
 const motionKeys = ["pose", "goal", "motion", "centre", "poses", "times"];
@@ -13,6 +12,7 @@ const encode = (value, name) => new TextEncoder().encode(text(value, name));
 
 /** Many bodies in one world, each with its own motion over the time [0, 1]. */
 export class Scene extends Held {
+  static title = "Scene";
   #names = []; // in the order of the bodies
 
   constructor(border) {
@@ -50,6 +50,23 @@ export class Scene extends Held {
     border.giveNumbers(worldMotion(options));
     border.giveBytes(encode(name, "name"));
     border.call("scene_move", handle);
+  }
+
+  /** All bodies at once, in the order of `names`. */
+  moveAll(starts, goals, options = {}) {
+    const { border, handle } = this.#own();
+    checkOptions(options, ["motion"]);
+    const rule = worldRule(options.motion ?? "velocity");
+    border.giveNumbers([...rule, ...poses(starts, "starts"), ...poses(goals, "goals")]);
+    border.call("scene_move_all", handle);
+  }
+
+  /** Where a body is at a time in [0, 1]. */
+  poseAt(name, time) {
+    const { border, handle } = this.#own();
+    border.giveNumbers([number(time, "time")]);
+    border.giveBytes(encode(name, "name"));
+    return Array.from(border.ask("scene_pose", handle));
   }
 
   ignore(a, b) {
@@ -98,19 +115,13 @@ export class Scene extends Held {
 
 /** A body of a scene in a hand: it stops at contacts, slides along them and lifts off, and never goes through. */
 export class DraggedBody extends Held {
+  static title = "DraggedBody";
   #scene;
 
   constructor(border, scene, name, options = {}) {
-    checkOptions(options, ["margin", "reach", "stiffness", "rounds"]);
+    checkOptions(options, dragOptions);
     const handle = Held.handle(scene, border, Scene, "scene");
-    const { margin, reach, stiffness, rounds } = options;
-    if (!Number.isInteger(rounds ?? 8)) throw new InvalidInput("rounds: must be a whole number");
-    border.giveNumbers([
-      number(margin, "margin", 0),
-      number(reach, "reach", 0),
-      number(stiffness, "stiffness", 1),
-      Math.max(number(rounds, "rounds", 8), 0),
-    ]);
+    border.giveNumbers(drag(options));
     border.giveBytes(encode(name, "name"));
     super(border, "hand", border.call("hand", handle));
     this.#scene = scene;
@@ -121,6 +132,13 @@ export class DraggedBody extends Held {
     const { border, handle } = this.#own();
     border.giveNumbers(pose(goal, "goal"));
     return dragStep(new Reader(border.ask("hand_update", handle, number(seconds, "seconds"))), this.#scene.names);
+  }
+
+  /** Force and torque on the hand for another goal, from the contacts that the last update ended with. */
+  force(goal) {
+    const { border, handle } = this.#own();
+    border.giveNumbers(pose(goal, "goal"));
+    return Array.from(border.ask("hand_force", handle));
   }
 
   get pose() {

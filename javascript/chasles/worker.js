@@ -35,8 +35,8 @@ async function answered(message) {
 
 if (globalThis.process?.versions?.node) {
   const threads = "node:worker_threads";
-  const { parentPort } = await import(/* @vite-ignore */ /* webpackIgnore: true */ threads);
-  parentPort.on("message", async (message) => parentPort.postMessage(await answered(message)));
+  const listen = ({ parentPort }) => parentPort.on("message", async (message) => parentPort.postMessage(await answered(message)));
+  import(/* @vite-ignore */ /* webpackIgnore: true */ threads).then(listen); // no "await": script.js has no modules
 } else {
   globalThis.onmessage = async ({ data }) => globalThis.postMessage(await answered(data));
 }

@@ -1,6 +1,7 @@
 // Workers with an instance each: Web Workers in a browser, worker threads in Node.js.
 import { InvalidInput } from "./errors.js";
 import { dispose } from "./held.js";
+import { newWorker } from "./new_worker.js";
 import { checkBatch, checkOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
 
@@ -9,7 +10,7 @@ const isNode = Boolean(globalThis.process?.versions?.node);
 /** A worker of either kind, behind the same three functions. */
 async function startWorker(make) {
   if (make) return browserWorker(make());
-  if (!isNode) return browserWorker(new Worker(new URL("./worker.js", import.meta.url), { type: "module" }));
+  if (!isNode) return browserWorker(newWorker());
   const threads = "node:worker_threads"; // a name that bundlers for browsers do not follow
   const { Worker: NodeWorker } = await import(/* @vite-ignore */ /* webpackIgnore: true */ threads);
   const worker = new NodeWorker(new URL("./worker.js", import.meta.url));

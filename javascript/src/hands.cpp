@@ -13,6 +13,25 @@ Handles<HeldHand>& hands() {
 
 namespace {
 
+/// A flag, and if it is set, a flag with the centre, and the nine numbers of the inertia, row by row.
+std::optional<MassProperties> mass_in(NumbersIn& in) {
+    if (!in.flag())
+        return std::nullopt;
+    MassProperties mass;
+    mass.centre = in.point("mass.centre").value_or(mass.centre);
+    mass.inertia = Eigen::Map<const Eigen::Matrix<double, 3, 3, Eigen::RowMajor>>(in.some(9).data());
+    return mass;
+}
+
+/// A kind, and flags with a direction and a point.
+DragLock lock_in(NumbersIn& in) {
+    DragLock lock;
+    lock.kind = static_cast<DragLockKind>(in.whole(std::size_t(DragLockKind::plane)));
+    lock.direction = in.point("lock.direction").value_or(lock.direction);
+    lock.point = in.point("lock.point").value_or(lock.point);
+    return lock;
+}
+
 DragOptions drag_options_in(NumbersIn& in) {
     DragOptions options;
     options.margin = in.number();
@@ -20,6 +39,9 @@ DragOptions drag_options_in(NumbersIn& in) {
     options.stiffness = in.number();
     constexpr std::size_t most_rounds = 1 << 30;
     options.rounds = static_cast<int>(in.whole(most_rounds));
+    options.friction = in.number();
+    options.mass = mass_in(in);
+    options.lock = lock_in(in);
     return options;
 }
 
@@ -32,6 +54,7 @@ void write(Numbers& out, const std::vector<DragContact>& contacts) {
     out.push_back(double(contacts.size()));
     for (const DragContact& contact : contacts) {
         out.insert(out.end(), {double(contact.body), contact.force});
+        javascript::write(out, contact.friction);
         javascript::write(out, contact.contact);
     }
 }
@@ -99,6 +122,16 @@ CHASLES_JAVASCRIPT(hand_update)(std::int32_t hand, double seconds) {
         js::NumbersIn in(js::given_numbers());
         chasles::DraggedBody& body = js::hands().get(hand).body;
         js::write_step(out, body.update(in.pose("goal"), seconds));
+    });
+}
+
+/// Answers with the force and the torque on the hand for the goal in the numbers.
+CHASLES_JAVASCRIPT(hand_force)(std::int32_t hand) {
+    return js::answered([&](js::Numbers& out) {
+        js::NumbersIn in(js::given_numbers());
+        const chasles::DragForce found = js::hands().get(hand).body.force(in.pose("goal"));
+        js::write(out, found.force);
+        js::write(out, found.torque);
     });
 }
 

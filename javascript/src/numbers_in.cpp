@@ -46,6 +46,28 @@ NamedMotion motion_of_two(const MotionRule& rule, const Pose& start, const Pose&
     return {relative(moving.motion, motion_between(fixed_rule, fixed_start, fixed_goal).motion), moving.numbers};
 }
 
+/// What the numbers of a motion in the world are.
+enum class WorldForm : std::uint8_t {
+    poses,    ///< a pose, and a flag with a goal
+    track,    ///< poses and as many times: even from pose to pose
+    spline,   ///< poses and as many times: the natural cubic spline
+    b_spline, ///< poses
+};
+
+std::vector<double> times_in(NumbersIn& in, std::size_t count) {
+    const auto times = in.some(count);
+    return {times.begin(), times.end()};
+}
+
+Motion track_in(NumbersIn& in, const MotionRule& rule) {
+    const std::vector<Pose> poses = in.poses("poses");
+    const std::vector<double> times = times_in(in, poses.size());
+    if (times.empty() || times.front() != 0 || times.back() != 1)
+        throw InvalidInput("times: must run from 0 to 1, which is the time of the whole scene");
+    const auto between = rule.kind == MotionKind::twist ? TimedPoses::Between::twist : TimedPoses::Between::velocity;
+    return TimedPoses::through(times, poses, between, rule.centre);
+}
+
 } // namespace
 
 double NumbersIn::number() {
@@ -92,6 +114,13 @@ std::vector<Pose> NumbersIn::poses(const std::string& name) {
     return found;
 }
 
+double NumbersIn::time() {
+    const double given = number();
+    if (!(given >= 0 && given <= 1))
+        throw InvalidInput("time: must be in [0, 1]");
+    return given;
+}
+
 MotionRule rule_in(NumbersIn& in) {
     MotionRule rule;
     rule.kind = static_cast<MotionKind>(in.whole(3));
@@ -124,17 +153,20 @@ NamedMotion motion_in(NumbersIn& in) {
 
 Motion world_motion_in(NumbersIn& in) {
     const MotionRule rule = rule_in(in);
-    const bool is_track = in.flag();
-    if (!is_track) {
-        const Pose start = in.pose("pose");
-        return in.flag() ? motion_between(rule, start, in.pose("goal")).motion : Motion::at_rest(start);
+    switch (static_cast<WorldForm>(in.whole(std::size_t(WorldForm::b_spline)))) {
+    case WorldForm::poses:
+        break;
+    case WorldForm::track:
+        return track_in(in, rule);
+    case WorldForm::spline: {
+        const std::vector<Pose> poses = in.poses("poses");
+        return Motion::spline(times_in(in, poses.size()), poses);
     }
-    const std::vector<Pose> poses = in.poses("poses");
-    const auto times = in.some(poses.size());
-    if (times.empty() || times.front() != 0 || times.back() != 1)
-        throw InvalidInput("times: must run from 0 to 1, which is the time of the whole scene");
-    const auto between = rule.kind == MotionKind::twist ? TimedPoses::Between::twist : TimedPoses::Between::velocity;
-    return TimedPoses::through({times.begin(), times.end()}, poses, between, rule.centre);
+    case WorldForm::b_spline:
+        return Motion::b_spline(in.poses("poses"));
+    }
+    const Pose start = in.pose("pose");
+    return in.flag() ? motion_between(rule, start, in.pose("goal")).motion : Motion::at_rest(start);
 }
 
 QueryOptions options_in(NumbersIn& in) {

@@ -27,6 +27,8 @@ public:
     Pose pose(const std::string& name);
     /// A count, and so many poses.
     std::vector<Pose> poses(const std::string& name);
+    /// A time of a motion, in [0, 1].
+    double time();
 
 private:
     std::span<const double> rest_;
@@ -50,7 +52,7 @@ MotionRule rule_in(NumbersIn& in);
 NamedMotion motion_between(const MotionRule& rule, const Pose& start, const Pose& goal);
 /// A rule, start and goal, and a flag with both poses and the centre of the fixed body.
 NamedMotion motion_in(NumbersIn& in);
-/// The motion of a body in a scene: a rule, a count of poses, and so many; with more than two, or with a flag, times.
+/// The motion of a body in a scene: a rule and a form, which says what follows (`WorldForm` in the source).
 Motion world_motion_in(NumbersIn& in);
 /// Margin, a flag with hold, time tolerance and what to find.
 QueryOptions options_in(NumbersIn& in);

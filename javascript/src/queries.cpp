@@ -53,6 +53,12 @@ void answer_least_distance(Numbers& out, NumbersIn& in) {
     write(out, least_distance({moving, fixed, motion.motion, options}));
 }
 
+/// Where the moving body is at a time of its motion.
+void answer_pose(Numbers& out, NumbersIn& in) {
+    const double time = in.time();
+    write(out, motion_in(in).motion.pose_at(time));
+}
+
 } // namespace
 } // namespace chasles::javascript
 
@@ -70,6 +76,14 @@ CHASLES_JAVASCRIPT(first_contact_on_path)() {
     return js::answered([](js::Numbers& out) {
         js::NumbersIn in(js::given_numbers());
         js::answer_path(out, in);
+    });
+}
+
+/// The numbers are a time and a motion.
+CHASLES_JAVASCRIPT(pose_at)() {
+    return js::answered([](js::Numbers& out) {
+        js::NumbersIn in(js::given_numbers());
+        js::answer_pose(out, in);
     });
 }
 

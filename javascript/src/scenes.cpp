@@ -62,6 +62,21 @@ void answer_scene(Numbers& out, const Scene& scene, Question question) {
         out.push_back(time);
 }
 
+/// All bodies at once, in their order. The scene changes only if all motions can be used.
+void move_all(Scene& scene, NumbersIn& in) {
+    const MotionRule rule = rule_in(in);
+    const std::vector<Pose> starts = in.poses("starts"), goals = in.poses("goals");
+    const std::size_t count = scene.bodies().size();
+    if (starts.size() != count || goals.size() != count)
+        throw InvalidInput("starts, goals: " + std::to_string(starts.size()) + " and " + std::to_string(goals.size()) +
+                           " poses for " + std::to_string(count) + " bodies");
+    std::vector<Motion> motions;
+    for (std::size_t i = 0; i < count; ++i)
+        motions.push_back(motion_between(rule, starts[i], goals[i]).motion);
+    for (std::size_t i = 0; i < count; ++i)
+        scene.move(i, motions[i]);
+}
+
 enum class Rule : std::uint8_t { ignore, ignore_groups, set_margin, set_group_margin };
 
 void apply(Scene& scene, Rule rule, const TwoTexts& names, double margin) {
@@ -120,6 +135,24 @@ CHASLES_JAVASCRIPT(scene_move)(std::int32_t scene) {
         js::NumbersIn in(js::given_numbers());
         changed.move(index, js::world_motion_in(in));
         return index;
+    });
+}
+
+/// Gives all bodies the motions in the numbers: how they move, starts, and goals.
+CHASLES_JAVASCRIPT(scene_move_all)(std::int32_t scene) {
+    return js::guarded([&] {
+        js::NumbersIn in(js::given_numbers());
+        js::move_all(js::scene_of(scene), in);
+        return 0;
+    });
+}
+
+/// Answers with the pose of the body whose name is in the bytes, at the time in the numbers.
+CHASLES_JAVASCRIPT(scene_pose)(std::int32_t scene) {
+    return js::answered([&](js::Numbers& out) {
+        const chasles::Scene& asked = js::scene_of(scene);
+        js::NumbersIn in(js::given_numbers());
+        js::write(out, asked.bodies()[asked.index_of(js::given_bytes())].motion.pose_at(in.time()));
     });
 }
 

@@ -25,7 +25,7 @@ using examples::turned_ring;
 
 /// Lengths in millimetres. A coarse thread of few facets: an update has to fit into a frame.
 constexpr scenes::ThreadedFastener fastener{
-    .pitch = 4, .bolt_length = 20, .head_height = 7, .nut_height = 4.5, .radial_clearance = 0.7, .segments = 16};
+    .pitch = 6, .bolt_length = 24, .head_height = 7, .nut_height = 6.5, .radial_clearance = 0.7, .segments = 16};
 constexpr scenes::Maze maze_size{.columns = 6, .rows = 4, .seed = 3};
 constexpr scenes::SpurGear sun{.teeth = 24, .module = 2, .width = 8, .play = 0.5};
 constexpr scenes::SpurGear planet{.teeth = 18, .module = 2, .width = 8, .play = 0.5};
@@ -151,15 +151,32 @@ void add_gears(Text& text) {
     text.add("ground", box({-66, -66, -3}, {66, 66, -0.01}));
 }
 
-/// A gripper with two fingers, and what stands in its cell. It looks along x.
+/// A bar with round ends along x: the middles of the ends are at 0 and at `length`.
+std::vector<Eigen::Vector2d> bar(double length, double half_width) {
+    constexpr int parts = 16; // of a half circle
+    std::vector<Eigen::Vector2d> outline;
+    for (const double end : {1.0, 0.0})
+        for (int i = 0; i <= parts; ++i) {
+            const double angle = (0.5 - end + double(i) / parts) * std::numbers::pi;
+            outline.emplace_back(end * length + half_width * std::cos(angle), half_width * std::sin(angle));
+        }
+    return outline;
+}
+
+/// A SCARA arm that is stretched along x: two links turn about upright axes at x = 0 and 160, and a quill slides and turns
+/// at x = 300. Links keep gaps of a millimetre and more, and only the quill reaches the height of the others.
 void add_robot(Text& text) {
-    text.add("gripper", {box({-70, -14, -14}, {-26, 14, 14}), box({-25.9, -46, -18}, {-6, 46, 18}),
-                         box({-5.9, -44, -9}, {58, -32, 9}), box({-5.9, 32, -9}, {58, 44, 9})});
-    text.add("shelf", {box({0, -120, 0}, {110, 120, 8}), box({0, -120, 8.1}, {110, -112, 150}),
-                       box({0, 112, 8.1}, {110, 120, 150}), box({0, -120, 150.1}, {110, 120, 158}),
-                       box({0, -4, 8.1}, {110, 4, 150})});
-    text.add("bottle", shifted(rod(28, 96, 32), {56, 58, 8.1}));
-    text.add("cell floor", box({-260, -160, -8}, {130, 160, -0.1}));
+    constexpr int facets = 24;
+    text.add("pedestal", {rod(30, 200, facets), box({-60, -60, -8}, {60, 60, -0.1})});
+    text.add("upper arm", shifted(examples::extruded(bar(160, 30), 28), {0, 0, 201}));
+    text.add("forearm", {shifted(examples::extruded(bar(105, 24), 24), {160, 0, 231}),
+                         shifted(turned_ring({{10, 0}, {24, 0}, {24, 38}, {10, 38}}, facets), {300, 0, 231.5})});
+    text.add("quill", {shifted(rod(8, 238, facets), {300, 0, 104}), shifted(rod(13, 16, facets), {300, 0, 96}),
+                       shifted(rod(13, 14, facets), {300, 0, 330})});
+    text.add("ring", shifted(turned_ring({{15, 0}, {34, 0}, {34, 70}, {15, 70}}, facets), {150, 190, 0}));
+    text.add("posts", {shifted(rod(9, 150, facets), {228, 84, 0}), shifted(rod(9, 150, facets), {152, 72, 0}),
+                       shifted(rod(9, 300, facets), {40, 236, 0})});
+    text.add("cell floor", box({-100, -160, -8.2}, {300, 270, -8.1}));
 }
 
 std::string all_shapes() {

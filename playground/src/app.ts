@@ -1,8 +1,9 @@
 // The page: connects the hand, the picture, the panel and the buttons.
-import { byId, onClick } from "./elements";
+import { type Arm, armAt, type JointValue } from "./arm";
+import { byId, onChange, onClick } from "./elements";
 import { Hand, type Shown } from "./drag";
 import { Keys } from "./keys";
-import { fragmentOf, sharedIn } from "./link";
+import { fragmentOf, type Shared, sharedIn } from "./link";
 import { type OwnFile, ownScene, readOwnFile, warningAbout } from "./own_files";
 import { clearProof, hideTrouble, showButtons, showProof, showStep, showTrouble, withoutForces } from "./panel";
 import { Pointer } from "./pointer";
@@ -10,11 +11,22 @@ import type { Pose } from "./poses";
 import type { Step } from "./protocol";
 import { Prover } from "./prover";
 import { offer, savedHand } from "./save";
-import { type PlaygroundScene, readyScenes, sceneNamed } from "./scenes";
+import { type PlaygroundScene, readyScenes, sceneNamed, usualFriction, withArm } from "./scenes";
 import { View } from "./view";
 import { list } from "./words";
 
 const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
+
+/** A scene as a link has it. */
+function sharedScene(scene: PlaygroundScene, { friction = 0, arm }: Shared): PlaygroundScene {
+  if (!(friction >= 0 && friction <= 100)) throw new Error("the link's friction is no number from 0 to 100");
+  const rubbed = { ...scene, spec: { ...scene.spec, friction } };
+  if (!scene.arm || !arm) return rubbed;
+  const { joints } = scene.arm;
+  if (arm.values.length !== joints.length || !joints[arm.active]) throw new Error(`the link's joints are not those of the ${scene.title.toLowerCase()}`);
+  const values = arm.values.map(({ turn, slide }, index): JointValue => ({ turn, slide: joints[index].kind === "hinge" ? 0 : slide }));
+  return withArm(rubbed, { joints, values, active: arm.active });
+}
 
 export class App implements Shown {
   readonly hand = new Hand(this);
@@ -22,6 +34,7 @@ export class App implements Shown {
   readonly prover = new Prover();
   private own: OwnFile[] = [];
   private lastStep?: Step;
+  private opening: Promise<unknown> = Promise.resolve();
 
   async start(): Promise<void> {
     for (const { id, title } of readyScenes) byId("scene").append(new Option(title, id));
@@ -56,21 +69,32 @@ export class App implements Shown {
     this.moved(this.hand.pose, withoutForces(this.lastStep));
   }
 
-  /** Opens a scene; says so if that is not possible, and leaves the scene before. */
-  async open(scene: PlaygroundScene, start?: Pose, pose?: Pose): Promise<boolean> {
+  /** Opens a scene; says so if that is not possible, and leaves the scene before. A part of the same scene is shown from the same side. */
+  open(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false): Promise<boolean> {
+    const opened = this.opening.then(() => this.openNext(scene, start, pose, isSame)); // one after another
+    this.opening = opened.catch(() => false);
+    return opened;
+  }
+
+  private async openNext(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false): Promise<boolean> {
     this.stopProof();
+    const { isLoose } = this.hand;
     try {
       await this.hand.open(scene, start, pose);
     } catch (error) {
       showTrouble(messageOf(error));
       return false;
     }
+    if (isSame) this.hand.isLoose = isLoose;
     clearProof();
-    this.view.open(scene, this.hand.opened, this.hand.pose);
+    this.view.open(scene, this.hand.opened, this.hand.pose, isSame);
     byId<HTMLSelectElement>("scene").value = scene.id;
     byId("about").textContent = scene.about;
     byId("moving-name").textContent = scene.spec.moving;
     byId<HTMLInputElement>("loose").checked = this.hand.isLoose;
+    byId<HTMLInputElement>("loose").disabled = scene.spec.lock !== undefined;
+    byId<HTMLInputElement>("friction").checked = scene.spec.friction > 0;
+    this.showJoints(scene.arm);
     byId("swap").hidden = scene.id !== "own" || this.own.length < 2;
     this.moved(this.hand.pose);
     return true;
@@ -82,7 +106,8 @@ export class App implements Shown {
       const shared = sharedIn(location.hash);
       const scene = shared && sceneNamed(shared.scene);
       if (shared && !scene) throw new Error(`there is no scene "${shared.scene}"`);
-      if (shared && scene && (await this.open(scene, shared.start, shared.pose))) return;
+      const [start, pose] = scene?.arm ? [] : [shared?.start, shared?.pose]; // an arm stands where its joints are
+      if (shared && scene && (await this.open(sharedScene(scene, shared), start, pose))) return;
     } catch (error) {
       showTrouble(`This link cannot be used: ${messageOf(error)}.`);
     }
@@ -132,25 +157,64 @@ export class App implements Shown {
   async reset(): Promise<void> {
     this.stopProof();
     clearProof();
-    await this.hand.reset();
+    const { arm } = this.hand.scene;
+    if (arm) await this.open(withArm(this.hand.scene, { ...sceneNamed(this.hand.scene.id)!.arm!, active: arm.active }), undefined, undefined, true);
+    else await this.hand.reset();
     showButtons(this.hand);
+  }
+
+  /** The scene as it is now: an arm stands where it was dragged to. */
+  private get present(): PlaygroundScene {
+    const { scene, pose } = this.hand;
+    return scene.arm ? withArm(scene, armAt(scene.arm, pose)) : scene;
+  }
+
+  /** Takes another joint into the hand. What was recorded is a way of the joint before, and is left. */
+  private async chooseJoint(active: number): Promise<boolean> {
+    await this.hand.letGo();
+    const { present } = this;
+    return this.open(withArm(present, { ...present.arm!, active }), undefined, undefined, true);
+  }
+
+  /** What the pointer is on goes into the hand: a link of an arm with its joint. */
+  private async chooseBody(name: string): Promise<boolean> {
+    await this.opening;
+    const { arm, spec } = this.hand.scene;
+    return name === spec.moving || !arm || this.chooseJoint(arm.joints.findIndex(({ link }) => link === name));
+  }
+
+  private async chooseFriction(isOn: boolean): Promise<void> {
+    await this.hand.letGo();
+    const { present } = this;
+    const spec = { ...present.spec, friction: isOn ? usualFriction : 0 };
+    await this.open({ ...present, spec }, spec.start, this.hand.pose, true);
+  }
+
+  private showJoints(arm?: Arm): void {
+    byId("joints").hidden = !arm;
+    const select = byId<HTMLSelectElement>("joint");
+    select.replaceChildren(...(arm?.joints ?? []).map(({ name, link }, index) => new Option(`${name}: the ${link}`, String(index))));
+    select.value = String(arm?.active);
   }
 
   async save(): Promise<void> {
     await this.hand.letGo();
     const { scene, opened, session } = this.hand;
-    offer(savedHand(scene.title, scene.spec, opened.margin, opened.bodies, session));
+    offer(savedHand(scene.title, scene.spec, opened, session));
     byId("kept").textContent = "Saved: unpack it, and run drag.sh, or the command in README.txt.";
   }
 
   async share(): Promise<void> {
     await this.hand.letGo();
-    const { scene, pose } = this.hand;
+    const { pose } = this.hand;
+    const scene = this.present;
+    const { start, friction } = scene.spec;
     if (scene.id === "own") {
       byId("kept").textContent = "A link cannot hold your files. Save the hand instead.";
       return;
     }
-    history.replaceState(null, "", fragmentOf({ scene: scene.id, start: scene.spec.start, pose }));
+    const where = scene.arm ? { arm: scene.arm } : { start, pose };
+    history.replaceState(null, "", fragmentOf({ scene: scene.id, ...where, friction }));
     const copied = navigator.clipboard ? await navigator.clipboard.writeText(location.href).then(() => true, () => false) : false;
     byId("kept").textContent = copied ? "The link is copied." : "The link is in the address bar.";
   }
@@ -180,7 +244,7 @@ export class App implements Shown {
   }
 
   private connect(): void {
-    new Pointer(this.view, this.hand, () => this.begun());
+    new Pointer(this.view, this.hand, () => this.begun(), (name) => this.chooseBody(name));
     new Keys(this.view, this.hand, byId<HTMLCanvasElement>("canvas"), () => this.begun());
     onClick("undo", () => this.undo());
     onClick("reset", () => this.reset());
@@ -192,8 +256,10 @@ export class App implements Shown {
     onClick("look-scene", () => this.view.lookFrom(this.hand.scene.view));
     onClick("look-front", () => this.view.lookFrom([0, -1, 0.3]));
     onClick("look-top", () => this.view.lookFrom([0, -0.02, 1]));
-    byId<HTMLInputElement>("loose").addEventListener("change", ({ target }) => (this.hand.isLoose = (target as HTMLInputElement).checked));
-    byId<HTMLSelectElement>("scene").addEventListener("change", ({ target }) => void this.choose((target as HTMLSelectElement).value));
+    onChange<HTMLInputElement>("loose", ({ checked }) => (this.hand.isLoose = checked));
+    onChange<HTMLInputElement>("friction", ({ checked }) => this.chooseFriction(checked));
+    onChange<HTMLSelectElement>("joint", ({ value }) => this.chooseJoint(Number(value)));
+    onChange<HTMLSelectElement>("scene", ({ value }) => this.choose(value));
     addEventListener("hashchange", () => void this.openLink());
     addEventListener("keydown", (event) => this.key(event));
     this.connectFiles();
@@ -210,11 +276,22 @@ export class App implements Shown {
     if (target.matches("select, input") || event.altKey) return;
     const isUndo = event.key.toLowerCase() === "z" && (event.ctrlKey || event.metaKey);
     if ((event.ctrlKey || event.metaKey) && !isUndo) return;
-    const actions: Record<string, () => unknown> = { u: () => this.undo(), r: () => this.reset(), p: () => this.prove() };
+    const actions: Record<string, () => unknown> = {
+      u: () => this.undo(),
+      r: () => this.reset(),
+      p: () => this.prove(),
+      j: () => this.nextJoint(),
+      f: () => this.chooseFriction(this.hand.scene.spec.friction === 0),
+    };
     const action = isUndo ? actions.u : actions[event.key.toLowerCase()];
     if (!action) return;
     event.preventDefault();
     void action();
+  }
+
+  private nextJoint(): unknown {
+    const { arm } = this.hand.scene;
+    return arm && this.chooseJoint((arm.active + 1) % arm.joints.length);
   }
 
   private connectFiles(): void {

@@ -53,8 +53,8 @@ export class Hand {
     this.session = new Session(start);
     this.pose = pose;
     this.isLoose = scene.handling.isLoose;
-    const part = this.opened.bodies.find(({ name }) => name === spec.moving)!;
-    const [lower, upper] = [placeOf(part.lower), placeOf(part.upper)];
+    const { moving } = this.opened;
+    const [lower, upper] = [placeOf(moving.lower), placeOf(moving.upper)];
     this.inertia = new Inertia(lower, upper);
     this.size = upper.distanceTo(lower);
     // a linked pose was reached before, by a way that nobody knows here
@@ -64,9 +64,10 @@ export class Hand {
   /** Takes the part at one of its points, which is given in the scene. */
   async take(place: Vector3): Promise<void> {
     await this.letGo();
-    const { plane } = this.scene.handling;
+    const { lock } = this.scene.spec;
+    const [plane, axis] = [this.scene.handling.plane, this.scene.handling.axis].map((normal) => normal && new Vector3(...normal));
     this.session.begin(this.pose);
-    this.grip = new Grip(this.inertia, place, this.pose, this.isLoose, plane && new Vector3(...plane));
+    this.grip = new Grip(this.inertia, place, this.pose, lock ? { isLoose: false, lock } : { isLoose: this.isLoose, plane, axis });
     this.timings.begin();
     this.hasChanged = true;
     if (!this.isLooping) requestAnimationFrame((time) => this.frame(time));

@@ -72,6 +72,9 @@ export class DrawnBody {
   }
 }
 
+/** Friction included. */
+const forceOf = ({ normal, force, friction }: ContactShown) => new Vector3(...normal).multiplyScalar(force).add(new Vector3(...friction));
+
 /** Spheres at contacts, thin shafts along their normals, and arrows as long as their forces. In front of the bodies. */
 export class ContactMarks {
   readonly group = new Group();
@@ -95,7 +98,7 @@ export class ContactMarks {
 
   /** `sizeAt` is the radius of a marker at a place, and `longest` the length of the longest arrow, both in mesh units. */
   resize(sizeAt: (place: Vector3) => number, longest: number): void {
-    const greatest = Math.max(...this.contacts.map(({ force }) => force), 0);
+    const greatest = Math.max(...this.contacts.map((contact) => forceOf(contact).length()), 0);
     const scale = greatest > longest ? longest / greatest : 1;
     this.contacts.forEach((contact, index) => this.place(index, contact, sizeAt, scale));
     for (const part of this.parts) {
@@ -113,15 +116,18 @@ export class ContactMarks {
     const normal = new Vector3(...contact.normal);
     const turn = new Quaternion().setFromUnitVectors(up, normal);
     const size = sizeAt(point);
-    const length = contact.force > 0 ? Math.max(contact.force * scale, 2 * size) : 0;
-    const put = (part: InstancedMesh, at: Vector3, stretch: number) =>
-      part.setMatrixAt(index, new Matrix4().compose(at, turn, new Vector3(size, stretch, size)));
+    const force = forceOf(contact);
+    const length = contact.force > 0 ? Math.max(force.length() * scale, 2 * size) : 0;
+    const put = (part: InstancedMesh, at: Vector3, stretch: number, along = turn) =>
+      part.setMatrixAt(index, new Matrix4().compose(at, along, new Vector3(size, stretch, size)));
     put(this.rims, point, size);
     put(this.spheres, point, size);
     put(this.normals, point, 6 * size);
     if (length > 0) {
-      put(this.shafts, point, length);
-      put(this.heads, point.clone().addScaledVector(normal, length), size);
+      const direction = force.normalize();
+      const along = new Quaternion().setFromUnitVectors(up, direction);
+      put(this.shafts, point, length, along);
+      put(this.heads, point.clone().addScaledVector(direction, length), size, along);
     } else for (const part of [this.shafts, this.heads]) part.setMatrixAt(index, nowhere);
   }
 

@@ -17,6 +17,10 @@ export function onClick(id: string, action: () => unknown): void {
   byId(id).addEventListener("click", () => void action());
 }
 
+export function onChange<Kind extends HTMLElement>(id: string, action: (element: Kind) => unknown): void {
+  byId<Kind>(id).addEventListener("change", () => void action(byId<Kind>(id)));
+}
+
 /** Changes a text only if it differs, so that nothing is announced twice. */
 export function setText(id: string, text: string): void {
   const target = byId(id);

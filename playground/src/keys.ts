@@ -2,6 +2,7 @@
 import { Vector3 } from "three";
 import { centreOf } from "./grip";
 import type { Hand } from "./drag";
+import type { Lock } from "./protocol";
 import type { View } from "./view";
 
 const step = 0.025; // of the radius of the scene
@@ -53,9 +54,20 @@ export class Keys {
     hand.isTurning = isTurning;
     const [direction, sign] = (isTurning ? turnAxes : directions)[key];
     const along = this.inScene(this.view.axes()[direction].multiplyScalar(sign), isTurning);
+    const { lock } = hand.scene.spec;
+    hand.isTurning ||= lock?.kind === "hinge";
     if (isTurning) hand.grip?.turnBy(along.multiplyScalar(turnStep), hand.pose);
+    else if (lock?.kind === "hinge") hand.grip?.turnBy(this.turnTowards(along, lock).multiplyScalar(turnStep), hand.pose);
     else hand.grip?.moveBy(along.multiplyScalar(step * this.view.radius));
     hand.changed();
+  }
+
+  /** The turn of a hinge that moves the middle of its body in this direction, rather than back. */
+  private turnTowards(along: Vector3, { direction, point }: Lock): Vector3 {
+    const axis = new Vector3(...direction);
+    const lever = centreOf(this.hand.inertia, this.hand.pose).sub(new Vector3(...point));
+    const ahead = axis.clone().cross(lever).dot(along);
+    return axis.multiplyScalar(Math.sign(ahead) || 1);
   }
 
   /** Keys hold the part in its middle. */

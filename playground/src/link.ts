@@ -1,23 +1,38 @@
-// The state of the page in its address: "#nut&start=...&pose=..." with the scene and both poses, to the last digit.
+// The state of the page in its address: "#nut&start=...&pose=..." with the scene and both poses, to the last digit; for an arm
+// the joint in the hand, and turn and slide of each joint.
+import type { JointValue } from "./arm";
 import type { Pose } from "./poses";
 
 export interface Shared {
   scene: string;
   start?: Pose;
   pose?: Pose;
+  friction?: number;
+  arm?: { active: number; values: JointValue[] };
 }
+
+const numbersIn = (text: string) => text.split(",").map((word) => (word.trim() === "" ? NaN : Number(word)));
 
 function poseIn(text: string | null): Pose | undefined {
   if (text === null) return undefined;
-  const numbers = text.split(",").map((word) => (word.trim() === "" ? NaN : Number(word)));
+  const numbers = numbersIn(text);
   if (numbers.length !== 7 || !numbers.every(Number.isFinite)) throw new Error("the link's poses are not seven numbers each");
   if (numbers.slice(3).every((part) => part === 0)) throw new Error("the link's poses have no turn");
   return numbers;
 }
 
-export function fragmentOf({ scene, start, pose }: Shared): string {
-  const poses = [start && `start=${start.join(",")}`, pose && `pose=${pose.join(",")}`].filter((part) => part !== undefined);
-  return `#${[scene, ...poses].join("&")}`;
+function armIn(text: string | null): Shared["arm"] {
+  if (text === null) return undefined;
+  const [active, ...numbers] = numbersIn(text);
+  if (!Number.isInteger(active) || numbers.length % 2 !== 0 || !numbers.every(Number.isFinite)) throw new Error("the link's joints are not numbers");
+  return { active, values: Array.from({ length: numbers.length / 2 }, (_, i) => ({ turn: numbers[2 * i], slide: numbers[2 * i + 1] })) };
+}
+
+export function fragmentOf({ scene, start, pose, friction, arm }: Shared): string {
+  const joints = arm && [arm.active, ...arm.values.flatMap(({ turn, slide }) => [turn, slide])];
+  const values = { start, pose, joints, friction: friction ? [friction] : undefined };
+  const parts = Object.entries(values).flatMap(([name, numbers]) => (numbers ? [`${name}=${numbers.join(",")}`] : []));
+  return `#${[scene, ...parts].join("&")}`;
 }
 
 /** Throws an Error that says what is wrong. */
@@ -25,5 +40,6 @@ export function sharedIn(fragment: string): Shared | undefined {
   const [scene, ...rest] = decodeURIComponent(fragment.replace(/^#/, "")).split("&");
   if (scene === "") return undefined;
   const values = new URLSearchParams(rest.join("&").replaceAll("+", "%2B"));
-  return { scene, start: poseIn(values.get("start")), pose: poseIn(values.get("pose")) };
+  const friction = Number(values.get("friction") ?? 0);
+  return { scene, start: poseIn(values.get("start")), pose: poseIn(values.get("pose")), arm: armIn(values.get("joints")), friction };
 }

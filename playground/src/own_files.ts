@@ -48,7 +48,7 @@ export function ownScene(files: OwnFile[]): PlaygroundScene {
   const moving = files.at(-1)!;
   const names = files.map(({ name }, index) => (files.findIndex((other) => other.name === name) < index ? `${name} (2)` : name));
   const bodies: BodySpec[] = files.map(({ name, content }, index) => ({ name: names[index], file: { name, content } }));
-  const spec = { moving: names.at(-1)!, bodies, start: startBeside(moving, files.length > 1 ? files[0] : undefined), margin: 0 };
+  const spec = { moving: names.at(-1)!, bodies, start: startBeside(moving, files.length > 1 ? files[0] : undefined), margin: 0, friction: 0 };
   const about = files.length > 1 ? `${names.at(-1)} is dragged, ${names[0]} stands. ` : `${names[0]} is alone: drop a second file to drag against. `;
   const sizes = files.map(({ report }, index) => `${names[index]}: ${counted(report.triangles, "triangle")}, ${extent(report)}.`).join(" ");
   return { id: "own", title: "Your own files", about: about + sizes, spec, handling: { isLoose: false }, glass: [], ground: [], view: [0.55, -1, 0.5], unit: "" };

@@ -5,7 +5,9 @@ let unpacked;
 
 /** By name: vertices and faces. */
 export function shapes() {
-  const bytes = Uint8Array.from(atob(base64), (c) => c.charCodeAt(0));
+  const text = atob(base64);
+  const bytes = new Uint8Array(text.length);
+  for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i);
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return (unpacked ??= new Response(stream).json());
 }

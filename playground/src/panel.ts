@@ -2,7 +2,7 @@
 import { byId, element, setText } from "./elements";
 import type { Hand } from "./drag";
 import type { Proofs } from "./prover";
-import type { ContactShown, Step } from "./protocol";
+import { type ContactShown, standing, type Step } from "./protocol";
 import { handInWords, letGoInWords, short, stateInWords, wayInWords } from "./words";
 
 const mostListed = 8;
@@ -28,7 +28,7 @@ export function showStep(hand: Hand, step: Step | undefined, isLast: boolean): v
 
 /** What a step leaves when the hand pulls no more: contacts without forces. */
 export function withoutForces(step: Step): Step {
-  return { ...step, contacts: step.contacts.map((contact) => ({ ...contact, force: 0 })), wrench: [0, 0, 0, 0, 0, 0], blocking: [] };
+  return { ...step, contacts: step.contacts.map((contact) => ({ ...contact, force: 0, friction: [0, 0, 0] })), wrench: [0, 0, 0, 0, 0, 0], blocking: [] };
 }
 
 export function showButtons(hand: Hand): void {
@@ -59,8 +59,8 @@ function showContacts(contacts: ContactShown[], unit: string): void {
 }
 
 export function showProof(hand: Hand, { way, hand: ofHand }: Proofs, seconds: number): void {
-  const { moving, bodies } = hand.scene.spec;
-  const others = bodies.map(({ name }) => name).filter((name) => name !== moving);
+  const { moving } = hand.scene.spec;
+  const others = standing(hand.scene.spec);
   if (others.length === 0 || way.segments === 0) {
     byId("proof").replaceChildren(element("p", "", others.length === 0 ? "There is nothing to touch." : wayInWords(moving, others, way)));
     return;

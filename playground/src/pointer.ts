@@ -12,13 +12,17 @@ interface Held {
   x: number;
   y: number;
   grabbed: Vector3;
+  name: string; // of the body under the pointer
 }
 
 export class Pointer {
   private held?: Held;
   private readonly stage = byId("stage");
 
-  constructor(private readonly view: View, private readonly hand: Hand, private readonly begun: () => void) {
+  /** `choose` is told what the pointer is on, and resolves when that can be taken. */
+  constructor(
+    private readonly view: View, private readonly hand: Hand, private readonly begun: () => void, private readonly choose: (name: string) => Promise<boolean>,
+  ) {
     // before the canvas hears of it, whose events turn the view
     this.stage.addEventListener("pointerdown", (event) => this.down(event), { capture: true });
     this.stage.addEventListener("pointermove", (event) => this.move(event), { capture: true });
@@ -33,18 +37,19 @@ export class Pointer {
       event.stopPropagation(); // a second finger, while the first one holds the part
       return;
     }
-    const place = event.button === 1 ? undefined : this.view.onPart(event);
-    if (!place) return;
+    const part = event.button === 1 ? undefined : this.view.onPart(event);
+    if (!part) return;
     event.stopPropagation();
     this.stage.setPointerCapture(event.pointerId);
     this.stage.classList.add("is-dragging");
     const isTurning = byId<HTMLInputElement>("mode-turn").checked !== (event.shiftKey || event.button === 2);
-    this.held = { pointer: event.pointerId, isTurning, x: event.clientX, y: event.clientY, grabbed: place };
+    this.held = { pointer: event.pointerId, isTurning, x: event.clientX, y: event.clientY, grabbed: part.place, name: part.name };
     this.begun();
     void this.take(this.held);
   }
 
   private async take(held: Held): Promise<void> {
+    if (!(await this.choose(held.name)) || this.held !== held) return;
     await this.hand.take(held.grabbed);
     if (this.held !== held) return this.hand.letGo(); // the button was up before the part was taken
     this.hand.isTurning = held.isTurning;
@@ -67,7 +72,10 @@ export class Pointer {
 
   private pull(held: Held, event: PointerEvent): void {
     const { plane } = this.hand.scene.handling;
-    const place = this.view.onPlane(event, held.grabbed, plane && new Vector3(...plane));
+    const { lock } = this.hand.scene.spec;
+    const slides = lock?.kind === "cylinder";
+    const normal = slides ? this.view.facing(new Vector3(...lock.direction)) : plane && new Vector3(...plane);
+    const place = this.view.onPlane(event, held.grabbed, normal);
     if (place) this.hand.grip?.moveTo(place);
   }
 

@@ -37,4 +37,21 @@ export function turnNear(turn: Quaternion, other: Quaternion, most: number): Qua
   return angle <= most ? turn.clone() : other.clone().slerp(turn, most / angle);
 }
 
+/** What `inner` is when it is carried by `outer`. */
+export function product(outer: Pose, inner: Pose): Pose {
+  return poseOf(carried(outer, placeOf(inner)), turnOf(outer).multiply(turnOf(inner)));
+}
+
+/** `pose` as seen from `from`. */
+export function relative(from: Pose, pose: Pose): Pose {
+  const back = turnOf(from).invert();
+  return poseOf(placeOf(pose).sub(placeOf(from)).applyQuaternion(back), back.clone().multiply(turnOf(pose)));
+}
+
+/** The angle of a turn about an axis of length one, in (-pi, pi]. */
+export function angleAbout(axis: Vector3, { x, y, z, w }: Quaternion): number {
+  const angle = 2 * Math.atan2(axis.dot(new Vector3(x, y, z)), w);
+  return angle - 2 * Math.PI * Math.ceil((angle - Math.PI) / (2 * Math.PI));
+}
+
 export const areEqual = (a: Pose, b: Pose) => a.every((value, index) => value === b[index]);

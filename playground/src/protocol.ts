@@ -1,11 +1,20 @@
-// What the page and its workers say to each other. The library runs in the workers only.
+// The messages between the page and its workers. The library runs in the workers only.
 import type { Pose } from "./poses";
 
-/** A body of a scene: a shape that the page brings along, or the content of a file. Fixed bodies stand at the origin. */
+/** A body of a scene: a shape that the page brings along, or the content of a file. */
 export interface BodySpec {
   name: string;
   shape?: string;
   file?: { name: string; content: ArrayBuffer };
+  at?: Pose; // where its vertices are carried to at first, in its own frame
+  isPart?: boolean; // of the moving body, and in its frame
+}
+
+/** The moving body only turns about an upright line, or slides along it as well. */
+export interface Lock {
+  kind: "hinge" | "cylinder";
+  direction: number[]; // of length one
+  point: number[];
 }
 
 export interface SceneSpec {
@@ -13,7 +22,12 @@ export interface SceneSpec {
   bodies: BodySpec[]; // the moving one among them
   start: Pose;
   margin: number; // 0: the library's own
+  friction: number;
+  lock?: Lock;
 }
+
+/** The bodies that stand. */
+export const standing = ({ moving, bodies }: SceneSpec) => bodies.filter(({ name, isPart }) => name !== moving && !isPart).map(({ name }) => name);
 
 /** A body as it is drawn and saved. */
 export interface BodyShape {
@@ -28,6 +42,7 @@ export interface BodyShape {
 
 export interface Opened {
   bodies: BodyShape[];
+  moving: BodyShape; // with all its parts
   margin: number;
 }
 
@@ -36,7 +51,8 @@ export interface ContactShown {
   point: number[];
   normal: number[];
   gap: number;
-  force: number;
+  force: number; // along the normal
+  friction: number[];
 }
 
 export type State = "reached" | "resting" | "moving" | "touching";

@@ -1,6 +1,6 @@
 // The recorded hand as files for `chasles drag`, in one ZIP file.
 import type { Pose } from "./poses";
-import type { BodyShape, SceneSpec } from "./protocol";
+import type { BodyShape, Opened, SceneSpec } from "./protocol";
 import type { Session } from "./session";
 import { type Entry, zip } from "./zip";
 
@@ -36,8 +36,14 @@ be cut off to keep its time, and solver and contacts are computed in double, wit
 `;
 }
 
+/** Friction and lock, as the command line takes them. */
+function optionsOf({ friction, lock }: SceneSpec): string {
+  const ofFriction = friction > 0 ? ` --friction ${friction}` : "";
+  return lock ? `${ofFriction} --lock ${lock.kind} --lock-axis "${lock.direction.join(" ")}" --lock-point "${lock.point.join(" ")}"` : ofFriction;
+}
+
 /** The files, and the name of the ZIP file. */
-export function savedHand(title: string, spec: SceneSpec, margin: number, shapes: BodyShape[], session: Session): { name: string; content: Blob } {
+export function savedHand(title: string, spec: SceneSpec, opened: Opened, session: Session): { name: string; content: Blob } {
   const used = new Set<string>();
   const fileOf = (name: string, extension: string) => {
     let file = plain(name) + extension;
@@ -46,15 +52,15 @@ export function savedHand(title: string, spec: SceneSpec, margin: number, shapes
     return file;
   };
   const meshes: Entry[] = [];
-  const bodies = spec.bodies.map(({ name, file }) => {
+  const bodies = spec.bodies.filter(({ isPart }) => !isPart).map(({ name, file }) => {
     const extension = file ? (/\.[A-Za-z0-9]+$/.exec(file.name)?.[0] ?? "") : ".obj";
     const mesh = fileOf(file ? name.replace(/\.[A-Za-z0-9]+$/, "") : name, extension);
-    const shape = shapes.find((shape) => shape.name === name)!;
+    const shape = name === spec.moving ? opened.moving : opened.bodies.find((shape) => shape.name === name)!;
     meshes.push(file ? { name: mesh, content: new Uint8Array(file.content) } : text(mesh, obj(shape)));
     return { name, mesh, ...(name === spec.moving ? { pose: session.start } : {}) };
   });
   const hasFiles = spec.bodies.some(({ file }) => file);
-  const options = `--margin ${margin}${hasFiles ? " --triangulate" : ""}`;
+  const options = `--margin ${opened.margin}${optionsOf(spec)}${hasFiles ? " --triangulate" : ""}`;
   const command = `chasles drag scene.json --body ${JSON.stringify(spec.moving)} --goals hand.csv --out out.csv --page replay.html ${options}`;
   const content = zip([
     text("README.txt", explanation(spec.moving, command, hasFiles)),

@@ -1,5 +1,6 @@
 // The scenes that the page brings along. Lengths are millimetres.
 import { places } from "places";
+import { type Arm, armSpec, type Joint } from "./arm";
 import type { Pose } from "./poses";
 import type { SceneSpec } from "./protocol";
 
@@ -20,7 +21,11 @@ export interface PlaygroundScene {
   ground: string[]; // bodies that are drawn paler
   view: number[]; // from where it is looked at
   unit: string; // of lengths
+  arm?: Arm;
 }
+
+/** Of the switch: beyond what holds a nut of the first scene by itself. */
+export const usualFriction = 0.3;
 
 const z = [0, 0, 1];
 const at = (x: number, y: number, height: number, angle = 0): Pose => [x, y, height, Math.cos(angle / 2), 0, 0, Math.sin(angle / 2)];
@@ -33,7 +38,7 @@ function ready(
   start: Pose,
   more: { margin: number; handling: Handling; glass?: string[]; ground?: string[]; view?: number[] },
 ): PlaygroundScene {
-  const spec = { moving: bodies[0], bodies: bodies.map((name) => ({ name, shape: name })), start, margin: more.margin };
+  const spec = { moving: bodies[0], bodies: bodies.map((name) => ({ name, shape: name })), start, margin: more.margin, friction: 0 };
   const { handling, glass = [], ground = [], view = [0.55, -1, 0.5] } = more;
   return { id, title, about, spec, handling, glass, ground, view, unit: "mm" };
 }
@@ -41,13 +46,27 @@ function ready(
 const [keyX, keyY, , keyAngle] = places.key;
 const [planetX, planetAngle] = places.planet;
 
+const joints: Joint[] = [
+  { name: "Shoulder", link: "upper arm", kind: "hinge", point: [0, 0, 0] },
+  { name: "Elbow", link: "forearm", kind: "hinge", point: [160, 0, 0] },
+  { name: "Quill", link: "quill", kind: "cylinder", point: [300, 0, 0] },
+];
+const degrees = Math.PI / 180;
+const arm: Arm = { joints, values: [-50, 70, 0].map((turn) => ({ turn: turn * degrees, slide: 0 })), active: 1 };
+
+/** A scene with an arm as it stands. */
+export function withArm(scene: PlaygroundScene, arm: Arm): PlaygroundScene {
+  const isHinge = arm.joints[arm.active].kind === "hinge";
+  return { ...scene, arm, spec: armSpec(scene.spec, arm), handling: { isLoose: false, axis: z, plane: isHinge ? z : undefined } };
+}
+
 export const readyScenes: PlaygroundScene[] = [
   ready(
     "nut",
     "Nut and bolt",
-    "A thread with real flanks: 16 mm wide, 4 mm a turn, 0.7 mm of play. Pull the nut: it does not come off. Drag its rim around the bolt, or turn it with Shift: the thread carries it up and down.",
+    "A steep thread with real flanks: 16 mm wide, 6 mm a turn, 0.7 mm of play. Pull the nut: it turns itself off, for nothing rubs. With friction it holds. Drag its rim around the bolt, or turn it with Shift: the thread carries it up and down.",
     ["nut", "bolt"],
-    at(0, 0, 8),
+    at(0, 0, 2 * places.nut),
     { margin: 0.003, handling: { isLoose: true, axis: z } },
   ),
   ready(
@@ -74,13 +93,16 @@ export const readyScenes: PlaygroundScene[] = [
     at(planetX + 0.3, 0, 0.2, planetAngle),
     { margin: 0.02, handling: { isLoose: true, axis: z, plane: z }, ground: ["ground"], view: [0.15, -0.9, 1] },
   ),
-  ready(
-    "robot",
-    "Robot gripper",
-    "The hand of a robot, without its arm. Put it into the shelf, so that the bottle stands between its fingers: 4 mm are left on each side.",
-    ["gripper", "shelf", "bottle", "cell floor"],
-    at(-130, 0, 70),
-    { margin: 0.05, handling: { isLoose: false }, ground: ["cell floor"], view: [-0.9, -0.75, 0.65] },
+  withArm(
+    ready(
+      "robot",
+      "Robot arm",
+      "Shoulder and elbow turn, the quill slides and turns, and nothing else moves: each joint is a lock. Drag any link; all beyond it go along. Bring the quill over the posts and down into the ring: 2 mm are left on each side.",
+      ["forearm", "pedestal", "upper arm", "quill", "ring", "posts", "cell floor"],
+      at(0, 0, 0),
+      { margin: 0.05, handling: { isLoose: false }, ground: ["cell floor"], view: [0.75, -0.7, 0.75] },
+    ),
+    arm,
   ),
 ];
 

@@ -19,7 +19,7 @@ function currentPalette(): Palette {
 }
 
 function kindOf({ spec, glass, ground }: PlaygroundScene, name: string): Kind {
-  if (name === spec.moving) return "moving";
+  if (name === spec.moving || spec.bodies.some((body) => body.name === name && body.isPart)) return "moving";
   return glass.includes(name) ? "glass" : ground.includes(name) ? "ground" : "fixed";
 }
 
@@ -29,6 +29,7 @@ export class View {
   private readonly marks = new ContactMarks();
   private readonly hand = new HandLine();
   private bodies: DrawnBody[] = [];
+  private draggable: string[] = [];
   private ball = new Sphere(new Vector3(), 1);
   private blocking = "";
   private sharpness = 1; // while something is dragged
@@ -48,13 +49,26 @@ export class View {
     return this.ball.radius;
   }
 
-  open(scene: PlaygroundScene, { bodies }: Opened, pose: Pose): void {
+  /** Shows a scene, from where it was looked at before if it is the same one. */
+  open(scene: PlaygroundScene, { bodies }: Opened, pose: Pose, isSame = false): void {
     for (const body of this.bodies) {
       this.world.remove(body.group);
       body.dispose();
     }
     this.bodies = bodies.map((shape) => new DrawnBody(shape, kindOf(scene, shape.name)));
     this.world.add(...this.bodies.map(({ group }) => group));
+    this.draggable = [scene.spec.moving, ...(scene.arm?.joints ?? []).map(({ link }) => link)];
+    if (!isSame) this.frame(scene);
+    this.moveTo(pose);
+    this.showContacts([], []);
+    this.showHand();
+    this.paint();
+    if (!isSame) this.lookFrom(scene.view);
+    this.stage.drawNow(); // a pointer may come before the next frame
+  }
+
+  /** Shifts and scales the whole scene, as it is at its start. */
+  private frame(scene: PlaygroundScene): void {
     this.moveTo(scene.spec.start);
     const whole = new Box3().setFromPoints(this.corners());
     this.ball = whole.getBoundingSphere(new Sphere());
@@ -62,12 +76,6 @@ export class View {
     const unit = 1 / this.ball.radius;
     this.world.matrix.makeScale(unit, unit, unit).multiply(new Matrix4().makeTranslation(this.ball.center.clone().negate()));
     this.world.matrixWorldNeedsUpdate = true;
-    this.moveTo(pose);
-    this.showContacts([], []);
-    this.showHand();
-    this.paint();
-    this.lookFrom(scene.view);
-    this.stage.drawNow(); // a pointer may come before the next frame
   }
 
   /** Looks at the whole scene from a direction. */
@@ -122,12 +130,12 @@ export class View {
     this.isSharp = true;
   }
 
-  /** The place on the moving body under the pointer, in the scene, if no other body is in front of it. */
-  onPart(event: { clientX: number; clientY: number }): Vector3 | undefined {
+  /** What can be dragged under the pointer, and the place on it in the scene, if no other body is in front of it. */
+  onPart(event: { clientX: number; clientY: number }): { name: string; place: Vector3 } | undefined {
     const solid = this.bodies.filter(({ kind }) => kind !== "glass");
     const [hit] = this.stage.under(event as PointerEvent, solid.map(({ mesh }) => mesh));
     const body = hit && solid.find(({ mesh }) => mesh === hit.object);
-    return body?.kind === "moving" ? this.toScene(hit.point) : undefined;
+    return body && this.draggable.includes(body.shape.name) ? { name: body.shape.name, place: this.toScene(hit.point) } : undefined;
   }
 
   /** Where the pointer is on the plane through a place of the scene: parallel to the picture, or with this normal. */
@@ -139,6 +147,12 @@ export class View {
     const ray = new Ray(this.toScene(caster.ray.origin), caster.ray.direction);
     const facing = normal && Math.abs(normal.dot(this.axes().back)) > 0.2 ? normal : this.axes().back;
     return ray.intersectPlane(new Plane().setFromNormalAndCoplanarPoint(facing, place), new Vector3()) ?? undefined;
+  }
+
+  /** The normal of the plane along an axis that is seen best. */
+  facing(axis: Vector3): Vector3 {
+    const { back } = this.axes();
+    return back.addScaledVector(axis, -back.dot(axis)).normalize();
   }
 
   /** The directions of the picture, in the scene. */

@@ -2,23 +2,29 @@
 import { type Chasles, type DraggedBody, InvalidInput, load, type Polyhedron, type Scene } from "chasles";
 import { shapes } from "shapes";
 import type { Pose } from "./poses";
-import type { BodyShape, BodySpec, FileReport, Opened, Proof, Question, SceneSpec, Step, Tasks, WayContact } from "./protocol";
+import {
+  type BodyShape, type BodySpec, type FileReport, type Opened, type Proof, type Question, type SceneSpec, standing, type Step, type Tasks,
+  type WayContact,
+} from "./protocol";
 
 const mostContacts = 64;
 const segmentsAtOnce = 64;
 
 /** A scene in the library, with the hand in it. */
 class OpenScene {
-  readonly bodies = new Map<string, Polyhedron>();
-  readonly fixed: string[];
+  private readonly bodies: Map<string, Polyhedron>;
+  private readonly fixed: string[];
   private readonly scene: Scene;
   private hand: DraggedBody;
 
-  constructor(private readonly chasles: Chasles, private readonly spec: SceneSpec, made: [string, Polyhedron][], pose: Pose) {
+  constructor(
+    private readonly chasles: Chasles, private readonly spec: SceneSpec, made: [string, Polyhedron][], readonly moving: Polyhedron, pose: Pose,
+  ) {
     this.bodies = new Map(made);
     this.scene = chasles.scene();
-    this.fixed = spec.bodies.map(({ name }) => name).filter((name) => name !== spec.moving);
-    for (const [name, body] of this.bodies) this.scene.add(name, body, name === spec.moving ? { pose } : {});
+    this.fixed = standing(spec);
+    this.scene.add(spec.moving, moving, { pose });
+    for (const name of this.fixed) this.scene.add(name, this.bodies.get(name)!);
     this.refuseOverlap();
     this.hand = this.newHand();
   }
@@ -38,7 +44,7 @@ class OpenScene {
     const step = this.hand.update(goal, seconds);
     const milliseconds = performance.now() - begin;
     const { pose, state, wrench, distance, blocking, touching } = step;
-    const contacts = step.contacts.slice(0, mostContacts).map(({ body, point, normal, gap, force }) => ({ body, point, normal, gap, force }));
+    const contacts = step.contacts.slice(0, mostContacts).map(({ body, point, normal, gap, force, friction }) => ({ body, point, normal, gap, force, friction }));
     const way = step.pieces.length === 0 ? [] : [...step.pieces.slice(1).map(({ start }) => start), pose];
     return { pose, state, contacts, wrench, distance, blocking: [...new Set([...blocking, ...touching])], way, milliseconds };
   }
@@ -58,17 +64,18 @@ class OpenScene {
   free(): void {
     this.hand.free();
     this.scene.free();
-    for (const body of this.bodies.values()) body.free();
+    for (const body of [this.moving, ...this.bodies.values()]) body.free();
   }
 
   private contactWith(body: string, way: Pose[]): WayContact | undefined {
-    const found = this.chasles.firstContactOnPath(this.bodies.get(this.spec.moving)!, this.bodies.get(body)!, way);
+    const found = this.chasles.firstContactOnPath(this.moving, this.bodies.get(body)!, way);
     if (found.verdict === "clear") return undefined;
     return { body, segment: found.segment, time: found.time ?? 0, atStart: found.verdict === "contact_at_start" };
   }
 
   private newHand(): DraggedBody {
-    return this.chasles.draggedBody(this.scene, this.spec.moving, { margin: this.spec.margin });
+    const { moving, margin, friction, lock } = this.spec;
+    return this.chasles.draggedBody(this.scene, moving, { margin, friction, lock });
   }
 
   private refuseOverlap(): void {
@@ -82,11 +89,32 @@ let open: OpenScene | undefined;
 
 const library = () => (chasles ??= load());
 
-async function made({ shape, file }: BodySpec): Promise<Polyhedron> {
+async function made({ shape, file, at }: BodySpec): Promise<Polyhedron> {
   const instance = await library();
   if (file) return instance.fromFile(new Uint8Array(file.content), file.name, { triangulate: true });
   const { vertices, faces } = (await shapes())[shape!];
-  return instance.polyhedron(vertices, faces);
+  return instance.polyhedron(at ? vertices.map((vertex) => carriedTo(at, vertex)) : vertices, faces);
+}
+
+/** Like `carried`, without three.js, which is not in the workers. */
+function carriedTo([x, y, z, w, ...axis]: Pose, point: number[]): number[] {
+  const twice = cross(axis, point).map((part) => 2 * part);
+  const turned = cross(axis, twice);
+  return [x, y, z].map((place, k) => place + point[k] + w * twice[k] + turned[k]);
+}
+
+const cross = (a: number[], b: number[]) => [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]];
+
+/** Several surfaces as one body. */
+async function joined(bodies: Polyhedron[]): Promise<Polyhedron> {
+  const vertices: number[] = [];
+  const faces: number[][] = [];
+  for (const body of bodies) {
+    const first = vertices.length / 3;
+    faces.push(...body.faces.map((face) => face.map((corner) => first + corner)));
+    vertices.push(...body.vertices);
+  }
+  return (await library()).polyhedron(vertices, faces);
 }
 
 function shapeOf(name: string, body: Polyhedron): BodyShape {
@@ -110,10 +138,13 @@ const tasks: { [Name in keyof Tasks]: (ask: Tasks[Name]["ask"], onPart: (part: n
   async open({ scene, pose }): Promise<Opened> {
     const bodies: [string, Polyhedron][] = [];
     for (const spec of scene.bodies) bodies.push([spec.name, await made(spec)]);
-    const next = new OpenScene(await library(), scene, bodies, pose ?? scene.start);
+    const parts = scene.bodies.flatMap(({ name, isPart }, index) => (name === scene.moving || isPart ? [bodies[index][1]] : []));
+    const moving = parts.length > 1 ? await joined(parts) : parts[0];
+    const next = new OpenScene(await library(), scene, bodies, moving, pose ?? scene.start);
     open?.free();
     open = next;
-    return { bodies: bodies.map(([name, body]) => shapeOf(name, body)), margin: open.margin };
+    const shown = bodies.map(([name, body]) => shapeOf(name, body));
+    return { bodies: shown, moving: shapeOf(scene.moving, moving), margin: open.margin };
   },
 
   async place({ pose }) {

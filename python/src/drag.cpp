@@ -124,7 +124,7 @@ struct Named {
 };
 
 void make(PythonDraggedBody* body, PythonScene& scene, const std::string& name, const Named& named,
-          const std::optional<DragLock>& lock) {
+          const std::optional<DragLock>& lock, const std::optional<MassProperties>& mass) {
     DragOptions options;
     options.margin = named.margin;
     options.reach = named.reach;
@@ -132,6 +132,7 @@ void make(PythonDraggedBody* body, PythonScene& scene, const std::string& name, 
     options.friction = named.friction;
     options.rounds = named.rounds;
     options.lock = lock.value_or(DragLock());
+    options.mass = mass;
     new (body) PythonDraggedBody(scene, name, options);
 }
 
@@ -177,7 +178,9 @@ constexpr const char* body_doc =
     "stiffness : float\n    Force of the hand for a distance of 1 between the body and the goal.\nrounds : int\n"
     "    Certified steps of one update at most.\nfriction : float\n"
     "    Of Coulomb: the greatest friction force of a contact, as a share of its normal force. The body rests where\n"
-    "    friction can hold it.\nlock : DragLock, optional\n    The body moves only as the lock lets it.\n\n"
+    "    friction can hold it.\nlock : DragLock, optional\n    The body moves only as the lock lets it.\n"
+    "mass : MassProperties, optional\n    How hard turning is against shifting; by default as for the solid box around "
+    "the body.\n\n"
     "Raises\n------\nInvalidInput\n    For an unknown name, and for an option out of its range.";
 
 constexpr const char* lock_doc =
@@ -190,6 +193,15 @@ constexpr const char* lock_doc =
     "    On the line of a hinge or a cylinder, mesh unit.\n\n"
     "Raises\n------\nInvalidInput\n    For an unknown kind. `DraggedBody` refuses directions and points that cannot be "
     "used.";
+
+constexpr const char* mass_doc =
+    "How a dragged body resists a hand: its mass, as a share of its whole mass.\n\n"
+    "    hand = chasles.DraggedBody(scene, \"nut\", mass=chasles.MassProperties(0.4 * numpy.eye(3), [0, 0, 2]))\n\n"
+    "Parameters\n----------\ninertia : array (3, 3)\n"
+    "    Moments of inertia about the centre in the body's frame, per mass (mesh unit squared).\ncentre : array (3,)\n"
+    "    Of mass, in the body's frame, mesh unit.\n\n"
+    "Raises\n------\nInvalidInput\n    For another shape. `DraggedBody` refuses an inertia that is not symmetric and "
+    "positive definite.";
 
 constexpr const char* force_doc =
     "The force on the hand for another goal, from the contacts and the pose that the last update ended with.\n\n"
@@ -242,6 +254,23 @@ void bind_lock(nb::module_& module) {
         });
 }
 
+void bind_mass(nb::module_& module) {
+    nb::class_<MassProperties>(module, "MassProperties", mass_doc)
+        .def(
+            "__init__",
+            [](MassProperties* mass, nb::handle inertia, nb::handle centre) {
+                const DoubleArray rows(inertia, "inertia");
+                if (rows.shape_text() != "(3, 3)")
+                    throw InvalidInput("inertia: shape " + rows.shape_text() +
+                                       "; a matrix of inertia has shape (3, 3)");
+                using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+                new (mass) MassProperties{vector_from(centre, "centre"), Eigen::Map<const Rows>(rows.numbers().data())};
+            },
+            "inertia"_a, "centre"_a = nb::make_tuple(0, 0, 0),
+            nb::sig("def __init__(self, inertia: numpy.typing.ArrayLike, centre: numpy.typing.ArrayLike = (0, 0, 0)) "
+                    "-> None"));
+}
+
 void bind_step(nb::module_& module) {
     nb::class_<PythonStep>(module, "DragStep", doc("DragStep"))
         .def_prop_ro(
@@ -290,16 +319,18 @@ void bind_step(nb::module_& module) {
 void bind_drag(nb::module_& module) {
     bind_parts(module);
     bind_lock(module);
+    bind_mass(module);
     bind_step(module);
     nb::class_<PythonDraggedBody>(module, "DraggedBody", body_doc)
         .def(
             "__init__",
             [](PythonDraggedBody* body, PythonScene& scene, const std::string& name, double margin, double reach,
-               double stiffness, int rounds, double friction, const std::optional<DragLock>& lock) {
-                make(body, scene, name, {margin, reach, stiffness, friction, rounds}, lock);
+               double stiffness, int rounds, double friction, const std::optional<DragLock>& lock,
+               const std::optional<MassProperties>& mass) {
+                make(body, scene, name, {margin, reach, stiffness, friction, rounds}, lock, mass);
             },
             "scene"_a, "name"_a, nb::kw_only(), "margin"_a = 0.0, "reach"_a = 0.0, "stiffness"_a = 1.0, "rounds"_a = 8,
-            "friction"_a = 0.0, "lock"_a = nb::none(), nb::keep_alive<1, 2>())
+            "friction"_a = 0.0, "lock"_a = nb::none(), "mass"_a = nb::none(), nb::keep_alive<1, 2>())
         .def("update", &PythonDraggedBody::update, "goal"_a, "seconds"_a = 0.0,
              nb::sig("def update(self, goal: numpy.typing.ArrayLike, seconds: float = 0.0) -> DragStep"), update_doc)
         .def("follow", &PythonDraggedBody::follow, "goals"_a, "seconds"_a = 0.0,

@@ -101,9 +101,8 @@ double time_at(const SweepMotion& /*motion*/, double tau) {
 
 /// Binds the members that both kinds of motion have.
 template <typename M>
-void bind_common(nb::class_<M>& type) {
-    type.def("pose_at", pose_at<M>, "time"_a, nb::sig("def pose_at(self, time: float) -> " CHASLES_ARRAY),
-             "The pose (4, 4) of the moving body in the world at a time in [0, 1].")
+void bind_common(nb::class_<M>& type, const char* pose_text) {
+    type.def("pose_at", pose_at<M>, "time"_a, nb::sig("def pose_at(self, time: float) -> " CHASLES_ARRAY), pose_text)
         .def(
             "fixed_pose_at",
             [](const M& motion, double time) {
@@ -175,7 +174,10 @@ void bind_screw(nb::module_& module) {
             "cut", [](const ScrewMotion& m, double max_turn) { return m.with_max_turn(max_turn).pieces(); },
             "max_turn"_a, "The same as with_max_turn(max_turn).pieces().")
         .def("__repr__", repr_of_screw);
-    bind_common(type);
+    bind_common(type, "The pose (4, 4) of the moving body in the world at a time in [0, 1], along the uncut screw.\n\n"
+                      "A query follows `pieces()` one after another: equal turns of at most `max_turn`, by default 10\n"
+                      "degrees, with equal slides. So a screw that turns by more and slides is elsewhere between its\n"
+                      "ends, and the pose of an answer is that of a piece.");
 }
 
 void bind_sweep(nb::module_& module) {
@@ -200,7 +202,7 @@ void bind_sweep(nb::module_& module) {
             "displacement", [](const SweepMotion& m) { return array_of(m.displacement()); },
             nb::sig("def displacement(self) -> " CHASLES_ARRAY), doc("SweepMotion.displacement"))
         .def("__repr__", repr_of_sweep);
-    bind_common(type);
+    bind_common(type, "The pose (4, 4) of the moving body in the world at a time in [0, 1].");
 }
 
 bool none_of(std::initializer_list<nb::handle> arguments) {

@@ -1,6 +1,7 @@
 // How the package compares with the native library: size, time until ready, time of the known answers and of tight cases.
 //
 //   node bench.mjs [ROUNDS]    in the project that tools/wasm_check.sh makes, with the same variables
+import { spawnSync } from "node:child_process";
 import { readFileSync } from "node:fs";
 import { brotliCompressSync, gzipSync, gunzipSync } from "node:zlib";
 import { fileURLToPath } from "node:url";
@@ -33,6 +34,22 @@ for (const [name, make] of [["plain", load], ["inline", loadInline]]) {
     times.push(performance.now() - start);
   }
   console.log(`${name}: ready and first answer after ${times.map((t) => t.toFixed(0)).join(", ")} ms (loaded five times)`);
+}
+
+/** In a new process: since Node.js began, and what load() takes of it. */
+function freshProcess(name) {
+  const code = `import { load } from "${name}"; const began = performance.now(); const chasles = await load(); const loaded = performance.now();
+    const body = chasles.polyhedron([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]); chasles.firstContact(body, body, [0, 0, 1], [0, 0, 2]);
+    console.log(JSON.stringify([began, loaded - began, performance.now()]));`;
+  const here = fileURLToPath(new URL(".", import.meta.url));
+  return JSON.parse(spawnSync(process.execPath, ["--input-type=module", "-e", code], { cwd: here, encoding: "utf8" }).stdout);
+}
+
+for (const name of ["chasles", "chasles/inline"]) {
+  const runs = Array.from({ length: 7 }, () => freshProcess(name)).sort((a, b) => a[2] - b[2]);
+  const [imported, loading, answered] = runs[3].map((t) => t.toFixed(0));
+  console.log(`${name} in a new process: imported ${imported} ms after Node.js began, load() takes ${loading} ms, first answer after ${answered} ms ` +
+    "(median of 7)");
 }
 
 function knownAnswers() {

@@ -80,6 +80,22 @@ view::NumberedMotion motion_in(const Json& json) {
     return {relative(moving.motion, between(json, fixed_start, fixed_goal, "fixed_centre").motion), moving.numbers};
 }
 
+DragOptions drag_options_in(const Json& json) {
+    DragOptions options;
+    options.friction = json.value("friction", 0.0);
+    if (!json.contains("lock"))
+        return options;
+    const Json& lock = json["lock"];
+    const std::string kind = lock["kind"];
+    options.lock.kind = kind == "hinge"      ? DragLockKind::hinge
+                        : kind == "slider"   ? DragLockKind::slider
+                        : kind == "cylinder" ? DragLockKind::cylinder
+                                             : DragLockKind::plane;
+    options.lock.direction = centre_in(lock, "direction");
+    options.lock.point = centre_in(lock, "point");
+    return options;
+}
+
 class Answerer {
 public:
     /// Null for a body.
@@ -152,7 +168,7 @@ Json Answerer::scene_json(const Json& json) const {
 
 Json Answerer::drag_json(const Json& json) const {
     Scene scene = scene_in(json);
-    DraggedBody hand(scene, json["body"]);
+    DraggedBody hand(scene, json["body"], drag_options_in(json));
     Json steps = Json::array();
     for (const Json& goal : json["goals"]) {
         const DragStep step = hand.update(pose_in(goal));

@@ -270,6 +270,68 @@ test("scenes: adding, moving, removing, rules", () => {
   assert.deepEqual(scene.names, ["c", "b"]);
 });
 
+test("scenes: splines through poses, and where bodies are", () => {
+  const scene = chasles.scene();
+  const poses = [[0, 0, 0], [2, 4, 0], [4, 0, 0]];
+  scene.add("spline", cube, { motion: "spline", poses, times: [0, 0.5, 1] });
+  // The natural cubic spline through heights 0, 4, 0 at the times 0, 1/2, 1 is 4 (3 t - 4 t^3) for t up to 1/2.
+  for (const time of [0, 0.1, 0.25, 0.4, 0.5]) {
+    const [x, y, z, ...turn] = scene.poseAt("spline", time);
+    assert.ok(Math.abs(x - 4 * time) < 1e-12 && Math.abs(y - 4 * (3 * time - 4 * time ** 3)) < 1e-12 && z === 0);
+    assert.deepEqual(turn, [1, 0, 0, 0]);
+  }
+  scene.add("floor", cube, { pose: [2, 7, 0] }); // its lower side is at y = 6, which the upper one of the first meets at y = 5
+  assert.equal(scene.firstContact().verdict, "clear");
+  scene.move("floor", { pose: [2, 4.5, 0] }); // at the height 2.5 where 3 t - 4 t^3 = 5/8
+  const found = scene.firstContact();
+  const t = (found.time + found.time_upper) / 2;
+  assert.ok(Math.abs(3 * t - 4 * t ** 3 - 0.625) < 1e-9, String(t));
+  // A B-spline of positions on a line stays on it, and starts and ends at its ends.
+  scene.move("spline", { motion: "b_spline", poses: [[-3, 0, 0], [-3, 0, 1, 1, 0, 0, 1], [-3, 0, 5]] });
+  const heights = [0, 0.2, 0.4, 0.6, 0.8, 1].map((time) => scene.poseAt("spline", time)[2]);
+  assert.ok(heights.every((height, i) => i === 0 || height > heights[i - 1]) && Math.abs(heights[5] - 5) < 1e-12 && heights[0] === 0);
+  assert.match(refusal(() => scene.poseAt("spline", 1.5)), /^time: must be in \[0, 1\]/);
+  assert.match(refusal(() => scene.poseAt("none", 0)), /^scene: none: is not in the scene/);
+  const refused = (options) => refusal(() => scene.move("spline", { motion: "spline", ...options }));
+  assert.match(refused({ poses }), /^times: undefined is no array/);
+  assert.match(refused({ poses, times: [0, 1, 1] }), /ascend/);
+  assert.match(refused({ poses: [far], times: [0] }), /two/);
+  assert.match(refused({ pose: far }), /^poses: stand instead/);
+  assert.match(refused({ poses, times: [0, 0.5, 1], centre: [0, 0, 0] }), /^centre: is for the motion velocity/);
+  assert.match(refusal(() => scene.move("spline", { motion: "b_spline", poses, times: [0, 0.5, 1] })), /^times: a b_spline has none/);
+  assert.match(refusal(() => scene.move("spline", { motion: "b_spline", poses: [far] })), /two/);
+});
+
+test("scenes: all bodies moved at once, or none", () => {
+  const scene = chasles.scene();
+  for (const name of ["a", "b", "c"]) scene.add(name, cube, { pose: [9, 9, 9] });
+  const starts = [[0, 0, 0], [4, 0, 0], [0, 9, 0]];
+  const goals = [[0, 0, 0], [1, 0, 0], [0, 8, 0, 1, 1, 0, 0]];
+  scene.moveAll(starts, goals);
+  assert.deepEqual(scene.poseAt("b", 0.5), [2.5, 0, 0, 1, 0, 0, 0]);
+  assert.ok(Math.abs(scene.firstContact().time - 2 / 3) < 1e-9);
+  assert.match(refusal(() => scene.moveAll(starts.slice(1), goals)), /^starts, goals: 2 and 3 poses for 3 bodies/);
+  assert.match(refusal(() => scene.moveAll(starts, [far, far, [1]])), /^goals\[2\]: 1 number found/);
+  assert.match(refusal(() => scene.moveAll(starts, goals, { motion: "screw" })), /^motion: screw is the motion of one body/);
+  assert.deepEqual(scene.poseAt("b", 0.5), [2.5, 0, 0, 1, 0, 0, 0]);
+});
+
+test("where the moving body of a question is", () => {
+  const half = [0, 0, 0, Math.SQRT1_2, 0, 0, Math.SQRT1_2]; // a quarter turn about z
+  // A screw slides by tan(turn / 2); cut into nine pieces of ten degrees, it does so within each of them.
+  const tan = (degrees) => Math.tan((degrees * Math.PI) / 180);
+  const heights = { sweep: 1, velocity: 1, twist: 1, screw: (2 / 9) * (4 + tan(2.5) / tan(5)), uncut: (2 * tan(22.5)) / tan(45) };
+  for (const [motion, height] of Object.entries(heights)) {
+    const options = motion === "uncut" ? { maxTurn: Math.PI } : { motion };
+    const [x, y, z, w, , , turn] = chasles.poseAt([0, 0, 0], [0, 0, 2, ...half.slice(3)], 0.5, options);
+    assert.ok(Math.hypot(x, y, z - height) < 1e-12 && Math.abs(2 * Math.atan2(turn, w) - Math.PI / 4) < 1e-12, motion);
+  }
+  const found = chasles.firstContact(cube, cube, far, near);
+  chasles.poseAt(far, near, found.time).forEach((part, k) => assert.ok(Math.abs(part - found.pose[k]) < 1e-12));
+  assert.match(refusal(() => chasles.poseAt(far, near, NaN)), /^time: must be in \[0, 1\]/);
+  assert.match(refusal(() => chasles.poseAt(far, near, "0")), /^time: "0" is not a number/);
+});
+
 test("a dragged body stops at contacts, slides, and lifts off", () => {
   const scene = chasles.scene();
   const table = chasles.polyhedron(box(20, 20, 1).vertices, box(20, 20, 1).faces);

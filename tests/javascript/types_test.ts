@@ -24,7 +24,16 @@ const first = scene.firstContact({ until: 0.5 });
 if (first.verdict === "contact") console.log(first.pair[0], first.time_upper);
 const hand = chasles.draggedBody(scene, "cube", { rounds: 4 });
 const force: number = hand.update([0, 0, 0], 1 / 60).contacts[0]?.force ?? 0;
+const locked = chasles.draggedBody(scene, "cube", {
+  friction: 0.3, lock: { kind: "hinge", direction: [0, 0, 1], point: new Float64Array(3) }, mass: { inertia: [[1, 0, 0], [0, 1, 0], [0, 0, 1]] },
+});
+const across: number = locked.update([0, 0, 0]).contacts[0]?.friction[2] ?? locked.force([0, 0, 1])[5];
+// @ts-expect-error: there is no such lock
+chasles.draggedBody(scene, "cube", { lock: { kind: "screw" } });
+scene.move("cube", { motion: "spline", poses: [[0, 0, 0], [1, 0, 0]], times: [0, 1] });
+scene.moveAll([[0, 0, 0]], [[1, 0, 0]], { motion: "twist" });
+const middle: number = scene.poseAt("cube", 0.5)[0] + chasles.poseAt([0, 0, 0], [1, 0, 0], 0.5, { motion: "sweep" })[6];
 const workers = await chasles.workers({ count: 2 });
 const answers: FirstContact[] = await workers.firstContactBatch(cube, box, [[0, 0, 0]], [[1, 0, 0]]);
 cube[Symbol.dispose]();
-console.log(segment, clear, force, answers, new InvalidInput("x").message);
+console.log(segment, clear, force, across, middle, answers, new InvalidInput("x").message);

@@ -215,8 +215,9 @@ TEST(Lock, RefusesWhatItCannotUse) {
     EXPECT_EQ(refusal_of({DragLockKind::hinge, Vector3d::Zero(), {}}), direction);
     EXPECT_EQ(refusal_of({DragLockKind::plane, {1, nan, 0}, {}}), direction);
     EXPECT_EQ(refusal_of({DragLockKind::slider, {1, 0, std::numeric_limits<double>::infinity()}, {}}), direction);
-    EXPECT_EQ(refusal_of({DragLockKind::cylinder, {1, 0, 0}, {nan, 0, 0}}),
-              "drag: lock: the point must be finite, and no component beyond 1e30");
+    for (const Vector3d& point : {Vector3d(nan, 0, 0), Vector3d(0, nan, 0), Vector3d(0, 2e30, 0)})
+        EXPECT_EQ(refusal_of({DragLockKind::cylinder, {1, 0, 0}, point}),
+                  "drag: lock: the point must be finite, and no component beyond 1e30");
     EXPECT_EQ(refusal_of({DragLockKind(9), {1, 0, 0}, {}}), "drag: lock: the kind is unknown");
     const Lock tiny({DragLockKind::slider, {1e-300, 0, 0}, {}}, Pose());
     EXPECT_EQ(tiny.onto(shifted(2, 3, 4)).translation, Vector3d(2, 0, 0));

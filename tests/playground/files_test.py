@@ -62,9 +62,11 @@ class Files(PlaygroundTest):
         start = self.pose()
         self.pull(self.evaluate("playground.app.hand.inertia.centre.toArray()"), 12, -8, steps=4)
         self.assertNotEqual(self.pose(), start)
+        self.evaluate("playground.app.undo()")
+        self.assertEqual(self.pose(), start)
 
     def test_files_that_are_no_meshes(self) -> None:
-        self.open("#robot")
+        self.open("#peg")
         for file, words in [
             (write("broken.obj", CUBE[:30] + "v 1 zwei 3\n"), ["broken.obj", "line 4"]),
             (write("cut.stl", million_triangles()[:100]), ["cut.stl"]),
@@ -82,7 +84,7 @@ class Files(PlaygroundTest):
             print(f"  {said}")
 
     def test_a_million_triangles(self) -> None:
-        self.open("#robot")
+        self.open("#peg")
         file = write("million.stl", million_triangles())
         self.drop(file)
         self.goes_on()  # while the file is being read

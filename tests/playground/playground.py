@@ -9,6 +9,7 @@ import io
 import json
 import math
 import pathlib
+import shlex
 import subprocess
 import sys
 import tempfile
@@ -192,6 +193,26 @@ class PlaygroundTest(unittest.TestCase):
             self.assertIsNone(packed.testzip())
             packed.extractall(unpacked)
         return unpacked
+
+    def replayed(self, body: str, fixed: list) -> list:
+        """Replays the saved hand natively, and proves the saved way. Returns the poses of the replay."""
+        saved = self.saved()
+        command = next(line for line in (saved / "README.txt").read_text().splitlines() if line.startswith("chasles drag "))
+        self.assertIn(command.removeprefix("chasles"), (saved / "drag.sh").read_text())
+        options = shlex.split(command[command.index("--margin") :])
+        arguments = ["scene.json", "--body", body, "--goals", "hand.csv", "--out", "out.csv", "--page", "replay.html", *options]
+        replay = run("drag", *arguments, cwd=saved)
+        self.assertIn(replay.returncode, (0, 1), replay.stderr)
+        self.assertTrue((saved / "replay.html").stat().st_size > 100_000)
+        for other in fixed:
+            proof = run("path", f"{body.replace(' ', '-')}.obj", f"{other.replace(' ', '-')}.obj", "--poses", "way.csv", "--json", cwd=saved)
+            self.assertEqual(json.loads(proof.stdout)["verdict"], "clear", proof.stderr)
+        goals, reached = (poses_in((saved / f"{name}.csv").read_text()) for name in ("hand", "reached"))
+        out = [row[1:8] for row in poses_in((saved / "out.csv").read_text())]
+        self.assertEqual(len(goals), len(out))
+        self.assertEqual(len(reached), len(out))
+        self.assertEqual(reached[-1], self.pose())
+        return [reached, out]
 
     def drop(self, *files: pathlib.Path) -> None:
         """Files dropped on the picture, as from a file manager."""

@@ -77,6 +77,19 @@ def test_locks_leave_what_they_name(scene):
         assert step.pose[:3, 2] == pytest.approx([0, 0, 1], abs=1e-13)
 
 
+@pytest.mark.parametrize("inertia", [0.1, 0.4, 3])
+def test_mass_says_how_hard_turning_is_against_shifting(scene, inertia):
+    """A lever of length 2 and a goal that is shifted by 1 and not turned: the energy of the spring has no slope there."""
+    hinge = chasles.DragLock("hinge", [0, 0, 1], [-2, 0, 0])
+    mass = chasles.MassProperties(inertia * np.eye(3))
+    hand = chasles.DraggedBody(scene, "box", lock=hinge, mass=mass)
+    for _ in range(4):
+        step = hand.update(pose(0, 1, 5))
+    angle = np.arctan2(step.pose[1, 0], step.pose[0, 0])
+    # 1/2 |(2, 1) - 2 (cos a, sin a)|^2 + 1/2 I a^2
+    assert 4 * np.sin(angle) - 2 * np.cos(angle) + inertia * angle == pytest.approx(0, abs=1e-6)
+
+
 def test_the_force_for_another_goal_needs_no_update(scene):
     hand = chasles.DraggedBody(scene, "box", margin=1e-3, stiffness=10, friction=0.2)
     step = hand.update(pose(0, 0, -1))
@@ -117,6 +130,10 @@ def test_refuses_what_it_cannot_use(scene):
         chasles.DraggedBody(scene, "box", friction=float("nan"))
     with pytest.raises(chasles.InvalidInput, match="drag: lock: the direction"):
         chasles.DraggedBody(scene, "box", lock=chasles.DragLock("hinge", [0, 0, 0]))
+    with pytest.raises(chasles.InvalidInput, match=r"inertia: shape \(3,\); a matrix of inertia has shape \(3, 3\)"):
+        chasles.MassProperties([1, 1, 1])
+    with pytest.raises(chasles.InvalidInput, match="drag: mass: the inertia must be symmetric"):
+        chasles.DraggedBody(scene, "box", mass=chasles.MassProperties(np.diag([1, 1, -1])))
     with pytest.raises(chasles.InvalidInput, match="drag: lock: the kind must be .* not door"):
         chasles.DragLock("door")
     hand = chasles.DraggedBody(scene, "box")

@@ -37,6 +37,18 @@ def test_a_sweep_goes_about_its_centre():
     np.testing.assert_allclose(sweep.about([0, 0, 0]).displacement, TURNED[:3])
 
 
+def test_a_query_follows_the_pieces_and_not_the_uncut_screw():
+    """A plate falls and turns by a quarter turn: when is it at the height of the pieces, and when at that of the screw?"""
+    goal = [0, 0, 0, math.sqrt(0.5), 0, 0, math.sqrt(0.5)]
+    screw = chasles.ScrewMotion.between([0, 0, 2, 1, 0, 0, 0], goal)
+    plate = chasles.Polyhedron([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])
+    found = chasles.first_contact(plate, plate, motion=screw, margin=1.5)
+    assert found.time == pytest.approx(0.25, abs=1e-3)  # nine equal slides of nearly even speed
+    piece, part = divmod(found.time * 9, 1)
+    assert screw.pieces()[int(piece)].pose_at(part)[2, 3] == pytest.approx(1.5, abs=1e-9)
+    assert screw.pose_at(found.time)[2, 3] > 1.55
+
+
 def test_a_screw_is_cut_into_equal_turns():
     pieces = chasles.ScrewMotion.between(pose(0, 0, 0), TURNED).cut(0.25)
     assert [piece.angle for piece in pieces] == pytest.approx([0.2] * 3)

@@ -3,6 +3,8 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/batch.h"
+#include "scenes/nut_motions.h"
+#include "scenes/threaded_fastener.h"
 #include "tests/query/bodies.h"
 
 #include <gtest/gtest.h>
@@ -39,6 +41,33 @@ TEST(Path, FewerThanTwoPosesAreRefused) {
     EXPECT_THROW(static_cast<void>(screws_along(poses)), InvalidInput);
     EXPECT_THROW(static_cast<void>(first_contact_on_path({.moving = body, .fixed = body, .motions = {}})),
                  InvalidInput);
+}
+
+/// After the first steps the axis is known (note 32).
+TEST(Path, OffAThreadAnswersAsItsStepsByThemselves) {
+    const Polyhedron nut = scenes::nut({});
+    const Polyhedron bolt = scenes::bolt({});
+    for (const double slide : {2.0, 1.75}) {
+        std::vector<Pose> poses;
+        for (int i = 0; i <= 36; ++i)
+            poses.push_back(scenes::nut_pose({.height = 10, .slide_per_turn = slide}, i / 36.0));
+        const std::vector<Motion> steps = screws_along(poses);
+        const PathContact path = first_contact_on_path({.moving = nut, .fixed = bolt, .motions = steps});
+        std::uint64_t node_pairs = 0;
+        FirstContact alone;
+        std::size_t segment = 0;
+        for (; segment < steps.size() && alone.verdict != Verdict::contact; ++segment) {
+            alone = first_contact({.moving = nut, .fixed = bolt, .motion = steps[segment]});
+            node_pairs += alone.work.node_pairs;
+        }
+        EXPECT_EQ(path.contact.verdict, alone.verdict) << slide;
+        EXPECT_EQ(path.segment, segment - 1) << slide;
+        EXPECT_NEAR(path.contact.time.lower, alone.time.lower, 2e-12) << slide;
+        EXPECT_EQ(path.contact.verdict, slide == 2 ? Verdict::clear : Verdict::contact);
+        if (slide == 2) {
+            EXPECT_LT(2 * path.contact.work.node_pairs, node_pairs);
+        }
+    }
 }
 
 bool same_bits(const FirstContact& a, const FirstContact& b) {

@@ -18,6 +18,8 @@ SOUND = {
     "chasles/query/first_contact.h": '#include "chasles/mesh/box.h"\n#include "chasles/motion/pose.h"\n',
     "chasles/io/file.h": '#include "chasles/mesh/box.h"\n',
     "scenes/bolt.h": '#include "chasles/mesh/box.h"\n',
+    "examples/shapes.h": "#include <chasles/chasles.h>\n",
+    "playground/shapes.cpp": '#include "examples/shapes.h"\n#include "scenes/bolt.h"\n',
     "cli/main.cpp": '#include "chasles/chasles.h"\n#include "scenes/bolt.h"\n',
     "tests/mesh/box_test.cpp": '#include "chasles/io/file.h"\n#include <gtest/gtest.h>\n',
 }
@@ -44,6 +46,9 @@ class CheckLayers(SmallTree):
     def test_library_knows_nothing_of_its_faces(self):
         text = SOUND["chasles/query/first_contact.h"] + '#include "scenes/bolt.h"\n'
         self.assert_violation("chasles/query/first_contact.h", text, "query must not know of scenes")
+
+    def test_playground_knows_nothing_of_files(self):
+        self.assert_violation("playground/shapes.cpp", '#include "chasles/io/file.h"\n', "playground must not know of io")
 
     def test_layers_do_not_include_the_whole_surface(self):
         self.assert_violation("chasles/io/file.h", '#include "chasles/chasles.h"\n', "whole surface")

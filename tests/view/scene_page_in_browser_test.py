@@ -28,7 +28,7 @@ def packed(numbers: list) -> str:
     return base64.b64encode(struct.pack(f"<{len(numbers)}d", *numbers)).decode()
 
 
-def recording(page: str) -> str:
+def recording(page: str, contacts: int) -> str:
     """The page with a recording instead of its scene: a tower of cubes, and stamps from 10 to 90."""
     data = json.loads(re.search(r'<script id="scene"[^>]*>(.*?)</script>', page)[1])
     cube = data["meshes"][data["bodies"][1]["mesh"]]
@@ -41,7 +41,7 @@ def recording(page: str) -> str:
     events = [
         {"time": 25 + i / 8, "time_upper": 25 + i / 8, "certain": i != 1, "pair": [i % 29 + 1, i % 29], "kind": "impact"}
         | {"contacts": [point]}
-        for i in range(ROWS)
+        for i in range(contacts)
     ]
     record = {"format": 2, "title": "A tower", "source": "recording", "margin": 0, "times": packed(times)}
     record |= {"meshes": [cube], "bodies": bodies, "events": events}
@@ -57,7 +57,8 @@ class ScenePage(PageTest):
         run("scene", "scene.json", "--all", "--until", "0.1", "--page", "clear_scene.html")
         (folder / "empty.json").write_text('{"bodies": []}')
         run("scene", "empty.json", "--page", "empty.html")
-        (folder / "recording.html").write_text(recording((folder / "all.html").read_text()))
+        for name, contacts in [("recording", ROWS), ("silent", 0)]:
+            (folder / f"{name}.html").write_text(recording((folder / "all.html").read_text(), contacts))
 
     def rows(self) -> list[str]:
         return self.browser.evaluate("[...document.querySelectorAll('#rows > div')].map(row => row.innerText)")
@@ -165,6 +166,13 @@ class ScenePage(PageTest):
         self.assertIn("no: the bodies may just miss each other", self.text("#numbers"))
         self.assertIn("(not certain)", self.rows()[1])
         self.assertGreater(count(self.picture("recording"), is_contact_colour), 30)
+
+    def test_a_recording_without_contacts_does_not_count_them(self) -> None:
+        self.open("silent.html")
+        self.assertEqual(self.text("#verdict"), "Recording")
+        self.assertIn("No contacts were recorded. Between the recorded times", self.text("#meaning"))
+        self.browser.press("End")
+        self.assertEqual(self.time(), 90)
 
     def test_a_long_list_has_few_elements(self) -> None:
         self.open("recording.html")

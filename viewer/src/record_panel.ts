@@ -8,7 +8,7 @@ function counted(count: number, one: string, many: string): string {
 }
 
 function verdict({ source, events }: SceneRecord): string {
-  if (source === "recording") return counted(events.length, "contact", "contacts");
+  if (source === "recording") return events.length === 0 ? "Recording" : counted(events.length, "contact", "contacts");
   if (events.length === 0) return "Clear";
   if (source === "all_contacts") return counted(events.length, "pair touches", "pairs touch");
   return events[0].time_upper > 0 ? "First contact" : "Contact at the start";
@@ -16,7 +16,8 @@ function verdict({ source, events }: SceneRecord): string {
 
 function meaning({ source, events, margin, clear_until }: SceneRecord): string {
   const touch = margin > 0 ? `comes within ${margin}` : "touches";
-  if (source === "recording") return "Between the recorded times the motion is interpolated.";
+  const interpolated = "Between the recorded times the motion is interpolated.";
+  if (source === "recording") return events.length === 0 ? `No contacts were recorded. ${interpolated}` : interpolated;
   if (events.length === 0) return clear_until === undefined ? `No pair ${touch}.` : `Proven: no pair ${touch} before time ${clear_until}.`;
   if (source === "all_contacts") return "The first contact of each pair, in order of time.";
   if (clear_until! < events[0].time) return `A pair ${touch} inside the bracket, and perhaps earlier: the question stopped at any contact.`;

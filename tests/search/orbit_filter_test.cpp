@@ -1,0 +1,137 @@
+// Searches with and without what is known about their axis.
+#include "chasles/search/orbit_filter.h"
+
+#include "chasles/query/pair_query.h"
+#include "scenes/nut_motions.h"
+#include "scenes/threaded_fastener.h"
+#include "tests/mesh/shapes.h"
+#include "tests/query/bodies.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::search {
+namespace {
+
+using Eigen::Vector3d;
+using test::uniform;
+
+/// A nut on its thread, in steps of ten degrees.
+struct Thread {
+    Polyhedron nut = scenes::nut({});
+    Polyhedron bolt = scenes::bolt({});
+
+    static Motion step(int from, int to) {
+        return ScrewMotion::between(scenes::nut_pose({.height = 10}, from / 36.0),
+                                    scenes::nut_pose({.height = 10}, to / 36.0));
+    }
+    [[nodiscard]] PieceContext context(const Motion& way) const {
+        return {nut.body(), bolt.body(), way.trajectory().pieces()->at(0)};
+    }
+};
+
+/// More than enough for trees to pay.
+Work dear() {
+    Work work;
+    work.node_pairs = 100'000'000;
+    return work;
+}
+
+TEST(OrbitFilter, ServesTheNextTurnsAboutAnAxisThatWasDear) {
+    const Thread thread;
+    OrbitFilter filter(thread.nut.body(), thread.bolt.body());
+    Work work;
+    const auto asks = [&](const Motion& way) { return filter.pairs(thread.context(way), 0, work); };
+    EXPECT_FALSE(asks(Thread::step(0, 1)));
+    filter.add_cost(thread.context(Thread::step(0, 1)), {});
+    EXPECT_FALSE(asks(Thread::step(1, 2))); // it was cheap
+    filter.add_cost(thread.context(Thread::step(0, 1)), dear());
+    EXPECT_EQ(work.node_pairs, 0U);
+    for (const Motion& way : {Thread::step(1, 2), Thread::step(9, 7), Thread::step(-30, -29)}) {
+        const auto pairs = asks(way);
+        ASSERT_TRUE(pairs);
+        EXPECT_LT(pairs->size(), thread.nut.face_count() * thread.bolt.face_count() / 10000);
+    }
+    EXPECT_GT(work.node_pairs, 0U);
+}
+
+TEST(OrbitFilter, KnowsNothingOfOtherAxes) {
+    const Thread thread;
+    OrbitFilter filter(thread.nut.body(), thread.bolt.body());
+    filter.add_cost(thread.context(Thread::step(0, 1)), dear());
+    Work work;
+    const Pose start = scenes::nut_pose({.height = 10}, 0);
+    const Pose turned = scenes::nut_pose({.height = 10}, 1.0 / 36);
+    Pose steeper = turned, aside = turned;
+    steeper.translation.z() += 0.2;
+    aside.translation.x() += 0.2;
+    const Motion steep = ScrewMotion::between(start, steeper);
+    for (const Motion& way :
+         {steep, Motion(ScrewMotion::between(start, aside)), Motion(ConstantTwist::between(start, turned)),
+          Motion(ScrewMotion::between(start, start))})
+        EXPECT_FALSE(filter.pairs(thread.context(way), 0, work));
+    // A dear search about another axis takes the place of the first one.
+    filter.add_cost(thread.context(steep), dear());
+    EXPECT_TRUE(filter.pairs(thread.context(steep), 0, work));
+    EXPECT_FALSE(filter.pairs(thread.context(Thread::step(0, 1)), 0, work));
+}
+
+TEST(OrbitFilter, GivesUpWhereItDoesNotPay) {
+    const Thread thread;
+    OrbitFilter filter(thread.nut.body(), thread.bolt.body());
+    Work just_enough;
+    just_enough.node_pairs = 6000; // of which a quarter may be tested
+    const Motion way = Thread::step(0, 1);
+    for (int i = 0; i < 1000; ++i)
+        filter.add_cost(thread.context(way), just_enough);
+    Work work;
+    EXPECT_FALSE(filter.pairs(thread.context(way), 2, work)); // within 2 mm is a lot
+    EXPECT_GT(work.node_pairs, 1000U);
+    EXPECT_LT(work.node_pairs, 2000U);
+    const Work tested = work;
+    for (int i = 0; i < 200; ++i)
+        filter.add_cost(thread.context(way), just_enough);
+    EXPECT_FALSE(filter.pairs(thread.context(way), 2, work));
+    EXPECT_EQ(work.node_pairs, tested.node_pairs); // it waits longer now
+}
+
+TEST(OrbitFilter, ChangesNoAnswer) {
+    const auto ring = [](std::uint32_t around, std::uint32_t across) {
+        const test::Soup soup = test::torus(around, across);
+        return Polyhedron::from_polygons(soup.vertices, soup.faces);
+    };
+    const Polyhedron moving = ring(24, 10);
+    const Polyhedron fixed = ring(26, 11);
+    std::mt19937 random(17);
+    int contacts = 0, clear = 0, filtered = 0;
+    for (int i = 0; i < 300; ++i) {
+        const Pose home = test::turned({uniform(random, 1.2, 1.6), 0, 0}, Vector3d::UnitX(), 1.5);
+        const Pose next = test::composed(home, test::random_pose(random, 0.3, 0.6));
+        const Motion way = ScrewMotion::between(home, next);
+        QueryOptions options;
+        options.margin = i % 3 == 0 ? uniform(random, 0, 0.2) : 0;
+        options.find = i % 5 == 0 ? Find::any : Find::first;
+        OrbitFilter filter(moving.body(), fixed.body());
+        filter.add_cost({moving.body(), fixed.body(), way.trajectory().pieces()->at(0)}, dear());
+        query::PairQuery question{moving.body(), fixed.body(), way.trajectory(), options};
+        FirstContact found[2];
+        for (FirstContact& answer : found) {
+            answer = query::answer(question);
+            question.orbits = &filter;
+        }
+        EXPECT_EQ(found[0].verdict == Verdict::clear, found[1].verdict == Verdict::clear) << "motion " << i;
+        if (options.find == Find::any) // any contact may be another one
+            continue;
+        EXPECT_EQ(found[0].verdict, found[1].verdict) << "motion " << i;
+        EXPECT_EQ(found[0].certain, found[1].certain) << "motion " << i;
+        EXPECT_NEAR(found[0].time.lower, found[1].time.lower, 2e-12) << "motion " << i;
+        contacts += found[0].verdict == Verdict::contact ? 1 : 0;
+        clear += found[0].verdict == Verdict::clear ? 1 : 0;
+        filtered += found[1].work.face_pairs < found[0].work.face_pairs ? 1 : 0;
+    }
+    EXPECT_GT(contacts, 40);
+    EXPECT_GT(clear, 25);
+    EXPECT_GT(filtered, 10);
+}
+
+} // namespace
+} // namespace chasles::search
