@@ -143,18 +143,17 @@ test("random hands with friction and locks go as the native ones do", { skip }, 
     return { ask: "drag", bodies: [hand, ...walls], body: "hand", goals: [goal], friction: random(), ...(kind === "free" ? {} : { lock }) };
   });
   const expected = nativeAnswers([...shapes, ...questions]);
-  let [touching, same] = [0, 0];
+  let touching = 0;
   questions.forEach(({ bodies: members, goals, friction, lock }, i) => {
     const scene = chasles.scene();
     for (const { name, shape, pose } of members) scene.add(name, bodies[shape], { pose });
-    const step = chasles.draggedBody(scene, "hand", { friction, lock }).update(goals[0]);
-    const off = Math.max(...step.pose.map((part, k) => Math.abs(part - expected[i][0].pose[k])));
-    near(off, 0, 0.1 * 3.5e-4, `hand ${i}`); // it rests where a step is a small share of the margin, on either side
-    same += off < 1e-9 ? 1 : 0;
-    touching += step.contacts.some(({ friction }) => Math.hypot(...friction) > 0) ? 1 : 0;
+    const { pose, contacts } = chasles.draggedBody(scene, "hand", { friction, lock }).update(goals[0]);
+    assert.deepEqual(pose, expected[i][0].pose, `hand ${i}`); // the same bits
+    assert.deepEqual(contacts.map((contact) => contact.friction), expected[i][0].contacts.map((contact) => contact.friction));
+    touching += contacts.some((contact) => Math.hypot(...contact.friction) > 0) ? 1 : 0;
   });
-  t.diagnostic(`${touching} of ${questions.length} hands have friction, and ${same} end within 1e-9 of the native ones, seed 11`);
-  assert.ok(touching > 30 && same > 0.7 * questions.length, `${touching}, ${same}`);
+  t.diagnostic(`${touching} of ${questions.length} hands have friction, seed 11`);
+  assert.ok(touching > 30, touching);
 });
 
 test("wrong options are refused in the words of the library", () => {

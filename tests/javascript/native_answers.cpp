@@ -176,6 +176,7 @@ Json Answerer::drag_json(const Json& json) const {
         for (const DragContact& contact : step.contacts) {
             contacts.push_back(view::contact_json(contact.contact));
             contacts.back()["force"] = contact.force;
+            contacts.back()["friction"] = view::vector_json(contact.friction);
             contacts.back()["body"] = scene.bodies()[contact.body].name;
         }
         Json wrench = view::vector_json(step.force);
