@@ -2,17 +2,20 @@
 // the command line's JSON.
 
 const verdicts = ["unknown", "clear", "contact", "contact_at_start"];
-const contactKinds = ["vertex_face", "face_vertex", "edge_edge", "vertex_edge", "edge_vertex", "vertex_vertex"];
+/** With the kinds of both features. */
+const contactKinds = ["vertex_face", "face_vertex", "edge_edge", "vertex_edge", "edge_vertex", "vertex_vertex"]
+  .map((kind) => [kind, ...kind.split("_")]);
 const motionKinds = ["screw", "sweep", "velocity", "twist"];
 const dragStates = ["reached", "resting", "moving", "touching"];
 
-/** Takes numbers one after another. */
+/** Takes numbers one after another, from `at` on. */
 export class Reader {
   #numbers;
-  #at = 0;
+  #at;
 
-  constructor(numbers) {
+  constructor(numbers, at = 0) {
     this.#numbers = numbers;
+    this.#at = at;
   }
 
   number() {
@@ -22,12 +25,12 @@ export class Reader {
     return this.number() === 1;
   }
   some(count) {
-    const taken = new Array(count);
-    for (let i = 0; i < count; ++i) taken[i] = this.#numbers[this.#at++];
+    const taken = [];
+    for (let left = count; left > 0; --left) taken.push(this.number());
     return taken;
   }
   point() {
-    return this.some(3);
+    return [this.number(), this.number(), this.number()];
   }
   pose() {
     return this.some(7);
@@ -40,38 +43,45 @@ export class Reader {
 }
 
 /** A vertex is a number, a face a list of one number, an edge a list of its two vertices. */
-function feature(kind, first, second) {
+function feature(reader, kind) {
+  const first = reader.number(), second = reader.number();
   return kind === "vertex" ? first : kind === "face" ? [first] : [first, second];
 }
 
-export function contact(reader) {
-  const kind = contactKinds[reader.number()];
-  const [ofMoving, ofFixed] = kind.split("_");
-  const moving = reader.some(2);
-  const fixed = reader.some(2);
-  return {
-    kind,
-    moving_feature: feature(ofMoving, ...moving),
-    fixed_feature: feature(ofFixed, ...fixed),
-    point: reader.point(),
-    normal: reader.point(),
-    gap: reader.number(),
-    approach_speed: reader.number(),
-  };
+/** Adds a contact to an object. */
+function addContact(object, reader) {
+  const [kind, ofMoving, ofFixed] = contactKinds[reader.number()];
+  object.kind = kind;
+  object.moving_feature = feature(reader, ofMoving);
+  object.fixed_feature = feature(reader, ofFixed);
+  object.point = reader.point();
+  object.normal = reader.point();
+  object.gap = reader.number();
+  object.approach_speed = reader.number();
+  return object;
 }
 
+const contact = (reader) => addContact({}, reader);
+
+/** Null if there is none. */
 function overlap(reader) {
   if (!reader.flag()) return null;
   const edgeIsMoving = reader.flag();
-  const edge = feature("edge", ...reader.some(2));
-  const face = feature("face", ...reader.some(2));
+  const edge = feature(reader, "edge");
+  const face = feature(reader, "face");
   const [moving_feature, fixed_feature] = edgeIsMoving ? [edge, face] : [face, edge];
   return { moving_feature, fixed_feature, point: reader.point() };
 }
 
-export function work(reader) {
-  const [node_pairs, face_pairs, elementary_tests, root_brackets, refined, exact] = reader.some(6);
-  return { node_pairs, face_pairs, elementary_tests, root_brackets, refined, exact };
+function work(reader) {
+  return {
+    node_pairs: reader.number(),
+    face_pairs: reader.number(),
+    elementary_tests: reader.number(),
+    root_brackets: reader.number(),
+    refined: reader.number(),
+    exact: reader.number(),
+  };
 }
 
 function motion(reader) {
@@ -82,54 +92,68 @@ function motion(reader) {
   return { hasTau: kind === "screw" || kind === "sweep", shown };
 }
 
-/** What both kinds of answers have. `keys` are those of an answer, in order; `rest` is for the caller. */
-function contactParts(reader, hasTau) {
-  const [time, time_upper, tau, tau_upper] = reader.some(4);
-  const certain = reader.flag();
+/** Adds what both kinds of answers have. Returns the work, which stands last in an answer. */
+function addFound(answer, reader, hasTau) {
+  answer.time = reader.number();
+  answer.time_upper = reader.number();
+  const tau = reader.number(), tau_upper = reader.number();
+  if (hasTau) {
+    answer.tau = tau;
+    answer.tau_upper = tau_upper;
+  }
+  answer.certain = reader.flag();
   const isCut = reader.flag();
-  const pose = reader.pose();
-  const fixed_pose = reader.pose();
-  const contacts = reader.list(contact);
+  answer.pose = reader.pose();
+  answer.fixed_pose = reader.pose();
+  answer.contacts = reader.list(contact);
   const found = overlap(reader);
-  const times = { time, time_upper, ...(hasTau ? { tau, tau_upper } : {}), certain };
-  const places = { pose, fixed_pose, contacts, ...(found ? { overlap: found } : {}) };
-  return { keys: { ...times, ...places }, cut: isCut ? { contacts_cut: true } : {}, work: work(reader) };
+  if (found) answer.overlap = found;
+  if (isCut) answer.contacts_cut = true;
+  return work(reader);
 }
 
-/** An answer without motion, and its work apart. */
-function contactAnswer(reader, hasTau) {
-  const verdict = verdicts[reader.number()];
-  const parts = contactParts(reader, hasTau);
+/** Adds an answer without its motion. Returns its work. */
+function addContactAnswer(answer, reader, hasTau) {
+  answer.verdict = verdicts[reader.number()];
+  const counters = addFound(answer.verdict === "clear" ? {} : answer, reader, hasTau);
   const held = reader.list(contact);
-  const clear_until = reader.number();
-  const found = verdict === "clear" ? {} : { ...parts.keys, ...parts.cut };
-  return { answer: { verdict, ...found, ...(held.length > 0 ? { held } : {}), clear_until }, work: parts.work };
+  if (held.length > 0) answer.held = held;
+  answer.clear_until = reader.number();
+  return counters;
 }
 
 export function firstContact(reader) {
   const { hasTau, shown } = motion(reader);
-  const { answer, work } = contactAnswer(reader, hasTau);
-  return { ...answer, motion: shown, work };
+  const answer = {};
+  const counters = addContactAnswer(answer, reader, hasTau);
+  answer.motion = shown;
+  answer.work = counters;
+  return answer;
 }
 
 export function pathContact(reader) {
   const answer = firstContact(reader);
-  return { ...answer, segment: reader.number() };
+  answer.segment = reader.number();
+  return answer;
 }
 
 export function leastDistance(reader) {
   const { hasTau, shown } = motion(reader);
-  const [distance, distance_upper] = reader.some(2);
-  const parts = contactParts(reader, hasTau);
-  return { distance, distance_upper, ...parts.keys, ...parts.cut, motion: shown, work: parts.work };
+  const answer = { distance: reader.number(), distance_upper: reader.number() };
+  const counters = addFound(answer, reader, hasTau);
+  answer.motion = shown;
+  answer.work = counters;
+  return answer;
 }
 
 /** Contacts of a scene, with the names of their bodies. */
 function sceneContacts(reader, names) {
-  return reader.list(() => ({
-    pair: [names[reader.number()], names[reader.number()]],
-    answer: contactAnswer(reader, false).answer,
-  }));
+  return reader.list(() => {
+    const pair = [names[reader.number()], names[reader.number()]];
+    const answer = {};
+    addContactAnswer(answer, reader, false);
+    return { pair, answer };
+  });
 }
 
 export function sceneContact(reader, names) {
@@ -157,8 +181,8 @@ export function dragStep(reader, names) {
   return {
     pose: reader.pose(),
     state: dragStates[reader.number()],
-    contacts: reader.list(() => ({ body: name(), force: reader.number(), friction: reader.point(), ...contact(reader) })),
-    events: reader.list(() => ({ body: name(), begins: reader.flag(), ...contact(reader) })),
+    contacts: reader.list(() => addContact({ body: name(), force: reader.number(), friction: reader.point() }, reader)),
+    events: reader.list(() => addContact({ body: name(), begins: reader.flag() }, reader)),
     wrench: reader.some(6),
     distance: reader.number(),
     blocking: reader.list(name),

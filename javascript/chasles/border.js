@@ -1,4 +1,5 @@
 // The module in memory: arguments go in through two buffers, answers come out of one (javascript/src/border.h).
+import { Reader } from "./answers.js";
 import { InstanceStopped, InvalidInput } from "./errors.js";
 
 const refused = -1;
@@ -25,12 +26,13 @@ function imports(module, memory) {
 /** One instance of the module. Every call goes through `call`, so that no fault of the module stays unnoticed. */
 export class Border {
   #exports;
+  #numbers = new Float64Array(); // the whole memory
   #stopped = null;
 
   constructor(module, exports) {
     this.module = module;
     this.#exports = exports;
-    this.#enter(() => exports._initialize());
+    this.#enter("_initialize", []);
   }
 
   static async open(module) {
@@ -42,7 +44,7 @@ export class Border {
 
   /** Calls `chasles_NAME`. Returns its count or handle; throws what went wrong. */
   call(name, ...values) {
-    const status = this.#enter(() => this.#exports[`chasles_${name}`](...values));
+    const status = this.#enter(`chasles_${name}`, values);
     if (status >= 0) return status;
     if (status === refused) throw new InvalidInput(this.#text());
     if (status === outOfMemory) throw new RangeError("chasles: out of memory");
@@ -53,13 +55,20 @@ export class Border {
   /** Calls `chasles_NAME`, which answers with numbers. The array is a copy. */
   ask(name, ...values) {
     const count = this.call(name, ...values);
-    return new Float64Array(this.#exports.memory.buffer, this.#address("answer"), count).slice();
+    const from = this.#address("answer") / 8;
+    return this.#memory().slice(from, from + count);
+  }
+
+  /** Reads the answer of `chasles_NAME` in place: to be done before the next call. */
+  read(name, ...values) {
+    this.call(name, ...values);
+    return new Reader(this.#memory(), this.#address("answer") / 8);
   }
 
   /** Writes numbers for the next call: an array, or a typed array. */
   giveNumbers(numbers) {
     const address = this.#address("numbers", numbers.length);
-    new Float64Array(this.#exports.memory.buffer, address, numbers.length).set(numbers);
+    this.#memory().set(numbers, address / 8);
   }
 
   /** Writes byte arrays, one after another, for the next call. */
@@ -79,16 +88,23 @@ export class Border {
 
   /** The address of a buffer, which has room for `count`. */
   #address(buffer, count = 0) {
-    const address = this.#enter(() => this.#exports[`chasles_${buffer}`](count)) >>> 0;
+    const address = this.#enter(`chasles_${buffer}`, [count]) >>> 0;
     if (address === 0 && count > 0) throw new RangeError("chasles: out of memory");
     return address;
   }
 
-  /** A trap within `work` leaves the module in a state that nobody knows: the instance is not used again. */
-  #enter(work) {
+  /** All of the module's memory as numbers: a new array when it has grown. */
+  #memory() {
+    const { buffer } = this.#exports.memory;
+    if (this.#numbers.buffer !== buffer) this.#numbers = new Float64Array(buffer);
+    return this.#numbers;
+  }
+
+  /** Calls a function. A trap in it leaves the module in a state that nobody knows: the instance is not used again. */
+  #enter(name, values) {
     if (this.#stopped) throw new InstanceStopped(this.#stopped);
     try {
-      return work();
+      return this.#exports[name](...values);
     } catch (error) {
       this.#stopped = error;
       throw new InstanceStopped(error);

@@ -1,10 +1,10 @@
 // One instance of the library: everything is asked from here.
-import { firstContact, leastDistance, pathContact, Reader } from "./answers.js";
+import { firstContact, leastDistance, pathContact } from "./answers.js";
 import { Border } from "./border.js";
 import { InvalidInput } from "./errors.js";
 import { Held } from "./held.js";
 import {
-  checkBatch, checkOptions, find, fixedOptions, motion, motionOptions, number, poses, query, queryOptions, rule,
+  addMotion, addPoses, addQuery, addRule, checkBatch, checkOptions, find, fixedOptions, motionOptions, number, queryOptions,
 } from "./numbers.js";
 import { fromArrays, fromBufferGeometry, fromFile, Polyhedron } from "./polyhedron.js";
 import { DraggedBody, Scene } from "./scene.js";
@@ -42,8 +42,9 @@ export class Chasles {
 
   firstContact(moving, fixed, start, goal, options = {}) {
     checkOptions(options, allOptions);
-    this.#border.giveNumbers([...this.#bodies(moving, fixed), ...query(options), ...motion(start, goal, options)]);
-    return firstContact(this.#ask("first_contact"));
+    const asked = addQuery(this.#bodies(moving, fixed), options);
+    this.#border.giveNumbers(addMotion(asked, start, goal, options));
+    return firstContact(this.#border.read("first_contact"));
   }
 
   /** True if it is proven that no contact occurs on the whole motion. */
@@ -54,24 +55,24 @@ export class Chasles {
 
   firstContactOnPath(moving, fixed, path, options = {}) {
     checkOptions(options, [...queryOptions, ...motionOptions]);
-    const bodies = this.#bodies(moving, fixed);
-    this.#border.giveNumbers([...bodies, ...query(options), ...rule(options), ...poses(path, "poses")]);
-    return pathContact(this.#ask("first_contact_on_path"));
+    const asked = addQuery(this.#bodies(moving, fixed), options);
+    this.#border.giveNumbers(addPoses(addRule(asked, options), path, "poses"));
+    return pathContact(this.#border.read("first_contact_on_path"));
   }
 
   leastDistance(moving, fixed, start, goal, options = {}) {
     checkOptions(options, ["tolerance", "timeTolerance", "find", ...motionOptions, ...fixedOptions]);
     const { tolerance, timeTolerance } = options;
-    const numbers = [number(tolerance, "tolerance", 1e-6), number(timeTolerance, "timeTolerance", 1e-12)];
-    const asked = [...numbers, find(options.find), ...motion(start, goal, options)];
-    this.#border.giveNumbers([...this.#bodies(moving, fixed), ...asked]);
-    return leastDistance(this.#ask("least_distance"));
+    const asked = this.#bodies(moving, fixed);
+    asked.push(number(tolerance, "tolerance", 1e-6), number(timeTolerance, "timeTolerance", 1e-12), find(options.find));
+    this.#border.giveNumbers(addMotion(asked, start, goal, options));
+    return leastDistance(this.#border.read("least_distance"));
   }
 
   /** Where the moving body is at a time in [0, 1]. */
   poseAt(start, goal, time, options = {}) {
     checkOptions(options, [...motionOptions, ...fixedOptions]);
-    this.#border.giveNumbers([number(time, "time"), ...motion(start, goal, options)]);
+    this.#border.giveNumbers(addMotion([number(time, "time")], start, goal, options));
     return Array.from(this.#border.ask("pose_at"));
   }
 
@@ -107,8 +108,5 @@ export class Chasles {
   #bodies(moving, fixed) {
     const handle = (body, name) => Held.handle(body, this.#border, Polyhedron, name);
     return [handle(moving, "moving"), handle(fixed, "fixed")];
-  }
-  #ask(name) {
-    return new Reader(this.#border.ask(name));
   }
 }

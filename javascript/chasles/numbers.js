@@ -1,4 +1,5 @@
-// Arguments as numbers, in the order in which javascript/src/numbers_in.cpp reads them.
+// Arguments as numbers, in the order in which javascript/src/numbers_in.cpp reads them. Functions that begin with "add" append to a
+// list of numbers, and return it.
 import { InvalidInput } from "./errors.js";
 
 const kinds = ["screw", "sweep", "velocity", "twist"];
@@ -34,9 +35,9 @@ function shown(value) {
 }
 
 /** A list of numbers, behind their count. */
-function counted(list, name) {
+function addCounted(numbers, list, name) {
   if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of numbers`);
-  const numbers = [list.length];
+  numbers.push(list.length);
   for (let i = 0; i < list.length; ++i) {
     if (typeof list[i] !== "number") number(list[i], `${name}[${i}]`); // throws
     numbers.push(list[i]);
@@ -45,27 +46,34 @@ function counted(list, name) {
 }
 
 /** A pose: 3, 7 or 16 numbers, or an object of three.js: a Matrix4, or an Object3D with position and quaternion. */
-export function pose(value, name) {
+export function addPose(numbers, value, name) {
   if (value?.position && value?.quaternion) {
     const { position: p, quaternion: q } = value;
-    return counted([p.x, p.y, p.z, q.w, q.x, q.y, q.z], name);
+    return addCounted(numbers, [p.x, p.y, p.z, q.w, q.x, q.y, q.z], name);
   }
   if (value?.elements?.length === 16) {
     const columns = value.elements; // three.js stores columns, and a pose has rows
-    return counted(Array.from({ length: 16 }, (_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]), name);
+    return addCounted(numbers, Array.from({ length: 16 }, (_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]), name);
   }
-  return counted(value, name);
+  return addCounted(numbers, value, name);
 }
 
-export function poses(list, name) {
+export function addPoses(numbers, list, name) {
   if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of poses`);
-  return [list.length, ...Array.from(list, (value, i) => pose(value, `${name}[${i}]`)).flat()];
+  numbers.push(list.length);
+  for (let i = 0; i < list.length; ++i) addPose(numbers, list[i], `${name}[${i}]`);
+  return numbers;
 }
 
 /** A flag, and the value behind it if there is one. */
-const optional = (value, encoded) => (value === undefined || value === null ? [0] : [1, ...encoded(value)]);
+function addOptional(numbers, value, add, name) {
+  const isGiven = value !== undefined && value !== null;
+  numbers.push(isGiven ? 1 : 0);
+  if (isGiven) add(numbers, value, name);
+  return numbers;
+}
 
-const optionalPoint = (value, name) => optional(value, (point) => counted(point, name));
+const addNumber = (numbers, value, name) => numbers.push(number(value, name));
 
 function oneOf(names, value, name) {
   const index = names.indexOf(value);
@@ -76,12 +84,10 @@ function oneOf(names, value, name) {
 const quoted = (names) => `${names.slice(0, -1).map((n) => `'${n}'`).join(", ")} or '${names.at(-1)}'`;
 
 /** How a body goes from one pose to the next. */
-export function rule({ motion, centre, maxTurn }, byDefault = "screw") {
-  return [
-    oneOf(kinds, motion ?? byDefault, "motion"),
-    ...optional(maxTurn, (turn) => [number(turn, "maxTurn")]),
-    ...optionalPoint(centre, "centre"),
-  ];
+export function addRule(numbers, { motion, centre, maxTurn }) {
+  numbers.push(oneOf(kinds, motion ?? "screw", "motion"));
+  addOptional(numbers, maxTurn, addNumber, "maxTurn");
+  return addOptional(numbers, centre, addCounted, "centre");
 }
 
 export function find(value = "first") {
@@ -89,110 +95,119 @@ export function find(value = "first") {
 }
 
 /** Margin, hold, tolerance and what to find. */
-export function query(options) {
-  return [
-    number(options.margin, "margin", 0),
-    ...optional(options.hold, (hold) => [number(hold, "hold")]),
-    number(options.timeTolerance, "timeTolerance", 1e-12),
-    find(options.find),
-  ];
+export function addQuery(numbers, options) {
+  numbers.push(number(options.margin, "margin", 0));
+  addOptional(numbers, options.hold, addNumber, "hold");
+  numbers.push(number(options.timeTolerance, "timeTolerance", 1e-12), find(options.find));
+  return numbers;
 }
 
 /** The motion of a query for two bodies. */
-export function motion(start, goal, options) {
+export function addMotion(numbers, start, goal, options) {
   const isFixedMoving = options.fixedStart !== undefined || options.fixedGoal !== undefined;
   if (!isFixedMoving && options.fixedCentre !== undefined)
     throw new InvalidInput("fixedCentre: is for a fixed body that moves, with fixedStart and fixedGoal");
-  const fixed = !isFixedMoving
-    ? [0]
-    : [
-        1,
-        ...pose(options.fixedStart, "fixedStart"),
-        ...pose(options.fixedGoal, "fixedGoal"),
-        ...optionalPoint(options.fixedCentre, "fixedCentre"),
-      ];
-  return [...rule(options), ...pose(start, "start"), ...pose(goal, "goal"), ...fixed];
+  addRule(numbers, options);
+  addPose(numbers, start, "start");
+  addPose(numbers, goal, "goal");
+  numbers.push(isFixedMoving ? 1 : 0);
+  if (!isFixedMoving) return numbers;
+  addPose(numbers, options.fixedStart, "fixedStart");
+  addPose(numbers, options.fixedGoal, "fixedGoal");
+  return addOptional(numbers, options.fixedCentre, addCounted, "fixedCentre");
 }
 
 const worldForms = { poses: 0, track: 1, spline: 2, b_spline: 3 };
 
 /** How a body of a scene goes from pose to pose. */
-export function worldRule(kind, centre) {
+export function addWorldRule(numbers, kind, centre) {
   if (kind === "screw" || kind === "sweep")
     throw new InvalidInput(
       `motion: ${kind} is the motion of one body as seen from another one; a scene takes velocity and twist`,
     );
-  return rule({ motion: kind, centre });
+  return addRule(numbers, { motion: kind, centre });
 }
 
 /** The motion of a body in a scene. */
-export function worldMotion(options) {
+export function addWorldMotion(numbers, options) {
   const kind = options.motion ?? "velocity";
-  if (kind === "spline" || kind === "b_spline") return splineMotion(kind, options);
-  const head = worldRule(kind, options.centre);
-  if (options.poses !== undefined) return [...head, worldForms.track, ...places(options), ...times(options)];
+  if (kind === "spline" || kind === "b_spline") return addSpline(numbers, kind, options);
+  addWorldRule(numbers, kind, options.centre);
+  if (options.poses !== undefined) {
+    numbers.push(worldForms.track);
+    addPlaces(numbers, options);
+    return addTimes(numbers, options);
+  }
   if (options.times !== undefined) throw new InvalidInput("times: are for poses, and there are none");
-  const start = pose(options.pose ?? [0, 0, 0], "pose");
-  return [...head, worldForms.poses, ...start, ...optional(options.goal, (goal) => pose(goal, "goal"))];
+  numbers.push(worldForms.poses);
+  addPose(numbers, options.pose ?? [0, 0, 0], "pose");
+  return addOptional(numbers, options.goal, addPose, "goal");
 }
 
-function splineMotion(kind, options) {
+function addSpline(numbers, kind, options) {
   if (options.centre !== undefined) throw new InvalidInput(`centre: is for the motion velocity, but the motion is a ${kind}`);
-  const head = [...worldRule("velocity"), worldForms[kind], ...places(options)];
-  if (kind === "spline") return [...head, ...times(options)];
+  addWorldRule(numbers, "velocity");
+  numbers.push(worldForms[kind]);
+  addPlaces(numbers, options);
+  if (kind === "spline") return addTimes(numbers, options);
   if (options.times !== undefined) throw new InvalidInput("times: a b_spline has none");
-  return head;
+  return numbers;
 }
 
-function places({ pose, goal, poses: given }) {
+function addPlaces(numbers, { pose, goal, poses }) {
   if (pose !== undefined || goal !== undefined) throw new InvalidInput("poses: stand instead of pose and goal");
-  return poses(given, "poses");
+  return addPoses(numbers, poses, "poses");
 }
 
 /** As many times as there are poses. */
-function times(options) {
-  const [count, ...given] = counted(options.times, "times");
+function addTimes(numbers, options) {
+  const [count, ...times] = addCounted([], options.times, "times");
   if (count !== options.poses.length)
     throw new InvalidInput(`times: there are ${count} for ${options.poses.length} poses`);
-  return given;
+  for (const time of times) numbers.push(time);
+  return numbers;
 }
 
 // Dragged bodies.
 const lockKinds = ["free", "hinge", "slider", "cylinder", "plane"];
 
 /** How a dragged body may move at all. */
-function lock(given) {
+function addLock(numbers, given) {
   checkOptions(given, ["kind", "direction", "point"], "lock");
   const kind = lockKinds.indexOf(text(given.kind, "lock.kind"));
   if (kind < 0)
     throw new InvalidInput(`drag: lock: the kind must be free, hinge, slider, cylinder or plane, not ${given.kind}`);
-  return [kind, ...optionalPoint(given.direction, "lock.direction"), ...optionalPoint(given.point, "lock.point")];
+  numbers.push(kind);
+  addOptional(numbers, given.direction, addCounted, "lock.direction");
+  return addOptional(numbers, given.point, addCounted, "lock.point");
 }
 
 /** A centre, and the moments of inertia per mass: 9 numbers, or 3 rows. */
-function mass(given) {
+function addMass(numbers, given) {
   checkOptions(given, ["centre", "inertia"], "mass");
   const flat = (rows) => Array.from(rows, (row) => (isList(row) ? Array.from(row) : row)).flat();
-  const [count, ...inertia] = counted(isList(given.inertia) ? flat(given.inertia) : given.inertia, "mass.inertia");
+  const [count, ...inertia] = addCounted([], isList(given.inertia) ? flat(given.inertia) : given.inertia, "mass.inertia");
   if (count !== 9) throw new InvalidInput(`mass.inertia: a matrix needs 9 numbers, and there are ${count}`);
-  return [...optionalPoint(given.centre, "mass.centre"), ...inertia];
+  addOptional(numbers, given.centre, addCounted, "mass.centre");
+  numbers.push(...inertia);
+  return numbers;
 }
 
 export const dragOptions = ["margin", "reach", "stiffness", "rounds", "friction", "mass", "lock"];
 
 /** How a body is dragged. */
-export function drag(options) {
+export function addDrag(numbers, options) {
   const { margin, reach, stiffness, rounds, friction } = options;
   if (!Number.isInteger(rounds ?? 8)) throw new InvalidInput("rounds: must be a whole number");
-  return [
+  numbers.push(
     number(margin, "margin", 0),
     number(reach, "reach", 0),
     number(stiffness, "stiffness", 1),
     Math.max(number(rounds, "rounds", 8), 0),
     number(friction, "friction", 0),
-    ...optional(options.mass, mass),
-    ...lock(options.lock ?? { kind: "free" }),
-  ];
+  );
+  addOptional(numbers, options.mass, addMass);
+  return addLock(numbers, options.lock ?? { kind: "free" });
 }
 
 /** Two lists of poses of one length. */

@@ -1,7 +1,9 @@
 // Many bodies in one world, and a body in a hand.
-import { dragStep, Reader, sceneContact, sceneEvents } from "./answers.js";
+import { dragStep, sceneContact, sceneEvents } from "./answers.js";
 import { Held } from "./held.js";
-import { checkOptions, drag, dragOptions, number, pose, poses, query, text, worldMotion, worldRule } from "./numbers.js";
+import {
+  addDrag, addPose, addPoses, addQuery, addWorldMotion, addWorldRule, checkOptions, dragOptions, number, text,
+} from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
 
 const motionKeys = ["pose", "goal", "motion", "centre", "poses", "times"];
@@ -28,7 +30,7 @@ export class Scene extends Held {
     checkOptions(options, [...motionKeys, "group"]);
     const body = Held.handle(shape, border, Polyhedron, "shape");
     const nameBytes = encode(name, "name");
-    border.giveNumbers(worldMotion(options));
+    border.giveNumbers(addWorldMotion([], options));
     border.giveBytes(nameBytes, encode(options.group ?? "", "group"));
     border.call("scene_add", handle, body, nameBytes.length);
     this.#names.push(name);
@@ -47,7 +49,7 @@ export class Scene extends Held {
   move(name, options = {}) {
     const { border, handle } = this.#own();
     checkOptions(options, motionKeys);
-    border.giveNumbers(worldMotion(options));
+    border.giveNumbers(addWorldMotion([], options));
     border.giveBytes(encode(name, "name"));
     border.call("scene_move", handle);
   }
@@ -56,8 +58,8 @@ export class Scene extends Held {
   moveAll(starts, goals, options = {}) {
     const { border, handle } = this.#own();
     checkOptions(options, ["motion"]);
-    const rule = worldRule(options.motion ?? "velocity");
-    border.giveNumbers([...rule, ...poses(starts, "starts"), ...poses(goals, "goals")]);
+    const rule = addWorldRule([], options.motion ?? "velocity");
+    border.giveNumbers(addPoses(addPoses(rule, starts, "starts"), goals, "goals"));
     border.call("scene_move_all", handle);
   }
 
@@ -108,8 +110,8 @@ export class Scene extends Held {
   #ask(question, options) {
     const { border, handle } = this.#own();
     checkOptions(options, ["margin", "hold", "until", "timeTolerance", "find"]);
-    border.giveNumbers([...query(options), number(options.until, "until", 1)]);
-    return new Reader(border.ask("scene_question", handle, questions[question]));
+    border.giveNumbers([...addQuery([], options), number(options.until, "until", 1)]);
+    return border.read("scene_question", handle, questions[question]);
   }
 }
 
@@ -121,7 +123,7 @@ export class DraggedBody extends Held {
   constructor(border, scene, name, options = {}) {
     checkOptions(options, dragOptions);
     const handle = Held.handle(scene, border, Scene, "scene");
-    border.giveNumbers(drag(options));
+    border.giveNumbers(addDrag([], options));
     border.giveBytes(encode(name, "name"));
     super(border, "hand", border.call("hand", handle));
     this.#scene = scene;
@@ -130,14 +132,14 @@ export class DraggedBody extends Held {
 
   update(goal, seconds = 0) {
     const { border, handle } = this.#own();
-    border.giveNumbers(pose(goal, "goal"));
-    return dragStep(new Reader(border.ask("hand_update", handle, number(seconds, "seconds"))), this.#scene.names);
+    border.giveNumbers(addPose([], goal, "goal"));
+    return dragStep(border.read("hand_update", handle, number(seconds, "seconds")), this.#scene.names);
   }
 
   /** Force and torque on the hand for another goal, from the contacts that the last update ended with. */
   force(goal) {
     const { border, handle } = this.#own();
-    border.giveNumbers(pose(goal, "goal"));
+    border.giveNumbers(addPose([], goal, "goal"));
     return Array.from(border.ask("hand_force", handle));
   }
 
