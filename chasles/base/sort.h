@@ -1,13 +1,15 @@
-// Sorting of ranges whose order is total. In WebAssembly by heaps: std::sort adds 5 to 15 kB to the module for each
+// Sorting with the same result everywhere. In WebAssembly by heaps: std::sort adds 5 to 15 kB to the module for each
 // type.
 #pragma once
 
 #include <algorithm>
 #include <functional>
+#include <vector>
 
 namespace chasles {
 
-/// As std::ranges::sort. No two elements may count as equal, unless they are: then all algorithms give the same order.
+/// As std::ranges::sort. Algorithms place elements that count as equal differently, so where the order matters only
+/// equal ones may count as equal.
 template <class Range, class Less = std::ranges::less, class Projection = std::identity>
 void sort(Range&& range, Less less = {}, Projection projection = {}) {
 #if defined(__wasm__)
@@ -16,6 +18,13 @@ void sort(Range&& range, Less less = {}, Projection projection = {}) {
 #else
     std::ranges::sort(range, less, projection);
 #endif
+}
+
+/// Sorts, and leaves one of equal elements.
+template <class Element>
+void sort_unique(std::vector<Element>& elements) {
+    chasles::sort(elements);
+    elements.erase(std::unique(elements.begin(), elements.end()), elements.end());
 }
 
 } // namespace chasles

@@ -102,9 +102,7 @@ public:
     void keep(const FeaturePair& features) { named_.push_back(features); }
 
     std::vector<FeaturePair> take() {
-        chasles::sort(named_);
-        const auto repeated = std::ranges::unique(named_);
-        named_.erase(repeated.begin(), repeated.end());
+        sort_unique(named_);
         return std::move(named_);
     }
 

@@ -271,8 +271,7 @@ void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
             contacts.push_back(
                 {near.body, near.contact, force, options_.stiffness * pushed.friction.col(Eigen::Index(i))});
     }
-    chasles::sort(step.blocking);
-    step.blocking.erase(std::unique(step.blocking.begin(), step.blocking.end()), step.blocking.end());
+    sort_unique(step.blocking);
     append_events(step.events, contacts, contacts_, true);
     append_events(step.events, contacts_, contacts, false);
     contacts_ = contacts;

@@ -188,8 +188,7 @@ void Stepper::Implementation::foresee_neighbours(std::uint32_t index) {
 }
 
 void Stepper::Implementation::foresee_changes() {
-    chasles::sort(changed_);
-    changed_.erase(std::unique(changed_.begin(), changed_.end()), changed_.end());
+    sort_unique(changed_);
     for (const std::uint32_t index : changed_)
         foresee_neighbours(index);
     const auto is_changed = [&](std::uint32_t index) { return std::ranges::binary_search(changed_, index); };
