@@ -157,6 +157,11 @@ const EvenMotion<Scalar>& EvenFrame::refined() const {
     return *refined_;
 }
 
+GeneralPose<double> EvenFrame::at_end(const Pose& pose) const {
+    const GeneralPose<double> end = pose_in<double>(pose);
+    return {end.translation, unit(shorter_way(motion_.orientation, end.rotation))};
+}
+
 RateExpansion EvenFrame::expansion(const Bracket& times) const {
     const EvenMotion<double>& motion = motion_;
     const auto pose = motion.at(middle_of(times));

@@ -50,7 +50,7 @@ std::vector<PairTask> near_pairs(const Scene& scene, const SceneQuery& query, co
 
 std::vector<PairTask> pair_tasks(const Scene& scene, const SceneQuery& query) {
     const std::vector<SweptBody> bodies = swept_bodies(scene, query);
-    std::vector<PairTask> tasks = near_pairs(scene, query, bodies, BoxTree(bodies));
+    std::vector<PairTask> tasks = near_pairs(scene, query, bodies, BoxTree(bodies, query.threads));
     std::ranges::sort(tasks, [&](const PairTask& a, const PairTask& b) { // names are compared only if they count
         return a.earliest != b.earliest ? a.earliest < b.earliest : names_of(scene, a.pair) < names_of(scene, b.pair);
     });

@@ -108,7 +108,7 @@ Stepper::Implementation::Implementation(const Scene& scene, const StepOptions& o
     const std::vector<scene::SweptBody> swept = scene::swept_bodies(scene, query);
     for (std::size_t i = 0; i < swept.size(); ++i)
         courses_.push_back({.motion = scene.motion_of(i), .swept = swept[i]});
-    tree_ = scene::BoxTree(swept);
+    tree_ = scene::BoxTree(swept, options.threads);
     for (const scene::PairTask& task : scene::near_pairs(scene, query, swept, tree_))
         foresee(task.pair, task.earliest);
 }
