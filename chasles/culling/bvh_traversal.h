@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <span>
 #include <vector>
 
@@ -144,12 +145,24 @@ private:
         // The queue is a stack within one step of time: the pair that is pushed last is visited first.
         std::array<NodePair, 4> remaining;
         std::size_t count = 0;
-        for (std::uint32_t i = 0; i < a.count; ++i)
-            for (std::uint32_t j = 0; j < b.count; ++j)
-                if (const Window& window = when[2 * i + j]; !window.is_empty())
-                    insert({a.first + i, b.first + j, window}, remaining, count++);
+        for (unsigned left = open_windows(when) & pairs_of(a.count, b.count); left != 0; left &= left - 1) {
+            const auto place = unsigned(std::countr_zero(left));
+            insert({a.first + place / 2, b.first + place % 2, when[place]}, remaining, count++);
+        }
         for (std::size_t i = 0; i < count; ++i)
             push(remaining[i]);
+    }
+
+    /// One bit for each window that is not empty. Without branches: they could not be foretold.
+    static unsigned open_windows(const SweptBoxes::Windows& windows) {
+        unsigned open = 0;
+        for (unsigned i = 0; i < windows.size(); ++i)
+            open |= unsigned(!windows[i].is_empty()) << i;
+        return open;
+    }
+    /// One bit for each of the pairs 00, 01, 10, 11 that there is.
+    static unsigned pairs_of(std::uint32_t moving, std::uint32_t fixed) {
+        return (moving == 2 ? 0b1111U : 0b0011U) & (fixed == 2 ? 0b1111U : 0b0101U);
     }
 
     /// Inserts a pair into `count` pairs, which are sorted with the latest window first.

@@ -16,8 +16,8 @@ using Points = std::span<const Vector3d>;
 
 /// The curve goes through 2^21 cells along each axis.
 constexpr int bits_of_axis = 21;
-/// So many points in one cell are sorted among themselves.
-constexpr std::size_t many = 32;
+/// So few points stay in any order.
+constexpr std::size_t few = 32;
 constexpr std::size_t bytes = 8;
 
 struct Key {
@@ -101,7 +101,7 @@ void sort_along_curve(Points points, Keys keys, Keys other, unsigned threads) {
     for (std::size_t begin = 0, end = 0; begin < keys.size(); begin = end) {
         while (end < keys.size() && keys[end].code == keys[begin].code)
             ++end;
-        if (end - begin > many)
+        if (end - begin > few)
             sort_along_curve(points, keys.subspan(begin, end - begin), other.first(end - begin), 1);
     }
 }
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> curve_order(Points points, unsigned threads) {
     for (std::uint32_t i = 0; i < points.size(); ++i)
         keys[i].index = i;
     const Keys all(keys);
-    if (!points.empty())
+    if (points.size() > few)
         sort_along_curve(points, all.first(points.size()), all.last(points.size()), threads);
     std::vector<std::uint32_t> order;
     order.reserve(points.size());

@@ -9,7 +9,8 @@
 
 namespace chasles::scene {
 
-/// The indices of the points in the order of Morton's curve; points at the same place in the order of their indices.
+/// The indices of the points in the order of Morton's curve. A few points that are next to each other may be in the
+/// order of their indices.
 /// Takes linear time unless places differ in size by more than a factor of a million. Any numbers are allowed.
 std::vector<std::uint32_t> curve_order(std::span<const Eigen::Vector3d> points, unsigned threads);
 
