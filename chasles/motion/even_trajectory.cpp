@@ -157,9 +157,10 @@ const EvenMotion<Scalar>& EvenFrame::refined() const {
     return *refined_;
 }
 
-GeneralPose<double> EvenFrame::at_end(const Pose& pose) const {
-    const GeneralPose<double> end = pose_in<double>(pose);
-    return {end.translation, unit(shorter_way(motion_.orientation, end.rotation))};
+GeneralPose<double> EvenFrame::at_end(bool is_goal) const {
+    const GeneralPose<double> end = pose_in<double>(is_goal ? goal_ : start_);
+    const Quaternion<double>& start = motion_.orientation;
+    return {end.translation, is_goal ? unit(shorter_way(start, end.rotation)) : start};
 }
 
 RateExpansion EvenFrame::expansion(const Bracket& times) const {

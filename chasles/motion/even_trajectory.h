@@ -54,7 +54,7 @@ public:
     static EvenMotion<Wide> turn_between(const Pose& from, const Pose& to);
 
     [[nodiscard]] GeneralPose<double> at(double time) const override {
-        return time == 0 || time == 1 ? at_end(time == 0 ? start_ : goal_) : motion_.at(time);
+        return time == 0 || time == 1 ? at_end(time == 1) : motion_.at(time);
     }
     [[nodiscard]] GeneralPose<Wide> refined_at(const Wide& time) const override { return refined().at(time); }
     [[nodiscard]] bool is_refined() const override { return true; }
@@ -67,7 +67,7 @@ public:
 private:
     [[nodiscard]] const EvenMotion<Wide>& refined() const;
     /// An end as it was given. Ends are asked for most often, and need no sine.
-    [[nodiscard]] GeneralPose<double> at_end(const Pose& pose) const;
+    [[nodiscard]] GeneralPose<double> at_end(bool is_goal) const;
 
     Pose start_;
     Pose goal_;

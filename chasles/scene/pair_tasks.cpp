@@ -7,11 +7,28 @@
 
 namespace chasles::scene {
 
+namespace {
+
+/// Fetches the numbers of a motion that is needed soon: frames are spread over the memory.
+void prefetch(const WorldMotion& motion) {
+    constexpr std::ptrdiff_t line = 64, most_of_frame = 512;
+    const auto* frame = reinterpret_cast<const char*>(motion.frame.get());
+    for (std::ptrdiff_t i = 0; i < most_of_frame; i += line)
+        __builtin_prefetch(frame + i);
+}
+
+} // namespace
+
 std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query) {
     std::vector<SweptBody> bodies(scene.bodies().size());
     const double margin = scene.largest_margin(query.options.margin);
-    parallel_for(query.threads, bodies.size(), [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t chunk = 64, ahead = 2;
+    parallel_chunks(query.threads, bodies.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            if (i + 2 * ahead < bodies.size())
+                __builtin_prefetch(&scene.motion_of(i + 2 * ahead));
+            if (i + ahead < bodies.size())
+                prefetch(scene.motion_of(i + ahead));
             const WorldMotion& motion = scene.motion_of(i);
             bodies[i] = swept({scene.bodies()[i].shape.body(), *motion.frame, motion.rests}, query.until);
             bodies[i].box = widened(bodies[i].box, margin);
