@@ -72,7 +72,8 @@ Pose public_pose(const GeneralPose<double>& pose) {
 SmoothPiece::SmoothPiece(SmoothMotion motion, const Section& section)
     : motion_(std::move(motion)), times_(section.times), rates_(section.rates),
       reference_(motion_.relative->reference()),
-      whole_{sweep_between_ends(section.ends, reference_), bounds<double>({0, 1})}, cubic_(widened(whole_.cubic)), latest_(section) {}
+      whole_{sweep_between_ends(section.ends, reference_), bounds<double>({0, 1})}, cubic_(widened(whole_.cubic)),
+      latest_(section) {}
 
 double SmoothPiece::time_at(double tau) const {
     return tau == 1 ? times_.upper : times_.lower + tau * (times_.upper - times_.lower);

@@ -91,8 +91,8 @@ private:
         unsigned bits = 0xf;
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (std::size_t i = 0; i < 4; ++i) {
-                const bool overlap = (lower_[axis][first + i] <= box.upper[axis]) &
-                                     (upper_[axis][first + i] >= box.lower[axis]);
+                const bool overlap =
+                    (lower_[axis][first + i] <= box.upper[axis]) & (upper_[axis][first + i] >= box.lower[axis]);
                 bits &= ~(unsigned(!overlap) << i);
             }
         return bits;

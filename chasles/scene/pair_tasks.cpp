@@ -7,18 +7,6 @@
 
 namespace chasles::scene {
 
-namespace {
-
-/// Fetches the numbers of a motion that is needed soon: frames are spread over the memory.
-void prefetch(const WorldMotion& motion) {
-    constexpr std::ptrdiff_t line = 64, most_of_frame = 512;
-    const auto* frame = reinterpret_cast<const char*>(motion.frame.get());
-    for (std::ptrdiff_t i = 0; i < most_of_frame; i += line)
-        __builtin_prefetch(frame + i);
-}
-
-} // namespace
-
 std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query) {
     std::vector<SweptBody> bodies(scene.bodies().size());
     const double margin = scene.largest_margin(query.options.margin);

@@ -63,8 +63,7 @@ public:
     void go_on(double until) {
         const motion::RateBounds rates = frame_.rates({time_, until});
         const Placement end = placement(extent_, frame_, until);
-        swept_.box.extend(
-            widened(before_.box.merged(end.box), deviation_from_straight(rates, reach_, until - time_)));
+        swept_.box.extend(widened(before_.box.merged(end.box), deviation_from_straight(rates, reach_, until - time_)));
         swept_.ball.radius += deviation_from_straight(rates, arm_, until - time_);
         swept_.ball.way = end.centre - start_;
         before_ = end;
