@@ -145,9 +145,10 @@ PairSet pairs_of(const SceneAnswer& answer) {
     return pairs;
 }
 
-PairSet found_by_samples(FclScene& fcl, int samples) {
+/// The first samples of a step.
+PairSet found_by_samples(FclScene& fcl, int count) {
     PairSet found;
-    for (int i = 0; i < samples; ++i)
+    for (int i = 0; i < count; ++i)
         for (const auto& pair : fcl.overlaps_at(double(i) / (samples - 1)))
             found.insert(pair);
     return found;
