@@ -6,9 +6,7 @@
 
 #include <algorithm>
 #include <array>
-#include <bit>
 #include <cstddef>
-#include <cstdint>
 #include <limits>
 
 #if defined(__SSE2__)
@@ -17,28 +15,16 @@
 
 namespace chasles::scene {
 
-/// A box that is rounded outward.
+/// A box whose numbers are rounded. Rounding keeps the order of numbers: boxes that overlap still overlap.
 struct FloatBox {
     std::array<float, 3> lower;
     std::array<float, 3> upper;
 };
 
-/// The greatest float that is at most x, and the least one that is at least x.
-inline float rounded_down(double x) {
-    const auto nearest = float(x);
-    const std::int32_t to_next = nearest > 0 ? -1 : 1; // as floats are ordered by their bits
-    const std::int32_t step = double(nearest) > x ? to_next : 0;
-    return std::bit_cast<float>(std::bit_cast<std::int32_t>(nearest) + step);
-}
-inline float rounded_up(double x) {
-    return -rounded_down(-x);
-}
-
-inline FloatBox rounded_outward(const Box& box) {
+inline FloatBox rounded(const Box& box) {
     const auto& lower = box.min();
     const auto& upper = box.max();
-    return {{rounded_down(lower[0]), rounded_down(lower[1]), rounded_down(lower[2])},
-            {rounded_up(upper[0]), rounded_up(upper[1]), rounded_up(upper[2])}};
+    return {{float(lower[0]), float(lower[1]), float(lower[2])}, {float(upper[0]), float(upper[1]), float(upper[2])}};
 }
 
 class BoxBlock {

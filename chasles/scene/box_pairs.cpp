@@ -44,7 +44,7 @@ BoxTree::BoxTree(const std::vector<SweptBody>& bodies, unsigned threads)
     Level boxes(blocks_for(order_.size()));
     parallel_chunks(threads, boxes.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t place = begin * width; place < std::min(end * width, order_.size()); ++place)
-            boxes[place / width].set(place % width, rounded_outward(bodies[order_[place]].box));
+            boxes[place / width].set(place % width, rounded(bodies[order_[place]].box));
     });
     levels_.push_back(std::move(boxes));
     do
@@ -103,15 +103,14 @@ std::vector<IndexPair> BoxTree::overlapping_pairs(unsigned threads) const {
 std::vector<std::uint32_t> BoxTree::overlapping(const Box& box) const {
     std::vector<std::uint32_t> found;
     if (!order_.empty())
-        visit<true>(levels_.size() - 1, 0, rounded_outward(box),
-                    [&](std::size_t place) { found.push_back(order_[place]); });
+        visit<true>(levels_.size() - 1, 0, rounded(box), [&](std::size_t place) { found.push_back(order_[place]); });
     std::ranges::sort(found);
     return found;
 }
 
 void BoxTree::replace(std::uint32_t index, const Box& box) {
     std::size_t place = places_[index];
-    levels_[0][place / width].set(place % width, rounded_outward(box));
+    levels_[0][place / width].set(place % width, rounded(box));
     for (std::size_t level = 1; level < levels_.size(); ++level) {
         const FloatBox hull = levels_[level - 1][place / width].hull();
         place /= width;

@@ -12,7 +12,8 @@ namespace chasles::scene {
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
 /// A tree of boxes with eight children a node. The boxes lie along a curve that fills space; eight that follow each
-/// other are a node. All boxes are rounded outward to single precision.
+/// other are a node. All boxes are rounded to single precision, so boxes that barely miss each other may count as
+/// overlapping.
 class BoxTree {
 public:
     explicit BoxTree(const std::vector<SweptBody>& bodies, unsigned threads = 1);
