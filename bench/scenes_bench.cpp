@@ -1,27 +1,41 @@
-// Scenes of many bodies beside FCL's DynamicAABBTreeCollisionManager: the exact earliest contact and yes or no, against
-// one discrete pass, and against 10 samples of the step. Bodies of a thousand triangles lie in a loose grid; in a step
-// each moves by a tenth of its size and turns by 10 degrees. The spacing of the grid decides how many boxes overlap.
-// Bodies that would touch another one during the step are put elsewhere, so that the scene is clear; then a few of them
-// may touch, but not at the start. Each time is the least of several. Our tree of bodies is built anew for each
-// question, and FCL's is refitted, as its users do.
+// Scenes of many bodies beside other libraries: the exact earliest contact and yes or no, against FCL's and Coal's
+// DynamicAABBTreeCollisionManager (one discrete pass, and 10 samples of the step) and a step of Bullet's world with
+// continuous collision detection. Bodies of a thousand triangles lie in a loose grid; in a step each moves by a tenth
+// of its size and turns by 10 degrees. The spacing of the grid decides how many boxes overlap. Bodies that would touch
+// another one during the step are put elsewhere, so that the scene is clear; then a few of them may touch, but not at
+// the start. Missed contacts and false alarms are counted against our proven answers. Our tree of bodies is built anew
+// for each question, and those of the managers are refitted, as their users do.
+//
+//     scenes_bench [COUNT...]
 #include "bench/bodies.h"
+#if defined(CHASLES_BENCH_BULLET)
+#include "bench/bullet_scene.h"
+#endif
+#include "bench/coal_scene.h"
 #include "bench/draw.h"
 #include "bench/fcl_scene.h"
 #include "bench/generated_bodies.h"
+#include "bench/pair_sets.h"
 #include "bench/timings.h"
 #include "chasles/chasles.h"
 
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <cstdlib>
+#include <functional>
 #include <malloc.h>
 #include <numbers>
+#include <span>
 
 namespace chasles::bench {
 namespace {
 
 using Eigen::Quaterniond;
 using Eigen::Vector3d;
+
+/// Of a step, at which the managers test the bodies.
+constexpr int samples = 10;
 
 struct Step {
     Pose start;
@@ -88,10 +102,6 @@ Scene scene_of(const Bodies& bodies) {
     return scene;
 }
 
-double milliseconds(int calls, const auto& work) {
-    return least_microseconds(calls, work) / 1000;
-}
-
 /// Heap memory in use, bytes.
 double memory_in_use() {
     const auto memory = mallinfo2();
@@ -100,57 +110,158 @@ double memory_in_use() {
 
 /// What a user pays once a step: a motion for each body.
 double time_of_moves(const Bodies& bodies, Scene& scene) {
-    return milliseconds(1, [&] {
-        for (std::size_t i = 0; i < bodies.steps.size(); ++i)
-            scene.move(i, bodies.motion(i));
-    });
+    return least_microseconds(1,
+                              [&] {
+                                  for (std::size_t i = 0; i < bodies.steps.size(); ++i)
+                                      scene.move(i, bodies.motion(i));
+                              }) /
+           1000;
 }
 
-void print_scene(std::size_t count, double spacing, bool may_touch, bool with_fcl) {
+using Work = std::function<void()>;
+
+/// The least time of each work, in milliseconds. They take turns, as the machine may have other work.
+std::vector<double> least_times(const std::vector<Work>& works) {
+    constexpr int fewest = 5;
+    constexpr double enough = 2000;
+    std::vector<double> least(works.size(), 1e300);
+    double all = 0;
+    for (int call = 0; call < fewest || all < enough; ++call)
+        for (std::size_t i = 0; i < works.size(); ++i) {
+            const double time = least_microseconds(1, works[i]) / 1000;
+            least[i] = std::min(least[i], time);
+            all += time;
+        }
+    return least;
+}
+
+/// A row of another library.
+void print_peer(const char* name, double time, const PairSet& found, const PairSet& touching) {
+    std::printf("    %-34s %9.2f ms  missed %zu of %zu, false alarms %zu\n", name, time, count_missing(touching, found),
+                touching.size(), count_missing(found, touching));
+}
+
+PairSet pairs_of(const SceneAnswer& answer) {
+    PairSet pairs;
+    for (const SceneContact& contact : answer.contacts)
+        pairs.insert(std::minmax(contact.moving, contact.fixed));
+    return pairs;
+}
+
+/// The first samples of a step.
+PairSet found_by_samples(FclScene& fcl, int count) {
+    PairSet found;
+    for (int i = 0; i < count; ++i)
+        for (const auto& pair : fcl.overlaps_at(double(i) / (samples - 1)))
+            found.insert(pair);
+    return found;
+}
+
+#if defined(CHASLES_BENCH_BULLET)
+void print_bullet(const Bodies& bodies, const Scene& scene, const PairSet& touching) {
+    constexpr int calls = 3;
+    BulletScene bullet(scene, bodies.centre);
+    std::vector<double> times;
+    for (int call = 0; call < calls; ++call) {
+        bullet.reset();
+        times.push_back(least_microseconds(1, [&] { bullet.step(); }) / 1000);
+    }
+    print_peer("Bullet: a step of its world, CCD", *std::ranges::min_element(times), bullet.contacts(), touching);
+}
+#else
+void print_bullet(const Bodies&, const Scene&, const PairSet&) {
+    std::printf("    Bullet is absent\n");
+}
+#endif
+
+void print_coal(const Bodies& bodies, const Scene& scene, const PairSet& touching) {
+    const PythonPeers python = python_peers();
+    if (!python.absent_because.empty()) {
+        std::printf("    Coal is absent: %s\n", python.absent_because.c_str());
+        return;
+    }
+    try {
+        CoalScene coal(python, bodies.shape);
+        coal.place(scene, 0);
+        const CoalScene::Pass first = coal.pass();
+        PairSet found;
+        double all = 0;
+        for (int i = 0; i < samples; ++i) {
+            coal.place(scene, double(i) / (samples - 1));
+            const CoalScene::Pass pass = coal.pass();
+            found.insert(pass.found.begin(), pass.found.end());
+            all += pass.milliseconds;
+        }
+        print_peer("Coal's manager: a pass", first.milliseconds, first.found, touching);
+        print_peer("Coal's manager: 10 samples", all, found, touching);
+    } catch (const ChildFailed& failure) {
+        std::printf("    Coal failed: %s\n", failure.what());
+    }
+}
+
+void print_peers(const Bodies& bodies, const Scene& scene, const SceneQuery& any) {
+    FclScene fcl(scene);
+    double sample = 0;
+    const std::vector<double> times = least_times(
+        {[&] { (void)scene.first_contact({.threads = 1}).verdict; }, [&] { (void)scene.first_contact(any).verdict; },
+         [&] { (void)fcl.collides_at(0); }, [&] { sample = fcl.first_sample(samples); }});
+    const PairSet touching = pairs_of(scene.all_contacts());
+    std::printf(
+        "    in turns: first %.2f ms, any %.2f ms; first over FCL's 10 samples %.2f, any over FCL's pass %.2f\n",
+        times[0], times[1], times[0] / times[3], times[1] / times[2]);
+    print_peer("FCL's manager: a pass", times[2], found_by_samples(fcl, 1), touching);
+    print_peer("FCL's manager: 10 samples", times[3], found_by_samples(fcl, samples), touching);
+    const SceneAnswer answer = scene.first_contact();
+    if (sample <= 1 && (answer.contacts.empty() || answer.contacts[0].contact.time.lower > sample))
+        std::printf("    DISAGREE: FCL says %.17g\n", sample);
+    print_bullet(bodies, scene, touching);
+    print_coal(bodies, scene, touching);
+}
+
+void print_scene(std::size_t count, double spacing, bool may_touch) {
     const Bodies bodies = bodies_in_a_grid(count, spacing, may_touch);
     const double before = memory_in_use();
     Scene scene = scene_of(bodies);
     const double bytes = (memory_in_use() - before) / double(count);
     const double moves = time_of_moves(bodies, scene);
+    const auto ask = [&](unsigned threads, Find find) {
+        return [&scene, threads, find] {
+            SceneQuery query{.threads = threads};
+            query.options.find = find;
+            (void)scene.first_contact(query).verdict;
+        };
+    };
+    const SceneAnswer answer = scene.first_contact({.threads = 1});
+    const std::vector<double> times =
+        least_times({ask(1, Find::first), ask(2, Find::first), ask(1, Find::any), ask(2, Find::any)});
+    std::printf(
+        "%7zu bodies of %4.0f bytes, spacing %.2f: %-8s %7zu pairs  moves %7.2f ms  first %9.2f ms, two threads "
+        "%4.2f  any %9.2f ms, two threads %4.2f\n",
+        count, bytes, spacing, answer.contacts.empty() ? "clear" : "contact", answer.pairs, moves, times[0],
+        times[0] / times[1], times[2], times[2] / times[3]);
     SceneQuery any{.threads = 1};
     any.options.find = Find::any;
-    const SceneAnswer answer = scene.first_contact({.threads = 1});
-    const int calls = count <= 10'000 ? 5 : 2;
-    const double first = milliseconds(calls, [&] { (void)scene.first_contact({.threads = 1}).verdict; });
-    const double two = milliseconds(calls, [&] { (void)scene.first_contact({.threads = 2}).verdict; });
-    const double yes = milliseconds(calls, [&] { (void)scene.first_contact(any).verdict; });
-    std::printf(
-        "%7zu bodies of %4.0f bytes, spacing %.2f: %-8s %7zu pairs  moves %7.2f ms  first %9.2f ms  two threads "
-        "%4.2f  any %9.2f ms",
-        count, bytes, spacing, answer.contacts.empty() ? "clear" : "contact", answer.pairs, moves, first, first / two,
-        yes);
-    if (with_fcl) {
-        FclScene fcl(scene);
-        double sample = 0;
-        const double pass = milliseconds(calls, [&] { (void)fcl.collides_at(0); });
-        const double ten = milliseconds(calls, [&] { sample = fcl.first_sample(10); });
-        std::printf("  FCL: a pass %9.2f ms (%zu pairs), 10 samples %9.2f ms; ours over FCL's: first / samples %5.2f, "
-                    "any / pass %5.2f%s",
-                    pass, fcl.pairs(), ten, first / ten, yes / pass,
-                    !answer.contacts.empty() && sample > 1 ? ", FCL misses it" : "");
-        if (sample <= 1 && (answer.contacts.empty() || answer.contacts[0].contact.time.lower > sample))
-            std::printf("  DISAGREE: FCL says %.17g", sample);
-    }
-    std::printf("\n");
+    if (count <= 10'000)
+        print_peers(bodies, scene, any);
     std::fflush(stdout);
 }
 
-int run() {
+int run(std::span<char* const> arguments) {
+    std::vector<std::size_t> counts;
+    for (const char* const argument : arguments)
+        counts.push_back(std::strtoull(argument, nullptr, 10));
+    if (counts.empty())
+        counts = {100, 1000, 10'000, 100'000};
     for (const double spacing : {0.95, 1.2})
         for (const bool may_touch : {false, true})
-            for (const std::size_t count : {100U, 1000U, 10'000U, 100'000U})
-                print_scene(count, spacing, may_touch, count <= 10'000);
+            for (const std::size_t count : counts)
+                print_scene(count, spacing, may_touch);
     return 0;
 }
 
 } // namespace
 } // namespace chasles::bench
 
-int main() {
-    return chasles::bench::run();
+int main(int argc, char** argv) {
+    return chasles::bench::run(std::span(argv, std::size_t(argc)).subspan(1));
 }

@@ -39,11 +39,11 @@ using Mutex = std::mutex;
 using Lock = std::lock_guard<std::mutex>;
 
 /// Calls work(begin, end) for ranges that together make up [0, count), concurrently on at most `threads` threads (0:
-/// all cores). If count is 1, the calling thread does the work.
+/// all cores). The calling thread does the work if `threads` or count is 1.
 template <typename Work>
 void parallel_for(unsigned threads, std::size_t count, const Work& work) {
-    if (count < 2) {
-        if (count == 1)
+    if (threads == 1 || count < 2) {
+        if (count > 0)
             work(std::size_t{0}, count);
         return;
     }

@@ -80,6 +80,7 @@ public:
     /// Changes the part. Returns false if it is the current part. The maps are always made from the whole piece,
     /// therefore rounding errors do not accumulate.
     bool set(const TimeRange& part);
+    [[nodiscard]] bool are_enclosed() const { return parts_.are_enclosed(); }
     [[nodiscard]] const motion::ControlMaps<double>& maps() const { return maps_; }
     [[nodiscard]] const elementary::ErrorScale& scale() const { return scale_; }
 

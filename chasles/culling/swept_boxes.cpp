@@ -3,6 +3,7 @@
 #include "chasles/culling/swept_boxes.h"
 
 #include <algorithm>
+#include <bit>
 #include <cstdint>
 #include <cstring>
 

@@ -59,15 +59,13 @@ class OverlapWindow {
 public:
     explicit OverlapWindow(const Window& when) : lower_(broadcast(when.lower)), upper_(broadcast(when.upper)) {}
 
-    /// Excludes the times at which gap a or gap b is open.
+    /// Excludes the times at which gap a or gap b is open. Without branches: which gaps are open cannot be foretold.
     void add(Lanes a, Lanes b) {
         const Lanes start = starts(a, b);
         const Lanes end = ends(a, b);
         const Bits start_open = start > 0.0F;
         const Bits end_open = end > 0.0F;
         open_ |= start_open & end_open;
-        if (bits_of(start_open | end_open) == 0)
-            return;
         const Lanes crossing = start / (start - end);
         lower_ = max(lower_, Lanes(Bits(crossing - broadcast(window_slack)) & start_open));
         upper_ = min(select(end_open, crossing + broadcast(window_slack), broadcast(1)), upper_);
@@ -78,13 +76,13 @@ public:
 
     /// The windows of the four pairs. The intersection of the lanes of gap a and gap b gives each window.
     [[nodiscard]] SweptBoxes::Windows windows() const {
-        const Lanes lower = max(lower_, halves_swapped(lower_));
-        const Lanes upper = min(upper_, halves_swapped(upper_));
-        const unsigned open = open_pairs();
-        SweptBoxes::Windows windows;
-        for (unsigned i = 0; i < 4; ++i)
-            windows[i] = (open >> i & 1U) != 0 ? never : Window{lower[i], upper[i]};
-        return windows;
+        const Bits open = open_ | halves_swapped(open_);
+        const Lanes lower = select(open, broadcast(never.lower), max(lower_, halves_swapped(lower_)));
+        const Lanes upper = select(open, broadcast(never.upper), min(upper_, halves_swapped(upper_)));
+        const Lanes in_turn = __builtin_shufflevector(lower, upper, 0, 8, 1, 9, 2, 10, 3, 11);
+        std::array<float, 8> ends;
+        std::memcpy(ends.data(), &in_turn, sizeof ends);
+        return std::bit_cast<SweptBoxes::Windows>(ends);
     }
 
 private:

@@ -44,6 +44,9 @@ inline Lanes ends(Lanes a, Lanes b) {
 inline Lanes halves_swapped(Lanes a) {
     return __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
 }
+inline Bits halves_swapped(Bits a) {
+    return __builtin_shufflevector(a, a, 4, 5, 6, 7, 0, 1, 2, 3);
+}
 
 /// One bit for each lane of a mask.
 inline unsigned bits_of(Bits mask) {

@@ -34,6 +34,8 @@ public:
              const motion::Ball& fixed, double margin = 0);
 
     [[nodiscard]] TimeInterval interval(const TimeRange& range) const;
+    /// Whether parts of the motion are enclosed.
+    [[nodiscard]] bool are_enclosed() const { return parts_.are_enclosed(); }
 
 private:
     /// How far the points of either body leave their chords.

@@ -158,6 +158,12 @@ const EvenMotion<Scalar>& EvenFrame::refined() const {
     return *refined_;
 }
 
+GeneralPose<double> EvenFrame::at_end(bool is_goal) const {
+    const GeneralPose<double> end = pose_in<double>(is_goal ? goal_ : start_);
+    const Quaternion<double>& start = motion_.orientation;
+    return {end.translation, is_goal ? unit(shorter_way(start, end.rotation)) : start};
+}
+
 RateExpansion EvenFrame::expansion(const Bracket& times) const {
     const EvenMotion<double>& motion = motion_;
     const auto pose = motion.at(middle_of(times));

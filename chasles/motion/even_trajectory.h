@@ -53,7 +53,9 @@ public:
     /// The turn from one orientation to another, the shorter way round; without a path.
     static EvenMotion<Wide> turn_between(const Pose& from, const Pose& to);
 
-    [[nodiscard]] GeneralPose<double> at(double time) const override { return motion_.at(time); }
+    [[nodiscard]] GeneralPose<double> at(double time) const override {
+        return time == 0 || time == 1 ? at_end(time == 1) : motion_.at(time);
+    }
     [[nodiscard]] GeneralPose<Wide> refined_at(const Wide& time) const override { return refined().at(time); }
     [[nodiscard]] bool is_refined() const override { return true; }
     [[nodiscard]] Vector3<double> reference() const override { return motion_.reference; }
@@ -64,6 +66,8 @@ public:
 
 private:
     [[nodiscard]] const EvenMotion<Wide>& refined() const;
+    /// An end as it was given. Ends are asked for most often, and need no sine.
+    [[nodiscard]] GeneralPose<double> at_end(bool is_goal) const;
 
     Pose start_;
     Pose goal_;

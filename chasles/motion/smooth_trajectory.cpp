@@ -73,7 +73,8 @@ Pose public_pose(const GeneralPose<double>& pose) {
 SmoothPiece::SmoothPiece(SmoothMotion motion, const Section& section)
     : motion_(std::move(motion)), times_(section.times), rates_(section.rates),
       reference_(motion_.relative->reference()),
-      whole_{sweep_between_ends(section.ends, reference_), bounds<double>({0, 1})}, cubic_(widened(whole_.cubic)) {}
+      whole_{sweep_between_ends(section.ends, reference_), bounds<double>({0, 1})}, cubic_(widened(whole_.cubic)),
+      latest_(section) {}
 
 double SmoothPiece::time_at(double tau) const {
     return tau == 1 ? times_.upper : times_.lower + tau * (times_.upper - times_.lower);
@@ -99,7 +100,7 @@ EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
 
 Enclosure<double> SmoothPiece::enclosed(const Bracket& part) const {
     const MovingFrame& frame = *motion_.relative;
-    const PartEnds<double> ends{frame.at(time_at(part.lower)), frame.at(time_at(part.upper))};
+    const PartEnds<double> ends{latest_.at(frame, time_at(part.lower)), latest_.at(frame, time_at(part.upper))};
     return {sweep_between_ends(ends, reference_), bounds<double>(part)};
 }
 

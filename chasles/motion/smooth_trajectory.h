@@ -5,6 +5,7 @@
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/motion/moving_frame.h"
 
+#include <array>
 #include <mutex>
 
 namespace chasles::motion {
@@ -26,7 +27,31 @@ struct Section {
     PartEnds<double> ends;
 };
 
-/// A section of a smooth motion that turns little.
+/// The latest poses of a frame: the parts of a piece share their ends. For one thread.
+class LatestPoses {
+public:
+    explicit LatestPoses(const Section& section)
+        : poses_{{{section.times.lower, section.ends.start}, {section.times.upper, section.ends.goal}}} {}
+
+    GeneralPose<double> at(const MovingFrame& frame, double time) {
+        for (const auto& [known, pose] : poses_)
+            if (known == time)
+                return pose;
+        next_ = (next_ + 1) % poses_.size();
+        poses_[next_] = {time, frame.at(time)};
+        return poses_[next_].pose;
+    }
+
+private:
+    struct PoseAt {
+        double time = -1; ///< none yet
+        GeneralPose<double> pose{};
+    };
+    std::array<PoseAt, 4> poses_;
+    std::size_t next_ = 1;
+};
+
+/// A section of a smooth motion that turns little. For one thread.
 class SmoothPiece {
 public:
     SmoothPiece(SmoothMotion motion, const Section& section);
@@ -60,6 +85,7 @@ private:
     Vector3<double> reference_;
     Enclosure<double> whole_;
     RationalMotion<algebra::DoubleDouble> cubic_;
+    mutable LatestPoses latest_; ///< of the relative motion
 };
 
 /// The sections of a frame, made on the first use. From several threads at once, too.

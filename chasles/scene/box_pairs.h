@@ -1,10 +1,9 @@
 // Which boxes overlap? A tree over the boxes, tested against itself. Source: docs/derivations/27-scenes.md, "Pairs".
 #pragma once
 
-#include "chasles/scene/swept_body.h"
+#include "chasles/scene/box_block.h"
 
 #include <cstdint>
-#include <span>
 #include <utility>
 #include <vector>
 
@@ -12,10 +11,12 @@ namespace chasles::scene {
 
 using IndexPair = std::pair<std::uint32_t, std::uint32_t>;
 
-/// A tree of boxes, halved at the median of the longest side.
+/// A tree of boxes with eight children a node. The boxes lie along a curve that fills space; eight that follow each
+/// other are a node. All boxes are rounded to single precision, so boxes that barely miss each other may count as
+/// overlapping.
 class BoxTree {
 public:
-    explicit BoxTree(const std::vector<SweptBody>& bodies);
+    explicit BoxTree(const std::vector<SweptBody>& bodies, unsigned threads = 1);
 
     /// All pairs of boxes that overlap, each once, the smaller index first. They are in no useful order, but in the
     /// same one for any number of threads.
@@ -26,30 +27,22 @@ public:
     void replace(std::uint32_t index, const Box& box);
 
 private:
-    struct Centre;
-    struct Item {
-        Box box;
-        std::uint32_t index;
-    };
-    struct Node {
-        Box box;
-        std::uint32_t begin; ///< of the items below the node
-        std::uint32_t end;
-        std::uint32_t right; ///< the second child; the first one follows the node. 0 for a leaf
-    };
-    using NodePair = std::pair<std::uint32_t, std::uint32_t>;
+    using Level = std::vector<BoxBlock>;
 
-    void build(const std::vector<SweptBody>& bodies, std::span<Centre> centres);
-    void add_items(const std::vector<SweptBody>& bodies, std::span<const Centre> centres, Node& leaf);
-    [[nodiscard]] std::vector<NodePair> tasks() const;
-    [[nodiscard]] bool are_leaves(const NodePair& pair) const;
-    void append_parts(const NodePair& pair, std::vector<NodePair>& parts) const;
-    void append_pairs(const NodePair& pair, std::vector<IndexPair>& pairs) const;
-    void append_pairs_of_leaves(const Node& a, const Node& b, std::vector<IndexPair>& pairs) const;
+    void add_level(unsigned threads);
+    /// The box around a block of boxes.
+    [[nodiscard]] FloatBox hull_of(std::size_t block) const {
+        return levels_[1][block / BoxBlock::size][block % BoxBlock::size];
+    }
+    /// Calls report(i) for the blocks i of the lowest level, or for the boxes i, that overlap with a box.
+    template <bool is_for_boxes, class Report>
+    void visit(std::size_t level, std::size_t block, const FloatBox& box, const Report& report) const;
+    void append_pairs(std::size_t first, std::vector<IndexPair>& pairs) const;
+    void append_pairs_of_blocks(std::size_t first, std::size_t second, std::vector<IndexPair>& pairs) const;
 
-    std::vector<Item> items_;
-    std::vector<std::uint32_t> places_; ///< of each index in items_
-    std::vector<Node> nodes_;
+    std::vector<std::uint32_t> order_;  ///< the index of each box along the curve
+    std::vector<std::uint32_t> places_; ///< of each index along the curve
+    std::vector<Level> levels_;         ///< the first one holds the boxes, each other one those around the blocks below
 };
 
 } // namespace chasles::scene

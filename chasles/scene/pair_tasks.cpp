@@ -11,8 +11,13 @@ namespace chasles::scene {
 std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query) {
     std::vector<SweptBody> bodies(scene.bodies().size());
     const double margin = scene.largest_margin(query.options.margin);
-    parallel_for(query.threads, bodies.size(), [&](std::size_t begin, std::size_t end) {
+    constexpr std::size_t chunk = 64, ahead = 2;
+    parallel_chunks(query.threads, bodies.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
+            if (i + 2 * ahead < bodies.size())
+                __builtin_prefetch(&scene.motion_of(i + 2 * ahead));
+            if (i + ahead < bodies.size())
+                prefetch(scene.motion_of(i + ahead));
             const WorldMotion& motion = scene.motion_of(i);
             bodies[i] = swept({scene.bodies()[i].shape.body(), *motion.frame, motion.rests}, query.until);
             bodies[i].box = widened(bodies[i].box, margin);
@@ -51,7 +56,7 @@ std::vector<PairTask> near_pairs(const Scene& scene, const SceneQuery& query, co
 
 std::vector<PairTask> pair_tasks(const Scene& scene, const SceneQuery& query) {
     const std::vector<SweptBody> bodies = swept_bodies(scene, query);
-    std::vector<PairTask> tasks = near_pairs(scene, query, bodies, BoxTree(bodies));
+    std::vector<PairTask> tasks = near_pairs(scene, query, bodies, BoxTree(bodies, query.threads));
     chasles::sort(tasks, [&](const PairTask& a, const PairTask& b) { // names are compared only if they count
         return a.earliest != b.earliest ? a.earliest < b.earliest : names_of(scene, a.pair) < names_of(scene, b.pair);
     });

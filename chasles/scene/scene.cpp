@@ -120,4 +120,13 @@ double Scene::largest_margin(double of_question) const {
     return largest;
 }
 
+double Scene::least_margin(double of_question) const {
+    double least = of_question;
+    for (const auto& [ids, margin] : margins_)
+        least = std::min(least, margin);
+    for (const auto& [groups, margin] : group_margins_)
+        least = std::min(least, margin);
+    return least;
+}
+
 } // namespace chasles

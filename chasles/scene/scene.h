@@ -105,10 +105,10 @@ public:
     /// For the library's own use: how a body moves in the world.
     [[nodiscard]] const scene::WorldMotion& motion_of(std::size_t index) const { return *placed_[index].motion; }
     [[nodiscard]] bool is_ignored(std::size_t a, std::size_t b) const;
-    /// The margin of two bodies, and the largest one of all, where that of the question is given.
+    /// The margin of two bodies, the largest one of all, and the least one, where that of the question is given.
     [[nodiscard]] double margin_of(std::size_t a, std::size_t b, double of_question) const;
     [[nodiscard]] double largest_margin(double of_question) const;
-    [[nodiscard]] bool has_own_margins() const { return !margins_.empty() || !group_margins_.empty(); }
+    [[nodiscard]] double least_margin(double of_question) const;
 
 private:
     using Ids = std::pair<std::uint32_t, std::uint32_t>; ///< the smaller one first

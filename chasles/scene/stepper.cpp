@@ -4,9 +4,9 @@
 
 #include "chasles/base/parallel_for.h"
 #include "chasles/base/sort.h"
-#include "chasles/query/pair_query.h"
 #include "chasles/scene/pair_question.h"
 #include "chasles/scene/pair_tasks.h"
+#include "chasles/scene/step_margins.h"
 
 #include <algorithm>
 #include <queue>
@@ -25,13 +25,6 @@ constexpr double least_level = 0x1p-20;
 constexpr double above_level = 1.001;
 /// Contacts after this share of the rest of the step are no matter of rounding.
 constexpr double soon = 0.01;
-
-void check(const StepOptions& options) {
-    query::require(options.margin > 0, "margin", "must be positive for a step");
-    query::require(options.reach == 0 || options.reach >= 1.001 * options.margin, "reach",
-                   "must be at least 1.001 times the margin");
-    query::check_options({.margin = std::max(options.margin, options.reach), .time_tolerance = options.time_tolerance});
-}
 
 } // namespace
 
@@ -91,7 +84,7 @@ private:
 
     const Scene& scene_;
     StepOptions options_;
-    double reach_;
+    scene::StepMargins margins_;
     double time_ = 0;
     std::vector<Course> courses_;
     scene::BoxTree tree_;
@@ -102,14 +95,12 @@ private:
 };
 
 Stepper::Implementation::Implementation(const Scene& scene, const StepOptions& options)
-    : scene_(scene), options_(options), reach_(options.reach == 0 ? 2 * options.margin : options.reach), tree_({}) {
-    check(options);
-    query::require(!scene.has_own_margins(), "margin", "of single pairs or groups is not supported for a step");
+    : scene_(scene), options_(options), margins_(scene, options), tree_({}) {
     const SceneQuery query{.options = {.margin = options.margin}, .threads = options.threads};
     const std::vector<scene::SweptBody> swept = scene::swept_bodies(scene, query);
     for (std::size_t i = 0; i < swept.size(); ++i)
         courses_.push_back({.motion = scene.motion_of(i), .swept = swept[i]});
-    tree_ = scene::BoxTree(swept);
+    tree_ = scene::BoxTree(swept, options.threads);
     for (const scene::PairTask& task : scene::near_pairs(scene, query, swept, tree_))
         foresee(task.pair, task.earliest);
 }
@@ -130,8 +121,9 @@ FirstContact Stepper::Implementation::ask(const IndexPair& pair, double from, co
 /// With the time of the first contact, at the margin or at the first half, quarter, and so on of it that is less than
 /// the distance now; later than 1 if there is none.
 Stepper::Implementation::Prospect Stepper::Implementation::asked(Prospect prospect) const {
-    QueryOptions options{.margin = options_.margin, .time_tolerance = options_.time_tolerance};
-    for (; options.margin >= least_level * options_.margin; options.margin /= 2) {
+    const double margin = margins_.of(prospect.pair);
+    QueryOptions options{.margin = margin, .time_tolerance = options_.time_tolerance};
+    for (; options.margin >= least_level * margin; options.margin /= 2) {
         const FirstContact found = ask(prospect.pair, prospect.from, options);
         if (found.verdict == Verdict::clear) {
             prospect.time = {2, 2};
@@ -181,7 +173,7 @@ void Stepper::Implementation::foresee_neighbours(std::uint32_t index) {
         const bool is_done = other == index || (other < index && std::ranges::binary_search(changed_, other));
         if (is_done || scene_.is_ignored(index, other))
             continue;
-        const double share = scene::earliest_meeting(ball_now(index), ball_now(other), options_.margin);
+        const double share = scene::earliest_meeting(ball_now(index), ball_now(other), margins_.of({index, other}));
         if (share <= 1)
             foresee(scene::in_their_roles(scene_, {index, other}), time_ + share * (1 - time_));
     }
@@ -239,8 +231,9 @@ void Stepper::Implementation::sort_by_names(std::vector<IndexPair>& pairs) const
 
 /// All contacts within the reach, now.
 SceneContact Stepper::Implementation::contact_set(const IndexPair& pair) const {
-    const QueryOptions options{
-        .margin = reach_, .time_tolerance = options_.time_tolerance, .find = Find::first_with_all_contacts};
+    const QueryOptions options{.margin = margins_.reach_of(pair),
+                               .time_tolerance = options_.time_tolerance,
+                               .find = Find::first_with_all_contacts};
     SceneContact set{pair.first, pair.second, ask(pair, time_, options)};
     if (set.contact.verdict != Verdict::contact_at_start) // by rounding
         set.contact.contacts.clear();
@@ -270,11 +263,13 @@ std::vector<SceneContact> Stepper::Implementation::connected_with(const std::vec
         const std::uint32_t index = bodies[i];
         if (courses_[index].motion.rests)
             continue;
-        for (const std::uint32_t other : tree_.overlapping(scene::widened(courses_[index].swept.box, reach_))) {
+        for (const std::uint32_t other :
+             tree_.overlapping(scene::widened(courses_[index].swept.box, margins_.largest_reach()))) {
             const IndexPair pair = scene::in_their_roles(scene_, {index, other});
+            const double reach = margins_.reach_of(pair);
             const bool are_near = other != index && !scene_.is_ignored(index, other) &&
-                                  scene::earliest_meeting(ball_now(index), ball_now(other), reach_) == 0;
-            if (are_near && known.insert(pair).second && are_within(reach_, pair, time_)) {
+                                  scene::earliest_meeting(ball_now(index), ball_now(other), reach) == 0;
+            if (are_near && known.insert(pair).second && are_within(reach, pair, time_)) {
                 found.push_back(pair);
                 bodies.push_back(other);
             }
@@ -315,12 +310,12 @@ void Stepper::Implementation::move(std::size_t index, const Motion& rest) {
     const Eigen::Vector3d centre = body.bvh().centre();
     const double away =
         (now * centre - start * centre).norm() + (now.linear() - start.linear()).norm() * body.vertex_radius();
-    if (!(away <= 1e-3 * options_.margin))
+    if (!(away <= 1e-3 * margins_.least()))
         scene::refuse(name(index), "move: the motion starts " + std::to_string(away) + " away from where the body is");
     Course& course = courses_[index];
     course = {std::move(motion), time_, course.changes + 1};
     course.swept = scene::swept({body, *course.motion.frame, course.motion.rests}, 1);
-    course.swept.box = scene::widened(course.swept.box, options_.margin);
+    course.swept.box = scene::widened(course.swept.box, margins_.largest());
     tree_.replace(std::uint32_t(index), course.swept.box);
     changed_.push_back(std::uint32_t(index));
 }

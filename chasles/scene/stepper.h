@@ -12,9 +12,11 @@ namespace chasles {
 /// How to step.
 struct StepOptions {
     /// Bodies that come as near as this touch; positive, mesh unit. Bodies that are nearer already may come half as
-    /// near as they are, so they can slide and roll on each other.
+    /// near as they are, so they can slide and roll on each other. Pairs and groups with margins of their own in the
+    /// scene (Scene::set_margin) keep them.
     double margin = 0;
-    /// The contact sets of an event list what is as near as this; more than the margin, mesh unit. 0: twice the margin.
+    /// The contact sets of an event list what is as near as this; more than all margins, mesh unit. 0: twice the margin
+    /// of the pair.
     double reach = 0;
     double time_tolerance = 1e-12; ///< as in QueryOptions
     unsigned threads = 0;          ///< at most so many; 0: all cores
@@ -39,16 +41,16 @@ struct StepEvent {
 ///             stepper.move(pair.moving, ...); // away from the contact
 class CHASLES_EXPORT Stepper {
 public:
-    /// Throws InvalidInput for an option out of its range, and for a scene with margins of single pairs or groups.
+    /// Throws InvalidInput for an option out of its range, and for a scene in which a pair or a group has the margin 0.
     Stepper(const Scene& scene, const StepOptions& options);
     ~Stepper();
     Stepper(Stepper&& other) noexcept;
     Stepper& operator=(Stepper&& other) noexcept;
 
     /// Goes on to the next event; nothing at the end of the step. Up to there all pairs that are not ignored stay
-    /// farther apart than the margin, or than 0.49 of their distance where that was less. This is proven. Throws
-    /// InvalidInput "scene: A on B: ..." for bodies nearer than a millionth of the margin: they started there, or many
-    /// events have not moved them away from each other.
+    /// farther apart than their margin, or than 0.49 of their distance where that was less. This is proven. Throws
+    /// InvalidInput "scene: A on B: ..." for bodies nearer than a millionth of their margin: they started there, or
+    /// many events have not moved them away from each other.
     std::optional<StepEvent> advance();
 
     [[nodiscard]] double time() const;                ///< of the last event, or 1 at the end

@@ -53,34 +53,48 @@ Placement placement(const Extent& extent, const motion::MovingFrame& frame, doub
     return {{(middle - around).cwiseMax(centre - radius), (middle + around).cwiseMin(centre + radius)}, centre};
 }
 
-/// The times between which no rate jumps, from 0 to the end.
-std::vector<double> sections_of(const motion::MovingFrame& frame, double until) {
-    std::vector<double> cuts;
-    frame.add_cuts(cuts);
-    std::erase_if(cuts, [&](double cut) { return !(0 < cut && cut < until); });
-    cuts.push_back(0);
-    cuts.push_back(until);
-    chasles::sort(cuts);
-    return cuts;
-}
+/// What a body has swept, section by section.
+class Sweep {
+public:
+    Sweep(const WorldBody& body, const Extent& extent, const Placement& start)
+        : frame_(body.frame), extent_(extent), reach_((extent.middle - extent.reference).norm() + extent.half.norm()),
+          arm_((extent.centre - extent.reference).norm()), start_(start.centre), before_(start),
+          swept_{start.box, {start.centre, Vector3d::Zero(), extent.radius}} {}
 
-/// A body that moves, from `before` on.
-SweptBody swept_while_moving(const WorldBody& body, const Extent& extent, const Placement& before, double until) {
-    const std::vector<double> cuts = sections_of(body.frame, until);
-    const double reach = (extent.middle - extent.reference).norm() + extent.half.norm();
-    const double arm = (extent.centre - extent.reference).norm();
-    SweptBody swept{before.box, {before.centre, Vector3d::Zero(), extent.radius}};
-    Placement begin = before;
-    for (std::size_t i = 1; i < cuts.size(); ++i) {
-        const double duration = cuts[i] - cuts[i - 1];
-        const motion::RateBounds rates = body.frame.rates({cuts[i - 1], cuts[i]});
-        const Placement end = placement(extent, body.frame, cuts[i]);
-        swept.box.extend(widened(begin.box.merged(end.box), deviation_from_straight(rates, reach, duration)));
-        swept.ball.radius += deviation_from_straight(rates, arm, duration);
-        begin = end;
+    /// Goes on to a time before which no rate jumps.
+    void go_on(double until) {
+        const motion::RateBounds rates = frame_.rates({time_, until});
+        const Placement end = placement(extent_, frame_, until);
+        swept_.box.extend(widened(before_.box.merged(end.box), deviation_from_straight(rates, reach_, until - time_)));
+        swept_.ball.radius += deviation_from_straight(rates, arm_, until - time_);
+        swept_.ball.way = end.centre - start_;
+        before_ = end;
+        time_ = until;
     }
-    swept.ball.way = begin.centre - before.centre;
-    if (cuts.size() > 2) // the way is not even: the ball is everywhere, and the box alone decides
+    [[nodiscard]] const SweptBody& swept() const { return swept_; }
+
+private:
+    const motion::MovingFrame& frame_;
+    const Extent& extent_;
+    double reach_, arm_;
+    Vector3d start_; ///< of the centre
+    Placement before_;
+    double time_ = 0;
+    SweptBody swept_;
+};
+
+/// A body that moves.
+SweptBody swept_while_moving(const WorldBody& body, const Extent& extent, const Placement& start, double until) {
+    std::vector<double> cuts; // times at which rates jump
+    body.frame.add_cuts(cuts);
+    std::erase_if(cuts, [&](double cut) { return !(0 < cut && cut < until); });
+    chasles::sort(cuts);
+    Sweep sweep(body, extent, start);
+    for (const double cut : cuts)
+        sweep.go_on(cut);
+    sweep.go_on(until);
+    SweptBody swept = sweep.swept();
+    if (!cuts.empty()) // the way is not even: the ball is everywhere, and the box alone decides
         swept.ball.radius = std::numeric_limits<double>::infinity();
     return swept;
 }

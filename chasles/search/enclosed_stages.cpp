@@ -106,7 +106,7 @@ double EnclosedStages<within_margin>::culling_margin() const {
 
 template <bool within_margin>
 void EnclosedStages<within_margin>::use(const culling::TimeRange& part) {
-    filter_.use(part);
+    part_ = part; // most pairs of faces have no features to test
     is_at_start_ = options_.check_start && part.lower <= 0;
 }
 
@@ -120,10 +120,11 @@ template <bool within_margin>
 void EnclosedStages<within_margin>::test(const FeaturePair& features) {
     if (within_margin && is_at_start_)
         test_at_start(features);
+    filter_.use(part_);
     if (auto found = filter_.first(features)) {
         // So far the contact may be anywhere in the part, and just after it: at its very end no sign changes.
         if (!found->certain)
-            found->upper = std::min(1.0, filter_.part().at(1.25));
+            found->upper = std::min(1.0, part_.at(1.25));
         candidates_.add({features, *found}, *this);
     }
 }

@@ -89,6 +89,7 @@ private:
     PieceContext& context_;
     const SearchOptions& options_;
     culling::PieceParts parts_;
+    culling::TimeRange part_;
     PartTests<double> filter_;
     PartTests<double> shorter_;
     std::unique_ptr<RefinedTests> refinement_; ///< made on the first use

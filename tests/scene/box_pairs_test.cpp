@@ -68,5 +68,27 @@ TEST(BoxTree, FindsWhatAllPairsFindAlsoAfterBoxesHaveMoved) {
     EXPECT_TRUE(BoxTree({}).overlapping(Box(Eigen::Vector3d::Zero())).empty());
 }
 
+/// Boxes of all sizes, at places near and far: numbers that floats do not hold.
+TEST(BoxTree, LosesNoPairToRounding) {
+    Random random(2722);
+    std::size_t found_in_all = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const Eigen::Vector3d place = test::random_point(random, std::abs(random.scaled(-3, 9)));
+        std::vector<SweptBody> bodies(std::size_t(random.integer(1, 60)));
+        for (SweptBody& body : bodies) {
+            const Eigen::Vector3d corner = place + test::random_point(random, std::abs(random.scaled(-6, 1)));
+            body.box = Box(corner).extend(corner + test::random_point(random, std::abs(random.scaled(-6, 1))));
+        }
+        bodies.front().box.extend(Eigen::Vector3d::Constant(random.chance(0.2) ? INFINITY : 0));
+        std::vector<IndexPair> found = BoxTree(bodies, 2).overlapping_pairs(2);
+        std::ranges::sort(found);
+        const std::vector<IndexPair> expected = pairs_of(bodies);
+        ASSERT_TRUE(std::ranges::includes(found, expected)) << trial;
+        ASSERT_EQ(std::ranges::adjacent_find(found), found.end()) << "twice";
+        found_in_all += expected.size();
+    }
+    EXPECT_GT(found_in_all, 10'000);
+}
+
 } // namespace
 } // namespace chasles::scene

@@ -280,15 +280,49 @@ TEST(Stepper, AnEventTellsWhatIsConnected) {
     expect_connected(4 * margin, {.margin = margin, .reach = 5 * margin});
 }
 
+/// Four equal boxes fall on a floor, with four margins.
+TEST(Stepper, PairsAndGroupsKeepTheirMargins) {
+    Scene scene;
+    const Polyhedron shape = box({0.1, 0.1, 0.1}).polyhedron();
+    scene.add({"floor", box({9, 5, 1}).polyhedron(), Motion::at_rest(shifted(0, 0, -1)), "static"});
+    for (int i = 0; i < 4; ++i) {
+        const double start = i == 3 ? 0.1 + 0.3 * 0.008 : 0.6;
+        scene.add({std::to_string(i), shape, Motion::velocity(shifted(i, 0, start), shifted(i, 0, start - 1)),
+                   i == 1 ? "soft" : ""});
+    }
+    scene.set_group_margin("static", "soft", 0.004);
+    scene.set_margin("2", "floor", 0.002);
+    scene.set_margin("floor", "3", 0.008);
+    Stepper stepper(scene, {.margin = margin});
+    const auto expect_event = [&](std::size_t moving, double time, double gap) {
+        const auto event = stepper.advance();
+        ASSERT_TRUE(event);
+        EXPECT_NEAR(event->time, time, 1e-12);
+        ASSERT_EQ(event->contacts.size(), 1);
+        EXPECT_EQ(event->contacts[0].moving, moving);
+        ASSERT_EQ(event->contacts[0].contact.contacts.size(), 4);
+        EXPECT_NEAR(event->contacts[0].contact.contacts[0].gap, gap, 1e-12);
+        stepper.move(moving, Motion::at_rest(stepper.pose(moving)));
+    };
+    expect_event(4, 0.05 * 0.008, 0.25 * 0.008); // starts within its margin, and may come half as near
+    expect_event(2, 0.5 - 0.004, 0.004);
+    expect_event(3, 0.5 - 0.002, 0.002);
+    expect_event(1, 0.5 - margin, margin);
+    EXPECT_FALSE(stepper.advance());
+}
+
 TEST(Stepper, RefusesWhatItCannotUse) {
     const auto [scene, moving] = box_over_floor(0.5, {0, 0, -1});
     EXPECT_EQ(refusal([&] { Stepper(scene, {}); }), "query: margin: must be positive for a step");
     EXPECT_EQ(refusal([&] { Stepper(scene, {.margin = 1, .reach = 1}); }),
               "query: reach: must be at least 1.001 times the margin");
     Scene with_margin = scene;
-    with_margin.set_margin("box", "floor", 0.1);
+    with_margin.set_margin("box", "floor", 2 * margin);
+    EXPECT_EQ(refusal([&] { Stepper(with_margin, {.margin = margin, .reach = 2 * margin}); }),
+              "query: reach: must be at least 1.001 times the margin");
+    with_margin.set_group_margin("a", "b", 0);
     EXPECT_EQ(refusal([&] { Stepper(with_margin, {.margin = margin}); }),
-              "query: margin: of single pairs or groups is not supported for a step");
+              "query: margin: of a pair or a group must be positive for a step");
     Stepper stepper(scene, {.margin = margin});
     EXPECT_EQ(refusal([&] { stepper.move(9, Motion::at_rest(Pose())); }), "scene: body 9: there are 2 bodies");
     EXPECT_EQ(refusal([&] { stepper.move(moving, Motion::at_rest(Pose())); }),
