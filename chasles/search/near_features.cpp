@@ -143,9 +143,20 @@ std::uint64_t visit_all(PieceContext& context, double reach, double tau, NearLea
     return traversal.run({tau, tau});
 }
 
+/// The pairs of a list that may be near at `tau`.
+void test_listed(const PartPairs& pairs, double tau, double reach, NearLeaves& leaves) {
+    for (const PartPair& pair : pairs.all())
+        if (may_be_within(pair, tau, reach) && !leaves.is_over())
+            leaves.test(pair.faces);
+}
+
 NearFeatures search_once(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     const double reach = scene.margin + scene.slack;
     NearLeaves leaves(context, scene, search);
+    if (search.pairs && scene.margin > 0 && search.pairs->reaches(tau, reach)) {
+        test_listed(*search.pairs, tau, reach, leaves);
+        return leaves.take();
+    }
     Work work;
     const auto pairs =
         search.neighbours && scene.margin > 0 ? search.neighbours->within(context, reach, work) : std::nullopt;
@@ -190,7 +201,7 @@ NearFeatures search_nearer(PieceContext& context, const ContactScene& scene, dou
 
 NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     NearFeatures near = search_once(context, scene, tau, search);
-    if (search.neighbours) // the order does not tell whether there was a list
+    if (search.neighbours || search.pairs) // the order does not tell whether there was a list
         std::ranges::sort(near.pairs);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)
