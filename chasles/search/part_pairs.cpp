@@ -124,8 +124,9 @@ PartPairs::PartPairs(PieceContext& context, const Distances& distances, const Me
 }
 
 void PartPairs::take(std::span<const NeighbourList::Near> near) {
+    const double deviation = context_.time_tree(distances_.far, context_.parts(distances_.far)).interval({}).deviation;
     for (const auto& [faces, least] : near)
-        pairs_.push_back({{faces.moving, faces.fixed, part_, {}, 0, 0}, least, least});
+        pairs_.push_back({{faces.moving, faces.fixed, part_, {}, 0, deviation}, least, least});
 }
 
 void PartPairs::find() {
