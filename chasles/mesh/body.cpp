@@ -1,5 +1,5 @@
-// Computes the faces around vertices, the normal cones and the directions from features on the first request, and counts memory.
-// Several threads may request them at the same time.
+// Computes the faces around vertices, the normal cones and the directions from features on the first request, and
+// counts memory. Several threads may request them at the same time.
 #include "chasles/mesh/body.h"
 
 #include <algorithm>

@@ -48,6 +48,13 @@ void set_clear(FirstContact& answer, const motion::AnyTrajectory& trajectory, do
     answer.fixed_pose = trajectory.fixed_pose_at(until);
 }
 
+/// Something comes within the hold distance. Where both events are at once, the answer begins with the earlier one.
+void set_clear_until(FirstContact& found, const motion::AnyPiece& piece, const Bracket& tau) {
+    found.clear_until = piece.time_of(tau).lower;
+    found.time.lower = std::min(found.time.lower, found.clear_until);
+    found.tau.lower = std::min(found.tau.lower, piece.tau_of(tau).lower);
+}
+
 /// A tau of the piece that is not before the time: a clock may run unevenly.
 double tau_after(const motion::AnyPiece& piece, double time) {
     const double start = piece.time_of({0, 0}).upper;
@@ -92,6 +99,13 @@ private:
     static bool search_holding_piece(const HeldPiece& piece, auto search_part);
     bool search_holding_part(FirstContact& found, const HeldPiece& piece, double level,
                              const search::HeldContacts& held);
+    /// What comes within the level in a part.
+    struct AtLevel {
+        const PieceResult& result;
+        const search::HeldContacts& held;
+    };
+    void search_new(FirstContact& found, const HeldPiece& piece, const search::SearchOptions& near,
+                    const AtLevel& level) const;
 
     [[nodiscard]] PieceContext piece(std::size_t index) const {
         return {query_.moving, query_.fixed, pieces_->at(index)};
@@ -149,6 +163,7 @@ FirstContact PieceByPiece::run_holding() {
     const bool is_held = near.overlap || (!near.pairs.empty() && near.complete_within > 0);
     FirstContact found = is_held ? FirstContact() : run_within(options_.margin);
     found.work += near.work;
+    found.work += pairs.take_work();
     if (!is_held)
         return found;
     const HeldLevel level = held_level(first_piece, start, near);
@@ -219,28 +234,30 @@ bool PieceByPiece::search_holding_part(FirstContact& found, const HeldPiece& pie
     near.pairs = complete(piece.pairs);
     near.from = piece.pairs.part().lower;
     const PieceResult at_level = search_piece(piece.context, near);
-    found.work += piece.pairs.work();
+    found.work += piece.pairs.take_work();
     found.work += at_level.work;
-    if (found.verdict == Verdict::unknown) {
-        search::SearchOptions far = near;
-        far.margin = options_.margin;
-        far.held = &held;
-        far.until = has_contact(at_level) ? enclosing(at_level).upper : 1;
-        const PieceResult new_contacts = search_piece(piece.context, far);
-        found.work += new_contacts.work;
-        const bool is_new = has_contact(new_contacts) &&
-                            (!has_contact(at_level) || enclosing(new_contacts).upper < enclosing(at_level).upper);
-        if (is_new || has_contact(at_level))
-            report(found, piece.context, is_new ? new_contacts : at_level,
-                   {options_, piece.is_first, is_new ? far.margin : near.margin, is_new ? &held : nullptr, near.pairs});
-    }
-    if (!has_contact(at_level))
-        return false;
-    const Bracket tau = enclosing(at_level); // where both events are at once, the answer begins with the earlier one
-    found.clear_until = piece.context.piece().time_of(tau).lower;
-    found.time.lower = std::min(found.time.lower, found.clear_until);
-    found.tau.lower = std::min(found.tau.lower, piece.context.piece().tau_of(tau).lower);
-    return true;
+    if (found.verdict == Verdict::unknown)
+        search_new(found, piece, near, {at_level, held});
+    if (has_contact(at_level))
+        set_clear_until(found, piece.context.piece(), enclosing(at_level));
+    return has_contact(at_level);
+}
+
+/// Reports the first event of a part: a new contact, which begins before something comes within the level, or this.
+void PieceByPiece::search_new(FirstContact& found, const HeldPiece& piece, const search::SearchOptions& near,
+                              const AtLevel& level) const {
+    const auto& [at_level, held] = level;
+    search::SearchOptions far = near;
+    far.margin = options_.margin;
+    far.held = &held;
+    far.until = has_contact(at_level) ? enclosing(at_level).upper : 1;
+    const PieceResult new_contacts = search_piece(piece.context, far);
+    found.work += new_contacts.work;
+    const bool is_new = has_contact(new_contacts) &&
+                        (!has_contact(at_level) || enclosing(new_contacts).upper < enclosing(at_level).upper);
+    if (is_new || has_contact(at_level))
+        report(found, piece.context, is_new ? new_contacts : at_level,
+               {options_, piece.is_first, is_new ? far.margin : near.margin, is_new ? &held : nullptr, near.pairs});
 }
 
 /// A hundred times as much as the rounding of poses to doubles moves bodies.

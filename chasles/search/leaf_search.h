@@ -44,8 +44,7 @@ public:
         stages_.use(faces->part);
         stages_.test_start(two);
         for_each_owned_pair<Stages::tests_all_kinds>(context_.moving(), context_.fixed(), two, faces->moving,
-                                                     faces->fixed,
-                                                     [&](const FeaturePair& features) {
+                                                     faces->fixed, [&](const FeaturePair& features) {
                                                          if (!births_ || births_->allows(features))
                                                              stages_.test(features);
                                                      });

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace chasles::search {
 
@@ -190,10 +191,24 @@ double NeighbourList::least_on_way(std::size_t index, const Way& way) {
     const double known = gap_on_way(pair);
     if (known > way.margin + uncertain || std::abs(known - pair.widest) < 0.25 * pair.widest)
         return known - uncertain;
+    const bool is_first = pair.offset == 0 && pair.widest == 0;
+    if (is_first && is_beyond(index, way.margin + uncertain))
+        return gap_on_way(pair) - uncertain;
     const auto direction = separation_.widest(pair.faces.moving, pair.faces.fixed, 0.5);
     if (direction)
         take_direction(index, *direction);
     return direction ? pair.widest - uncertain : 0;
+}
+
+/// By a short search for a half space. Most pairs of a new list are far enough apart for it. A longer search follows
+/// where the half space does not tell any more.
+bool NeighbourList::is_beyond(std::size_t index, double distance) {
+    Neighbours& pair = pairs_[index];
+    const auto direction = separation_.beyond(pair.faces.moving, pair.faces.fixed, 0.5, {distance, distance});
+    if (!direction)
+        return false;
+    take_direction(index, *direction);
+    return std::exchange(pair.widest, 0) > distance;
 }
 
 /// A half space for a pair whose moving face is placed.

@@ -59,6 +59,7 @@ private:
     void place_corners(std::uint32_t face, const Way& way);
     [[nodiscard]] double gap(const Neighbours& pair, const culling::MatrixPose& pose) const;
     double least_on_way(std::size_t index, const Way& way);
+    bool is_beyond(std::size_t index, double distance);
     void take_direction(std::size_t index, const algebra::Vector3<double>& direction);
     [[nodiscard]] double gap_on_way(const Neighbours& pair) const;
 

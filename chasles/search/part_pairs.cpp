@@ -48,9 +48,8 @@ public:
               std::vector<PartPair>& found)
         : moving_(context.moving()), fixed_(context.fixed()), distances_(distances), maps_(parts),
           separation_(context.moving(), context.fixed()), found_(found),
-          rounding_(2 *
-                    elementary::with_underflow<double>(roundings * elementary::position_error<double>(parts.scale()))) {
-    }
+          rounding_(
+              2 * elementary::with_underflow<double>(roundings * elementary::position_error<double>(parts.scale()))) {}
 
     // The functions that a traversal requires of its leaves.
     [[nodiscard]] static double best() { return 1; }
@@ -62,9 +61,8 @@ public:
             separation_.use(ends_);
         }
         const bool begins_at_start = pair.interval.lower <= 0 && pair.when.lower <= 0;
-        const auto direction =
-            separation_.beyond(pair.moving, pair.fixed, 0.5 * (pair.when.lower + pair.when.upper),
-                               {distances_.near + pair.deviation, distances_.far + pair.deviation});
+        const auto direction = separation_.beyond(pair.moving, pair.fixed, 0.5 * (pair.when.lower + pair.when.upper),
+                                                  {distances_.near + pair.deviation, distances_.far + pair.deviation});
         const Gap gap = direction ? gap_along(*direction, pair) : Gap{0, 0};
         if (const double least = std::min(gap.first, gap.last) - pair.deviation; !(least > distances_.far))
             found_.push_back({pair, begins_at_start ? gap.first : infinite, least});
@@ -148,7 +146,6 @@ bool PartPairs::go_on() {
     if (!is_complete_ || part_.upper >= 1)
         return false;
     part_ = {part_.upper, 2 * part_.upper};
-    work_ = {};
     find();
     return true;
 }

@@ -7,6 +7,7 @@
 #include "chasles/search/orbit_filter.h"
 
 #include <tuple>
+#include <utility>
 #include <vector>
 
 namespace chasles::search {
@@ -51,8 +52,8 @@ public:
     [[nodiscard]] const std::vector<PartPair>& all() const { return pairs_; }
     /// The pairs of the next part. False if there is none.
     bool go_on();
-    /// Of the current list.
-    [[nodiscard]] const Work& work() const { return work_; }
+    /// The work since the last call.
+    Work take_work() { return std::exchange(work_, {}); }
 
 private:
     void take(std::span<const NeighbourList::Near> near);

@@ -9,7 +9,8 @@ namespace chasles::search {
 
 namespace {
 
-PieceResult search_among(std::span<const NeighbourList::Near> pairs, PieceContext& context, const SearchOptions& options) {
+PieceResult search_among(std::span<const NeighbourList::Near> pairs, PieceContext& context,
+                         const SearchOptions& options) {
     LeafSearch<DistanceStages> leaves(context, options);
     test_pairs(pairs, {options.from, 1}, leaves);
     return leaves.take();
