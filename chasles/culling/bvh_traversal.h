@@ -65,11 +65,10 @@ private:
     std::uint64_t run_queue(TimeRange range) {
         do {
             const TimeInterval interval = times_.interval(range);
-            std::vector<NodePair> deferred;
+            halvings_.push_back({range, deferred_.size()});
             while (!queue_.is_empty() && !leaves_.is_over())
-                visit(queue_.pop(), interval, deferred);
+                visit(queue_.pop(), interval);
             queue_.clear();
-            halvings_.push_back({range, std::move(deferred)});
         } while (fill_queue_with_next_half(range));
         return node_pairs_;
     }
@@ -87,17 +86,18 @@ private:
     /// An interval whose deferred pairs are to be visited in its halves.
     struct Halving {
         TimeRange range;
-        std::vector<NodePair> deferred;
+        std::size_t first_deferred; ///< its deferred pairs are all from this one on
         int halves_done = 0;
     };
 
     /// The next half of the innermost interval that has one: its range, with its pairs in the queue. The later half is
     /// skipped if a contact in the earlier half makes it unnecessary. False if there is none.
     bool fill_queue_with_next_half(TimeRange& next) {
-        for (; !halvings_.empty(); halvings_.pop_back()) {
-            auto& [range, deferred, halves_done] = halvings_.back();
+        for (; !halvings_.empty(); drop_innermost()) {
+            auto& [range, first_deferred, halves_done] = halvings_.back();
             const double middle = range.at(0.5);
             const bool later = halves_done == 1;
+            const std::span<const NodePair> deferred = std::span(deferred_).subspan(first_deferred);
             if (deferred.empty() || halves_done == 2 || leaves_.is_over() || (later && leaves_.best() < middle))
                 continue;
             ++halves_done;
@@ -110,9 +110,15 @@ private:
         return false;
     }
 
+    void drop_innermost() {
+        deferred_.resize(halvings_.back().first_deferred);
+        halvings_.pop_back();
+    }
+    [[nodiscard]] bool has_deferred() const { return deferred_.size() > halvings_.back().first_deferred; }
+
     /// Skips a pair that cannot improve the answer, defers it, tests its faces, or splits its nodes. Once a pair is
     /// deferred, all pairs that may only touch in the later half are deferred with it.
-    void visit(const NodePair& pair, const TimeInterval& interval, std::vector<NodePair>& deferred) {
+    void visit(const NodePair& pair, const TimeInterval& interval) {
         const double first = interval.range.at(pair.when.lower);
         if (first > leaves_.best() || leaves_.is_kept_apart(pair, first))
             return;
@@ -120,9 +126,9 @@ private:
         const BvhNode& fixed = fixed_nodes_[pair.fixed];
         if (moving.is_bare() && fixed.is_bare())
             return;
-        if ((!deferred.empty() && pair.when.lower >= 0.5F) ||
+        if ((has_deferred() && pair.when.lower >= 0.5F) ||
             is_worth_halving(interval, std::max(longest_side(moving), longest_side(fixed))))
-            deferred.push_back(pair);
+            deferred_.push_back(pair);
         else if (moving.is_leaf() && fixed.is_leaf())
             leaves_.test(FacePair{moving.first, fixed.first, interval.range, pair.when,
                                   interval.range.at(queue_.earliest()), interval.deviation});
@@ -191,7 +197,8 @@ private:
     double deviation_of_size_;
     PairQueue queue_; ///< pairs of the current interval
     Leaves& leaves_;
-    std::vector<Halving> halvings_; ///< the innermost last
+    std::vector<Halving> halvings_;  ///< the innermost last
+    std::vector<NodePair> deferred_; ///< of all intervals, those of the innermost last
     std::uint64_t node_pairs_ = 0;
 };
 

@@ -48,6 +48,26 @@ std::optional<Vector3<double>> FaceSeparation::widest(std::uint32_t moving_face,
     return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
 }
 
+/// Each step of Gilbert's algorithm is at a point of the difference of both hulls: the faces are no farther apart.
+std::optional<Vector3<double>> FaceSeparation::beyond(std::uint32_t moving_face, std::uint32_t fixed_face, double time,
+                                                      const Distances& distances) {
+    constexpr int most_steps = 6;
+    place_corners(moving_face, fixed_face, time);
+    WidestGap widest;
+    Vector3<double> nearest = between_means();
+    for (int step = 0; step < most_steps; ++step) {
+        const double most = length(nearest);
+        if (!(most > distances.near))
+            break;
+        const Vector3<double> farthest = try_direction(scale(nearest, 1 / most), widest);
+        if (widest.gap > (most > distances.far ? distances.far : distances.near))
+            break;
+        const Vector3<double> way = farthest - nearest;
+        nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
+    }
+    return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
+}
+
 /// The normals of both faces, and the perpendiculars of their edges.
 void FaceSeparation::try_all_across(WidestGap& widest) const {
     constexpr std::size_t most_edge_pairs = 64;

@@ -25,6 +25,16 @@ public:
     /// The unit direction with the widest gap that a longer search finds, up to rounding. Empty if it finds no gap.
     std::optional<Vector3<double>> widest(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
 
+    /// Two distances, the smaller one first.
+    struct Distances {
+        double near;
+        double far;
+    };
+    /// A unit direction along which the faces are farther apart than `far` or, if they are not that far apart, than
+    /// `near`. Otherwise the direction with the widest gap that the search finds. Empty if it finds no gap.
+    std::optional<Vector3<double>> beyond(std::uint32_t moving_face, std::uint32_t fixed_face, double time,
+                                          const Distances& distances);
+
 private:
     struct WidestGap {
         Vector3<double> direction{};

@@ -1,5 +1,5 @@
-// Computes the faces around vertices and the normal cones on the first request, and counts memory.
-// Several threads may request them at the same time.
+// Computes the faces around vertices, the normal cones and the directions from features on the first request, and
+// counts memory. Several threads may request them at the same time.
 #include "chasles/mesh/body.h"
 
 #include <algorithm>
@@ -47,6 +47,11 @@ std::span<const std::uint32_t> Body::faces_around(std::size_t vertex) const {
 std::span<const NormalCone> Body::normal_cones() const {
     std::call_once(normal_cones_once_, [&] { normal_cones_ = normal_cones_of(*this); });
     return normal_cones_;
+}
+
+const FeatureWays& Body::feature_ways() const {
+    std::call_once(feature_ways_once_, [&] { feature_ways_ = feature_ways_of(*this); });
+    return feature_ways_;
 }
 
 std::size_t Body::memory() const {

@@ -5,6 +5,7 @@
 #include "chasles/base/flat_lists.h"
 #include "chasles/hierarchy/bvh.h"
 #include "chasles/mesh/edge.h"
+#include "chasles/mesh/feature_ways.h"
 #include "chasles/mesh/normal_cones.h"
 #include "chasles/mesh/polyhedron.h"
 
@@ -68,6 +69,9 @@ public:
     /// The cones around the normals below each node of the hierarchy. The first call computes them.
     [[nodiscard]] std::span<const NormalCone> normal_cones() const;
 
+    /// The directions from the vertices and edges that faces own into the surface. The first call computes them.
+    [[nodiscard]] const FeatureWays& feature_ways() const;
+
     /// The hierarchy of boxes over the faces, in the body's frame.
     [[nodiscard]] const Bvh& bvh() const { return parts_.bvh; }
 
@@ -87,6 +91,8 @@ private:
     mutable FlatLists<std::uint32_t> faces_around_;
     mutable std::once_flag normal_cones_once_;
     mutable std::vector<NormalCone> normal_cones_;
+    mutable std::once_flag feature_ways_once_;
+    mutable FeatureWays feature_ways_;
 };
 
 } // namespace chasles

@@ -25,6 +25,11 @@ void require_no_enclosure(const PieceContext& context) {
     require(!context.is_enclosed(), "hold", "is supported for screws and sweeps only");
 }
 
+/// The pairs, unless there are too many to list.
+const search::PartPairs* complete(const search::PartPairs& pairs) {
+    return pairs.is_complete() ? &pairs : nullptr;
+}
+
 /// A contact at the start, made of what is near there.
 PieceResult contact_of(const search::NearFeatures& near) {
     PieceResult result;
@@ -41,6 +46,13 @@ void set_clear(FirstContact& answer, const motion::AnyTrajectory& trajectory, do
     answer.clear_until = until;
     answer.pose = trajectory.pose_at(until);
     answer.fixed_pose = trajectory.fixed_pose_at(until);
+}
+
+/// Something comes within the hold distance. Where both events are at once, the answer begins with the earlier one.
+void set_clear_until(FirstContact& found, const motion::AnyPiece& piece, const Bracket& tau) {
+    found.clear_until = piece.time_of(tau).lower;
+    found.time.lower = std::min(found.time.lower, found.clear_until);
+    found.tau.lower = std::min(found.tau.lower, piece.tau_of(tau).lower);
 }
 
 /// A tau of the piece that is not before the time: a clock may run unevenly.
@@ -74,9 +86,26 @@ private:
     };
     [[nodiscard]] HeldLevel held_level(const PieceContext& piece, const ContactMoment& start,
                                        const search::NearFeatures& near) const;
-    void search_holding(FirstContact& found, PieceContext& first_piece, double level, const search::HeldContacts& held);
-    bool search_holding_piece(FirstContact& found, PieceContext& piece, double level, const search::HeldContacts& held,
-                              bool is_first);
+    /// One piece, or the part of it that is searched next.
+    struct HeldPiece {
+        PieceContext& context;
+        search::PartPairs& pairs;
+        bool is_first;
+    };
+    [[nodiscard]] search::PartPairs pairs_of(PieceContext& piece, double margin) const {
+        return {piece, {*options_.hold, margin}, {query_.neighbours, orbits_}};
+    }
+    void search_holding(FirstContact& found, const HeldPiece& first, double level, const ContactMoment& start);
+    static bool search_holding_piece(const HeldPiece& piece, auto search_part);
+    bool search_holding_part(FirstContact& found, const HeldPiece& piece, double level,
+                             const search::HeldContacts& held);
+    /// What comes within the level in a part.
+    struct AtLevel {
+        const PieceResult& result;
+        const search::HeldContacts& held;
+    };
+    void search_new(FirstContact& found, const HeldPiece& piece, const search::SearchOptions& near,
+                    const AtLevel& level) const;
 
     [[nodiscard]] PieceContext piece(std::size_t index) const {
         return {query_.moving, query_.fixed, pieces_->at(index)};
@@ -128,10 +157,13 @@ FirstContact PieceByPiece::run_holding() {
     require_no_enclosure(first_piece);
     // A motion that stopped at the margin ended within it, up to rounding.
     const ContactMoment start(first_piece, 0, true, options_.margin + resting_slack(first_piece), 0);
-    const search::NearFeatures near = start.find({.finds_overlaps = true, .neighbours = query_.neighbours});
+    search::PartPairs pairs = pairs_of(first_piece, start.scene().margin + start.scene().slack);
+    const search::NearFeatures near =
+        start.find({.finds_overlaps = true, .neighbours = query_.neighbours, .pairs = complete(pairs)});
     const bool is_held = near.overlap || (!near.pairs.empty() && near.complete_within > 0);
     FirstContact found = is_held ? FirstContact() : run_within(options_.margin);
     found.work += near.work;
+    found.work += pairs.take_work();
     if (!is_held)
         return found;
     const HeldLevel level = held_level(first_piece, start, near);
@@ -141,7 +173,7 @@ FirstContact PieceByPiece::run_holding() {
     }
     found.held = start.contacts_of(near.pairs);
     found.contacts_cut = cut_to_most(found.held) || near.is_cut;
-    search_holding(found, first_piece, level.distance, search::HeldContacts(start.scene()));
+    search_holding(found, {first_piece, pairs, true}, level.distance, start);
     if (level.is_reached && found.clear_until < 1)
         found.clear_until = 0;
     return found;
@@ -166,47 +198,66 @@ PieceByPiece::HeldLevel PieceByPiece::held_level(const PieceContext& piece, cons
 }
 
 /// The first event, and how long nothing comes within `level`, which may be later than the event.
-void PieceByPiece::search_holding(FirstContact& found, PieceContext& first_piece, double level,
-                                  const search::HeldContacts& held) {
-    for (std::size_t i = 0; i < pieces_->size(); ++i) {
-        std::optional<PieceContext> later;
-        PieceContext& context = i == 0 ? first_piece : later.emplace(query_.moving, query_.fixed, pieces_->at(i));
-        if (search_holding_piece(found, context, level, held, i == 0))
-            return;
-        if (i + 1 == pieces_->size() && found.verdict == Verdict::unknown)
-            set_clear(found, query_.trajectory, 1);
+void PieceByPiece::search_holding(FirstContact& found, const HeldPiece& first, double level,
+                                  const ContactMoment& start) {
+    const search::HeldContacts held(start.scene());
+    const auto search_part = [&](const HeldPiece& piece) { return search_holding_part(found, piece, level, held); };
+    bool is_over = search_holding_piece(first, search_part);
+    for (std::size_t i = 1; i < pieces_->size() && !is_over; ++i) {
+        PieceContext context = piece(i);
+        require_no_enclosure(context);
+        search::PartPairs pairs = pairs_of(context, start.scene().margin + start.scene().slack);
+        is_over = search_holding_piece({context, pairs, false}, search_part);
     }
+    if (is_over)
+        return;
+    if (found.verdict == Verdict::unknown)
+        set_clear(found, query_.trajectory, 1);
     found.clear_until = 1;
 }
 
-/// True when something comes within the level.
-bool PieceByPiece::search_holding_piece(FirstContact& found, PieceContext& piece, double level,
-                                        const search::HeldContacts& held, bool is_first) {
-    require_no_enclosure(piece);
-    search::SearchOptions near = search_of(piece, level);
+/// Part by part. True as soon as something comes within the level.
+bool PieceByPiece::search_holding_piece(const HeldPiece& piece, auto search_part) {
+    do
+        if (search_part(piece))
+            return true;
+    while (piece.pairs.go_on());
+    return false;
+}
+
+/// True when something comes within the level. Searches the rest of the piece if there are too many pairs to list.
+bool PieceByPiece::search_holding_part(FirstContact& found, const HeldPiece& piece, double level,
+                                       const search::HeldContacts& held) {
+    search::SearchOptions near = search_of(piece.context, level);
     near.check_start = false;
     near.finds_any = false; // `clear_until` needs the first
-    const PieceResult at_level = search_piece(piece, near);
+    near.pairs = complete(piece.pairs);
+    near.from = piece.pairs.part().lower;
+    const PieceResult at_level = search_piece(piece.context, near);
+    found.work += piece.pairs.take_work();
     found.work += at_level.work;
-    if (found.verdict == Verdict::unknown) {
-        search::SearchOptions far = near;
-        far.margin = options_.margin;
-        far.held = &held;
-        const PieceResult new_contacts = search_piece(piece, far);
-        found.work += new_contacts.work;
-        const bool is_new = has_contact(new_contacts) &&
-                            (!has_contact(at_level) || enclosing(new_contacts).upper < enclosing(at_level).upper);
-        if (is_new || has_contact(at_level))
-            report(found, piece, is_new ? new_contacts : at_level,
-                   {options_, is_first, is_new ? far.margin : near.margin, is_new ? &held : nullptr});
-    }
-    if (!has_contact(at_level))
-        return false;
-    const Bracket tau = enclosing(at_level); // where both events are at once, the answer begins with the earlier one
-    found.clear_until = piece.piece().time_of(tau).lower;
-    found.time.lower = std::min(found.time.lower, found.clear_until);
-    found.tau.lower = std::min(found.tau.lower, piece.piece().tau_of(tau).lower);
-    return true;
+    if (found.verdict == Verdict::unknown)
+        search_new(found, piece, near, {at_level, held});
+    if (has_contact(at_level))
+        set_clear_until(found, piece.context.piece(), enclosing(at_level));
+    return has_contact(at_level);
+}
+
+/// Reports the first event of a part: a new contact, which begins before something comes within the level, or this.
+void PieceByPiece::search_new(FirstContact& found, const HeldPiece& piece, const search::SearchOptions& near,
+                              const AtLevel& level) const {
+    const auto& [at_level, held] = level;
+    search::SearchOptions far = near;
+    far.margin = options_.margin;
+    far.held = &held;
+    far.until = has_contact(at_level) ? enclosing(at_level).upper : 1;
+    const PieceResult new_contacts = search_piece(piece.context, far);
+    found.work += new_contacts.work;
+    const bool is_new = has_contact(new_contacts) &&
+                        (!has_contact(at_level) || enclosing(new_contacts).upper < enclosing(at_level).upper);
+    if (is_new || has_contact(at_level))
+        report(found, piece.context, is_new ? new_contacts : at_level,
+               {options_, piece.is_first, is_new ? far.margin : near.margin, is_new ? &held : nullptr, near.pairs});
 }
 
 /// A hundred times as much as the rounding of poses to doubles moves bodies.

@@ -68,7 +68,7 @@ void list_contacts(FirstContact& answer, const ContactMoment& moment, const sear
                    const ReportScope& scope) {
     std::vector<FeaturePair> pairs;
     if (!result.overlap) {
-        search::NearFeatures near = moment.find({});
+        search::NearFeatures near = moment.find({.pairs = scope.pairs});
         answer.work += near.work;
         answer.contacts_cut = near.is_cut;
         pairs = std::move(near.pairs);

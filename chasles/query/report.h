@@ -16,6 +16,7 @@ struct ReportScope {
     bool is_first_piece = false;
     double margin = 0;                          ///< of the search
     const search::HeldContacts* held = nullptr; ///< not null: the search was for new contacts
+    const search::PartPairs* pairs = nullptr;   ///< of the part in which the contacts are; may be null
 };
 
 /// Whether an answer lists the contacts of the first moment, and not only one of them.

@@ -5,6 +5,7 @@
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_culler.h"
 #include "chasles/culling/separating_plane.h"
+#include "chasles/search/birth_filter.h"
 #include "chasles/search/overlaps.h"
 #include "chasles/search/piece_search.h"
 
@@ -17,7 +18,10 @@ public:
     /// Both are kept by reference.
     LeafSearch(PieceContext& context, const SearchOptions& options)
         : context_(context), stages_(context, options),
-          culler_(context.moving(), context.fixed(), stages_.parts(), stages_.culling_margin()) {}
+          culler_(context.moving(), context.fixed(), stages_.parts(), stages_.culling_margin()) {
+        if (options.held)
+            births_.emplace(context, stages_.parts(), options.margin);
+    }
 
     [[nodiscard]] const culling::PieceParts& parts() const { return stages_.parts(); }
 
@@ -31,6 +35,8 @@ public:
     /// Tests every pair of features that the two faces own and that may come to each other's planes.
     void test(const culling::FacePair& pair) {
         ++face_pairs_;
+        if (births_ && !births_->may_be_in(pair))
+            return;
         const auto faces = culler_.cull(pair, stages_.best());
         if (!faces)
             return;
@@ -38,8 +44,10 @@ public:
         stages_.use(faces->part);
         stages_.test_start(two);
         for_each_owned_pair<Stages::tests_all_kinds>(context_.moving(), context_.fixed(), two, faces->moving,
-                                                     faces->fixed,
-                                                     [&](const FeaturePair& features) { stages_.test(features); });
+                                                     faces->fixed, [&](const FeaturePair& features) {
+                                                         if (!births_ || births_->allows(features))
+                                                             stages_.test(features);
+                                                     });
         if (const auto until = stages_.early_enough())
             search_plane(pair, *until);
     }
@@ -69,6 +77,7 @@ private:
     PieceContext& context_;
     Stages stages_;
     culling::FaceCuller culler_;
+    std::optional<BirthFilter> births_; ///< only with held contacts
     std::optional<culling::SeparatingPlane> plane_;
     std::uint64_t face_pairs_ = 0;
 };

@@ -5,6 +5,7 @@
 #include "chasles/contact/near_pair.h"
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_planes.h"
+#include "chasles/search/birth_filter.h"
 #include "chasles/search/owned_pairs.h"
 #include "chasles/search/start_overlaps.h"
 
@@ -75,6 +76,13 @@ public:
             filter_.use(context.maps(), {});
     }
 
+    /// Rejects features at which the distance is no local minimum before they are tested.
+    void use_filter(double tau) {
+        const culling::IntervalEnds ends(motion::restricted(context_.maps(), tau, tau));
+        minima_.emplace(context_.moving(), context_.fixed());
+        minima_->use(ends, 8 * scene_.slack + minimum_tolerance(scale_, scene_.margin));
+    }
+
     // The functions that a traversal requires of its leaves.
     [[nodiscard]] static double best() { return 1; }
     [[nodiscard]] bool is_over() const { return found_.is_cut || overlaps_.found(); }
@@ -83,8 +91,14 @@ public:
         found_.is_cut = found_.is_cut || ++visits_ > search_.most_visits;
         return uses_cones_ && cones_.separates(pair);
     }
-    void test(const culling::FacePair& pair) {
+    void test(const culling::FacePair& pair) { test(pair, search_.finds_overlaps); }
+
+    /// With or without a search for edges that pass through the faces.
+    void test(const culling::FacePair& pair, bool finds_overlaps) {
         ++found_.work.face_pairs;
+        const TwoFaces faces{pair.moving, pair.fixed};
+        if (minima_ && !minima_->set(faces) && !finds_overlaps)
+            return;
         const CornerSides moving(context_.moving().face(pair.moving), moving_sides_, [&](std::uint32_t corner) {
             return near_test_.side_on_fixed_face(pair.fixed, corner);
         });
@@ -95,8 +109,7 @@ public:
         });
         if (fixed.all_on_one_side())
             return;
-        const TwoFaces faces{pair.moving, pair.fixed};
-        if (search_.finds_overlaps && overlaps_.collect(filter_, faces))
+        if (finds_overlaps && overlaps_.collect(filter_, faces))
             return;
         const auto visit = [&](const contact::FeaturePair& features) { add(features); };
         if (scene_.margin > 0)
@@ -116,7 +129,7 @@ public:
 private:
     void add(const contact::FeaturePair& features) {
         ++found_.work.elementary_tests;
-        if (is_over() || !near_test_.are_in_contact(features))
+        if (is_over() || (minima_ && !minima_->allows(features)) || !near_test_.are_in_contact(features))
             return;
         if (found_.pairs.size() < search_.most_pairs)
             found_.pairs.push_back(features);
@@ -133,6 +146,7 @@ private:
     FeatureTests<double> filter_;
     StartOverlaps overlaps_;
     contact::NearTest near_test_;
+    std::optional<MinimumFilter> minima_; ///< set to the last pair of faces
     std::vector<int> moving_sides_;
     std::vector<int> fixed_sides_;
     std::uint64_t visits_ = 0;
@@ -146,9 +160,21 @@ std::uint64_t visit_all(PieceContext& context, double reach, double tau, NearLea
     return traversal.run({tau, tau});
 }
 
+/// The pairs of a list that may be near at `tau`.
+void test_listed(const NearSearch& search, double tau, double reach, NearLeaves& leaves) {
+    for (const PartPair& pair : search.pairs->all())
+        if (may_be_within(pair, tau, reach) && !leaves.is_over())
+            leaves.test(pair.faces, search.finds_overlaps && !(pair.at_start > 0));
+}
+
 NearFeatures search_once(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     const double reach = scene.margin + scene.slack;
     NearLeaves leaves(context, scene, search);
+    if (search.pairs && scene.margin > 0 && search.pairs->reaches(tau, reach)) {
+        leaves.use_filter(tau);
+        test_listed(search, tau, reach, leaves);
+        return leaves.take();
+    }
     Work work;
     const auto pairs =
         search.neighbours && scene.margin > 0 ? search.neighbours->within(context, reach, work) : std::nullopt;
@@ -193,7 +219,7 @@ NearFeatures search_nearer(PieceContext& context, const ContactScene& scene, dou
 
 NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     NearFeatures near = search_once(context, scene, tau, search);
-    if (search.neighbours) // the order does not tell whether there was a list
+    if (search.neighbours || search.pairs) // the order does not tell whether there was a list
         chasles::sort(near.pairs);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <limits>
+#include <utility>
 
 namespace chasles::search {
 
@@ -64,7 +65,8 @@ NeighbourList::NeighbourList(const Body& moving, const Body& fixed)
     : moving_(moving), fixed_(fixed), separation_(moving, fixed),
       longest_skin_(skin_of_edges * std::max(mean_edge(moving), mean_edge(fixed))) {}
 
-std::optional<std::span<const TwoFaces>> NeighbourList::within(const PieceContext& context, double margin, Work& work) {
+std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const PieceContext& context, double margin,
+                                                                          Work& work) {
     if (context.is_enclosed())
         return std::nullopt;
     const Way way = way_of(context, margin);
@@ -75,10 +77,11 @@ std::optional<std::span<const TwoFaces>> NeighbourList::within(const PieceContex
     separation_.use(way.ends);
     placed_.clear();
     near_.clear();
-    const double least = margin + travel(gap_place_, way);
+    const double travelled = travel(gap_place_, way);
     for (std::size_t i = 0; i < pairs_.size(); ++i)
-        if (!(gaps_[i] > least) && !is_apart(i, way))
-            near_.push_back(pairs_[i].faces);
+        if (!(gaps_[i] > margin + travelled))
+            if (const double least = least_on_way(i, way); !(least > margin))
+                near_.push_back({pairs_[i].faces, std::max(least, gaps_[i] - travelled)});
     return near_;
 }
 
@@ -180,18 +183,32 @@ void NeighbourList::place_corners(std::uint32_t face, const Way& way) {
 
 /// By the half space that is known or, if it does not tell, by a new one. Without a new one if the gap is still about
 /// the widest.
-bool NeighbourList::is_apart(std::size_t index, const Way& way) {
+double NeighbourList::least_on_way(std::size_t index, const Way& way) {
     ++tests_;
     Neighbours& pair = pairs_[index];
-    const double least = way.margin + way.deviation + 2 * way.rounding;
+    const double uncertain = way.deviation + 2 * way.rounding;
     place_corners(pair.faces.moving, way);
     const double known = gap_on_way(pair);
-    if (known > least || std::abs(known - pair.widest) < 0.25 * pair.widest)
-        return known > least;
+    if (known > way.margin + uncertain || std::abs(known - pair.widest) < 0.25 * pair.widest)
+        return known - uncertain;
+    const bool is_first = pair.offset == 0 && pair.widest == 0;
+    if (is_first && is_beyond(index, way.margin + uncertain))
+        return gap_on_way(pair) - uncertain;
     const auto direction = separation_.widest(pair.faces.moving, pair.faces.fixed, 0.5);
     if (direction)
         take_direction(index, *direction);
-    return direction && pair.widest > least;
+    return direction ? pair.widest - uncertain : 0;
+}
+
+/// By a short search for a half space. Most pairs of a new list are far enough apart for it. A longer search follows
+/// where the half space does not tell any more.
+bool NeighbourList::is_beyond(std::size_t index, double distance) {
+    Neighbours& pair = pairs_[index];
+    const auto direction = separation_.beyond(pair.faces.moving, pair.faces.fixed, 0.5, {distance, distance});
+    if (!direction)
+        return false;
+    take_direction(index, *direction);
+    return std::exchange(pair.widest, 0) > distance;
 }
 
 /// A half space for a pair whose moving face is placed.

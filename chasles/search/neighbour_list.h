@@ -22,10 +22,16 @@ class NeighbourList {
 public:
     NeighbourList(const Body& moving, const Body& fixed);
 
+    /// Two faces, and a distance within which they do not come in the piece.
+    struct Near {
+        TwoFaces faces{};
+        double least = 0;
+    };
+
     /// All pairs of faces that may come within `margin`, positive, of each other in the piece; ascending, and valid
     /// until the next call. Empty if a list does not pay: the way is long, or too much is near; or if the maps of the
     /// piece only enclose the motion.
-    std::optional<std::span<const TwoFaces>> within(const PieceContext& context, double margin, Work& work);
+    std::optional<std::span<const Near>> within(const PieceContext& context, double margin, Work& work);
 
 private:
     /// Two faces with a half space of the fixed body's frame that contains the fixed face.
@@ -52,7 +58,8 @@ private:
     void measure_gaps(const culling::MatrixPose& place);
     void place_corners(std::uint32_t face, const Way& way);
     [[nodiscard]] double gap(const Neighbours& pair, const culling::MatrixPose& pose) const;
-    bool is_apart(std::size_t index, const Way& way);
+    double least_on_way(std::size_t index, const Way& way);
+    bool is_beyond(std::size_t index, double distance);
     void take_direction(std::size_t index, const algebra::Vector3<double>& direction);
     [[nodiscard]] double gap_on_way(const Neighbours& pair) const;
 
@@ -70,14 +77,14 @@ private:
     std::size_t tests_ = 0;         ///< of pairs since the gaps were measured
     std::uint32_t placed_face_ = 0;
     std::vector<algebra::Vector3<double>> placed_; ///< corners of one moving face at both ends of the piece
-    std::vector<TwoFaces> near_;
+    std::vector<Near> near_;
 };
 
 /// The leaf tests of pairs of faces that a list gave, over a range of tau, instead of a traversal. Not for searches
 /// without a margin, which use chords.
 template <culling::LeafTests Leaves>
-void test_pairs(std::span<const TwoFaces> pairs, const culling::TimeRange& range, Leaves& leaves) {
-    for (const TwoFaces& faces : pairs) {
+void test_pairs(std::span<const NeighbourList::Near> pairs, const culling::TimeRange& range, Leaves& leaves) {
+    for (const auto& [faces, least] : pairs) {
         if (leaves.is_over())
             break;
         leaves.test({faces.moving, faces.fixed, range, {0, 1}, range.lower, 0});

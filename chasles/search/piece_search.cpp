@@ -9,9 +9,23 @@ namespace chasles::search {
 
 namespace {
 
-PieceResult search_among(std::span<const TwoFaces> pairs, PieceContext& context, const SearchOptions& options) {
+PieceResult search_among(std::span<const NeighbourList::Near> pairs, PieceContext& context,
+                         const SearchOptions& options) {
     LeafSearch<DistanceStages> leaves(context, options);
     test_pairs(pairs, {options.from, 1}, leaves);
+    return leaves.take();
+}
+
+/// Among the pairs of a part.
+PieceResult search_part(PieceContext& context, const SearchOptions& options) {
+    LeafSearch<DistanceStages> leaves(context, options);
+    for (const PartPair& pair : options.pairs->all()) {
+        if (leaves.is_over())
+            break;
+        const double first = pair.faces.interval.at(pair.faces.when.lower);
+        if (!(pair.least > options.margin) && first <= leaves.best())
+            leaves.test(pair.faces);
+    }
     return leaves.take();
 }
 
@@ -22,6 +36,8 @@ PieceResult search_piece(PieceContext& context, const SearchOptions& options) {
         return search_enclosed_piece(context, options);
     if (options.margin <= 0)
         return traverse<TouchStages>(context, options);
+    if (options.pairs)
+        return search_part(context, options);
     Work work;
     const auto pairs = options.neighbours ? options.neighbours->within(context, options.margin, work) : std::nullopt;
     PieceResult result = pairs ? search_among(*pairs, context, options) : traverse<DistanceStages>(context, options);

@@ -8,6 +8,7 @@
 #include "chasles/search/held_contacts.h"
 #include "chasles/search/neighbour_list.h"
 #include "chasles/search/orbit_filter.h"
+#include "chasles/search/part_pairs.h"
 #include "chasles/search/piece_context.h"
 
 namespace chasles::search {
@@ -26,6 +27,7 @@ struct SearchOptions {
     NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
                                          ///< a margin only
     OrbitFilter* orbits = nullptr;       ///< likewise, where they turn about one axis
+    const PartPairs* pairs = nullptr;    ///< complete, for a part in which alone to search: `from` is its lower end
 };
 
 /// The answer for one piece.

@@ -73,6 +73,42 @@ TEST(FaceSeparation, ADirectionKeepsTheFacesApartByTheDistance) {
     EXPECT_GT(found, 0.95 * apart);
 }
 
+/// Beyond the greater distance where the faces are clearly that far apart, otherwise beyond the smaller one.
+TEST(FaceSeparation, ADirectionBeyondTwoDistancesIsFoundWhereTheFacesAre) {
+    std::mt19937 random(4);
+    int beyond_near = 0, beyond_far = 0, of_near = 0, of_far = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const test::Body moving = random_triangle(random);
+        const test::Body fixed = random_triangle(random);
+        const Polyhedron mover = moving.polyhedron();
+        const Polyhedron target = fixed.polyhedron();
+        const Eigen::Isometry3d pose = test::random_pose(random, 2, 3).isometry();
+        test::Vertices moved;
+        for (const Eigen::Vector3d& v : moving.vertices)
+            moved.emplace_back(pose * v);
+        const test::Triangle3<double> a{moved[0], moved[1], moved[2]};
+        const test::Triangle3<double> b{fixed.vertices[0], fixed.vertices[1], fixed.vertices[2]};
+        const double distance = std::sqrt(test::squared_distance_of_triangles<double>(a, b));
+        FaceSeparation separation(mover.body(), target.body());
+        separation.use(at_rest(pose));
+        const double far = uniform(random, 0, 2) * distance;
+        const double near = 0.5 * far;
+        const auto direction = separation.beyond(0, 0, 0.5, {near, far});
+        const double gap = direction ? gap_along(eigen(*direction), moved, fixed.vertices) : 0;
+        if (direction) {
+            EXPECT_NEAR(length(*direction), 1, 1e-14);
+            EXPECT_GT(gap, 0);
+        }
+        of_far += far < 0.9 * distance ? 1 : 0;
+        beyond_far += far < 0.9 * distance && gap > far ? 1 : 0;
+        of_near += near < 0.9 * distance ? 1 : 0;
+        beyond_near += near < 0.9 * distance && gap > near ? 1 : 0;
+    }
+    EXPECT_GT(of_far, 1000);
+    EXPECT_GT(beyond_far, 0.9 * of_far);
+    EXPECT_GT(beyond_near, 0.9 * of_near);
+}
+
 TEST(FaceSeparation, FindsNothingBetweenFacesThatCross) {
     const Polyhedron a = test::triangle({-1, 0, -1}, {1, 0, -1}, {0, 0, 2}).polyhedron();
     const Polyhedron b = test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 2, 0}).polyhedron();

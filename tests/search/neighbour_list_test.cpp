@@ -91,10 +91,20 @@ std::set<std::pair<std::uint32_t, std::uint32_t>> sampled_near(const Wanderer& b
     return near;
 }
 
+/// The least distance of two faces at some times.
+double least_sampled(const Wanderer& bodies, const Motion& way, const TwoFaces& faces) {
+    double least = 1e300;
+    for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0})
+        least = std::min(least, std::sqrt(test::squared_distance_of_triangles<double>(
+                                    triangle_at(bodies.moving(), faces.moving, way.pose_at(time)),
+                                    triangle_at(bodies.fixed(), faces.fixed, Pose()))));
+    return least;
+}
+
 TEST(NeighbourList, ListsAllThatComesNear) {
     Wanderer bodies;
     NeighbourList list(bodies.moving().body(), bodies.fixed().body());
-    int near_pairs = 0, lists = 0;
+    int near_pairs = 0, lists = 0, bounds = 0;
     std::size_t listed = 0;
     for (int i = 0; i < 60; ++i) {
         const Motion way = bodies.next();
@@ -106,8 +116,11 @@ TEST(NeighbourList, ListsAllThatComesNear) {
         ++lists;
         listed += found->size();
         std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-        for (const TwoFaces& faces : *found)
+        for (const auto& [faces, least] : *found) {
             EXPECT_TRUE(pairs.insert({faces.moving, faces.fixed}).second);
+            EXPECT_LE(least, least_sampled(bodies, way, faces)) << "piece " << i;
+            bounds += least > 0 ? 1 : 0;
+        }
         for (const auto& near : sampled_near(bodies, way, margin * (1 - 1e-9))) {
             ++near_pairs;
             EXPECT_TRUE(pairs.contains(near)) << "piece " << i << ": faces " << near.first << ", " << near.second;
@@ -115,6 +128,7 @@ TEST(NeighbourList, ListsAllThatComesNear) {
     }
     EXPECT_GT(lists, 40);
     EXPECT_GT(near_pairs, 500);
+    EXPECT_GT(bounds, 500);
     EXPECT_LT(double(listed), 1.5 * near_pairs); // hardly more than what is near
 }
 
