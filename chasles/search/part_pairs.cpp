@@ -16,18 +16,18 @@ using culling::point_of;
 using culling::TimeRange;
 
 /// A longer list is given up.
-constexpr std::size_t most_pairs = 1 << 15;
+constexpr std::size_t most_listed_pairs = 1 << 15;
 /// How far a body moves in the first part, as a multiple of the distance. Measured with slides_test.
 constexpr double reaches_of_travel = 8;
 /// The shortest first part is this power of two.
 constexpr int least_exponent = -12;
 
 /// For sums of positions, of which each is off by a bound of coefficients (note 31).
-constexpr double roundings = 16;
+constexpr double part_roundings = 16;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The first part of a piece: a power of two. It proves nothing, so roundings do not matter. The whole piece where
+/// The first part of a piece: a power of two. It proves nothing, so part_roundings do not matter. The whole piece where
 /// touch is searched for, which needs no list.
 TimeRange first_part(const PieceContext& context, const Distances& distances) {
     if (distances.near <= 0)
@@ -42,18 +42,18 @@ TimeRange first_part(const PieceContext& context, const Distances& distances) {
 }
 
 /// The leaves of a traversal, which measures the distance of each pair.
-class Collector {
+class PartCollector {
 public:
-    Collector(const PieceContext& context, const culling::PieceParts& parts, const Distances& distances,
-              std::vector<PartPair>& found)
+    PartCollector(const PieceContext& context, const culling::PieceParts& parts, const Distances& distances,
+                  std::vector<PartPair>& found)
         : moving_(context.moving()), fixed_(context.fixed()), distances_(distances), maps_(parts),
           separation_(context.moving(), context.fixed()), found_(found),
-          rounding_(
-              2 * elementary::with_underflow<double>(roundings * elementary::position_error<double>(parts.scale()))) {}
+          rounding_(2 * elementary::with_underflow<double>(part_roundings *
+                                                           elementary::position_error<double>(parts.scale()))) {}
 
     // The functions that a traversal requires of its leaves.
     [[nodiscard]] static double best() { return 1; }
-    [[nodiscard]] bool is_over() const { return found_.size() > most_pairs; }
+    [[nodiscard]] bool is_over() const { return found_.size() > most_listed_pairs; }
     [[nodiscard]] static bool is_kept_apart(const culling::NodePair&, double) { return false; }
     void test(const FacePair& pair) {
         if (maps_.set(pair.interval)) {
@@ -134,7 +134,7 @@ void PartPairs::find() {
     const auto among = memory_.orbits && is_whole ? memory_.orbits->pairs(context_, reach, work_) : std::nullopt;
     const culling::PieceParts parts = context_.parts(reach);
     const culling::TimeTree times = context_.time_tree(reach, parts);
-    Collector leaves(context_, parts, distances_, pairs_);
+    PartCollector leaves(context_, parts, distances_, pairs_);
     culling::BvhTraversal traversal(context_.moving().bvh(), context_.fixed().bvh(), times, reach, true, leaves);
     work_.node_pairs += among ? traversal.run_among(*among, part_) : traversal.run(part_);
     if (memory_.orbits && is_whole && !among)
