@@ -27,7 +27,7 @@ constexpr double part_roundings = 16;
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
-/// The first part of a piece: a power of two. It proves nothing, so part_roundings do not matter. The whole piece where
+/// The first part of a piece: a power of two. It proves nothing, so roundings do not matter. The whole piece where
 /// touch is searched for, which needs no list.
 TimeRange first_part(const PieceContext& context, const Distances& distances) {
     if (distances.near <= 0)
