@@ -17,7 +17,7 @@ constexpr double shortest_part = 0x1p-44;
 constexpr double first_share = 0.125;
 /// Ordinary refinements take six steps, grazing ones some sixty, and those of motions with a bound of speed only some
 /// hundreds. Features that stay near each other, such as flush sides, would take thousands; they end as not certain.
-constexpr int most_refinements = 400;
+constexpr int most_refinements = 800;
 constexpr int most_refinements_of_speeds = 4000; // of motions that are known in double only
 
 /// How a search over a part looks for brackets of this width in the part.
