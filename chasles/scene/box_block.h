@@ -78,7 +78,7 @@ private:
         for (std::size_t axis = 0; axis < 3; ++axis)
             for (std::size_t i = 0; i < 4; ++i) {
                 const bool overlap =
-                    (lower_[axis][first + i] <= box.upper[axis]) & (upper_[axis][first + i] >= box.lower[axis]);
+                    int(lower_[axis][first + i] <= box.upper[axis]) & int(upper_[axis][first + i] >= box.lower[axis]);
                 bits &= ~(unsigned(!overlap) << i);
             }
         return bits;
