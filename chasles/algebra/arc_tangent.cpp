@@ -3,6 +3,7 @@
 #include "chasles/algebra/arc_tangent.h"
 
 #include <array>
+#include <cmath>
 
 namespace chasles::algebra {
 
@@ -53,7 +54,7 @@ DoubleDouble arc_tangent_to_one(double y, double x) {
     const double ratio = y / x;
     if (!(ratio <= 1))
         return ratio;
-    const auto i = static_cast<std::size_t>(ratio * parts + 0.5);
+    const auto i = static_cast<std::size_t>(std::floor(ratio * parts + 0.5));
     const double tangent = double(i) / parts;
     const auto across = detail::exact_product(tangent, x);
     const auto along = detail::exact_product(tangent, y);
