@@ -179,7 +179,7 @@ NearFeatures search_once(PieceContext& context, const ContactScene& scene, doubl
     const auto pairs =
         search.neighbours && scene.margin > 0 ? search.neighbours->within(context, reach, work) : std::nullopt;
     if (pairs)
-        test_pairs(*pairs, {tau, tau}, leaves);
+        test_pairs(context, reach, *pairs, {tau, tau}, leaves);
     else
         work.node_pairs += visit_all(context, reach, tau, leaves);
     NearFeatures found = leaves.take();

@@ -80,14 +80,15 @@ private:
     std::vector<Near> near_;
 };
 
-/// The leaf tests of pairs of faces that a list gave, over a range of tau, instead of a traversal. Not for searches
-/// without a margin, which use chords.
+/// The leaf tests of pairs of faces that a list gave for `margin`, over a range of tau, instead of a traversal.
 template <culling::LeafTests Leaves>
-void test_pairs(std::span<const NeighbourList::Near> pairs, const culling::TimeRange& range, Leaves& leaves) {
+void test_pairs(const PieceContext& context, double margin, std::span<const NeighbourList::Near> pairs,
+                const culling::TimeRange& range, Leaves& leaves) {
+    const double deviation = context.deviation(margin, range);
     for (const auto& [faces, least] : pairs) {
         if (leaves.is_over())
             break;
-        leaves.test({faces.moving, faces.fixed, range, {0, 1}, range.lower, 0});
+        leaves.test({faces.moving, faces.fixed, range, {0, 1}, range.lower, deviation});
     }
 }
 

@@ -111,7 +111,9 @@ private:
 } // namespace
 
 PartPairs::PartPairs(PieceContext& context, const Distances& distances, const Memory& memory)
-    : context_(context), distances_(distances), memory_(memory) {
+    : context_(context), distances_(distances), memory_(memory), is_complete_(!context.is_enclosed()) {
+    if (!is_complete_)
+        return;
     const auto near = memory.neighbours ? memory.neighbours->within(context, distances.far, work_) : std::nullopt;
     if (near) {
         take(*near);
@@ -122,7 +124,7 @@ PartPairs::PartPairs(PieceContext& context, const Distances& distances, const Me
 }
 
 void PartPairs::take(std::span<const NeighbourList::Near> near) {
-    const double deviation = context_.time_tree(distances_.far, context_.parts(distances_.far)).interval({}).deviation;
+    const double deviation = context_.deviation(distances_.far, part_);
     for (const auto& [faces, least] : near)
         pairs_.push_back({{faces.moving, faces.fixed, part_, {}, 0, deviation}, least, least});
 }

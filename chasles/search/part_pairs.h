@@ -38,7 +38,7 @@ public:
     };
 
     /// Pairs within `distances.far`, positive, in the first part. For most pairs it is known whether they come within
-    /// `distances.near`. The context is kept by reference. The maps of the piece must be the motion.
+    /// `distances.near`. The context is kept by reference.
     PartPairs(PieceContext& context, const culling::FaceSeparation::Distances& distances, const Memory& memory);
 
     [[nodiscard]] const culling::TimeRange& part() const { return part_; }
@@ -46,7 +46,8 @@ public:
     [[nodiscard]] bool reaches(double tau, double distance) const {
         return is_complete_ && part_.lower <= tau && tau <= part_.upper && distance <= distances_.far;
     }
-    /// False if there are too many pairs to list. Then there is no list for the rest of the piece.
+    /// False if there are too many pairs to list. Then there is no list for the rest of the piece. False as well if the
+    /// maps of the piece only enclose the motion.
     [[nodiscard]] bool is_complete() const { return is_complete_; }
     /// About in the order in which they come within the distance.
     [[nodiscard]] const std::vector<PartPair>& all() const { return pairs_; }
@@ -63,7 +64,7 @@ private:
     culling::FaceSeparation::Distances distances_;
     Memory memory_;
     culling::TimeRange part_;
-    bool is_complete_ = true;
+    bool is_complete_;
     std::vector<PartPair> pairs_;
     Work work_;
 };

@@ -60,6 +60,10 @@ culling::TimeTree PieceContext::time_tree(double margin, const culling::PiecePar
     return {parts, motion::ChordDeviation(piece_->cubic(), moving, fixed), moving, fixed, margin};
 }
 
+double PieceContext::deviation(double margin, const culling::TimeRange& range) const {
+    return time_tree(margin, parts(margin)).interval(range).deviation;
+}
+
 /// Where the maps only enclose the true motion, the pose is the true one, and the velocity that of the sweep of a part
 /// about the moment. In its middle it is the true velocity up to the square of its width. The part is so short that
 /// this is some 1e-10 for turns of a radian, and so long that roundings are no more.

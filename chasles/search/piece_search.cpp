@@ -12,7 +12,7 @@ namespace {
 PieceResult search_among(std::span<const NeighbourList::Near> pairs, PieceContext& context,
                          const SearchOptions& options) {
     LeafSearch<DistanceStages> leaves(context, options);
-    test_pairs(pairs, {options.from, 1}, leaves);
+    test_pairs(context, options.margin, pairs, {options.from, 1}, leaves);
     return leaves.take();
 }
 

@@ -4,6 +4,7 @@
 #include "chasles/contact/relative_configuration.h"
 #include "chasles/search/birth_filter.h"
 #include "tests/query/bodies.h"
+#include "tests/search/bodies_in_motion.h"
 
 #include <gtest/gtest.h>
 #include <set>
@@ -13,14 +14,10 @@ namespace {
 
 using contact::FeaturePair;
 using contact::NearestPoints;
+using test::BodiesInMotion;
 using test::uniform;
 
-struct Scene {
-    Polyhedron moving;
-    Polyhedron fixed;
-    Motion motion;
-    PieceContext context{moving.body(), fixed.body(), motion.trajectory().pieces()->at(0)};
-};
+;
 
 /// Two squares that share the edge from vertex 2 to vertex 3, with the outer sides at a height: a roof or a gutter.
 Polyhedron folded_squares(double height) {
@@ -37,7 +34,7 @@ Polyhedron random_shape(std::mt19937& random) {
     return folded_squares(uniform(random, -1, 1));
 }
 
-Scene random_scene(std::mt19937& random) {
+BodiesInMotion random_scene(std::mt19937& random) {
     const Pose start = test::random_pose(random, 2, 3);
     const double step = std::pow(10, uniform(random, -4, -0.5));
     const Pose goal = test::composed(
@@ -97,7 +94,7 @@ struct Tally {
 };
 
 /// All features of two faces at some times of the piece.
-void check(Scene& scene, const TwoFaces& faces, BirthFilter& filter, double deviation, Tally& tally) {
+void check(BodiesInMotion& scene, const TwoFaces& faces, BirthFilter& filter, double deviation, Tally& tally) {
     const bool may_be = filter.may_be_in({faces.moving, faces.fixed, {}, {}, 0, deviation});
     tally.faces_rejected += may_be ? 0 : 1;
     for_each_owned_pair<true>(
@@ -106,7 +103,7 @@ void check(Scene& scene, const TwoFaces& faces, BirthFilter& filter, double devi
             ++tally.tested;
             tally.rejected += is_allowed ? 0 : 1;
             for (const double tau : {0.0, 0.3, 0.7, 1.0}) {
-                const contact::RelativeConfiguration bodies = scene.context.configuration_at(tau);
+                const contact::RelativeConfiguration bodies = scene.at(tau);
                 const bool has_face =
                     features.kind == ContactKind::vertex_face || features.kind == ContactKind::face_vertex;
                 if (!is_minimum(bodies, features) || (has_face && !is_over_face(bodies, features)))
@@ -121,10 +118,10 @@ TEST(MinimumFilter, RejectsNoLocalMinimumDuringAPiece) {
     std::mt19937 random(81);
     Tally tally;
     for (int i = 0; i < 600; ++i) {
-        Scene scene = random_scene(random);
+        BodiesInMotion scene = random_scene(random);
         const culling::PieceParts parts = scene.context.parts(1);
         BirthFilter filter(scene.context, parts, 1);
-        const double deviation = scene.context.time_tree(1, parts).interval({}).deviation;
+        const double deviation = scene.context.deviation(1, {});
         for (std::uint32_t f = 0; f < scene.moving.face_count(); ++f)
             for (std::uint32_t g = 0; g < scene.fixed.face_count(); ++g)
                 check(scene, {f, g}, filter, deviation, tally);
@@ -138,7 +135,7 @@ TEST(MinimumFilter, RejectsNoLocalMinimumDuringAPiece) {
 TEST(MinimumFilter, RejectsAnEdgeAtTheBottomOfAGutter) {
     const Polyhedron gutter = folded_squares(1);
     const Polyhedron small = test::triangle({0, -0.1, 0.4}, {0.1, 0.1, 0.5}, {-0.1, 0.1, 0.5}).polyhedron();
-    Scene scene{small, gutter, ScrewMotion::between(Pose(), test::shifted(0, 0.01, 0))};
+    BodiesInMotion scene{small, gutter, ScrewMotion::between(Pose(), test::shifted(0, 0.01, 0))};
     BirthFilter filter(scene.context, scene.context.parts(1), 1);
     for (std::uint32_t face = 0; face < 4; ++face) {
         static_cast<void>(filter.may_be_in({0, face, {}, {}, 0, 1e-6}));

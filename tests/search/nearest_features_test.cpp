@@ -5,34 +5,22 @@
 #include "tests/mesh/shapes.h"
 #include "tests/query/bodies.h"
 #include "tests/query/posed_distance.h"
+#include "tests/search/bodies_in_motion.h"
 
 #include <gtest/gtest.h>
 
 namespace chasles::search {
 namespace {
 
+using test::BodiesInMotion;
 using test::random_vector;
 using test::uniform;
 
-/// Two bodies and a motion between them.
-struct Scene {
-    Polyhedron moving;
-    Polyhedron fixed;
-    Motion motion;
-    PieceContext context{moving.body(), fixed.body(), motion.trajectory().pieces()->at(0)};
+double distance_at(const BodiesInMotion& scene, double tau) {
+    return test::distance_at(scene.moving, scene.fixed, scene.context.piece().pose_at(tau));
+}
 
-    Scene(Polyhedron mover, Polyhedron target, const Motion& way)
-        : moving(std::move(mover)), fixed(std::move(target)), motion(way) {}
-
-    [[nodiscard]] contact::RelativeConfiguration bodies_at(double tau) const {
-        return {context.moving(), context.fixed(), context.maps(), tau};
-    }
-    [[nodiscard]] double distance_at(double tau) const {
-        return test::distance_at(moving, fixed, context.piece().pose_at(tau));
-    }
-};
-
-Scene random_scene(std::mt19937& random) {
+BodiesInMotion random_scene(std::mt19937& random) {
     const auto body = [&] {
         test::Body shape = test::random_octahedron(random);
         const double stretch = uniform(random, 0.1, 4);
@@ -48,20 +36,20 @@ TEST(NearestFeatures, AreAtTheDistanceOfTheSurfaces) {
     std::mt19937 random(9);
     int apart = 0;
     for (int i = 0; i < 400; ++i) {
-        const Scene scene = random_scene(random);
+        const BodiesInMotion scene = random_scene(random);
         const double tau = uniform(random, 0, 1);
-        const double distance = scene.distance_at(tau);
+        const double distance = distance_at(scene, tau);
         if (distance <= 0)
             continue; // where surfaces cross, features may be apart
         ++apart;
         Work work;
-        const auto found = nearest_features(scene.bodies_at(tau), 1e300, 1, work);
+        const auto found = nearest_features(scene.at(tau), 1e300, 1, work);
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->distance, distance, 1e-12) << i;
         EXPECT_GT(work.node_pairs, 0u);
-        EXPECT_FALSE(nearest_features(scene.bodies_at(tau), 0.999 * distance, 1, work));
-        EXPECT_TRUE(nearest_features(scene.bodies_at(tau), 1.001 * distance, 1, work));
-        const auto rough = nearest_features(scene.bodies_at(tau), 1e300, 0.5, work);
+        EXPECT_FALSE(nearest_features(scene.at(tau), 0.999 * distance, 1, work));
+        EXPECT_TRUE(nearest_features(scene.at(tau), 1.001 * distance, 1, work));
+        const auto rough = nearest_features(scene.at(tau), 1e300, 0.5, work);
         ASSERT_TRUE(rough);
         EXPECT_LE(rough->distance, 2 * distance * (1 + 1e-9));
         EXPECT_GE(rough->distance, distance - 1e-12);
@@ -75,9 +63,9 @@ TEST(NearestFeatures, PointsAreOnTheFeatures) {
     for (int i = 0; i < 300; ++i) {
         const test::Body face =
             test::triangle(random_vector(random, 1), random_vector(random, 1), random_vector(random, 1));
-        const Scene scene(test::random_octahedron(random).polyhedron(), face.polyhedron(),
-                          ScrewMotion::between(test::random_pose(random, 2, 3), Pose()));
-        const contact::RelativeConfiguration bodies = scene.bodies_at(0);
+        const BodiesInMotion scene{test::random_octahedron(random).polyhedron(), face.polyhedron(),
+                                   ScrewMotion::between(test::random_pose(random, 2, 3), Pose())};
+        const contact::RelativeConfiguration bodies = scene.at(0);
         NearestAtRest nearest;
         for (std::uint32_t vertex = 0; vertex < 6; ++vertex) {
             const contact::FeaturePair pair{ContactKind::vertex_face, {vertex, vertex}, {0, 0}};
@@ -94,19 +82,19 @@ TEST(Descent, EndsWhereTheDistanceIsLeastNearby) {
     std::mt19937 random(21);
     int inside = 0;
     for (int i = 0; i < 600; ++i) {
-        const Scene scene = random_scene(random);
+        const BodiesInMotion scene = random_scene(random);
         const double tau = uniform(random, 0, 1);
         Work work;
-        const auto near = nearest_features(scene.bodies_at(tau), 1e300, 1, work);
+        const auto near = nearest_features(scene.at(tau), 1e300, 1, work);
         ASSERT_TRUE(near);
         const NearMoment found = local_minimum(scene.context, tau, near->features, work);
         EXPECT_LE(found.near.distance, near->distance);
-        if (scene.distance_at(found.tau) <= 1e-9)
+        if (distance_at(scene, found.tau) <= 1e-9)
             continue;
-        EXPECT_NEAR(found.near.distance, scene.distance_at(found.tau), 1e-12);
+        EXPECT_NEAR(found.near.distance, distance_at(scene, found.tau), 1e-12);
         for (const double beside : {found.tau - 1e-4, found.tau + 1e-4})
             if (beside >= 0 && beside <= 1) {
-                EXPECT_GE(scene.distance_at(beside), found.near.distance * (1 - 1e-9)) << i;
+                EXPECT_GE(distance_at(scene, beside), found.near.distance * (1 - 1e-9)) << i;
             }
         inside += found.tau > 0 && found.tau < 1 ? 1 : 0;
     }
@@ -115,7 +103,7 @@ TEST(Descent, EndsWhereTheDistanceIsLeastNearby) {
 
 TEST(Descent, SamplesFindTheNearerEnd) {
     const Polyhedron cube = test::box({1, 1, 1}).polyhedron();
-    const Scene scene(cube, cube, ScrewMotion::between(test::shifted(9, 0, 0), test::shifted(4, 0, 0)));
+    const BodiesInMotion scene{cube, cube, ScrewMotion::between(test::shifted(9, 0, 0), test::shifted(4, 0, 0))};
     Work work;
     const auto near = nearest_of_samples(scene.context, 1e300, work);
     ASSERT_TRUE(near);

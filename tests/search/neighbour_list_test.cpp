@@ -3,6 +3,7 @@
 
 #include "chasles/query/pair_query.h"
 #include "chasles/search/near_features.h"
+#include "chasles/search/piece_search.h"
 #include "tests/mesh/shapes.h"
 #include "tests/query/bodies.h"
 #include "tests/support/surface_distance.h"
@@ -201,6 +202,33 @@ TEST(NeighbourList, ChangesNoAnswer) {
     EXPECT_GT(at_start, 50);
     EXPECT_GT(clear, 50);
     EXPECT_GT(overlaps, 10);
+}
+
+/// A small tip far from the axis of a turn, which passes a point of the fixed body on its arc. On their chords they
+/// stay apart by more than the margin. A large triangle far away makes lists pay.
+TEST(NeighbourList, NewContactsBetweenChordAndArcAreFound) {
+    constexpr double angle = 0.16, gap = 0.002, margin = 0.003;
+    const Polyhedron moving = test::triangle({1, 0, 0}, {0.99, 0.002, 0}, {0.99, -0.002, 0}).polyhedron();
+    test::Body corner = test::triangle({1 + gap, 0, 0}, {1 + 1.5 * gap, 0, 0.0005}, {1 + 1.5 * gap, 0, -0.0005});
+    for (const Eigen::Vector3d& vertex : {Eigen::Vector3d(-5, -5, -9), {5, -5, -9}, {0, 5, -9}})
+        corner.vertices.push_back(vertex);
+    corner.faces.push_back({3, 4, 5});
+    const Polyhedron fixed = corner.polyhedron();
+    const Motion way = ScrewMotion::between(test::turned({0, 0, 0}, Eigen::Vector3d::UnitZ(), -angle / 2),
+                                            test::turned({0, 0, 0}, Eigen::Vector3d::UnitZ(), angle / 2));
+    PieceContext context(moving.body(), fixed.body(), way.trajectory().pieces()->at(0));
+    NeighbourList list(moving.body(), fixed.body());
+    Work work;
+    ASSERT_TRUE(list.within(context, margin, work));
+
+    const contact::RelativeConfiguration start = context.configuration_at(0);
+    const contact::ContactScene at_start{start, true, margin, 0};
+    const HeldContacts held(at_start);
+    const PieceResult found = search_piece(context, {.margin = margin, .held = &held, .neighbours = &list});
+    ASSERT_FALSE(found.candidates.empty());
+    const Eigen::Vector3d tip = context.configuration_at(found.candidates[0].tau.lower).moved({1, 0, 0});
+    EXPECT_NEAR((tip - Eigen::Vector3d(1 + gap, 0, 0)).norm(), margin, 1e-9);
+    EXPECT_LT(tip.y(), 0) << "on its way to the point";
 }
 
 } // namespace
