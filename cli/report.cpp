@@ -103,8 +103,7 @@ std::string headline(const FirstContact& found, double margin) {
     switch (found.verdict) {
     case Verdict::clear:
         if (!found.held.empty())
-            return fmt::format("CLEAR: held contacts keep the hold distance, and no new contact comes within {:.9g}\n",
-                               margin);
+            return "CLEAR: held contacts keep the hold distance during the whole motion\n";
         return fmt::format("CLEAR: proven that nothing {} during the whole motion\n",
                            margin > 0 ? "comes" + within : "touches");
     case Verdict::contact:

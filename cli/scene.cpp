@@ -22,6 +22,7 @@ struct SceneOptions {
     std::string file;
     PolyhedronOptions polyhedron;
     std::string margin; ///< empty: that of the file
+    std::string hold;   ///< likewise
     std::string until = "1";
     std::string time_tolerance = "1e-12";
     std::string page; ///< empty: none
@@ -32,9 +33,9 @@ struct SceneOptions {
     bool json = false;
 };
 
-QueryOptions query_options(const SceneOptions& options, double margin) {
-    return {.margin = options.margin.empty() ? margin : number_of("--margin", options.margin),
-            .hold = {},
+QueryOptions query_options(const SceneOptions& options, const SceneFile& file) {
+    return {.margin = options.margin.empty() ? file.margin : number_of("--margin", options.margin),
+            .hold = options.hold.empty() ? file.hold : number_of("--hold", options.hold),
             .time_tolerance = number_of("--time-tolerance", options.time_tolerance),
             .find = options.any            ? Find::any
                     : options.all_contacts ? Find::first_with_all_contacts
@@ -53,7 +54,13 @@ std::string summary(const Scene& scene, const SceneAnswer& answer) {
 }
 
 /// The first contact in full, and a line for each that may be at the same time.
-std::string report_first(const Scene& scene, const SceneAnswer& answer, double margin) {
+std::string report_first(const Scene& scene, const SceneAnswer& answer, const QueryOptions& options) {
+    const double margin = options.margin;
+    if (answer.contacts.empty() && options.hold)
+        return fmt::format(
+                   "CLEAR: proven that nothing that is held comes within {:.9g}, and nothing else within {:.9g}\n",
+                   *options.hold, margin) +
+               summary(scene, answer);
     if (answer.contacts.empty()) {
         FirstContact clear;
         clear.verdict = Verdict::clear;
@@ -103,10 +110,11 @@ private:
     std::optional<OutputFile> file_;
 };
 
-std::string report_of(const SceneOptions& options, const Scene& scene, const SceneAnswer& answer, double margin) {
+std::string report_of(const SceneOptions& options, const Scene& scene, const SceneAnswer& answer,
+                      const QueryOptions& asked) {
     if (options.json)
         return view::scene_answer_json(scene, answer, options.all).dump() + "\n";
-    const std::string text = options.all ? report_all(scene, answer) : report_first(scene, answer, margin);
+    const std::string text = options.all ? report_all(scene, answer) : report_first(scene, answer, asked);
     return text + (options.page.empty() ? "" : labelled("page", options.page));
 }
 
@@ -115,7 +123,7 @@ int run_scene(const SceneOptions& options) {
     PageFile page(options);
     const Interruption interruption;
     std::optional<ProgressBar> bar;
-    SceneQuery query{.options = query_options(options, file.margin),
+    SceneQuery query{.options = query_options(options, file),
                      .until = number_of("--until", options.until),
                      .threads = options.polyhedron.threads};
     query.progress = [&](std::size_t done, std::size_t pairs) {
@@ -128,7 +136,7 @@ int run_scene(const SceneOptions& options) {
         const SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
         bar.reset();
         page.write(file.scene, answer, query.options.margin);
-        print(report_of(options, file.scene, answer, query.options.margin));
+        print(report_of(options, file.scene, answer, query.options));
         return answer.contacts.empty() ? is_clear : is_contact;
     } catch (const SceneCancelled&) {
         bar.reset();
@@ -154,6 +162,11 @@ void add_scene(CLI::App& app, Task& task) {
         .add_option("--margin", options->margin,
                     "distance of the surfaces that counts as contact; instead of the file's")
         ->type_name("D");
+    command
+        .add_option("--hold", options->hold,
+                    "bodies that start within the margin may move on, but never come within this distance; instead of "
+                    "the file's")
+        ->type_name("H");
     command.add_option("--time-tolerance", options->time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();

@@ -202,10 +202,9 @@ void for_each_pair(const Members& members, const char* key, const Use& use) {
 
 SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const PolyhedronOptions& options) {
     const Members members(json, {"bodies", "ignore", "ignore_groups", "margin", "hold"});
-    if (members.find("hold"))
-        refuse("hold: is not supported for scenes");
     SceneFile file;
     file.margin = members.read("margin", number_in).value_or(0);
+    file.hold = members.read("hold", number_in);
     Shapes shapes(folder, options);
     std::size_t count = 0;
     for (const Json& body : at_place("bodies", [&]() -> const Json& { return list_in(members.get("bodies")); }))

@@ -4,12 +4,14 @@
 #include "chasles/chasles.h"
 
 #include <filesystem>
+#include <optional>
 
 namespace chasles::cli {
 
 struct SceneFile {
     Scene scene;
     double margin = 0;
+    std::optional<double> hold;
 };
 
 /// Reads a scene and its meshes, whose paths are relative to the file. Each mesh is loaded once. Throws InvalidInput

@@ -20,11 +20,6 @@ using search::PieceResult;
 /// The largest coordinate of a scene (docs/decisions/0012-range-of-coordinates.md).
 constexpr double largest_margin = 1e30;
 
-/// Which contacts are new is told only on cubic motions.
-void require_no_enclosure(const PieceContext& context) {
-    require(!context.is_enclosed(), "hold", "is supported for screws and sweeps only");
-}
-
 /// The pairs, unless there are too many to list.
 const search::PartPairs* complete(const search::PartPairs& pairs) {
     return pairs.is_complete() ? &pairs : nullptr;
@@ -96,7 +91,7 @@ private:
         return {piece, {*options_.hold, margin}, {query_.neighbours, orbits_}};
     }
     void search_holding(FirstContact& found, const HeldPiece& first, double level, const ContactMoment& start);
-    static bool search_holding_piece(const HeldPiece& piece, auto search_part);
+    bool search_holding_piece(const HeldPiece& piece, auto search_part) const;
     bool search_holding_part(FirstContact& found, const HeldPiece& piece, double level,
                              const search::HeldContacts& held);
     /// What comes within the level in a part.
@@ -151,10 +146,10 @@ FirstContact PieceByPiece::run_within(double margin) {
 }
 
 /// Bodies that start within the margin may move on; their contacts count where they come within a smaller distance. New
-/// contacts, which are local minima of the distance, count at the margin. Source: docs/derivations/17-hold.md.
+/// contacts, which are local minima of the distance, count at the margin where the maps of a piece are the motion.
+/// Source: docs/derivations/17-hold.md.
 FirstContact PieceByPiece::run_holding() {
     PieceContext first_piece = piece(0);
-    require_no_enclosure(first_piece);
     // A motion that stopped at the margin ended within it, up to rounding.
     const ContactMoment start(first_piece, 0, true, options_.margin + resting_slack(first_piece), 0);
     search::PartPairs pairs = pairs_of(first_piece, start.scene().margin + start.scene().slack);
@@ -174,7 +169,7 @@ FirstContact PieceByPiece::run_holding() {
     found.held = start.contacts_of(near.pairs);
     found.contacts_cut = cut_to_most(found.held) || near.is_cut;
     search_holding(found, {first_piece, pairs, true}, level.distance, start);
-    if (level.is_reached && found.clear_until < 1)
+    if (level.is_reached && found.clear_until < query_.until)
         found.clear_until = 0;
     return found;
 }
@@ -205,23 +200,25 @@ void PieceByPiece::search_holding(FirstContact& found, const HeldPiece& first, d
     bool is_over = search_holding_piece(first, search_part);
     for (std::size_t i = 1; i < pieces_->size() && !is_over; ++i) {
         PieceContext context = piece(i);
-        require_no_enclosure(context);
+        if (context.piece().time_of({0, 0}).lower > query_.until)
+            break;
         search::PartPairs pairs = pairs_of(context, start.scene().margin + start.scene().slack);
         is_over = search_holding_piece({context, pairs, false}, search_part);
     }
     if (is_over)
         return;
     if (found.verdict == Verdict::unknown)
-        set_clear(found, query_.trajectory, 1);
-    found.clear_until = 1;
+        set_clear(found, query_.trajectory, query_.until);
+    found.clear_until = query_.until;
 }
 
 /// Part by part. True as soon as something comes within the level.
-bool PieceByPiece::search_holding_piece(const HeldPiece& piece, auto search_part) {
+bool PieceByPiece::search_holding_piece(const HeldPiece& piece, auto search_part) const {
+    const double end = tau_after(piece.context.piece(), query_.until);
     do
         if (search_part(piece))
             return true;
-    while (piece.pairs.go_on());
+    while (piece.pairs.part().upper < end && piece.pairs.go_on());
     return false;
 }
 
@@ -233,6 +230,7 @@ bool PieceByPiece::search_holding_part(FirstContact& found, const HeldPiece& pie
     near.finds_any = false; // `clear_until` needs the first
     near.pairs = complete(piece.pairs);
     near.from = piece.pairs.part().lower;
+    near.until = tau_after(piece.context.piece(), query_.until);
     const PieceResult at_level = search_piece(piece.context, near);
     found.work += piece.pairs.take_work();
     found.work += at_level.work;
@@ -250,8 +248,10 @@ void PieceByPiece::search_new(FirstContact& found, const HeldPiece& piece, const
     search::SearchOptions far = near;
     far.margin = options_.margin;
     far.held = &held;
-    far.until = has_contact(at_level) ? enclosing(at_level).upper : 1;
-    const PieceResult new_contacts = search_piece(piece.context, far);
+    if (has_contact(at_level))
+        far.until = enclosing(at_level).upper;
+    const bool tells_new = !piece.context.is_enclosed();
+    const PieceResult new_contacts = tells_new ? search_piece(piece.context, far) : PieceResult();
     found.work += new_contacts.work;
     const bool is_new = has_contact(new_contacts) &&
                         (!has_contact(at_level) || enclosing(new_contacts).upper < enclosing(at_level).upper);
@@ -279,6 +279,10 @@ double PieceByPiece::least_distance(const ContactMoment& start, const search::Ne
 void require(bool holds, const char* option, const char* why) {
     if (!holds)
         throw InvalidInput(std::string("query: ") + option + ": " + why);
+}
+
+void require_hold(double hold) {
+    require(hold >= 0 && hold <= largest_margin, "hold", "must be in [0, 1e30]");
 }
 
 void check_options(const QueryOptions& options) {

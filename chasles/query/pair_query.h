@@ -19,7 +19,7 @@ struct PairQuery {
     const Body& fixed;
     const motion::AnyTrajectory& trajectory;
     const QueryOptions& options;
-    double until = 1; ///< time in [0, 1]: contacts that begin later need not be found. Without effect with `hold`
+    double until = 1;                            ///< time in [0, 1]: contacts that begin later need not be found
     search::NeighbourList* neighbours = nullptr; ///< of both bodies: saves time where questions follow each other
     search::OrbitFilter* orbits = nullptr;       ///< likewise, where they turn about one axis
 };
@@ -34,6 +34,9 @@ struct LeastPairQuery {
 
 /// Throws InvalidInput "query: OPTION: WHY" unless it holds.
 void require(bool holds, const char* option, const char* why);
+
+/// Throws InvalidInput for a distance to hold that is none, whatever the margin.
+void require_hold(double hold);
 
 /// Throws InvalidInput for an option out of its range.
 void check_options(const QueryOptions& options);

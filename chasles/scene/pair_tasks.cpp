@@ -10,7 +10,7 @@ namespace chasles::scene {
 
 std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query) {
     std::vector<SweptBody> bodies(scene.bodies().size());
-    const double margin = scene.largest_margin(query.options.margin);
+    const double margin = scene.margins(query.options.margin).upper;
     constexpr std::size_t chunk = 64, ahead = 2;
     parallel_chunks(query.threads, bodies.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {

@@ -47,7 +47,8 @@ void Scene::remove(std::string_view name) {
     const std::uint32_t id = placed_[index].id;
     const auto has_body = [&](const Ids& pair) { return pair.first == id || pair.second == id; };
     std::erase_if(ignored_, has_body);
-    std::erase_if(margins_, [&](const auto& entry) { return has_body(entry.first); });
+    for (Rules* rules : {&margins_, &holds_})
+        std::erase_if(rules->of_pairs, [&](const auto& entry) { return has_body(entry.first); });
     by_name_.erase(by_name_.find(name));
     if (index + 1 < bodies_.size()) {
         bodies_[index] = std::move(bodies_.back());
@@ -93,40 +94,60 @@ bool Scene::is_ignored(std::size_t a, std::size_t b) const {
 void Scene::set_margin(std::string_view a, std::string_view b, double margin) {
     const Ids ids = ids_of(a, b, "margin");
     query::check_options({.margin = margin});
-    margins_[ids] = margin;
+    margins_.of_pairs[ids] = margin;
 }
 
 void Scene::set_group_margin(const std::string& a, const std::string& b, double margin) {
     query::check_options({.margin = margin});
-    group_margins_[ordered(a, b)] = margin;
+    margins_.of_groups[ordered(a, b)] = margin;
+}
+
+void Scene::set_hold(std::string_view a, std::string_view b, double hold) {
+    const Ids ids = ids_of(a, b, "hold");
+    query::require_hold(hold);
+    holds_.of_pairs[ids] = hold;
+}
+
+void Scene::set_group_hold(const std::string& a, const std::string& b, double hold) {
+    query::require_hold(hold);
+    holds_.of_groups[ordered(a, b)] = hold;
+}
+
+std::optional<double> Scene::rule_of(std::size_t a, std::size_t b, const Rules& rules) const {
+    if (!rules.of_pairs.empty())
+        if (const auto own = rules.of_pairs.find(ordered(placed_[a].id, placed_[b].id)); own != rules.of_pairs.end())
+            return own->second;
+    if (!rules.of_groups.empty())
+        if (const auto own = rules.of_groups.find(ordered(bodies_[a].group, bodies_[b].group));
+            own != rules.of_groups.end())
+            return own->second;
+    return std::nullopt;
 }
 
 double Scene::margin_of(std::size_t a, std::size_t b, double of_question) const {
-    if (!margins_.empty())
-        if (const auto own = margins_.find(ordered(placed_[a].id, placed_[b].id)); own != margins_.end())
-            return own->second;
-    if (group_margins_.empty())
-        return of_question;
-    const auto of_groups = group_margins_.find(ordered(bodies_[a].group, bodies_[b].group));
-    return of_groups != group_margins_.end() ? of_groups->second : of_question;
+    return rule_of(a, b, margins_).value_or(of_question);
 }
 
-double Scene::largest_margin(double of_question) const {
-    double largest = of_question;
-    for (const auto& [ids, margin] : margins_)
-        largest = std::max(largest, margin);
-    for (const auto& [groups, margin] : group_margins_)
-        largest = std::max(largest, margin);
-    return largest;
+QueryOptions Scene::options_of(std::size_t a, std::size_t b, const QueryOptions& of_question) const {
+    QueryOptions options = of_question;
+    options.margin = margin_of(a, b, of_question.margin);
+    if (const auto hold = rule_of(a, b, holds_))
+        options.hold = hold;
+    if (options.hold && *options.hold >= options.margin)
+        options.hold.reset();
+    return options;
 }
 
-double Scene::least_margin(double of_question) const {
-    double least = of_question;
-    for (const auto& [ids, margin] : margins_)
-        least = std::min(least, margin);
-    for (const auto& [groups, margin] : group_margins_)
-        least = std::min(least, margin);
-    return least;
+Bracket Scene::margins(double of_question) const {
+    Bracket margins{of_question, of_question};
+    const auto take = [&](double margin) {
+        margins = {std::min(margins.lower, margin), std::max(margins.upper, margin)};
+    };
+    for (const auto& [ids, margin] : margins_.of_pairs)
+        take(margin);
+    for (const auto& [groups, margin] : margins_.of_groups)
+        take(margin);
+    return margins;
 }
 
 } // namespace chasles

@@ -2,12 +2,14 @@
 // Source: docs/derivations/27-scenes.md.
 #pragma once
 
+#include "chasles/algebra/bracket.h"
 #include "chasles/query/first_contact.h"
 
 #include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <set>
 #include <span>
 #include <string>
@@ -33,7 +35,7 @@ struct SceneBody {
 /// How to answer a question about a scene.
 struct SceneQuery {
     /// `find`: Find::any makes it a question of yes or no. The margin is that of all pairs that have none of their own.
-    /// `hold` is not supported.
+    /// Likewise `hold`, which counts for pairs with a greater margin only.
     QueryOptions options = {};
     double until = 1;     ///< time in [0, 1]: contacts that begin later are left out
     unsigned threads = 0; ///< at most so many; 0: all cores
@@ -93,6 +95,11 @@ public:
     /// The margin of the bodies of one group and those of another one; the same group twice: within the group. A pair
     /// with a margin of its own keeps it.
     void set_group_margin(const std::string& a, const std::string& b, double margin);
+    /// The distance that two bodies hold if they start within their margin, in the place of `hold` of the question. It
+    /// counts if it is less than the margin. Throws InvalidInput as `set_margin` does.
+    void set_hold(std::string_view a, std::string_view b, double hold);
+    /// That of the bodies of one group and those of another one. A pair with a distance of its own keeps it.
+    void set_group_hold(const std::string& a, const std::string& b, double hold);
 
     /// The earliest contact of all pairs. With Find::any: some contact, if there is any, not placed in time; the same
     /// one for any number of threads. Throws InvalidInput for an option out of its range.
@@ -105,10 +112,11 @@ public:
     /// For the library's own use: how a body moves in the world.
     [[nodiscard]] const scene::WorldMotion& motion_of(std::size_t index) const { return *placed_[index].motion; }
     [[nodiscard]] bool is_ignored(std::size_t a, std::size_t b) const;
-    /// The margin of two bodies, the largest one of all, and the least one, where that of the question is given.
+    /// The margin of two bodies, and the least and the largest one of all pairs, where that of the question is given.
     [[nodiscard]] double margin_of(std::size_t a, std::size_t b, double of_question) const;
-    [[nodiscard]] double largest_margin(double of_question) const;
-    [[nodiscard]] double least_margin(double of_question) const;
+    [[nodiscard]] Bracket margins(double of_question) const;
+    /// A question with the margin and the hold distance of two bodies.
+    [[nodiscard]] QueryOptions options_of(std::size_t a, std::size_t b, const QueryOptions& of_question) const;
 
 private:
     using Ids = std::pair<std::uint32_t, std::uint32_t>; ///< the smaller one first
@@ -118,7 +126,15 @@ private:
         std::uint32_t id = 0; ///< bodies are counted as they are added
     };
 
+    /// A number for some pairs and for some groups.
+    struct Rules {
+        std::map<Ids, double> of_pairs;
+        std::map<Groups, double> of_groups;
+    };
+
     [[nodiscard]] Ids ids_of(std::string_view a, std::string_view b, const char* what) const;
+    /// That of the pair or, if it has none, that of its groups.
+    [[nodiscard]] std::optional<double> rule_of(std::size_t a, std::size_t b, const Rules& rules) const;
 
     std::vector<SceneBody> bodies_;
     std::vector<Placed> placed_; ///< of each body
@@ -126,8 +142,8 @@ private:
     std::map<std::string, std::size_t, std::less<>> by_name_;
     std::set<Ids> ignored_;
     std::set<Groups> ignored_groups_;
-    std::map<Ids, double> margins_;
-    std::map<Groups, double> group_margins_;
+    Rules margins_;
+    Rules holds_;
 };
 
 } // namespace chasles

@@ -39,9 +39,14 @@ private:
     std::size_t size_ = 64;
 };
 
-void check(const SceneQuery& query) {
-    query::check_options(query.options);
-    query::require(!query.options.hold, "hold", "is not supported for scenes");
+void check(const Scene& scene, const SceneQuery& query) {
+    QueryOptions options = query.options;
+    if (options.hold) {
+        query::require_hold(*options.hold);
+        query::require(*options.hold < scene.margins(options.margin).upper, "hold", "must be less than some margin");
+        options.hold.reset(); // that of the question may be less
+    }
+    query::check_options(options);
     query::require(query.until >= 0 && query.until <= 1, "until", "must be in [0, 1]");
 }
 
@@ -74,8 +79,7 @@ private:
 
 FirstContact SceneSearch::ask(const scene::IndexPair& pair, double until) const {
     const auto mover = [&](std::size_t i) { return scene::Mover{scene_.bodies()[i].shape, scene_.motion_of(i)}; };
-    QueryOptions options = query_.options;
-    options.margin = scene_.margin_of(pair.first, pair.second, options.margin);
+    const QueryOptions options = scene_.options_of(pair.first, pair.second, query_.options);
     return scene::first_contact_of(mover(pair.first), mover(pair.second), options, until);
 }
 
@@ -167,6 +171,7 @@ SceneAnswer SceneSearch::earliest() {
     if (!result.contacts.empty()) {
         const double end = result.contacts.front().contact.time.upper;
         std::erase_if(result.contacts, [&](const SceneContact& c) { return c.contact.time.lower > end; });
+        result.clear_until = std::min(result.clear_until, end); // others were asked about no later time
     }
     return result;
 }
@@ -192,13 +197,13 @@ SceneAnswer SceneSearch::all() {
 } // namespace
 
 SceneAnswer Scene::first_contact(const SceneQuery& query) const {
-    check(query);
+    check(*this, query);
     SceneSearch search(*this, query);
     return query.options.find == Find::any ? search.any() : search.earliest();
 }
 
 SceneAnswer Scene::all_contacts(const SceneQuery& query) const {
-    check(query);
+    check(*this, query);
     query::require(query.options.find != Find::any, "find", "is a question of yes or no");
     return SceneSearch(*this, query).all();
 }

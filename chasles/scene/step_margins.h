@@ -17,15 +17,15 @@ public:
     /// The contact set of the pair lists what is as near as this.
     [[nodiscard]] double reach_of(const IndexPair& pair) const { return reach_ == 0 ? 2 * of(pair) : reach_; }
 
-    [[nodiscard]] double least() const { return scene_.least_margin(margin_); }
-    [[nodiscard]] double largest() const { return largest_; }
-    [[nodiscard]] double largest_reach() const { return reach_ == 0 ? 2 * largest_ : reach_; }
+    [[nodiscard]] double least() const { return all_.lower; }
+    [[nodiscard]] double largest() const { return all_.upper; }
+    [[nodiscard]] double largest_reach() const { return reach_ == 0 ? 2 * largest() : reach_; }
 
 private:
     const Scene& scene_;
     double margin_; ///< of pairs without one of their own
     double reach_;  ///< 0 for twice the margin of each pair
-    double largest_;
+    Bracket all_;   ///< the least and the largest margin of all pairs
 };
 
 } // namespace chasles::scene

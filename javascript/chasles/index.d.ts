@@ -238,6 +238,9 @@ export declare class Scene extends Held {
   ignoreGroups(a: string, b: string): void;
   setMargin(a: string, b: string, margin: number): void;
   setGroupMargin(a: string, b: string, margin: number): void;
+  /** The distance that two bodies hold if they start within their margin, in place of `hold` of the question. */
+  setHold(a: string, b: string, hold: number): void;
+  setGroupHold(a: string, b: string, hold: number): void;
   /** The earliest contact of all pairs. */
   firstContact(options?: SceneOptions): SceneContact;
   /** The first contact of each pair that touches, in order of time. */

@@ -8,7 +8,7 @@ import { Polyhedron } from "./polyhedron.js";
 
 const motionKeys = ["pose", "goal", "motion", "centre", "poses", "times"];
 const questions = { firstContact: 0, allContacts: 1, clearUntil: 2 };
-const rules = { ignore: 0, ignoreGroups: 1, setMargin: 2, setGroupMargin: 3 };
+const rules = { ignore: 0, ignoreGroups: 1, setMargin: 2, setGroupMargin: 3, setHold: 4, setGroupHold: 5 };
 
 const encode = (value, name) => new TextEncoder().encode(text(value, name));
 
@@ -83,6 +83,12 @@ export class Scene extends Held {
   setGroupMargin(a, b, margin) {
     this.#rule("setGroupMargin", a, b, number(margin, "margin"));
   }
+  setHold(a, b, hold) {
+    this.#rule("setHold", a, b, number(hold, "hold"));
+  }
+  setGroupHold(a, b, hold) {
+    this.#rule("setGroupHold", a, b, number(hold, "hold"));
+  }
 
   firstContact(options = {}) {
     return sceneContact(this.#ask("firstContact", options), this.#names);
@@ -100,11 +106,11 @@ export class Scene extends Held {
     return { border, handle: Held.handle(this, border, Scene, "scene") };
   }
 
-  #rule(rule, a, b, margin = 0) {
+  #rule(rule, a, b, distance = 0) {
     const { border, handle } = this.#own();
     const first = encode(a, "a");
     border.giveBytes(first, encode(b, "b"));
-    border.call("scene_rule", handle, rules[rule], first.length, margin);
+    border.call("scene_rule", handle, rules[rule], first.length, distance);
   }
 
   #ask(question, options) {

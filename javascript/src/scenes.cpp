@@ -77,20 +77,24 @@ void move_all(Scene& scene, NumbersIn& in) {
         scene.move(i, motions[i]);
 }
 
-enum class Rule : std::uint8_t { ignore, ignore_groups, set_margin, set_group_margin };
+enum class Rule : std::uint8_t { ignore, ignore_groups, set_margin, set_group_margin, set_hold, set_group_hold };
 
-void apply(Scene& scene, Rule rule, const TwoTexts& names, double margin) {
+void apply(Scene& scene, Rule rule, const TwoTexts& names, double distance) {
     switch (rule) {
     case Rule::ignore:
         return scene.ignore(names.first, names.second);
     case Rule::ignore_groups:
         return scene.ignore_groups(names.first, names.second);
     case Rule::set_margin:
-        return scene.set_margin(names.first, names.second, margin);
+        return scene.set_margin(names.first, names.second, distance);
     case Rule::set_group_margin:
+        return scene.set_group_margin(names.first, names.second, distance);
+    case Rule::set_hold:
+        return scene.set_hold(names.first, names.second, distance);
+    case Rule::set_group_hold:
         break;
     }
-    scene.set_group_margin(names.first, names.second, margin);
+    scene.set_group_hold(names.first, names.second, distance);
 }
 
 } // namespace
@@ -157,11 +161,11 @@ CHASLES_JAVASCRIPT(scene_pose)(std::int32_t scene) {
 }
 
 /// A rule for the two bodies or the two groups in the bytes.
-CHASLES_JAVASCRIPT(scene_rule)(std::int32_t scene, std::int32_t rule, std::uint32_t first_size, double margin) {
+CHASLES_JAVASCRIPT(scene_rule)(std::int32_t scene, std::int32_t rule, std::uint32_t first_size, double distance) {
     return js::guarded([&] {
-        if (rule < 0 || rule > std::int32_t(js::Rule::set_group_margin))
+        if (rule < 0 || rule > std::int32_t(js::Rule::set_group_hold))
             throw chasles::InvalidInput("scene: there is no such rule");
-        js::apply(js::scene_of(scene), js::Rule(rule), js::given_texts(first_size), margin);
+        js::apply(js::scene_of(scene), js::Rule(rule), js::given_texts(first_size), distance);
         return 0;
     });
 }

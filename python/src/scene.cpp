@@ -84,7 +84,7 @@ void remove(PythonScene& scene, const std::string& name) {
     scene.motions.erase(name);
     std::erase_if(scene.rules, [&](const auto& entry) {
         const auto& [function, a, b] = entry.first;
-        return !function.ends_with("_groups") && function != "set_group_margin" && (a == name || b == name);
+        return !function.ends_with("_groups") && !function.starts_with("set_group_") && (a == name || b == name);
     });
 }
 
@@ -117,6 +117,7 @@ void move_all(PythonScene& scene, nb::handle starts, nb::handle goals, const std
 
 struct SceneArguments {
     double margin;
+    std::optional<double> hold;
     double until;
     double time_tolerance;
     nb::handle find;
@@ -127,7 +128,7 @@ struct SceneArguments {
 template <class Ask>
 void run(const SceneArguments& arguments, const Ask& ask) {
     SceneQuery query;
-    query.options = {arguments.margin, std::nullopt, arguments.time_tolerance, find_from(arguments.find)};
+    query.options = {arguments.margin, arguments.hold, arguments.time_tolerance, find_from(arguments.find)};
     query.until = arguments.until;
     query.threads = arguments.threads;
     run_interruptibly(
@@ -141,10 +142,10 @@ void run(const SceneArguments& arguments, const Ask& ask) {
         nb::none());
 }
 
-SceneContactAnswer first_contact(const PythonScene& scene, double margin, double until, double time_tolerance,
-                                 nb::handle find, unsigned threads) {
+SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::optional<double> hold, double until,
+                                 double time_tolerance, nb::handle find, unsigned threads) {
     SceneAnswer found;
-    run({margin, until, time_tolerance, find, threads},
+    run({margin, hold, until, time_tolerance, find, threads},
         [&](const SceneQuery& query) { found = scene.scene.first_contact(query); });
     if (found.contacts.empty()) {
         FirstContact clear;
@@ -163,10 +164,10 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, double
     return answer;
 }
 
-nb::list all_contacts(const PythonScene& scene, double margin, double until, double time_tolerance, nb::handle find,
-                      unsigned threads) {
+nb::list all_contacts(const PythonScene& scene, double margin, std::optional<double> hold, double until,
+                      double time_tolerance, nb::handle find, unsigned threads) {
     SceneAnswer found;
-    run({margin, until, time_tolerance, find, threads},
+    run({margin, hold, until, time_tolerance, find, threads},
         [&](const SceneQuery& query) { found = scene.scene.all_contacts(query); });
     nb::list contacts;
     for (const SceneContact& contact : found.contacts)
@@ -174,10 +175,11 @@ nb::list all_contacts(const PythonScene& scene, double margin, double until, dou
     return contacts;
 }
 
-nb::dict clear_until(const PythonScene& scene, double margin, double until, double time_tolerance, unsigned threads) {
+nb::dict clear_until(const PythonScene& scene, double margin, std::optional<double> hold, double until,
+                     double time_tolerance, unsigned threads) {
     std::vector<double> clear;
     const nb::str find("first");
-    run({margin, until, time_tolerance, find, threads},
+    run({margin, hold, until, time_tolerance, find, threads},
         [&](const SceneQuery& query) { clear = scene.scene.clear_until(query); });
     nb::dict times;
     for (std::size_t i = 0; i < clear.size(); ++i)
@@ -196,7 +198,9 @@ constexpr const char* add_doc =
     "    For a name that is empty or taken, and for poses or a motion that cannot be used.";
 
 constexpr const char* question_doc =
-    "\n\nParameters\n----------\nmargin : float\n    Distance that counts as contact, mesh unit.\nuntil : float\n"
+    "\n\nParameters\n----------\nmargin : float\n    Distance that counts as contact, mesh unit.\n"
+    "hold : float, optional\n    Bodies that start within their margin may move on, but come no nearer than "
+    "this.\nuntil : float\n"
     "    Contacts that begin after this time, in [0, 1], are left out.\ntime_tolerance : float\n"
     "    Width of the brackets to aim for.\nfind : Find or str\n"
     "    'first', 'first_with_all_contacts', or 'any' for a question of yes or no.\n"
@@ -213,10 +217,10 @@ auto rule(const char* name, void (Scene::*function)(Name, Name)) {
 
 template <class Name>
 auto rule(const char* name, void (Scene::*function)(Name, Name, double)) {
-    return [name, function](PythonScene& scene, const std::string& a, const std::string& b, double margin) {
-        (scene.scene.*function)(a, b, margin);
+    return [name, function](PythonScene& scene, const std::string& a, const std::string& b, double distance) {
+        (scene.scene.*function)(a, b, distance);
         scene.rules.erase({name, b, a}); // the same pair
-        scene.rules[{name, a, b}] = margin;
+        scene.rules[{name, a, b}] = distance;
     };
 }
 
@@ -247,7 +251,8 @@ void bind_contact(nb::module_& module) {
 
 } // namespace
 
-#define CHASLES_SCENE_OPTIONS "*, margin: float = 0.0, until: float = 1.0, time_tolerance: float = 1e-12, "
+#define CHASLES_SCENE_OPTIONS                                                                                          \
+    "*, margin: float = 0.0, hold: float | None = None, until: float = 1.0, time_tolerance: float = 1e-12, "
 
 void bind_scene(nb::module_& module) {
     static const std::string first_text = std::string("The earliest contact of all pairs.") + question_doc +
@@ -283,22 +288,25 @@ void bind_scene(nb::module_& module) {
         .def("set_margin", rule("set_margin", &Scene::set_margin), "a"_a, "b"_a, "margin"_a, doc("Scene.set_margin"))
         .def("set_group_margin", rule("set_group_margin", &Scene::set_group_margin), "a"_a, "b"_a, "margin"_a,
              doc("Scene.set_group_margin"))
+        .def("set_hold", rule("set_hold", &Scene::set_hold), "a"_a, "b"_a, "hold"_a, doc("Scene.set_hold"))
+        .def("set_group_hold", rule("set_group_hold", &Scene::set_group_hold), "a"_a, "b"_a, "hold"_a,
+             doc("Scene.set_group_hold"))
         .def_prop_ro(
             "names", [](const PythonScene& s) { return names_of(s); }, "The names of the bodies.")
         .def("__len__", [](const PythonScene& s) { return s.scene.bodies().size(); })
         .def("__repr__",
              [](const PythonScene& s) { return fmt::format("<chasles.Scene: {} bodies>", s.scene.bodies().size()); })
-        .def("first_contact", first_contact, nb::kw_only(), "margin"_a = 0.0, "until"_a = 1.0,
+        .def("first_contact", first_contact, nb::kw_only(), "margin"_a = 0.0, "hold"_a = nb::none(), "until"_a = 1.0,
              "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first", "threads"_a = 0,
              nb::sig("def first_contact(self, " CHASLES_SCENE_OPTIONS CHASLES_FIND_TYPE
                      ", threads: int = 0) -> SceneContact"),
              first_text.c_str())
-        .def("all_contacts", all_contacts, nb::kw_only(), "margin"_a = 0.0, "until"_a = 1.0,
+        .def("all_contacts", all_contacts, nb::kw_only(), "margin"_a = 0.0, "hold"_a = nb::none(), "until"_a = 1.0,
              "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first", "threads"_a = 0,
              nb::sig("def all_contacts(self, " CHASLES_SCENE_OPTIONS CHASLES_FIND_TYPE
                      ", threads: int = 0) -> list[SceneContact]"),
              all_text.c_str())
-        .def("clear_until", clear_until, nb::kw_only(), "margin"_a = 0.0, "until"_a = 1.0,
+        .def("clear_until", clear_until, nb::kw_only(), "margin"_a = 0.0, "hold"_a = nb::none(), "until"_a = 1.0,
              "time_tolerance"_a = default_time_tolerance, "threads"_a = 0,
              nb::sig("def clear_until(self, " CHASLES_SCENE_OPTIONS "threads: int = 0) -> dict[str, float]"),
              "For each body, by name, the time until which it is proven clear of all others.");

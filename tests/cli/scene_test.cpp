@@ -100,6 +100,18 @@ TEST_F(SceneCommand, KeepsToTheFilters) {
     EXPECT_GT(json("--margin 0")["time"], 0.7163);
 }
 
+TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
+    write("scene.json", R"({"margin": 0.1, "hold": 0.02, "bodies": [{"name": "table", "mesh": "cube.obj"},
+        {"name": "box", "mesh": "cube.obj", "pose": [0, 0, 1.05], "goal": [0.5, 0, 1.05, 1, 0, 0, 0.1]}]})");
+    const tests::Finished found = run("scene scene.json");
+    EXPECT_EQ(found.status, 0);
+    EXPECT_EQ(found.out.substr(0, found.out.find('\n')),
+              "CLEAR: proven that nothing that is held comes within 0.02, and nothing else within 0.1");
+    EXPECT_EQ(json("--hold 0.049")["verdict"], "clear");
+    EXPECT_EQ(json("--margin 0.04 --hold 0.02")["verdict"], "clear");
+    EXPECT_EQ(error_line("scene scene.json --hold 0.1"), "chasles: query: hold: must be less than some margin");
+}
+
 /// What a build without the viewer says is the same for all pages.
 TEST_F(SceneCommand, WritesAPageToo) {
     const tests::Finished plain = run("scene scene.json --all");
@@ -138,7 +150,7 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     EXPECT_EQ(refused("[]"), "must be an object");
     EXPECT_EQ(refused("{"), "is not JSON: parse error at line 1, column 2: syntax error while parsing object key - "
                             "unexpected end of input; expected string literal");
-    EXPECT_EQ(refused(R"({"bodies": [], "hold": 1})"), "hold: is not supported for scenes");
+    EXPECT_EQ(refused(R"({"bodies": [], "hold": "1"})"), "hold: must be a number");
 }
 
 } // namespace

@@ -266,8 +266,20 @@ test("scenes: adding, moving, removing, rules", () => {
   assert.match(refusal(() => scene.add("d", cube, { poses: [far, near], times: [0, 2] })), /^times: must run from 0 to 1/);
   assert.match(refusal(() => scene.add("d", cube, { poses: [far], pose: far })), /^poses: stand instead/);
   assert.match(refusal(() => scene.remove("x")), /^scene: x: is not in the scene/);
-  assert.match(refusal(() => scene.firstContact({ hold: 0 })), /hold/);
+  assert.match(refusal(() => scene.firstContact({ hold: 0 })), /^query: hold: must be less than some margin/);
   assert.deepEqual(scene.names, ["c", "b"]);
+});
+
+test("scenes: what rests on a table may slide", () => {
+  const scene = chasles.scene();
+  scene.add("table", cube);
+  scene.add("box", cube, { pose: [0, 0, 1.05], goal: [0.5, 0, 1.05] });
+  assert.equal(scene.firstContact({ margin: 0.1 }).verdict, "contact_at_start");
+  assert.equal(scene.firstContact({ margin: 0.1, hold: 0.02 }).verdict, "clear");
+  scene.setGroupHold("", "", 0.02);
+  assert.equal(scene.firstContact({ margin: 0.1 }).verdict, "clear");
+  scene.setHold("box", "table", 0.2); // not less than the margin
+  assert.equal(scene.firstContact({ margin: 0.1 }).verdict, "contact_at_start");
 });
 
 test("scenes: splines through poses, and where bodies are", () => {

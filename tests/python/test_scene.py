@@ -42,6 +42,24 @@ def test_pairs_and_groups_have_margins_of_their_own(scene):
         scene.set_margin("left", "left", 1)
 
 
+def test_what_rests_on_a_table_may_slide(cube):
+    scene = chasles.Scene()
+    scene.add("table", cube)
+    scene.add("box", cube, [0, 0, 1.05, 1, 0, 0, 0], [0.5, 0, 1.05, 1, 0, 0, 0.1], motion="twist")
+    assert scene.first_contact(margin=0.1).verdict == "contact_at_start"
+    found = scene.first_contact(margin=0.1, hold=0.02)
+    assert found.verdict == "clear" and found.clear_until == 1
+    assert scene.all_contacts(margin=0.1, hold=0.02) == []
+    assert scene.clear_until(margin=0.1, hold=0.02) == {"table": 1, "box": 1}
+    scene.set_group_hold("", "", 0.02)
+    for copy in (scene, pickle.loads(pickle.dumps(scene))):
+        assert copy.first_contact(margin=0.1).verdict == "clear"
+    scene.set_hold("table", "box", 0.2)  # not less than the margin
+    assert scene.first_contact(margin=0.1).verdict == "contact_at_start"
+    with pytest.raises(chasles.InvalidInput, match="query: hold: must be less than some margin"):
+        scene.first_contact(hold=0)
+
+
 def test_many_scenes_with_dask(cube):
     dask = pytest.importorskip("dask")
 

@@ -9,6 +9,7 @@
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace chasles::test {
 namespace {
@@ -90,6 +91,8 @@ TEST(Scene, AnswersAsAllPairsByThemselves) {
         const Scene scene = scene_of(bodies);
         QueryOptions options;
         options.margin = random.chance(0.3) ? random.uniform(0, 0.1) : 0;
+        if (options.margin > 0 && random.chance(0.5))
+            options.hold = options.margin * random.uniform(0, 0.9);
         const std::vector<PairContact> expected = contacts_of_all_pairs(bodies, options);
         const SceneAnswer first = scene.first_contact({.options = options});
         const SceneAnswer all = scene.all_contacts({.options = options});
@@ -99,6 +102,8 @@ TEST(Scene, AnswersAsAllPairsByThemselves) {
         ASSERT_EQ(all.contacts.size(), expected.size()) << "trial " << trial;
         for (std::size_t i = 0; i < expected.size(); ++i)
             expect_same(scene, all.contacts[i], expected[i]);
+        for (const PairContact& contact : expected)
+            EXPECT_LE(first.clear_until, contact.contact.clear_until);
         if (expected.empty()) {
             EXPECT_EQ(first.verdict, Verdict::clear);
             EXPECT_TRUE(first.contacts.empty());
@@ -215,6 +220,74 @@ TEST(Scene, PairsAndGroupsHaveMarginsOfTheirOwn) {
     scene.remove("b");
     scene.add({"b", cube, Motion::at_rest(shifted(3, 0, 2.5))});
     EXPECT_EQ(scene.first_contact({.until = 0}).verdict, Verdict::clear);
+}
+
+/// A box turns and slides over a floor, 0.05 above it. Another one flies above both.
+TEST(Scene, HeldPairsMayMoveOn) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    Scene scene;
+    scene.add({"floor", box({9, 9, 0.5}).polyhedron(), Motion::at_rest(shifted(0, 0, -0.5)), "static"});
+    scene.add({"box", cube, Motion::velocity(shifted(0, 0, 0.55), turned({3, 0, 0.55}, {0, 0, 1}, 1)), "parts"});
+    scene.add({"other", cube, Motion::velocity(shifted(9, 0, 2), shifted(-9, 0, 2)), "parts"});
+    SceneQuery query{.options = {.margin = 0.1}};
+    EXPECT_EQ(scene.first_contact(query).verdict, Verdict::contact_at_start);
+    query.options.hold = 0.02;
+    EXPECT_EQ(scene.first_contact(query).verdict, Verdict::clear);
+    EXPECT_EQ(scene.first_contact(query).clear_until, 1);
+
+    query.options.hold.reset();
+    scene.set_group_hold("parts", "static", 0.02);
+    EXPECT_EQ(scene.first_contact(query).verdict, Verdict::clear);
+    scene.set_hold("floor", "box", 0.049);
+    EXPECT_EQ(scene.first_contact(query).verdict, Verdict::clear);
+    scene.set_margin("floor", "box", 0.06);
+    EXPECT_EQ(scene.first_contact(query).verdict, Verdict::clear);
+    scene.set_hold("floor", "box", 0.06);
+    EXPECT_EQ(scene.first_contact(query).verdict, Verdict::contact_at_start) << "a margin that is not greater";
+
+    scene.set_hold("floor", "box", 0.02);
+    scene.move(1, Motion::velocity(shifted(0, 0, 0.55), turned({0, 0, 0.55}, {1, 0, 0}, 0.6)));
+    const SceneAnswer tilted = scene.first_contact(query);
+    ASSERT_EQ(tilted.contacts.size(), 1U);
+    // The lowest edge is cos(angle - pi / 4) / sqrt(2) below the centre.
+    const double angle = std::numbers::pi / 4 - std::acos((0.55 - 0.02) * std::numbers::sqrt2);
+    EXPECT_NEAR(tilted.contacts[0].contact.time.lower, angle / 0.6, 1e-11);
+    EXPECT_EQ(tilted.clear_until, tilted.contacts[0].contact.time.lower);
+    EXPECT_EQ(tilted.contacts[0].contact.held.size(), 4U);
+    EXPECT_EQ(scene.clear_until(query)[0], tilted.clear_until);
+
+    EXPECT_EQ(refusal([&] { scene.set_hold("box", "box", 1); }), "scene: box: hold: the same body twice");
+    EXPECT_EQ(refusal([&] { scene.set_group_hold("parts", "static", -1); }), "query: hold: must be in [0, 1e30]");
+    query.options.hold = 0.1;
+    EXPECT_EQ(refusal([&] { (void)scene.first_contact(query); }), "query: hold: must be less than some margin");
+    query.options.hold = std::nan("");
+    EXPECT_EQ(refusal([&] { (void)scene.first_contact(query); }), "query: hold: must be in [0, 1e30]");
+}
+
+/// A new contact comes at the margin, and a second pair comes before the first one is at the hold distance.
+TEST(Scene, IsClearNoLongerThanAllPairsAre) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    Body stair = box({9, 9, 0.5});
+    const Body step = box({1, 1, 1});
+    for (const Eigen::Vector3d& vertex : step.vertices)
+        stair.vertices.push_back(vertex + Eigen::Vector3d(4, 0, 0.5));
+    for (std::vector<std::uint32_t> face : step.faces) {
+        for (std::uint32_t& corner : face)
+            corner += 8;
+        stair.faces.push_back(face);
+    }
+    Scene scene;
+    scene.add({"floor", stair.polyhedron(), Motion::at_rest(shifted(0, 0, -0.5))});
+    scene.add({"box", cube, Motion::velocity(shifted(0, 0, 0.55), shifted(4, 0, 0.55))});
+    // The box is at the margin of the step at 2.4 / 4, and at the hold distance at 2.48 / 4.
+    scene.add({"late", cube, Motion::velocity(shifted(0, 7, 5.6), shifted(0, 7, 5.6 - 5 / 0.61))});
+    SceneQuery query{.options = {.margin = 0.1, .hold = 0.02}};
+    const SceneAnswer found = scene.first_contact(query);
+    ASSERT_EQ(found.contacts.size(), 1U);
+    EXPECT_NEAR(found.contacts[0].contact.time.lower, 0.6, 1e-11);
+    EXPECT_NEAR(found.contacts[0].contact.clear_until, 0.62, 1e-11);
+    EXPECT_EQ(found.clear_until, found.contacts[0].contact.time.upper);
+    EXPECT_NEAR(scene.all_contacts(query).clear_until, 0.61, 1e-11);
 }
 
 TEST(Scene, LooksNoFurtherThanAsked) {

@@ -7,7 +7,7 @@ import type { Answer, Scene, Vector } from "./scene";
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
 
 function meaningWithHold({ verdict, time, clear_until }: Answer, margin: number): string {
-  if (verdict === "clear") return `Proven: held contacts keep the hold distance, and no new contact comes within ${margin}.`;
+  if (verdict === "clear") return "Proven: held contacts keep the hold distance.";
   const isNew = clear_until > time!;
   const event = `${isNew ? "A" : "A held contact reaches the hold distance, or a"} new contact comes within ${margin}`;
   return `${event}: inside the bracket, and not before its lower end.`;
