@@ -230,7 +230,7 @@ bool PieceByPiece::search_holding_part(FirstContact& found, const HeldPiece& pie
     near.finds_any = false; // `clear_until` needs the first
     near.pairs = complete(piece.pairs);
     near.from = piece.pairs.part().lower;
-    near.until = tau_after(piece.context.piece(), query_.until);
+    near.until = std::min(tau_after(piece.context.piece(), query_.until), piece.pairs.part().upper);
     const PieceResult at_level = search_piece(piece.context, near);
     found.work += piece.pairs.take_work();
     found.work += at_level.work;

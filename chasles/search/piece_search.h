@@ -27,7 +27,8 @@ struct SearchOptions {
     NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
                                          ///< a margin only
     OrbitFilter* orbits = nullptr;       ///< likewise, where they turn about one axis
-    const PartPairs* pairs = nullptr;    ///< complete, for a part in which alone to search: `from` is its lower end
+    const PartPairs* pairs = nullptr; ///< complete, for a part in which alone to search: `from` is its lower end, and
+                                      ///< `until` is not after its upper end
 };
 
 /// The answer for one piece.

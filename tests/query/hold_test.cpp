@@ -164,6 +164,64 @@ TEST(Hold, APrismRollsFromEdgeToEdge) {
     }
 }
 
+/// Adds a box to a body.
+void add_box(Body& body, const Eigen::Vector3d& middle, const Eigen::Vector3d& half) {
+    const auto first = std::uint32_t(body.vertices.size());
+    const Body added = box(half);
+    for (const Eigen::Vector3d& vertex : added.vertices)
+        body.vertices.push_back(vertex + middle);
+    for (std::vector<std::uint32_t> face : added.faces) {
+        for (std::uint32_t& corner : face)
+            corner += first;
+        body.faces.push_back(face);
+    }
+}
+
+/// A piece is searched part by part. The cube sinks onto the hold distance by some roundings, so features seem to come
+/// to it in an early part, and do so in a late one, after the cube has come to a wall.
+TEST(Hold, WhatTwoFeaturesDoLaterDoesNotHideWhatOthersDoBefore) {
+    Body room;
+    add_box(room, {8, 0, -0.5}, {16, 4, 0.5});
+    add_box(room, {8.3, 0, 1}, {0.05, 3, 0.5});
+    const Polyhedron fixed = room.polyhedron();
+    Body small;
+    add_box(small, {0, 0, 0.25}, {0.25, 0.25, 0.25});
+    const Polyhedron moving = small.polyhedron();
+    const double wall = (8.25 - 0.25 - hold) / 16;
+    for (int i = 0; i < 400; ++i)
+        for (const double fall : {1e-12, 3e-12, 1e-11}) {
+            const double height = hold + i * 3e-14;
+            const auto motion = ScrewMotion::between(shifted(0, 0, height), shifted(16, 0, height - fall));
+            const auto found = first_contact(
+                {.moving = moving, .fixed = fixed, .motion = motion, .options = {.margin = margin, .hold = hold}});
+            EXPECT_LE(found.clear_until, wall + 1e-9) << i << ", " << fall;
+        }
+}
+
+/// A tip swings past the edge of a plate, where it is no local minimum, and another feature comes to the margin before
+/// the tip does so again. Cut into short pieces, the motion is searched in parts of its own.
+TEST(Hold, ANewContactIsNotHiddenByALaterOne) {
+    constexpr double degree = std::numbers::pi / 180;
+    const auto turn = [](double angle) { return turned({0, 0, 0}, {0, -1, 0}, angle); };
+    const Eigen::Vector3d tip(1.25, 0, 0), across(0, 1, 0);
+    const Eigen::Vector3d far = tip + 25 * Eigen::Vector3d(std::cos(-61.8 * degree), 0, std::sin(-61.8 * degree));
+    const Polyhedron moving = triangle(tip, far + across, far - across).polyhedron();
+    const Eigen::Vector3d at = turn(-101 * degree).isometry() * (far * (1 + 0.6 / far.norm())), out = at.normalized();
+    Body plate = triangle(at, at + 4 * out + across / 2, at + 4 * out - across / 2);
+    for (const Eigen::Vector3d& corner : {Eigen::Vector3d(-1, -1, -0.2), {1, -1, -0.2}, {1, 1, -0.2}, {-1, 1, -0.2}})
+        plate.vertices.push_back(corner);
+    plate.faces.push_back({3, 4, 5, 6});
+    const Polyhedron fixed = plate.polyhedron();
+    const auto time_with = [&](double max_turn) {
+        const auto motion = ScrewMotion::between(turn(43 * degree), turn(-125 * degree), max_turn);
+        return first_contact(
+                   {.moving = moving, .fixed = fixed, .motion = motion, .options = {.margin = 1, .hold = 0.1}})
+            .time.lower;
+    };
+    EXPECT_NEAR(time_with(std::numbers::pi), 0.846613, 1e-6);
+    EXPECT_NEAR(time_with(0.1), 0.846613, 1e-6);
+}
+
 TEST(Hold, AnyContactStillTellsHowFarOneMayGo) {
     for (const Find find : {Find::first, Find::any}) {
         const auto found = first_contact({.moving = cube(),

@@ -332,11 +332,5 @@ TEST(Trajectories, FlushSidesTiltedByRoundingDoNotOverlapAtTheStart) {
     }
 }
 
-TEST(Trajectories, WhatIsNotSupportedIsRefused) {
-    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
-    const Motion motion = Motion::velocity(shifted(3, 0, 0), turned({1.1, 0, 0}, {0, 0, 1}, 1));
-    EXPECT_THROW((void)ask(cube, cube, motion, {.margin = 1, .hold = 0.5}), InvalidInput);
-}
-
 } // namespace
 } // namespace chasles::test
