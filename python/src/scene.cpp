@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <mutex>
+#include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>

@@ -273,7 +273,7 @@ test("scenes: adding, moving, removing, rules", () => {
 test("scenes: what rests on a table may slide", () => {
   const scene = chasles.scene();
   scene.add("table", cube);
-  scene.add("box", cube, { pose: [0, 0, 1.05], goal: [0.5, 0, 1.05] });
+  scene.add("box", cube, { pose: [0, 0, 2.05], goal: [0.5, 0, 2.05] });
   assert.equal(scene.firstContact({ margin: 0.1 }).verdict, "contact_at_start");
   assert.equal(scene.firstContact({ margin: 0.1, hold: 0.02 }).verdict, "clear");
   scene.setGroupHold("", "", 0.02);
