@@ -266,7 +266,7 @@ test("scenes: adding, moving, removing, rules", () => {
   assert.match(refusal(() => scene.add("d", cube, { poses: [far, near], times: [0, 2] })), /^times: must run from 0 to 1/);
   assert.match(refusal(() => scene.add("d", cube, { poses: [far], pose: far })), /^poses: stand instead/);
   assert.match(refusal(() => scene.remove("x")), /^scene: x: is not in the scene/);
-  assert.match(refusal(() => scene.firstContact({ hold: 0 })), /^query: hold: must be less than some margin/);
+  assert.match(refusal(() => scene.firstContact({ hold: 9 })), /^query: hold: must be less than some margin/);
   assert.deepEqual(scene.names, ["c", "b"]);
 });
 
