@@ -63,7 +63,8 @@ struct [[nodiscard]] SceneAnswer {
     /// contact: the first pair, and all pairs whose brackets overlap with its bracket, as they may touch at the same
     /// time. Where pairs touch at the start, Find::first gives some of them, and Find::first_with_all_contacts all.
     std::vector<SceneContact> contacts;
-    /// Before this time all pairs are proven to stay apart, or farther apart than the margin.
+    /// Before this time all pairs are proven to stay apart, or farther apart than the margin. Held pairs stay farther
+    /// apart than `hold`, or than at the start where that is less.
     double clear_until = 0;
     std::size_t pairs = 0; ///< whose swept boxes overlap
     Work work;
