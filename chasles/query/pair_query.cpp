@@ -86,12 +86,13 @@ private:
         PieceContext& context;
         search::PartPairs& pairs;
         bool is_first;
+        double until; ///< tau after which no contact matters
     };
     [[nodiscard]] search::PartPairs pairs_of(PieceContext& piece, double margin) const {
         return {piece, {*options_.hold, margin}, {query_.neighbours, orbits_}};
     }
     void search_holding(FirstContact& found, const HeldPiece& first, double level, const ContactMoment& start);
-    bool search_holding_piece(const HeldPiece& piece, auto search_part) const;
+    static bool search_holding_piece(const HeldPiece& piece, auto search_part);
     bool search_holding_part(FirstContact& found, const HeldPiece& piece, double level,
                              const search::HeldContacts& held);
     /// What comes within the level in a part.
@@ -168,7 +169,8 @@ FirstContact PieceByPiece::run_holding() {
     }
     found.held = start.contacts_of(near.pairs);
     found.contacts_cut = cut_to_most(found.held) || near.is_cut;
-    search_holding(found, {first_piece, pairs, true}, level.distance, start);
+    search_holding(found, {first_piece, pairs, true, tau_after(first_piece.piece(), query_.until)}, level.distance,
+                   start);
     if (level.is_reached && found.clear_until < query_.until)
         found.clear_until = 0;
     return found;
@@ -203,7 +205,7 @@ void PieceByPiece::search_holding(FirstContact& found, const HeldPiece& first, d
         if (context.piece().time_of({0, 0}).lower > query_.until)
             break;
         search::PartPairs pairs = pairs_of(context, start.scene().margin + start.scene().slack);
-        is_over = search_holding_piece({context, pairs, false}, search_part);
+        is_over = search_holding_piece({context, pairs, false, tau_after(context.piece(), query_.until)}, search_part);
     }
     if (is_over)
         return;
@@ -213,12 +215,11 @@ void PieceByPiece::search_holding(FirstContact& found, const HeldPiece& first, d
 }
 
 /// Part by part. True as soon as something comes within the level.
-bool PieceByPiece::search_holding_piece(const HeldPiece& piece, auto search_part) const {
-    const double end = tau_after(piece.context.piece(), query_.until);
+bool PieceByPiece::search_holding_piece(const HeldPiece& piece, auto search_part) {
     do
         if (search_part(piece))
             return true;
-    while (piece.pairs.part().upper < end && piece.pairs.go_on());
+    while (piece.pairs.part().upper < piece.until && piece.pairs.go_on());
     return false;
 }
 
@@ -230,7 +231,7 @@ bool PieceByPiece::search_holding_part(FirstContact& found, const HeldPiece& pie
     near.finds_any = false; // `clear_until` needs the first
     near.pairs = complete(piece.pairs);
     near.from = piece.pairs.part().lower;
-    near.until = std::min(tau_after(piece.context.piece(), query_.until), piece.pairs.part().upper);
+    near.until = std::min(piece.until, piece.pairs.part().upper);
     const PieceResult at_level = search_piece(piece.context, near);
     found.work += piece.pairs.take_work();
     found.work += at_level.work;

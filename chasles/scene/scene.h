@@ -99,7 +99,7 @@ public:
     /// The distance that two bodies hold if they start within their margin, in the place of `hold` of the question. It
     /// counts if it is less than the margin. Throws InvalidInput as `set_margin` does.
     void set_hold(std::string_view a, std::string_view b, double hold);
-    /// That of the bodies of one group and those of another one. A pair with a distance of its own keeps it.
+    /// The distance that the bodies of two groups hold. A pair with a distance of its own keeps it.
     void set_group_hold(const std::string& a, const std::string& b, double hold);
 
     /// The earliest contact of all pairs. With Find::any: some contact, if there is any, not placed in time; the same
@@ -134,7 +134,7 @@ private:
     };
 
     [[nodiscard]] Ids ids_of(std::string_view a, std::string_view b, const char* what) const;
-    /// That of the pair or, if it has none, that of its groups.
+    /// The number of two bodies. A number for the pair counts before a number for the groups.
     [[nodiscard]] std::optional<double> rule_of(std::size_t a, std::size_t b, const Rules& rules) const;
 
     std::vector<SceneBody> bodies_;

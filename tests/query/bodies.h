@@ -29,6 +29,19 @@ inline Body box(const Eigen::Vector3d& half) {
     return body;
 }
 
+/// Adds a box to a body.
+inline void add_box(Body& body, const Eigen::Vector3d& middle, const Eigen::Vector3d& half) {
+    const auto first = std::uint32_t(body.vertices.size());
+    const Body added = box(half);
+    for (const Eigen::Vector3d& vertex : added.vertices)
+        body.vertices.push_back(vertex + middle);
+    for (std::vector<std::uint32_t> face : added.faces) {
+        for (std::uint32_t& corner : face)
+            corner += first;
+        body.faces.push_back(face);
+    }
+}
+
 inline Body triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     return {{a, b, c}, {{0, 1, 2}}};
 }

@@ -64,13 +64,7 @@ TEST(HoldOnAnyMotion, ACubeThatTiltsIsStoppedAtTheDistance) {
 /// What is new is told at the hold distance as well, unlike on a screw.
 TEST(HoldOnAnyMotion, AWallIsToldAtTheHoldDistance) {
     Body room = box({9, 9, 0.5});
-    Body wall = box({9, 0.5, 2});
-    for (std::vector<std::uint32_t>& face : wall.faces)
-        for (std::uint32_t& corner : face)
-            corner += 8;
-    for (const Vector3d& vertex : wall.vertices)
-        room.vertices.push_back(vertex + Vector3d(0, 4.5, 2.6));
-    room.faces.insert(room.faces.end(), wall.faces.begin(), wall.faces.end());
+    add_box(room, {0, 4.5, 2.6}, {9, 0.5, 2});
     const double angle = std::numbers::pi / 2;
     const auto found = ask(swing(angle), room.polyhedron());
     ASSERT_EQ(found.verdict, Verdict::contact);
@@ -93,7 +87,7 @@ TEST(HoldOnAnyMotion, BodiesThatTouchAreInContactAtTheStart) {
               Verdict::contact_at_start);
 }
 
-/// What comes after the time that was asked for does not matter.
+/// Contacts after the limit do not matter.
 TEST(HoldOnAnyMotion, EndsAtTheTimeThatWasAskedFor) {
     const QueryOptions options{.margin = margin, .hold = hold};
     const Pose start = shifted(0, 0, height);

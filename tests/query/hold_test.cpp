@@ -24,14 +24,7 @@ const Polyhedron& table_with_wall() {
         result.faces.pop_back();
         result.faces.push_back({4, 5, 7});
         result.faces.push_back({4, 7, 6});
-        Body wall = box({0.5, 4, 2});
-        for (Eigen::Vector3d& vertex : wall.vertices)
-            result.vertices.push_back(vertex + Eigen::Vector3d(3, 0, 2.6));
-        for (std::vector<std::uint32_t> face : wall.faces) {
-            for (std::uint32_t& corner : face)
-                corner += 8;
-            result.faces.push_back(face);
-        }
+        add_box(result, {3, 0, 2.6}, {0.5, 4, 2});
         return result.polyhedron();
     }();
     return body;
@@ -161,19 +154,6 @@ TEST(Hold, APrismRollsFromEdgeToEdge) {
         const auto found = ask(turned({place, 0, height}, {0, 1, 0}, angle * step),
                                turned({place + side, 0, height}, {0, 1, 0}, angle * (step + 1)), roller);
         EXPECT_EQ(found.verdict, Verdict::clear) << step;
-    }
-}
-
-/// Adds a box to a body.
-void add_box(Body& body, const Eigen::Vector3d& middle, const Eigen::Vector3d& half) {
-    const auto first = std::uint32_t(body.vertices.size());
-    const Body added = box(half);
-    for (const Eigen::Vector3d& vertex : added.vertices)
-        body.vertices.push_back(vertex + middle);
-    for (std::vector<std::uint32_t> face : added.faces) {
-        for (std::uint32_t& corner : face)
-            corner += first;
-        body.faces.push_back(face);
     }
 }
 

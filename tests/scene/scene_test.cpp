@@ -268,14 +268,7 @@ TEST(Scene, HeldPairsMayMoveOn) {
 TEST(Scene, IsClearNoLongerThanAllPairsAre) {
     const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
     Body stair = box({9, 9, 0.5});
-    const Body step = box({1, 1, 1});
-    for (const Eigen::Vector3d& vertex : step.vertices)
-        stair.vertices.push_back(vertex + Eigen::Vector3d(4, 0, 0.5));
-    for (std::vector<std::uint32_t> face : step.faces) {
-        for (std::uint32_t& corner : face)
-            corner += 8;
-        stair.faces.push_back(face);
-    }
+    add_box(stair, {4, 0, 0.5}, {1, 1, 1});
     Scene scene;
     scene.add({"floor", stair.polyhedron(), Motion::at_rest(shifted(0, 0, -0.5))});
     scene.add({"box", cube, Motion::velocity(shifted(0, 0, 0.55), shifted(4, 0, 0.55))});
