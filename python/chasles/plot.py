@@ -190,7 +190,7 @@ def _title(found: FirstContact) -> str:
     if found.verdict == Verdict.contact_at_start:
         return f"contact{within} at the start"
     if found.held:
-        return "clear: held contacts keep the hold distance"
+        return "clear: the hold distance is kept, or that of the start if it is less"
     return f"clear: nothing {'comes' + within if within else 'touches'} during the whole motion"
 
 

@@ -18,8 +18,8 @@ for paths ``segment``:
 ``fixed_feature``   the fixed body's feature, in the same form
 ``px py pz``        contact point in the world; NaN if there is none
 ``nx ny nz``        contact normal, from the fixed body to the moving body
-``clear_until``     the bodies are proven to stay farther apart than the margin (with ``hold``: than the hold
-                    distance) before this time
+``clear_until``     the bodies are proven to stay farther apart than the margin before this time; with ``hold``
+                    than the hold distance, or that of the start if it is less
 ``distance``        (least distances only) lower end of the bracket around the least distance: the surfaces
                     never come nearer. If it is above 0, the times and the features are those of the least
                     distance

@@ -116,7 +116,7 @@ def test_plot_says_what_was_asked(cube, plt):
     assert title([0, 0, 3, 1, 0, 0, 0], margin=0.1) == "contact within 0.1 at the start"
     assert title([0, 0, 0, 1, 0, 0, 0], margin=0.01).startswith("contact within 0.01 at time 0.0380")
     held = title([3, 0, 1.05, 1, 0, 0, 0], margin=0.1, hold=0.02)
-    assert held == "clear: held contacts keep the hold distance"
+    assert held == "clear: the hold distance is kept, or that of the start if it is less"
 
 
 def test_plot_draws_into_axes_that_are_given(cube, plt):

@@ -124,7 +124,7 @@ class Page(PageTest):
     def test_what_is_held_goes_on(self) -> None:
         self.open("slide.html")
         self.assertEqual(self.text("#verdict"), "Clear")
-        self.assertIn("held contacts keep the hold distance", self.text("#meaning"))
+        self.assertIn("the bodies keep the hold distance", self.text("#meaning"))
         self.assertIn("held at the start", self.text("#numbers").lower())
 
     def test_what_is_held_may_come_nearer(self) -> None:

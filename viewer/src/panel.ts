@@ -7,7 +7,7 @@ import type { Answer, Scene, Vector } from "./scene";
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
 
 function meaningWithHold({ verdict, time, clear_until }: Answer, margin: number): string {
-  if (verdict === "clear") return "Proven: held contacts keep the hold distance.";
+  if (verdict === "clear") return "Proven: the bodies keep the hold distance, or that of the start if it is less.";
   const isNew = clear_until > time!;
   const event = `${isNew ? "A" : "A held contact reaches the hold distance, or a"} new contact comes within ${margin}`;
   return `${event}: inside the bracket, and not before its lower end.`;
