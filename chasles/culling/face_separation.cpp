@@ -27,8 +27,8 @@ std::optional<Vector3<double>> FaceSeparation::direction(std::uint32_t moving_fa
 
 /// Gilbert's algorithm converges slowly for faces that lie along each other: they are widest apart along a normal of a
 /// face, or along a direction that is perpendicular to two edges.
-std::optional<Vector3<double>> FaceSeparation::widest(std::uint32_t moving_face, std::uint32_t fixed_face,
-                                                      double time) {
+std::optional<FaceSeparation::Direction> FaceSeparation::widest(std::uint32_t moving_face, std::uint32_t fixed_face,
+                                                                double time) {
     constexpr int most_steps = 3;
     constexpr double enough = 0.9; // of the distance
     place_corners(moving_face, fixed_face, time);
@@ -40,11 +40,21 @@ std::optional<Vector3<double>> FaceSeparation::widest(std::uint32_t moving_face,
             break;
         const Vector3<double> farthest = try_direction(scale(nearest, 1 / distance), widest);
         if (widest.gap > enough * distance)
-            return widest.direction;
+            return Direction{widest.direction, no_axis};
         const Vector3<double> way = farthest - nearest;
         nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));
     }
-    try_all_across(widest);
+    for (Axis axis = 1; axis < end_of_axes(); ++axis)
+        try_axis(axis, widest);
+    return widest.gap > 0 ? std::optional(Direction{widest.direction, widest.axis}) : std::nullopt;
+}
+
+std::optional<Vector3<double>> FaceSeparation::along(Axis axis, std::uint32_t moving_face, std::uint32_t fixed_face,
+                                                     double time) {
+    place_corners(moving_face, fixed_face, time);
+    WidestGap widest;
+    if (axis != no_axis && axis < end_of_axes())
+        try_axis(axis, widest);
     return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
 }
 
@@ -68,15 +78,21 @@ std::optional<Vector3<double>> FaceSeparation::beyond(std::uint32_t moving_face,
     return widest.gap > 0 ? std::optional(widest.direction) : std::nullopt;
 }
 
-/// The normals of both faces, and the perpendiculars of their edges.
-void FaceSeparation::try_all_across(WidestGap& widest) const {
+FaceSeparation::Axis FaceSeparation::end_of_axes() const {
     constexpr std::size_t most_edge_pairs = 64;
-    for (const auto* corners : {&fixed_corners_, &moving_corners_})
-        try_across((*corners)[1] - (*corners)[0], (*corners)[2] - (*corners)[0], widest);
-    if (moving_corners_.size() * fixed_corners_.size() <= most_edge_pairs)
-        for (std::size_t i = 0; i < moving_corners_.size(); ++i)
-            for (std::size_t j = 0; j < fixed_corners_.size(); ++j)
-                try_across(edge(moving_corners_, i), edge(fixed_corners_, j), widest);
+    const std::size_t edge_pairs = moving_corners_.size() * fixed_corners_.size();
+    return first_of_edges + (edge_pairs <= most_edge_pairs ? Axis(edge_pairs) : 0);
+}
+
+/// The normals of both faces, and then the perpendiculars of their edges.
+void FaceSeparation::try_axis(Axis axis, WidestGap& widest) const {
+    if (axis < first_of_edges) {
+        const auto& corners = axis == 1 ? fixed_corners_ : moving_corners_;
+        try_across(corners[1] - corners[0], corners[2] - corners[0], axis, widest);
+        return;
+    }
+    const std::size_t edges = axis - first_of_edges, count = fixed_corners_.size();
+    try_across(edge(moving_corners_, edges / count), edge(fixed_corners_, edges % count), axis, widest);
 }
 
 /// From a corner to the next one.
@@ -85,21 +101,22 @@ Vector3<double> FaceSeparation::edge(const std::vector<Vector3<double>>& corners
 }
 
 /// Along a unit direction. Returns the support.
-Vector3<double> FaceSeparation::try_direction(const Vector3<double>& along, WidestGap& widest) const {
+Vector3<double> FaceSeparation::try_direction(const Vector3<double>& along, WidestGap& widest, Axis axis) const {
     const Vector3<double> farthest = support(along);
     if (const double gap = dot(along, farthest); gap > widest.gap)
-        widest = {along, gap};
+        widest = {along, gap, axis};
     return farthest;
 }
 
 /// Perpendicular to both, towards the moving face.
-void FaceSeparation::try_across(const Vector3<double>& a, const Vector3<double>& b, WidestGap& widest) const {
+void FaceSeparation::try_across(const Vector3<double>& a, const Vector3<double>& b, Axis axis,
+                                WidestGap& widest) const {
     const Vector3<double> across = cross(a, b);
     const double size = length(across);
     if (!(size > 0))
         return;
     const bool is_towards_moving = dot(across, between_means()) > 0;
-    try_direction(scale(across, is_towards_moving ? 1 / size : -1 / size), widest);
+    try_direction(scale(across, is_towards_moving ? 1 / size : -1 / size), widest, axis);
 }
 
 void FaceSeparation::place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time) {

@@ -22,8 +22,17 @@ public:
     std::optional<Vector3<double>> direction(std::uint32_t moving_face, std::uint32_t fixed_face, double time,
                                              double distance);
 
-    /// The unit direction with the widest gap that a longer search finds, up to rounding. Empty if it finds no gap.
-    std::optional<Vector3<double>> widest(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
+    /// A direction that the features of both faces have in common: a normal, or across two edges.
+    using Axis = std::uint32_t;
+    static constexpr Axis no_axis = 0;
+    struct Direction {
+        Vector3<double> along; ///< unit
+        Axis axis;             ///< or none
+    };
+    /// The direction with the widest gap that a longer search finds, up to rounding. Empty if it finds no gap.
+    std::optional<Direction> widest(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
+    /// The unit direction of an axis at another time. Empty if there is no gap along it.
+    std::optional<Vector3<double>> along(Axis axis, std::uint32_t moving_face, std::uint32_t fixed_face, double time);
 
     /// Two distances, the smaller one first.
     struct Distances {
@@ -39,10 +48,13 @@ private:
     struct WidestGap {
         Vector3<double> direction{};
         double gap = 0;
+        Axis axis = no_axis;
     };
-    Vector3<double> try_direction(const Vector3<double>& along, WidestGap& widest) const;
-    void try_all_across(WidestGap& widest) const;
-    void try_across(const Vector3<double>& a, const Vector3<double>& b, WidestGap& widest) const;
+    static constexpr Axis first_of_edges = 3;
+    Vector3<double> try_direction(const Vector3<double>& along, WidestGap& widest, Axis axis = no_axis) const;
+    [[nodiscard]] Axis end_of_axes() const;
+    void try_axis(Axis axis, WidestGap& widest) const;
+    void try_across(const Vector3<double>& a, const Vector3<double>& b, Axis axis, WidestGap& widest) const;
     static Vector3<double> edge(const std::vector<Vector3<double>>& corners, std::size_t from);
     void place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
     [[nodiscard]] Vector3<double> between_means() const;

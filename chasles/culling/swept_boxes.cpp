@@ -61,6 +61,15 @@ SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes& inner
     return plain::overlap_windows(outer, inner, a_in_b, b_in_a, margin, when);
 }
 
+SweptBoxes::Gaps widest_gaps(const TwoNodes& outer, const TwoNodes& inner, const SweptBoxes::View& a_in_b,
+                               const SweptBoxes::View& b_in_a) {
+#if defined(CHASLES_KERNEL_AVX2)
+    if (__builtin_cpu_supports("avx2"))
+        return avx2::widest_gaps(outer, inner, a_in_b, b_in_a);
+#endif
+    return plain::widest_gaps(outer, inner, a_in_b, b_in_a);
+}
+
 /// Sets the four lanes of one end (0: start, 1: end).
 void set(SweptBoxes::BothEnds& ends, int end, double value) {
     std::fill_n(&ends.lanes[4 * std::size_t(end)], 4, float(value));
@@ -95,6 +104,10 @@ SweptBoxes::SweptBoxes(const Placement& start, const Placement& end, const BoxSl
 SweptBoxes::Windows SweptBoxes::overlap_windows(const TwoNodes& moving, const TwoNodes& fixed,
                                                 const Window& when) const {
     return culling::overlap_windows(moving, fixed, moving_, fixed_, margin_, when);
+}
+
+SweptBoxes::Gaps SweptBoxes::widest_gaps(const TwoNodes& moving, const TwoNodes& fixed) const {
+    return culling::widest_gaps(moving, fixed, moving_, fixed_);
 }
 
 } // namespace chasles::culling

@@ -54,6 +54,15 @@ public:
     using Windows = std::array<Window, 4>;
     [[nodiscard]] Windows overlap_windows(const TwoNodes& moving, const TwoNodes& fixed, const Window& when) const;
 
+    /// Lower bounds of the distances of four pairs of nodes; 0 where no tested direction separates them.
+    struct Gaps {
+        std::array<float, 4> start;  ///< of the interval
+        std::array<float, 4> end;
+        std::array<float, 4> on_way; ///< during the whole interval
+    };
+    /// Of the same pairs, in the same order. The margin does not count.
+    [[nodiscard]] Gaps widest_gaps(const TwoNodes& moving, const TwoNodes& fixed) const;
+
     /// A number at the start (four lanes) and at the end (four lanes) of the interval.
     struct alignas(32) BothEnds {
         std::array<float, 8> lanes{};

@@ -12,7 +12,7 @@ struct Boxes {
 
 /// Centres and half sides. Halving before the sum is exact.
 template <class Order>
-Boxes boxes_of(const TwoNodes& nodes) {
+[[gnu::always_inline]] inline Boxes boxes_of(const TwoNodes& nodes) {
     const auto& [a, b] = nodes;
     const auto half_of = [](const float& of_a, const float& of_b) {
         return broadcast(0.5F) * distribute<Order>(of_a, of_b);
@@ -34,7 +34,7 @@ struct Slabs {
 
 /// Unpacks the slabs as `PackedSlab` does.
 template <class Order>
-Slabs slabs_of(const TwoNodes& nodes, const Vectors& box_half) {
+[[gnu::always_inline]] inline Slabs slabs_of(const TwoNodes& nodes, const Vectors& box_half) {
     const std::uint32_t a = nodes[0]->slab.bytes();
     const std::uint32_t b = nodes[1]->slab.bytes();
     const Lanes u = distribute_byte<Order, 0>(a, b);
@@ -59,7 +59,9 @@ class OverlapWindow {
 public:
     explicit OverlapWindow(const Window& when) : lower_(broadcast(when.lower)), upper_(broadcast(when.upper)) {}
 
-    /// Excludes the times at which gap a or gap b is open. Without branches: which gaps are open cannot be foretold.
+    /// Excludes the times at which gap a or gap b is open, along any vector. Without branches: which gaps are open
+    /// cannot be foretold.
+    void add(const Vectors& /*along*/, Lanes a, Lanes b) { add(a, b); }
     void add(Lanes a, Lanes b) {
         const Lanes start = starts(a, b);
         const Lanes end = ends(a, b);
@@ -97,6 +99,45 @@ private:
     Bits open_{}; ///< lanes with a gap that is open during the whole interval
 };
 
+/// An upper bound of the length of a vector of 1-norm one, at most 1e-4 above it. Two Newton steps for the square root of
+/// a number in [1/3, 1] stay above the root.
+[[gnu::always_inline]] inline Lanes length_above(const Vectors& normal) {
+    const Lanes square = dot(normal, normal);
+    Lanes length = broadcast(0.5F) * (square + broadcast(1));
+    for (int step = 0; step < 2; ++step)
+        length = broadcast(0.5F) * (length + square / length);
+    return length;
+}
+
+/// The widest gaps of each pair.
+class WidestGaps {
+public:
+    void add(Lanes a, Lanes b) {
+        at_ends_ = max(at_ends_, max(a, b));
+        on_way_ = max(on_way_, max(min(a, halves_swapped(a)), min(b, halves_swapped(b))));
+    }
+    /// Gaps along a vector of 1-norm one.
+    void add(const Vectors& along, Lanes a, Lanes b) {
+        const Lanes per_length = broadcast(1) / length_above(along);
+        add(a * per_length, b * per_length);
+    }
+
+    [[nodiscard]] SweptBoxes::Gaps gaps() const {
+        SweptBoxes::Gaps gaps;
+        std::array<float, 8> lanes;
+        std::memcpy(lanes.data(), &at_ends_, sizeof lanes);
+        std::copy_n(lanes.begin(), 4, gaps.start.begin());
+        std::copy_n(lanes.begin() + 4, 4, gaps.end.begin());
+        std::memcpy(lanes.data(), &on_way_, sizeof lanes);
+        std::copy_n(lanes.begin(), 4, gaps.on_way.begin());
+        return gaps;
+    }
+
+private:
+    Lanes at_ends_{}; ///< 0 where nothing separates
+    Lanes on_way_{};
+};
+
 /// The placement of each pair in both frames.
 struct PairPlacement {
     const SweptBoxes::View& a_in_b; ///< points of body a in the frame of body b
@@ -105,7 +146,7 @@ struct PairPlacement {
     Vectors b_from_a; ///< the centre of box b relative to the centre of box a, in the frame of a
 };
 
-inline PairPlacement placement_of(const Boxes& a, const Boxes& b, const SweptBoxes::View& a_in_b,
+[[gnu::always_inline]] inline PairPlacement placement_of(const Boxes& a, const Boxes& b, const SweptBoxes::View& a_in_b,
                                   const SweptBoxes::View& b_in_a) {
     return {a_in_b, b_in_a, rotated(a_in_b, a.centre) + loaded(a_in_b.offset) - b.centre,
             rotated(b_in_a, b.centre) + loaded(b_in_a.offset) - a.centre};
@@ -113,14 +154,16 @@ inline PairPlacement placement_of(const Boxes& a, const Boxes& b, const SweptBox
 
 /// Tests the axes of one frame. `centre` is the centre of one box relative to the other; `extent` is the sum of both
 /// half sides.
-inline void test_axes(OverlapWindow& window, const Vectors& centre, const Vectors& extent) {
+template <class Test>
+[[gnu::always_inline]] inline void test_axes(Test& window, const Vectors& centre, const Vectors& extent) {
     window.add(centre.x - extent.x, -centre.x - extent.x);
     window.add(centre.y - extent.y, -centre.y - extent.y);
     window.add(centre.z - extent.z, -centre.z - extent.z);
 }
 
 /// Tests the axes of both boxes.
-inline void test_box_axes(OverlapWindow& window, const PairPlacement& pair, const Boxes& a, const Boxes& b,
+template <class Test>
+[[gnu::always_inline]] inline void test_box_axes(Test& window, const PairPlacement& pair, const Boxes& a, const Boxes& b,
                           float margin) {
     const Lanes a_slack = broadcast(pair.a_in_b.slack + margin);
     const Lanes b_slack = broadcast(pair.b_in_a.slack + margin);
@@ -128,16 +171,6 @@ inline void test_box_axes(OverlapWindow& window, const PairPlacement& pair, cons
               rotated_extent(pair.a_in_b, a.half) + (b.half + Vectors{a_slack, a_slack, a_slack}));
     test_axes(window, pair.b_from_a,
               rotated_extent(pair.b_in_a, b.half) + (a.half + Vectors{b_slack, b_slack, b_slack}));
-}
-
-/// An upper bound of the length of a slab's normal, at most 1e-4 above it. Two Newton steps for the square root of a
-/// number in [1/3, 1] stay above the root.
-inline Lanes length_above(const Vectors& normal) {
-    const Lanes square = dot(normal, normal);
-    Lanes length = broadcast(0.5F) * (square + broadcast(1));
-    for (int step = 0; step < 2; ++step)
-        length = broadcast(0.5F) * (length + square / length);
-    return length;
 }
 
 /// The patches of the nodes of one body, enclosed in boxes and in slabs.
@@ -148,7 +181,8 @@ struct Patches {
 
 /// Tests the normals of both slabs. The height of a patch along the other slab's normal n' is bounded by its slab for
 /// the part of n' along its own normal, and by its box for the rest of n'.
-inline void test_slab_normals(OverlapWindow& window, const PairPlacement& pair, const Patches& a, const Patches& b,
+template <class Test>
+[[gnu::always_inline]] inline void test_slab_normals(Test& window, const PairPlacement& pair, const Patches& a, const Patches& b,
                               float margin) {
     Lanes a_slack = broadcast(pair.a_in_b.slack + margin);
     Lanes b_slack = broadcast(pair.b_in_a.slack + margin);
@@ -167,8 +201,8 @@ inline void test_slab_normals(OverlapWindow& window, const PairPlacement& pair, 
     const Lanes b_height = dot(a.slab.normal, pair.b_from_a) + (by_b * b.slab.middle - a.slab.middle);
     const Lanes a_thick = a_rest + (magnitude(by_a) * a.slab.half + b.slab.half) + a_slack;
     const Lanes b_thick = b_rest + (magnitude(by_b) * b.slab.half + a.slab.half) + b_slack;
-    window.add(a_height - a_thick, -a_height - a_thick);
-    window.add(b_height - b_thick, -b_height - b_thick);
+    window.add(b.slab.normal, a_height - a_thick, -a_height - a_thick);
+    window.add(a.slab.normal, b_height - b_thick, -b_height - b_thick);
 }
 
 /// The support of a patch along a direction of its own frame, relative to the centre of its box.
@@ -178,7 +212,7 @@ struct Support {
     Lanes by_slab; ///< half of the width that the slab and the box allow
 };
 
-inline Support support_along(const Vectors& direction, const Patches& patches) {
+[[gnu::always_inline]] inline Support support_along(const Vectors& direction, const Patches& patches) {
     const Boxes& boxes = patches.box;
     const Slabs& slabs = patches.slab;
     const Lanes share = dot(direction, slabs.normal) * slabs.inverse_square;
@@ -194,7 +228,7 @@ inline Vectors clamped(const Vectors& v, const Vectors& half) {
 
 /// The vectors between two points of the boxes that are near each other, in the frame of b: from the middle of box a
 /// to box b, back to box a and again to box b. Zero if one of the points is in both boxes.
-inline Vectors between_boxes(const PairPlacement& pair, const Boxes& a, const Boxes& b) {
+[[gnu::always_inline]] inline Vectors between_boxes(const PairPlacement& pair, const Boxes& a, const Boxes& b) {
     const Vectors on_b = clamped(pair.a_from_b, b.half);
     const Vectors on_a = clamped(rotated(pair.b_in_a, on_b - pair.a_from_b), a.half);
     const Vectors from_b = pair.a_from_b + rotated(pair.a_in_b, on_a);
@@ -203,7 +237,8 @@ inline Vectors between_boxes(const PairPlacement& pair, const Boxes& a, const Bo
 
 /// Tests the direction between near points of the boxes at one time of the interval . This
 /// direction separates boxes that are small compared with the margin.
-inline void test_nearest_axis(OverlapWindow& window, const PairPlacement& pair, const Patches& a, const Patches& b,
+template <class Test>
+[[gnu::always_inline]] inline void test_nearest_axis(Test& window, const PairPlacement& pair, const Patches& a, const Patches& b,
                               float margin, float time) {
     const Lanes share{1 - time, 1 - time, 1 - time, 1 - time, time, time, time, time};
     const auto at_time = [&](const Vectors& ends) {
@@ -218,7 +253,7 @@ inline void test_nearest_axis(OverlapWindow& window, const PairPlacement& pair, 
     const Support of_b = support_along(axis, b);
     const Lanes gap = dot(axis, pair.a_from_b) - broadcast(pair.a_in_b.slack) - broadcast(margin) * length_above(axis);
     const Lanes between_slabs = of_a.middle - of_b.middle - of_a.by_slab - of_b.by_slab;
-    window.add(gap - of_a.by_box - of_b.by_box, gap + between_slabs);
+    window.add(axis, gap - of_a.by_box - of_b.by_box, gap + between_slabs);
 }
 
 /// The windows of the four pairs of the nodes `outer` of body a and the nodes `inner` of body b.
@@ -237,4 +272,19 @@ inline SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes
     if (margin > 0 && !window.are_apart())
         test_nearest_axis(window, pair, a, b, margin, when.lower);
     return window.windows();
+}
+
+/// The gaps of the four pairs.
+inline SweptBoxes::Gaps widest_gaps(const TwoNodes& outer, const TwoNodes& inner, const SweptBoxes::View& a_in_b,
+                                    const SweptBoxes::View& b_in_a) {
+    const Boxes a_box = boxes_of<Outer>(outer);
+    const Boxes b_box = boxes_of<Inner>(inner);
+    const PairPlacement pair = placement_of(a_box, b_box, a_in_b, b_in_a);
+    const Patches a{a_box, slabs_of<Outer>(outer, a_box.half)};
+    const Patches b{b_box, slabs_of<Inner>(inner, b_box.half)};
+    WidestGaps widest;
+    test_box_axes(widest, pair, a_box, b_box, 0);
+    test_slab_normals(widest, pair, a, b, 0);
+    test_nearest_axis(widest, pair, a, b, 0, 0.5F);
+    return widest.gaps();
 }

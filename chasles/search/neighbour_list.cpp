@@ -1,37 +1,30 @@
 #include "chasles/search/neighbour_list.h"
 
-#include <boost/sort/spreadsort/integer_sort.hpp>
+#include "chasles/base/sort.h"
 
 #include <algorithm>
 #include <limits>
-#include <utility>
 
 namespace chasles::search {
 
 namespace {
 
 using algebra::Vector3;
-using culling::MatrixPose;
+using culling::FaceSeparation;
 
 // Measured with drag_bench.
 constexpr std::size_t most_pairs = 1 << 20;
-constexpr double travels_ahead = 32;  ///< pieces of the usual length that a list serves
-constexpr double skin_of_edges = 0.2; ///< the longest skin: of the mean edge of the body with the longer edges
+constexpr double way_of_edges = 0.8; ///< the longest way that a list serves: of the mean edge of the body with the
+                                     ///< longer edges
+/// A list that has become this many times as long begins anew: much of it was near once, and is not any more.
+constexpr std::size_t most_growth = 2;
+constexpr std::size_t free_growth = 1000; ///< pairs
 
-/// Too much is near even without a skin.
+/// Too much is near.
 constexpr int questions_to_pause = 64;
 
-/// For sums of positions, of which each is off by a bound of coefficients: a matrix has nine (note 31).
-constexpr double roundings = 16;
-
-/// By which pairs are ordered: first the moving face, then the fixed one.
-std::uint64_t key_of(const TwoFaces& faces) {
-    return std::uint64_t(faces.moving) << 32 | faces.fixed;
-}
-
-TwoFaces faces_of(std::uint64_t key) {
-    return {std::uint32_t(key >> 32), std::uint32_t(key)};
-}
+/// The limit of a pair of which nothing is known.
+constexpr double unknown = -std::numeric_limits<double>::infinity();
 
 double mean_edge(const Body& body) {
     double sum = 0;
@@ -44,191 +37,203 @@ double mean_edge(const Body& body) {
     return count > 0 ? sum / double(count) : 0;
 }
 
-/// Collects the leaves of a traversal.
-class Collector {
-public:
-    // The functions that a traversal requires of its leaves.
-    [[nodiscard]] static double best() { return 1; }
-    [[nodiscard]] bool is_over() const { return found_.size() > most_pairs; }
-    [[nodiscard]] static bool is_kept_apart(const culling::NodePair&, double) { return false; }
-    void test(const culling::FacePair& pair) { found_.push_back(key_of({pair.moving, pair.fixed})); }
-
-    [[nodiscard]] std::vector<std::uint64_t>& found() { return found_; }
-
-private:
-    std::vector<std::uint64_t> found_;
-};
+/// Points of single precision, which suffices to foretell how a face moves.
+std::array<float, 3> rounded(const Vector3<double>& point) {
+    return {float(point.x), float(point.y), float(point.z)};
+}
+Vector3<double> in_double(const std::array<float, 3>& point) {
+    return {double(point[0]), double(point[1]), double(point[2])};
+}
 
 } // namespace
 
+/// How points move from the start of a way to its end: y -> turn y + shift.
+struct NeighbourList::Displacements {
+    algebra::Matrix3<double> turned_back; ///< the turn, transposed
+    Vector3<double> shift;
+
+    explicit Displacements(const culling::IntervalEnds& ends) : shift(ends.end.translation - ends.start.translation) {
+        algebra::Matrix3<double> turn;
+        for (int i = 0; i < 3; ++i)
+            turn.row[i] = ends.end.rotation.row[i] - ends.start.rotation.row[i];
+        turned_back = turn.transposed();
+    }
+
+    /// How far each point of a ball moves along a unit vector, or farther.
+    [[nodiscard]] double least_along(const Vector3<double>& unit, const Vector3<double>& middle, double radius) const {
+        const Vector3<double> rate = turned_back * unit;
+        return dot(rate, middle) + dot(unit, shift) - length(rate) * radius;
+    }
+};
+
 NeighbourList::NeighbourList(const Body& moving, const Body& fixed)
-    : moving_(moving), fixed_(fixed), separation_(moving, fixed),
-      longest_skin_(skin_of_edges * std::max(mean_edge(moving), mean_edge(fixed))) {}
+    : moving_(moving), fixed_(fixed), separation_(moving, fixed), travel_(moving), front_(moving, fixed),
+      longest_way_(way_of_edges * std::max(mean_edge(moving), mean_edge(fixed))) {}
 
 std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const PieceContext& context, double margin,
                                                                           Work& work) {
     if (context.is_enclosed())
         return std::nullopt;
-    const Way way = way_of(context, margin);
-    if (!reaches(context, way, work))
+    const culling::PieceParts parts = context.parts(margin);
+    const culling::TimeInterval whole = context.time_tree(margin, parts).interval({});
+    const Way way = way_of(context, whole, margin);
+    arrive(travel_.go_to(way));
+    if (way.travel > longest_way_ || pause_-- > 0)
         return std::nullopt;
-    if (tests_ > 2 * pairs_.size())
-        measure_gaps(way.ends.start);
-    separation_.use(way.ends);
-    placed_.clear();
-    near_.clear();
-    const double travelled = travel(gap_place_, way);
-    for (std::size_t i = 0; i < pairs_.size(); ++i)
-        if (!(gaps_[i] > margin + travelled))
-            if (const double least = least_on_way(i, way); !(least > margin))
-                near_.push_back({pairs_[i].faces, std::max(least, gaps_[i] - travelled)});
+    pause_ = 0;
+    if (is_outdated())
+        restart();
+    last_use_ = travel_.sum();
+    widest_margin_ = std::max(widest_margin_, margin);
+    const double bound = widest_margin_ + way.travel + with_rounding(travel_.sum());
+    faces_.clear();
+    front_.split(whole.boxes, margin, bound, travel_.sum(), most_pairs - std::min(most_pairs, pairs_.size()), faces_,
+                 work);
+    add(faces_);
+    if (size() > most_pairs) {
+        restart();
+        pause_ = questions_to_pause;
+        return std::nullopt;
+    }
+    if (size_at_start_ == 0)
+        size_at_start_ = size();
+    find_near(way, bound);
     return near_;
 }
 
-NeighbourList::Way NeighbourList::way_of(const PieceContext& context, double margin) const {
-    const culling::PieceParts parts = context.parts(margin);
-    const culling::TimeInterval interval = context.time_tree(margin, parts).interval({});
-    return {culling::IntervalEnds(context.maps()), margin, interval.deviation,
-            elementary::with_underflow<double>(roundings * elementary::position_error<double>(parts.scale()))};
+/// The limits of what was tested for the last way are better known by where the body came to on it.
+void NeighbourList::arrive(const Arrival& arrival) {
+    front_.arrive(arrival);
+    for (const auto& [index, gaps] : tested_)
+        limits_.raise(index, gaps.start + arrival.share * (gaps.end - gaps.start) - arrival.beside + arrival.travelled);
+    tested_.clear();
 }
 
-/// How far points of the moving body that come within the margin on their way are then from their places in `from`.
-double NeighbourList::travel(const MatrixPose& from, const Way& way) const {
-    return std::max(distance(from, way.ends.start), distance(from, way.ends.end)) + way.deviation + 2 * way.rounding;
+bool NeighbourList::is_outdated() const {
+    return size() == 0 || travel_.sum() - last_use_ > longest_way_ ||
+           size() > most_growth * size_at_start_ + free_growth;
 }
 
-/// A bound for the distance of the two places of any point of the moving body. The spectral norm of the difference of
-/// two rotations is its Frobenius norm over the square root of two.
-double NeighbourList::distance(const MatrixPose& from, const MatrixPose& to) const {
-    return motion::distance(from, to, motion::vector_in<double>(moving_.bvh().centre()), moving_.bvh().radius());
+void NeighbourList::restart() {
+    travel_.restart();
+    front_.restart();
+    pairs_.clear();
+    limits_.clear();
+    tested_.clear();
+    size_at_start_ = 0;
+    widest_margin_ = 0;
 }
 
-/// Whether all that may come within the margin on this way is listed. Makes a new list if that pays.
-bool NeighbourList::reaches(const PieceContext& context, const Way& way, Work& work) {
-    const double own = travel(way.ends.start, way);
-    const bool moves = own > 4 * way.rounding;
-    if (moves)
-        usual_travel_ += (std::min(own, 2 * usual_travel_ + way.margin) - usual_travel_) / 4;
-    if (way.margin + travel(place_, way) <= reach_)
-        return true;
-    if (std::max(2 * own, usual_travel_) > longest_skin_ || pause_-- > 0)
-        return false;
-    pause_ = 0;
-    place_ = way.ends.start;
-    if (make(context, way.margin + std::clamp(travels_ahead * usual_travel_, 2 * own, longest_skin_), work))
-        return true;
-    longest_skin_ /= 2;
-    if (make(context, way.margin + 2 * own, work))
-        return true;
-    pause_ = questions_to_pause;
-    return false;
-}
-
-/// Lists the pairs within `reach` at the start of the piece. False if there are too many; then there is no list.
-bool NeighbourList::make(const PieceContext& context, double reach, Work& work) {
-    const culling::TimeTree times = context.time_tree(reach, context.parts(reach));
-    Collector leaves;
-    culling::BvhTraversal traversal(moving_.bvh(), fixed_.bvh(), times, reach, false, leaves);
-    work.node_pairs += traversal.run({0, 0});
-    reach_ = leaves.is_over() ? 0 : reach;
-    if (leaves.is_over())
-        leaves.found().clear();
-    boost::sort::spreadsort::integer_sort(leaves.found().begin(), leaves.found().end());
-    take(leaves.found());
-    return reach_ > 0;
-}
-
-/// Pairs that were listed before keep their normals.
-void NeighbourList::take(const std::vector<std::uint64_t>& found) {
-    std::vector<Neighbours> pairs;
-    pairs.reserve(found.size());
-    auto before = pairs_.begin();
-    for (const std::uint64_t key : found) {
-        while (before != pairs_.end() && key_of(before->faces) < key)
-            ++before;
-        const bool is_known = before != pairs_.end() && key_of(before->faces) == key;
-        pairs.push_back(is_known ? *before : Neighbours{faces_of(key)});
+void NeighbourList::add(const std::vector<TwoFaces>& faces) {
+    for (const TwoFaces& two : faces) {
+        Neighbours pair{two};
+        const auto corners = moving_.face(two.moving);
+        pair.middle = rounded(culling::point_of<double>(moving_, corners[0]));
+        for (const std::uint32_t corner : corners)
+            pair.radius = std::max(pair.radius,
+                                   length(culling::point_of<double>(moving_, corner) - in_double(pair.middle)));
+        pairs_.push_back(pair);
+        limits_.push_back(unknown);
     }
-    pairs_ = std::move(pairs);
-    measure_gaps(place_);
 }
 
-void NeighbourList::measure_gaps(const MatrixPose& place) {
-    gap_place_ = place;
-    tests_ = 0;
-    gaps_.clear();
-    for (const Neighbours& pair : pairs_)
-        gaps_.push_back(gap(pair, place));
+/// Tests the pairs with limits up to the bound.
+void NeighbourList::find_near(const Way& way, double bound) {
+    near_.clear();
+    separation_.use(way.ends);
+    placed_starts_.clear();
+    const Displacements displacements(way.ends);
+    for (const auto& [index, limit] : limits_.take_up_to(bound)) {
+        const Neighbours& pair = pairs_[index];
+        const double start = limit - with_rounding(travel_.sum());
+        if (limit > unknown) {
+            const double along = displacements.least_along(pair.normal, in_double(pair.middle), pair.radius);
+            if (std::min(start, start + along) - way.deviation - 2 * way.rounding > way.margin) {
+                limits_.set(index, limit);
+                tested_.push_back({index, {start, start + along}});
+                continue;
+            }
+        }
+        if (const double least = least_on_way(index, way); !(least > way.margin))
+            near_.push_back({pair.faces, least});
+    }
+    chasles::sort(near_, {}, [](const Near& near) { return std::pair(near.faces.moving, near.faces.fixed); });
 }
 
-double NeighbourList::gap(const Neighbours& pair, const MatrixPose& pose) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const std::uint32_t corner : moving_.face(pair.faces.moving))
-        least = std::min(least, dot(pair.normal, pose(culling::point_of<double>(moving_, corner))));
-    return least - pair.offset;
-}
-
-/// Pairs are ascending, so consecutive ones often share the moving face.
+/// Consecutive pairs often share the moving face.
 void NeighbourList::place_corners(std::uint32_t face, const Way& way) {
-    if (!placed_.empty() && placed_face_ == face)
+    if (!placed_starts_.empty() && placed_face_ == face)
         return;
     placed_face_ = face;
-    placed_.clear();
+    placed_starts_.clear();
+    placed_ends_.clear();
     for (const std::uint32_t corner : moving_.face(face)) {
         const Vector3<double> point = culling::point_of<double>(moving_, corner);
-        placed_.push_back(way.ends.start(point));
-        placed_.push_back(way.ends.end(point));
+        placed_starts_.push_back(way.ends.start(point));
+        placed_ends_.push_back(way.ends.end(point));
     }
 }
 
-/// By the half space that is known or, if it does not tell, by a new one. Without a new one if the gap is still about
-/// the widest.
+/// By the half space that is known or, if it does not tell, by a new one. Sets the limit.
 double NeighbourList::least_on_way(std::size_t index, const Way& way) {
-    ++tests_;
     Neighbours& pair = pairs_[index];
     const double uncertain = way.deviation + 2 * way.rounding;
     place_corners(pair.faces.moving, way);
-    const double known = gap_on_way(pair);
-    if (known > way.margin + uncertain || std::abs(known - pair.widest) < 0.25 * pair.widest)
-        return known - uncertain;
-    const bool is_first = pair.offset == 0 && pair.widest == 0;
-    if (is_first && is_beyond(index, way.margin + uncertain))
-        return gap_on_way(pair) - uncertain;
-    const auto direction = separation_.widest(pair.faces.moving, pair.faces.fixed, 0.5);
+    const bool has_gap = gaps_of(pair).on_way > way.margin + uncertain || has_widest_gap(pair) ||
+                         finds_direction(pair, way.margin + uncertain);
+    const Gaps gaps = gaps_of(pair);
+    limits_.set(index, gaps.start + travel_.sum());
+    tested_.push_back({index, gaps});
+    return has_gap ? gaps.on_way - uncertain : 0;
+}
+
+/// Whether the gap is still about the one that was the widest. Then nothing new is tried.
+bool NeighbourList::has_widest_gap(const Neighbours& pair) const {
+    return std::abs(gaps_of(pair).on_way - pair.widest) < 0.25 * pair.widest;
+}
+
+/// A half space for a pair whose moving face is placed. Most pairs that are new are far enough apart for a short search.
+/// A pair that was farther apart than the distance along features of both faces often still is.
+bool NeighbourList::finds_direction(Neighbours& pair, double distance) {
+    const auto& [moving, fixed] = pair.faces;
+    if (!pair.is_known()) {
+        const auto direction = separation_.beyond(moving, fixed, 0.5, {distance, distance});
+        if (direction && take(pair, {*direction, FaceSeparation::no_axis}) > distance) {
+            pair.widest = 0;
+            return true;
+        }
+    }
+    if (pair.axis != FaceSeparation::no_axis)
+        if (const auto direction = separation_.along(pair.axis, moving, fixed, 0.5))
+            if (take(pair, {*direction, pair.axis}) > distance)
+                return true;
+    const auto direction = separation_.widest(moving, fixed, 0.5);
     if (direction)
-        take_direction(index, *direction);
-    return direction ? pair.widest - uncertain : 0;
+        take(pair, *direction);
+    return direction.has_value();
 }
 
-/// By a short search for a half space. Most pairs of a new list are far enough apart for it. A longer search follows
-/// where the half space does not tell any more.
-bool NeighbourList::is_beyond(std::size_t index, double distance) {
-    Neighbours& pair = pairs_[index];
-    const auto direction = separation_.beyond(pair.faces.moving, pair.faces.fixed, 0.5, {distance, distance});
-    if (!direction)
-        return false;
-    take_direction(index, *direction);
-    return std::exchange(pair.widest, 0) > distance;
-}
-
-/// A half space for a pair whose moving face is placed.
-void NeighbourList::take_direction(std::size_t index, const Vector3<double>& direction) {
-    Neighbours& pair = pairs_[index];
-    pair.normal = direction;
-    pair.offset = -std::numeric_limits<double>::infinity();
+/// Returns the gap on the way.
+double NeighbourList::take(Neighbours& pair, const FaceSeparation::Direction& direction) const {
+    pair.normal = direction.along;
+    pair.axis = direction.axis;
+    pair.offset = unknown;
     for (const std::uint32_t corner : fixed_.face(pair.faces.fixed))
         pair.offset = std::max(pair.offset, dot(pair.normal, culling::point_of<double>(fixed_, corner)));
-    gaps_[index] = gap(pair, gap_place_);
-    pair.widest = gap_on_way(pair);
+    pair.widest = gaps_of(pair).on_way;
+    return pair.widest;
 }
 
-/// The least gap along the normal of a pair whose moving face is placed. Heights on chords are between those at the
-/// ends.
-double NeighbourList::gap_on_way(const Neighbours& pair) const {
-    double least = std::numeric_limits<double>::infinity();
-    for (const Vector3<double>& corner : placed_)
-        least = std::min(least, dot(pair.normal, corner));
-    return least - pair.offset;
+/// Along the normal of a pair whose moving face is placed. Heights on chords are between those at the ends.
+Gaps NeighbourList::gaps_of(const Neighbours& pair) const {
+    const auto least = [&](const std::vector<Vector3<double>>& corners) {
+        double height = std::numeric_limits<double>::infinity();
+        for (const Vector3<double>& corner : corners)
+            height = std::min(height, dot(pair.normal, corner));
+        return height - pair.offset;
+    };
+    const double start = least(placed_starts_), end = least(placed_ends_);
+    return {start, end, std::min(start, end)};
 }
 
 } // namespace chasles::search

@@ -7,9 +7,13 @@
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_separation.h"
 #include "chasles/search/find.h"
+#include "chasles/search/limits.h"
+#include "chasles/search/node_front.h"
 #include "chasles/search/owned_pairs.h"
 #include "chasles/search/piece_context.h"
+#include "chasles/search/way.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -40,43 +44,48 @@ private:
         algebra::Vector3<double> normal{}; ///< unit up to rounding, towards the moving face; 0: none is known
         double offset = 0;                 ///< of the fixed face, along the normal
         double widest = 0;                 ///< the gap along the normal when it was found to be the widest one
-    };
-    /// A piece as the list sees it.
-    struct Way {
-        culling::IntervalEnds ends;
-        double margin = 0;
-        double deviation = 0; ///< of points that come within the margin, from the chords between both ends
-        double rounding = 0;  ///< of positions
-    };
+        culling::FaceSeparation::Axis axis = culling::FaceSeparation::no_axis; ///< of the normal
+        std::array<float, 3> middle{}; ///< of a ball around the moving face, in the frame of its body
+        double radius = 0;
 
-    [[nodiscard]] Way way_of(const PieceContext& context, double margin) const;
-    [[nodiscard]] double travel(const culling::MatrixPose& from, const Way& way) const;
-    [[nodiscard]] double distance(const culling::MatrixPose& from, const culling::MatrixPose& to) const;
-    bool reaches(const PieceContext& context, const Way& way, Work& work);
-    bool make(const PieceContext& context, double reach, Work& work);
-    void take(const std::vector<std::uint64_t>& found);
-    void measure_gaps(const culling::MatrixPose& place);
+        [[nodiscard]] bool is_known() const { return offset != 0 || widest != 0; }
+    };
+    struct Tested {
+        std::size_t index;
+        Gaps gaps; ///< along the normal
+    };
+    struct Displacements;
+
+    [[nodiscard]] std::size_t size() const { return pairs_.size() + front_.size(); }
+    [[nodiscard]] bool is_outdated() const;
+    void restart();
+    void arrive(const Arrival& arrival);
+    void add(const std::vector<TwoFaces>& faces);
+    void find_near(const Way& way, double bound);
     void place_corners(std::uint32_t face, const Way& way);
-    [[nodiscard]] double gap(const Neighbours& pair, const culling::MatrixPose& pose) const;
     double least_on_way(std::size_t index, const Way& way);
-    bool is_beyond(std::size_t index, double distance);
-    void take_direction(std::size_t index, const algebra::Vector3<double>& direction);
-    [[nodiscard]] double gap_on_way(const Neighbours& pair) const;
+    [[nodiscard]] bool has_widest_gap(const Neighbours& pair) const;
+    bool finds_direction(Neighbours& pair, double distance);
+    double take(Neighbours& pair, const culling::FaceSeparation::Direction& direction) const;
+    [[nodiscard]] Gaps gaps_of(const Neighbours& pair) const;
 
     const Body& moving_;
     const Body& fixed_;
     culling::FaceSeparation separation_;
-    culling::MatrixPose place_;     ///< of the moving body when the list was made
-    culling::MatrixPose gap_place_; ///< of the moving body when the gaps were measured
-    double reach_ = 0;              ///< pairs within it at that place are listed; 0: there is no list
-    double usual_travel_ = 0;       ///< of a piece
-    double longest_skin_;           ///< of a list
-    int pause_ = 0;                 ///< questions until the next try, after a list that was too long
-    std::vector<Neighbours> pairs_; ///< ascending by faces
-    std::vector<double> gaps_;      ///< of each pair along its normal
-    std::size_t tests_ = 0;         ///< of pairs since the gaps were measured
+    Travel travel_;
+    NodeFront front_;
+    std::vector<Neighbours> pairs_; ///< of faces that the front does not keep apart
+    Limits limits_;                 ///< they are apart by at least the limit less the way that is travelled
+    std::vector<Tested> tested_;    ///< for the last way
+    double longest_way_;            ///< for which a list pays
+    double last_use_ = 0;           ///< the way that was travelled then
+    double widest_margin_ = 0;      ///< of all questions
+    std::size_t size_at_start_ = 0; ///< after the first question; 0 before
+    int pause_ = 0;                 ///< questions until the next try, after too much was near
+    std::vector<TwoFaces> faces_;   ///< that are new
     std::uint32_t placed_face_ = 0;
-    std::vector<algebra::Vector3<double>> placed_; ///< corners of one moving face at both ends of the piece
+    std::vector<algebra::Vector3<double>> placed_starts_; ///< corners of one moving face at the start of the piece
+    std::vector<algebra::Vector3<double>> placed_ends_;   ///< likewise at the end
     std::vector<Near> near_;
 };
 

@@ -1,0 +1,90 @@
+#include "chasles/search/node_front.h"
+
+#include "chasles/culling/split_nodes.h"
+
+#include <algorithm>
+#include <limits>
+
+namespace chasles::search {
+
+struct NodeFront::Splitting {
+    const culling::SweptBoxes& boxes;
+    double margin;
+    double travelled;
+};
+
+void NodeFront::restart() {
+    nodes_.clear();
+    limits_.clear();
+    free_.clear();
+    tested_.clear();
+    nodes_.push_back({0, 0});
+    limits_.push_back(-std::numeric_limits<double>::infinity());
+}
+
+void NodeFront::split(const culling::SweptBoxes& boxes, double margin, double bound, double travelled, std::size_t most,
+                      std::vector<TwoFaces>& faces, Work& work) {
+    tested_.clear();
+    const Splitting splitting{boxes, margin, travelled};
+    // what a pair is split into has its limits from now, and is not taken again
+    for (const auto& [place, limit] : limits_.take_up_to(bound)) {
+        free_.push_back(place);
+        stack_.push_back(nodes_[place]);
+        while (!stack_.empty()) {
+            if (size() + faces.size() > most)
+                return stack_.clear();
+            const TwoNodes pair = stack_.back();
+            stack_.pop_back();
+            split(pair, splitting, faces, work);
+        }
+    }
+}
+
+/// A pair stays as it is if its children are apart.
+void NodeFront::split(const TwoNodes& pair, const Splitting& splitting, std::vector<TwoFaces>& faces, Work& work) {
+    const auto moving = moving_.nodes(), fixed = fixed_.nodes();
+    if (moving[pair.moving].is_bare() && fixed[pair.fixed].is_bare())
+        return;
+    const auto [a, b] = culling::split_nodes(moving, pair.moving, fixed, pair.fixed);
+    const culling::SweptBoxes::Gaps gaps = splitting.boxes.widest_gaps(a.of(moving), b.of(fixed));
+    work.node_pairs += std::uint64_t(a.count) * b.count;
+    if (const double least = *std::ranges::min_element(gaps.on_way); least > splitting.margin)
+        return keep(pair, {*std::ranges::min_element(gaps.start), *std::ranges::min_element(gaps.end), least},
+                    splitting.travelled);
+    if (moving[pair.moving].is_leaf() && fixed[pair.fixed].is_leaf()) {
+        faces.push_back({moving[pair.moving].first, fixed[pair.fixed].first});
+        return;
+    }
+    for (std::uint32_t i = 0; i < a.count; ++i)
+        for (std::uint32_t j = 0; j < b.count; ++j) {
+            const TwoNodes child{a.first + i, b.first + j};
+            const std::size_t lane = 2 * i + j;
+            if (gaps.on_way[lane] > splitting.margin)
+                keep(child, {gaps.start[lane], gaps.end[lane], gaps.on_way[lane]}, splitting.travelled);
+            else
+                stack_.push_back(child);
+        }
+}
+
+void NodeFront::keep(const TwoNodes& pair, const Gaps& gaps, double travelled) {
+    std::size_t place = nodes_.size();
+    if (free_.empty()) {
+        nodes_.push_back(pair);
+        limits_.push_back(gaps.start + travelled);
+    } else {
+        place = free_.back();
+        free_.pop_back();
+        nodes_[place] = pair;
+        limits_.set(place, gaps.start + travelled);
+    }
+    tested_.push_back({place, gaps});
+}
+
+/// The widest gaps are along different directions at both ends, so between them only the gap on the way counts.
+void NodeFront::arrive(const Arrival& arrival) {
+    for (const auto& [place, gaps] : tested_)
+        limits_.raise(place, std::max(gaps.end - arrival.from_end, gaps.on_way - arrival.beside) + arrival.travelled);
+    tested_.clear();
+}
+
+} // namespace chasles::search

@@ -1,0 +1,55 @@
+// Pairs of nodes that are apart, kept while the moving body moves on. Together with the pairs of faces that were found
+// between them they cover all pairs of faces.
+// Source: docs/derivations/31-neighbour-lists.md, "Pairs of nodes".
+#pragma once
+
+#include "chasles/culling/swept_boxes.h"
+#include "chasles/search/find.h"
+#include "chasles/search/limits.h"
+#include "chasles/search/owned_pairs.h"
+#include "chasles/search/way.h"
+
+#include <vector>
+
+namespace chasles::search {
+
+/// The front of a traversal of two hierarchies. Bodies are kept by reference.
+class NodeFront {
+public:
+    NodeFront(const Body& moving, const Body& fixed) : moving_(moving.bvh()), fixed_(fixed.bvh()) {}
+
+    /// Begins with both roots.
+    void restart();
+    [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+
+    /// Splits the pairs with limits up to `bound` that may come within the margin on a way. Appends pairs of faces that
+    /// may do so. If there are more than `most` pairs in all, it stops, and is to be restarted. The limits are of ways that sum up to `travelled` at the start.
+    void split(const culling::SweptBoxes& boxes, double margin, double bound, double travelled, std::size_t most,
+               std::vector<TwoFaces>& faces, Work& work);
+    /// Raises the limits of the pairs that the last `split` has tested.
+    void arrive(const Arrival& arrival);
+
+private:
+    struct TwoNodes {
+        std::uint32_t moving;
+        std::uint32_t fixed;
+    };
+    struct Tested {
+        std::size_t place;
+        Gaps gaps;
+    };
+    struct Splitting;
+
+    void split(const TwoNodes& pair, const Splitting& splitting, std::vector<TwoFaces>& faces, Work& work);
+    void keep(const TwoNodes& pair, const Gaps& gaps, double travelled);
+
+    const Bvh& moving_;
+    const Bvh& fixed_;
+    std::vector<TwoNodes> nodes_;   ///< they, or all of their children, are apart
+    Limits limits_;                 ///< by at least the limit less the way that is travelled
+    std::vector<std::size_t> free_; ///< places in nodes_ that hold no pair
+    std::vector<Tested> tested_;    ///< by the last `split`; each place at most once
+    std::vector<TwoNodes> stack_;
+};
+
+} // namespace chasles::search

@@ -1,0 +1,61 @@
+// A piece of motion as lists of neighbours see it: how far points get on it, and how far they came in all.
+// Source: docs/derivations/31-neighbour-lists.md, "Limits".
+#pragma once
+
+#include "chasles/culling/interval_ends.h"
+#include "chasles/search/piece_context.h"
+
+namespace chasles::search {
+
+/// A piece with a margin. Points that come within the margin move on chords between both ends, up to the deviation.
+struct Way {
+    culling::IntervalEnds ends;
+    double margin = 0;
+    double deviation = 0;
+    double rounding = 0; ///< of positions
+    double travel = 0;   ///< a bound of how far such points get from their places at the start
+};
+
+/// `whole` is the interval of the whole piece for points within the margin.
+Way way_of(const PieceContext& context, const culling::TimeInterval& whole, double margin);
+
+/// Two patches are apart by at least this much at the start of a way, at its end, and all the time between.
+struct Gaps {
+    double start = 0;
+    double end = 0;
+    double on_way = 0;
+};
+
+/// The place to which the moving body came.
+struct Arrival {
+    double share = 0;     ///< of the last way, about
+    double beside = 0;    ///< a bound of how far points are from their places on the chords at this share
+    double from_end = 0;  ///< likewise from their places at the end
+    double travelled = 0; ///< a bound of how far points have gone in all
+};
+
+/// Sums up the ways of a body.
+class Travel {
+public:
+    /// The body is kept by reference.
+    explicit Travel(const Body& moving) : moving_(moving) {}
+
+    /// The body stands at the start of a way, and is to go this way next. Since the last call, it may have gone
+    /// anywhere.
+    Arrival go_to(const Way& way);
+    /// How far points have gone up to the last call; 0 again after `restart`.
+    [[nodiscard]] double sum() const { return sum_; }
+    void restart() { sum_ = 0; }
+
+private:
+    const Body& moving_;
+    culling::IntervalEnds last_{};
+    double sum_ = 0;
+};
+
+/// The sum of a limit and what is travelled is rounded to less than this much more than it is.
+inline double with_rounding(double travelled) {
+    return travelled * (1 + 0x1p-50);
+}
+
+} // namespace chasles::search
