@@ -103,7 +103,8 @@ std::string headline(const FirstContact& found, double margin) {
     switch (found.verdict) {
     case Verdict::clear:
         if (!found.held.empty())
-            return "CLEAR: proven that the bodies keep the hold distance, or that of the start if it is less, during the "
+            return "CLEAR: proven that the bodies keep the hold distance, or that of the start if it is less, during "
+                   "the "
                    "whole motion\n";
         return fmt::format("CLEAR: proven that nothing {} during the whole motion\n",
                            margin > 0 ? "comes" + within : "touches");

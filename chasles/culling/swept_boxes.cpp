@@ -62,7 +62,7 @@ SweptBoxes::Windows overlap_windows(const TwoNodes& outer, const TwoNodes& inner
 }
 
 SweptBoxes::Gaps widest_gaps(const TwoNodes& outer, const TwoNodes& inner, const SweptBoxes::View& a_in_b,
-                               const SweptBoxes::View& b_in_a) {
+                             const SweptBoxes::View& b_in_a) {
 #if defined(CHASLES_KERNEL_AVX2)
     if (__builtin_cpu_supports("avx2"))
         return avx2::widest_gaps(outer, inner, a_in_b, b_in_a);

@@ -56,7 +56,7 @@ public:
 
     /// Lower bounds of the distances of four pairs of nodes; 0 where no tested direction separates them.
     struct Gaps {
-        std::array<float, 4> start;  ///< of the interval
+        std::array<float, 4> start; ///< of the interval
         std::array<float, 4> end;
         std::array<float, 4> on_way; ///< during the whole interval
     };

@@ -99,8 +99,8 @@ private:
     Bits open_{}; ///< lanes with a gap that is open during the whole interval
 };
 
-/// An upper bound of the length of a vector of 1-norm one, at most 1e-4 above it. Two Newton steps for the square root of
-/// a number in [1/3, 1] stay above the root.
+/// An upper bound of the length of a vector of 1-norm one, at most 1e-4 above it. Two Newton steps for the square root
+/// of a number in [1/3, 1] stay above the root.
 [[gnu::always_inline]] inline Lanes length_above(const Vectors& normal) {
     const Lanes square = dot(normal, normal);
     Lanes length = broadcast(0.5F) * (square + broadcast(1));
@@ -147,7 +147,7 @@ struct PairPlacement {
 };
 
 [[gnu::always_inline]] inline PairPlacement placement_of(const Boxes& a, const Boxes& b, const SweptBoxes::View& a_in_b,
-                                  const SweptBoxes::View& b_in_a) {
+                                                         const SweptBoxes::View& b_in_a) {
     return {a_in_b, b_in_a, rotated(a_in_b, a.centre) + loaded(a_in_b.offset) - b.centre,
             rotated(b_in_a, b.centre) + loaded(b_in_a.offset) - a.centre};
 }
@@ -163,8 +163,8 @@ template <class Test>
 
 /// Tests the axes of both boxes.
 template <class Test>
-[[gnu::always_inline]] inline void test_box_axes(Test& window, const PairPlacement& pair, const Boxes& a, const Boxes& b,
-                          float margin) {
+[[gnu::always_inline]] inline void test_box_axes(Test& window, const PairPlacement& pair, const Boxes& a,
+                                                 const Boxes& b, float margin) {
     const Lanes a_slack = broadcast(pair.a_in_b.slack + margin);
     const Lanes b_slack = broadcast(pair.b_in_a.slack + margin);
     test_axes(window, pair.a_from_b,
@@ -182,8 +182,8 @@ struct Patches {
 /// Tests the normals of both slabs. The height of a patch along the other slab's normal n' is bounded by its slab for
 /// the part of n' along its own normal, and by its box for the rest of n'.
 template <class Test>
-[[gnu::always_inline]] inline void test_slab_normals(Test& window, const PairPlacement& pair, const Patches& a, const Patches& b,
-                              float margin) {
+[[gnu::always_inline]] inline void test_slab_normals(Test& window, const PairPlacement& pair, const Patches& a,
+                                                     const Patches& b, float margin) {
     Lanes a_slack = broadcast(pair.a_in_b.slack + margin);
     Lanes b_slack = broadcast(pair.b_in_a.slack + margin);
     if (margin > 0) { // the margin counts by the length of the normal
@@ -238,8 +238,8 @@ inline Vectors clamped(const Vectors& v, const Vectors& half) {
 /// Tests the direction between near points of the boxes at one time of the interval . This
 /// direction separates boxes that are small compared with the margin.
 template <class Test>
-[[gnu::always_inline]] inline void test_nearest_axis(Test& window, const PairPlacement& pair, const Patches& a, const Patches& b,
-                              float margin, float time) {
+[[gnu::always_inline]] inline void test_nearest_axis(Test& window, const PairPlacement& pair, const Patches& a,
+                                                     const Patches& b, float margin, float time) {
     const Lanes share{1 - time, 1 - time, 1 - time, 1 - time, time, time, time, time};
     const auto at_time = [&](const Vectors& ends) {
         const Vectors part = scale(ends, share);

@@ -130,8 +130,8 @@ void NeighbourList::add(const std::vector<TwoFaces>& faces) {
         const auto corners = moving_.face(two.moving);
         pair.middle = rounded(culling::point_of<double>(moving_, corners[0]));
         for (const std::uint32_t corner : corners)
-            pair.radius = std::max(pair.radius,
-                                   length(culling::point_of<double>(moving_, corner) - in_double(pair.middle)));
+            pair.radius =
+                std::max(pair.radius, length(culling::point_of<double>(moving_, corner) - in_double(pair.middle)));
         pairs_.push_back(pair);
         limits_.push_back(unknown);
     }
@@ -143,14 +143,15 @@ void NeighbourList::find_near(const Way& way, double bound) {
     separation_.use(way.ends);
     placed_starts_.clear();
     const Displacements displacements(way.ends);
+    const double uncertain = way.deviation + 2 * way.rounding;
     for (const auto& [index, limit] : limits_.take_up_to(bound)) {
         const Neighbours& pair = pairs_[index];
-        const double start = limit - with_rounding(travel_.sum());
         if (limit > unknown) {
-            const double along = displacements.least_along(pair.normal, in_double(pair.middle), pair.radius);
-            if (std::min(start, start + along) - way.deviation - 2 * way.rounding > way.margin) {
+            const double start = limit - with_rounding(travel_.sum());
+            const Gaps gaps{start, start + displacements.least_along(pair.normal, in_double(pair.middle), pair.radius)};
+            if (gaps.least() > way.margin + uncertain) {
                 limits_.set(index, limit);
-                tested_.push_back({index, {start, start + along}});
+                tested_.push_back({index, gaps});
                 continue;
             }
         }
@@ -179,21 +180,21 @@ double NeighbourList::least_on_way(std::size_t index, const Way& way) {
     Neighbours& pair = pairs_[index];
     const double uncertain = way.deviation + 2 * way.rounding;
     place_corners(pair.faces.moving, way);
-    const bool has_gap = gaps_of(pair).on_way > way.margin + uncertain || has_widest_gap(pair) ||
+    const bool has_gap = gaps_of(pair).least() > way.margin + uncertain || has_widest_gap(pair) ||
                          finds_direction(pair, way.margin + uncertain);
     const Gaps gaps = gaps_of(pair);
     limits_.set(index, gaps.start + travel_.sum());
     tested_.push_back({index, gaps});
-    return has_gap ? gaps.on_way - uncertain : 0;
+    return has_gap ? gaps.least() - uncertain : 0;
 }
 
 /// Whether the gap is still about the one that was the widest. Then nothing new is tried.
 bool NeighbourList::has_widest_gap(const Neighbours& pair) const {
-    return std::abs(gaps_of(pair).on_way - pair.widest) < 0.25 * pair.widest;
+    return std::abs(gaps_of(pair).least() - pair.widest) < 0.25 * pair.widest;
 }
 
-/// A half space for a pair whose moving face is placed. Most pairs that are new are far enough apart for a short search.
-/// A pair that was farther apart than the distance along features of both faces often still is.
+/// A half space for a pair whose moving face is placed. Most pairs that are new are far enough apart for a short
+/// search. A pair that was farther apart than the distance along features of both faces often still is.
 bool NeighbourList::finds_direction(Neighbours& pair, double distance) {
     const auto& [moving, fixed] = pair.faces;
     if (!pair.is_known()) {
@@ -220,20 +221,19 @@ double NeighbourList::take(Neighbours& pair, const FaceSeparation::Direction& di
     pair.offset = unknown;
     for (const std::uint32_t corner : fixed_.face(pair.faces.fixed))
         pair.offset = std::max(pair.offset, dot(pair.normal, culling::point_of<double>(fixed_, corner)));
-    pair.widest = gaps_of(pair).on_way;
+    pair.widest = gaps_of(pair).least();
     return pair.widest;
 }
 
-/// Along the normal of a pair whose moving face is placed. Heights on chords are between those at the ends.
-Gaps NeighbourList::gaps_of(const Neighbours& pair) const {
+/// Of a pair whose moving face is placed.
+NeighbourList::Gaps NeighbourList::gaps_of(const Neighbours& pair) const {
     const auto least = [&](const std::vector<Vector3<double>>& corners) {
         double height = std::numeric_limits<double>::infinity();
         for (const Vector3<double>& corner : corners)
             height = std::min(height, dot(pair.normal, corner));
         return height - pair.offset;
     };
-    const double start = least(placed_starts_), end = least(placed_ends_);
-    return {start, end, std::min(start, end)};
+    return {least(placed_starts_), least(placed_ends_)};
 }
 
 } // namespace chasles::search

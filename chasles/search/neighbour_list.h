@@ -50,9 +50,16 @@ private:
 
         [[nodiscard]] bool is_known() const { return offset != 0 || widest != 0; }
     };
+    /// Bounds of the gap along the normal at both ends of a way. In between, the gap on chords is linear.
+    struct Gaps {
+        double start;
+        double end;
+
+        [[nodiscard]] double least() const { return std::min(start, end); }
+    };
     struct Tested {
         std::size_t index;
-        Gaps gaps; ///< along the normal
+        Gaps gaps;
     };
     struct Displacements;
 

@@ -48,9 +48,9 @@ void NodeFront::split(const TwoNodes& pair, const Splitting& splitting, std::vec
     const auto [a, b] = culling::split_nodes(moving, pair.moving, fixed, pair.fixed);
     const culling::SweptBoxes::Gaps gaps = splitting.boxes.widest_gaps(a.of(moving), b.of(fixed));
     work.node_pairs += std::uint64_t(a.count) * b.count;
-    if (const double least = *std::ranges::min_element(gaps.on_way); least > splitting.margin)
-        return keep(pair, {*std::ranges::min_element(gaps.start), *std::ranges::min_element(gaps.end), least},
-                    splitting.travelled);
+    if (*std::ranges::min_element(gaps.on_way) > splitting.margin)
+        return keep(pair, splitting.travelled + *std::ranges::min_element(gaps.start),
+                    *std::ranges::min_element(gaps.end));
     if (moving[pair.moving].is_leaf() && fixed[pair.fixed].is_leaf()) {
         faces.push_back({moving[pair.moving].first, fixed[pair.fixed].first});
         return;
@@ -60,30 +60,30 @@ void NodeFront::split(const TwoNodes& pair, const Splitting& splitting, std::vec
             const TwoNodes child{a.first + i, b.first + j};
             const std::size_t lane = 2 * i + j;
             if (gaps.on_way[lane] > splitting.margin)
-                keep(child, {gaps.start[lane], gaps.end[lane], gaps.on_way[lane]}, splitting.travelled);
+                keep(child, splitting.travelled + gaps.start[lane], gaps.end[lane]);
             else
                 stack_.push_back(child);
         }
 }
 
-void NodeFront::keep(const TwoNodes& pair, const Gaps& gaps, double travelled) {
+void NodeFront::keep(const TwoNodes& pair, double limit, double gap_at_end) {
     std::size_t place = nodes_.size();
     if (free_.empty()) {
         nodes_.push_back(pair);
-        limits_.push_back(gaps.start + travelled);
+        limits_.push_back(limit);
     } else {
         place = free_.back();
         free_.pop_back();
         nodes_[place] = pair;
-        limits_.set(place, gaps.start + travelled);
+        limits_.set(place, limit);
     }
-    tested_.push_back({place, gaps});
+    tested_.push_back({place, gap_at_end});
 }
 
-/// The widest gaps are along different directions at both ends, so between them only the gap on the way counts.
+/// The gaps at both ends may be along different directions, so they say nothing about places between them.
 void NodeFront::arrive(const Arrival& arrival) {
-    for (const auto& [place, gaps] : tested_)
-        limits_.raise(place, std::max(gaps.end - arrival.from_end, gaps.on_way - arrival.beside) + arrival.travelled);
+    for (const auto& [place, gap_at_end] : tested_)
+        limits_.raise(place, gap_at_end - arrival.from_end + arrival.travelled);
     tested_.clear();
 }
 

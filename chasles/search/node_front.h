@@ -23,7 +23,8 @@ public:
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
     /// Splits the pairs with limits up to `bound` that may come within the margin on a way. Appends pairs of faces that
-    /// may do so. If there are more than `most` pairs in all, it stops, and is to be restarted. The limits are of ways that sum up to `travelled` at the start.
+    /// may do so. If there are more than `most` pairs in all, it stops, and is to be restarted. The limits are of ways
+    /// that sum up to `travelled` at the start.
     void split(const culling::SweptBoxes& boxes, double margin, double bound, double travelled, std::size_t most,
                std::vector<TwoFaces>& faces, Work& work);
     /// Raises the limits of the pairs that the last `split` has tested.
@@ -36,12 +37,12 @@ private:
     };
     struct Tested {
         std::size_t place;
-        Gaps gaps;
+        double gap_at_end;
     };
     struct Splitting;
 
     void split(const TwoNodes& pair, const Splitting& splitting, std::vector<TwoFaces>& faces, Work& work);
-    void keep(const TwoNodes& pair, const Gaps& gaps, double travelled);
+    void keep(const TwoNodes& pair, double limit, double gap_at_end);
 
     const Bvh& moving_;
     const Bvh& fixed_;

@@ -19,13 +19,6 @@ struct Way {
 /// `whole` is the interval of the whole piece for points within the margin.
 Way way_of(const PieceContext& context, const culling::TimeInterval& whole, double margin);
 
-/// Two patches are apart by at least this much at the start of a way, at its end, and all the time between.
-struct Gaps {
-    double start = 0;
-    double end = 0;
-    double on_way = 0;
-};
-
 /// The place to which the moving body came.
 struct Arrival {
     double share = 0;     ///< of the last way, about

@@ -64,7 +64,8 @@ TEST_F(Check, TellsGapsAndWhatIsHeldWithAMargin) {
     EXPECT_NEAR(held["held"][0]["gap"], 0.3, 1e-12);
     EXPECT_NE(check(poses + "--hold 0.1").out.find("clear to"), std::string::npos);
     const std::string leaving = check("--start '0 0 1.05' --goal '0.5 0 1.3' --margin 0.1 --hold 0.06").out;
-    EXPECT_TRUE(leaving.starts_with("CLEAR: proven that the bodies keep the hold distance, or that of the start if it is less"));
+    EXPECT_TRUE(leaving.starts_with(
+        "CLEAR: proven that the bodies keep the hold distance, or that of the start if it is less"));
 }
 
 TEST_F(Check, NamesFeaturesByKind) {

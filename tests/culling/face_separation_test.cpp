@@ -109,6 +109,41 @@ TEST(FaceSeparation, ADirectionBeyondTwoDistancesIsFoundWhereTheFacesAre) {
     EXPECT_GT(beyond_near, 0.9 * of_near);
 }
 
+/// The axis of the widest gap gives the same direction again, and still separates when the body has moved a little.
+TEST(FaceSeparation, AnAxisIsFoundAgainWhereTheFacesAreThen) {
+    std::mt19937 random(5);
+    int axes = 0, still_apart = 0;
+    for (int i = 0; i < 3000; ++i) {
+        const test::Body moving = random_triangle(random), fixed = random_triangle(random);
+        const Polyhedron mover = moving.polyhedron(), target = fixed.polyhedron();
+        FaceSeparation separation(mover.body(), target.body());
+        const Eigen::Isometry3d pose = test::random_pose(random, 2, 3).isometry();
+        separation.use(at_rest(pose));
+        const auto widest = separation.widest(0, 0, 0.5);
+        if (!widest || widest->axis == FaceSeparation::no_axis)
+            continue;
+        ++axes;
+        const auto again = separation.along(widest->axis, 0, 0, 0.5);
+        ASSERT_TRUE(again);
+        EXPECT_EQ(eigen(*again), eigen(widest->along));
+
+        const Eigen::Isometry3d later =
+            pose * test::turned(random_vector(random, 0.05), {0.6, 0, 0.8}, uniform(random, -0.05, 0.05)).isometry();
+        separation.use(at_rest(later));
+        const auto direction = separation.along(widest->axis, 0, 0, 0.5);
+        if (!direction)
+            continue;
+        ++still_apart;
+        test::Vertices moved;
+        for (const Eigen::Vector3d& v : moving.vertices)
+            moved.emplace_back(later * v);
+        EXPECT_NEAR(length(*direction), 1, 1e-14);
+        EXPECT_GT(gap_along(eigen(*direction), moved, fixed.vertices), 0);
+    }
+    EXPECT_GT(axes, 500);
+    EXPECT_GT(still_apart, 0.8 * axes);
+}
+
 TEST(FaceSeparation, FindsNothingBetweenFacesThatCross) {
     const Polyhedron a = test::triangle({-1, 0, -1}, {1, 0, -1}, {0, 0, 2}).polyhedron();
     const Polyhedron b = test::triangle({-1, -1, 0}, {1, -1, 0}, {0, 2, 0}).polyhedron();

@@ -5,6 +5,7 @@
 #include "chasles/mesh/body.h"
 #include "tests/query/bodies.h"
 #include "tests/support/posed_motions.h"
+#include "tests/support/surface_distance.h"
 #include "tests/support/trajectories.h"
 
 #include <gtest/gtest.h>
@@ -161,6 +162,60 @@ TEST(SweptBoxes, NodesThatTouchMayMeetThen) {
     }
     EXPECT_GT(pairs, 3000);
     EXPECT_GT(narrow, pairs / 20);
+}
+
+/// The distance of the faces below two nodes at tau.
+double distance_below(const Scene& scene, const motion::ControlMaps<DoubleDouble>& maps, double tau, std::size_t a,
+                      std::size_t b) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::uint32_t f = 0; f < scene.moving.face_count(); ++f)
+        for (std::uint32_t g = 0; g < scene.fixed.face_count(); ++g) {
+            const auto moving = scene.moving.body().face(f), fixed = scene.fixed.body().face(g);
+            if (!holds(scene.moving, a, scene.moving.vertices()[moving[0]]) ||
+                !holds(scene.fixed, b, scene.fixed.vertices()[fixed[0]]))
+                continue;
+            Triangle3<double> moved, there;
+            for (std::size_t i = 0; i < 3; ++i) {
+                const Eigen::Vector3d p = position(maps, scene.moving.vertices()[moving[i]], tau);
+                const Eigen::Vector3d q = scene.fixed.vertices()[fixed[i]];
+                moved[i] = {p.x(), p.y(), p.z()};
+                there[i] = {q.x(), q.y(), q.z()};
+            }
+            least = std::min(least, std::sqrt(squared_distance_of_triangles<double>(moved, there)));
+        }
+    return least;
+}
+
+TEST(SweptBoxes, GapsAreNoWiderThanTheFacesAreApart) {
+    Random random(753);
+    int pairs = 0, wide = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const Scene scene = Scene::random_scene(random);
+        const auto maps = motion::control_maps(scene.motion);
+        const TimeInterval interval = scene.interval(random_range(random, scene.tau));
+        for (const Scene::Two& a : Scene::twos(scene.moving))
+            for (const Scene::Two& b : Scene::twos(scene.fixed)) {
+                const auto gaps = interval.boxes.widest_gaps(a.nodes, b.nodes);
+                const auto windows = interval.boxes.overlap_windows(a.nodes, b.nodes, {});
+                for (std::size_t i : {0U, 1U})
+                    for (std::size_t j : {0U, 1U}) {
+                        const std::size_t lane = 2 * i + j;
+                        const auto distance = [&](double tau) {
+                            return distance_below(scene, maps, tau, a.at[i], b.at[j]);
+                        };
+                        const double at_start = distance(interval.range.lower);
+                        ASSERT_LE(double(gaps.start[lane]), at_start * (1 + 1e-9)) << "seed 753, trial " << trial;
+                        ASSERT_LE(double(gaps.end[lane]), distance(interval.range.upper) * (1 + 1e-9)) << trial;
+                        if (gaps.on_way[lane] > 0) {
+                            EXPECT_TRUE(windows[lane].is_empty() || gaps.on_way[lane] < 1e-3 * at_start);
+                            EXPECT_GT(distance(interval.range.at(0.5)), 0);
+                        }
+                        ++pairs;
+                        wide += double(gaps.start[lane]) > 0.5 * at_start ? 1 : 0;
+                    }
+            }
+    }
+    EXPECT_GT(wide, pairs / 2);
 }
 
 /// Resting patches of one flat triangle each, with random orientation: patches that a plane along a slab separates are

@@ -1,0 +1,81 @@
+// The front of two bodies against the distances of all pairs of triangles.
+#include "chasles/search/node_front.h"
+
+#include "tests/search/wanderer.h"
+
+#include <gtest/gtest.h>
+
+namespace chasles::search {
+namespace {
+
+/// All that a body meets on its way, asked as neighbour lists ask.
+class Watch {
+public:
+    explicit Watch(const Wanderer& bodies)
+        : travel_(bodies.moving().body()), front_(bodies.moving().body(), bodies.fixed().body()) {
+        front_.restart();
+    }
+
+    /// The number of pairs of nodes that were tested.
+    std::uint64_t go(const PieceContext& context, double margin) {
+        const culling::TimeInterval whole = context.time_tree(margin, context.parts(margin)).interval({});
+        const Way way = way_of(context, whole, margin);
+        front_.arrive(travel_.go_to(way));
+        if (is_first_)
+            travel_.restart();
+        is_first_ = false;
+        std::vector<TwoFaces> faces;
+        Work work;
+        front_.split(whole.boxes, margin, margin + way.travel + with_rounding(travel_.sum()), travel_.sum(), 1 << 20,
+                     faces, work);
+        for (const TwoFaces& two : faces)
+            EXPECT_TRUE(given_.insert({two.moving, two.fixed}).second) << "a pair of faces is given once";
+        return work.node_pairs;
+    }
+    [[nodiscard]] const std::set<std::pair<std::uint32_t, std::uint32_t>>& given() const { return given_; }
+
+private:
+    Travel travel_;
+    NodeFront front_;
+    bool is_first_ = true;
+    std::set<std::pair<std::uint32_t, std::uint32_t>> given_;
+};
+
+TEST(NodeFront, GivesAllPairsOfFacesThatComeNear) {
+    Wanderer bodies;
+    Watch watch(bodies);
+    std::size_t near_pairs = 0;
+    std::uint64_t first = 0, later = 0;
+    constexpr int pieces = 60;
+    for (int i = 0; i < pieces; ++i) {
+        const Motion way = bodies.next();
+        const double margin = i % 2 == 0 ? 0.02 : 0.005;
+        const std::uint64_t tested = watch.go(bodies.context(way), margin);
+        (i == 0 ? first : later) += tested;
+        for (const auto& near : sampled_near(bodies, way, margin * (1 - 1e-9))) {
+            ++near_pairs;
+            EXPECT_TRUE(watch.given().contains(near)) << "piece " << i;
+        }
+    }
+    EXPECT_GT(near_pairs, 500U);
+    EXPECT_LT(double(later) / (pieces - 1), 0.7 * double(first)) << "most pairs of nodes need no new test";
+    EXPECT_LT(watch.given().size(), bodies.moving().face_count() * bodies.fixed().face_count() / 4);
+}
+
+TEST(NodeFront, StopsWhereThereAreTooMany) {
+    const Wanderer bodies;
+    const Motion rest = Motion::at_rest(Wanderer::home());
+    const PieceContext context = bodies.context(rest);
+    const double margin = 10;
+    const culling::TimeInterval whole = context.time_tree(margin, context.parts(margin)).interval({});
+    NodeFront front(bodies.moving().body(), bodies.fixed().body());
+    front.restart();
+    std::vector<TwoFaces> faces;
+    Work work;
+    front.split(whole.boxes, margin, margin + 1, 0, 100, faces, work);
+    EXPECT_GT(front.size() + faces.size(), 100U);
+    EXPECT_LT(front.size() + faces.size(), 110U);
+}
+
+} // namespace
+} // namespace chasles::search
