@@ -87,7 +87,7 @@ std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const 
     widest_margin_ = std::max(widest_margin_, margin);
     const double bound = widest_margin_ + way.travel + with_rounding(travel_.sum());
     faces_.clear();
-    front_.split(whole.boxes, margin, bound, travel_.sum(), most_pairs - std::min(most_pairs, pairs_.size()), faces_,
+    front_.split({whole.boxes, margin, bound, travel_.sum(), most_pairs - std::min(most_pairs, pairs_.size())}, faces_,
                  work);
     add(faces_);
     if (size() > most_pairs) {

@@ -7,12 +7,6 @@
 
 namespace chasles::search {
 
-struct NodeFront::Splitting {
-    const culling::SweptBoxes& boxes;
-    double margin;
-    double travelled;
-};
-
 void NodeFront::restart() {
     nodes_.clear();
     limits_.clear();
@@ -22,34 +16,32 @@ void NodeFront::restart() {
     limits_.push_back(-std::numeric_limits<double>::infinity());
 }
 
-void NodeFront::split(const culling::SweptBoxes& boxes, double margin, double bound, double travelled, std::size_t most,
-                      std::vector<TwoFaces>& faces, Work& work) {
+void NodeFront::split(const Question& question, std::vector<TwoFaces>& faces, Work& work) {
     tested_.clear();
-    const Splitting splitting{boxes, margin, travelled};
     // what a pair is split into has its limits from now, and is not taken again
-    for (const auto& [place, limit] : limits_.take_up_to(bound)) {
+    for (const auto& [place, limit] : limits_.take_up_to(question.bound)) {
         free_.push_back(place);
         stack_.push_back(nodes_[place]);
         while (!stack_.empty()) {
-            if (size() + faces.size() > most)
+            if (size() + faces.size() > question.most)
                 return stack_.clear();
             const TwoNodes pair = stack_.back();
             stack_.pop_back();
-            split(pair, splitting, faces, work);
+            split(pair, question, faces, work);
         }
     }
 }
 
 /// A pair stays as it is if its children are apart.
-void NodeFront::split(const TwoNodes& pair, const Splitting& splitting, std::vector<TwoFaces>& faces, Work& work) {
+void NodeFront::split(const TwoNodes& pair, const Question& question, std::vector<TwoFaces>& faces, Work& work) {
     const auto moving = moving_.nodes(), fixed = fixed_.nodes();
     if (moving[pair.moving].is_bare() && fixed[pair.fixed].is_bare())
         return;
     const auto [a, b] = culling::split_nodes(moving, pair.moving, fixed, pair.fixed);
-    const culling::SweptBoxes::Gaps gaps = splitting.boxes.widest_gaps(a.of(moving), b.of(fixed));
+    const culling::SweptBoxes::Gaps gaps = question.boxes.widest_gaps(a.of(moving), b.of(fixed));
     work.node_pairs += std::uint64_t(a.count) * b.count;
-    if (*std::ranges::min_element(gaps.on_way) > splitting.margin)
-        return keep(pair, splitting.travelled + *std::ranges::min_element(gaps.start),
+    if (*std::ranges::min_element(gaps.on_way) > question.margin)
+        return keep(pair, question.travelled + *std::ranges::min_element(gaps.start),
                     *std::ranges::min_element(gaps.end));
     if (moving[pair.moving].is_leaf() && fixed[pair.fixed].is_leaf()) {
         faces.push_back({moving[pair.moving].first, fixed[pair.fixed].first});
@@ -59,8 +51,8 @@ void NodeFront::split(const TwoNodes& pair, const Splitting& splitting, std::vec
         for (std::uint32_t j = 0; j < b.count; ++j) {
             const TwoNodes child{a.first + i, b.first + j};
             const std::size_t lane = 2 * i + j;
-            if (gaps.on_way[lane] > splitting.margin)
-                keep(child, splitting.travelled + gaps.start[lane], gaps.end[lane]);
+            if (gaps.on_way[lane] > question.margin)
+                keep(child, question.travelled + gaps.start[lane], gaps.end[lane]);
             else
                 stack_.push_back(child);
         }

@@ -22,11 +22,16 @@ public:
     void restart();
     [[nodiscard]] std::size_t size() const { return nodes_.size(); }
 
-    /// Splits the pairs with limits up to `bound` that may come within the margin on a way. Appends pairs of faces that
-    /// may do so. If there are more than `most` pairs in all, it stops, and is to be restarted. The limits are of ways
-    /// that sum up to `travelled` at the start.
-    void split(const culling::SweptBoxes& boxes, double margin, double bound, double travelled, std::size_t most,
-               std::vector<TwoFaces>& faces, Work& work);
+    /// What may come within a margin on a way?
+    struct Question {
+        const culling::SweptBoxes& boxes; ///< of the whole way
+        double margin;
+        double bound;     ///< pairs with greater limits do not come within the margin
+        double travelled; ///< up to the start of the way
+        std::size_t most; ///< pairs in all; if there are more, the search stops, and the front is to be restarted
+    };
+    /// Splits the pairs that may. Appends pairs of faces that may.
+    void split(const Question& question, std::vector<TwoFaces>& faces, Work& work);
     /// Raises the limits of the pairs that the last `split` has tested.
     void arrive(const Arrival& arrival);
 
@@ -39,9 +44,8 @@ private:
         std::size_t place;
         double gap_at_end;
     };
-    struct Splitting;
 
-    void split(const TwoNodes& pair, const Splitting& splitting, std::vector<TwoFaces>& faces, Work& work);
+    void split(const TwoNodes& pair, const Question& question, std::vector<TwoFaces>& faces, Work& work);
     void keep(const TwoNodes& pair, double limit, double gap_at_end);
 
     const Bvh& moving_;

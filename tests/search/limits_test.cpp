@@ -25,7 +25,7 @@ TEST(Limits, TakesWhatIsNotGreaterThanTheBound) {
             plain[index] = raises ? std::max(plain[index], limit) : limit;
             raises ? limits.raise(index, limit) : limits.set(index, limit);
         }
-        const double bound = 0.02 * number(random);
+        const double bound = 0.3 * number(random);
         std::size_t expected = 0;
         const auto taken = limits.take_up_to(bound);
         for (std::size_t i = 0; i < plain.size(); ++i) {
