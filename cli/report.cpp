@@ -104,8 +104,7 @@ std::string headline(const FirstContact& found, double margin) {
     case Verdict::clear:
         if (!found.held.empty())
             return "CLEAR: proven that the bodies keep the hold distance, or that of the start if it is less, during "
-                   "the "
-                   "whole motion\n";
+                   "the whole motion\n";
         return fmt::format("CLEAR: proven that nothing {} during the whole motion\n",
                            margin > 0 ? "comes" + within : "touches");
     case Verdict::contact:

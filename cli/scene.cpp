@@ -58,8 +58,7 @@ std::string report_first(const Scene& scene, const SceneAnswer& answer, const Qu
     const double margin = options.margin;
     if (answer.contacts.empty() && options.hold)
         return fmt::format("CLEAR: proven that nothing that is held comes within {:.9g}, or nearer than at the start "
-                           "if that is "
-                           "less, and nothing else within {:.9g}\n",
+                           "if that is less, and nothing else within {:.9g}\n",
                            *options.hold, margin) +
                summary(scene, answer);
     if (answer.contacts.empty()) {

@@ -128,7 +128,9 @@ public:
         std::memcpy(lanes.data(), &at_ends_, sizeof lanes);
         std::copy_n(lanes.begin(), 4, gaps.start.begin());
         std::copy_n(lanes.begin() + 4, 4, gaps.end.begin());
-        std::memcpy(lanes.data(), &on_way_, sizeof lanes);
+        const Lanes on_way =
+            min(on_way_, halves_swapped(on_way_)); // where one end is not a number, the other one tells
+        std::memcpy(lanes.data(), &on_way, sizeof lanes);
         std::copy_n(lanes.begin(), 4, gaps.on_way.begin());
         return gaps;
     }

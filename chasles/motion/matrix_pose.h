@@ -15,16 +15,27 @@ struct MatrixPose {
     }
 };
 
-/// A bound of the distance between the places of any point of a ball. The Frobenius norm of the difference of two
-/// rotations is sqrt(2) times its spectral norm. Source: docs/derivations/31-neighbour-lists.md.
-inline double distance(const MatrixPose& a, const MatrixPose& b, const algebra::Vector3<double>& centre,
-                       double radius) {
+/// The square of the Frobenius norm of the difference of both matrices.
+inline double squared_turn(const MatrixPose& a, const MatrixPose& b) {
     double squares = 0;
     for (int i = 0; i < 3; ++i) {
         const algebra::Vector3<double> row = a.rotation.row[i] - b.rotation.row[i];
         squares += dot(row, row);
     }
-    return length(a(centre) - b(centre)) + std::sqrt(squares / 2) * radius;
+    return squares;
+}
+
+/// A bound of the distance between the places of any point of a ball. The Frobenius norm of the difference of two
+/// rotations is sqrt(2) times its spectral norm. Source: docs/derivations/31-neighbour-lists.md.
+inline double distance(const MatrixPose& a, const MatrixPose& b, const algebra::Vector3<double>& centre,
+                       double radius) {
+    return length(a(centre) - b(centre)) + std::sqrt(squared_turn(a, b) / 2) * radius;
+}
+
+/// Likewise if a matrix is no rotation: the Frobenius norm is at least the spectral norm.
+inline double distance_of_maps(const MatrixPose& a, const MatrixPose& b, const algebra::Vector3<double>& centre,
+                               double radius) {
+    return length(a(centre) - b(centre)) + std::sqrt(squared_turn(a, b)) * radius;
 }
 
 } // namespace chasles::motion

@@ -74,8 +74,7 @@ std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const 
                                                                           Work& work) {
     if (context.is_enclosed())
         return std::nullopt;
-    const culling::PieceParts parts = context.parts(margin);
-    const culling::TimeInterval whole = context.time_tree(margin, parts).interval({});
+    const culling::TimeInterval whole = context.interval(margin, {});
     const Way way = way_of(context, whole, margin);
     arrive(travel_.go_to(way));
     if (way.travel > longest_way_ || pause_-- > 0)
@@ -199,23 +198,23 @@ bool NeighbourList::finds_direction(Neighbours& pair, double distance) {
     const auto& [moving, fixed] = pair.faces;
     if (!pair.is_known()) {
         const auto direction = separation_.beyond(moving, fixed, 0.5, {distance, distance});
-        if (direction && take(pair, {*direction, FaceSeparation::no_axis}) > distance) {
+        if (direction && set_direction(pair, {*direction, FaceSeparation::no_axis}) > distance) {
             pair.widest = 0;
             return true;
         }
     }
     if (pair.axis != FaceSeparation::no_axis)
         if (const auto direction = separation_.along(pair.axis, moving, fixed, 0.5))
-            if (take(pair, {*direction, pair.axis}) > distance)
+            if (set_direction(pair, {*direction, pair.axis}) > distance)
                 return true;
     const auto direction = separation_.widest(moving, fixed, 0.5);
     if (direction)
-        take(pair, *direction);
+        set_direction(pair, *direction);
     return direction.has_value();
 }
 
 /// Returns the gap on the way.
-double NeighbourList::take(Neighbours& pair, const FaceSeparation::Direction& direction) const {
+double NeighbourList::set_direction(Neighbours& pair, const FaceSeparation::Direction& direction) const {
     pair.normal = direction.along;
     pair.axis = direction.axis;
     pair.offset = unknown;

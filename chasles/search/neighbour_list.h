@@ -48,7 +48,7 @@ private:
         std::array<float, 3> middle{}; ///< of a ball around the moving face, in the frame of its body
         double radius = 0;
 
-        [[nodiscard]] bool is_known() const { return offset != 0 || widest != 0; }
+        [[nodiscard]] bool is_known() const { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
     };
     /// Bounds of the gap along the normal at both ends of a way. In between, the gap on chords is linear.
     struct Gaps {
@@ -73,7 +73,7 @@ private:
     double least_on_way(std::size_t index, const Way& way);
     [[nodiscard]] bool has_widest_gap(const Neighbours& pair) const;
     bool finds_direction(Neighbours& pair, double distance);
-    double take(Neighbours& pair, const culling::FaceSeparation::Direction& direction) const;
+    double set_direction(Neighbours& pair, const culling::FaceSeparation::Direction& direction) const;
     [[nodiscard]] Gaps gaps_of(const Neighbours& pair) const;
 
     const Body& moving_;

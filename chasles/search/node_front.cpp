@@ -25,7 +25,7 @@ void NodeFront::split(const Question& question, std::vector<TwoFaces>& faces, Wo
         while (!stack_.empty()) {
             if (size() + faces.size() > question.most)
                 return stack_.clear();
-            const TwoNodes pair = stack_.back();
+            const PairOfNodes pair = stack_.back();
             stack_.pop_back();
             split(pair, question, faces, work);
         }
@@ -33,7 +33,7 @@ void NodeFront::split(const Question& question, std::vector<TwoFaces>& faces, Wo
 }
 
 /// A pair stays as it is if its children are apart.
-void NodeFront::split(const TwoNodes& pair, const Question& question, std::vector<TwoFaces>& faces, Work& work) {
+void NodeFront::split(const PairOfNodes& pair, const Question& question, std::vector<TwoFaces>& faces, Work& work) {
     const auto moving = moving_.nodes(), fixed = fixed_.nodes();
     if (moving[pair.moving].is_bare() && fixed[pair.fixed].is_bare())
         return;
@@ -49,7 +49,7 @@ void NodeFront::split(const TwoNodes& pair, const Question& question, std::vecto
     }
     for (std::uint32_t i = 0; i < a.count; ++i)
         for (std::uint32_t j = 0; j < b.count; ++j) {
-            const TwoNodes child{a.first + i, b.first + j};
+            const PairOfNodes child{a.first + i, b.first + j};
             const std::size_t lane = 2 * i + j;
             if (gaps.on_way[lane] > question.margin)
                 keep(child, question.travelled + gaps.start[lane], gaps.end[lane]);
@@ -58,7 +58,7 @@ void NodeFront::split(const TwoNodes& pair, const Question& question, std::vecto
         }
 }
 
-void NodeFront::keep(const TwoNodes& pair, double limit, double gap_at_end) {
+void NodeFront::keep(const PairOfNodes& pair, double limit, double gap_at_end) {
     std::size_t place = nodes_.size();
     if (free_.empty()) {
         nodes_.push_back(pair);

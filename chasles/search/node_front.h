@@ -36,7 +36,7 @@ public:
     void arrive(const Arrival& arrival);
 
 private:
-    struct TwoNodes {
+    struct PairOfNodes {
         std::uint32_t moving;
         std::uint32_t fixed;
     };
@@ -45,16 +45,16 @@ private:
         double gap_at_end;
     };
 
-    void split(const TwoNodes& pair, const Question& question, std::vector<TwoFaces>& faces, Work& work);
-    void keep(const TwoNodes& pair, double limit, double gap_at_end);
+    void split(const PairOfNodes& pair, const Question& question, std::vector<TwoFaces>& faces, Work& work);
+    void keep(const PairOfNodes& pair, double limit, double gap_at_end);
 
     const Bvh& moving_;
     const Bvh& fixed_;
-    std::vector<TwoNodes> nodes_;   ///< they, or all of their children, are apart
-    Limits limits_;                 ///< by at least the limit less the way that is travelled
-    std::vector<std::size_t> free_; ///< places in nodes_ that hold no pair
-    std::vector<Tested> tested_;    ///< by the last `split`; each place at most once
-    std::vector<TwoNodes> stack_;
+    std::vector<PairOfNodes> nodes_; ///< they, or all of their children, are apart
+    Limits limits_;                  ///< by at least the limit less the way that is travelled
+    std::vector<std::size_t> free_;  ///< places in nodes_ that hold no pair
+    std::vector<Tested> tested_;     ///< by the last `split`; each place at most once
+    std::vector<PairOfNodes> stack_;
 };
 
 } // namespace chasles::search

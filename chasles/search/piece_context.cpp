@@ -60,8 +60,12 @@ culling::TimeTree PieceContext::time_tree(double margin, const culling::PiecePar
     return {parts, motion::ChordDeviation(piece_->cubic(), moving, fixed), moving, fixed, margin};
 }
 
+culling::TimeInterval PieceContext::interval(double margin, const culling::TimeRange& range) const {
+    return time_tree(margin, parts(margin)).interval(range);
+}
+
 double PieceContext::deviation(double margin, const culling::TimeRange& range) const {
-    return time_tree(margin, parts(margin)).interval(range).deviation;
+    return interval(margin, range).deviation;
 }
 
 /// Where the maps only enclose the true motion, the pose is the true one, and the velocity that of the sweep of a part

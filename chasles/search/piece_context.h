@@ -30,6 +30,8 @@ public:
     /// The intervals of a traversal in which points within `margin` of each other count as meeting; `parts` is
     /// parts(margin).
     [[nodiscard]] culling::TimeTree time_tree(double margin, const culling::PieceParts& parts) const;
+    /// One of its intervals, for a single use.
+    [[nodiscard]] culling::TimeInterval interval(double margin, const culling::TimeRange& range) const;
     /// How far points that come within `margin` of each other leave their chords in a range of tau, in the length unit.
     [[nodiscard]] double deviation(double margin, const culling::TimeRange& range) const;
     /// Whether the maps only enclose the true motion.

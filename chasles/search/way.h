@@ -5,6 +5,8 @@
 #include "chasles/culling/interval_ends.h"
 #include "chasles/search/piece_context.h"
 
+#include <optional>
+
 namespace chasles::search {
 
 /// A piece with a margin. Points that come within the margin move on chords between both ends, up to the deviation.
@@ -42,7 +44,7 @@ public:
 
 private:
     const Body& moving_;
-    culling::IntervalEnds last_{};
+    std::optional<culling::IntervalEnds> last_; ///< of the last way
     double sum_ = 0;
 };
 

@@ -8,7 +8,7 @@
 namespace chasles::search {
 namespace {
 
-/// All that a body meets on its way, asked as neighbour lists ask.
+/// Asks for all that a body meets on its way, as neighbour lists do.
 class Watch {
 public:
     explicit Watch(const Wanderer& bodies)
@@ -18,12 +18,9 @@ public:
 
     /// The number of pairs of nodes that were tested.
     std::uint64_t go(const PieceContext& context, double margin) {
-        const culling::TimeInterval whole = context.time_tree(margin, context.parts(margin)).interval({});
+        const culling::TimeInterval whole = context.interval(margin, {});
         const Way way = way_of(context, whole, margin);
         front_.arrive(travel_.go_to(way));
-        if (is_first_)
-            travel_.restart();
-        is_first_ = false;
         std::vector<TwoFaces> faces;
         Work work;
         const double bound = margin + way.travel + with_rounding(travel_.sum());
@@ -37,7 +34,6 @@ public:
 private:
     Travel travel_;
     NodeFront front_;
-    bool is_first_ = true;
     std::set<std::pair<std::uint32_t, std::uint32_t>> given_;
 };
 
@@ -50,12 +46,10 @@ TEST(NodeFront, GivesAllPairsOfFacesThatComeNear) {
     for (int i = 0; i < pieces; ++i) {
         const Motion way = bodies.next();
         const double margin = i % 2 == 0 ? 0.02 : 0.005;
-        // a way that leads away is asked about first, and then not gone
-        const Pose start = way.pose_at(0),
-                   away = test::composed(
-                       test::shifted(0.08 * (i % 3 - 1), 0.08 * (i / 3 % 3 - 1), 0.08 * (i / 9 % 3 - 1)), start);
-        const std::uint64_t tested =
-            watch.go(bodies.context(ScrewMotion::between(start, away)), margin) + watch.go(bodies.context(way), margin);
+        // another way is asked about first, and then not gone
+        const Pose aside = test::shifted(0.08 * (i % 3 - 1), 0.08 * (i / 3 % 3 - 1), 0.08 * (i / 9 % 3 - 1));
+        const Motion other = ScrewMotion::between(way.pose_at(0), test::composed(aside, way.pose_at(0)));
+        const std::uint64_t tested = watch.go(bodies.context(other), margin) + watch.go(bodies.context(way), margin);
         (i == 0 ? first : later) += tested;
         for (const auto& near : sampled_near(bodies, way, margin * (1 - 1e-9))) {
             ++near_pairs;
@@ -72,7 +66,7 @@ TEST(NodeFront, StopsWhereThereAreTooMany) {
     const Motion rest = Motion::at_rest(Wanderer::home());
     const PieceContext context = bodies.context(rest);
     const double margin = 10;
-    const culling::TimeInterval whole = context.time_tree(margin, context.parts(margin)).interval({});
+    const culling::TimeInterval whole = context.interval(margin, {});
     NodeFront front(bodies.moving().body(), bodies.fixed().body());
     front.restart();
     std::vector<TwoFaces> faces;

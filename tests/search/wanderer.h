@@ -12,8 +12,6 @@
 
 namespace chasles::search {
 
-using test::uniform;
-
 /// Two links of a chain: one of them wanders along the surface of the other one.
 class Wanderer {
 public:
@@ -21,10 +19,10 @@ public:
 
     /// A piece of the way: mostly short, sometimes long.
     Motion next() {
-        const double step = uniform(random_, 0, 1) < 0.1 ? 0.2 : 0.003;
+        const double step = test::uniform(random_, 0, 1) < 0.1 ? 0.2 : 0.003;
         const Pose goal = test::composed(pose_, test::turned(test::random_vector(random_, step),
                                                              test::random_vector(random_, 1).normalized(),
-                                                             uniform(random_, 0, step)));
+                                                             test::uniform(random_, 0, step)));
         const Motion way = ScrewMotion::between(pose_, goal);
         pose_ = goal;
         if ((pose_.translation - home().translation).norm() > 0.03)

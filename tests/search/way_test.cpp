@@ -9,7 +9,7 @@ namespace chasles::search {
 namespace {
 
 Way way_on(const PieceContext& context, double margin) {
-    return way_of(context, context.time_tree(margin, context.parts(margin)).interval({}), margin);
+    return way_of(context, context.interval(margin, {}), margin);
 }
 
 /// The greatest distance of two places of a vertex.
@@ -61,8 +61,6 @@ TEST(Way, TheArrivalBoundsWherePointsAre) {
             EXPECT_LE(farthest(bodies.moving(), last->ends.at(arrival.share), way.ends.start), arrival.beside);
             at_end += arrival.from_end < 1e-9 ? 1 : 0;
             between += arrival.beside < 0.5 * arrival.from_end ? 1 : 0;
-        } else {
-            travel.restart();
         }
         last = way;
     }
