@@ -4,13 +4,24 @@
 
 namespace chasles::culling {
 
+namespace {
+
+Vector3<double> mean(const std::vector<Vector3<double>>& corners) {
+    Vector3<double> sum{0, 0, 0};
+    for (const Vector3<double>& corner : corners)
+        sum = sum + corner;
+    return scale(sum, 1.0 / double(corners.size()));
+}
+
+} // namespace
+
 /// Gilbert's algorithm: `nearest` is a point of the difference of both convex hulls, and moves to the point nearest to
 /// 0 on the way to the support along it.
 std::optional<Vector3<double>> FaceSeparation::direction(std::uint32_t moving_face, std::uint32_t fixed_face,
                                                          double time, double distance) {
     constexpr int most_steps = 6;
     place_corners(moving_face, fixed_face, time);
-    Vector3<double> nearest = between_means();
+    Vector3<double> nearest = between_means_;
     for (int step = 0; step < most_steps; ++step) {
         const double square = dot(nearest, nearest);
         if (!(square > distance * distance))
@@ -33,7 +44,7 @@ std::optional<FaceSeparation::Direction> FaceSeparation::widest(std::uint32_t mo
     constexpr double enough = 0.9; // of the distance
     place_corners(moving_face, fixed_face, time);
     WidestGap widest;
-    Vector3<double> nearest = between_means();
+    Vector3<double> nearest = between_means_;
     for (int step = 0; step < most_steps; ++step) {
         const double distance = length(nearest);
         if (!(distance > 0))
@@ -64,7 +75,7 @@ std::optional<Vector3<double>> FaceSeparation::beyond(std::uint32_t moving_face,
     constexpr int most_steps = 6;
     place_corners(moving_face, fixed_face, time);
     WidestGap widest;
-    Vector3<double> nearest = between_means();
+    Vector3<double> nearest = between_means_;
     for (int step = 0; step < most_steps; ++step) {
         const double most = length(nearest);
         if (!(most > distances.near))
@@ -115,28 +126,29 @@ void FaceSeparation::try_across(const Vector3<double>& a, const Vector3<double>&
     const double size = length(across);
     if (!(size > 0))
         return;
-    const bool is_towards_moving = dot(across, between_means()) > 0;
+    const bool is_towards_moving = dot(across, between_means_) > 0;
     try_direction(scale(across, is_towards_moving ? 1 / size : -1 / size), widest, axis);
 }
 
+/// Consecutive questions often share a face.
 void FaceSeparation::place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time) {
-    const MatrixPose place = ends_.at(time);
-    moving_corners_.clear();
-    for (const std::uint32_t corner : moving_.face(moving_face))
-        moving_corners_.push_back(place(point_of<double>(moving_, corner)));
-    fixed_corners_.clear();
-    for (const std::uint32_t corner : fixed_.face(fixed_face))
-        fixed_corners_.push_back(point_of<double>(fixed_, corner));
-}
-
-Vector3<double> FaceSeparation::between_means() const {
-    const auto mean = [](const std::vector<Vector3<double>>& corners) {
-        Vector3<double> sum{0, 0, 0};
-        for (const Vector3<double>& corner : corners)
-            sum = sum + corner;
-        return scale(sum, 1.0 / double(corners.size()));
-    };
-    return mean(moving_corners_) - mean(fixed_corners_);
+    if (moving_face_ != moving_face || time_ != time) {
+        const MatrixPose place = ends_.at(time);
+        moving_corners_.clear();
+        for (const std::uint32_t corner : moving_.face(moving_face))
+            moving_corners_.push_back(place(point_of<double>(moving_, corner)));
+        moving_mean_ = mean(moving_corners_);
+        moving_face_ = moving_face;
+        time_ = time;
+    }
+    if (fixed_face_ != fixed_face) {
+        fixed_corners_.clear();
+        for (const std::uint32_t corner : fixed_.face(fixed_face))
+            fixed_corners_.push_back(point_of<double>(fixed_, corner));
+        fixed_mean_ = mean(fixed_corners_);
+        fixed_face_ = fixed_face;
+    }
+    between_means_ = moving_mean_ - fixed_mean_;
 }
 
 /// The point of the difference of both faces that is least along the direction.

@@ -14,7 +14,10 @@ class FaceSeparation {
 public:
     FaceSeparation(const Body& moving, const Body& fixed) : moving_(moving), fixed_(fixed) {}
 
-    void use(const IntervalEnds& ends) { ends_ = ends; }
+    void use(const IntervalEnds& ends) {
+        ends_ = ends;
+        moving_face_.reset();
+    }
 
     /// A direction from the fixed face to the moving face, of any length, along which the faces are farther apart than
     /// the distance at about `time` (in [0, 1] of the interval). Empty if the search finds none. The direction is a
@@ -57,14 +60,19 @@ private:
     void try_across(const Vector3<double>& a, const Vector3<double>& b, Axis axis, WidestGap& widest) const;
     static Vector3<double> edge(const std::vector<Vector3<double>>& corners, std::size_t from);
     void place_corners(std::uint32_t moving_face, std::uint32_t fixed_face, double time);
-    [[nodiscard]] Vector3<double> between_means() const;
     [[nodiscard]] Vector3<double> support(const Vector3<double>& direction) const;
 
     const Body& moving_;
     const Body& fixed_;
     IntervalEnds ends_;
+    std::optional<std::uint32_t> moving_face_; ///< placed at time_
+    std::optional<std::uint32_t> fixed_face_;
+    double time_ = 0;
     std::vector<Vector3<double>> moving_corners_;
     std::vector<Vector3<double>> fixed_corners_;
+    Vector3<double> moving_mean_{};
+    Vector3<double> fixed_mean_{};
+    Vector3<double> between_means_{};
 };
 
 } // namespace chasles::culling
