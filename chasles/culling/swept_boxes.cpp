@@ -22,6 +22,8 @@ namespace {
 /// A computed window is widened by this for the rounding of a quotient in [0, 1] (note 14, "Rounding").
 constexpr float window_slack = 0x1p-20F;
 constexpr Window never{1, 0};
+/// Directions of gaps are made this long, so that rounding makes none longer than 1.
+constexpr float direction_length = 1 - 0x1p-20F;
 
 // The kernel is compiled for the target of the library and, on x86-64, also for AVX2. The processor at run time decides
 // which kernel runs. No kernel uses fused operations, therefore both return the same bits. tests/bits checks this with

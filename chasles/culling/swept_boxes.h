@@ -56,9 +56,10 @@ public:
 
     /// Lower bounds of the distances of four pairs of nodes; 0 where no tested direction separates them.
     struct Gaps {
-        std::array<float, 4> start; ///< of the interval
-        std::array<float, 4> end;
-        std::array<float, 4> on_way; ///< during the whole interval
+        std::array<float, 4> start;                ///< of the interval
+        std::array<float, 4> on_way;               ///< during the whole interval
+        std::array<std::array<float, 4>, 3> along; ///< x, y, z: the gap at the start is along this vector of the fixed
+                                                   ///< body's frame, which is no longer than 1
     };
     /// Of the same pairs, in the same order. The margin does not count.
     [[nodiscard]] Gaps widest_gaps(const TwoNodes& moving, const TwoNodes& fixed) const;

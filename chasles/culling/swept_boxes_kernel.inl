@@ -53,25 +53,21 @@ template <class Order>
     return slabs;
 }
 
+/// A direction of gaps, in the frame of body b: from the patch of b to the patch of a.
+struct Direction {
+    Vectors vector;
+    Lanes length; ///< or more
+};
+
 /// The part of the interval in which no tested direction separates a pair. A gap is linear in time; it is open where it
 /// is positive.
 class OverlapWindow {
 public:
     explicit OverlapWindow(const Window& when) : lower_(broadcast(when.lower)), upper_(broadcast(when.upper)) {}
 
-    /// Excludes the times at which gap a or gap b is open, along any vector. Without branches: which gaps are open
-    /// cannot be foretold.
-    void add(const Vectors& /*along*/, Lanes a, Lanes b) { add(a, b); }
-    void add(Lanes a, Lanes b) {
-        const Lanes start = starts(a, b);
-        const Lanes end = ends(a, b);
-        const Bits start_open = start > 0.0F;
-        const Bits end_open = end > 0.0F;
-        open_ |= start_open & end_open;
-        const Lanes crossing = start / (start - end);
-        lower_ = max(lower_, Lanes(Bits(crossing - broadcast(window_slack)) & start_open));
-        upper_ = min(select(end_open, crossing + broadcast(window_slack), broadcast(1)), upper_);
-    }
+    /// Excludes the times at which gap a or gap b is open. Without branches: which gaps are open cannot be foretold.
+    void add(const Direction& /*along*/, Lanes a, Lanes b) { add(a, b); }
+    void add_along_one(const Direction& along, Lanes a, Lanes b) { add(along, a, b); }
 
     /// Whether each pair has a gap that is open during the whole interval.
     [[nodiscard]] bool are_apart() const { return open_pairs() == 0xf; }
@@ -88,6 +84,17 @@ public:
     }
 
 private:
+    void add(Lanes a, Lanes b) {
+        const Lanes start = starts(a, b);
+        const Lanes end = ends(a, b);
+        const Bits start_open = start > 0.0F;
+        const Bits end_open = end > 0.0F;
+        open_ |= start_open & end_open;
+        const Lanes crossing = start / (start - end);
+        lower_ = max(lower_, Lanes(Bits(crossing - broadcast(window_slack)) & start_open));
+        upper_ = min(select(end_open, crossing + broadcast(window_slack), broadcast(1)), upper_);
+    }
+
     /// One bit for each pair that is separated during the whole interval.
     [[nodiscard]] unsigned open_pairs() const {
         const unsigned bits = bits_of(open_);
@@ -112,31 +119,50 @@ private:
 /// The widest gaps of each pair.
 class WidestGaps {
 public:
-    void add(Lanes a, Lanes b) {
-        at_ends_ = max(at_ends_, max(a, b));
-        on_way_ = max(on_way_, max(min(a, halves_swapped(a)), min(b, halves_swapped(b))));
+    /// Gaps along a vector and along the opposite one.
+    void add(const Direction& along, Lanes a, Lanes b) {
+        const Lanes per_length = broadcast(1) / along.length;
+        a = a * per_length;
+        b = b * per_length;
+        const Vectors unit = scale(along.vector, per_length);
+        add(max(a, b), select(a > b, unit, reversed(unit)));
+        on_way_ = max(on_way_, max(on_way(a), on_way(b)));
     }
-    /// Gaps along a vector of 1-norm one.
-    void add(const Vectors& along, Lanes a, Lanes b) {
-        const Lanes per_length = broadcast(1) / length_above(along);
-        add(a * per_length, b * per_length);
+    /// Two bounds of the gap along one vector.
+    void add_along_one(const Direction& along, Lanes a, Lanes b) {
+        const Lanes per_length = broadcast(1) / along.length;
+        const Lanes gap = max(a, b) * per_length;
+        add(gap, scale(along.vector, per_length));
+        on_way_ = max(on_way_, on_way(gap));
     }
 
     [[nodiscard]] SweptBoxes::Gaps gaps() const {
         SweptBoxes::Gaps gaps;
-        std::array<float, 8> lanes;
-        std::memcpy(lanes.data(), &at_ends_, sizeof lanes);
-        std::copy_n(lanes.begin(), 4, gaps.start.begin());
-        std::copy_n(lanes.begin() + 4, 4, gaps.end.begin());
+        const auto store_starts = [](Lanes lanes, std::array<float, 4>& starts) {
+            lanes = lanes * broadcast(direction_length);
+            std::memcpy(starts.data(), &lanes, sizeof starts);
+        };
+        store_starts(widest_, gaps.start);
+        store_starts(along_.x, gaps.along[0]);
+        store_starts(along_.y, gaps.along[1]);
+        store_starts(along_.z, gaps.along[2]);
         const Lanes on_way =
             min(on_way_, halves_swapped(on_way_)); // where one end is not a number, the other one tells
-        std::memcpy(lanes.data(), &on_way, sizeof lanes);
-        std::copy_n(lanes.begin(), 4, gaps.on_way.begin());
+        std::memcpy(gaps.on_way.data(), &on_way, sizeof gaps.on_way);
         return gaps;
     }
 
 private:
-    Lanes at_ends_{}; ///< 0 where nothing separates
+    void add(Lanes gap, const Vectors& along) {
+        const Bits is_wider = gap > widest_;
+        widest_ = select(is_wider, gap, widest_);
+        along_ = select(is_wider, along, along_);
+    }
+    /// The gap that is open at both ends.
+    static Lanes on_way(Lanes gap) { return min(gap, halves_swapped(gap)); }
+
+    Lanes widest_{}; ///< 0 where nothing separates
+    Vectors along_{};
     Lanes on_way_{};
 };
 
@@ -154,13 +180,33 @@ struct PairPlacement {
             rotated(b_in_a, b.centre) + loaded(b_in_a.offset) - a.centre};
 }
 
+/// The axes of one frame, in the frame of body b.
+struct Axes {
+    Vectors x, y, z;
+};
+
+[[gnu::always_inline]] inline Axes axes_of_b() {
+    const Lanes zero = broadcast(0), one = broadcast(1);
+    return {{one, zero, zero}, {zero, one, zero}, {zero, zero, one}};
+}
+
+/// The axes of body a, reversed: its view of b is from a to b.
+[[gnu::always_inline]] inline Axes reversed_axes_of_a(const SweptBoxes::View& a_in_b) {
+    const auto axis = [&](int j) {
+        return reversed({loaded(a_in_b.rotation[0][j]), loaded(a_in_b.rotation[1][j]), loaded(a_in_b.rotation[2][j])});
+    };
+    return {axis(0), axis(1), axis(2)};
+}
+
 /// Tests the axes of one frame. `centre` is the centre of one box relative to the other; `extent` is the sum of both
 /// half sides.
 template <class Test>
-[[gnu::always_inline]] inline void test_axes(Test& window, const Vectors& centre, const Vectors& extent) {
-    window.add(centre.x - extent.x, -centre.x - extent.x);
-    window.add(centre.y - extent.y, -centre.y - extent.y);
-    window.add(centre.z - extent.z, -centre.z - extent.z);
+[[gnu::always_inline]] inline void test_axes(Test& window, const Axes& axes, const Vectors& centre,
+                                             const Vectors& extent) {
+    const Lanes one = broadcast(1);
+    window.add({axes.x, one}, centre.x - extent.x, -centre.x - extent.x);
+    window.add({axes.y, one}, centre.y - extent.y, -centre.y - extent.y);
+    window.add({axes.z, one}, centre.z - extent.z, -centre.z - extent.z);
 }
 
 /// Tests the axes of both boxes.
@@ -169,9 +215,9 @@ template <class Test>
                                                  const Boxes& b, float margin) {
     const Lanes a_slack = broadcast(pair.a_in_b.slack + margin);
     const Lanes b_slack = broadcast(pair.b_in_a.slack + margin);
-    test_axes(window, pair.a_from_b,
+    test_axes(window, axes_of_b(), pair.a_from_b,
               rotated_extent(pair.a_in_b, a.half) + (b.half + Vectors{a_slack, a_slack, a_slack}));
-    test_axes(window, pair.b_from_a,
+    test_axes(window, reversed_axes_of_a(pair.a_in_b), pair.b_from_a,
               rotated_extent(pair.b_in_a, b.half) + (a.half + Vectors{b_slack, b_slack, b_slack}));
 }
 
@@ -203,8 +249,8 @@ template <class Test>
     const Lanes b_height = dot(a.slab.normal, pair.b_from_a) + (by_b * b.slab.middle - a.slab.middle);
     const Lanes a_thick = a_rest + (magnitude(by_a) * a.slab.half + b.slab.half) + a_slack;
     const Lanes b_thick = b_rest + (magnitude(by_b) * b.slab.half + a.slab.half) + b_slack;
-    window.add(b.slab.normal, a_height - a_thick, -a_height - a_thick);
-    window.add(a.slab.normal, b_height - b_thick, -b_height - b_thick);
+    window.add({b.slab.normal, length_above(b.slab.normal)}, a_height - a_thick, -a_height - a_thick);
+    window.add({reversed(a_normal), length_above(a.slab.normal)}, b_height - b_thick, -b_height - b_thick);
 }
 
 /// The support of a patch along a direction of its own frame, relative to the centre of its box.
@@ -237,7 +283,7 @@ inline Vectors clamped(const Vectors& v, const Vectors& half) {
     return from_b - clamped(from_b, b.half);
 }
 
-/// Tests the direction between near points of the boxes at one time of the interval . This
+/// Tests the direction between near points of the boxes at one time of the interval. This
 /// direction separates boxes that are small compared with the margin.
 template <class Test>
 [[gnu::always_inline]] inline void test_nearest_axis(Test& window, const PairPlacement& pair, const Patches& a,
@@ -255,7 +301,7 @@ template <class Test>
     const Support of_b = support_along(axis, b);
     const Lanes gap = dot(axis, pair.a_from_b) - broadcast(pair.a_in_b.slack) - broadcast(margin) * length_above(axis);
     const Lanes between_slabs = of_a.middle - of_b.middle - of_a.by_slab - of_b.by_slab;
-    window.add(axis, gap - of_a.by_box - of_b.by_box, gap + between_slabs);
+    window.add_along_one({axis, length_above(axis)}, gap - of_a.by_box - of_b.by_box, gap + between_slabs);
 }
 
 /// The windows of the four pairs of the nodes `outer` of body a and the nodes `inner` of body b.

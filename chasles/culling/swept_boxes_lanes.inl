@@ -78,8 +78,14 @@ inline Vectors operator-(const Vectors& a, const Vectors& b) {
 inline Vectors scale(const Vectors& a, Lanes factor) {
     return {a.x * factor, a.y * factor, a.z * factor};
 }
+inline Vectors reversed(const Vectors& a) {
+    return {-a.x, -a.y, -a.z};
+}
 inline Vectors magnitude(const Vectors& a) {
     return {magnitude(a.x), magnitude(a.y), magnitude(a.z)};
+}
+inline Vectors select(Bits mask, const Vectors& a, const Vectors& b) {
+    return {select(mask, a.x, b.x), select(mask, a.y, b.y), select(mask, a.z, b.z)};
 }
 inline Lanes dot(const Vectors& a, const Vectors& b) {
     return a.x * b.x + a.y * b.y + a.z * b.z;

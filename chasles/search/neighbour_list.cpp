@@ -23,9 +23,6 @@ constexpr std::size_t free_growth = 1000; ///< pairs
 /// Too much is near.
 constexpr int questions_to_pause = 64;
 
-/// The limit of a pair of which nothing is known.
-constexpr double unknown = -std::numeric_limits<double>::infinity();
-
 double mean_edge(const Body& body) {
     double sum = 0;
     std::size_t count = 0;
@@ -37,38 +34,36 @@ double mean_edge(const Body& body) {
     return count > 0 ? sum / double(count) : 0;
 }
 
-/// Points of single precision, which suffices to foretell how a face moves.
-std::array<float, 3> rounded(const Vector3<double>& point) {
-    return {float(point.x), float(point.y), float(point.z)};
+Vector3<double> in_double(const Vector3<float>& vector) {
+    return {double(vector.x), double(vector.y), double(vector.z)};
 }
-Vector3<double> in_double(const std::array<float, 3>& point) {
-    return {double(point[0]), double(point[1]), double(point[2])};
+
+/// A unit vector in single precision, shortened so that rounding makes it no longer than 1.
+Vector3<float> shortened(const Vector3<double>& unit) {
+    constexpr double length_of_normals = 1 - 0x1p-22;
+    const Vector3<double> normal = scale(unit, length_of_normals);
+    return {float(normal.x), float(normal.y), float(normal.z)};
+}
+
+/// Rounded to nearest, which suffices to foretell how a face moves.
+Separations::Box box_of_face(const Body& body, std::uint32_t face) {
+    constexpr float infinite = std::numeric_limits<float>::infinity();
+    Separations::Box box{{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
+    for (const std::uint32_t corner : body.face(face))
+        for (std::size_t i = 0; i < 3; ++i) {
+            const auto axis = Eigen::Index(i);
+            const auto place = float(body.vertices()[corner][axis] - body.bvh().centre()[axis]);
+            box.lower[i] = std::min(box.lower[i], place);
+            box.upper[i] = std::max(box.upper[i], place);
+        }
+    return box;
 }
 
 } // namespace
 
-/// How points move from the start of a way to its end: y -> turn y + shift.
-struct NeighbourList::Displacements {
-    algebra::Matrix3<double> turned_back; ///< the turn, transposed
-    Vector3<double> shift;
-
-    explicit Displacements(const culling::IntervalEnds& ends) : shift(ends.end.translation - ends.start.translation) {
-        algebra::Matrix3<double> turn;
-        for (int i = 0; i < 3; ++i)
-            turn.row[i] = ends.end.rotation.row[i] - ends.start.rotation.row[i];
-        turned_back = turn.transposed();
-    }
-
-    /// How far each point of a ball moves along a unit vector, or farther.
-    [[nodiscard]] double least_along(const Vector3<double>& unit, const Vector3<double>& middle, double radius) const {
-        const Vector3<double> rate = turned_back * unit;
-        return dot(rate, middle) + dot(unit, shift) - length(rate) * radius;
-    }
-};
-
 NeighbourList::NeighbourList(const Body& moving, const Body& fixed)
     : moving_(moving), fixed_(fixed), separation_(moving, fixed), travel_(moving), front_(moving, fixed),
-      longest_way_(way_of_edges * std::max(mean_edge(moving), mean_edge(fixed))) {}
+      apart_(moving), longest_way_(way_of_edges * std::max(mean_edge(moving), mean_edge(fixed))) {}
 
 std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const PieceContext& context, double margin,
                                                                           Work& work) {
@@ -76,7 +71,9 @@ std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const 
         return std::nullopt;
     const culling::TimeInterval whole = context.interval(margin, {});
     const Way way = way_of(context, whole, margin);
-    arrive(travel_.go_to(way));
+    const Arrival arrival = travel_.go_to(way);
+    front_.arrive(arrival);
+    apart_.arrive(arrival);
     if (way.travel > longest_way_ || pause_-- > 0)
         return std::nullopt;
     pause_ = 0;
@@ -86,8 +83,7 @@ std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const 
     widest_margin_ = std::max(widest_margin_, margin);
     const double bound = widest_margin_ + way.travel + with_rounding(travel_.sum());
     faces_.clear();
-    front_.split({whole.boxes, margin, bound, travel_.sum(), most_pairs - std::min(most_pairs, pairs_.size())}, faces_,
-                 work);
+    front_.split({whole.boxes, way, bound, most_pairs - std::min(most_pairs, pairs_.size())}, faces_, work);
     add(faces_);
     if (size() > most_pairs) {
         restart();
@@ -100,14 +96,6 @@ std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const 
     return near_;
 }
 
-/// The limits of what was tested for the last way are better known by where the body came to on it.
-void NeighbourList::arrive(const Arrival& arrival) {
-    front_.arrive(arrival);
-    for (const auto& [index, gaps] : tested_)
-        limits_.raise(index, gaps.start + arrival.share * (gaps.end - gaps.start) - arrival.beside + arrival.travelled);
-    tested_.clear();
-}
-
 bool NeighbourList::is_outdated() const {
     return size() == 0 || travel_.sum() - last_use_ > longest_way_ ||
            size() > most_growth * size_at_start_ + free_growth;
@@ -117,46 +105,28 @@ void NeighbourList::restart() {
     travel_.restart();
     front_.restart();
     pairs_.clear();
-    limits_.clear();
-    tested_.clear();
+    apart_.clear();
     size_at_start_ = 0;
     widest_margin_ = 0;
 }
 
 void NeighbourList::add(const std::vector<TwoFaces>& faces) {
     for (const TwoFaces& two : faces) {
-        Neighbours pair{two};
-        const auto corners = moving_.face(two.moving);
-        pair.middle = rounded(culling::point_of<double>(moving_, corners[0]));
-        for (const std::uint32_t corner : corners)
-            pair.radius =
-                std::max(pair.radius, length(culling::point_of<double>(moving_, corner) - in_double(pair.middle)));
-        pairs_.push_back(pair);
-        limits_.push_back(unknown);
+        if (pairs_.size() % Separations::block_size == 0)
+            apart_.append_block();
+        apart_.put(pairs_.size(), box_of_face(moving_, two.moving));
+        pairs_.push_back({two});
     }
 }
 
-/// Tests the pairs with limits up to the bound.
+/// Tests the pairs that are due.
 void NeighbourList::find_near(const Way& way, double bound) {
     near_.clear();
     separation_.use(way.ends);
     placed_starts_.clear();
-    const Displacements displacements(way.ends);
-    const double uncertain = way.deviation + 2 * way.rounding;
-    for (const auto& [index, limit] : limits_.take_up_to(bound)) {
-        const Neighbours& pair = pairs_[index];
-        if (limit > unknown) {
-            const double start = limit - with_rounding(travel_.sum());
-            const Gaps gaps{start, start + displacements.least_along(pair.normal, in_double(pair.middle), pair.radius)};
-            if (gaps.least() > way.margin + uncertain) {
-                limits_.set(index, limit);
-                tested_.push_back({index, gaps});
-                continue;
-            }
-        }
+    for (const std::size_t index : apart_.due(way, bound))
         if (const double least = least_on_way(index, way); !(least > way.margin))
-            near_.push_back({pair.faces, least});
-    }
+            near_.push_back({pairs_[index].faces, least});
     chasles::sort(near_, {}, [](const Near& near) { return std::pair(near.faces.moving, near.faces.fixed); });
 }
 
@@ -170,26 +140,25 @@ void NeighbourList::place_corners(std::uint32_t face, const Way& way) {
     for (const std::uint32_t corner : moving_.face(face)) {
         const Vector3<double> point = culling::point_of<double>(moving_, corner);
         placed_starts_.push_back(way.ends.start(point));
-        placed_ends_.push_back(way.ends.end(point));
+        if (!way.rests())
+            placed_ends_.push_back(way.ends.end(point));
     }
 }
 
-/// By the half space that is known or, if it does not tell, by a new one. Sets the limit.
+/// By the half space that is known or, if it does not tell, by a new one. Sets the limit. If the gap is still about the
+/// one that was the widest, nothing new is tried.
 double NeighbourList::least_on_way(std::size_t index, const Way& way) {
     Neighbours& pair = pairs_[index];
-    const double uncertain = way.deviation + 2 * way.rounding;
     place_corners(pair.faces.moving, way);
-    const bool has_gap = gaps_of(pair).least() > way.margin + uncertain || has_widest_gap(pair) ||
-                         finds_direction(pair, way.margin + uncertain);
-    const Gaps gaps = gaps_of(pair);
-    limits_.set(index, gaps.start + travel_.sum());
-    tested_.push_back({index, gaps});
-    return has_gap ? gaps.least() - uncertain : 0;
-}
-
-/// Whether the gap is still about the one that was the widest. Then nothing new is tried.
-bool NeighbourList::has_widest_gap(const Neighbours& pair) const {
-    return std::abs(gaps_of(pair).least() - pair.widest) < 0.25 * pair.widest;
+    Gaps gaps = gaps_of(pair);
+    bool has_gap = pair.is_known() &&
+                   (gaps.least() > way.least_gap() || std::abs(gaps.least() - pair.widest) < 0.25 * pair.widest);
+    if (!has_gap) {
+        has_gap = finds_direction(pair, way.least_gap());
+        gaps = gaps_of(pair);
+    }
+    apart_.put_apart(index, pair.normal, gaps.start);
+    return has_gap ? gaps.least() - (way.least_gap() - way.margin) : 0;
 }
 
 /// A half space for a pair whose moving face is placed. Most pairs that are new are far enough apart for a short
@@ -215,24 +184,26 @@ bool NeighbourList::finds_direction(Neighbours& pair, double distance) {
 
 /// Returns the gap on the way.
 double NeighbourList::set_direction(Neighbours& pair, const FaceSeparation::Direction& direction) const {
-    pair.normal = direction.along;
+    pair.normal = shortened(direction.along);
     pair.axis = direction.axis;
-    pair.offset = unknown;
+    const Vector3<double> normal = in_double(pair.normal);
+    pair.offset = -std::numeric_limits<double>::infinity();
     for (const std::uint32_t corner : fixed_.face(pair.faces.fixed))
-        pair.offset = std::max(pair.offset, dot(pair.normal, culling::point_of<double>(fixed_, corner)));
+        pair.offset = std::max(pair.offset, dot(normal, culling::point_of<double>(fixed_, corner)));
     pair.widest = gaps_of(pair).least();
     return pair.widest;
 }
 
 /// Of a pair whose moving face is placed.
 NeighbourList::Gaps NeighbourList::gaps_of(const Neighbours& pair) const {
-    const auto least = [&](const std::vector<Vector3<double>>& corners) {
+    const auto least = [&, normal = in_double(pair.normal)](const std::vector<Vector3<double>>& corners) {
         double height = std::numeric_limits<double>::infinity();
         for (const Vector3<double>& corner : corners)
-            height = std::min(height, dot(pair.normal, corner));
+            height = std::min(height, dot(normal, corner));
         return height - pair.offset;
     };
-    return {least(placed_starts_), least(placed_ends_)};
+    const double start = least(placed_starts_);
+    return {start, placed_ends_.empty() ? start : least(placed_ends_)};
 }
 
 } // namespace chasles::search

@@ -7,13 +7,12 @@
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_separation.h"
 #include "chasles/search/find.h"
-#include "chasles/search/limits.h"
 #include "chasles/search/node_front.h"
 #include "chasles/search/owned_pairs.h"
 #include "chasles/search/piece_context.h"
+#include "chasles/search/separations.h"
 #include "chasles/search/way.h"
 
-#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -41,12 +40,10 @@ private:
     /// Two faces with a half space of the fixed body's frame that contains the fixed face.
     struct Neighbours {
         TwoFaces faces{};
-        algebra::Vector3<double> normal{}; ///< unit up to rounding, towards the moving face; 0: none is known
-        double offset = 0;                 ///< of the fixed face, along the normal
-        double widest = 0;                 ///< the gap along the normal when it was found to be the widest one
+        algebra::Vector3<float> normal{}; ///< no longer than 1, towards the moving face; 0: none is known
         culling::FaceSeparation::Axis axis = culling::FaceSeparation::no_axis; ///< of the normal
-        std::array<float, 3> middle{}; ///< of a ball around the moving face, in the frame of its body
-        double radius = 0;
+        double offset = 0;                                                     ///< of the fixed face, along the normal
+        double widest = 0; ///< the gap along the normal when it was found to be the widest one
 
         [[nodiscard]] bool is_known() const { return normal.x != 0 || normal.y != 0 || normal.z != 0; }
     };
@@ -57,21 +54,14 @@ private:
 
         [[nodiscard]] double least() const { return std::min(start, end); }
     };
-    struct Tested {
-        std::size_t index;
-        Gaps gaps;
-    };
-    struct Displacements;
 
     [[nodiscard]] std::size_t size() const { return pairs_.size() + front_.size(); }
     [[nodiscard]] bool is_outdated() const;
     void restart();
-    void arrive(const Arrival& arrival);
     void add(const std::vector<TwoFaces>& faces);
     void find_near(const Way& way, double bound);
     void place_corners(std::uint32_t face, const Way& way);
     double least_on_way(std::size_t index, const Way& way);
-    [[nodiscard]] bool has_widest_gap(const Neighbours& pair) const;
     bool finds_direction(Neighbours& pair, double distance);
     double set_direction(Neighbours& pair, const culling::FaceSeparation::Direction& direction) const;
     [[nodiscard]] Gaps gaps_of(const Neighbours& pair) const;
@@ -82,8 +72,7 @@ private:
     Travel travel_;
     NodeFront front_;
     std::vector<Neighbours> pairs_; ///< of faces that the front does not keep apart
-    Limits limits_;                 ///< they are apart by at least the limit less the way that is travelled
-    std::vector<Tested> tested_;    ///< for the last way
+    Separations apart_;             ///< along the normals of the pairs
     double longest_way_;            ///< for which a list pays
     double last_use_ = 0;           ///< the way that was travelled then
     double widest_margin_ = 0;      ///< of all questions
@@ -92,7 +81,7 @@ private:
     std::vector<TwoFaces> faces_;   ///< that are new
     std::uint32_t placed_face_ = 0;
     std::vector<algebra::Vector3<double>> placed_starts_; ///< corners of one moving face at the start of the piece
-    std::vector<algebra::Vector3<double>> placed_ends_;   ///< likewise at the end
+    std::vector<algebra::Vector3<double>> placed_ends_;   ///< likewise at the end; empty if the body rests
     std::vector<Near> near_;
 };
 

@@ -2,81 +2,105 @@
 
 #include "chasles/culling/split_nodes.h"
 
-#include <algorithm>
 #include <limits>
 
 namespace chasles::search {
 
+namespace {
+
+using algebra::Vector3;
+
+constexpr std::size_t pairs_of_children = Separations::block_size;
+/// A direction of single precision is off by less than this (note 31, "Rounding").
+constexpr double error_of_directions = 0x1p-19;
+
+Separations::Box box_of(const BvhNode& node) {
+    return {node.lower, node.upper};
+}
+
+} // namespace
+
 void NodeFront::restart() {
-    nodes_.clear();
-    limits_.clear();
+    parents_.clear();
+    apart_.clear();
     free_.clear();
-    tested_.clear();
-    nodes_.push_back({0, 0});
-    limits_.push_back(-std::numeric_limits<double>::infinity());
+    add({0, 0});
+    new_.clear();
 }
 
-void NodeFront::split(const Question& question, std::vector<TwoFaces>& faces, Work& work) {
-    tested_.clear();
-    // what a pair is split into has its limits from now, and is not taken again
-    for (const auto& [place, limit] : limits_.take_up_to(question.bound)) {
-        free_.push_back(place);
-        stack_.push_back(nodes_[place]);
-        while (!stack_.empty()) {
-            if (size() + faces.size() > question.most)
-                return stack_.clear();
-            const PairOfNodes pair = stack_.back();
-            stack_.pop_back();
-            split(pair, question, faces, work);
-        }
-    }
-}
-
-/// A pair stays as it is if its children are apart.
-void NodeFront::split(const PairOfNodes& pair, const Question& question, std::vector<TwoFaces>& faces, Work& work) {
-    const auto moving = moving_.nodes(), fixed = fixed_.nodes();
-    if (moving[pair.moving].is_bare() && fixed[pair.fixed].is_bare())
-        return;
-    const auto [a, b] = culling::split_nodes(moving, pair.moving, fixed, pair.fixed);
-    const culling::SweptBoxes::Gaps gaps = question.boxes.widest_gaps(a.of(moving), b.of(fixed));
-    work.node_pairs += std::uint64_t(a.count) * b.count;
-    if (*std::ranges::min_element(gaps.on_way) > question.margin)
-        return keep(pair, question.travelled + *std::ranges::min_element(gaps.start),
-                    *std::ranges::min_element(gaps.end));
-    if (moving[pair.moving].is_leaf() && fixed[pair.fixed].is_leaf()) {
-        faces.push_back({moving[pair.moving].first, fixed[pair.fixed].first});
-        return;
-    }
-    for (std::uint32_t i = 0; i < a.count; ++i)
-        for (std::uint32_t j = 0; j < b.count; ++j) {
-            const PairOfNodes child{a.first + i, b.first + j};
-            const std::size_t lane = 2 * i + j;
-            if (gaps.on_way[lane] > question.margin)
-                keep(child, question.travelled + gaps.start[lane], gaps.end[lane]);
-            else
-                stack_.push_back(child);
-        }
-}
-
-void NodeFront::keep(const PairOfNodes& pair, double limit, double gap_at_end) {
-    std::size_t place = nodes_.size();
+void NodeFront::add(const PairOfNodes& parent) {
+    std::size_t place = parents_.size();
     if (free_.empty()) {
-        nodes_.push_back(pair);
-        limits_.push_back(limit);
+        parents_.push_back(parent);
+        apart_.append_block();
     } else {
         place = free_.back();
         free_.pop_back();
-        nodes_[place] = pair;
-        limits_.set(place, limit);
+        parents_[place] = parent;
     }
-    tested_.push_back({place, gap_at_end});
+    const auto [a, b] = culling::split_nodes(moving_.nodes(), parent.moving, fixed_.nodes(), parent.fixed);
+    for (std::uint32_t i = 0; i < a.count; ++i)
+        for (std::uint32_t j = 0; j < b.count; ++j)
+            apart_.put(place * pairs_of_children + 2 * i + j, box_of(moving_.nodes()[a.first + i]));
+    new_.push_back(place);
 }
 
-/// The gaps at both ends may be along different directions, so they say nothing about places between them.
-void NodeFront::arrive(const Arrival& arrival) {
-    for (const auto& [place, gap_at_end] : tested_)
-        limits_.raise(place, gap_at_end - arrival.from_end + arrival.travelled);
-    tested_.clear();
+void NodeFront::split(const Question& question, std::vector<TwoFaces>& faces, Work& work) {
+    std::size_t next = 0; // the first place that is not tested yet
+    for (const std::size_t index : apart_.due(question.way, question.bound)) {
+        const std::size_t place = index / pairs_of_children;
+        if (place < next)
+            continue;
+        next = place + 1;
+        test(place, question, faces, work);
+        while (!new_.empty()) {
+            if (size() + faces.size() > question.most)
+                return;
+            const std::size_t child = new_.back();
+            new_.pop_back();
+            test(child, question, faces, work);
+        }
+    }
+}
+
+/// Tests the pairs of children that are in the front.
+void NodeFront::test(std::size_t place, const Question& question, std::vector<TwoFaces>& faces, Work& work) {
+    const auto moving = moving_.nodes(), fixed = fixed_.nodes();
+    const PairOfNodes parent = parents_[place];
+    const auto [a, b] = culling::split_nodes(moving, parent.moving, fixed, parent.fixed);
+    const culling::SweptBoxes::Gaps gaps = question.boxes.widest_gaps(a.of(moving), b.of(fixed));
+    work.node_pairs += std::uint64_t(a.count) * b.count;
+    const double error = error_of_directions * farthest(parent, question.way.ends.start);
+    bool is_empty = true;
+    for (std::uint32_t lane = 0; lane < pairs_of_children; ++lane) {
+        const std::size_t index = place * pairs_of_children + lane;
+        const PairOfNodes pair{a.first + lane / 2, b.first + lane % 2};
+        if (!apart_.holds(index))
+            continue;
+        if (double(gaps.on_way[lane]) > question.way.margin) {
+            apart_.put_apart(index, {gaps.along[0][lane], gaps.along[1][lane], gaps.along[2][lane]},
+                             double(gaps.start[lane]) - error);
+            is_empty = false;
+            continue;
+        }
+        apart_.remove(index);
+        if (moving[pair.moving].is_bare() && fixed[pair.fixed].is_bare())
+            continue;
+        if (moving[pair.moving].is_leaf() && fixed[pair.fixed].is_leaf())
+            faces.push_back({moving[pair.moving].first, fixed[pair.fixed].first});
+        else
+            add(pair);
+    }
+    if (is_empty)
+        free_.push_back(place);
+}
+
+/// No point of the moving node is farther from a point of the fixed node.
+double NodeFront::farthest(const PairOfNodes& pair, const culling::MatrixPose& pose) const {
+    const BoxMiddle moving = middle_of(moving_.nodes()[pair.moving]), fixed = middle_of(fixed_.nodes()[pair.fixed]);
+    const Vector3<double> centre = pose(motion::vector_in<double>(moving_.centre() + moving.centre.cast<double>()));
+    const Vector3<double> apart = centre - motion::vector_in<double>(fixed_.centre() + fixed.centre.cast<double>());
+    return length(apart) + double(moving.half.norm()) + double(fixed.half.norm());
 }
 
 } // namespace chasles::search

@@ -5,8 +5,8 @@
 
 #include "chasles/culling/swept_boxes.h"
 #include "chasles/search/find.h"
-#include "chasles/search/limits.h"
 #include "chasles/search/owned_pairs.h"
+#include "chasles/search/separations.h"
 #include "chasles/search/way.h"
 
 #include <vector>
@@ -16,45 +16,43 @@ namespace chasles::search {
 /// The front of a traversal of two hierarchies. Bodies are kept by reference.
 class NodeFront {
 public:
-    NodeFront(const Body& moving, const Body& fixed) : moving_(moving.bvh()), fixed_(fixed.bvh()) {}
+    NodeFront(const Body& moving, const Body& fixed) : moving_(moving.bvh()), fixed_(fixed.bvh()), apart_(moving) {}
 
     /// Begins with both roots.
     void restart();
-    [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+    /// Of pairs whose children are in the front.
+    [[nodiscard]] std::size_t size() const { return parents_.size(); }
+
+    /// The body has come to the start of a way.
+    void arrive(const Arrival& arrival) { apart_.arrive(arrival); }
 
     /// What may come within a margin on a way?
     struct Question {
         const culling::SweptBoxes& boxes; ///< of the whole way
-        double margin;
-        double bound;     ///< pairs with greater limits do not come within the margin
-        double travelled; ///< up to the start of the way
-        std::size_t most; ///< pairs in all; if there are more, the search stops, and the front is to be restarted
+        const Way& way;
+        double bound;     ///< pairs with greater limits do not come within the margin (`Separations::due`)
+        std::size_t most; ///< parents and faces in all; if there are more, the search stops, and the front is to be
+                          ///< restarted
     };
     /// Splits the pairs that may. Appends pairs of faces that may.
     void split(const Question& question, std::vector<TwoFaces>& faces, Work& work);
-    /// Raises the limits of the pairs that the last `split` has tested.
-    void arrive(const Arrival& arrival);
 
 private:
     struct PairOfNodes {
         std::uint32_t moving;
         std::uint32_t fixed;
     };
-    struct Tested {
-        std::size_t place;
-        double gap_at_end;
-    };
 
-    void split(const PairOfNodes& pair, const Question& question, std::vector<TwoFaces>& faces, Work& work);
-    void keep(const PairOfNodes& pair, double limit, double gap_at_end);
+    void add(const PairOfNodes& parent);
+    void test(std::size_t place, const Question& question, std::vector<TwoFaces>& faces, Work& work);
+    [[nodiscard]] double farthest(const PairOfNodes& pair, const culling::MatrixPose& pose) const;
 
     const Bvh& moving_;
     const Bvh& fixed_;
-    std::vector<PairOfNodes> nodes_; ///< they, or all of their children, are apart
-    Limits limits_;                  ///< by at least the limit less the way that is travelled
-    std::vector<std::size_t> free_;  ///< places in nodes_ that hold no pair
-    std::vector<Tested> tested_;     ///< by the last `split`; each place at most once
-    std::vector<PairOfNodes> stack_;
+    std::vector<PairOfNodes> parents_;
+    Separations apart_;             ///< four places for the pairs of children of each parent
+    std::vector<std::size_t> free_; ///< places in parents_ without children
+    std::vector<std::size_t> new_;  ///< places that are not tested yet
 };
 
 } // namespace chasles::search

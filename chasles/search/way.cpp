@@ -37,7 +37,7 @@ Arrival Travel::go_to(const Way& way) {
         last.at(share), here, motion::vector_in<double>(moving_.bvh().centre()), moving_.bvh().radius());
     sum_ = with_rounding(sum_ + gone);
     last_ = way.ends;
-    return {share, beside + 2 * way.rounding, distance(moving_, last.end, here) + 2 * way.rounding, sum_};
+    return {share, beside + 2 * way.rounding, sum_};
 }
 
 } // namespace chasles::search

@@ -16,6 +16,10 @@ struct Way {
     double deviation = 0;
     double rounding = 0; ///< of positions
     double travel = 0;   ///< a bound of how far such points get from their places at the start
+
+    [[nodiscard]] bool rests() const { return travel <= deviation + 2 * rounding; }
+    /// What is apart by more at both ends of the way, along one direction, does not come within the margin.
+    [[nodiscard]] double least_gap() const { return margin + deviation + 2 * rounding; }
 };
 
 /// `whole` is the interval of the whole piece for points within the margin.
@@ -25,7 +29,6 @@ Way way_of(const PieceContext& context, const culling::TimeInterval& whole, doub
 struct Arrival {
     double share = 0;     ///< of the last way, about
     double beside = 0;    ///< a bound of how far points are from their places on the chords at this share
-    double from_end = 0;  ///< likewise from their places at the end
     double travelled = 0; ///< a bound of how far points have gone in all
 };
 

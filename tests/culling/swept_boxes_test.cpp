@@ -186,9 +186,23 @@ double distance_below(const Scene& scene, const motion::ControlMaps<DoubleDouble
     return least;
 }
 
+/// The gap of the faces below two nodes along a vector at tau, and the farthest distance of their corners.
+std::array<double, 2> gap_below(const Scene& scene, const motion::ControlMaps<DoubleDouble>& maps, double tau,
+                                std::size_t a, std::size_t b, const Eigen::Vector3d& along) {
+    double gap = std::numeric_limits<double>::infinity(), farthest = 0;
+    for (const Eigen::Vector3d& p : scene.moving.vertices())
+        for (const Eigen::Vector3d& q : scene.fixed.vertices())
+            if (holds(scene.moving, a, p) && holds(scene.fixed, b, q)) {
+                const Eigen::Vector3d apart = position(maps, p, tau) - q;
+                gap = std::min(gap, along.dot(apart));
+                farthest = std::max(farthest, apart.norm());
+            }
+    return {gap, farthest};
+}
+
 TEST(SweptBoxes, GapsAreNoWiderThanTheFacesAreApart) {
     Random random(753);
-    int pairs = 0, wide = 0, apart = 0;
+    int pairs = 0, wide = 0, wide_along = 0, apart = 0;
     for (int trial = 0; trial < 300; ++trial) {
         const Scene scene = Scene::random_scene(random);
         const auto maps = motion::control_maps(scene.motion);
@@ -204,7 +218,13 @@ TEST(SweptBoxes, GapsAreNoWiderThanTheFacesAreApart) {
                         };
                         const double at_start = distance(interval.range.lower);
                         ASSERT_LE(double(gaps.start[lane]), at_start * (1 + 1e-9)) << "seed 753, trial " << trial;
-                        ASSERT_LE(double(gaps.end[lane]), distance(interval.range.upper) * (1 + 1e-9)) << trial;
+                        const Eigen::Vector3d along(double(gaps.along[0][lane]), double(gaps.along[1][lane]),
+                                                    double(gaps.along[2][lane]));
+                        const auto [gap, farthest] =
+                            gap_below(scene, maps, interval.range.lower, a.at[i], b.at[j], along);
+                        ASSERT_LE(along.norm(), 1) << "seed 753, trial " << trial;
+                        ASSERT_LE(double(gaps.start[lane]), gap + 0x1p-19 * farthest) << "seed 753, trial " << trial;
+                        wide_along += double(gaps.start[lane]) > 0.5 * gap ? 1 : 0;
                         if (gaps.on_way[lane] > 0) {
                             ++apart;
                             ASSERT_GT(distance(scene.tau), 1e-12 * at_start) << "seed 753, trial " << trial;
@@ -216,6 +236,7 @@ TEST(SweptBoxes, GapsAreNoWiderThanTheFacesAreApart) {
             }
     }
     EXPECT_GT(wide, pairs / 4);
+    EXPECT_GT(wide_along, pairs / 4);
     EXPECT_GT(apart, pairs / 10);
 }
 

@@ -24,7 +24,7 @@ public:
         std::vector<TwoFaces> faces;
         Work work;
         const double bound = margin + way.travel + with_rounding(travel_.sum());
-        front_.split({whole.boxes, margin, bound, travel_.sum(), 1 << 20}, faces, work);
+        front_.split({whole.boxes, way, bound, 1 << 20}, faces, work);
         for (const TwoFaces& two : faces)
             EXPECT_TRUE(given_.insert({two.moving, two.fixed}).second) << "a pair of faces is given once";
         return work.node_pairs;
@@ -71,7 +71,7 @@ TEST(NodeFront, StopsWhereThereAreTooMany) {
     front.restart();
     std::vector<TwoFaces> faces;
     Work work;
-    front.split({whole.boxes, margin, margin + 1, 0, 100}, faces, work);
+    front.split({whole.boxes, way_of(context, whole, margin), margin + 1, 100}, faces, work);
     EXPECT_GT(front.size() + faces.size(), 100U);
     EXPECT_LT(front.size() + faces.size(), 110U);
 }
