@@ -6,6 +6,7 @@
 #include <Eigen/QR>
 
 #include <algorithm>
+#include <optional>
 #include <vector>
 
 namespace chasles::manipulation {
@@ -44,11 +45,11 @@ LeastDistance least_distance_problem(const TwistConstraints& constraints, const 
 
 /// Lawson and Hanson's problem LDP: z = -p / p_7 with the residual p of the non-negative least squares below. Without
 /// a solution in floating point, rest is the answer, and what balances the wish.
-Eigen::VectorXd multipliers_of(const LeastDistance& problem, double scale) {
+Eigen::VectorXd multipliers_of(const LeastDistance& problem, double scale, std::span<const Eigen::Index> likely) {
     Columns columns(most_equations, problem.rows.rows());
     columns.topRows<6>() = problem.rows.transpose();
     columns.row(6) = problem.lacking.transpose() / scale;
-    const NonnegativeSolution solution = least_squares_nonnegative(columns, Equations::Unit(most_equations, 6));
+    const NonnegativeSolution solution = least_squares_nonnegative(columns, Equations::Unit(most_equations, 6), likely);
     const double last = -solution.residual[6]; // the squared length of the residual
     if (last > rounding * rounding)
         return solution.unknowns * (scale / last);
@@ -66,6 +67,31 @@ struct Solution {
     Eigen::VectorXd multipliers;
 };
 
+/// The shortest z with rows z = lacking, for some of the rows, and the multipliers that lead there. Empty if the rows
+/// depend on each other.
+std::optional<Solution> solution_on(const LeastDistance& problem, const std::vector<Eigen::Index>& active) {
+    using Directions = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, most_equations>;
+    using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_equations, 1>;
+    const auto count = Eigen::Index(active.size());
+    Directions directions(6, count);
+    Values lacking(count);
+    for (Eigen::Index k = 0; k < count; ++k) {
+        directions.col(k) = problem.rows.row(active[std::size_t(k)]).transpose();
+        lacking[k] = problem.lacking[active[std::size_t(k)]];
+    }
+    const Eigen::ColPivHouseholderQR<Directions> factors(directions); // directions P = Q R
+    if (factors.rank() < count)
+        return std::nullopt;
+    const auto triangle = factors.matrixR().topRows(count).template triangularView<Eigen::Upper>();
+    Twist change = Twist::Zero();
+    change.head(count) = triangle.transpose().solve(Values(factors.colsPermutation().transpose() * lacking));
+    const Values pushes = factors.colsPermutation() * Values(triangle.solve(change.head(count)));
+    change = factors.householderQ() * change;
+    Solution solution{change, Eigen::VectorXd::Zero(problem.rows.rows())};
+    solution.multipliers(active) = pushes;
+    return solution;
+}
+
 /// In a narrow wedge the squared length of the residual has few digits. The rows that push have to hold with equality,
 /// which gives the solution to all digits.
 Solution refined(const LeastDistance& problem, Solution solution) {
@@ -73,14 +99,13 @@ Solution refined(const LeastDistance& problem, Solution solution) {
     for (Eigen::Index i = 0; i < solution.multipliers.size(); ++i)
         if (solution.multipliers[i] > 0)
             active.push_back(i);
-    const Eigen::MatrixXd rows = problem.rows(active, Eigen::all);
-    const Twist change = rows.completeOrthogonalDecomposition().solve(problem.lacking(active));
-    const Eigen::VectorXd pushes = rows.transpose().completeOrthogonalDecomposition().solve(change);
-    if (violation(problem, change) >= violation(problem, solution.change) || pushes.minCoeff() < 0)
+    if (active.empty())
         return solution;
-    solution.change = change;
-    solution.multipliers(active) = pushes;
-    return solution;
+    const std::optional<Solution> better = solution_on(problem, active);
+    if (!better || better->multipliers.minCoeff() < 0 ||
+        violation(problem, better->change) >= violation(problem, solution.change))
+        return solution;
+    return *better;
 }
 
 /// Rest is admissible, so a point between a twist and rest is as near to admissible as one likes.
@@ -105,14 +130,15 @@ Twist within_bounds(const LeastDistance& problem, Twist moved) {
 
 } // namespace
 
-AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metric& metric, const Twist& wish) {
+AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metric& metric, const Twist& wish,
+                                 std::span<const Eigen::Index> likely) {
     const Eigen::LLT<Metric> root(metric);
     const LeastDistance problem = least_distance_problem(constraints, root, wish);
     AdmissibleTwist answer{wish, Eigen::VectorXd::Zero(problem.rows.rows())};
     const double scale = problem.rows.rows() > 0 ? problem.lacking.maxCoeff() : 0;
     if (!(scale > 0))
         return answer;
-    const Eigen::VectorXd raw = multipliers_of(problem, scale);
+    const Eigen::VectorXd raw = multipliers_of(problem, scale, likely);
     const auto& [change, multipliers] = refined(problem, {problem.rows.transpose() * raw, raw});
     answer.twist = root.matrixU().solve(within_bounds(problem, problem.wish + change));
     for (Eigen::Index i = 0; i < problem.rows.rows(); ++i)

@@ -38,7 +38,8 @@ public:
         const double length = std::sqrt(wish.dot(problem_.metric * wish));
         AdmissibleTwist answer{wish, Eigen::VectorXd()};
         do {
-            answer = admissible_twist(constraints(gaps), problem_.metric, wish);
+            answer = admissible_twist(constraints(gaps), problem_.metric, wish, pushing_);
+            find_pushing(answer);
             // not the answer's twist, which is at rest where rounding violates a plane
             answer.twist = wish + inverse_.solve(answer.wrench);
             ++solutions_;
@@ -88,13 +89,21 @@ private:
         return left;
     }
 
+    void find_pushing(const AdmissibleTwist& answer) {
+        pushing_.clear();
+        for (Eigen::Index k = 0; k < answer.multipliers.size(); ++k)
+            if (answer.multipliers[k] > 0)
+                pushing_.push_back(k);
+    }
+
     /// Adds planes where the twist leaves the cones most, and drops those that do not push. False if it leaves none.
     bool cut(const AdmissibleTwist& answer, const Eigen::VectorXd& gaps, double length) {
         const std::vector<std::pair<double, Eigen::Index>> left = cones_left(answer, gaps, length);
         if (left.empty())
             return false;
-        std::size_t k = 0;
-        std::erase_if(cuts_, [&](const Cut&) { return !(answer.multipliers[Eigen::Index(k++)] > 0); });
+        for (std::size_t k = 0; k < pushing_.size(); ++k) // ascending
+            cuts_[k] = cuts_[std::size_t(std::exchange(pushing_[k], Eigen::Index(k)))];
+        cuts_.resize(pushing_.size());
         for (const auto& [excess, contact] : left)
             cuts_.push_back({contact, -sliding(contact, answer.twist).stableNormalized()});
         return true;
@@ -115,6 +124,7 @@ private:
     Eigen::LLT<Metric> inverse_;
     Eigen::VectorXd scales_; ///< of what is rounding, for a wish of length 1
     std::vector<Cut> cuts_;
+    std::vector<Eigen::Index> pushing_; ///< of the cuts, in the last answer
     int solutions_ = 0;
 };
 

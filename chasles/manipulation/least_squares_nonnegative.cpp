@@ -25,6 +25,27 @@ public:
                 unit_.col(i) /= lengths_[i];
     }
 
+    /// Begins with those of the unknowns that are positive together.
+    void guess(std::span<const Eigen::Index> likely) {
+        active_.assign(likely.begin(), likely.end());
+        std::erase_if(active_, [&](Eigen::Index i) { return !(lengths_[i] > 0); });
+        if (Eigen::Index(active_.size()) > unit_.rows())
+            active_.resize(std::size_t(unit_.rows()));
+        while (!active_.empty()) {
+            const Factors factors(active_columns());
+            if (are_dependent(factors))
+                return active_.clear();
+            const Values values = factors.solve(wanted_);
+            if (values.minCoeff() > 0) {
+                for (std::size_t k = 0; k < active_.size(); ++k)
+                    unknowns_[active_[k]] = values[Eigen::Index(k)];
+                return find_residual();
+            }
+            std::size_t k = 0;
+            std::erase_if(active_, [&](Eigen::Index) { return !(values[Eigen::Index(k++)] > 0); });
+        }
+    }
+
     NonnegativeSolution solve() {
         // in exact arithmetic the residual shortens with each entry, so no set comes twice; the bound is for rounding
         const Eigen::Index most_entries = 8 * (unit_.cols() + most_equations);
@@ -40,6 +61,7 @@ public:
 private:
     using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_equations, 1>;
     using Part = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, most_equations, most_equations>;
+    using Factors = Eigen::ColPivHouseholderQR<Part>;
 
     [[nodiscard]] bool is_active(Eigen::Index i) const { return std::ranges::find(active_, i) != active_.end(); }
 
@@ -80,16 +102,24 @@ private:
     /// Goes to the least squares of the active set, and leaves out unknowns that become negative on the way.
     void settle() {
         while (!active_.empty()) {
-            const Eigen::ColPivHouseholderQR<Part> factors(active_columns());
-            if (std::abs(factors.matrixR()(active_.size() - 1, active_.size() - 1)) < least_pivot)
+            const Factors factors(active_columns());
+            if (are_dependent(factors))
                 return; // the residual stays as it is
             go_towards(factors.solve(wanted_));
             if (std::erase_if(active_, [&](Eigen::Index i) { return unknowns_[i] == 0; }) == 0)
                 break;
         }
+        find_residual();
+    }
+
+    void find_residual() {
         residual_ = -wanted_;
         for (const Eigen::Index i : active_)
             residual_ += unknowns_[i] * unit_.col(i);
+    }
+
+    [[nodiscard]] static bool are_dependent(const Factors& factors) {
+        return std::abs(factors.matrixR()(factors.cols() - 1, factors.cols() - 1)) < least_pivot;
     }
 
     /// Until the first unknown is zero, which then is exactly so.
@@ -126,8 +156,11 @@ private:
 
 } // namespace
 
-NonnegativeSolution least_squares_nonnegative(const Columns& columns, const Equations& wanted) {
-    return ActiveSet(columns, wanted).solve();
+NonnegativeSolution least_squares_nonnegative(const Columns& columns, const Equations& wanted,
+                                              std::span<const Eigen::Index> likely) {
+    ActiveSet set(columns, wanted);
+    set.guess(likely);
+    return set.solve();
 }
 
 } // namespace chasles::manipulation

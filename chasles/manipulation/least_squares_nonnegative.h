@@ -5,6 +5,8 @@
 
 #include <Eigen/Core>
 
+#include <span>
+
 namespace chasles::manipulation {
 
 /// The greatest number of equations.
@@ -23,7 +25,9 @@ struct NonnegativeSolution {
 ///
 /// Ends for every input: each change of the set of positive unknowns makes the residual shorter, a set that does not is
 /// left out, and the number of changes has a bound. Where several unknowns are as good, the first one is used, so the
-/// answer is the same in every run.
-NonnegativeSolution least_squares_nonnegative(const Columns& columns, const Equations& wanted);
+/// answer is the same in every run. `likely` are unknowns that may well be positive, each once: a good guess saves
+/// time.
+NonnegativeSolution least_squares_nonnegative(const Columns& columns, const Equations& wanted,
+                                              std::span<const Eigen::Index> likely = {});
 
 } // namespace chasles::manipulation

@@ -58,12 +58,30 @@ double shortest_residual(const Problem& problem) {
     return shortest;
 }
 
+TEST(LeastSquaresNonnegative, AGuessChangesNoResidual) {
+    std::mt19937 random(4);
+    for (int round = 0; round < 5000; ++round) {
+        const Problem problem = random_problem(random, 40);
+        const NonnegativeSolution expected = least_squares_nonnegative(problem.columns, problem.wanted);
+        std::vector<Eigen::Index> active; // the solution itself, and some more
+        for (Eigen::Index j = 0; j < problem.columns.cols(); ++j)
+            if (expected.unknowns[j] > 0 || random() % 40 == 0)
+                active.push_back(j);
+        const NonnegativeSolution found = least_squares_nonnegative(problem.columns, problem.wanted, active);
+        EXPECT_LE((found.residual - expected.residual).norm(), 1e-9 * problem.wanted.norm()) << round;
+    }
+}
+
 TEST(LeastSquaresNonnegative, HoldsTheConditionsOfOptimality) {
     std::mt19937 random(1);
     int active = 0, exact = 0;
     for (int round = 0; round < 20000; ++round) {
         const Problem problem = random_problem(random, 40);
-        const NonnegativeSolution found = least_squares_nonnegative(problem.columns, problem.wanted);
+        std::vector<Eigen::Index> likely; // good and bad guesses must lead to the same conditions
+        for (Eigen::Index j = 0; j < problem.columns.cols(); ++j)
+            if (round % 3 != 0 && random() % (round % 3 == 1 ? 4 : 16) == 0)
+                likely.push_back(j);
+        const NonnegativeSolution found = least_squares_nonnegative(problem.columns, problem.wanted, likely);
         ASSERT_EQ(found.unknowns.size(), problem.columns.cols());
         const Equations residual = problem.columns * found.unknowns - problem.wanted;
         const double scale = problem.wanted.norm();
