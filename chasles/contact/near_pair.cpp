@@ -137,7 +137,7 @@ bool NearTest::are_in_contact(const FeaturePair& features) {
 bool is_local_minimum(const ContactScene& scene, const FeaturePair& features, const NearestPoints& nearest) {
     const double distance = nearest.apart().norm();
     return distance <= scene.slack ||
-           scene.bodies.descent(features, nearest) <= scene.slope + 4 * scene.slack / distance;
+           scene.bodies.descent(features, nearest) <= scene.slopes.of(features.kind) + 4 * scene.slack / distance;
 }
 
 } // namespace chasles::contact

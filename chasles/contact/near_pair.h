@@ -89,7 +89,7 @@ private:
     LastFaceAtRest fixed_face_;
 };
 
-/// Whether the distance of features at these points is a local minimum, up to the slack and the slope.
+/// Whether the distance of features at these points is a local minimum, up to the slack and the slopes.
 bool is_local_minimum(const ContactScene& scene, const FeaturePair& features, const NearestPoints& nearest);
 
 } // namespace chasles::contact

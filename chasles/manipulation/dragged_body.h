@@ -19,7 +19,7 @@ struct DragOptions {
     /// The gap that the body keeps where it touches, mesh unit. 0: a ten-thousandth of the diagonal of its box. Two
     /// walls closer than twice the margin to the body are kept at equal distances.
     double margin = 0;
-    double reach = 0;     ///< contacts within it are foreseen, at least twice the margin; 0: twice the margin
+    double reach = 0;     ///< contacts within it are foreseen, at least 1.25 times the margin; 0: just that
     double stiffness = 1; ///< of the spring between the body and the hand: force per mesh unit
     int rounds = 8;       ///< of one update at most; each goes one certified step
     std::optional<MassProperties> mass = {}; ///< empty: those of the solid box around the body
@@ -77,7 +77,7 @@ struct DragIntrusion {
 struct DragStep {
     Pose pose; ///< reached
     DragState state = DragState::resting;
-    std::vector<DragContact> contacts; ///< within twice the margin
+    std::vector<DragContact> contacts; ///< within the reach, at most twice the margin
     std::vector<DragEvent> events;
     /// What the contacts push the hand with, in the world: the sum of their forces, friction included, and the torque
     /// about the body's origin. What a lock takes is not a part of it.

@@ -10,11 +10,14 @@ namespace chasles::manipulation {
 namespace {
 
 /// A corner of a box that is tilted by a hair is no local minimum of the distance from a table, but stops the box as
-/// soon as it turns. So pairs count where the distance falls by up to this cosine beside them.
-constexpr double most_slope = 0.25;
+/// soon as it turns. So pairs count where the distance falls by up to these cosines beside them. Edges whose normal is
+/// tilted more would be walls that are not there: ridges of facets that lie behind each other would hold a nut.
+constexpr contact::Slopes most_slopes{0.25, 0x1p-5};
 /// A nut of 13,000 triangles with micrometres of play has 360,000 pairs of nodes to visit. A search that is cut before
 /// it has found anything lists nothing, and its distance is 0.
 constexpr std::uint64_t most_visits = 1 << 20;
+/// A nut that is lifted touches everywhere at once, and a list of all pairs is cut.
+constexpr int refinements = 4;
 
 } // namespace
 
@@ -23,9 +26,9 @@ NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, do
     const ScrewMotion rest = ScrewMotion::relative(moving.pose, moving.pose, fixed.pose, fixed.pose);
     const auto pieces = Motion(rest).trajectory().pieces();
     search::PieceContext context(moving.body, fixed.body, pieces->at(0));
-    const query::ContactMoment moment(context, reach, most_slope);
-    const search::NearFeatures near =
-        moment.find({.most_visits = most_visits, .finds_overlaps = true, .neighbours = neighbours});
+    const query::ContactMoment moment(context, reach, most_slopes);
+    const search::NearFeatures near = moment.find(
+        {.most_visits = most_visits, .refinements = refinements, .finds_overlaps = true, .neighbours = neighbours});
     NearContacts found{{}, reach, near.overlap.has_value(), near.is_cut, near.work};
     if (found.overlaps) {
         found.distance = 0;

@@ -40,10 +40,10 @@ class ContactMoment {
 public:
     /// Keeps the context by reference. Features within `margin` are in contact; the bracket is at most `width` wide.
     ContactMoment(search::PieceContext& context, double tau, bool is_at_start, double margin, double width);
-    /// At the start, with features at which the distance falls by at most `slope` (a cosine in [0, 1)) beside them.
-    ContactMoment(search::PieceContext& context, double margin, double slope)
+    /// At the start, with features at which the distance falls by at most these slopes beside them.
+    ContactMoment(search::PieceContext& context, double margin, const contact::Slopes& slopes)
         : ContactMoment(context, 0, true, margin, 0) {
-        scene_.slope = slope;
+        scene_.slopes = slopes;
     }
     ContactMoment(const ContactMoment&) = delete;
     ContactMoment& operator=(const ContactMoment&) = delete;

@@ -24,7 +24,8 @@ using Eigen::Vector3d;
 /// Culls pairs of nodes in whose boxes no connection between near features is along a normal of both surfaces.
 class ConeTest {
 public:
-    explicit ConeTest(const ContactScene& scene) : scene_(scene), slope_(algebra::arc_sine(scene.slope)) {}
+    explicit ConeTest(const ContactScene& scene)
+        : scene_(scene), slope_(algebra::arc_sine(std::max(scene.slopes.vertex_face, scene.slopes.others))) {}
 
     [[nodiscard]] bool separates(const culling::NodePair& pair) const {
         const RelativeBox moving(scene_.bodies.moving().bvh(), pair.moving);
@@ -187,33 +188,52 @@ NearFeatures search_once(PieceContext& context, const ContactScene& scene, doubl
     return found;
 }
 
-/// A search within the whole margin was cut. The answer is that within the greatest part of the margin, a power of two,
-/// for which no bound of the search is reached; the pairs of a search that was cut if none is near within that part.
-NearFeatures search_nearer(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search,
-                           const NearFeatures& whole) {
-    constexpr int doublings = 6;
-    NearFeatures last;
-    double complete_within = 0;
-    Work work = whole.work;
-    for (int step = doublings; step >= 0; --step) {
-        ContactScene nearer = scene;
-        nearer.margin = std::ldexp(scene.margin, -step);
-        NearFeatures found = step > 0 ? search_once(context, nearer, tau, search) : whole;
-        if (step > 0)
-            work += found.work;
-        const bool is_cut = found.is_cut;
-        if (!is_cut)
-            complete_within = nearer.margin;
-        if (!is_cut || last.pairs.empty())
-            last = std::move(found);
-        last.is_cut = is_cut;
-        if (is_cut || last.overlap)
-            break;
+/// Searches within parts of a margin, of which the whole was cut.
+class NearerSearch {
+public:
+    NearerSearch(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search)
+        : context_(context), scene_(scene), tau_(tau), search_(search), least_cut_(scene.margin) {}
+
+    /// The answer within the greatest part for which no bound of the search is reached. If nothing is near within that
+    /// part, what was found within a greater one before its search was cut.
+    NearFeatures run(const NearFeatures& whole) {
+        constexpr int doublings = 6;
+        work_ = whole.work;
+        for (int step = doublings; step > 0 && !is_over_; --step)
+            search_within(std::ldexp(scene_.margin, -step));
+        for (int i = 0; i < search_.refinements && !nearest_.overlap; ++i)
+            search_within(complete_within_ + (least_cut_ - complete_within_) / 2);
+        if (nearest_.pairs.empty() && !nearest_.overlap)
+            nearest_ = whole;
+        nearest_.is_cut = !nearest_.overlap || nearest_.is_cut;
+        nearest_.complete_within = complete_within_;
+        nearest_.work = work_;
+        return nearest_;
     }
-    last.complete_within = complete_within;
-    last.work = work;
-    return last;
-}
+
+private:
+    void search_within(double margin) {
+        ContactScene nearer = scene_;
+        nearer.margin = margin;
+        NearFeatures found = search_once(context_, nearer, tau_, search_);
+        work_ += found.work;
+        is_over_ = found.is_cut || found.overlap;
+        (found.is_cut ? least_cut_ : complete_within_) = margin;
+        const bool is_better = found.is_cut ? nearest_.is_cut : !found.pairs.empty();
+        if (is_better || found.overlap || nearest_.pairs.empty())
+            nearest_ = std::move(found);
+    }
+
+    PieceContext& context_;
+    const ContactScene& scene_;
+    double tau_;
+    const NearSearch& search_;
+    double complete_within_ = 0;
+    double least_cut_;
+    bool is_over_ = false;
+    NearFeatures nearest_;
+    Work work_;
+};
 
 } // namespace
 
@@ -223,7 +243,7 @@ NearFeatures near_features(PieceContext& context, const ContactScene& scene, dou
         chasles::sort(near.pairs);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)
-        return search_nearer(context, scene, tau, search, near);
+        return NearerSearch(context, scene, tau, search).run(near);
     near.complete_within = near.is_cut ? 0 : scene.margin;
     return near;
 }

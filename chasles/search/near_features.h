@@ -25,6 +25,7 @@ struct NearFeatures {
 struct NearSearch {
     std::size_t most_pairs = 1 << 12;    ///< feature pairs to list
     std::uint64_t most_visits = 1 << 16; ///< pairs of nodes to visit at one distance
+    int refinements = 0;                 ///< of the distance within which a list that is cut is complete
     bool finds_overlaps = false;         ///< also edges that pass through faces; only at tau = 0
     NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
                                          ///< a margin and for motions that rest
@@ -37,7 +38,7 @@ struct NearSearch {
 ///
 /// At the start, bodies may be much nearer than the margin, and many pairs within it. If a bound of the search is
 /// reached, the pairs are searched for at growing distances. The answer is that of the greatest distance that the
-/// bounds allow.
+/// bounds allow: a power of two of the margin, or between two of them by `refinements` bisections.
 NearFeatures near_features(PieceContext& context, const contact::ContactScene& scene, double tau,
                            const NearSearch& search);
 

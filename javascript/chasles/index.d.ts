@@ -252,7 +252,7 @@ export declare class Scene extends Held {
 export interface DragOptions {
   /** The gap that contacts keep, mesh unit; 0: a ten-thousandth of the diagonal of the body's box. */
   margin?: number;
-  /** Contacts within it are foreseen, mesh unit; 0: twice the margin. */
+  /** Contacts within it are foreseen, mesh unit; at least 1.25 times the margin, and 0: just that. */
   reach?: number;
   /** Force of the hand for a distance of 1. */
   stiffness?: number;

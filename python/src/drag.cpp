@@ -174,7 +174,7 @@ constexpr const char* body_doc =
     "where their motions end; they may be moved, added and removed between updates.\n\n"
     "Parameters\n----------\nscene : Scene\nname : str\n    Of the body in the hand.\nmargin : float\n"
     "    The gap that contacts keep, mesh unit. 0: a ten-thousandth of the diagonal of the body's box.\n"
-    "reach : float\n    Contacts within it are foreseen, mesh unit; at least twice the margin, and 0: just that.\n"
+    "reach : float\n    Contacts within it are foreseen, mesh unit; at least 1.25 times the margin, and 0: just that.\n"
     "stiffness : float\n    Force of the hand for a distance of 1 between the body and the goal.\nrounds : int\n"
     "    Certified steps of one update at most.\nfriction : float\n"
     "    Of Coulomb: the greatest friction force of a contact, as a share of its normal force. The body rests where\n"

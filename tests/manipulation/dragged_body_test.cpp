@@ -235,7 +235,7 @@ TEST(DraggedBody, RefusesWhatItCannotUse) {
     EXPECT_EQ(refusal([&] { DraggedBody(scene, "nut"); }), "scene: nut: is not in the scene");
     EXPECT_EQ(refusal_with({.margin = -1}), "drag: margin: must be in (0, 1e30], or 0 for the default");
     EXPECT_EQ(refusal_with({.margin = 1, .reach = 1}),
-              "drag: reach: must be at least twice the margin, and at most 1e30");
+              "drag: reach: must be at least 1.25 times the margin, and at most 1e30");
     const std::string too_near =
         "drag: margin: is below a 2^28th of the lengths of the pose, and so too near to its rounding";
     EXPECT_EQ(refusal_with({.margin = 1e-10}), too_near);
