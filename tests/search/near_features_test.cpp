@@ -145,6 +145,65 @@ TEST(NearFeatures, AListThatIsCutHoldsTheNearest) {
     EXPECT_TRUE(scene.find(1, {.most_visits = 100}).is_cut);
 }
 
+TEST(NearFeatures, RefinementsMakeAListThatIsCutLonger) {
+    std::mt19937 random(43);
+    Scene scene(bumpy(30, random), bumpy(30, random), test::turned({0, 0, 0.4}, {1, 2, 3}, 0.01));
+    const NearFeatures all = scene.find(1, {.most_pairs = 1 << 20, .most_visits = 1 << 30});
+    const NearSearch coarse{.most_pairs = all.pairs.size() / 2, .most_visits = 1 << 30};
+    NearSearch fine = coarse;
+    fine.refinements = 6;
+    const NearFeatures some = scene.find(1, coarse), more = scene.find(1, fine);
+    EXPECT_GT(more.complete_within, some.complete_within);
+    EXPECT_LT(more.complete_within, 2 * some.complete_within);
+    EXPECT_GT(more.pairs.size(), some.pairs.size());
+    EXPECT_LE(more.pairs.size(), coarse.most_pairs);
+    EXPECT_GT(double(more.pairs.size()), 0.9 * double(coarse.most_pairs)) << "nearly as many as allowed";
+    EXPECT_TRUE(more.is_cut);
+    std::set<FeaturePair> nearer;
+    for (const FeaturePair& features : all.pairs)
+        if (scene.bodies.nearest(features).apart().norm() <= more.complete_within)
+            nearer.insert(features);
+    EXPECT_EQ(set_of(more), nearer);
+}
+
+TEST(NearFeatures, RefinementsFindSomethingWhereNothingIsNearerThanHalfTheMargin) {
+    std::mt19937 random(44);
+    Scene scene(bumpy(30, random), bumpy(30, random), test::turned({0, 0, 0.75}, {1, 2, 3}, 0.01));
+    const NearFeatures all = scene.find(1, {.most_pairs = 1 << 20, .most_visits = 1 << 30});
+    const NearFeatures some = scene.find(1, {.most_pairs = 10, .refinements = 12});
+    ASSERT_FALSE(some.pairs.empty());
+    EXPECT_TRUE(some.is_cut);
+    EXPECT_GT(some.complete_within, 0.5);
+    double nearest = 1, nearest_found = 1;
+    for (const FeaturePair& features : all.pairs)
+        nearest = std::min(nearest, scene.bodies.nearest(features).apart().norm());
+    for (const FeaturePair& features : some.pairs)
+        nearest_found = std::min(nearest_found, scene.bodies.nearest(features).apart().norm());
+    EXPECT_EQ(nearest_found, nearest);
+}
+
+/// A box above a table, tilted: its upper corners are no local minima, and neither are its edges beside an edge of the
+/// table. Corners count by the normal of the table, edges only if they are nearly minima.
+TEST(NearFeatures, SlopesCountByTheKindOfPair) {
+    Scene scene(test::box({1, 1, 1}).polyhedron(), test::box({0.9, 0.9, 1}).polyhedron(),
+                test::turned({0, 0, 2.3}, {1, 1, 0}, 0.1));
+    const auto count = [&](const contact::Slopes& slopes) {
+        contact::ContactScene within = scene.within(0.5);
+        within.slopes = slopes;
+        std::size_t flat = 0, others = 0;
+        for (const FeaturePair& features : near_features(scene.context, within, 0, {}).pairs)
+            ++(features.kind == ContactKind::vertex_face || features.kind == ContactKind::face_vertex ? flat : others);
+        return std::pair(flat, others);
+    };
+    const auto [strict_flat, strict_others] = count({});
+    const auto [flat, few] = count({.vertex_face = 0.25});
+    const auto [same, many] = count({.vertex_face = 0.25, .others = 0.25});
+    EXPECT_GT(flat, strict_flat);
+    EXPECT_EQ(few, strict_others);
+    EXPECT_EQ(same, flat);
+    EXPECT_GT(many, few);
+}
+
 TEST(NearFeatures, AListThatIsCutIsNotEmptyWhereNothingIsNearerThanHalfTheMargin) {
     std::mt19937 random(44);
     Scene scene(bumpy(30, random), bumpy(30, random), test::turned({0, 0, 0.75}, {1, 2, 3}, 0.01));
