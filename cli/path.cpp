@@ -63,10 +63,10 @@ PathContact answer_track(const PathQuestion& question) {
     const std::size_t segments = question.path.poses.size() - 1;
     const TimedPoses track = track_of(question, 0, segments);
     PathContact found;
-    found.contact = first_contact({.moving = question.bodies.moving,
-                                   .fixed = question.bodies.fixed,
-                                   .motion = track,
-                                   .options = question.options});
+    found.contact = chasles::first_contact({.moving = question.bodies.moving,
+                                            .fixed = question.bodies.fixed,
+                                            .motion = track,
+                                            .options = question.options});
     found.segment = found.contact.verdict == Verdict::clear ? segments - 1 : track.segment_of(found.contact.time.lower);
     count_in_stamps(found.contact, track);
     return found;

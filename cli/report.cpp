@@ -22,7 +22,7 @@ std::string text_of(const Bracket& bracket) {
 }
 
 /// With a margin the features are apart, and the table shows the gaps.
-std::string report(const std::vector<Contact>& contacts, std::string label, bool shows_gaps) {
+std::string contact_lines(const std::vector<Contact>& contacts, std::string label, bool shows_gaps) {
     std::string text;
     for (const std::string& line : contact_table(contacts, shows_gaps)) {
         text += labelled(label, line);
@@ -31,7 +31,7 @@ std::string report(const std::vector<Contact>& contacts, std::string label, bool
     return text;
 }
 
-std::string report(const Overlap& overlap) {
+std::string overlap_line(const Overlap& overlap) {
     const std::string edge_owner = overlap.edge_is_moving ? "moving" : "fixed";
     const std::string face_owner = overlap.edge_is_moving ? "fixed" : "moving";
     return labelled("overlap",
@@ -39,7 +39,7 @@ std::string report(const Overlap& overlap) {
                                 edge_owner, face_name(overlap.face), face_owner, vector_text(overlap.point)));
 }
 
-std::string report(const view::MotionNumbers& motion) {
+std::string motion_line(const view::MotionNumbers& motion) {
     const std::string turn = fmt::format("turns {:.9g} degrees", degrees(motion.angle));
     const std::string direction = vector_text(motion.axis_direction);
     const std::string way =
@@ -73,9 +73,9 @@ template <typename Found>
 std::string report_features(const Found& found, const std::string& label, bool shows_gaps) {
     std::string text;
     if (!found.contacts.empty())
-        text += report(found.contacts, label, shows_gaps);
+        text += contact_lines(found.contacts, label, shows_gaps);
     if (found.overlap)
-        text += report(*found.overlap);
+        text += overlap_line(*found.overlap);
     else if (found.contacts_cut)
         text += labelled("", "the list is cut: there are more contacts");
     return text;
@@ -147,11 +147,11 @@ std::string report(const Work& work) {
 }
 
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
-    std::string text = report(motion);
+    std::string text = motion_line(motion);
     if (found.verdict != Verdict::clear)
         text += report_time(found, motion) + report_contact_features(found, margin);
     if (!found.held.empty())
-        text += report(found.held, "held", true) + labelled("clear to", fmt::format("time {:.12g}", found.clear_until));
+        text += contact_lines(found.held, "held", true) + labelled("clear to", fmt::format("time {:.12g}", found.clear_until));
     return text + report(found.work);
 }
 
@@ -169,7 +169,7 @@ std::string report_least(const LeastDistance& found) {
 }
 
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion) {
-    return headline(found) + report(motion) + labelled("distance", text_of(found.distance)) +
+    return headline(found) + motion_line(motion) + labelled("distance", text_of(found.distance)) +
            report_time(found, motion) + report_nearest(found) + report(found.work);
 }
 

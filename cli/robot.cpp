@@ -57,7 +57,7 @@ std::string list_of(const Robot& robot, const Configuration& values) {
     return text;
 }
 
-std::string report(const RobotPair& pair, std::size_t segment) {
+std::string pair_report(const RobotPair& pair, std::size_t segment) {
     return labelled("pair", pair.first + " on " + pair.second + (pair.is_with_scene ? " (scene)" : "")) +
            labelled("segment", std::to_string(segment));
 }
@@ -68,10 +68,10 @@ std::string report_path(const RobotQuestion& question, const Found& found) {
     const std::size_t segments = question.rows.configurations.size() - 1;
     return labelled("path",
                     fmt::format("{}, {} searched", counted(segments, "segment"), counted(found.pairs, "pair"))) +
-           cli::report(found.work);
+           report(found.work);
 }
 
-std::string report(const RobotQuestion& question, const RobotAnswer& found) {
+std::string robot_report(const RobotQuestion& question, const RobotAnswer& found) {
     const double margin = question.options.margin;
     FirstContact shown = found.contact;
     shown.verdict = found.verdict;
@@ -79,17 +79,17 @@ std::string report(const RobotQuestion& question, const RobotAnswer& found) {
         shown.time = found.time;
     std::string text = headline(shown, margin);
     if (found.pair)
-        text += report(*found.pair, found.segment) + report_contact(shown, margin);
+        text += pair_report(*found.pair, found.segment) + report_contact(shown, margin);
     return text + labelled("joints", list_of(question.robot, found.configuration)) + report_path(question, found);
 }
 
-std::string report(const RobotQuestion& question, const RobotClearance& found) {
+std::string robot_report(const RobotQuestion& question, const RobotClearance& found) {
     if (!found.pair)
         return "CLEARANCE WITHOUT A LIMIT: no two bodies are tested\n" + report_path(question, found);
     LeastDistance shown = found.nearest;
     if (question.has_stamps())
         shown.time = found.time;
-    return headline(shown) + report(*found.pair, found.segment) + report_least(shown) +
+    return headline(shown) + pair_report(*found.pair, found.segment) + report_least(shown) +
            labelled("joints", list_of(question.robot, found.configuration)) + report_path(question, found);
 }
 
@@ -115,7 +115,7 @@ int run_clearance(const RobotCommand& options) {
     if (question.has_stamps())
         count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
     print(options.json ? view::robot_clearance_json(question.robot, found, question.has_stamps()).dump() + "\n"
-                       : report(question, found));
+                       : robot_report(question, found));
     return !found.pair || view::proven_verdict(found.nearest) == Verdict::clear ? is_clear : is_contact;
 }
 
@@ -139,7 +139,7 @@ int run_robot(const RobotCommand& options) {
     if (question.has_stamps())
         count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
     print(options.json ? view::robot_answer_json(question.robot, found, question.has_stamps()).dump() + "\n"
-                       : report(question, found) + (options.page.empty() ? "" : labelled("page", options.page)));
+                       : robot_report(question, found) + (options.page.empty() ? "" : labelled("page", options.page)));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 
