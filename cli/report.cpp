@@ -151,7 +151,8 @@ std::string details(const FirstContact& found, const view::MotionNumbers& motion
     if (found.verdict != Verdict::clear)
         text += report_time(found, motion) + report_contact_features(found, margin);
     if (!found.held.empty())
-        text += contact_lines(found.held, "held", true) + labelled("clear to", fmt::format("time {:.12g}", found.clear_until));
+        text += contact_lines(found.held, "held", true) +
+                labelled("clear to", fmt::format("time {:.12g}", found.clear_until));
     return text + report(found.work);
 }
 
