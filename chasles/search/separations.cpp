@@ -20,8 +20,8 @@ constexpr double nowhere = std::numeric_limits<double>::infinity();
 constexpr std::size_t blocks_of_group = 16;
 constexpr std::size_t group_size = blocks_of_group * Separations::block_size;
 
-/// Of gains, as a share of what they are multiplied from, and for floats that are flushed (note 31, "Rounding").
-constexpr double share_of_gains = 0x1p-19;
+/// What rounding may add to a gain: a share of the lengths in it, and what flushed floats lose (note 31, "Rounding").
+constexpr double rounding_of_gains = 0x1p-19;
 constexpr double flushed = 0x1p-110;
 
 /// A float for each pair of a block.
@@ -185,7 +185,7 @@ void Separations::set_displacement(const Way& way) {
                 in_all_lanes(end.rotation.row[i][j] - start.rotation.row[i][j]);
     }
     const double size = length(shift) + 2 * std::sqrt(motion::squared_turn(start, end)) * moving_.bvh().radius();
-    displacement_.error = in_all_lanes(share_of_gains * size + flushed);
+    displacement_.error = in_all_lanes(rounding_of_gains * size + flushed);
 }
 
 /// The least of n . (V y + w) over each box.

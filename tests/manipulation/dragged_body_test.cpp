@@ -61,6 +61,23 @@ TEST(DraggedBody, ABoxSlidesOnATableAndFeelsTheNormalPart) {
     EXPECT_FALSE(lifted.events.front().begins);
 }
 
+/// A contact is listed within the reach, and within two margins.
+TEST(DraggedBody, ListsContactsWithinTheReachAndTwoMargins) {
+    const auto contacts_at = [](double gap, double reach) {
+        Scene scene = box_and_table();
+        const Pose above = shifted(0, 0, 0.5 + gap * margin);
+        scene.move(1, Motion::at_rest(above));
+        DraggedBody body(scene, "box", {.margin = margin, .reach = reach * margin});
+        EXPECT_EQ(body.reach(), (reach == 0 ? 1.25 : reach) * margin);
+        return body.update(above).contacts.size();
+    };
+    EXPECT_EQ(contacts_at(1.2, 0), 4U);
+    EXPECT_EQ(contacts_at(1.3, 0), 0U);
+    EXPECT_EQ(contacts_at(1.3, 2), 4U);
+    EXPECT_EQ(contacts_at(1.9, 4), 4U);
+    EXPECT_EQ(contacts_at(2.1, 4), 0U);
+}
+
 TEST(DraggedBody, ATiltedPushTurnsTheBoxFlat) {
     Scene scene = box_and_table();
     DraggedBody body(scene, "box", {.margin = margin});
