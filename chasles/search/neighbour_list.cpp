@@ -45,20 +45,6 @@ Vector3<float> shortened(const Vector3<double>& unit) {
     return {float(normal.x), float(normal.y), float(normal.z)};
 }
 
-/// Rounded to nearest, which suffices to foretell how a face moves.
-Separations::Box box_of_face(const Body& body, std::uint32_t face) {
-    constexpr float infinite = std::numeric_limits<float>::infinity();
-    Separations::Box box{{infinite, infinite, infinite}, {-infinite, -infinite, -infinite}};
-    for (const std::uint32_t corner : body.face(face))
-        for (std::size_t i = 0; i < 3; ++i) {
-            const auto axis = Eigen::Index(i);
-            const auto place = float(body.vertices()[corner][axis] - body.bvh().centre()[axis]);
-            box.lower[i] = std::min(box.lower[i], place);
-            box.upper[i] = std::max(box.upper[i], place);
-        }
-    return box;
-}
-
 } // namespace
 
 NeighbourList::NeighbourList(const Body& moving, const Body& fixed)
@@ -82,9 +68,9 @@ std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const 
     last_use_ = travel_.sum();
     widest_margin_ = std::max(widest_margin_, margin);
     const double bound = widest_margin_ + way.travel + with_rounding(travel_.sum());
-    faces_.clear();
-    front_.split({whole.boxes, way, bound, most_pairs - std::min(most_pairs, pairs_.size())}, faces_, work);
-    add(faces_);
+    leaves_.clear();
+    front_.split({whole.boxes, way, bound, most_pairs - std::min(most_pairs, pairs_.size())}, leaves_, work);
+    add_new();
     if (size() > most_pairs) {
         restart();
         pause_ = questions_to_pause;
@@ -110,12 +96,13 @@ void NeighbourList::restart() {
     widest_margin_ = 0;
 }
 
-void NeighbourList::add(const std::vector<TwoFaces>& faces) {
-    for (const TwoFaces& two : faces) {
+void NeighbourList::add_new() {
+    for (const NodeFront::PairOfNodes& leaves : leaves_) {
+        const BvhNode& moving = moving_.bvh().nodes()[leaves.moving];
         if (pairs_.size() % Separations::block_size == 0)
             apart_.append_block();
-        apart_.put(pairs_.size(), box_of_face(moving_, two.moving));
-        pairs_.push_back({two});
+        apart_.put(pairs_.size(), moving);
+        pairs_.push_back({{moving.first, fixed_.bvh().nodes()[leaves.fixed].first}});
     }
 }
 

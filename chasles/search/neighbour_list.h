@@ -58,7 +58,7 @@ private:
     [[nodiscard]] std::size_t size() const { return pairs_.size() + front_.size(); }
     [[nodiscard]] bool is_outdated() const;
     void restart();
-    void add(const std::vector<TwoFaces>& faces);
+    void add_new();
     void find_near(const Way& way, double bound);
     void place_corners(std::uint32_t face, const Way& way);
     double least_on_way(std::size_t index, const Way& way);
@@ -71,14 +71,14 @@ private:
     culling::FaceSeparation separation_;
     Travel travel_;
     NodeFront front_;
-    std::vector<Neighbours> pairs_; ///< of faces that the front does not keep apart
-    Separations apart_;             ///< along the normals of the pairs
-    double longest_way_;            ///< for which a list pays
-    double last_use_ = 0;           ///< the way that was travelled then
-    double widest_margin_ = 0;      ///< of all questions
-    std::size_t size_at_start_ = 0; ///< after the first question; 0 before
-    int pause_ = 0;                 ///< questions until the next try, after too much was near
-    std::vector<TwoFaces> faces_;   ///< that are new
+    std::vector<Neighbours> pairs_;              ///< of faces that the front does not keep apart
+    Separations apart_;                          ///< along the normals of the pairs
+    double longest_way_;                         ///< for which a list pays
+    double last_use_ = 0;                        ///< the way that was travelled then
+    double widest_margin_ = 0;                   ///< of all questions
+    std::size_t size_at_start_ = 0;              ///< after the first question; 0 before
+    int pause_ = 0;                              ///< questions until the next try, after too much was near
+    std::vector<NodeFront::PairOfNodes> leaves_; ///< of pairs that are new
     std::uint32_t placed_face_ = 0;
     std::vector<algebra::Vector3<double>> placed_starts_; ///< corners of one moving face at the start of the piece
     std::vector<algebra::Vector3<double>> placed_ends_;   ///< likewise at the end; empty if the body rests

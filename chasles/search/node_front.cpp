@@ -14,21 +14,18 @@ constexpr std::size_t pairs_of_children = Separations::block_size;
 /// A direction of single precision is off by less than this (note 31, "Rounding").
 constexpr double error_of_directions = 0x1p-19;
 
-Separations::Box box_of(const BvhNode& node) {
-    return {node.lower, node.upper};
-}
-
 } // namespace
 
 void NodeFront::restart() {
     parents_.clear();
     apart_.clear();
     free_.clear();
-    add({0, 0});
     new_.clear();
+    add({0, 0});
 }
 
-void NodeFront::add(const PairOfNodes& parent) {
+/// Returns the place.
+std::size_t NodeFront::add(const PairOfNodes& parent) {
     std::size_t place = parents_.size();
     if (free_.empty()) {
         parents_.push_back(parent);
@@ -41,30 +38,30 @@ void NodeFront::add(const PairOfNodes& parent) {
     const auto [a, b] = culling::split_nodes(moving_.nodes(), parent.moving, fixed_.nodes(), parent.fixed);
     for (std::uint32_t i = 0; i < a.count; ++i)
         for (std::uint32_t j = 0; j < b.count; ++j)
-            apart_.put(place * pairs_of_children + 2 * i + j, box_of(moving_.nodes()[a.first + i]));
-    new_.push_back(place);
+            apart_.put(place * pairs_of_children + 2 * i + j, moving_.nodes()[a.first + i]);
+    return place;
 }
 
-void NodeFront::split(const Question& question, std::vector<TwoFaces>& faces, Work& work) {
+void NodeFront::split(const Question& question, std::vector<PairOfNodes>& leaves, Work& work) {
     std::size_t next = 0; // the first place that is not tested yet
     for (const std::size_t index : apart_.due(question.way, question.bound)) {
         const std::size_t place = index / pairs_of_children;
         if (place < next)
             continue;
         next = place + 1;
-        test(place, question, faces, work);
+        test(place, question, leaves, work);
         while (!new_.empty()) {
-            if (size() + faces.size() > question.most)
+            if (size() + leaves.size() > question.most)
                 return;
             const std::size_t child = new_.back();
             new_.pop_back();
-            test(child, question, faces, work);
+            test(child, question, leaves, work);
         }
     }
 }
 
 /// Tests the pairs of children that are in the front.
-void NodeFront::test(std::size_t place, const Question& question, std::vector<TwoFaces>& faces, Work& work) {
+void NodeFront::test(std::size_t place, const Question& question, std::vector<PairOfNodes>& leaves, Work& work) {
     const auto moving = moving_.nodes(), fixed = fixed_.nodes();
     const PairOfNodes parent = parents_[place];
     const auto [a, b] = culling::split_nodes(moving, parent.moving, fixed, parent.fixed);
@@ -87,9 +84,9 @@ void NodeFront::test(std::size_t place, const Question& question, std::vector<Tw
         if (moving[pair.moving].is_bare() && fixed[pair.fixed].is_bare())
             continue;
         if (moving[pair.moving].is_leaf() && fixed[pair.fixed].is_leaf())
-            faces.push_back({moving[pair.moving].first, fixed[pair.fixed].first});
+            leaves.push_back(pair);
         else
-            add(pair);
+            new_.push_back(add(pair));
     }
     if (is_empty)
         free_.push_back(place);

@@ -5,7 +5,6 @@
 
 #include "chasles/culling/swept_boxes.h"
 #include "chasles/search/find.h"
-#include "chasles/search/owned_pairs.h"
 #include "chasles/search/separations.h"
 #include "chasles/search/way.h"
 
@@ -31,20 +30,19 @@ public:
         const culling::SweptBoxes& boxes; ///< of the whole way
         const Way& way;
         double bound;     ///< pairs with greater limits do not come within the margin (`Separations::due`)
-        std::size_t most; ///< parents and faces in all; if there are more, the search stops, and the front is to be
+        std::size_t most; ///< parents and leaves in all; if there are more, the search stops, and the front is to be
                           ///< restarted
     };
-    /// Splits the pairs that may. Appends pairs of faces that may.
-    void split(const Question& question, std::vector<TwoFaces>& faces, Work& work);
-
-private:
     struct PairOfNodes {
         std::uint32_t moving;
         std::uint32_t fixed;
     };
+    /// Splits the pairs that may. Appends pairs of leaves that may.
+    void split(const Question& question, std::vector<PairOfNodes>& leaves, Work& work);
 
-    void add(const PairOfNodes& parent);
-    void test(std::size_t place, const Question& question, std::vector<TwoFaces>& faces, Work& work);
+private:
+    std::size_t add(const PairOfNodes& parent);
+    void test(std::size_t place, const Question& question, std::vector<PairOfNodes>& leaves, Work& work);
     [[nodiscard]] double farthest(const PairOfNodes& pair, const culling::MatrixPose& pose) const;
 
     const Bvh& moving_;

@@ -68,13 +68,13 @@ void Separations::append_block() {
     limits_.resize(limits_.size() + block_size, nowhere);
 }
 
-void Separations::put(std::size_t index, const Box& box) {
+void Separations::put(std::size_t index, const BvhNode& moving) {
     const std::size_t lane = index % block_size;
     Block& block = blocks_[index / block_size];
     for (std::size_t i = 0; i < 3; ++i) {
         block.along[i][lane] = 0;
-        block.lower[i][lane] = box.lower[i];
-        block.upper[i][lane] = box.upper[i];
+        block.lower[i][lane] = moving.lower[i];
+        block.upper[i][lane] = moving.upper[i];
     }
     set_limit(index, -nowhere);
 }

@@ -14,8 +14,8 @@
 
 namespace chasles::search {
 
-/// Places for pairs of parts, in blocks of four. Of fixed parts, nothing is known but the gaps to them. The body is
-/// kept by reference.
+/// Places for pairs of parts, in blocks of four. Moving parts are known by their boxes; of fixed parts, nothing is
+/// known but the gaps to them. The body is kept by reference.
 class Separations {
 public:
     static constexpr std::size_t block_size = 4;
@@ -26,13 +26,8 @@ public:
     /// Appends four empty places.
     void append_block();
 
-    /// A box of the moving body's frame, relative to the centre of its hierarchy.
-    struct Box {
-        std::array<float, 3> lower{};
-        std::array<float, 3> upper{};
-    };
-    /// Fills a place with a pair whose moving part is in the box. The pair is not known to be apart.
-    void put(std::size_t index, const Box& box);
+    /// Fills a place with a pair whose moving part is that of a node. The pair is not known to be apart.
+    void put(std::size_t index, const BvhNode& moving);
     /// The pair is apart by the gap, or more, at the start of the present way, along a vector of the fixed body's frame
     /// that is no longer than 1.
     void put_apart(std::size_t index, const algebra::Vector3<float>& along, double gap);

@@ -12,7 +12,7 @@ namespace {
 class Watch {
 public:
     explicit Watch(const Wanderer& bodies)
-        : travel_(bodies.moving().body()), front_(bodies.moving().body(), bodies.fixed().body()) {
+        : bodies_(bodies), travel_(bodies.moving().body()), front_(bodies.moving().body(), bodies.fixed().body()) {
         front_.restart();
     }
 
@@ -21,17 +21,24 @@ public:
         const culling::TimeInterval whole = context.interval(margin, {});
         const Way way = way_of(context, whole, margin);
         front_.arrive(travel_.go_to(way));
-        std::vector<TwoFaces> faces;
+        std::vector<NodeFront::PairOfNodes> leaves;
         Work work;
         const double bound = margin + way.travel + with_rounding(travel_.sum());
-        front_.split({whole.boxes, way, bound, 1 << 20}, faces, work);
-        for (const TwoFaces& two : faces)
-            EXPECT_TRUE(given_.insert({two.moving, two.fixed}).second) << "a pair of faces is given once";
+        front_.split({whole.boxes, way, bound, 1 << 20}, leaves, work);
+        for (const auto& [moving, fixed] : leaves)
+            EXPECT_TRUE(given_.insert({face_of(bodies_.moving(), moving), face_of(bodies_.fixed(), fixed)}).second)
+                << "a pair of faces is given once";
         return work.node_pairs;
     }
     [[nodiscard]] const std::set<std::pair<std::uint32_t, std::uint32_t>>& given() const { return given_; }
 
 private:
+    static std::uint32_t face_of(const Polyhedron& body, std::uint32_t leaf) {
+        EXPECT_TRUE(body.body().bvh().nodes()[leaf].is_leaf());
+        return body.body().bvh().nodes()[leaf].first;
+    }
+
+    const Wanderer& bodies_;
     Travel travel_;
     NodeFront front_;
     std::set<std::pair<std::uint32_t, std::uint32_t>> given_;
@@ -69,11 +76,11 @@ TEST(NodeFront, StopsWhereThereAreTooMany) {
     const culling::TimeInterval whole = context.interval(margin, {});
     NodeFront front(bodies.moving().body(), bodies.fixed().body());
     front.restart();
-    std::vector<TwoFaces> faces;
+    std::vector<NodeFront::PairOfNodes> leaves;
     Work work;
-    front.split({whole.boxes, way_of(context, whole, margin), margin + 1, 100}, faces, work);
-    EXPECT_GT(front.size() + faces.size(), 100U);
-    EXPECT_LT(front.size() + faces.size(), 110U);
+    front.split({whole.boxes, way_of(context, whole, margin), margin + 1, 100}, leaves, work);
+    EXPECT_GT(front.size() + leaves.size(), 100U);
+    EXPECT_LT(front.size() + leaves.size(), 110U);
 }
 
 } // namespace

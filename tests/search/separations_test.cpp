@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace chasles::search {
 namespace {
 
@@ -23,16 +25,9 @@ struct FaceAndPlane {
     [[nodiscard]] algebra::Vector3<float> vector() const { return {along.x(), along.y(), along.z()}; }
 };
 
-Separations::Box box_around(const Polyhedron& body, std::uint32_t face) {
-    Separations::Box box{{1e30F, 1e30F, 1e30F}, {-1e30F, -1e30F, -1e30F}};
-    for (const std::uint32_t corner : body.body().face(face))
-        for (std::size_t i = 0; i < 3; ++i) {
-            const double at =
-                body.body().vertices()[corner][Eigen::Index(i)] - body.body().bvh().centre()[Eigen::Index(i)];
-            box.lower[i] = std::min(box.lower[i], float(at));
-            box.upper[i] = std::max(box.upper[i], float(at));
-        }
-    return box;
+const BvhNode& leaf_of(const Polyhedron& body, std::uint32_t face) {
+    return *std::ranges::find_if(body.body().bvh().nodes(),
+                                 [&](const BvhNode& node) { return node.is_leaf() && node.first == face; });
 }
 
 /// Goes ways one after the other, and asks what is due on each.
@@ -73,7 +68,7 @@ TEST(Separations, NothingIsFartherApartThanItIs) {
         const FaceAndPlane pair = random_plane(bodies, random, way.pose_at(0), test::uniform(random, 0.001, 0.1));
         Walk walk(bodies);
         walk.apart().append_block();
-        walk.apart().put(i % 4, box_around(bodies.moving(), pair.face));
+        walk.apart().put(i % 4, leaf_of(bodies.moving(), pair.face));
         ASSERT_EQ(walk.due(way, 1e-4), std::vector<std::size_t>{std::size_t(i % 4)}) << "nothing is known of it";
         walk.apart().put_apart(i % 4, pair.vector(), pair.gap(bodies.moving(), way.pose_at(0)));
         const double gap = pair.gap(bodies.moving(), arrival);
@@ -99,7 +94,7 @@ TEST(Separations, AllThatMayComeNearIsDue) {
         pairs.push_back(random_plane(bodies, random, Wanderer::home(), test::uniform(random, 0, 0.05)));
         if (i % Separations::block_size == 0)
             walk.apart().append_block();
-        walk.apart().put(i, box_around(bodies.moving(), pairs[i].face));
+        walk.apart().put(i, leaf_of(bodies.moving(), pairs[i].face));
     }
     std::size_t near = 0, due_in_all = 0, asked = 0, skipped_although_within_travel = 0;
     for (int k = 0; k < 300; ++k) {
@@ -141,13 +136,13 @@ TEST(Separations, AnEmptiedPlaceTakesAnotherPair) {
     const Motion way = bodies.next();
     walk.apart().append_block();
     EXPECT_TRUE(walk.due(way, 1).empty());
-    walk.apart().put(2, box_around(bodies.moving(), 0));
+    walk.apart().put(2, leaf_of(bodies.moving(), 0));
     EXPECT_TRUE(walk.apart().holds(2));
     EXPECT_EQ(walk.due(way, 1), std::vector<std::size_t>{2});
     walk.apart().remove(2);
     EXPECT_FALSE(walk.apart().holds(2));
     EXPECT_TRUE(walk.due(way, 1).empty());
-    walk.apart().put(2, box_around(bodies.moving(), 1));
+    walk.apart().put(2, leaf_of(bodies.moving(), 1));
     EXPECT_EQ(walk.due(way, 1), std::vector<std::size_t>{2});
     walk.apart().clear();
     EXPECT_TRUE(walk.due(way, 1).empty());
