@@ -161,7 +161,7 @@ test("wrong options are refused in the words of the library", () => {
   assert.equal(refused({ friction: -1 }), "drag: friction: must be in [0, 100]");
   assert.equal(refused({ friction: NaN }), "drag: friction: must be in [0, 100]");
   assert.equal(refused({ stiffness: 0 }), "drag: stiffness: must be in (0, 1e30]");
-  assert.equal(refused({ reach: 1e-6 }), "drag: reach: must be at least twice the margin, and at most 1e30");
+  assert.equal(refused({ reach: 1e-6 }), "drag: reach: must be at least 1.25 times the margin, and at most 1e30");
   assert.equal(refused({ lock: { kind: "screw" } }), "drag: lock: the kind must be free, hinge, slider, cylinder or plane, not screw");
   assert.equal(refused({ lock: { kind: "plane", direction: [0, 0, 0] } }), "drag: lock: the direction must be finite and not zero");
   assert.equal(refused({ lock: { kind: "hinge", point: [0, NaN, 0] } }), "drag: lock: the point must be finite, and no component beyond 1e30");
