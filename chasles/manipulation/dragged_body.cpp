@@ -23,6 +23,7 @@ using manipulation::Passage;
 using manipulation::Slide;
 using manipulation::SlideKind;
 using manipulation::SlideProblem;
+using manipulation::Stride;
 
 namespace {
 
@@ -137,6 +138,11 @@ private:
     void meet(const Other& other, DragStep& step) const;
     void read_scene(DragStep& step);
     void renumber_contacts();
+    struct Way {
+        Pose end;
+        Passage passage; ///< on the screw to the end
+    };
+    Way search(const Slide& slide, DragStep& step);
     bool go(const Slide& slide, DragStep& step);
     [[nodiscard]] DragState go_on(const Pose& goal, double seconds, DragStep& step);
     void report(const Pose& goal, DragStep& step);
@@ -220,14 +226,26 @@ void DraggedBody::Implementation::renumber_contacts() {
     contact_partners_ = std::move(partners);
 }
 
+/// Searches the way to the end of the slide until it is blocked, free, or long to search.
+DraggedBody::Implementation::Way DraggedBody::Implementation::search(const Slide& slide, DragStep& step) {
+    const double length = longest_way(shape_.report(), pose_, slide.end);
+    std::uint64_t node_pairs = 0;
+    for (double share = stride_.first_share(length);; share = Stride::next_share(share)) {
+        const Pose end = share < 1 ? lock_.onto(Motion::screw(pose_, slide.end).pose_at(share)) : slide.end;
+        const Passage passage = surroundings_.passage(shape_.body(), pose_, end, near_.distances);
+        step.work += passage.work;
+        node_pairs += passage.work.node_pairs;
+        const bool is_blocked = passage.until < 1;
+        if (is_blocked || share == 1 || Stride::is_long(node_pairs)) {
+            stride_.learn(passage.until * share * length, is_blocked, node_pairs);
+            return {end, passage};
+        }
+    }
+}
+
 /// One certified step. False if nothing could be gone.
 bool DraggedBody::Implementation::go(const Slide& slide, DragStep& step) {
-    const double way = longest_way(shape_.report(), pose_, slide.end);
-    const double share = stride_.share(way);
-    const Pose end = share < 1 ? lock_.onto(Motion::screw(pose_, slide.end).pose_at(share)) : slide.end;
-    const Passage passage = surroundings_.passage(shape_.body(), pose_, end, near_.distances);
-    stride_.learn(way, passage);
-    step.work += passage.work;
+    const auto& [end, passage] = search(slide, step);
     step.blocking.clear();
     if (passage.blocked_by)
         step.blocking.push_back(*passage.blocked_by);

@@ -1,40 +1,41 @@
-// How far a step may go where the search for contacts on its way is long.
+// How far a step goes where the search for contacts on its way is long.
 // Source: docs/derivations/30-dragged-body.md, "The certified step".
 #pragma once
 
-#include "chasles/manipulation/surroundings.h"
-
 #include <algorithm>
 #include <cstdint>
-#include <limits>
 
 namespace chasles::manipulation {
 
-/// Between surfaces that fit tightly, a long way costs a long search, and is blocked soon. There the next step is as
-/// short as the way that was free, so that a list of neighbours can serve it. Where steps get through, they get longer
-/// again.
+/// A long way is searched in parts that begin where the body is, each longer than the one before. If the body is
+/// blocked soon, the rest is not searched. Where the search gets long, the step ends with the part that is free.
 class Stride {
 public:
-    explicit Stride(double margin) : margin_(margin) {}
+    explicit Stride(double margin) : least_(8 * margin), first_(least_) {}
 
-    /// The share of a way of this length, of the farthest point, that the next step goes.
-    [[nodiscard]] double share(double way) const { return way > longest_ ? longest_ / way : 1; }
+    /// Of a way of this length, of the farthest point: the share that is searched first.
+    [[nodiscard]] double first_share(double way) const { return std::min(1.0, first_ / way); }
+    /// After a share that is free.
+    [[nodiscard]] static double next_share(double share) { return std::min(1.0, 4 * share); }
+    /// Whether a step ends that took tests of so many pairs of nodes.
+    [[nodiscard]] static bool is_long(std::uint64_t node_pairs) { return node_pairs > long_search; }
 
-    /// What came of the step.
-    void learn(double way, const Passage& passage) {
-        const double tried = share(way) * way;
-        if (passage.work.node_pairs > dear && passage.until < soon)
-            longest_ = std::max(4 * passage.until * tried, 4 * margin_);
-        else if (tried < way)
-            longest_ *= 2;
+    /// What came of a step: how far it went.
+    void learn(double gone, bool is_blocked, std::uint64_t node_pairs) {
+        if (is_blocked)
+            first_ = 2 * gone;
+        else if (node_pairs > 2 * long_search)
+            first_ = gone / 2;
+        else
+            first_ = std::max(first_, gone);
+        first_ = std::max(first_, least_);
     }
 
 private:
-    static constexpr std::uint64_t dear = 200000; ///< pairs of nodes: some 20 ms
-    static constexpr double soon = 0x1p-4;        ///< of the way
+    static constexpr std::uint64_t long_search = 5000; ///< a millisecond, measured with drag_bench
 
-    double margin_;
-    double longest_ = std::numeric_limits<double>::infinity();
+    double least_;
+    double first_; ///< the length of the first part of a way
 };
 
 } // namespace chasles::manipulation

@@ -5,50 +5,55 @@
 namespace chasles::manipulation {
 namespace {
 
-constexpr double margin = 0.01;
+constexpr double margin = 0x1p-10;
+constexpr std::uint64_t brief = 100;
+constexpr std::uint64_t lengthy = 1000000;
 
-Passage passage(double until, std::uint64_t node_pairs) {
-    Passage found;
-    found.until = until;
-    found.work.node_pairs = node_pairs;
-    return found;
+/// The length of the first part of a long way.
+double first_part(const Stride& stride) {
+    return 1e6 * stride.first_share(1e6);
 }
 
-TEST(Stride, IsAnyWayAtFirst) {
-    EXPECT_EQ(Stride(margin).share(1e30), 1);
+TEST(Stride, BeginsWithEightMargins) {
+    const Stride stride(margin);
+    EXPECT_EQ(stride.first_share(8 * margin), 1);
+    EXPECT_EQ(stride.first_share(4 * margin), 1);
+    EXPECT_EQ(stride.first_share(32 * margin), 0.25);
 }
 
-TEST(Stride, IsFourTimesTheFreeWayWhereALongSearchWasBlocked) {
+TEST(Stride, PartsGrowUntilTheWayEnds) {
+    EXPECT_EQ(Stride::next_share(0.125), 0.5);
+    EXPECT_EQ(Stride::next_share(0.5), 1);
+}
+
+TEST(Stride, AStepEndsAfterALongSearch) {
+    EXPECT_FALSE(Stride::is_long(brief));
+    EXPECT_TRUE(Stride::is_long(lengthy));
+}
+
+TEST(Stride, AFreeWayIsTheNextFirstPartIfItsSearchWasShort) {
     Stride stride(margin);
-    stride.learn(8, passage(1.0 / 32, 1000000));
-    EXPECT_EQ(stride.share(1), 1);
-    EXPECT_EQ(stride.share(2), 0.5);
+    stride.learn(3, false, brief);
+    EXPECT_DOUBLE_EQ(first_part(stride), 3);
+    stride.learn(1, false, brief);
+    EXPECT_DOUBLE_EQ(first_part(stride), 3);
+    stride.learn(1, false, lengthy);
+    EXPECT_DOUBLE_EQ(first_part(stride), 0.5);
 }
 
-TEST(Stride, IsNeverBelowFourMargins) {
+TEST(Stride, TwiceTheWayToAnObstacleIsTheNextFirstPart) {
     Stride stride(margin);
-    stride.learn(8, passage(0, 1000000));
-    EXPECT_EQ(stride.share(4 * margin), 1);
-    EXPECT_DOUBLE_EQ(stride.share(8 * margin), 0.5);
+    stride.learn(3, false, brief);
+    stride.learn(0.25, true, lengthy);
+    EXPECT_DOUBLE_EQ(first_part(stride), 0.5);
 }
 
-TEST(Stride, IsNotShortenedByAShortSearchNorWhereMuchOfTheWayWasFree) {
+TEST(Stride, IsNeverBelowEightMargins) {
     Stride stride(margin);
-    stride.learn(8, passage(1.0 / 32, 100));
-    stride.learn(8, passage(0.125, 1000000));
-    stride.learn(8, passage(1, 1000000));
-    EXPECT_EQ(stride.share(8), 1);
-}
-
-TEST(Stride, GrowsWhereStepsGetThroughOrSearchesAreShort) {
-    Stride stride(margin);
-    stride.learn(32, passage(1.0 / 32, 1000000)); // 4
-    stride.learn(2, passage(1, 1000000));         // shorter than it might have been
-    EXPECT_EQ(stride.share(8), 0.5);
-    stride.learn(8, passage(1, 1000000));
-    EXPECT_EQ(stride.share(16), 0.5);
-    stride.learn(16, passage(0.01, 100));
-    EXPECT_EQ(stride.share(32), 0.5);
+    stride.learn(0, true, lengthy);
+    EXPECT_EQ(stride.first_share(16 * margin), 0.5);
+    stride.learn(margin, false, lengthy);
+    EXPECT_EQ(stride.first_share(16 * margin), 0.5);
 }
 
 } // namespace
