@@ -5,7 +5,7 @@
 // place where there is much to touch. The last columns are for forces for other goals, from the contacts of the last
 // update.
 //
-//     drag_bench [--updates=600] [--only=SCENE] [--seconds=20] [--budget=0] [--rounds=8]
+//     drag_bench [--updates=600] [--only=SCENE] [--friction=MU] [--seconds=20] [--budget=0] [--rounds=8]
 //
 // No hand takes longer than `seconds` in all. `budget` is that of one update in milliseconds (0: none), and `rounds`
 // the steps that it may take: with one round, the times are those of single certified steps.
@@ -17,6 +17,7 @@
 #include <cstdlib>
 #include <span>
 #include <string_view>
+#include <vector>
 
 namespace chasles::bench {
 namespace {
@@ -27,6 +28,7 @@ struct Limits {
     double budget = 0;   ///< of one update, ms
     int rounds = DragOptions{}.rounds;
     std::string_view only = {};
+    std::vector<double> frictions = {0, 0.3};
 };
 
 /// What came of one hand.
@@ -85,7 +87,7 @@ void run_all(const Limits& limits) {
         const auto hand = drag_case(name);
         if (!hand)
             std::printf("%s: skipped, the data is missing\n", std::string(name).c_str());
-        for (const double friction : {0.0, 0.3})
+        for (const double friction : limits.frictions)
             if (hand)
                 print(*hand, friction, drag(*hand, limits, friction));
     }
@@ -106,6 +108,8 @@ int main(int argc, char** argv) {
             limits.budget = std::max(0.0, std::atof(argument.substr(9).data()));
         if (argument.starts_with("--rounds="))
             limits.rounds = std::max(1, std::atoi(argument.substr(9).data()));
+        if (argument.starts_with("--friction="))
+            limits.frictions = {std::atof(argument.substr(11).data())};
         if (argument.starts_with("--only="))
             limits.only = argument.substr(7);
     }
