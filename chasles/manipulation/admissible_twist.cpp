@@ -102,8 +102,8 @@ Solution refined(const LeastDistance& problem, Solution solution) {
     if (active.empty())
         return solution;
     const std::optional<Solution> better = solution_on(problem, active);
-    if (!better || better->multipliers.minCoeff() < 0 ||
-        violation(problem, better->change) >= violation(problem, solution.change))
+    const double tolerated = std::max(violation(problem, solution.change), rounding * problem.wish.norm());
+    if (!better || better->multipliers.minCoeff() < 0 || violation(problem, better->change) > tolerated)
         return solution;
     return *better;
 }
