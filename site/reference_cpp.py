@@ -27,7 +27,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
     "scenes": ("Scenes", ["scene/scene.h", "scene/stepper.h"]),
     "dragged-bodies": (
         "Dragged bodies",
-        ["manipulation/dragged_body.h", "manipulation/drag_lock.h", "manipulation/mass_properties.h"],
+        ["manipulation/dragged_body.h", "manipulation/drag_options.h", "manipulation/drag_lock.h", "manipulation/mass_properties.h"],
     ),
     "robots": ("Robots", ["robot/robot.h", "robot/robot_description.h", "robot/joint_path.h", "robot/pair_proof.h"]),
     "ompl": ("Planners of OMPL", ["ompl.h"]),

@@ -1,7 +1,7 @@
 #include "chasles/manipulation/dragged_body.h"
 
-#include "chasles/base/invalid_input.h"
 #include "chasles/base/sort.h"
+#include "chasles/manipulation/checked_options.h"
 #include "chasles/manipulation/hand_force.h"
 #include "chasles/manipulation/stride.h"
 #include "chasles/manipulation/surroundings.h"
@@ -27,53 +27,10 @@ using manipulation::Stride;
 
 namespace {
 
-constexpr double default_margin = 1e-4; // of the diagonal of the box
-/// In margins, and by default: somewhat more than the gap of a contact that touches (`touch_share`). Measured with
-/// drag_bench: a reach of 2 margins takes up to twice the time, and no fewer rounds.
-constexpr double least_reach = 1.25;
 constexpr double listed_within = 2;    // margins: the contacts that a step lists at most
 constexpr double least_step = 0x1p-10; // margins: a body that has no more to go rests
 /// Likewise after the first round of an update. What is left is for the next update: it is not worth a round.
 constexpr double least_further_step = 0x1p-3;
-
-void require(bool holds, const char* option, const char* why) {
-    if (!holds)
-        throw InvalidInput(std::string("drag: ") + option + ": " + why);
-}
-
-double diagonal(const Polyhedron& shape) {
-    const MeshReport report = shape.report();
-    return (report.upper - report.lower).norm();
-}
-
-Distances distances_of(const DragOptions& options, const Polyhedron& shape) {
-    const auto is_positive = [](double number) { return number > 0 && number <= 1e30; };
-    require(options.margin == 0 || is_positive(options.margin), "margin", "must be in (0, 1e30], or 0 for the default");
-    const double margin = options.margin == 0 ? default_margin * diagonal(shape) : options.margin;
-    const double reach = options.reach == 0 ? least_reach * margin : options.reach;
-    require(reach >= least_reach * margin && reach <= 1e30, "reach",
-            "must be at least 1.25 times the margin, and at most 1e30");
-    require(is_positive(options.stiffness), "stiffness", "must be in (0, 1e30]");
-    require(options.rounds > 0, "rounds", "must be positive");
-    require(options.friction >= 0 && options.friction <= 100, "friction", "must be in [0, 100]");
-    return {margin, reach};
-}
-
-MassProperties mass_of(const DragOptions& options, const Polyhedron& shape) {
-    if (!options.mass)
-        return manipulation::mass_of_box(shape.body());
-    manipulation::check(*options.mass);
-    return *options.mass;
-}
-
-/// The gap of contacts is far above the rounding of poses. The least clearance is 2^-22 of the margin, and a point of
-/// the body is off its place by less than 2^-50 of the lengths that enter.
-void check_rounding(const Distances& distances, const Polyhedron& shape, const Pose& pose) {
-    const MeshReport report = shape.report();
-    const double lengths = pose.translation.norm() + report.lower.norm() + report.upper.norm();
-    require(distances.margin >= 0x1p-28 * lengths, "margin",
-            "is below a 2^28th of the lengths of the pose, and so too near to its rounding");
-}
 
 /// The longest way of a corner of the body's box from one pose to another one.
 double longest_way(const MeshReport& box, const Pose& from, const Pose& to) {
@@ -142,8 +99,8 @@ private:
         Pose end;
         Passage passage; ///< on the screw to the end
     };
-    Way search(const Slide& slide, DragStep& step);
-    bool go(const Slide& slide, DragStep& step);
+    Way search(const Slide& slide, bool is_urgent, DragStep& step);
+    bool go(const Slide& slide, bool is_urgent, DragStep& step);
     [[nodiscard]] DragState go_on(const Pose& goal, double seconds, DragStep& step);
     void report(const Pose& goal, DragStep& step);
 
@@ -166,10 +123,10 @@ private:
 
 DraggedBody::Implementation::Implementation(Scene& scene, const std::string& name, const DragOptions& options)
     : scene_(scene), name_(name), shape_(scene.bodies()[scene.index_of(name)].shape), options_(options),
-      distances_(distances_of(options, shape_)), spring_(mass_of(options, shape_)), size_(diagonal(shape_)),
-      pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)), lock_(options.lock, pose_),
-      stride_(distances_.margin), surroundings_(distances_) {
-    check_rounding(distances_, shape_, pose_);
+      distances_(manipulation::distances_of(options, shape_)), spring_(manipulation::mass_of(options, shape_)),
+      size_(manipulation::diagonal(shape_)), pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)),
+      lock_(options.lock, pose_), stride_(distances_.margin), surroundings_(distances_) {
+    manipulation::check_rounding(distances_, shape_, pose_);
     manipulation::prepare(shape_.body());
     DragStep step;
     surroundings_.refresh(scene_, scene_.index_of(name_));
@@ -226,8 +183,9 @@ void DraggedBody::Implementation::renumber_contacts() {
     contact_partners_ = std::move(partners);
 }
 
-/// Searches the way to the end of the slide until it is blocked, free, or long to search.
-DraggedBody::Implementation::Way DraggedBody::Implementation::search(const Slide& slide, DragStep& step) {
+/// Searches the way to the end of a slide: until the body is blocked, and if time is short, until the search gets long.
+DraggedBody::Implementation::Way DraggedBody::Implementation::search(const Slide& slide, bool is_urgent,
+                                                                     DragStep& step) {
     const double length = longest_way(shape_.report(), pose_, slide.end);
     std::uint64_t node_pairs = 0;
     for (double share = stride_.first_share(length);; share = Stride::next_share(share)) {
@@ -236,7 +194,7 @@ DraggedBody::Implementation::Way DraggedBody::Implementation::search(const Slide
         step.work += passage.work;
         node_pairs += passage.work.node_pairs;
         const bool is_blocked = passage.until < 1;
-        if (is_blocked || share == 1 || Stride::is_long(node_pairs)) {
+        if (is_blocked || share == 1 || (is_urgent && Stride::is_long(node_pairs))) {
             stride_.learn(passage.until * share * length, is_blocked, node_pairs);
             return {end, passage};
         }
@@ -244,8 +202,8 @@ DraggedBody::Implementation::Way DraggedBody::Implementation::search(const Slide
 }
 
 /// One certified step. False if nothing could be gone.
-bool DraggedBody::Implementation::go(const Slide& slide, DragStep& step) {
-    const auto& [end, passage] = search(slide, step);
+bool DraggedBody::Implementation::go(const Slide& slide, bool is_urgent, DragStep& step) {
+    const auto& [end, passage] = search(slide, is_urgent, step);
     step.blocking.clear();
     if (passage.blocked_by)
         step.blocking.push_back(*passage.blocked_by);
@@ -271,7 +229,7 @@ DragState DraggedBody::Implementation::go_on(const Pose& goal, double seconds, D
         problem.contacts = near_.contacts;
         problem.rest = (round == 0 ? least_step : least_further_step) * distances_.margin;
         const Slide slide = next_slide(problem);
-        if (slide.kind == SlideKind::rest || !go(slide, step))
+        if (slide.kind == SlideKind::rest || !go(slide, seconds > 0, step))
             return DragState::resting;
     }
     return is_equal(pose_, target) ? DragState::reached : DragState::moving;
@@ -310,7 +268,7 @@ void DraggedBody::Implementation::report(const Pose& goal, DragStep& step) {
 
 Pose DraggedBody::Implementation::checked(const Pose& wanted) const {
     Pose goal(wanted.translation, Eigen::Quaterniond(wanted.rotation)); // checks what was filled in by hand
-    check_rounding(distances_, shape_, goal);
+    manipulation::check_rounding(distances_, shape_, goal);
     return goal;
 }
 
@@ -321,7 +279,7 @@ DragForce DraggedBody::Implementation::force(const Pose& wanted) const {
 }
 
 DragStep DraggedBody::Implementation::update(const Pose& wanted, double seconds) {
-    require(seconds >= 0, "seconds", "must not be negative");
+    manipulation::require(seconds >= 0, "seconds", "must not be negative");
     const Pose goal = checked(wanted);
     DragStep step;
     read_scene(step);

@@ -20,8 +20,8 @@ Column padded(const auto& equations) {
     return column;
 }
 
-/// Columns as Q R, one more at a time, as Gram and Schmidt do. Each column is made orthogonal to the others twice, which
-/// leaves Q orthogonal up to rounding.
+/// Columns as Q R, one more at a time, as Gram and Schmidt do. Each column is made orthogonal to the others twice,
+/// which leaves Q orthogonal up to rounding.
 class Factors {
 public:
     void clear() { count_ = 0; }
@@ -108,7 +108,7 @@ public:
 private:
     struct State {
         std::vector<Eigen::Index> active;
-        Factors factors; ///< of the active columns
+        Factors factors;          ///< of the active columns
         Eigen::VectorXd unknowns; ///< of the columns of length 1
         Column residual;
     };

@@ -8,7 +8,8 @@
 namespace chasles::manipulation {
 
 /// A long way is searched in parts that begin where the body is, each longer than the one before. If the body is
-/// blocked soon, the rest is not searched. Where the search gets long, the step ends with the part that is free.
+/// blocked soon, the rest is not searched. If time is short, the step ends with the part after which the search has got
+/// long.
 class Stride {
 public:
     explicit Stride(double margin) : least_(8 * margin), first_(least_) {}
@@ -17,7 +18,7 @@ public:
     [[nodiscard]] double first_share(double way) const { return std::min(1.0, first_ / way); }
     /// After a share that is free.
     [[nodiscard]] static double next_share(double share) { return std::min(1.0, 4 * share); }
-    /// Whether a step ends that took tests of so many pairs of nodes.
+    /// Whether the search of a step has got long, after tests of so many pairs of nodes.
     [[nodiscard]] static bool is_long(std::uint64_t node_pairs) { return node_pairs > long_search; }
 
     /// What came of a step: how far it went.

@@ -26,7 +26,7 @@ TEST(Stride, PartsGrowUntilTheWayEnds) {
     EXPECT_EQ(Stride::next_share(0.5), 1);
 }
 
-TEST(Stride, AStepEndsAfterALongSearch) {
+TEST(Stride, TellsALongSearch) {
     EXPECT_FALSE(Stride::is_long(brief));
     EXPECT_TRUE(Stride::is_long(lengthy));
 }
