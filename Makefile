@@ -35,18 +35,18 @@ help:
 	@echo "make tidy-core     clang-tidy over the layers that have no findings"
 	@echo "make format   lay out every source file"
 
+# A build folder that is new is compiled once: then batches of sources take a third of the time.
+in_batches = $(if $(wildcard $(1)/CMakeCache.txt),,-D CHASLES_UNITY=ON)
+
 demo:
 	@tools/install_dependencies.sh demo
-	cmake --preset demo
+	cmake --preset demo $(call in_batches,build/release)
 	cmake --build --preset demo -j $(JOBS)
 	build/release/bin/chasles demo
 
-# A build folder that is new is compiled once: then batches of sources take a third of the time.
-in_batches = $(if $(wildcard build/dev/CMakeCache.txt),,-D CHASLES_UNITY=ON)
-
 check:
 	@tools/install_dependencies.sh check fuzz python
-	cmake --preset dev $(in_batches)
+	cmake --preset dev $(call in_batches,build/dev)
 	cmake --build --preset dev -j $(JOBS)
 	ctest --preset dev -j $(JOBS)
 	tools/python_check.sh build/dev

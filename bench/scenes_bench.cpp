@@ -6,7 +6,7 @@
 // the start. Missed contacts and false alarms are counted against our proven answers. Our tree of bodies is built anew
 // for each question, and those of the managers are refitted, as their users do.
 //
-//     scenes_bench [COUNT...]
+//     scenes_bench [--spacing=SIZES] [COUNT...]
 #include "bench/bodies.h"
 #if defined(CHASLES_BENCH_BULLET)
 #include "bench/bullet_scene.h"
@@ -27,6 +27,8 @@
 #include <malloc.h>
 #include <numbers>
 #include <span>
+#include <string_view>
+#include <vector>
 
 namespace chasles::bench {
 namespace {
@@ -248,11 +250,15 @@ void print_scene(std::size_t count, double spacing, bool may_touch) {
 
 int run(std::span<char* const> arguments) {
     std::vector<std::size_t> counts;
-    for (const char* const argument : arguments)
-        counts.push_back(std::strtoull(argument, nullptr, 10));
+    std::vector<double> spacings{0.95, 1.2};
+    for (const std::string_view argument : arguments)
+        if (argument.starts_with("--spacing="))
+            spacings = {std::atof(argument.substr(10).data())};
+        else
+            counts.push_back(std::strtoull(argument.data(), nullptr, 10));
     if (counts.empty())
         counts = {100, 1000, 10'000, 100'000};
-    for (const double spacing : {0.95, 1.2})
+    for (const double spacing : spacings)
         for (const bool may_touch : {false, true})
             for (const std::size_t count : counts)
                 print_scene(count, spacing, may_touch);
