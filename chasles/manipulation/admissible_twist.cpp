@@ -16,24 +16,17 @@ namespace {
 /// Rounding, as a share of the numbers that enter a row.
 constexpr double rounding = 0x1p-40;
 
-/// The problem in coordinates L^T v, M = L L^T, in which the metric is Euclidean, with rows of length 1 and the wish
-/// as the origin: the shortest z with rows z >= lacking.
+/// The problem with rows of length 1 and the wish as the origin: the shortest z with rows z >= lacking.
 struct LeastDistance {
     Rows rows;
     Eigen::VectorXd lengths; ///< that the rows had
     Eigen::VectorXd lacking;
-    Twist wish; ///< L^T wish
+    Twist wish;
 };
 
-LeastDistance least_distance_problem(const TwistConstraints& constraints, const Eigen::LLT<Metric>& root,
-                                     const Twist& wish) {
-    LeastDistance problem;
-    // A = J L^-T, so A^T = L^-1 J^T
-    const Eigen::Matrix<double, 6, Eigen::Dynamic> columns = root.matrixL().solve(constraints.rows.transpose());
-    problem.rows = columns.transpose();
-    problem.lengths = problem.rows.rowwise().norm();
-    problem.wish = root.matrixU() * wish;
-    problem.lacking.resize(problem.rows.rows());
+LeastDistance least_distance_problem(const TwistConstraints& constraints, const Twist& wish) {
+    LeastDistance problem{constraints.rows, constraints.rows.rowwise().norm(), Eigen::VectorXd(constraints.rows.rows()),
+                          wish};
     for (Eigen::Index i = 0; i < problem.rows.rows(); ++i) {
         if (problem.lengths[i] > 0)
             problem.rows.row(i) /= problem.lengths[i];
@@ -130,19 +123,28 @@ Twist within_bounds(const LeastDistance& problem, Twist moved) {
 
 } // namespace
 
-AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metric& metric, const Twist& wish,
+AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Twist& wish,
                                  std::span<const Eigen::Index> likely) {
-    const Eigen::LLT<Metric> root(metric);
-    const LeastDistance problem = least_distance_problem(constraints, root, wish);
+    const LeastDistance problem = least_distance_problem(constraints, wish);
     AdmissibleTwist answer{wish, Eigen::VectorXd::Zero(problem.rows.rows())};
     const double scale = problem.rows.rows() > 0 ? problem.lacking.maxCoeff() : 0;
     if (!(scale > 0))
         return answer;
     const Eigen::VectorXd raw = multipliers_of(problem, scale, likely);
     const auto& [change, multipliers] = refined(problem, {problem.rows.transpose() * raw, raw});
-    answer.twist = root.matrixU().solve(within_bounds(problem, problem.wish + change));
+    answer.twist = within_bounds(problem, problem.wish + change);
     for (Eigen::Index i = 0; i < problem.rows.rows(); ++i)
         answer.multipliers[i] = problem.lengths[i] > 0 ? multipliers[i] / problem.lengths[i] : 0;
+    answer.wrench = constraints.rows.transpose() * answer.multipliers;
+    return answer;
+}
+
+/// In coordinates L^T v, M = L L^T, the metric is that of unit mass. There the rows are J L^-T.
+AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metric& metric, const Twist& wish) {
+    const Eigen::LLT<Metric> root(metric);
+    const Rows rows = root.matrixL().solve(constraints.rows.transpose()).transpose();
+    AdmissibleTwist answer = admissible_twist({rows, constraints.gaps}, root.matrixU() * wish);
+    answer.twist = root.matrixU().solve(answer.twist);
     answer.wrench = constraints.rows.transpose() * answer.multipliers;
     return answer;
 }

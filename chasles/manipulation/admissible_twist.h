@@ -31,9 +31,12 @@ struct AdmissibleTwist {
 /// The admissible twist for which |v - wish|_M is least. There is always one, as rest is admissible, and it has no
 /// more energy than the wish: |v|_M <= |wish|_M. Numbers must be finite.
 ///
-/// A row is violated by less than 2^-40 of what it is multiplied from, by rounding. `likely` are rows that may well
-/// push, each once: a good guess saves time.
-AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metric& metric, const Twist& wish,
+/// A row is violated by less than 2^-40 of what it is multiplied from, by rounding.
+AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metric& metric, const Twist& wish);
+
+/// Likewise with the unit matrix as the metric. `likely` are rows that may well push, each once: a good guess saves
+/// time.
+AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Twist& wish,
                                  std::span<const Eigen::Index> likely = {});
 
 } // namespace chasles::manipulation

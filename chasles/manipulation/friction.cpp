@@ -26,24 +26,21 @@ constexpr std::size_t most_new_cuts = 12;
 class ConeTwist {
 public:
     explicit ConeTwist(const FrictionProblem& problem)
-        : problem_(problem), inverse_(problem.metric), scales_(problem.normals.rows.rows()) {
-        for (Eigen::Index i = 0; i < scales_.size(); ++i) {
-            const double normal = inverse_.matrixL().solve(problem.normals.rows.row(i).transpose()).norm();
-            scales_[i] = cone_rounding * normal * (1 + problem.coefficient);
-        }
-    }
+        : problem_(problem), root_(problem.metric), normals_(in_unit_metric(problem.normals.rows)),
+          tangents_(in_unit_metric(problem.tangents)),
+          scales_(cone_rounding * (1 + problem.coefficient) * normals_.rowwise().norm()) {}
 
     /// The planes of the last call that push are kept for the next one.
     FrictionForces solve(const Eigen::VectorXd& gaps, const Twist& wish) {
-        const double length = std::sqrt(wish.dot(problem_.metric * wish));
-        AdmissibleTwist answer{wish, Eigen::VectorXd()};
+        const Twist wanted = root_.matrixU() * wish;
+        AdmissibleTwist answer{wanted, Eigen::VectorXd()};
         do {
-            answer = admissible_twist(constraints(gaps), problem_.metric, wish, pushing_);
+            answer = admissible_twist(constraints(gaps), wanted, pushing_);
             find_pushing(answer);
             // not the answer's twist, which is at rest where rounding violates a plane
-            answer.twist = wish + inverse_.solve(answer.wrench);
+            answer.twist = wanted + answer.wrench;
             ++solutions_;
-        } while (!is_exhausted() && cut(answer, gaps, length));
+        } while (!is_exhausted() && cut(answer, gaps, wanted.norm()));
         return forces_of(answer);
     }
 
@@ -57,8 +54,13 @@ private:
         Eigen::Vector2d friction = Eigen::Vector2d::Zero(); ///< its direction; of length 1, or 0 at the tip of the cone
     };
 
+    /// For twists L^T v, M = L L^T, whose metric is the unit matrix.
+    [[nodiscard]] Rows in_unit_metric(const Rows& rows) const {
+        return root_.matrixL().solve(rows.transpose()).transpose();
+    }
+
     [[nodiscard]] Eigen::Vector2d sliding(Eigen::Index contact, const Twist& twist) const {
-        return problem_.tangents.middleRows<2>(2 * contact) * twist;
+        return tangents_.middleRows<2>(2 * contact) * twist;
     }
 
     [[nodiscard]] TwistConstraints constraints(const Eigen::VectorXd& gaps) const {
@@ -66,9 +68,8 @@ private:
         TwistConstraints planes{Rows(count, 6), Eigen::VectorXd(count)};
         for (Eigen::Index k = 0; k < count; ++k) {
             const auto& [contact, friction] = cuts_[std::size_t(k)];
-            planes.rows.row(k) =
-                problem_.normals.rows.row(contact) +
-                problem_.coefficient * (friction.transpose() * problem_.tangents.middleRows<2>(2 * contact));
+            planes.rows.row(k) = normals_.row(contact) +
+                                 problem_.coefficient * (friction.transpose() * tangents_.middleRows<2>(2 * contact));
             planes.gaps[k] = gaps[contact];
         }
         return planes;
@@ -79,7 +80,7 @@ private:
     cones_left(const AdmissibleTwist& answer, const Eigen::VectorXd& gaps, double length) const {
         std::vector<std::pair<double, Eigen::Index>> left;
         for (Eigen::Index i = 0; i < gaps.size(); ++i) {
-            const double above = problem_.normals.rows.row(i).dot(answer.twist) + gaps[i];
+            const double above = normals_.row(i).dot(answer.twist) + gaps[i];
             const double excess = problem_.coefficient * sliding(i, answer.twist).norm() - above;
             if (excess > scales_[i] * length)
                 left.emplace_back(-excess, i);
@@ -110,7 +111,7 @@ private:
     }
 
     [[nodiscard]] FrictionForces forces_of(const AdmissibleTwist& answer) const {
-        FrictionForces forces{answer.twist, Eigen::VectorXd::Zero(scales_.size()),
+        FrictionForces forces{root_.matrixU().solve(answer.twist), Eigen::VectorXd::Zero(scales_.size()),
                               Eigen::VectorXd::Zero(2 * scales_.size())};
         for (Eigen::Index k = 0; k < answer.multipliers.size(); ++k) {
             const auto& [contact, friction] = cuts_[std::size_t(k)];
@@ -121,8 +122,9 @@ private:
     }
 
     const FrictionProblem& problem_;
-    Eigen::LLT<Metric> inverse_;
-    Eigen::VectorXd scales_; ///< of what is rounding, for a wish of length 1
+    Eigen::LLT<Metric> root_;
+    Rows normals_, tangents_; ///< for the unit metric
+    Eigen::VectorXd scales_;  ///< of what is rounding, for a wish of length 1
     std::vector<Cut> cuts_;
     std::vector<Eigen::Index> pushing_; ///< of the cuts, in the last answer
     int solutions_ = 0;
