@@ -274,6 +274,23 @@ void add_m16_steps(std::vector<PeerCase>& cases) {
     cases.push_back(std::move(made));
 }
 
+/// The M16 nut is pulled straight along its bolt by four pitches.
+void add_m16_pulls(std::vector<PeerCase>& cases) {
+    const auto pair = m16_nut_and_bolt();
+    if (!pair)
+        return;
+    PeerCase made{"conforming: M16 nut pulled", pair->nut, pair->bolt, {}};
+    Draw draw(7);
+    const scenes::NutTurn thread{.height = 0.97 * 0.002, .slide_per_turn = 0.002};
+    for (int i = 0; i < 12; ++i) {
+        const double turns = i == 0 ? 0 : draw.between(0, 1.9);
+        Displacement pull{nut_pose(thread, turns), nut_pose(thread, turns)};
+        pull.goal.translation.z() += 0.008;
+        made.questions.push_back({pull, PeerAnswer{.touches = true, .time = {}}});
+    }
+    cases.push_back(std::move(made));
+}
+
 /// The nut of scenes/, whose axial clearance is known by construction (docs/derivations/09-threaded-fastener.md). Five
 /// degrees up the thread are clear. If `is_pulled`, a pull by more than the clearance is added, and the flanks touch.
 PeerCase own_nut_case(bool is_pulled) {
@@ -382,6 +399,7 @@ std::vector<PeerCase> peer_cases() {
         cases.push_back(own_nut_case(is_pulled));
     add_gears(cases);
     add_m16_steps(cases);
+    add_m16_pulls(cases);
     return cases;
 }
 
