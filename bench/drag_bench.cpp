@@ -7,8 +7,8 @@
 //
 //     drag_bench [--updates=600] [--only=SCENE] [--friction=MU] [--seconds=20] [--budget=0] [--rounds=8]
 //
-// No hand takes longer than `seconds` in all. `budget` is that of one update in milliseconds (0: none), and `rounds`
-// the steps that it may take: with one round, the times are those of single certified steps.
+// No hand takes longer than `seconds` in all. `budget` bounds one update, in milliseconds (0: no
+// bound). `rounds` bounds its steps: with one round, the times are those of single certified steps.
 #include "bench/drag_cases.h"
 #include "bench/timings.h"
 #include "chasles/chasles.h"

@@ -257,36 +257,21 @@ PeerCase table_case() {
     return made;
 }
 
-/// Steps of five degrees up the thread of the M16 pair, which is clear for two turns from 0.97 pitch above its
-/// assembled pose.
-void add_m16_steps(std::vector<PeerCase>& cases) {
+/// The M16 pair from 0.97 pitch above its assembled pose on: steps of five degrees up the thread, which is clear for
+/// two turns, or pulls straight along the bolt by four pitches.
+void add_m16(std::vector<PeerCase>& cases, bool is_pulled) {
     const auto pair = m16_nut_and_bolt();
     if (!pair)
         return;
-    PeerCase made{"conforming: M16 nut", pair->nut, pair->bolt, {}};
+    PeerCase made{is_pulled ? "conforming: M16 nut pulled" : "conforming: M16 nut", pair->nut, pair->bolt, {}};
     Draw draw(5);
     const scenes::NutTurn thread{.height = 0.97 * 0.002, .slide_per_turn = 0.002};
     for (int i = 0; i < 12; ++i) {
         const double turns = i == 0 ? 0 : draw.between(0, 1.9); // the first one is the motion of first_contact_bench
-        made.questions.push_back(
-            {{nut_pose(thread, turns), nut_pose(thread, turns + 5.0 / 360)}, PeerAnswer{.touches = false, .time = {}}});
-    }
-    cases.push_back(std::move(made));
-}
-
-/// The M16 nut is pulled straight along its bolt by four pitches.
-void add_m16_pulls(std::vector<PeerCase>& cases) {
-    const auto pair = m16_nut_and_bolt();
-    if (!pair)
-        return;
-    PeerCase made{"conforming: M16 nut pulled", pair->nut, pair->bolt, {}};
-    Draw draw(7);
-    const scenes::NutTurn thread{.height = 0.97 * 0.002, .slide_per_turn = 0.002};
-    for (int i = 0; i < 12; ++i) {
-        const double turns = i == 0 ? 0 : draw.between(0, 1.9);
-        Displacement pull{nut_pose(thread, turns), nut_pose(thread, turns)};
-        pull.goal.translation.z() += 0.008;
-        made.questions.push_back({pull, PeerAnswer{.touches = true, .time = {}}});
+        Displacement motion{nut_pose(thread, turns), nut_pose(thread, turns + (is_pulled ? 0 : 5.0 / 360))};
+        if (is_pulled)
+            motion.goal.translation.z() += 4 * 0.002;
+        made.questions.push_back({motion, PeerAnswer{.touches = is_pulled, .time = {}}});
     }
     cases.push_back(std::move(made));
 }
@@ -398,8 +383,8 @@ std::vector<PeerCase> peer_cases() {
     for (const bool is_pulled : {false, true})
         cases.push_back(own_nut_case(is_pulled));
     add_gears(cases);
-    add_m16_steps(cases);
-    add_m16_pulls(cases);
+    for (const bool is_pulled : {false, true})
+        add_m16(cases, is_pulled);
     return cases;
 }
 

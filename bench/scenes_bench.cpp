@@ -2,9 +2,9 @@
 // DynamicAABBTreeCollisionManager (one discrete pass, and 10 samples of the step) and a step of Bullet's world with
 // continuous collision detection. Bodies of a thousand triangles lie in a loose grid; in a step each moves by a tenth
 // of its size and turns by 10 degrees. The spacing of the grid decides how many boxes overlap. Bodies that would touch
-// another one during the step are put elsewhere, so that the scene is clear; then a few of them may touch, but not at
-// the start. Missed contacts and false alarms are counted against our proven answers. Our tree of bodies is built anew
-// for each question, and those of the managers are refitted, as their users do.
+// another one during the step are put elsewhere, so that the scene is clear. In a second scene a few of them may touch,
+// but not at the start. Missed contacts and false alarms are counted against our proven answers. Our tree of bodies is
+// built anew for each question, and those of the managers are refitted, as their users do.
 //
 //     scenes_bench [--spacing=SIZES] [COUNT...]
 #include "bench/bodies.h"

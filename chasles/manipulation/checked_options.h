@@ -1,4 +1,4 @@
-// What a dragged body uses of its options, which are checked. Errors name the option.
+// Checks the options of a dragged body, and fills in defaults. Errors name the option.
 #pragma once
 
 #include "chasles/manipulation/drag_options.h"

@@ -159,7 +159,7 @@ private:
         find_residual();
     }
 
-    /// The active columns. Those that depend on others are left out.
+    /// Decomposes the active columns anew. A column that depends on those before leaves the active set.
     void factorize() {
         now_.factors.clear();
         std::erase_if(now_.active, [&](Eigen::Index i) {
