@@ -145,7 +145,7 @@ AdmissibleTwist admissible_twist(const TwistConstraints& constraints, const Metr
     const Rows rows = root.matrixL().solve(constraints.rows.transpose()).transpose();
     AdmissibleTwist answer = admissible_twist({rows, constraints.gaps}, root.matrixU() * wish);
     answer.twist = root.matrixU().solve(answer.twist);
-    answer.wrench = constraints.rows.transpose() * answer.multipliers;
+    answer.wrench = root.matrixL() * answer.wrench;
     return answer;
 }
 

@@ -83,13 +83,13 @@ public:
     void guess(std::span<const Eigen::Index> likely) {
         now_.active.assign(likely.begin(), likely.end());
         std::erase_if(now_.active, [&](Eigen::Index i) { return !(lengths_[i] > 0); });
+        factorize();
         do {
-            factorize();
             const Column values = now_.factors.solve(wanted_);
             Eigen::Index k = 0;
             for (const Eigen::Index i : now_.active)
                 now_.unknowns[i] = std::max(0.0, values[k++]);
-        } while (drop_zeros() > 0);
+        } while (drop_zeros());
         find_residual();
     }
 
@@ -151,27 +151,30 @@ private:
 
     /// Goes to the least squares of the active set, and leaves out unknowns that become negative on the way.
     void settle() {
-        go_towards(now_.factors.solve(wanted_));
-        while (drop_zeros() > 0) {
-            factorize();
+        do
             go_towards(now_.factors.solve(wanted_));
-        }
+        while (drop_zeros());
         find_residual();
     }
 
     /// Decomposes the active columns anew. A column that depends on those before leaves the active set.
     void factorize() {
         now_.factors.clear();
-        std::erase_if(now_.active, [&](Eigen::Index i) {
-            const bool is_dependent = !now_.factors.append(unit_.col(i));
-            if (is_dependent)
+        std::size_t kept = 0;
+        for (const Eigen::Index i : now_.active)
+            if (now_.factors.append(unit_.col(i)))
+                now_.active[kept++] = i;
+            else
                 now_.unknowns[i] = 0;
-            return is_dependent;
-        });
+        now_.active.resize(kept);
     }
 
-    std::size_t drop_zeros() {
-        return std::erase_if(now_.active, [&](Eigen::Index i) { return now_.unknowns[i] == 0; });
+    /// Leaves out the unknowns that are zero. False if there are none.
+    bool drop_zeros() {
+        if (std::erase_if(now_.active, [&](Eigen::Index i) { return now_.unknowns[i] == 0; }) == 0)
+            return false;
+        factorize();
+        return true;
     }
 
     void find_residual() {
