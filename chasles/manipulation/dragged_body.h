@@ -92,8 +92,9 @@ public:
     DraggedBody& operator=(DraggedBody&& other) noexcept;
 
     /// Goes towards the goal as far as contacts, rounds and `seconds` allow, and places the body in the scene there. A
-    /// round that has begun is finished; 0 seconds: no bound. Throws InvalidInput for a goal that cannot be used or is
-    /// too far away for the margin, and if the body is no longer in the scene.
+    /// round that has begun is finished, but goes less far where its search gets long. 0 seconds: no bound. Throws
+    /// InvalidInput for a goal that cannot be used or is too far away for the margin, and if the body is no longer in
+    /// the scene.
     DragStep update(const Pose& goal, double seconds = 0);
 
     /// The force on the hand for another goal, from the contacts and the pose that the last update ended with. No

@@ -313,7 +313,7 @@ export declare class DraggedBody extends Held {
   readonly pose: number[];
   readonly margin: number;
   readonly reach: number;
-  /** Goes towards the goal. No round begins after so many seconds; 0: no bound. */
+  /** Goes towards the goal. No round begins after so many seconds, and each goes less far where its search gets long; 0: no bound. */
   update(goal: Pose, seconds?: number): DragStep;
   /** What the contacts would push the hand with at another goal, from where the last update ended. No geometry is computed. */
   force(goal: Pose): Wrench;

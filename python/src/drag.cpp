@@ -213,7 +213,7 @@ constexpr const char* force_doc =
 constexpr const char* update_doc =
     "Go towards the goal as far as contacts, rounds and time allow.\n\n"
     "Parameters\n----------\ngoal : array (4, 4) or (7,)\n    The pose that the hand wants.\nseconds : float\n"
-    "    No round begins after so much time; 0: no bound.\n\n"
+    "    No round begins after so much time, and each goes less far where its search gets long; 0: no bound.\n\n"
     "Raises\n------\nInvalidInput\n    For a goal that cannot be used, and if the body is no longer in the scene.";
 
 constexpr const char* follow_doc =

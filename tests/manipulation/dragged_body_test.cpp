@@ -1,8 +1,11 @@
 // A dragged body against closed forms.
+#include "scenes/threaded_fastener.h"
 #include "tests/manipulation/drag_scenes.h"
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
+
+#include <numbers>
 
 namespace chasles::test {
 namespace {
@@ -242,6 +245,30 @@ TEST(DraggedBody, StopsWhenTheTimeIsOver) {
         last = body.update(goal, 1e-12);
     EXPECT_EQ(last.state, DragState::resting);
     EXPECT_LE(place_error(last, {0.3, 0.1, 0.5 + margin}), 1e-6);
+}
+
+/// A nut goes along its thread by a sixth of a turn: the way is free, but tight.
+TEST(DraggedBody, ALongSearchEndsAStepIfTimeIsShort) {
+    const scenes::ThreadedFastener fastener;
+    const auto along_the_thread = [&](double turns) {
+        return turned({0, 0, 8 + turns * fastener.pitch}, Vector3d::UnitZ(), 2 * std::numbers::pi * turns);
+    };
+    const auto first_step = [&](double seconds) {
+        Scene scene;
+        scene.add({"bolt", scenes::bolt(fastener)});
+        scene.add({"nut", scenes::nut(fastener), Motion::at_rest(along_the_thread(0))});
+        DraggedBody body(scene, "nut", {.rounds = 1});
+        return body.update(along_the_thread(1.0 / 6), seconds);
+    };
+    const DragStep whole = first_step(0);
+    EXPECT_EQ(whole.state, DragState::reached);
+    EXPECT_EQ(whole.pieces.size(), 1U);
+    const DragStep urgent = first_step(1e9);
+    EXPECT_EQ(urgent.state, DragState::moving);
+    ASSERT_EQ(urgent.pieces.size(), 1U);
+    EXPECT_EQ(urgent.pieces.front().until, 1); // not blocked
+    EXPECT_LT(urgent.work.node_pairs, whole.work.node_pairs);
+    EXPECT_GT(urgent.distance, 0.1 * fastener.pitch);
 }
 
 TEST(DraggedBody, RefusesWhatItCannotUse) {
