@@ -5,8 +5,10 @@
 #include "chasles/query/first_contact.h"
 #include "tests/support/new_places.h"
 
+#include <algorithm>
 #include <chrono>
 #include <gtest/gtest.h>
+#include <limits>
 
 namespace chasles::test {
 
@@ -117,9 +119,16 @@ private:
         return found;
     }
 
+    static double least_gap(const FirstContact& found) {
+        double least = std::numeric_limits<double>::infinity();
+        for (const Contact& contact : found.contacts)
+            least = std::min(least, contact.gap);
+        return least;
+    }
+
     /// A memory changes no answer, up to the tolerance of time; contacts may come in another order. Contacts are those
     /// within the bracket, and a wider one may have more.
-    static void expect_same(const FirstContact& with, const FirstContact& without) {
+    void expect_same(const FirstContact& with, const FirstContact& without) const {
         EXPECT_EQ(with.verdict, without.verdict);
         EXPECT_EQ(with.certain, without.certain);
         EXPECT_NEAR(with.time.lower, without.time.lower, 2e-12);
@@ -127,6 +136,10 @@ private:
         EXPECT_NEAR(with.clear_until, without.clear_until, 2e-12);
         if (with.time.lower == without.time.lower && with.time.upper == without.time.upper) {
             EXPECT_EQ(with.contacts.size(), without.contacts.size());
+        }
+        EXPECT_EQ(with.contacts.empty(), without.contacts.empty());
+        if (!with.contacts.empty() && !without.contacts.empty()) {
+            EXPECT_NEAR(least_gap(with), least_gap(without), 1e-9 * margin);
         }
         EXPECT_EQ(with.held.size(), without.held.size());
     }
