@@ -3,8 +3,10 @@
 #include "chasles/culling/clearly_apart.h"
 
 #include "chasles/culling/body_ball.h"
+#include "chasles/culling/coarse_scene.h"
 #include "chasles/culling/near_nodes.h"
 #include "chasles/culling/pair_queue.h"
+#include "chasles/culling/plane_between.h"
 #include "chasles/culling/split_nodes.h"
 #include "chasles/culling/time_tree.h"
 
@@ -48,38 +50,6 @@ private:
     std::size_t count_ = 0;
 };
 
-/// Two bodies and the coarse motion between them.
-struct CoarseScene {
-    const Bvh& moving;
-    const Bvh& fixed;
-    const CoarseMotion& motion;
-    double margin;
-
-    [[nodiscard]] Placement placement(double tau) const;
-    /// A bound of the distance between the true place of a point and its computed place.
-    [[nodiscard]] double deviation() const;
-};
-
-double CoarseScene::deviation() const {
-    const double bodies = moving.centre().lpNorm<1>() + moving.radius() + fixed.centre().lpNorm<1>() + fixed.radius();
-    const double arm = length(motion::vector_in<double>(moving.centre()) - motion.reference) + moving.radius() + margin;
-    return motion.deviation + motion.turn_deviation * arm +
-           motion::coarse_rounding * (motion.size + bodies + 2 * margin);
-}
-
-Placement CoarseScene::placement(double tau) const {
-    const motion::MatrixPose pose = position_at(motion.path, tau);
-    const auto centre = pose.rotation * motion::vector_in<double>(moving.centre()) +
-                        (pose.translation - motion::vector_in<double>(fixed.centre()));
-    Placement placed;
-    for (int i = 0; i < 3; ++i) {
-        for (int j = 0; j < 3; ++j)
-            placed.rotation(i, j) = pose.rotation.row[i][j];
-        placed.offset[i] = centre[i];
-    }
-    return placed;
-}
-
 /// A part of the motion with the placements at both ends.
 struct Part {
     TimeRange range;
@@ -91,9 +61,11 @@ struct Part {
 class CoarseTest {
 public:
     explicit CoarseTest(const CoarseScene& scene)
-        : scene_(scene), deviation_(scene.deviation()), moving_(ball_around(scene.moving, scene.margin + deviation_)),
-          fixed_(ball_around(scene.fixed, scene.margin + deviation_)), chords_(scene.motion.path, moving_, fixed_),
-          least_side_(small_side * std::min(size_of(scene.moving), size_of(scene.fixed))) {}
+        : scene_(scene), deviation_(scene.deviation()),
+          moving_(ball_around(scene.moving.bvh(), scene.margin + deviation_)),
+          fixed_(ball_around(scene.fixed.bvh(), scene.margin + deviation_)),
+          chords_(scene.motion.path, moving_, fixed_),
+          least_side_(small_side * std::min(size_of(scene.moving.bvh()), size_of(scene.fixed.bvh()))) {}
 
     /// Whether all nodes are proven apart during the part.
     bool separates_all(const Part& part) {
@@ -134,8 +106,8 @@ bool CoarseTest::separates(PairStack& pairs, const Part& part) {
     PairStack deferred;
     while (!pairs.is_empty()) {
         const NodePair pair = pairs.pop();
-        const BvhNode& moving = scene_.moving.nodes()[pair.moving];
-        const BvhNode& fixed = scene_.fixed.nodes()[pair.fixed];
+        const BvhNode& moving = scene_.moving.bvh().nodes()[pair.moving];
+        const BvhNode& fixed = scene_.fixed.bvh().nodes()[pair.fixed];
         const double side = std::max(longest_side(moving), longest_side(fixed));
         if (part.halvings < most_halvings && most > widening_of_side * side) {
             if (!deferred.push(pair))
@@ -171,8 +143,8 @@ bool CoarseTest::separates_in_halves(PairStack& deferred, const Part& part) {
 bool CoarseTest::split(const NodePair& pair, const SweptBoxes& boxes, PairStack& pairs) {
     if (++splits_ > most_splits)
         return false;
-    const std::span<const BvhNode> moving = scene_.moving.nodes();
-    const std::span<const BvhNode> fixed = scene_.fixed.nodes();
+    const std::span<const BvhNode> moving = scene_.moving.bvh().nodes();
+    const std::span<const BvhNode> fixed = scene_.fixed.bvh().nodes();
     const auto [a, b] = split_nodes(moving, pair.moving, fixed, pair.fixed);
     const auto when = boxes.overlap_windows(a.of(moving), b.of(fixed), pair.when);
     for (std::uint32_t i = 0; i < a.count; ++i)
@@ -183,16 +155,20 @@ bool CoarseTest::split(const NodePair& pair, const SweptBoxes& boxes, PairStack&
     return true;
 }
 
+bool have_large_nodes_apart(const CoarseScene& scene, const Placement& start, const Placement& end) {
+    const auto are_near = [&](const Placement& placed) {
+        return have_near_nodes(scene.moving.bvh(), scene.fixed.bvh(), placed, scene.margin);
+    };
+    return !are_near(start) && !are_near(end) && CoarseTest(scene).separates_all({{}, start, end});
+}
+
 } // namespace
 
 bool are_clearly_apart(const Body& moving, const Body& fixed, const CoarseMotion& motion, double margin) {
-    const CoarseScene scene{moving.bvh(), fixed.bvh(), motion, margin};
+    const CoarseScene scene{moving, fixed, motion, margin};
     const Placement start = scene.placement(0);
-    if (have_near_nodes(scene.moving, scene.fixed, start, margin))
-        return false;
     const Placement end = scene.placement(1);
-    return !have_near_nodes(scene.moving, scene.fixed, end, margin) &&
-           CoarseTest(scene).separates_all({{}, start, end});
+    return have_large_nodes_apart(scene, start, end) || have_plane_between(scene, start, end);
 }
 
 bool are_clearly_apart(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory, double margin) {

@@ -54,6 +54,11 @@ const FeatureWays& Body::feature_ways() const {
     return feature_ways_;
 }
 
+std::span<const VertexBlock> Body::vertex_blocks() const {
+    std::call_once(vertex_blocks_once_, [&] { vertex_blocks_ = vertex_blocks_of(*this); });
+    return vertex_blocks_;
+}
+
 std::size_t Body::memory() const {
     return sizeof(Body) + parts_.outlines.memory() + parts_.source.capacity() * sizeof(std::uint32_t) +
            parts_.triangles.memory() + parts_.owned_vertices.memory() + parts_.owned_edges.memory() +

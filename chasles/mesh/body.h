@@ -8,6 +8,7 @@
 #include "chasles/mesh/feature_ways.h"
 #include "chasles/mesh/normal_cones.h"
 #include "chasles/mesh/polyhedron.h"
+#include "chasles/mesh/vertex_blocks.h"
 
 #include <mutex>
 
@@ -72,6 +73,9 @@ public:
     /// The directions from the vertices and edges that faces own into the surface. The first call computes them.
     [[nodiscard]] const FeatureWays& feature_ways() const;
 
+    /// The vertices in blocks. The first call computes them.
+    [[nodiscard]] std::span<const VertexBlock> vertex_blocks() const;
+
     /// The hierarchy of boxes over the faces, in the body's frame.
     [[nodiscard]] const Bvh& bvh() const { return parts_.bvh; }
 
@@ -93,6 +97,8 @@ private:
     mutable std::vector<NormalCone> normal_cones_;
     mutable std::once_flag feature_ways_once_;
     mutable FeatureWays feature_ways_;
+    mutable std::once_flag vertex_blocks_once_;
+    mutable std::vector<VertexBlock> vertex_blocks_;
 };
 
 } // namespace chasles

@@ -72,6 +72,27 @@ TEST(LeastSquaresNonnegative, AGuessChangesNoResidual) {
     }
 }
 
+/// Two columns that are nearly opposite, and a third one. What is wanted is a positive sum of them, and a part across.
+TEST(LeastSquaresNonnegative, KeepsBothSidesOfANarrowWedge) {
+    constexpr double width = 1e-5;
+    constexpr int rounds = 2000;
+    std::mt19937 random(1);
+    std::normal_distribution<double> normal;
+    int all_positive = 0;
+    for (int round = 0; round < rounds; ++round) {
+        const auto vector = [&] { return Eigen::Vector<double, 7>::NullaryExpr([&] { return normal(random); }); };
+        const Eigen::Vector<double, 7> middle = vector();
+        Eigen::Matrix<double, 7, 3> sides;
+        sides << middle + width * vector(), -middle + width * vector(), middle + width * vector();
+        const Eigen::Vector<double, 7> across = vector();
+        const Equations wanted = across - sides * sides.fullPivHouseholderQr().solve(across) +
+                                 sides * Eigen::Vector3d(0.5 / width, 0.5 / width, 0.5);
+        const NonnegativeSolution found = least_squares_nonnegative(sides, wanted);
+        all_positive += found.unknowns.minCoeff() > 0;
+    }
+    EXPECT_GT(all_positive, 0.99 * rounds); // a tenth of a percent of the unknowns is rounding
+}
+
 TEST(LeastSquaresNonnegative, HoldsTheConditionsOfOptimality) {
     std::mt19937 random(1);
     int active = 0, exact = 0;
