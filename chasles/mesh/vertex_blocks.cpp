@@ -33,7 +33,7 @@ bool has(FourFloats a, float number) {
 #endif
 }
 
-FourFloats half_of(const std::array<float, VertexBlock::size>& numbers, std::size_t half) {
+FourFloats four_of(const std::array<float, VertexBlock::size>& numbers, std::size_t half) {
     FourFloats four;
     std::memcpy(&four, &numbers[4 * half], sizeof four);
     return four;
@@ -45,7 +45,7 @@ struct WideDirection {
         : x(v.x() - FourFloats{}), y(v.y() - FourFloats{}), z(v.z() - FourFloats{}) {}
 
     [[nodiscard]] FourFloats along(const VertexBlock& block, std::size_t half) const {
-        return x * half_of(block.x, half) + y * half_of(block.y, half) + z * half_of(block.z, half);
+        return x * four_of(block.x, half) + y * four_of(block.y, half) + z * four_of(block.z, half);
     }
 
     FourFloats x, y, z;

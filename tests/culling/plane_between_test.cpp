@@ -13,9 +13,9 @@ namespace chasles::culling {
 namespace {
 
 using Eigen::Vector3d;
+using test::Random;
 using test::random_point;
 using test::random_pose;
-using test::Random;
 
 /// Empty without a coarse motion.
 std::optional<bool> is_plane_between(const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion,
@@ -35,9 +35,7 @@ struct Touch {
     Vector3d normal; ///< from the moving body to the fixed body
 
     Touch(Random& random, double angle, double travel)
-        : moving(test::box({random.uniform(0.2, 0.5), random.uniform(0.2, 0.5), random.uniform(0.2, 0.5)})),
-          motion(random_motion(random, angle, travel)),
-          fixed(test::box({random.uniform(0.2, 0.5), random.uniform(0.2, 0.5), random.uniform(0.2, 0.5)})),
+        : moving(random_box(random)), motion(random_motion(random, angle, travel)), fixed(random_box(random)),
           normal(random_point(random, 1).normalized()) {
         const Eigen::Isometry3d there = motion.pose_at(random.uniform(0, 1)).isometry();
         const auto along = [&](const Vector3d& a, const Vector3d& b) { return normal.dot(a) < normal.dot(b); };
@@ -50,14 +48,21 @@ struct Touch {
             vertex += highest - lowest;
     }
 
+    static test::Body random_box(Random& random) {
+        const auto half = [&] { return 0.1 * std::pow(10, random.uniform(0, 1)); };
+        return test::box({half(), half(), half()});
+    }
     static Motion random_motion(Random& random, double angle, double travel) {
         const Pose start(random_point(random, 0.3), Eigen::Quaterniond(random_pose(random, 1).rotation));
         const Eigen::Quaterniond turn(Eigen::AngleAxisd(angle, random_point(random, 1).normalized()));
         const Pose goal(start.translation + travel * random_point(random, 1), turn * start.rotation);
         switch (random.integer(0, 2)) {
-        case 0: return Motion::sweep(start, goal, random_point(random, 1));
-        case 1: return Motion::screw(start, goal);
-        default: return Motion::velocity(start, goal, random_point(random, 1));
+        case 0:
+            return Motion::sweep(start, goal, random_point(random, 1));
+        case 1:
+            return Motion::screw(start, goal);
+        default:
+            return Motion::velocity(start, goal, random_point(random, 1));
         }
     }
     /// With the fixed body moved away from the contact.
@@ -83,6 +88,18 @@ TEST(PlaneBetween, NeverWhereBodiesTouch) {
     EXPECT_GT(separated, asked / 4);
 }
 
+/// Only roundings to single precision could separate them.
+TEST(PlaneBetween, NeverWhereABoxSlidesAlongAnother) {
+    Random random(2504);
+    for (int trial = 0; trial < 1000; ++trial) {
+        const double a = random.uniform(0.2, 1), b = random.uniform(0.2, 1);
+        const Motion motion = Motion::sweep(Pose({a + b, -0.1, 0}, Eigen::Quaterniond::Identity()),
+                                            Pose({a + b, 0.1, 0}, Eigen::Quaterniond::Identity()), Vector3d::Zero());
+        const Polyhedron moving = test::box({a, 1, 1}).polyhedron(), fixed = test::box({b, 1, 1}).polyhedron();
+        ASSERT_EQ(is_plane_between(moving, fixed, motion, 0), false) << trial;
+    }
+}
+
 /// What the plane needs is the chord deviation, and little more.
 TEST(PlaneBetween, WhereBodiesNearlyTouch) {
     Random random(2502);
@@ -93,6 +110,24 @@ TEST(PlaneBetween, WhereBodiesNearlyTouch) {
         separated += found.value_or(false);
     }
     EXPECT_GT(separated, 0.9 * asked);
+}
+
+/// True places may be off the coarse motion by so much.
+TEST(PlaneBetween, CountsTheDeviationOfTheCoarseMotion) {
+    const Polyhedron cube = test::box({0.5, 0.5, 0.5}).polyhedron();
+    const Motion motion = Motion::sweep(Pose({1.04, -0.05, 0}, Eigen::Quaterniond::Identity()),
+                                        Pose({1.04, 0.05, 0}, Eigen::Quaterniond::Identity()), Vector3d::Zero());
+    const auto is_separated = [&](double deviation, double turn_deviation) {
+        motion::CoarseMotion coarse = motion.trajectory().coarse(0).value();
+        coarse.deviation = deviation;
+        coarse.turn_deviation = turn_deviation;
+        const CoarseScene scene{cube.body(), cube.body(), coarse, 0};
+        return have_plane_between(scene, scene.placement(0), scene.placement(1));
+    };
+    EXPECT_TRUE(is_separated(0, 0));
+    EXPECT_TRUE(is_separated(0.039, 0));
+    EXPECT_FALSE(is_separated(0.041, 0));
+    EXPECT_FALSE(is_separated(0, 0.05)); // its corners are 0.87 from the centre
 }
 
 /// Its hull contains the other body.
