@@ -1,21 +1,23 @@
 // Scenes of many bodies beside other libraries: the exact earliest contact and yes or no, against FCL's and Coal's
-// DynamicAABBTreeCollisionManager (one discrete pass, and 10 samples of the step) and a step of Bullet's world with
-// continuous collision detection. Bodies of a thousand triangles lie in a loose grid; in a step each moves by a tenth
-// of its size and turns by 10 degrees. The spacing of the grid decides how many boxes overlap. Bodies that would touch
-// another one during the step are put elsewhere, so that the scene is clear. In a second scene a few of them may touch,
-// but not at the start. Missed contacts and false alarms are counted against our proven answers. Our tree of bodies is
-// built anew for each question, and those of the managers are refitted, as their users do.
+// DynamicAABBTreeCollisionManager (one discrete pass, and 10 samples of the step), a step of Bullet's world with
+// continuous collision detection, and Parry's tree of boxes with a nonlinear cast of each pair. Bodies of a thousand
+// triangles lie in a loose grid; in a step each moves by a tenth of its size and turns by 10 degrees. The spacing of
+// the grid decides how many boxes overlap. Bodies that would touch another one during the step are put elsewhere, so
+// that the scene is clear. In a second scene a few of them may touch, but not at the start. Missed contacts and false
+// alarms are counted against our proven answers. Our tree of bodies is built anew for each question, and those of the
+// managers are refitted, as their users do.
 //
 //     scenes_bench [--spacing=SIZES] [COUNT...]
 #include "bench/bodies.h"
 #if defined(CHASLES_BENCH_BULLET)
 #include "bench/bullet_scene.h"
 #endif
-#include "bench/coal_scene.h"
 #include "bench/draw.h"
 #include "bench/fcl_scene.h"
 #include "bench/generated_bodies.h"
 #include "bench/pair_sets.h"
+#include "bench/peer_scene.h"
+#include "bench/registry_peers.h"
 #include "bench/timings.h"
 #include "chasles/chasles.h"
 
@@ -176,29 +178,54 @@ void print_bullet(const Bodies&, const Scene&, const PairSet&) {
 }
 #endif
 
-void print_coal(const Bodies& bodies, const Scene& scene, const PairSet& touching) {
-    const PythonPeers python = python_peers();
-    if (!python.absent_because.empty()) {
-        std::printf("    Coal is absent: %s\n", python.absent_because.c_str());
+/// The rows of a scene in a process, or why there are none. `rows` prints them.
+template <class Rows>
+void print_process(const char* name, const std::string& absent_because, const std::vector<std::string>& command,
+                   const Bodies& bodies, Rows rows) {
+    if (!absent_because.empty()) {
+        std::printf("    %s is absent: %s\n", name, absent_because.c_str());
         return;
     }
     try {
-        CoalScene coal(python, bodies.shape);
+        PeerScene scene(command, bodies.shape);
+        rows(scene);
+    } catch (const ChildFailed& failure) {
+        std::printf("    %s failed: %s\n", name, failure.what());
+    }
+}
+
+void print_coal(const Bodies& bodies, const Scene& scene, const PairSet& touching) {
+    const PythonPeers python = python_peers();
+    const auto rows = [&](PeerScene& coal) {
         coal.place(scene, 0);
-        const CoalScene::Pass first = coal.pass();
+        const PeerScene::Pass first = coal.pass();
         PairSet found;
         double all = 0;
         for (int i = 0; i < samples; ++i) {
             coal.place(scene, double(i) / (samples - 1));
-            const CoalScene::Pass pass = coal.pass();
+            const PeerScene::Pass pass = coal.pass();
             found.insert(pass.found.begin(), pass.found.end());
             all += pass.milliseconds;
         }
         print_peer("Coal's manager: a pass", first.milliseconds, first.found, touching);
         print_peer("Coal's manager: 10 samples", all, found, touching);
-    } catch (const ChildFailed& failure) {
-        std::printf("    Coal failed: %s\n", failure.what());
-    }
+    };
+    print_process("Coal", python.absent_because, {python.interpreter, python.scripts + "/coal_scene.py"}, bodies, rows);
+}
+
+/// Its casts take so long that larger scenes are not asked.
+void print_parry(const Bodies& bodies, const Scene& scene, const PairSet& touching) {
+    constexpr std::size_t most_bodies = 1000;
+    if (bodies.steps.size() > most_bodies)
+        return;
+    const RustPeers rust = rust_peers();
+    const auto rows = [&](PeerScene& parry) {
+        parry.place(scene, 0);
+        parry.place(scene, 1);
+        const PeerScene::Pass pass = parry.pass();
+        print_peer("Parry's tree and nonlinear casts", pass.milliseconds, pass.found, touching);
+    };
+    print_process("Parry", rust.absent_because, {rust.program, "scene"}, bodies, rows);
 }
 
 void print_peers(const Bodies& bodies, const Scene& scene, const SceneQuery& any) {
@@ -218,6 +245,7 @@ void print_peers(const Bodies& bodies, const Scene& scene, const SceneQuery& any
         std::printf("    DISAGREE: FCL says %.17g\n", sample);
     print_bullet(bodies, scene, touching);
     print_coal(bodies, scene, touching);
+    print_parry(bodies, scene, touching);
 }
 
 void print_scene(std::size_t count, double spacing, bool may_touch) {

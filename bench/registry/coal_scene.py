@@ -1,4 +1,4 @@
-"""Many bodies of one shape in Coal's DynamicAABBTreeCollisionManager: see bench/coal_scene.h for the protocol."""
+"""Many bodies of one shape in Coal's DynamicAABBTreeCollisionManager: see bench/peer_scene.h for the protocol."""
 
 import protocol
 

@@ -1,8 +1,10 @@
 //! Parry as a peer of bench/peers_bench.cpp; the protocol is in bench/process_peer.h.
 //!
-//! Usage: parry_peer mesh | convex
+//! Usage: parry_peer mesh | convex | scene
 //!
-//! `cast_shapes_nonlinear` on triangle meshes, or on convex polyhedra.
+//! `cast_shapes_nonlinear` on triangle meshes, on convex polyhedra, or on all pairs of a scene (scene.rs).
+
+mod scene;
 
 use parry3d_f64::math::{Pose, Rotation, Vector};
 use parry3d_f64::query::{cast_shapes_nonlinear, NonlinearRigidMotion};
@@ -90,13 +92,15 @@ fn reply(line: &str, is_convex: bool, bodies: &mut Vec<Box<dyn Shape>>) -> Outco
 }
 
 fn main() -> Outcome<()> {
-    let is_convex = std::env::args().nth(1).as_deref() == Some("convex");
+    let mode = std::env::args().nth(1).unwrap_or_default();
     let mut bodies = Vec::new();
+    let mut scene = scene::Scene::default();
     let mut output = io::stdout();
     writeln!(output, "ready")?;
     for line in io::stdin().lock().lines() {
-        let text = reply(&line?, is_convex, &mut bodies).unwrap_or_else(|error| format!("failed {error}"));
-        writeln!(output, "{text}")?;
+        let line = line?;
+        let outcome = if mode == "scene" { scene.reply(&line) } else { reply(&line, mode == "convex", &mut bodies) };
+        writeln!(output, "{}", outcome.unwrap_or_else(|error| format!("failed {error}")))?;
     }
     Ok(())
 }

@@ -1,4 +1,4 @@
-#include "bench/coal_scene.h"
+#include "bench/peer_scene.h"
 
 #include "bench/bodies.h"
 
@@ -19,8 +19,7 @@ std::ostringstream line_of(const char* word) {
 
 } // namespace
 
-CoalScene::CoalScene(const PythonPeers& python, const Polyhedron& shape)
-    : child_({python.interpreter, python.scripts + "/coal_scene.py"}) {
+PeerScene::PeerScene(const std::vector<std::string>& command, const Polyhedron& shape) : child_(command) {
     if (const std::string reply = child_.read_line(limit); reply != "ready")
         throw ChildFailed(reply);
     const auto triangles = triangles_of(shape);
@@ -33,12 +32,12 @@ CoalScene::CoalScene(const PythonPeers& python, const Polyhedron& shape)
     tell(line.str());
 }
 
-void CoalScene::tell(const std::string& line) {
+void PeerScene::tell(const std::string& line) {
     if (const std::string reply = child_.ask(line, limit); reply != "done")
         throw ChildFailed(reply);
 }
 
-void CoalScene::place(const Scene& scene, double time) {
+void PeerScene::place(const Scene& scene, double time) {
     std::ostringstream line = line_of("place");
     line << ' ' << scene.bodies().size();
     for (const SceneBody& body : scene.bodies()) {
@@ -51,7 +50,7 @@ void CoalScene::place(const Scene& scene, double time) {
     tell(line.str());
 }
 
-CoalScene::Pass CoalScene::pass() {
+PeerScene::Pass PeerScene::pass() {
     const std::string reply = child_.ask("pass", limit);
     std::istringstream line(reply);
     std::string word;
