@@ -2,7 +2,6 @@
 // Source: docs/derivations/23-coarse-motion.md.
 #include "chasles/culling/clearly_apart.h"
 
-#include "chasles/culling/body_ball.h"
 #include "chasles/culling/coarse_scene.h"
 #include "chasles/culling/near_nodes.h"
 #include "chasles/culling/pair_queue.h"
@@ -18,7 +17,6 @@ namespace chasles::culling {
 
 namespace {
 
-using motion::Ball;
 using motion::CoarseMotion;
 
 // These numbers decide only when the test gives up. They are measured with clear_bench and peers_bench.
@@ -61,10 +59,7 @@ struct Part {
 class CoarseTest {
 public:
     explicit CoarseTest(const CoarseScene& scene)
-        : scene_(scene), deviation_(scene.deviation()),
-          moving_(ball_around(scene.moving.bvh(), scene.margin + deviation_)),
-          fixed_(ball_around(scene.fixed.bvh(), scene.margin + deviation_)),
-          chords_(scene.motion.path, moving_, fixed_),
+        : scene_(scene), bounds_(scene),
           least_side_(small_side * std::min(size_of(scene.moving.bvh()), size_of(scene.fixed.bvh()))) {}
 
     /// Whether all nodes are proven apart during the part.
@@ -78,29 +73,16 @@ private:
     bool separates(PairStack& pairs, const Part& part);
     bool separates_in_halves(PairStack& deferred, const Part& part);
     bool split(const NodePair& pair, const SweptBoxes& boxes, PairStack& pairs);
-    [[nodiscard]] BoxSlack slack(const Part& part) const;
 
     const CoarseScene& scene_;
-    double deviation_; ///< of the scene
-    Ball moving_;      ///< enlarged: true contacts are within the margin and the deviation on the coarse motion
-    Ball fixed_;
-    motion::ChordDeviation chords_;
+    CoarseBounds bounds_;
     double least_side_; ///< pairs of nodes below this size are not split
     int splits_ = 0;
 };
 
-/// Boxes are widened by the chord deviation, by the deviation of the coarse motion, and by all roundings.
-BoxSlack CoarseTest::slack(const Part& part) const {
-    const double distance = std::max(part.start.offset.lpNorm<1>(), part.end.offset.lpNorm<1>());
-    const double size = moving_.radius + fixed_.radius + distance;
-    const double widening = deviation_ + float_rounding(size, scene_.margin) + flushed_floats;
-    const auto& [from, to] = part.range;
-    return {chords_.of_moving(from, to) + widening, chords_.of_fixed(from, to) + widening, scene_.margin};
-}
-
 /// Whether all pairs of the stack are proven apart during the part.
 bool CoarseTest::separates(PairStack& pairs, const Part& part) {
-    const BoxSlack widening = slack(part);
+    const BoxSlack widening = bounds_.slack(part.range, part.start, part.end);
     const double most = std::max(widening.moving, widening.fixed) - widening_of_margin * scene_.margin;
     std::optional<SweptBoxes> boxes; // made only if a pair is not deferred
     PairStack deferred;

@@ -1,5 +1,10 @@
 #include "chasles/culling/coarse_scene.h"
 
+#include "chasles/culling/body_ball.h"
+#include "chasles/culling/time_tree.h"
+
+#include <algorithm>
+
 namespace chasles::culling {
 
 double CoarseScene::deviation() const {
@@ -22,6 +27,19 @@ Placement CoarseScene::placement(double tau) const {
         placed.offset[i] = centre[i];
     }
     return placed;
+}
+
+CoarseBounds::CoarseBounds(const CoarseScene& scene)
+    : margin_(scene.margin), deviation_(scene.deviation()),
+      moving_(ball_around(scene.moving.bvh(), margin_ + deviation_)),
+      fixed_(ball_around(scene.fixed.bvh(), margin_ + deviation_)), chords_(scene.motion.path, moving_, fixed_) {}
+
+BoxSlack CoarseBounds::slack(const TimeRange& part, const Placement& start, const Placement& end) const {
+    const double distance = std::max(start.offset.lpNorm<1>(), end.offset.lpNorm<1>());
+    const double size = moving_.radius + fixed_.radius + distance;
+    const double widening = deviation_ + float_rounding(size, margin_) + flushed_floats;
+    const auto& [from, to] = part;
+    return {chords_.of_moving(from, to) + widening, chords_.of_fixed(from, to) + widening, margin_};
 }
 
 } // namespace chasles::culling

@@ -2,9 +2,7 @@
 // of the fixed body, and two of those of the moving body.
 #include "chasles/culling/plane_between.h"
 
-#include "chasles/culling/body_ball.h"
 #include "chasles/culling/near_nodes.h"
-#include "chasles/culling/time_tree.h"
 
 #include <algorithm>
 
@@ -23,8 +21,7 @@ constexpr int most_directions = 4;
 constexpr std::size_t most_vertices = 1024;
 /// No plane is looked for that would have to keep the bodies farther apart than this part of the smaller one's size.
 constexpr double widest_of_size = 0.1;
-/// The test gives up if the bodies overlap, in the first direction, by more than this part of this size, and in each
-/// later direction if they overlap by more than half of what the one before was allowed.
+/// The test gives up if the bodies overlap by more than this part of this size. Each direction halves what is allowed.
 constexpr double overlap_of_size = 0.1;
 /// A plane is turned this times as far as the two farthest vertices demand.
 constexpr double overstep = 1.7;
@@ -44,22 +41,15 @@ struct Reach {
     float distance;
 };
 
-/// A plane proves nothing unless the bodies are this far apart at both ends. `distance`: of their centres.
-double gap_needed(const CoarseScene& scene, double distance) {
-    const double deviation = scene.deviation();
-    const motion::Ball moving = ball_around(scene.moving.bvh(), scene.margin + deviation);
-    const motion::Ball fixed = ball_around(scene.fixed.bvh(), scene.margin + deviation);
-    return motion::ChordDeviation(scene.motion.path, moving, fixed).of_moving(0, 1) + deviation + scene.margin +
-           float_rounding(moving.radius + fixed.radius + distance, scene.margin) + flushed_floats;
-}
-
 } // namespace
 
 bool have_plane_between(const CoarseScene& scene, const Placement& start, const Placement& end) {
-    const auto& [mover, target, motion, margin] = scene;
+    const Body& mover = scene.moving;
+    const Body& target = scene.fixed;
+    const double margin = scene.margin;
     if (std::max(mover.vertices().size(), target.vertices().size()) > most_vertices)
         return false;
-    const double needed = gap_needed(scene, std::max(start.offset.lpNorm<1>(), end.offset.lpNorm<1>()));
+    const double needed = CoarseBounds(scene).slack({}, start, end).moving + margin;
     const double size = std::min(size_of(mover.bvh()), size_of(target.bvh()));
     if (needed - margin > widest_of_size * size)
         return false;

@@ -1,5 +1,5 @@
 //! A scene of equal bodies as a peer of bench/scenes_bench.cpp; the protocol is in bench/peer_scene.h. Parry's tree of
-//! boxes finds the pairs whose boxes of the whole step overlap, and `cast_shapes_nonlinear` tests each of them.
+//! boxes finds the pairs whose boxes, around both ends of the step, overlap, and `cast_shapes_nonlinear` tests each of them.
 
 use crate::{body, numbers, rotation, Outcome};
 use parry3d_f64::bounding_volume::Aabb;
