@@ -64,33 +64,15 @@ public:
         if (margin_ > 0)
             separation_.use(ends_);
     }
+    [[nodiscard]] bool have_margin() const { return margin_ > 0; }
     using Restriction = algebra::Restriction<3, double>; ///< to a part of the interval
 
-    /// Without a margin: whether the plane of one face keeps the other face on one side during the window, where every
-    /// corner moves on a chord over the interval. Points that touch leave their chords by at most `deviation`.
-    bool are_apart_on_chords(std::uint32_t moving_face, std::uint32_t fixed_face, const Window& when,
-                             double deviation) {
-        if (margin_ > 0)
-            return false; // a direction between the faces tells more
-        const ChordPlane& of_fixed = of_fixed_.chord.update(fixed_face, [&] {
-            const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
-            const auto seen = [&](const MatrixPose& pose) {
-                return SeenPlane{pose.rotation.transposed() * shape.normal,
-                                 dot(pose.translation, shape.normal) - shape.offset};
-            };
-            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
-        });
-        if (of_fixed.keeps_on_one_side(moving_, moving_face, when))
-            return true;
-        const ChordPlane& of_moving = of_moving_.chord.update(moving_face, [&] {
-            const auto& shape = of_moving_.shape.shape_of(moving_, moving_face);
-            const auto seen = [&](const MatrixPose& pose) {
-                const Vector3<double> normal = pose.rotation * shape.normal;
-                return SeenPlane{normal, 0 - dot(pose.translation, normal) - shape.offset};
-            };
-            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
-        });
-        return of_moving.keeps_on_one_side(fixed_, fixed_face, when);
+    /// The window without its beginning in which the faces are proven apart, where every corner moves on a chord over
+    /// the interval; empty if they are all along. Points that touch leave their chords by at most `deviation`.
+    Window without_apart_on_chords(std::uint32_t moving_face, std::uint32_t fixed_face, const Window& when,
+                                   double deviation) {
+        return margin_ > 0 ? without_separated(moving_face, fixed_face, when, deviation)
+                           : without_apart_by_planes(moving_face, fixed_face, when, deviation);
     }
 
     /// The sides of a moving face's corners on the plane of a fixed face. Valid until the next call.
@@ -110,29 +92,69 @@ public:
         return sides_of(fixed_, fixed_face, of_moving_, part);
     }
 
-    /// With a margin: whether a direction between the faces at `time` (in [0, 1] of the interval) proves that they stay
-    /// farther apart than the margin. Without a margin: false.
-    [[nodiscard]] bool are_separated(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part,
-                                     double time) {
-        if (margin_ <= 0)
-            return false;
-        const auto direction = separation_.direction(moving_face, fixed_face, time, margin_);
-        if (!direction)
-            return false;
-        elementary::FaceShape<double> half_space; // its plane supports the fixed face
-        half_space.normal = *direction;
-        half_space.size = norm1(half_space.normal);
-        half_space.offset = -std::numeric_limits<double>::infinity();
-        for (const std::uint32_t corner : fixed_.face(fixed_face))
-            half_space.offset = std::max(half_space.offset, dot(half_space.normal, point_of<double>(fixed_, corner)));
-        const auto plane = elementary::plane_of_fixed_face(*maps_, half_space, scale_, offset_of(half_space));
-        const auto band = part(plane.band);
-        return std::ranges::all_of(moving_.face(moving_face), [&](std::uint32_t corner) {
-            return plane.side_of(point_of<double>(moving_, corner), part, band) > 0;
+private:
+    /// Without a margin, by the plane of one face.
+    Window without_apart_by_planes(std::uint32_t moving_face, std::uint32_t fixed_face, const Window& when,
+                                   double deviation) {
+        const ChordPlane& of_fixed = of_fixed_.chord.update(fixed_face, [&] {
+            const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
+            return seen_by_moving(shape.normal, shape.offset, band_of(shape, deviation));
         });
+        const Window left = of_fixed.without_apart(moving_, moving_face, when);
+        if (left.is_empty())
+            return left;
+        const ChordPlane& of_moving = of_moving_.chord.update(moving_face, [&] {
+            const auto& shape = of_moving_.shape.shape_of(moving_, moving_face);
+            const auto seen = [&](const MatrixPose& pose) {
+                const Vector3<double> normal = pose.rotation * shape.normal;
+                return SeenPlane{normal, 0 - dot(pose.translation, normal) - shape.offset};
+            };
+            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
+        });
+        return of_moving.without_apart(fixed_, fixed_face, left);
     }
 
-private:
+    /// With a margin, by a direction between the faces at the beginning of the window, and again where this makes the
+    /// window begin much later.
+    Window without_separated(std::uint32_t moving_face, std::uint32_t fixed_face, Window when, double deviation) {
+        constexpr int most_directions = 4;
+        constexpr float much = 0.25F; // of the window
+        for (int i = 0; i < most_directions; ++i) {
+            const auto direction = separation_.direction(moving_face, fixed_face, when.lower, margin_);
+            if (!direction)
+                break;
+            const auto half_space = half_space_at(fixed_face, *direction);
+            const ChordPlane plane = seen_by_moving(half_space.normal, half_space.offset + offset_of(half_space),
+                                                    band_of(half_space, deviation));
+            const Window left = plane.without_above(moving_, moving_face, when);
+            const bool is_much = left.lower - when.lower > much * (when.upper - when.lower);
+            when = left;
+            if (left.is_empty() || !is_much)
+                break;
+        }
+        return when;
+    }
+
+    /// A plane of the fixed body on chords of the moving body.
+    [[nodiscard]] ChordPlane seen_by_moving(const Vector3<double>& normal, double offset, double band) const {
+        const auto seen = [&](const MatrixPose& pose) {
+            return SeenPlane{pose.rotation.transposed() * normal, dot(pose.translation, normal) - offset};
+        };
+        return {seen(ends_.start), seen(ends_.end), band};
+    }
+
+    /// The plane that supports a fixed face along a direction.
+    [[nodiscard]] elementary::FaceShape<double> half_space_at(std::uint32_t fixed_face,
+                                                              const Vector3<double>& direction) const {
+        elementary::FaceShape<double> plane;
+        plane.normal = direction;
+        plane.size = norm1(direction);
+        plane.offset = -std::numeric_limits<double>::infinity();
+        for (const std::uint32_t corner : fixed_.face(fixed_face))
+            plane.offset = std::max(plane.offset, dot(direction, point_of<double>(fixed_, corner)));
+        return plane;
+    }
+
     static constexpr std::uint32_t no_face = 0xffffffff;
 
     /// The margin as an offset of the plane: margin * |normal|.

@@ -18,6 +18,19 @@ struct Window {
     [[nodiscard]] bool is_empty() const { return !(lower <= upper); }
 };
 
+inline constexpr Window empty_window{1, 0};
+
+/// The window from this share of it on, rounded outward.
+inline Window from_share(const Window& when, double share) {
+    const double lower = when.lower + share * (double(when.upper) - when.lower);
+    return {std::max(when.lower, float(lower) * (1 - 0x1p-20F)), when.upper};
+}
+
+/// The window up to a time, in the unit of the interval, that is not before the window; rounded outward.
+inline Window until(const Window& when, double end) {
+    return {when.lower, std::max(when.lower, std::min(when.upper, float(end) * (1 + 0x1p-20F)))};
+}
+
 /// The window relative to the earlier or later half of the interval, cut off at the ends of the half. It is exact.
 inline Window in_half(const Window& when, bool later) {
     const float offset = later ? 1 : 0;

@@ -1,5 +1,5 @@
-// The separation test of two faces by their shortest connection: pairs that it separates stay farther apart than the
-// margin, and it separates most such pairs.
+// What planes and directions between two faces prove: where they keep the faces apart, or farther apart than a margin,
+// dense samples agree, and most faces that are apart are proven to be.
 #include "chasles/culling/face_planes.h"
 
 #include "chasles/culling/time_tree.h"
@@ -22,7 +22,7 @@ Polyhedron body_of(const Corners& corners) {
     return triangle(corners[0], corners[1], corners[2]).polyhedron();
 }
 
-TEST(FacePlanes, TheWayTellsFacesApartThatStayFartherThanTheMargin) {
+TEST(FacePlanes, DirectionsTellFacesApartThatStayFartherThanTheMargin) {
     Random random(771);
     int separated = 0, open = 0;
     for (int trial = 0; trial < 4000; ++trial) {
@@ -49,15 +49,19 @@ TEST(FacePlanes, TheWayTellsFacesApartThatStayFartherThanTheMargin) {
         const Polyhedron fixed_body = body_of(fixed);
         const elementary::ErrorScale scale = elementary::error_scale(
             maps, reach + posed.made.reference_extent + motion::rounding_extent(posed.made), reach);
+        const motion::Ball ball{Eigen::Vector3d::Zero(), 2 * reach + least};
+        const motion::ChordDeviation chords(posed.made, ball, ball);
+        const double deviation =
+            std::max(chords.of_moving(from, from + width), chords.of_fixed(from, from + width));
+        const auto part = motion::restricted(maps, from, from + width);
         const auto are_separated = [&](double margin) {
             FacePlanes planes(moving_body.body(), fixed_body.body(), margin);
-            planes.use(maps, scale);
-            return planes.are_separated(0, 0, FacePlanes::Restriction(from, from + width), from + 0.5 * width);
+            planes.use(part, scale);
+            return planes.without_apart_on_chords(0, 0, Window(), deviation).is_empty();
         };
         const double rounding = 4 * elementary::error_unit<double> * scale.length;
         EXPECT_FALSE(are_separated(least + rounding)) << "their least distance is " << least;
-        EXPECT_FALSE(are_separated(0)) << "the planes of the faces separate them, not their shortest connection";
-        if (greatest - least <= 0.01 * least && rounding <= 0.001 * least)
+        if (greatest - least <= 0.01 * least && rounding + deviation <= 0.001 * least)
             (are_separated(0.5 * least) ? separated : open) += 1;
     }
     std::cout << separated << " separated, " << open << " left open\n";
@@ -72,28 +76,31 @@ struct ChordScene {
     Motion motion;
     TimeRange interval = {};
     Window when = {};
+    double margin = 0;
     std::unique_ptr<const motion::AnyPiece> piece = motion.trajectory().pieces()->at(0);
 
     [[nodiscard]] double deviation() const {
-        const motion::Ball ball{Eigen::Vector3d::Zero(), 3};
+        const motion::Ball ball{Eigen::Vector3d::Zero(), 5 + margin};
         const motion::ChordDeviation deviation(piece->cubic(), ball, ball);
         return std::max(deviation.of_moving(interval.lower, interval.upper),
                         deviation.of_fixed(interval.lower, interval.upper));
     }
-    [[nodiscard]] bool are_apart(double deviation) const {
+    /// What is left of the window if points that touch leave their chords by at most `deviation`.
+    [[nodiscard]] Window left(double deviation) const {
         const Polyhedron mover = body_of(moving);
         const Polyhedron target = body_of(fixed);
         const auto whole = motion::double_maps(piece->cubic());
         const auto maps = motion::restricted(whole, interval.lower, interval.upper);
-        FacePlanes planes(mover.body(), target.body(), 0);
-        planes.use(maps, elementary::error_scale(whole, 3, 3));
-        return planes.are_apart_on_chords(0, 0, when, deviation);
+        FacePlanes planes(mover.body(), target.body(), margin);
+        planes.use(maps, elementary::error_scale(whole, 5 + margin, 5));
+        return planes.without_apart_on_chords(0, 0, when, deviation);
     }
-    /// The least distance in the window, sampled.
-    [[nodiscard]] double distance() const {
+    [[nodiscard]] bool are_apart(double deviation) const { return left(deviation).is_empty(); }
+    /// The least distance in a window, sampled.
+    [[nodiscard]] double distance(const Window& sampled) const {
         double least = 1e300;
         for (int i = 0; i <= 40; ++i) {
-            const double share = double(when.lower) + (when.upper - when.lower) * i / 40.0;
+            const double share = double(sampled.lower) + (sampled.upper - sampled.lower) * i / 40.0;
             const Eigen::Isometry3d pose = piece->pose_at(interval.at(share)).isometry();
             const Corners there{pose * moving[0], pose * moving[1], pose * moving[2]};
             least = std::min(least, squared_distance_of_triangles<double>(there, fixed));
@@ -102,36 +109,77 @@ struct ChordScene {
     }
 };
 
+/// Triangles of several sizes that meet, or nearly meet, somewhere in the interval: the fixed one is put there.
 ChordScene random_chord_scene(Random& random) {
-    const auto corners = [&] { return random_corners(random, 1.5); };
+    const double reach = 1.5 * std::ldexp(1.0, -random.integer(0, 3));
     const auto pose = [&] {
         return turned(eigen(random.vector(1)), eigen(random.vector(1)), random.uniform(-1.5, 1.5));
     };
-    ChordScene scene{corners(), corners(), ScrewMotion::between(pose(), pose())};
+    ChordScene scene{random_corners(random, reach), random_corners(random, reach),
+                     ScrewMotion::between(pose(), pose())};
     const double width = std::ldexp(1.0, -random.integer(0, 5));
     const double lower = width * random.integer(0, int(1 / width) - 1);
     scene.interval = {lower, lower + width};
     const auto first = float(random.uniform(0, 1));
     scene.when = {first, float(random.uniform(double(first), 1))};
+    const Eigen::Isometry3d there = scene.piece->pose_at(scene.interval.at(random.uniform(0, 1))).isometry();
+    const Eigen::Vector3d shift = there * scene.moving[0] - scene.fixed[0] + eigen(random.vector(0.2 * reach));
+    for (Eigen::Vector3d& corner : scene.fixed)
+        corner += shift;
     return scene;
 }
 
-TEST(FacePlanes, OnChordsAreApartWhatDoesNotTouch) {
-    Random random(772);
-    int apart = 0, touching = 0, wrong_without_deviation = 0;
-    for (int trial = 0; trial < 20000; ++trial) {
-        const ChordScene scene = random_chord_scene(random);
-        const bool touches = scene.distance() <= 0;
-        const bool is_apart = scene.are_apart(scene.deviation());
-        EXPECT_FALSE(is_apart && touches) << "trial " << trial;
-        apart += is_apart ? 1 : 0;
-        touching += touches ? 1 : 0;
-        wrong_without_deviation += touches && scene.are_apart(0) ? 1 : 0;
+/// What the culler proves of random scenes, and what samples say.
+struct ChordTally {
+    int apart = 0, near = 0, cut = 0, cut_and_near = 0, wrong_without_deviation = 0;
+
+    void count(const ChordScene& scene) {
+        const auto comes_near = [&](const Window& left) {
+            const Window dropped = left.is_empty() ? scene.when : Window{scene.when.lower, left.lower};
+            return scene.distance(dropped) <= scene.margin;
+        };
+        const bool is_near = scene.distance(scene.when) <= scene.margin;
+        const Window left = scene.left(scene.deviation());
+        const Window careless = scene.left(0);
+        const bool is_cut = left.lower > scene.when.lower;
+        EXPECT_FALSE(is_cut && comes_near(left));
+        EXPECT_TRUE(left.is_empty() || left.upper == scene.when.upper);
+        apart += left.is_empty() ? 1 : 0;
+        near += is_near ? 1 : 0;
+        cut += is_cut && !left.is_empty() ? 1 : 0;
+        cut_and_near += is_cut && is_near ? 1 : 0;
+        wrong_without_deviation += careless.lower > scene.when.lower && is_near && comes_near(careless) ? 1 : 0;
     }
-    std::cout << apart << " apart, " << touching << " touch\n";
-    EXPECT_GT(apart, 4000);
-    EXPECT_GT(touching, 1000);
-    EXPECT_GT(wrong_without_deviation, 0) << "the deviation matters in none of these scenes";
+    void expect_many(int most) const {
+        std::cout << apart << " apart, " << near << " come near, " << cut << " windows begin later, " << cut_and_near
+                  << " of them before faces come near\n";
+        EXPECT_GT(apart, most / 5);
+        EXPECT_GT(near, most / 20);
+        EXPECT_GT(cut, most / 60);
+        EXPECT_GT(cut_and_near, most / 200);
+        EXPECT_GT(wrong_without_deviation, 0) << "the deviation matters in none of these scenes";
+    }
+};
+
+TEST(FacePlanes, OnChordsAreApartWhatDoesNotTouch) {
+    constexpr int trials = 6000;
+    Random random(772);
+    ChordTally tally;
+    for (int trial = 0; trial < trials; ++trial)
+        tally.count(random_chord_scene(random));
+    tally.expect_many(trials);
+}
+
+TEST(FacePlanes, OnChordsAreFartherApartThanTheMarginWhatStaysSo) {
+    constexpr int trials = 6000;
+    Random random(774);
+    ChordTally tally;
+    for (int trial = 0; trial < trials; ++trial) {
+        ChordScene scene = random_chord_scene(random);
+        scene.margin = std::abs(random.scaled(-3, 0));
+        tally.count(scene);
+    }
+    tally.expect_many(trials);
 }
 
 /// A triangle that stands still above another one, by more or less than what rounding and the deviation can explain.
@@ -146,6 +194,26 @@ TEST(FacePlanes, OnChordsTheBandCounts) {
         scene.when = {0, 1};
         EXPECT_TRUE(scene.are_apart(0.9 * height));
         EXPECT_FALSE(scene.are_apart(1.1 * height));
+    }
+}
+
+/// A triangle that falls onto another one: its window begins just before points may come within the margin.
+TEST(FacePlanes, OnChordsTheWindowBeginsAtTheContact) {
+    const Corners below{Eigen::Vector3d(-1, -1, 0), Eigen::Vector3d(1, -1, 0), Eigen::Vector3d(0, 1, 0)};
+    const auto pose_at = [](double height) { return Pose({0, 0, height}, Eigen::Quaterniond::Identity()); };
+    for (const double margin : {0.0, 0.2}) {
+        for (const double deviation : {0.0, 0.01, 0.1}) {
+            for (const float first : {0.0F, 0.25F, 0.75F}) {
+                ChordScene scene{below, below, ScrewMotion::between(pose_at(3), pose_at(-1))};
+                scene.when = {first, 0.875F};
+                scene.margin = margin;
+                const double expected = std::max(double(first), 0.75 - (deviation + margin) / 4);
+                const Window left = scene.left(deviation);
+                EXPECT_LE(left.lower, expected);
+                EXPECT_GT(left.lower, expected - 1e-5);
+                EXPECT_EQ(left.upper, 0.875F);
+            }
+        }
     }
 }
 

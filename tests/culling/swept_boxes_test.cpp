@@ -320,5 +320,26 @@ TEST(PartAround, IsTheLeastOneThatHoldsWhatIsNeeded) {
     }
 }
 
+TEST(Window, IsCutOutward) {
+    Random random(773);
+    for (int trial = 0; trial < 10000; ++trial) {
+        const auto lower = float(random.uniform(0, 1) * std::ldexp(1.0, -random.integer(0, 30)));
+        const culling::Window when{lower, float(random.uniform(double(lower), 1))};
+        const double width = double(when.upper) - when.lower;
+        const double share = random.uniform(0, 1) * std::ldexp(1.0, -random.integer(0, 30));
+        const double time = when.lower + share * width;
+        const culling::Window left = culling::from_share(when, share);
+        const culling::Window early = culling::until(when, time);
+        EXPECT_LE(left.lower, time);
+        EXPECT_GE(left.lower, when.lower);
+        EXPECT_NEAR(left.lower, time, 2e-6 * time);
+        EXPECT_EQ(left.upper, when.upper);
+        EXPECT_GE(early.upper, std::min(time, double(when.upper)));
+        EXPECT_LE(early.upper, when.upper);
+        EXPECT_NEAR(early.upper, time, 2e-6 * time);
+        EXPECT_EQ(early.lower, when.lower);
+    }
+}
+
 } // namespace
 } // namespace chasles::test
