@@ -23,8 +23,8 @@ public:
     ChordPlane(const SeenPlane& start, const SeenPlane& end, double band)
         : start_(start), change_{end.normal - start.normal, end.offset - start.offset}, band_(band) {}
 
-    /// The window without its beginning in which all corners of a face of the other body stay on one side; empty if they
-    /// do all along.
+    /// The window without its beginning in which all corners of a face of the other body stay on one side; empty if
+    /// they do all along.
     [[nodiscard]] Window without_apart(const Body& body, std::uint32_t face, const Window& when) const {
         const Heights heights = heights_of(body, face, when);
         return after(heights.lowest[0] > band_ ? heights.lowest : BothEnds(-heights.highest), when);

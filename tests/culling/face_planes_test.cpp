@@ -51,8 +51,7 @@ TEST(FacePlanes, DirectionsTellFacesApartThatStayFartherThanTheMargin) {
             maps, reach + posed.made.reference_extent + motion::rounding_extent(posed.made), reach);
         const motion::Ball ball{Eigen::Vector3d::Zero(), 2 * reach + least};
         const motion::ChordDeviation chords(posed.made, ball, ball);
-        const double deviation =
-            std::max(chords.of_moving(from, from + width), chords.of_fixed(from, from + width));
+        const double deviation = std::max(chords.of_moving(from, from + width), chords.of_fixed(from, from + width));
         const auto part = motion::restricted(maps, from, from + width);
         const auto are_separated = [&](double margin) {
             FacePlanes planes(moving_body.body(), fixed_body.body(), margin);
