@@ -49,9 +49,9 @@ public:
     }
 
 private:
-    /// A search that meets few pairs of faces does without the test on chords: most of these faces are near a contact,
-    /// and the test takes such searches 2 % longer. It saves a sixth of the instructions for nuts on bolts, which meet
-    /// millions.
+    /// A search that meets few pairs of faces does without the test on chords: most of these faces are near a contact.
+    /// From the first pair on, the test makes queries of a triangle soup take 4.5 % more instructions, and saves other
+    /// meshes half a percent. It saves two fifths for a nut that is pulled along its bolt.
     static constexpr std::uint64_t pairs_of_a_brief_search = 32;
 
     /// Where parts are enclosed, faces share few parts: the maps of each cost as much as some tests of features.
