@@ -1,5 +1,5 @@
-// What planes and directions between two faces prove: where they keep the faces apart, or farther apart than a margin,
-// dense samples agree, and most faces that are apart are proven to be.
+// Planes and directions between two faces keep the faces apart, or farther apart than a margin. Dense samples find
+// nothing nearer, and most faces that are apart are proven to be.
 #include "chasles/culling/face_planes.h"
 
 #include "chasles/culling/time_tree.h"
@@ -84,7 +84,7 @@ struct ChordScene {
         return std::max(deviation.of_moving(interval.lower, interval.upper),
                         deviation.of_fixed(interval.lower, interval.upper));
     }
-    /// What is left of the window if points that touch leave their chords by at most `deviation`.
+    /// The window without its proven beginning. Points that touch leave their chords by at most `deviation`.
     [[nodiscard]] Window left(double deviation) const {
         const Polyhedron mover = body_of(moving);
         const Polyhedron target = body_of(fixed);
@@ -108,7 +108,7 @@ struct ChordScene {
     }
 };
 
-/// Triangles of several sizes that meet, or nearly meet, somewhere in the interval: the fixed one is put there.
+/// Triangles of several sizes. The fixed one is put where the moving one is at some time of the interval, or near it.
 ChordScene random_chord_scene(Random& random) {
     const double reach = 1.5 * std::ldexp(1.0, -random.integer(0, 3));
     const auto pose = [&] {
@@ -161,7 +161,7 @@ struct ChordTally {
 };
 
 TEST(FacePlanes, OnChordsAreApartWhatDoesNotTouch) {
-    constexpr int trials = 6000;
+    constexpr int trials = 20000;
     Random random(772);
     ChordTally tally;
     for (int trial = 0; trial < trials; ++trial)
@@ -170,7 +170,7 @@ TEST(FacePlanes, OnChordsAreApartWhatDoesNotTouch) {
 }
 
 TEST(FacePlanes, OnChordsAreFartherApartThanTheMarginWhatStaysSo) {
-    constexpr int trials = 6000;
+    constexpr int trials = 20000;
     Random random(774);
     ChordTally tally;
     for (int trial = 0; trial < trials; ++trial) {
