@@ -1,6 +1,7 @@
 #include "chasles/culling/face_separation.h"
 
 #include <algorithm>
+#include <span>
 
 namespace chasles::culling {
 
@@ -11,6 +12,17 @@ Vector3<double> mean(const std::vector<Vector3<double>>& corners) {
     for (const Vector3<double>& corner : corners)
         sum = sum + corner;
     return scale(sum, 1.0 / double(corners.size()));
+}
+
+const Vector3<double>& least_along(const Vector3<double>& direction, const std::vector<Vector3<double>>& corners) {
+    const Vector3<double>* least = corners.data();
+    double height = dot(direction, *least);
+    for (const Vector3<double>& corner : std::span(corners).subspan(1))
+        if (const double other = dot(direction, corner); other < height) {
+            least = &corner;
+            height = other;
+        }
+    return *least;
 }
 
 } // namespace
@@ -153,8 +165,7 @@ void FaceSeparation::place_corners(std::uint32_t moving_face, std::uint32_t fixe
 
 /// The point of the difference of both faces that is least along the direction.
 Vector3<double> FaceSeparation::support(const Vector3<double>& direction) const {
-    const auto along = [&](const Vector3<double>& corner) { return dot(direction, corner); };
-    return *std::ranges::min_element(moving_corners_, {}, along) - *std::ranges::max_element(fixed_corners_, {}, along);
+    return least_along(direction, moving_corners_) - least_along(scale(direction, -1.0), fixed_corners_);
 }
 
 } // namespace chasles::culling

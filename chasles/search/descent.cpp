@@ -77,7 +77,7 @@ std::optional<NearMoment> nearest_of_samples(const PieceContext& context, double
     constexpr double rough = 0.9; // a descent follows
     std::optional<NearMoment> nearest;
     for (const double tau : {0.5, 0.0, 1.0})
-        if (const auto found = nearest_features(bodies_at(context, tau), bound, rough, work)) {
+        if (const auto found = nearest_features(bodies_at(context, tau), {bound, rough}, work)) {
             nearest = NearMoment{tau, *found};
             bound = found->distance;
         }
@@ -92,7 +92,7 @@ NearMoment local_minimum(const PieceContext& context, double tau, const FeatureP
         descend(approach, best.tau);
         best.tau = approach.best();
         best.near.distance = approach.least();
-        const auto nearer = nearest_features(bodies_at(context, best.tau), best.near.distance, 1, work);
+        const auto nearer = nearest_features(bodies_at(context, best.tau), {best.near.distance, 1}, work);
         if (!nearer)
             break;
         best.near = *nearer;

@@ -6,6 +6,7 @@
 #include "chasles/culling/face_culler.h"
 #include "chasles/culling/separating_plane.h"
 #include "chasles/search/birth_filter.h"
+#include "chasles/search/nearest_at_start.h"
 #include "chasles/search/overlaps.h"
 #include "chasles/search/piece_search.h"
 
@@ -17,7 +18,7 @@ class LeafSearch {
 public:
     /// Both are kept by reference.
     LeafSearch(PieceContext& context, const SearchOptions& options)
-        : context_(context), stages_(context, options),
+        : context_(context), options_(options), stages_(context, options),
           culler_(context.moving(), context.fixed(), stages_.parts(), stages_.culling_margin()) {
         if (options.held)
             births_.emplace(context, stages_.parts(), options.margin);
@@ -34,7 +35,10 @@ public:
     }
     /// Tests every pair of features that the two faces own and that may come to each other's planes.
     void test(const culling::FacePair& pair) {
-        ++face_pairs_;
+        if constexpr (Stages::tests_all_kinds)
+            if (work_.face_pairs == pairs_of_a_long_search)
+                test_nearest_at_start();
+        ++work_.face_pairs;
         if (births_ && !births_->may_be_in(pair))
             return;
         const auto faces = culler_.cull(pair, stages_.best());
@@ -55,11 +59,24 @@ public:
     /// Once, and last.
     PieceResult take() {
         PieceResult result = stages_.take();
-        result.work.face_pairs += face_pairs_;
+        result.work += work_;
         return result;
     }
 
 private:
+    /// A search visits pairs that may be near at the start in no order of distance.
+    static constexpr std::uint64_t pairs_of_a_long_search = 1 << 11;
+
+    /// Bodies that start within the margin have a contact at the start, which ends the search. A search that has not
+    /// found one among many pairs looks for it where the bodies are nearest.
+    void test_nearest_at_start() {
+        if (!options_.check_start || options_.held || stages_.is_over())
+            return;
+        stages_.use(culling::part_around({}, {0, 0}));
+        for (const FeaturePair& features : nearest_at_start(context_, options_.margin, work_))
+            stages_.test(features);
+    }
+
     /// Many faces touch at the same time: a plane that separates these two until just before may separate all of them.
     void search_plane(const culling::FacePair& pair, double until) {
         if (until <= pair.first_left)
@@ -75,11 +92,12 @@ private:
     }
 
     PieceContext& context_;
+    const SearchOptions& options_;
     Stages stages_;
     culling::FaceCuller culler_;
     std::optional<BirthFilter> births_; ///< only with held contacts
     std::optional<culling::SeparatingPlane> plane_;
-    std::uint64_t face_pairs_ = 0;
+    Work work_;
 };
 
 } // namespace chasles::search

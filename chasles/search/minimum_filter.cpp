@@ -1,26 +1,10 @@
 #include "chasles/search/minimum_filter.h"
 
 #include "chasles/mesh/feature_ways.h"
-#include "chasles/motion/screw_path.h"
 
 #include <algorithm>
 
 namespace chasles::search {
-
-namespace {
-
-Eigen::Vector3d moved(const motion::MatrixPose& pose, const Eigen::Vector3d& point) {
-    const algebra::Vector3<double> place = pose(motion::vector_in<double>(point));
-    return {place.x, place.y, place.z};
-}
-
-Eigen::Vector3d moved_back(const motion::MatrixPose& pose, const Eigen::Vector3d& point) {
-    const algebra::Vector3<double> place =
-        pose.rotation.transposed() * (motion::vector_in<double>(point) - pose.translation);
-    return {place.x, place.y, place.z};
-}
-
-} // namespace
 
 bool MinimumFilter::set(const TwoFaces& faces) {
     place(faces);
@@ -30,14 +14,17 @@ bool MinimumFilter::set(const TwoFaces& faces) {
 }
 
 void MinimumFilter::place(const TwoFaces& faces) {
+    const auto poses = std::span(poses_).first(is_at_rest_ ? 1 : 2);
     fixed_side_.others.clear();
-    for (const std::uint32_t corner : moving_.face(faces.moving))
-        for (const motion::MatrixPose* pose : {&ends_.start, &ends_.end})
-            fixed_side_.others.push_back(moved(*pose, moving_.vertices()[corner]));
+    for_four_corners(moving_, faces.moving, [&](const FourPoints& corners) {
+        for (const motion::MatrixPose& pose : poses)
+            fixed_side_.others.push_back(corners.moved(pose));
+    });
     moving_side_.others.clear();
-    for (const std::uint32_t corner : fixed_.face(faces.fixed))
-        for (const motion::MatrixPose* pose : {&ends_.start, &ends_.end})
-            moving_side_.others.push_back(moved_back(*pose, fixed_.vertices()[corner]));
+    for_four_corners(fixed_, faces.fixed, [&](const FourPoints& corners) {
+        for (const motion::MatrixPose& pose : poses)
+            moving_side_.others.push_back(corners.moved_back(pose));
+    });
 }
 
 void MinimumFilter::find_rejected(const Body& body, std::uint32_t face, Side& side) const {
@@ -62,7 +49,8 @@ bool MinimumFilter::are_beside(const Side& side, std::span<const Eigen::Vector3d
                                const Eigen::Vector3d& to) const {
     return std::ranges::any_of(ways, [&](const Eigen::Vector3d& way) {
         const double least = std::max(way.dot(from), way.dot(to)) + tolerance_;
-        return std::ranges::all_of(side.others, [&](const Eigen::Vector3d& point) { return way.dot(point) > least; });
+        return std::ranges::all_of(side.others,
+                                   [&](const FourPoints& points) { return points.are_beyond(least, way); });
     });
 }
 

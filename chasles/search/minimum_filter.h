@@ -4,9 +4,11 @@
 
 #include "chasles/contact/feature_pair.h"
 #include "chasles/culling/interval_ends.h"
+#include "chasles/search/four_points.h"
 #include "chasles/search/owned_pairs.h"
 
 #include <algorithm>
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,7 +22,14 @@ public:
     /// Sets the interval. A direction leads nearer if the distance falls by more than `tolerance` times its length
     /// (length unit). The tolerance covers chord deviations and roundings.
     void use(const culling::IntervalEnds& ends, double tolerance) {
-        ends_ = ends;
+        poses_ = {ends.start, ends.end};
+        is_at_rest_ = false;
+        tolerance_ = tolerance;
+    }
+    /// Likewise for bodies at rest.
+    void use(const motion::MatrixPose& pose, double tolerance) {
+        poses_ = {pose, pose};
+        is_at_rest_ = true;
         tolerance_ = tolerance;
     }
 
@@ -35,9 +44,9 @@ public:
 private:
     /// The features that a face owns.
     struct Side {
-        std::vector<Eigen::Vector3d> others; ///< corners of the other face at both ends, in the frame of this body
-        std::vector<Feature> rejected;       ///< a vertex is a feature with equal ends
-        std::size_t vertices = 0;            ///< that are not rejected
+        std::vector<FourPoints> others; ///< corners of the other face at both ends, in the frame of this body
+        std::vector<Feature> rejected;  ///< a vertex is a feature with equal ends
+        std::size_t vertices = 0;       ///< that are not rejected
         std::size_t edges = 0;
     };
 
@@ -52,7 +61,8 @@ private:
 
     const Body& moving_;
     const Body& fixed_;
-    culling::IntervalEnds ends_;
+    std::array<motion::MatrixPose, 2> poses_{};
+    bool is_at_rest_ = false; ///< both poses are equal
     double tolerance_ = 0;
     Side moving_side_;
     Side fixed_side_;

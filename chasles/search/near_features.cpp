@@ -81,7 +81,7 @@ public:
     void use_filter(double tau) {
         const culling::IntervalEnds ends(motion::restricted(context_.maps(), tau, tau));
         minima_.emplace(context_.moving(), context_.fixed());
-        minima_->use(ends, 8 * scene_.slack + minimum_tolerance(scale_, scene_.margin));
+        minima_->use(ends.start, 8 * scene_.slack + minimum_tolerance(scale_, scene_.margin));
     }
 
     // The functions that a traversal requires of its leaves.

@@ -75,25 +75,19 @@ motion::MatrixPose pose_of(const contact::RelativeConfiguration& bodies) {
     return pose;
 }
 
-/// All features of a face, as the filter of owned pairs.
-struct WholeFace {
-    [[nodiscard]] static bool may_meet(std::uint32_t /*vertex*/) { return true; }
-    [[nodiscard]] static bool may_meet(const Edge& /*edge*/) { return true; }
-};
-
 /// One search, depth first, the nearer nodes before the farther ones.
 class NearestSearch {
 public:
-    NearestSearch(const contact::RelativeConfiguration& bodies, double bound, double accuracy)
-        : bodies_(bodies), boxes_(bodies), separation_(bodies.moving(), bodies.fixed()), bound_(bound),
-          accuracy_(accuracy) {
+    NearestSearch(const contact::RelativeConfiguration& bodies, const NearestGoal& goal)
+        : bodies_(bodies), goal_(goal), boxes_(bodies), separation_(bodies.moving(), bodies.fixed()),
+          bound_(goal.bound) {
         separation_.use(culling::IntervalEnds(pose_of(bodies)));
     }
 
     std::optional<NearestFeatures> run() {
         boxes_.set_bound(std::min(bound_, boxes_.farthest()));
         stack_.push_back({0, 0, 0});
-        while (!stack_.empty() && work_.node_pairs < most_visits) {
+        while (!stack_.empty() && std::max(work_.node_pairs, work_.face_pairs) < goal_.most_work) {
             const NodesAtRest nodes = stack_.back();
             stack_.pop_back();
             visit(nodes);
@@ -103,9 +97,6 @@ public:
     [[nodiscard]] const Work& work() const { return work_; }
 
 private:
-    /// A greater distance than the least one makes a search slower, and no answer wrong.
-    static constexpr std::uint64_t most_visits = 1 << 15;
-
     void visit(const NodesAtRest& nodes) {
         const BvhNode& moving = boxes_.moving_nodes()[nodes.moving];
         const BvhNode& fixed = boxes_.fixed_nodes()[nodes.fixed];
@@ -130,7 +121,7 @@ private:
         ++work_.face_pairs;
         if (separation_.direction(faces.moving, faces.fixed, 0, bound_))
             return;
-        for_each_owned_pair<true>(bodies_.moving(), bodies_.fixed(), faces, WholeFace(), WholeFace(),
+        for_each_owned_pair<true>(bodies_.moving(), bodies_.fixed(), faces, AllFeatures(), AllFeatures(),
                                   [&](const FeaturePair& features) { test(features); });
     }
 
@@ -138,17 +129,17 @@ private:
         const double distance = nearest_.points(bodies_, features).distance;
         if (!(distance < bound_))
             return;
-        bound_ = accuracy_ * distance;
+        bound_ = goal_.accuracy * distance;
         boxes_.set_bound(bound_);
         found_ = {features, distance};
     }
 
     const contact::RelativeConfiguration& bodies_;
+    const NearestGoal& goal_;
     BoxesAtRest boxes_;
     culling::FaceSeparation separation_;
     NearestAtRest nearest_;
     double bound_;
-    double accuracy_;
     std::vector<NodesAtRest> stack_;
     std::optional<NearestFeatures> found_;
     Work work_;
@@ -173,9 +164,9 @@ NearPoints NearestAtRest::points(const contact::RelativeConfiguration& bodies, c
     return apart(bodies.nearest(features), 0);
 }
 
-std::optional<NearestFeatures> nearest_features(const contact::RelativeConfiguration& bodies, double bound,
-                                                double accuracy, Work& work) {
-    NearestSearch search(bodies, bound, accuracy);
+std::optional<NearestFeatures> nearest_features(const contact::RelativeConfiguration& bodies, const NearestGoal& goal,
+                                                Work& work) {
+    NearestSearch search(bodies, goal);
     const auto found = search.run();
     work += search.work();
     return found;

@@ -31,9 +31,15 @@ private:
     contact::LastFaceAtRest fixed_face_;
 };
 
-/// Features that are nearer to each other than `bound`. No other features are nearer than `accuracy` times their
-/// distance; this is not promised where the search reaches its bound of visited nodes. Empty if it found none.
-std::optional<NearestFeatures> nearest_features(const contact::RelativeConfiguration& bodies, double bound,
-                                                double accuracy, Work& work);
+/// What a search for the nearest features is to find, and how long it may take.
+struct NearestGoal {
+    double bound;        ///< of the distance
+    double accuracy = 1; ///< no other features are nearer than this times the distance of those that are found
+    std::uint64_t most_work = 1 << 15; ///< pairs of nodes or of faces to test. Then the accuracy is not promised
+};
+
+/// Features that are nearer to each other than the bound. Empty if the search found none.
+std::optional<NearestFeatures> nearest_features(const contact::RelativeConfiguration& bodies, const NearestGoal& goal,
+                                                Work& work);
 
 } // namespace chasles::search

@@ -70,6 +70,12 @@ private:
     Visit visit_;
 };
 
+/// A filter that excludes no feature.
+struct AllFeatures {
+    [[nodiscard]] static bool may_meet(std::uint32_t /*vertex*/) { return true; }
+    [[nodiscard]] static bool may_meet(const Edge& /*edge*/) { return true; }
+};
+
 /// Calls `visit(feature pair)` for each pair of features that two faces own and that may meet. Inlined, because a query
 /// takes two hundredths longer otherwise.
 template <bool all_kinds, class Sides, class Visit>

@@ -17,8 +17,6 @@ using contact::NearestPoints;
 using test::BodiesInMotion;
 using test::uniform;
 
-;
-
 /// Two squares that share the edge from vertex 2 to vertex 3, with the outer sides at a height: a roof or a gutter.
 Polyhedron folded_squares(double height) {
     const test::Vertices vertices{{-1, -1, height}, {-1, 1, height}, {0, 1, 0},

@@ -43,13 +43,13 @@ TEST(NearestFeatures, AreAtTheDistanceOfTheSurfaces) {
             continue; // where surfaces cross, features may be apart
         ++apart;
         Work work;
-        const auto found = nearest_features(scene.at(tau), 1e300, 1, work);
+        const auto found = nearest_features(scene.at(tau), {1e300, 1}, work);
         ASSERT_TRUE(found);
         EXPECT_NEAR(found->distance, distance, 1e-12) << i;
         EXPECT_GT(work.node_pairs, 0u);
-        EXPECT_FALSE(nearest_features(scene.at(tau), 0.999 * distance, 1, work));
-        EXPECT_TRUE(nearest_features(scene.at(tau), 1.001 * distance, 1, work));
-        const auto rough = nearest_features(scene.at(tau), 1e300, 0.5, work);
+        EXPECT_FALSE(nearest_features(scene.at(tau), {0.999 * distance, 1}, work));
+        EXPECT_TRUE(nearest_features(scene.at(tau), {1.001 * distance, 1}, work));
+        const auto rough = nearest_features(scene.at(tau), {1e300, 0.5}, work);
         ASSERT_TRUE(rough);
         EXPECT_LE(rough->distance, 2 * distance * (1 + 1e-9));
         EXPECT_GE(rough->distance, distance - 1e-12);
@@ -85,7 +85,7 @@ TEST(Descent, EndsWhereTheDistanceIsLeastNearby) {
         const BodiesInMotion scene = random_scene(random);
         const double tau = uniform(random, 0, 1);
         Work work;
-        const auto near = nearest_features(scene.at(tau), 1e300, 1, work);
+        const auto near = nearest_features(scene.at(tau), {1e300, 1}, work);
         ASSERT_TRUE(near);
         const NearMoment found = local_minimum(scene.context, tau, near->features, work);
         EXPECT_LE(found.near.distance, near->distance);
