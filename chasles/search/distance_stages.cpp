@@ -21,6 +21,10 @@ culling::TimeRange part_from(double lower, double width) {
     return {std::max(0.0, lower - rim), std::min(1.0, lower + width + rim)};
 }
 
+culling::TimeRange common(const culling::TimeRange& a, const culling::TimeRange& b) {
+    return {std::max(a.lower, b.lower), std::min(a.upper, b.upper)};
+}
+
 double width_of(const FeasibleInterval& tau) {
     return tau.upper - tau.lower;
 }
@@ -176,8 +180,33 @@ bool DistanceStages::go_on_after(double passed, Step& step, const FeaturePair& f
     return true;
 }
 
-/// The first crossing in a part as double-double finds it.
+/// The first crossing in a part. Bounds follow the sizes of the numbers, so in ever shorter parts double often decides.
 std::optional<Crossing> DistanceStages::refined(const FeaturePair& features, const culling::TimeRange& where) {
+    constexpr double much_shorter = 0.25;
+    for (culling::TimeRange part = where;;) {
+        const auto crossing = in_double(features, part);
+        if (crossing && candidates_.state().is_final(crossing->tau))
+            return crossing;
+        if (!crossing && part == where)
+            return std::nullopt;
+        const double width = part.width();
+        if (crossing)
+            part = common(part, part_from(crossing->tau.lower, width_of(crossing->tau)));
+        if (!crossing || part.width() > much_shorter * width)
+            return in_double_double(features, where);
+    }
+}
+
+/// Much narrower than the tolerance where that costs nothing: over a small margin, the direction of a contact turns
+/// fast.
+std::optional<Crossing> DistanceStages::in_double(const FeaturePair& features, const culling::TimeRange& part) {
+    constexpr double narrow = 0x1p-6;
+    next_filter_.use(part);
+    return next_filter_.first_crossing(features,
+                                       filter_tolerance(std::min(1.0, narrow * options_.tolerance / part.width())));
+}
+
+std::optional<Crossing> DistanceStages::in_double_double(const FeaturePair& features, const culling::TimeRange& where) {
     constexpr double finest = 0x1p-90;
     constexpr int restrictions = 600; // ordinary crossings take ten
     ++work_.refined;

@@ -52,13 +52,15 @@ private:
     bool advance(Step& step, const FeaturePair& features, const SearchState& state);
     bool go_on_after(double passed, Step& step, const FeaturePair& features, const SearchState& state);
     std::optional<Crossing> refined(const FeaturePair& features, const culling::TimeRange& where);
+    std::optional<Crossing> in_double(const FeaturePair& features, const culling::TimeRange& part);
+    std::optional<Crossing> in_double_double(const FeaturePair& features, const culling::TimeRange& where);
     PartTests<algebra::DoubleDouble>& refinement();
 
     PieceContext& context_;
     const SearchOptions& options_;
     culling::PieceParts parts_;
     PartTests<double> filter_;
-    PartTests<double> next_filter_; ///< for the time after a crossing that does not count
+    PartTests<double> next_filter_; ///< for short parts, and the time after a crossing that does not count
     FeatureTests<double> start_tests_;
     std::unique_ptr<PartTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
     StartOverlaps overlaps_;
