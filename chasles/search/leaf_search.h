@@ -19,7 +19,7 @@ public:
     /// Both are kept by reference.
     LeafSearch(PieceContext& context, const SearchOptions& options)
         : context_(context), options_(options), stages_(context, options),
-          culler_(context.moving(), context.fixed(), stages_.parts(), stages_.culling_margin()) {
+          culler_(context.moving(), context.fixed(), stages_.parts(), stages_.culling_margin(), !options.pairs) {
         if (options.held)
             births_.emplace(context, stages_.parts(), options.margin);
     }

@@ -75,12 +75,15 @@ private:
         double last;
     };
     [[nodiscard]] Gap gap_along(const Vector3<double>& direction, const FacePair& pair) const {
-        const Heights first(ends_.at(pair.when.lower), direction);
-        const Heights last(ends_.at(pair.when.upper), direction);
+        const Heights start(ends_.start, direction);
+        const Heights end(ends_.end, direction);
         Gap gap{infinite, infinite};
         for (const std::uint32_t corner : moving_.face(pair.moving)) {
             const Vector3<double> point = point_of<double>(moving_, corner);
-            gap = {std::min(gap.first, first(point)), std::min(gap.last, last(point))};
+            const double height = start(point);
+            const double rise = end(point) - height;
+            gap = {std::min(gap.first, height + rise * double(pair.when.lower)),
+                   std::min(gap.last, height + rise * double(pair.when.upper))};
         }
         double offset = -infinite;
         for (const std::uint32_t corner : fixed_.face(pair.fixed))
