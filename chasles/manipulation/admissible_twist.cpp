@@ -63,7 +63,6 @@ struct Solution {
 /// The shortest z with rows z = lacking, for some of the rows, and the multipliers that lead there. Empty if the rows
 /// depend on each other.
 std::optional<Solution> solution_on(const LeastDistance& problem, const std::vector<Eigen::Index>& active) {
-    using Directions = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, most_equations>;
     using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, Eigen::ColMajor, most_equations, 1>;
     const auto count = Eigen::Index(active.size());
     Directions directions(6, count);

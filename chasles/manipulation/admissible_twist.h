@@ -15,6 +15,8 @@ using Wrench = Eigen::Matrix<double, 6, 1>;
 /// Symmetric and positive definite: |v|_M^2 = v . M v is twice the kinetic energy of the twist v.
 using Metric = Eigen::Matrix<double, 6, 6>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6>;
+/// Columns, of at most seven twists.
+using Directions = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 7>;
 
 /// Which twists v are admissible: rows * v >= -gaps.
 struct TwistConstraints {

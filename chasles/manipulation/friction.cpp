@@ -144,7 +144,8 @@ public:
         if (count_ == 0)
             return image;
         const Eigen::Index used = std::min<Eigen::Index>(count_, memory);
-        const Eigen::VectorXd weights = residuals_.leftCols(used).completeOrthogonalDecomposition().solve(residual);
+        const Eigen::VectorXd weights =
+            Eigen::ColPivHouseholderQR<Directions>(residuals_.leftCols(used)).solve(residual);
         return image - images_.leftCols(used) * weights;
     }
 

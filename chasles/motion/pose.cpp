@@ -6,7 +6,8 @@
 #include "chasles/base/number_text.h"
 #include "chasles/motion/rational_motion.h"
 
-#include <Eigen/SVD>
+#include <Eigen/Geometry>
+#include <Eigen/LU>
 #include <cmath>
 
 namespace chasles {
@@ -45,7 +46,8 @@ Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
     return scaled;
 }
 
-/// The nearest rotation in the Frobenius norm, by a singular value decomposition.
+/// The nearest rotation in the Frobenius norm: the orthogonal factor of the polar decomposition, by Newton's method
+/// (N. Higham, 1986). Each step squares the distance, of which the tolerance leaves little.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
     const double deviation = (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(deviation <= orthogonality_tolerance))
@@ -56,8 +58,14 @@ Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
         throw InvalidInput("pose: matrix: the 3x3 part is a reflection (its determinant is negative)");
     if (deviation <= rounding_tolerance)
         return matrix;
-    const Eigen::JacobiSVD<Eigen::Matrix3d> svd(matrix, Eigen::ComputeFullU | Eigen::ComputeFullV);
-    return svd.matrixU() * svd.matrixV().transpose();
+    Eigen::Matrix3d rotation = matrix;
+    for (int step = 0; step < 3; ++step) { // to the mean of the matrix and the transpose of its inverse
+        const Eigen::Vector3d a = rotation.col(0), b = rotation.col(1), c = rotation.col(2);
+        Eigen::Matrix3d cofactors;
+        cofactors << b.cross(c), c.cross(a), a.cross(b);
+        rotation = 0.5 * (rotation + cofactors / a.dot(cofactors.col(0)));
+    }
+    return rotation;
 }
 
 } // namespace

@@ -18,6 +18,14 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Chains are followed recursively.
 constexpr std::size_t longest_chain = 1000;
 
+/// Turns the z axis to a unit vector, on the shortest way; to the opposite of the z axis about the x axis.
+Eigen::Quaterniond turn_from_z(const Eigen::Vector3d& unit) {
+    constexpr double rounding = 1e-12;
+    if (1 + unit.z() < rounding)
+        return {0, 1, 0, 0};
+    return Eigen::Quaterniond(1 + unit.z(), -unit.y(), unit.x(), 0).normalized();
+}
+
 template <class Map>
 std::size_t found_in(const Map& map, std::string_view name, const char* what) {
     const auto found = map.find(name);
@@ -144,7 +152,7 @@ RigidGroup Model::group_of(const JointDescription& joint) const {
         group.steps.push_back({FixedAxis(axis), variable, multiplier, offset, turns});
     };
     if (joint.type == JointType::planar) {
-        const Eigen::Quaterniond plane = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), joint.axis);
+        const Eigen::Quaterniond plane = turn_from_z(joint.axis.stableNormalized());
         const std::size_t first = variable_of.at(joint.name + "/x");
         add(plane * Eigen::Vector3d::UnitX(), false, first);
         add(plane * Eigen::Vector3d::UnitY(), false, first + 1);

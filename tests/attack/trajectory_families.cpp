@@ -2,6 +2,7 @@
 
 #include "tests/attack/composed_motions.h"
 #include "tests/attack/trajectory_motions.h"
+#include "tests/support/turn_to.h"
 
 namespace chasles::attack {
 
@@ -132,7 +133,7 @@ void set_in_the_way(TrajectoryCase& posed, double time, AttackRandom& random) {
     const Spot there = some_spot(posed.fixed, random.chance(0.1) ? random.integer(1, 3) : 4 - corners, random);
     const Vector3d out = corners == 3 ? spot.outward : ahead + random.vector(0.5);
     const Eigen::Quaterniond spin(Eigen::AngleAxisd(random.uniform(0, 6), out.normalized()));
-    const Eigen::Quaterniond turn = spin * Eigen::Quaterniond::FromTwoVectors(there.outward, -out);
+    const Eigen::Quaterniond turn = spin * test::turn_to(there.outward, -out);
     place(posed.fixed, Eigen::Translation3d(spot.point) * turn * Eigen::Translation3d(-there.point));
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tests/robot/random_robot.h"
+#include "tests/support/turn_to.h"
 
 namespace chasles::test {
 
@@ -45,7 +46,7 @@ private:
         case JointType::prismatic:
             return Motion::polynomial({line(joint).from * axis, line(joint).way * axis});
         case JointType::planar: {
-            const Eigen::Quaterniond plane = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis);
+            const Eigen::Quaterniond plane = turn_to(Eigen::Vector3d::UnitZ(), axis);
             const Line x = line(joint.name + "/x"), y = line(joint.name + "/y"), theta = line(joint.name + "/theta");
             return Motion::polynomial(
                        {plane * Eigen::Vector3d(x.from, y.from, 0), plane * Eigen::Vector3d(x.way, y.way, 0)}) *

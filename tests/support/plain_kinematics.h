@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/robot/robot.h"
+#include "tests/support/turn_to.h"
 
 #include <Eigen/Geometry>
 #include <algorithm>
@@ -42,7 +43,7 @@ private:
             pose.translation() = value(joint) * axis;
             break;
         case JointType::planar: {
-            const Eigen::Quaterniond plane = Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), axis);
+            const Eigen::Quaterniond plane = turn_to(Eigen::Vector3d::UnitZ(), axis);
             pose.translation() = plane * Eigen::Vector3d(value(joint.name + "/x"), value(joint.name + "/y"), 0);
             pose.rotate(Eigen::AngleAxisd(value(joint.name + "/theta"), axis));
             break;
