@@ -13,7 +13,7 @@ namespace {
 
 using namespace test;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 template <class V>
 bool same(const V& a, const V& b) {

@@ -16,7 +16,7 @@ namespace {
 using namespace test;
 using Scalar = algebra::DoubleDouble;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// The position of a body point by the control maps in double-double.
 WideVector carried(const ScrewMotion& screw, const Eigen::Vector3d& body_point, double tau) {

@@ -8,7 +8,7 @@
 namespace chasles::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double exactness = 1e-9;
 constexpr double margins[] = {0, 1e-6, 1e-3, 0.05};
 

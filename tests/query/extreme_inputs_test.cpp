@@ -13,7 +13,7 @@
 namespace chasles::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 using Triangle = std::array<Eigen::Vector3d, 3>;
 
 /// A triangle about the origin.

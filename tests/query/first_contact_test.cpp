@@ -13,7 +13,7 @@
 namespace chasles::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 const Polyhedron& unit_box() {
     static const Polyhedron body = box({0.5, 0.5, 0.5}).polyhedron();

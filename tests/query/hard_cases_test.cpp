@@ -8,7 +8,7 @@
 namespace chasles::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 /// A thin closed spike with its tip at `tip`, standing along `up`.
 Polyhedron needle(const Eigen::Vector3d& tip, const Eigen::Vector3d& up) {

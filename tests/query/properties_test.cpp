@@ -11,7 +11,7 @@ namespace chasles::test {
 namespace {
 
 constexpr int cases = 150;
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 struct Case {
     Body a;

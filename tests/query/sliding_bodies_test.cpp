@@ -11,7 +11,7 @@
 namespace chasles::test {
 namespace {
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double margin = 0.01;
 constexpr double hold = 0.004;
 constexpr double slack = 1e-11;

@@ -11,7 +11,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-constexpr double pi = std::numbers::pi;
+using std::numbers::pi;
 
 FirstContact ask(const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion,
                  const QueryOptions& options = {}) {
