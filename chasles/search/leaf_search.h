@@ -29,15 +29,16 @@ public:
     // The functions that a traversal requires of its leaves.
     [[nodiscard]] double best() const { return stages_.best(); }
     [[nodiscard]] bool is_over() const { return stages_.is_over(); }
-    /// By the plane that was found, if there is one, from `first` on.
+    /// By the plane that was found, if there is one, from `first` on. The traversal asks this once for each pair that
+    /// it visits.
     bool is_kept_apart(const culling::NodePair& pair, double first) {
+        if constexpr (Stages::tests_all_kinds)
+            if (++visits_ == visits_of_a_long_search)
+                test_nearest_at_start();
         return plane_ && plane_->range().lower <= first && plane_->keeps_apart(pair.moving, pair.fixed);
     }
     /// Tests every pair of features that the two faces own and that may come to each other's planes.
     void test(const culling::FacePair& pair) {
-        if constexpr (Stages::tests_all_kinds)
-            if (work_.face_pairs == pairs_of_a_long_search)
-                test_nearest_at_start();
         ++work_.face_pairs;
         if (births_ && !births_->may_be_in(pair))
             return;
@@ -65,7 +66,7 @@ public:
 
 private:
     /// A search visits pairs that may be near at the start in no order of distance.
-    static constexpr std::uint64_t pairs_of_a_long_search = 1 << 11;
+    static constexpr std::uint64_t visits_of_a_long_search = 1 << 13;
 
     /// Bodies that start within the margin have a contact at the start, which ends the search. A search that has not
     /// found one among many pairs looks for it where the bodies are nearest.
@@ -98,6 +99,7 @@ private:
     std::optional<BirthFilter> births_; ///< only with held contacts
     std::optional<culling::SeparatingPlane> plane_;
     Work work_;
+    std::uint64_t visits_ = 0; ///< of pairs of nodes, with a margin
 };
 
 } // namespace chasles::search
