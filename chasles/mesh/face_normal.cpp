@@ -10,8 +10,6 @@ namespace chasles {
 
 namespace {
 
-constexpr double rounding = 8 * 0x1p-53; // of a cross product, over the product of the lengths
-
 /// A unit vector at a right angle to the longest diagonal from the first corner.
 Eigen::Vector3d beside_longest(std::span<const Eigen::Vector3d> arms) {
     const auto length = [](const Eigen::Vector3d& arm) { return arm.stableNorm(); };
@@ -21,6 +19,7 @@ Eigen::Vector3d beside_longest(std::span<const Eigen::Vector3d> arms) {
 } // namespace
 
 FaceNormal face_normal(const Body& body, std::uint32_t face) {
+    constexpr double rounding = 8 * 0x1p-53;   // of a cross product, over the product of the lengths
     constexpr double surely_normal = 0x1p-900; // a square of a length that has lost nothing to underflow
     const auto corners = body.face(face);
     const Eigen::Vector3d& first = body.vertices()[corners[0]];

@@ -4,8 +4,10 @@
 #include "chasles/mesh/body.h"
 #include "chasles/motion/matrix_pose.h"
 
+#include <Eigen/Core>
 #include <algorithm>
-#include <vector>
+#include <span>
+#include <tuple>
 
 namespace chasles::search {
 
