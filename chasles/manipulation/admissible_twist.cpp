@@ -1,7 +1,5 @@
 #include "chasles/manipulation/admissible_twist.h"
 
-#include "chasles/manipulation/least_squares_nonnegative.h"
-
 #include <Eigen/Cholesky>
 #include <Eigen/QR>
 

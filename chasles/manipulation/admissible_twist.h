@@ -2,6 +2,8 @@
 // Source: docs/derivations/30-dragged-body.md, "The nearest admissible twist".
 #pragma once
 
+#include "chasles/manipulation/least_squares_nonnegative.h"
+
 #include <Eigen/Core>
 
 #include <span>
@@ -15,8 +17,8 @@ using Wrench = Eigen::Matrix<double, 6, 1>;
 /// Symmetric and positive definite: |v|_M^2 = v . M v is twice the kinetic energy of the twist v.
 using Metric = Eigen::Matrix<double, 6, 6>;
 using Rows = Eigen::Matrix<double, Eigen::Dynamic, 6>;
-/// Columns, of at most seven twists.
-using Directions = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, 7>;
+/// Twists in columns.
+using Directions = Eigen::Matrix<double, 6, Eigen::Dynamic, Eigen::ColMajor, 6, most_equations>;
 
 /// Which twists v are admissible: rows * v >= -gaps.
 struct TwistConstraints {

@@ -2,25 +2,25 @@
 
 #include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <span>
-#include <vector>
 
 namespace chasles {
 
 namespace {
 
 /// A unit vector at a right angle to the longest diagonal from the first corner.
-Eigen::Vector3d beside_longest(std::span<const Eigen::Vector3d> arms) {
-    const auto length = [](const Eigen::Vector3d& arm) { return arm.stableNorm(); };
-    return std::ranges::max_element(arms, {}, length)->stableNormalized().unitOrthogonal();
+Eigen::Vector3d beside_longest(const Body& body, std::span<const std::uint32_t> corners) {
+    const auto arm = [&](std::uint32_t corner) -> Eigen::Vector3d {
+        return body.vertices()[corner] - body.vertices()[corners[0]];
+    };
+    const auto length = [&](std::uint32_t corner) { return arm(corner).stableNorm(); };
+    return arm(*std::ranges::max_element(corners, {}, length)).stableNormalized().unitOrthogonal();
 }
 
 } // namespace
 
 FaceNormal face_normal(const Body& body, std::uint32_t face) {
-    constexpr double rounding = 8 * 0x1p-53;   // of a cross product, over the product of the lengths
-    constexpr double surely_normal = 0x1p-900; // a square of a length that has lost nothing to underflow
+    constexpr double rounding = 8 * 0x1p-53; // of a cross product, over the product of the lengths
     const auto corners = body.face(face);
     const Eigen::Vector3d& first = body.vertices()[corners[0]];
     const auto arm = [&](std::size_t i) -> Eigen::Vector3d { return body.vertices()[corners[i]] - first; };
@@ -35,19 +35,12 @@ FaceNormal face_normal(const Body& body, std::uint32_t face) {
     for (std::size_t i = 2; i < corners.size(); ++i) {
         const Eigen::Vector3d b = arm(i) / size;
         sum += a.cross(b);
-        products += std::sqrt(a.squaredNorm() * b.squaredNorm());
+        products += a.norm() * b.norm();
         a = b;
     }
-    const double square = sum.squaredNorm();
-    const double length = square > surely_normal ? std::sqrt(square) : sum.stableNorm();
-    if (length == 0) {
-        std::vector<Eigen::Vector3d> arms;
-        for (std::size_t i = 1; i < corners.size(); ++i)
-            arms.push_back(arm(i));
-        return {beside_longest(arms), 1};
-    }
-    const Eigen::Vector3d unit = square > surely_normal ? Eigen::Vector3d(sum / length) : sum.stableNormalized();
-    return {unit, std::min(1.0, rounding * products / length)};
+    if (sum.isZero(0))
+        return {beside_longest(body, corners), 1};
+    return {sum.stableNormalized(), std::min(1.0, rounding * products / sum.stableNorm())};
 }
 
 } // namespace chasles

@@ -1,4 +1,4 @@
-// Points in fours, so that one instruction computes for several of them.
+// Four points as three arrays: one instruction then computes with several of them.
 #pragma once
 
 #include "chasles/mesh/body.h"
