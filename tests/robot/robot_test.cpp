@@ -27,6 +27,19 @@ TEST(Robot, PlacesItsLinksAsEigenDoes) {
     }
 }
 
+/// The shortest turn from z to its opposite is not unique. It is about x, as it was by Eigen's singular values.
+TEST(Robot, PlanarJointsAlongMinusZTurnAboutX) {
+    RobotDescription description{"table"};
+    description.links = {{"base"}, {"plate"}};
+    JointDescription joint{"joint", JointType::planar, "base", "plate"};
+    joint.axis = {0, 0, -2};
+    description.joints = {joint};
+    const Robot robot(description);
+    Configuration place(3);
+    place << 3, 4, 0;
+    EXPECT_LE((robot.link_pose("plate", place).translation - Eigen::Vector3d(3, -4, 0)).norm(), 1e-12);
+}
+
 /// Three bars of length 1 in a row, each turning about z at its end.
 RobotDescription planar_arm() {
     RobotDescription arm{"arm"};
