@@ -1,5 +1,9 @@
 #include "chasles/search/start_overlaps.h"
 
+#include "chasles/contact/crossing_faces.h"
+
+#include <algorithm>
+
 namespace chasles::search {
 
 bool StartOverlaps::collect(FeatureTests<double>& filter, const TwoFaces& faces) {
@@ -17,13 +21,28 @@ void StartOverlaps::refine(const Overlap& overlap) {
             std::make_unique<FeatureTests<algebra::DoubleDouble>>(context_.moving(), context_.fixed(), scale_);
         refinement_->use(context_.refined_maps(), {});
     }
-    const auto result = refined(overlap, *refinement_, context_.piece().cubic());
+    auto result = refined(overlap, *refinement_, context_.piece().cubic());
     if (!result)
         return;
+    result->certain = result->certain || is_between_crossing_faces(overlap);
     if (result->certain)
         found_ = result;
     else
         uncertain_.push_back(*result);
+}
+
+bool StartOverlaps::is_between_crossing_faces(const Overlap& overlap) {
+    if (!start_)
+        start_.emplace(context_.configuration_at(0));
+    const double error = elementary::position_error<double>(scale_);
+    const Body& body = overlap.edge_is_moving ? context_.moving() : context_.fixed();
+    return std::ranges::any_of(body.faces_around(overlap.edge.first), [&](std::uint32_t face) {
+        const auto corners = body.face(face);
+        const std::uint32_t other = overlap.face.first;
+        return std::ranges::find(corners, overlap.edge.second) != corners.end() &&
+               contact::are_crossing(*start_, overlap.edge_is_moving ? face : other,
+                                     overlap.edge_is_moving ? other : face, error);
+    });
 }
 
 bool StartOverlaps::decide() {

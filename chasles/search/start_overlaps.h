@@ -1,7 +1,9 @@
-// The edges that pass through faces at the start, collected while a search goes on and decided when it ends.
-// Source: docs/derivations/05-being-inside.md, last section.
+// The edges that pass through faces at the start, collected while a search goes on and decided when it ends. An edge
+// may pass through a face at its rim, where a face of the edge passes through the inside. Source:
+// docs/derivations/05-being-inside.md, last section.
 #pragma once
 
+#include "chasles/contact/relative_configuration.h"
 #include "chasles/search/exact_stage.h"
 #include "chasles/search/find.h"
 #include "chasles/search/overlaps.h"
@@ -32,10 +34,13 @@ public:
 
 private:
     void refine(const Overlap& overlap);
+    /// Whether a face at the overlap's edge is proven to pass through the overlap's face.
+    [[nodiscard]] bool is_between_crossing_faces(const Overlap& overlap);
 
     PieceContext& context_;
     const elementary::ErrorScale& scale_;
     std::unique_ptr<FeatureTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
+    std::optional<contact::RelativeConfiguration> start_;             ///< made on the first use
     std::optional<Overlap> found_;
     std::vector<Overlap> uncertain_;
     Work work_;
