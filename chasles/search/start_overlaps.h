@@ -23,6 +23,9 @@ public:
 
     /// Refines what the filter finds between two faces. True if a certain overlap is known.
     bool collect(FeatureTests<double>& filter, const TwoFaces& faces);
+    /// Whether two faces are proven to pass through each other, in double. Bodies of one height may have no edge that passes
+    /// through the inside of a face (docs/derivations/05-being-inside.md, "A face through a face at the start").
+    bool collect_crossing(const TwoFaces& faces);
     /// Decides the uncertain overlaps in exact arithmetic, until one is certain. True if there is an overlap.
     ///
     /// Without exact maps, an uncertain overlap stays in the answer. No other test finds an edge that passes through
@@ -34,8 +37,9 @@ public:
 
 private:
     void refine(const Overlap& overlap);
-    /// Whether a face at the overlap's edge is proven to pass through the overlap's face.
-    [[nodiscard]] bool is_between_crossing_faces(const Overlap& overlap);
+    /// An edge around a face of one body that passes through a face of the other one, also at its rim.
+    std::optional<Overlap> passing_edge(bool edge_is_moving, const TwoFaces& faces);
+    FeatureTests<algebra::DoubleDouble>& refinement();
 
     PieceContext& context_;
     const elementary::ErrorScale& scale_;
