@@ -128,15 +128,17 @@ std::string_view Words::next() {
     return word;
 }
 
-// The last line may have no line end.
+// The last line may have no line end. The line feed that was found is kept: a text without any is searched once.
 bool Lines::next() {
     if (position_ >= text_.size())
         return false;
-    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
-    line_ = text_.substr(position_, end - position_);
-    if (line_.ends_with('\r'))
-        line_.remove_suffix(1);
-    position_ = end + 1;
+    if (line_feed_ < position_ || number_ == 0)
+        line_feed_ = std::min(text_.find('\n', position_), text_.size());
+    const std::string_view rest = text_.substr(position_, line_feed_ - position_);
+    line_ = rest.substr(0, rest.find('\r'));
+    position_ += line_.size() + 1;
+    if (line_.size() < rest.size() && position_ == line_feed_)
+        ++position_; // CR LF
     ++number_;
     return true;
 }

@@ -49,7 +49,7 @@ private:
     std::string_view rest_;
 };
 
-/// Splits a text into lines without line ends (LF or CR LF).
+/// Splits a text into lines without line ends (LF, CR LF or CR).
 class Lines {
 public:
     explicit Lines(std::string_view text) : text_(text) {}
@@ -65,6 +65,7 @@ private:
     std::string_view text_;
     std::string_view line_;
     std::size_t position_ = 0;
+    std::size_t line_feed_ = 0; ///< the next one from `position_` on, or the end of the text
     std::size_t number_ = 0;
 };
 
