@@ -89,6 +89,16 @@ Polyhedron body_of(const std::filesystem::path& file, const PolygonSoup& mesh, c
     return naming_file(file, [&] { return make_polyhedron(mesh, options); });
 }
 
+Polyhedron body_of(const std::filesystem::path& file, const MeshPart& part, const PolyhedronOptions& options) {
+    return naming_file(file, [&] {
+        try {
+            return make_polyhedron(part.polygons, options);
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("part " + in_quotes(part.name) + ": " + error.what());
+        }
+    });
+}
+
 } // namespace io
 
 Polyhedron Polyhedron::load(const std::filesystem::path& file, const PolyhedronOptions& options) {
@@ -98,13 +108,7 @@ Polyhedron Polyhedron::load(const std::filesystem::path& file, const PolyhedronO
 std::vector<NamedPolyhedron> load_parts(const std::filesystem::path& file, const PolyhedronOptions& options) {
     std::vector<NamedPolyhedron> bodies;
     for (const io::MeshPart& part : io::load_mesh_parts(file))
-        bodies.push_back(io::naming_file(file, [&]() -> NamedPolyhedron {
-            try {
-                return {part.name, io::make_polyhedron(part.polygons, options)};
-            } catch (const InvalidInput& error) {
-                throw InvalidInput("part " + io::in_quotes(part.name) + ": " + error.what());
-            }
-        }));
+        bodies.push_back({part.name, io::body_of(file, part, options)});
     return bodies;
 }
 

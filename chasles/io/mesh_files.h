@@ -42,6 +42,9 @@ PolygonSoup merged(std::vector<MeshPart> parts);
 /// The body of a mesh that was read from this file. Messages begin with the name of the file.
 Polyhedron body_of(const std::filesystem::path& file, const PolygonSoup& mesh, const PolyhedronOptions& options);
 
+/// The body of a part. Messages name the part, too.
+Polyhedron body_of(const std::filesystem::path& file, const MeshPart& part, const PolyhedronOptions& options);
+
 /// The readers of the formats with one mesh. `text` is the content of the file. They throw InvalidInput without the file
 /// name.
 PolygonSoup read_obj(std::string_view text);

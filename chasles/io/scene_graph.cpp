@@ -29,36 +29,40 @@ int orientation_of(const Eigen::Affine3d& transform) {
     return (determinant > 0) - (determinant < 0);
 }
 
-// One node of the current path, with its place in the scene.
-struct PathNode {
+// A node with a place in the scene.
+struct PlacedNode {
     std::size_t node;
     std::size_t next_child;
     Eigen::Affine3d to_scene;
     const std::string* name;
 };
 
+// Finds the places of all nodes with faces, and counts what they will take before anything is copied.
 class ScenePaths {
 public:
     explicit ScenePaths(const SceneGraph& scene)
         : scene_(scene), budget_(scene.file_size), is_on_path_(scene.nodes.size(), false) {
-        for (const PolygonSoup& mesh : scene.meshes)
-            mesh_sizes_.push_back(numbers_of(mesh));
+        for (const SceneNode& node : scene.nodes) {
+            sizes_.push_back(0);
+            for (const std::size_t mesh : node.meshes)
+                sizes_.back() += scene.meshes[mesh].faces.empty() ? 0 : numbers_of(scene.meshes[mesh]);
+        }
     }
 
-    std::vector<MeshPart> parts() {
-        const std::string no_name = "part";
+    std::vector<PlacedNode> places() {
+        static const std::string no_name = "part";
         for (const std::size_t root : scene_.roots) {
             push(root, Eigen::Affine3d::Identity(), no_name);
             while (!path_.empty())
                 step();
         }
-        return std::move(parts_);
+        return std::move(places_);
     }
 
 private:
     // Moves to the next child of the last node of the path, or back.
     void step() {
-        PathNode& last = path_.back();
+        PlacedNode& last = path_.back();
         const std::vector<std::size_t>& children = scene_.nodes[last.node].children;
         if (last.next_child < children.size()) {
             const std::size_t child = children[last.next_child++];
@@ -69,7 +73,7 @@ private:
         }
     }
 
-    // The parameters are copies of what is in the path, which grows here.
+    // The transform is a copy, because the path grows here.
     void push(std::size_t index, Eigen::Affine3d to_scene, const std::string& name_above) {
         const SceneNode& node = scene_.nodes[index];
         const std::string& name = node.name.empty() ? name_above : node.name;
@@ -80,49 +84,40 @@ private:
         to_scene = to_scene * node.to_parent;
         is_on_path_[index] = true;
         path_.push_back({index, 0, to_scene, &name});
-        MeshPart part{name, {}};
-        for (const std::size_t mesh : node.meshes)
-            if (!scene_.meshes[mesh].faces.empty())
-                add(part, mesh, to_scene);
-        if (!part.polygons.faces.empty())
-            parts_.push_back(std::move(part));
-    }
-
-    void add(MeshPart& part, std::size_t mesh_index, const Eigen::Affine3d& to_scene) {
-        const PolygonSoup& mesh = scene_.meshes[mesh_index];
-        budget_.spend(mesh_sizes_[mesh_index]);
-        const int orientation = orientation_of(to_scene);
-        if (orientation == 0)
-            throw InvalidInput("node " + in_quotes(part.name) +
-                               ": its transform flattens the mesh (a scale of 0); remove the node or scale it");
-        const auto first = static_cast<std::uint32_t>(part.polygons.vertices.size());
-        for (const Eigen::Vector3d& vertex : mesh.vertices)
-            part.polygons.vertices.push_back(placed(vertex, to_scene, part.name));
-        for (std::vector<std::uint32_t> face : mesh.faces) {
-            for (std::uint32_t& corner : face)
-                corner += first;
-            if (orientation < 0)
-                std::ranges::reverse(face);
-            part.polygons.faces.push_back(std::move(face));
-        }
-    }
-
-    static Eigen::Vector3d placed(const Eigen::Vector3d& vertex, const Eigen::Affine3d& to_scene,
-                                  const std::string& name) {
-        const Eigen::Vector3d point = to_scene * vertex;
-        if (!point.allFinite())
-            throw InvalidInput("node " + in_quotes(name) + ": NaN or infinity in its transform or its vertices");
-        return point;
+        budget_.spend(sizes_[index]);
+        if (sizes_[index] > 0)
+            places_.push_back(path_.back());
     }
 
     const SceneGraph& scene_;
     SizeBudget budget_;
-    std::vector<std::size_t> mesh_sizes_;
+    std::vector<std::size_t> sizes_; ///< vertices and corners of each node
     std::vector<bool> is_on_path_;
-    std::vector<PathNode> path_;
+    std::vector<PlacedNode> path_;
     std::size_t visited_ = 0;
-    std::vector<MeshPart> parts_;
+    std::vector<PlacedNode> places_;
 };
+
+// Appends a mesh in the coordinates of the scene.
+void add_mesh(MeshPart& part, const PolygonSoup& mesh, const Eigen::Affine3d& to_scene) {
+    const int orientation = orientation_of(to_scene);
+    const auto first = static_cast<std::uint32_t>(part.polygons.vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+        part.polygons.vertices.push_back(to_scene * vertex);
+        if (!part.polygons.vertices.back().allFinite())
+            throw InvalidInput("node " + in_quotes(part.name) + ": NaN or infinity in its transform or its vertices");
+    }
+    if (orientation == 0)
+        throw InvalidInput("node " + in_quotes(part.name) +
+                           ": its transform flattens the mesh (a scale of 0); remove the node or scale it");
+    for (std::vector<std::uint32_t> face : mesh.faces) {
+        for (std::uint32_t& corner : face)
+            corner += first;
+        if (orientation < 0)
+            std::ranges::reverse(face);
+        part.polygons.faces.push_back(std::move(face));
+    }
+}
 
 // The second "bolt" becomes "bolt_2". The counters keep many equal names from being tried again and again.
 void make_names_unique(std::vector<MeshPart>& parts) {
@@ -165,7 +160,14 @@ void SizeBudget::spend(std::size_t count) {
 }
 
 std::vector<MeshPart> parts_of(const SceneGraph& scene) {
-    std::vector<MeshPart> parts = ScenePaths(scene).parts();
+    std::vector<MeshPart> parts;
+    for (const PlacedNode& place : ScenePaths(scene).places()) {
+        MeshPart part{*place.name, {}};
+        for (const std::size_t mesh : scene.nodes[place.node].meshes)
+            if (!scene.meshes[mesh].faces.empty())
+                add_mesh(part, scene.meshes[mesh], place.to_scene);
+        parts.push_back(std::move(part));
+    }
     make_names_unique(parts);
     return parts;
 }

@@ -85,6 +85,28 @@ TEST(Lines, TakeBothLineEndsAndCountFromOne) {
     EXPECT_FALSE(lines.next());
 }
 
+TEST(Lines, EndWithCarriageReturnsToo) {
+    Lines lines("a\rb\r\rc\r\n\nd\r");
+    for (const char* const line : {"a", "b", "", "c", "", "d"}) {
+        ASSERT_TRUE(lines.next());
+        EXPECT_EQ(lines.line(), line);
+    }
+    EXPECT_EQ(lines.position(), 12U);
+    EXPECT_FALSE(lines.next());
+}
+
+TEST(Lines, TakeTimeInProportionToTheText) {
+    for (const std::string_view end : {"\r", "\n", "\r\n"}) {
+        std::string text;
+        for (int i = 0; i < 1'000'000; ++i)
+            text += end;
+        Lines lines(text); // a search to the end of the text for each line would take minutes
+        while (lines.next()) {
+        }
+        EXPECT_EQ(lines.number(), 1'000'000U);
+    }
+}
+
 TEST(Words, AreSeparatedByAnyBlanks) {
     Words words(" a\tb  c ");
     EXPECT_EQ(words.next(), "a");
