@@ -183,8 +183,7 @@ private:
         const XmlElement& array = required_child_of(source, "float_array");
         const std::vector<double> numbers = numbers_in(array, text_of(array));
         check_count(array, numbers.size());
-        const XmlElement& accessor =
-            required_child_of(required_child_of(source, "technique_common"), "accessor");
+        const XmlElement& accessor = required_child_of(required_child_of(source, "technique_common"), "accessor");
         const std::size_t count = count_of(accessor, "count"), stride = count_of(accessor, "stride", 1),
                           offset = count_of(accessor, "offset", 0);
         const auto axes = axes_of(accessor);

@@ -45,8 +45,7 @@ private:
     [[nodiscard]] std::vector<double> read(std::size_t count) const {
         std::vector<double> numbers = numbers_in(element_, text_of(element_));
         if (numbers.size() != count)
-            fail_at(element_,
-                    "has " + std::to_string(numbers.size()) + " numbers instead of " + std::to_string(count));
+            fail_at(element_, "has " + std::to_string(numbers.size()) + " numbers instead of " + std::to_string(count));
         return numbers;
     }
 

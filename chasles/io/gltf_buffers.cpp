@@ -151,9 +151,10 @@ void GltfBuffers::copy(const Layout& layout, std::vector<double>& numbers) {
     const std::string_view bytes = view(layout.view);
     const std::size_t size = component_size(layout.component_type), element = size * layout.components;
     const std::size_t stride = layout.stride == 0 ? element : layout.stride;
-    const bool has_room = layout.offset <= bytes.size() &&
-                          (layout.count == 0 || (bytes.size() - layout.offset >= element &&
-                                                 layout.count - 1 <= (bytes.size() - layout.offset - element) / stride));
+    const bool has_room =
+        layout.offset <= bytes.size() &&
+        (layout.count == 0 || (bytes.size() - layout.offset >= element &&
+                               layout.count - 1 <= (bytes.size() - layout.offset - element) / stride));
     if (!has_room)
         throw InvalidInput(layout.place + ": announces " + std::to_string(layout.count) +
                            " elements, which are more than its bufferView has");

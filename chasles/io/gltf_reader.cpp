@@ -1,6 +1,6 @@
-// Reads glTF 2.0 as text (.gltf) and as binary (.glb), which its first bytes tell apart. Only nodes, meshes and what they
-// need are read: colours, textures, normals, cameras, lights and animations are ignored. Skinned meshes are taken in
-// their bind pose. Source: glTF 2.0 specification (Khronos).
+// Reads glTF 2.0 as text (.gltf) and as binary (.glb), which its first bytes tell apart. Only nodes, meshes and what
+// they need are read: colours, textures, normals, cameras, lights and animations are ignored. Skinned meshes are taken
+// in their bind pose. Source: glTF 2.0 specification (Khronos).
 #include "chasles/io/bytes.h"
 #include "chasles/io/gltf_buffers.h"
 #include "chasles/io/scene_graph.h"
@@ -36,7 +36,9 @@ GltfChunks glb_chunks(std::string_view bytes) {
         position += 8;
         if (length > end - position)
             throw InvalidInput("is truncated: a chunk is longer than the file");
-        std::string_view* const chunk = type == json_type ? &chunks.json : type == binary_type ? &chunks.binary : nullptr;
+        std::string_view* const chunk = type == json_type     ? &chunks.json
+                                        : type == binary_type ? &chunks.binary
+                                                              : nullptr;
         if (chunk && chunk->empty())
             *chunk = bytes.substr(position, length);
         position += length;
@@ -244,7 +246,8 @@ private:
 } // namespace
 
 std::vector<MeshPart> read_gltf(std::string_view bytes, const FileBeside& file_beside) {
-    const GltfChunks chunks = bytes.starts_with("glTF") ? glb_chunks(bytes) : GltfChunks{without_byte_order_mark(bytes), {}};
+    const GltfChunks chunks =
+        bytes.starts_with("glTF") ? glb_chunks(bytes) : GltfChunks{without_byte_order_mark(bytes), {}};
     Json file;
     try {
         file = Json::parse(chunks.json);

@@ -9,7 +9,6 @@
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/mesh/polyhedron_parts.h"
 
-#include <limits>
 #include <new>
 
 namespace chasles {
@@ -51,34 +50,12 @@ auto naming_file(const std::filesystem::path& file, const Work& work) {
     }
 }
 
-// Appends the polygons of a part.
-void append(PolygonSoup& soup, PolygonSoup part) {
-    if (soup.vertices.size() + part.vertices.size() >= std::numeric_limits<std::uint32_t>::max())
-        throw InvalidInput("more than 4,294,967,294 vertices");
-    const auto first = static_cast<std::uint32_t>(soup.vertices.size());
-    soup.vertices.insert(soup.vertices.end(), part.vertices.begin(), part.vertices.end());
-    for (std::vector<std::uint32_t>& face : part.faces) {
-        for (std::uint32_t& corner : face)
-            corner += first;
-        soup.faces.push_back(std::move(face));
-    }
-}
-
 } // namespace
 
 std::vector<MeshPart> load_mesh_parts(const std::filesystem::path& file) {
     // `read_file` adds the file name to its own messages.
     const std::string bytes = read_file(file);
     return naming_file(file, [&] { return read_parts(file, bytes); });
-}
-
-PolygonSoup merged(std::vector<MeshPart> parts) {
-    if (parts.size() == 1)
-        return std::move(parts.front().polygons);
-    PolygonSoup soup;
-    for (MeshPart& part : parts)
-        append(soup, std::move(part.polygons));
-    return soup;
 }
 
 PolygonSoup load_polygons(const std::filesystem::path& file) {

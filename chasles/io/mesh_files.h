@@ -1,5 +1,6 @@
 // Reads meshes from files without changing them: vertices, polygons, and the line number of each polygon.
-// mesh_files.cpp also defines Polyhedron::load (chasles/mesh/polyhedron.h) and load_parts (chasles/mesh/polyhedron_parts.h).
+// mesh_files.cpp also defines Polyhedron::load (chasles/mesh/polyhedron.h) and load_parts
+// (chasles/mesh/polyhedron_parts.h).
 #pragma once
 
 #include "chasles/mesh/polyhedron.h"
@@ -45,8 +46,8 @@ Polyhedron body_of(const std::filesystem::path& file, const PolygonSoup& mesh, c
 /// The body of a part. Messages name the part, too.
 Polyhedron body_of(const std::filesystem::path& file, const MeshPart& part, const PolyhedronOptions& options);
 
-/// The readers of the formats with one mesh. `text` is the content of the file. They throw InvalidInput without the file
-/// name.
+/// The readers of the formats with one mesh. `text` is the content of the file. They throw InvalidInput without the
+/// file name.
 PolygonSoup read_obj(std::string_view text);
 PolygonSoup read_off(std::string_view text);
 PolygonSoup read_ply(std::string_view text);

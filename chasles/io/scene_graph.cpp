@@ -6,6 +6,7 @@
 
 #include <Eigen/LU>
 #include <algorithm>
+#include <limits>
 #include <unordered_map>
 #include <unordered_set>
 
@@ -131,6 +132,19 @@ void make_names_unique(std::vector<MeshPart>& parts) {
     }
 }
 
+// Appends the polygons of a part.
+void append_part(PolygonSoup& soup, PolygonSoup part) {
+    if (soup.vertices.size() + part.vertices.size() >= std::numeric_limits<std::uint32_t>::max())
+        throw InvalidInput("more than 4,294,967,294 vertices");
+    const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+    soup.vertices.insert(soup.vertices.end(), part.vertices.begin(), part.vertices.end());
+    for (std::vector<std::uint32_t>& face : part.faces) {
+        for (std::uint32_t& corner : face)
+            corner += first;
+        soup.faces.push_back(std::move(face));
+    }
+}
+
 void add_triangle(PolygonSoup& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
     if (a != b && b != c && c != a)
         mesh.faces.push_back({a, b, c});
@@ -170,6 +184,15 @@ std::vector<MeshPart> parts_of(const SceneGraph& scene) {
     }
     make_names_unique(parts);
     return parts;
+}
+
+PolygonSoup merged(std::vector<MeshPart> parts) {
+    if (parts.size() == 1)
+        return std::move(parts.front().polygons);
+    PolygonSoup soup;
+    for (MeshPart& part : parts)
+        append_part(soup, std::move(part.polygons));
+    return soup;
 }
 
 } // namespace chasles::io

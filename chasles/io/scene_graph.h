@@ -40,7 +40,8 @@ private:
     std::size_t spent_ = 0;
 };
 
-/// Adds the triangles of a strip or of a fan of vertices. Triangles with equal corners, which join strips, are left out.
+/// Adds the triangles of a strip or of a fan of vertices. Triangles with equal corners, which join strips, are left
+/// out.
 void add_triangle_strip(PolygonSoup& mesh, const std::vector<std::uint32_t>& corners);
 void add_triangle_fan(PolygonSoup& mesh, const std::vector<std::uint32_t>& corners);
 

@@ -1,6 +1,6 @@
 // Reads 3MF: a ZIP archive with XML. Numbers stay in the unit that the file states. The build items and components of
-// all parts are read (production extension); colours, textures and print settings are ignored. Beam lattices, slices and
-// encrypted parts are refused. Source: 3MF Core Specification 1.3 and Production Extension 1.1.
+// all parts are read (production extension); colours, textures and print settings are ignored. Beam lattices, slices
+// and encrypted parts are refused. Source: 3MF Core Specification 1.3 and Production Extension 1.1.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/scene_graph.h"

@@ -1,5 +1,5 @@
-// XML for the readers of COLLADA and 3MF, by tinyxml2. Names are compared without their namespace prefix, because writers
-// choose prefixes freely. Messages name line and element.
+// XML for the readers of COLLADA and 3MF, by tinyxml2. Names are compared without their namespace prefix, because
+// writers choose prefixes freely. Messages name line and element.
 #pragma once
 
 #include <cstdint>

@@ -1,5 +1,6 @@
-// A file means the same through every command: nothing is turned, and numbers are in the unit of the file. A cube of side
-// 0.125 goes from x = -1 to x = 1 at half the height of a post. Their faces touch at x = -0.1875, which is 0.40625 of the way.
+// A file means the same through every command: nothing is turned, and numbers are in the unit of the file. A cube of
+// side 0.125 goes from x = -1 to x = 1 at half the height of a post. Their faces touch at x = -0.1875, which is 0.40625
+// of the way.
 #include "tests/cli/cli_test_files.h"
 #include "tests/io/post_files.h"
 
@@ -47,8 +48,9 @@ TEST_F(FileFormats, MeanTheSameInCheck) {
 
 TEST_F(FileFormats, MeanTheSameInScenes) {
     for (const tests::PostFile& file : tests::post_files()) {
-        write("scene.json", R"({"bodies": [{"name": "post", "mesh": ")" + file.name +
-                                R"("}, {"name": "cube", "mesh": "small.obj", "pose": [-1, 0, 0.5], "goal": [1, 0, 0.5]}]})");
+        write("scene.json",
+              R"({"bodies": [{"name": "post", "mesh": ")" + file.name +
+                  R"("}, {"name": "cube", "mesh": "small.obj", "pose": [-1, 0, 0.5], "goal": [1, 0, 0.5]}]})");
         expect_touch(json("scene scene.json"), file.name);
     }
 }
@@ -68,8 +70,9 @@ TEST_F(FileFormats, MeanTheSameInRobots) {
     write("path.csv", "x\n-1\n1\n");
     write("scene.json", R"({"bodies": [{"name": "cube", "mesh": "small.obj", "pose": [0, 0, 0.5]}]})");
     for (const tests::PostFile& file : tests::post_files()) {
-        write("robot.urdf", R"(<robot name="r"><link name="base"/><link name="post"><collision><geometry><mesh filename=")" +
-                                file.name + R"("/></geometry></collision></link>
+        write("robot.urdf",
+              R"(<robot name="r"><link name="base"/><link name="post"><collision><geometry><mesh filename=")" +
+                  file.name + R"("/></geometry></collision></link>
             <joint name="x" type="prismatic"><parent link="base"/><child link="post"/><axis xyz="-1 0 0"/>
             <limit lower="-2" upper="2" effort="1" velocity="1"/></joint></robot>)");
         expect_touch(json("robot robot.urdf --path path.csv --scene scene.json"), file.name);
@@ -102,7 +105,8 @@ TEST_F(FileFormats, InfoListsTheParts) {
     EXPECT_EQ(this->json("info two.glb")["parts"],
               Json::parse(R"([{"name": "post", "faces": 12}, {"name": "post_2", "faces": 12}])"));
     const std::string text = run("info two.glb").out;
-    EXPECT_NE(text.find("  parts     2, merged into one body: post (12 faces), post_2 (12)"), std::string::npos) << text;
+    EXPECT_NE(text.find("  parts     2, merged into one body: post (12 faces), post_2 (12)"), std::string::npos)
+        << text;
     EXPECT_FALSE(this->json("info post.glb").contains("parts")) << "one part is the body";
 }
 

@@ -41,7 +41,8 @@ std::string binary_ply() {
     return bytes;
 }
 
-constexpr const char* two_triangles_3mf = R"(<model><resources><object id="1"><mesh><vertices><vertex x="0" y="0" z="0"/>
+constexpr const char* two_triangles_3mf =
+    R"(<model><resources><object id="1"><mesh><vertices><vertex x="0" y="0" z="0"/>
 <vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/></vertices><triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh>
 </object></resources><build><item objectid="1"/><item objectid="1" transform="2 0 0 0 1 0 0 0 1 0 0 0"/></build></model>)";
 
@@ -75,14 +76,14 @@ std::vector<Sample> samples() {
         "facet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 0 1 0\nendloop\nendfacet\n";
     std::vector<Sample> samples = scene_samples();
     const std::vector<Sample> plain = {
-            {"OBJ", read_obj, "# part\nv 0 0 0\nv 1 0 0 1\nv 0 1 0\nvn 0 0 1\nf 1/1 2/1 3/1\nf -1 \\\n -2 -3\n"},
-            {"OFF", read_off, "OFF # part\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0 255 0 0\n"},
-            {"PLY", read_ply,
-             "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
-             "face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n"},
-            {"binary PLY", read_ply, binary_ply()},
-            {"STL", read_stl, "solid part\n" + facet + facet + "endsolid part\n"},
-            {"binary STL", read_stl, binary_stl()}};
+        {"OBJ", read_obj, "# part\nv 0 0 0\nv 1 0 0 1\nv 0 1 0\nvn 0 0 1\nf 1/1 2/1 3/1\nf -1 \\\n -2 -3\n"},
+        {"OFF", read_off, "OFF # part\n3 2 0\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0 255 0 0\n"},
+        {"PLY", read_ply,
+         "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\nproperty float z\nelement "
+         "face 2\nproperty list uchar int vertex_indices\nend_header\n0 0 0\n1 0 0\n0 1 0\n3 0 1 2\n3 2 1 0\n"},
+        {"binary PLY", read_ply, binary_ply()},
+        {"STL", read_stl, "solid part\n" + facet + facet + "endsolid part\n"},
+        {"binary STL", read_stl, binary_stl()}};
     samples.insert(samples.end(), plain.begin(), plain.end());
     return samples;
 }

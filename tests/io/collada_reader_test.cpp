@@ -124,8 +124,7 @@ TEST(ReadCollada, RefusesWhatWouldBeLostWithItsLine) {
               "line 6: <instance_geometry>: there is no <geometry> with the id 'x'");
     EXPECT_TRUE(read({.nodes = ""}).empty());
     EXPECT_EQ(message_of([] { (void)read_collada("<a/>"); }), "the root element must be <COLLADA>, not 'a'");
-    EXPECT_EQ(message_of([] { (void)read_collada("<COLLADA>"); }),
-              "line 1: is no well-formed XML (XML_ERROR_PARSING)");
+    EXPECT_EQ(message_of([] { (void)read_collada("<COLLADA>"); }), "line 1: is no well-formed XML (XML_ERROR_PARSING)");
 }
 
 TEST(ReadCollada, RefusesNumbersThatAreNotFinite) {
@@ -147,7 +146,8 @@ TEST(ReadCollada, DeepAndWideElementsCostOneLine) {
     Document chain; // of nodes that refer to nodes
     chain.libraries = "<library_nodes>";
     for (int i = 0; i < 30'000; ++i)
-        chain.libraries += "<node id=\"n" + std::to_string(i) + "\"><instance_node url=\"#n" + std::to_string(i + 1) + "\"/></node>";
+        chain.libraries +=
+            "<node id=\"n" + std::to_string(i) + "\"><instance_node url=\"#n" + std::to_string(i + 1) + "\"/></node>";
     chain.libraries += "<node id=\"n30000\"><instance_geometry url=\"#g\"/></node></library_nodes>";
     chain.nodes = R"(<node><instance_node url="#n0"/></node>)";
     EXPECT_EQ(read(chain).at(0).name, "n30000");

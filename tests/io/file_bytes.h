@@ -77,13 +77,14 @@ inline std::string zip(const std::vector<std::pair<std::string, std::string>>& e
 
 /// A 3MF file with this text of its model part, and other parts.
 inline std::string threemf(const std::string& model, std::vector<std::pair<std::string, std::string>> others = {}) {
-    others.insert(others.begin(),
-                  {{"[Content_Types].xml", "<Types/>"},
-                   {"_rels/.rels",
-                    R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship )"
-                    R"(Target="/3D/3dmodel.model" Id="r" )"
-                    R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)"},
-                   {"3D/3dmodel.model", model}});
+    others.insert(
+        others.begin(),
+        {{"[Content_Types].xml", "<Types/>"},
+         {"_rels/.rels",
+          R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship )"
+          R"(Target="/3D/3dmodel.model" Id="r" )"
+          R"(Type="http://schemas.microsoft.com/3dmanufacturing/2013/01/3dmodel"/></Relationships>)"},
+         {"3D/3dmodel.model", model}});
     return zip(others);
 }
 

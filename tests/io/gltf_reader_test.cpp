@@ -9,10 +9,10 @@
 namespace chasles::io {
 namespace {
 
+using nlohmann::json;
 using tests::bytes_of;
 using tests::glb;
 using tests::message_of;
-using nlohmann::json;
 using Face = std::vector<std::uint32_t>;
 
 // Four corners of a unit square as floats, then the indices 0 1 2, 0 2 3 as 16-bit numbers.
@@ -67,13 +67,13 @@ TEST(ReadGltf, AMirrorTurnsTheFacesRound) {
     file["nodes"][0]["scale"] = {-1, -1e-120, 1};
     EXPECT_EQ(read(file)[0].polygons.faces[0], (Face{0, 1, 2})) << "mirrored twice";
     file["nodes"][0]["scale"] = {1, 0, 1};
-    EXPECT_EQ(message(file),
-              "node 'a': its transform flattens the mesh (a scale of 0); remove the node or scale it");
+    EXPECT_EQ(message(file), "node 'a': its transform flattens the mesh (a scale of 0); remove the node or scale it");
 }
 
 TEST(ReadGltf, TakesTheNamedSceneOrTheFirstOrAllNodes) {
     json file = square();
-    file["nodes"] = json::parse(R"([{"name": "a", "mesh": 0}, {"name": "b", "mesh": 0}, {"name": "c", "children": [1]}])");
+    file["nodes"] =
+        json::parse(R"([{"name": "a", "mesh": 0}, {"name": "b", "mesh": 0}, {"name": "c", "children": [1]}])");
     file["scenes"] = json::parse(R"([{"nodes": [0]}, {"nodes": [1]}])");
     EXPECT_EQ(read(file)[0].name, "a");
     file["scene"] = 1;
@@ -115,8 +115,8 @@ TEST(ReadGltf, ReadsNormalisedIntegersWithAStride) {
     json file = square();
     file["extensionsRequired"] = {"KHR_mesh_quantization", "KHR_materials_unlit"};
     file["bufferViews"] = json::parse(R"([{"buffer": 0, "byteLength": 12, "byteStride": 4}])");
-    file["accessors"] = json::parse(
-        R"([{"bufferView": 0, "componentType": 5120, "count": 3, "type": "VEC3", "normalized": true}])");
+    file["accessors"] =
+        json::parse(R"([{"bufferView": 0, "componentType": 5120, "count": 3, "type": "VEC3", "normalized": true}])");
     file["buffers"][0]["byteLength"] = 12;
     file["meshes"][0]["primitives"][0].erase("indices");
     const std::vector<Eigen::Vector3d> vertices = read(file, binary)[0].polygons.vertices;

@@ -75,8 +75,9 @@ TEST_F(MeshFiles, NamesWhatIsReadForOtherFormats) {
 
 TEST_F(MeshFiles, TellsStepFromIfcWhateverTheExtension) {
     const std::string start = "ISO-10303-21;\nHEADER;\nFILE_SCHEMA((\"";
-    const std::string is_step = ": is a STEP file, which holds curved surfaces, not polygons; export it as glTF, 3MF, STL "
-                                "or OBJ, or tessellate it (in Python: build123d or CadQuery, tessellate)";
+    const std::string is_step =
+        ": is a STEP file, which holds curved surfaces, not polygons; export it as glTF, 3MF, STL "
+        "or OBJ, or tessellate it (in Python: build123d or CadQuery, tessellate)";
     for (const char* const name : {"a.step", "a.STP", "a.obj", "a.p21"})
         EXPECT_EQ(message(name, start + "AUTOMOTIVE_DESIGN\"));\n#1=IFCWALL();"), name + is_step);
     EXPECT_EQ(message("a.ifc", start + "IFC4\"));"),
@@ -86,12 +87,13 @@ TEST_F(MeshFiles, TellsStepFromIfcWhateverTheExtension) {
 }
 
 TEST_F(MeshFiles, PartsKeepTheirNamesAndErrorsNameThem) {
-    const std::vector<NamedPolyhedron> parts = load_parts(write("two.gltf", tests::post_gltf_json(
-        R"(, "uri": "data:;base64,)" + tests::base64(tests::post_buffer()) + "\"")));
+    const std::vector<NamedPolyhedron> parts = load_parts(write(
+        "two.gltf", tests::post_gltf_json(R"(, "uri": "data:;base64,)" + tests::base64(tests::post_buffer()) + "\"")));
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts[0].name, "post");
     write("post.bin", tests::post_buffer());
-    EXPECT_EQ(Polyhedron::load(write("beside.gltf", tests::post_gltf_json(R"(, "uri": "post.bin")"))).face_count(), 12U);
+    EXPECT_EQ(Polyhedron::load(write("beside.gltf", tests::post_gltf_json(R"(, "uri": "post.bin")"))).face_count(),
+              12U);
     EXPECT_EQ(message("missing.gltf", tests::post_gltf_json(R"(, "uri": "no.bin")")),
               "missing.gltf: no.bin: no such file");
     const std::string bent = tests::threemf(R"(<model><resources><object id="1" name="far"><mesh><vertices>

@@ -124,21 +124,22 @@ inline std::string post_3mf() {
 
 inline std::vector<PostFile> post_files() {
     const PostText text;
-    return {{"post.obj", text.obj},
-            {"post.off", "OFF\n8 12 0\n" + text.corners + text.faces},
-            {"ascii.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
-                          "element face 12\nproperty list uchar int vertex_indices\nend_header\n" +
-                              text.corners + text.faces},
-            {"binary.ply", post_binary_ply()},
-            {"ascii.stl", "solid post\n" + text.facets + "endsolid post\n"},
-            {"binary.stl", post_binary_stl()},
-            {"post.gltf",
-             post_gltf_json(R"(, "uri": "data:application/octet-stream;base64,)" + base64(post_buffer()) + "\"")},
-            {"post.glb", glb(post_gltf_json(""), post_buffer())},
-            {"x_up.dae", post_collada("X_UP")},
-            {"y_up.dae", post_collada("Y_UP")},
-            {"z_up.dae", post_collada("Z_UP")},
-            {"post.3mf", post_3mf()}};
+    return {
+        {"post.obj", text.obj},
+        {"post.off", "OFF\n8 12 0\n" + text.corners + text.faces},
+        {"ascii.ply", "ply\nformat ascii 1.0\nelement vertex 8\nproperty float x\nproperty float y\nproperty float z\n"
+                      "element face 12\nproperty list uchar int vertex_indices\nend_header\n" +
+                          text.corners + text.faces},
+        {"binary.ply", post_binary_ply()},
+        {"ascii.stl", "solid post\n" + text.facets + "endsolid post\n"},
+        {"binary.stl", post_binary_stl()},
+        {"post.gltf",
+         post_gltf_json(R"(, "uri": "data:application/octet-stream;base64,)" + base64(post_buffer()) + "\"")},
+        {"post.glb", glb(post_gltf_json(""), post_buffer())},
+        {"x_up.dae", post_collada("X_UP")},
+        {"y_up.dae", post_collada("Y_UP")},
+        {"z_up.dae", post_collada("Z_UP")},
+        {"post.3mf", post_3mf()}};
 }
 
 } // namespace chasles::tests

@@ -49,8 +49,9 @@ TEST(SceneGraph, MoreNodesThanAnyoneNeedsAreRefused) {
 TEST(SceneGraph, MoreCornersThanAnyoneNeedsAreRefused) {
     SceneGraph scene = chain(17, 2); // 65,536 copies
     scene.meshes[0].faces.assign(1'000, {0, 1, 2});
-    EXPECT_EQ(tests::message_of([&] { (void)parts_of(scene); }),
-              "has more than 67108864 vertices and corners of faces, counting a mesh once for each node that places it");
+    EXPECT_EQ(
+        tests::message_of([&] { (void)parts_of(scene); }),
+        "has more than 67108864 vertices and corners of faces, counting a mesh once for each node that places it");
 }
 
 TEST(SceneGraph, NamesComeFromTheNearestNodeAndAreUnique) {

@@ -12,7 +12,8 @@ namespace {
 using tests::message_of;
 using tests::threemf;
 
-const std::string mesh = R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/>
+const std::string mesh =
+    R"(<mesh><vertices><vertex x="0" y="0" z="0"/><vertex x="1" y="0" z="0"/><vertex x="0" y="1" z="0"/>
 <vertex x="0" y="0" z="1"/></vertices><triangles><triangle v1="0" v2="2" v3="1"/><triangle v1="0" v2="1" v3="3"/>
 <triangle v1="1" v2="2" v3="3"/><triangle v1="0" v2="3" v3="2"/></triangles></mesh>)";
 
@@ -32,8 +33,8 @@ std::string message(const std::string& bytes) {
 TEST(Read3mf, PlacesItemsAndComponents) {
     const std::string assembly = R"(<object id="2"><components>
 <component objectid="1" transform="0 1 0 -1 0 0 0 0 1 5 0 0"/><component objectid="1"/></components></object>)";
-    const std::vector<MeshPart> parts = read_3mf(
-        threemf(model(object + assembly, R"(<item objectid="2" transform="2 0 0 0 2 0 0 0 2 0 0 7"/><item objectid="1"/>)")));
+    const std::vector<MeshPart> parts = read_3mf(threemf(
+        model(object + assembly, R"(<item objectid="2" transform="2 0 0 0 2 0 0 0 2 0 0 7"/><item objectid="1"/>)")));
     ASSERT_EQ(parts.size(), 3U);
     EXPECT_EQ(parts[0].name, "wedge");
     EXPECT_EQ(parts[2].name, "wedge_3");
@@ -45,9 +46,11 @@ TEST(Read3mf, PlacesItemsAndComponents) {
 
 TEST(Read3mf, ReadsObjectsOfOtherParts) {
     const std::string other = model(R"(<object id="1"><components><component objectid="7"/></components></object>
-<object id="7" name="inner">)" + mesh + "</object>", "");
+<object id="7" name="inner">)" + mesh + "</object>",
+                                    "");
     const std::string root = model(R"(<object id="1" name="outer"><components>
-<component p:path="/3D/Objects/a.model" objectid="1"/></components></object>)", item, R"(requiredextensions="p")");
+<component p:path="/3D/Objects/a.model" objectid="1"/></components></object>)",
+                                   item, R"(requiredextensions="p")");
     const std::vector<MeshPart> parts = read_3mf(threemf(root, {{"3d/objects/A.model", other}}));
     ASSERT_EQ(parts.size(), 1U);
     EXPECT_EQ(parts[0].name, "inner");
@@ -55,14 +58,15 @@ TEST(Read3mf, ReadsObjectsOfOtherParts) {
 }
 
 TEST(Read3mf, APictureInTheArchiveIsIgnored) {
-    EXPECT_EQ(read_3mf(threemf(model(object, item), {{"Metadata/thumbnail.png", std::string("\x89PNG\0", 5)}})).size(), 1U);
+    EXPECT_EQ(read_3mf(threemf(model(object, item), {{"Metadata/thumbnail.png", std::string("\x89PNG\0", 5)}})).size(),
+              1U);
 }
 
 TEST(Read3mf, RefusesWhatWouldBeLostByName) {
     const auto needs = [](const std::string& name) {
-        return message(threemf(model(object, item,
-                                     R"(requiredextensions="b" xmlns:b="http://schemas.microsoft.com/3dmanufacturing/)" +
-                                         name + "\"")));
+        return message(threemf(
+            model(object, item,
+                  R"(requiredextensions="b" xmlns:b="http://schemas.microsoft.com/3dmanufacturing/)" + name + "\"")));
     };
     const std::string end = ", which is not read; export as a plain mesh";
     EXPECT_EQ(needs("beamlattice/2017/02"), "part '3D/3dmodel.model': needs beam lattices" + end);
@@ -85,8 +89,9 @@ TEST(Read3mf, RefusesWhatIsMissingOrOutOfRange) {
               "counted from 0");
     EXPECT_EQ(message(threemf(model(object, R"(<item objectid="1" transform="1 0"/>)"))),
               "line 3: <item>: transform: has 2 numbers instead of 12");
-    EXPECT_EQ(message(threemf(model(R"(<object id="1"><components><component objectid="1"/></components></object>)", item))),
-              "node 'part' contains itself");
+    EXPECT_EQ(
+        message(threemf(model(R"(<object id="1"><components><component objectid="1"/></components></object>)", item))),
+        "node 'part' contains itself");
     EXPECT_EQ(message(tests::zip({{"a", "b"}})), "is no 3MF: the archive has no part '_rels/.rels'");
     EXPECT_EQ(message("<xml/>"), "is no ZIP archive, or is truncated: has no directory at its end");
 }
