@@ -226,8 +226,7 @@ PolygonSoup read_collada_geometry(const XmlElement& geometry, SizeBudget& budget
     if (child_of(geometry, "spline"))
         return {}; // a curve, like lines
     const XmlElement* const other = geometry.FirstChildElement();
-    fail_at(geometry, (other ? "<" + one_line(other->Name()) + ">" : std::string("nothing")) +
-                          " is not read; a geometry needs a <mesh>");
+    fail_at(geometry, "needs a <mesh>" + (other ? ", not " + in_quotes(other->Name()) : std::string()));
 }
 
 } // namespace chasles::io

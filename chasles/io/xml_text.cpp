@@ -47,7 +47,7 @@ std::string_view local_name(const XmlElement& element) {
 
 void fail_at(const XmlElement& element, const std::string& why) {
     fail_at_line(static_cast<std::size_t>(std::max(element.GetLineNum(), 1)),
-                 "<" + one_line(element.Name()) + ">: " + why);
+                 std::string("<").append(one_line(element.Name())).append(">: ").append(why));
 }
 
 std::vector<const XmlElement*> children_of(const XmlElement& element, std::string_view name) {
