@@ -136,9 +136,11 @@ private:
 
     static std::uint32_t vertex_in(const XmlElement& list, std::string_view word, std::size_t count) {
         const auto index = parse_integer(word);
-        if (!index || *index < 0 || static_cast<std::uint64_t>(*index) >= count)
-            fail_at(list, "vertex index " + in_quotes(word) + " is out of range; there are " + std::to_string(count) +
-                              " vertices, counted from 0");
+        if (!index)
+            fail_at(list, "not a vertex index: " + in_quotes(word));
+        if (*index < 0 || static_cast<std::uint64_t>(*index) >= count)
+            fail_at(list, "vertex index " + std::to_string(*index) + " is out of range; there are " +
+                              std::to_string(count) + " vertices, counted from 0");
         return static_cast<std::uint32_t>(*index);
     }
 
@@ -182,7 +184,6 @@ private:
     ColladaVertices read_vertices(const XmlElement& source) {
         const XmlElement& array = required_child_of(source, "float_array");
         const std::vector<double> numbers = numbers_in(array, text_of(array));
-        check_count(array, numbers.size());
         const XmlElement& accessor = required_child_of(required_child_of(source, "technique_common"), "accessor");
         const std::size_t count = count_of(accessor, "count"), stride = count_of(accessor, "stride", 1),
                           offset = count_of(accessor, "offset", 0);

@@ -151,6 +151,8 @@ void GltfBuffers::copy(const Layout& layout, std::vector<double>& numbers) {
     const std::string_view bytes = view(layout.view);
     const std::size_t size = component_size(layout.component_type), element = size * layout.components;
     const std::size_t stride = layout.stride == 0 ? element : layout.stride;
+    if (stride < element)
+        throw InvalidInput(layout.place + ": the byteStride of its bufferView is shorter than one element");
     const bool has_room =
         layout.offset <= bytes.size() &&
         (layout.count == 0 || (bytes.size() - layout.offset >= element &&

@@ -113,7 +113,7 @@ TEST(ReadCollada, RefusesWhatWouldBeLostWithItsLine) {
               "line 5: <triangles>: announces 2 items, but there are 1");
     EXPECT_EQ(message(with("triangles", "<p>0 1</p>")), "line 5: <triangles>: 2 corners are no whole triangles");
     EXPECT_EQ(message(with("triangles", "\n<p>0 1 4</p>")),
-              "line 6: <p>: vertex index '4' is out of range; there are 4 vertices, counted from 0");
+              "line 6: <p>: vertex index 4 is out of range; there are 4 vertices, counted from 0");
     EXPECT_EQ(message(with("polylist", "<vcount>3</vcount><p>0 1 2 3</p>")),
               "line 5: <polylist>: <vcount> announces 3 corners, but there are 4");
     EXPECT_EQ(message({.nodes = R"(<node><skew>1 0 0 0 1 0 0</skew></node>)"}),

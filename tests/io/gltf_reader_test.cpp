@@ -193,6 +193,9 @@ TEST(ReadGltf, RefusesWhatIsOutOfRangeOrCut) {
     file["accessors"][1]["count"] = 9e15;
     EXPECT_EQ(message(file), "accessor 1: count: must be a whole number from 0");
     file = square();
+    file["bufferViews"][0]["byteStride"] = 8;
+    EXPECT_EQ(message(file), "accessor 0: the byteStride of its bufferView is shorter than one element");
+    file = square();
     file["accessors"][0]["count"] = 3;
     EXPECT_EQ(message(file),
               "mesh 0: primitive 0: a vertex index is out of range; there are 3 vertices, counted from 0");
