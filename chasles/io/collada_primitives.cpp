@@ -11,7 +11,7 @@
 namespace chasles::io {
 namespace {
 
-using Corners = std::vector<std::uint32_t>;
+using VertexIds = std::vector<std::uint32_t>;
 
 // The vertices of one <source> in the soup.
 struct ColladaVertices {
@@ -52,7 +52,7 @@ private:
     }
 
     void read_triangles(const XmlElement& primitive) {
-        const Corners corners = corners_of_first(primitive);
+        const VertexIds corners = corners_of_first(primitive);
         if (corners.size() % 3 != 0)
             fail_at(primitive, std::to_string(corners.size()) + " corners are no whole triangles");
         check_count(primitive, corners.size() / 3);
@@ -61,13 +61,13 @@ private:
     }
 
     void read_polylist(const XmlElement& primitive) {
-        const Corners corners = corners_of_first(primitive);
+        const VertexIds corners = corners_of_first(primitive);
         const XmlElement* const counts = child_of(primitive, "vcount");
         std::size_t at = 0, faces = 0;
         for (const double count : counts ? numbers_in(*counts, text_of(*counts)) : std::vector<double>()) {
             if (!(count >= 0 && count <= double(corners.size() - at) && count == double(std::size_t(count))))
                 fail_at(primitive, "<vcount> announces more corners than there are");
-            add_face(Corners(corners.begin() + std::ptrdiff_t(at), corners.begin() + std::ptrdiff_t(at + count)));
+            add_face(VertexIds(corners.begin() + std::ptrdiff_t(at), corners.begin() + std::ptrdiff_t(at + count)));
             at += std::size_t(count);
             ++faces;
         }
@@ -99,7 +99,7 @@ private:
     }
 
     // Polygons of one or two corners are points and lines.
-    void add_face(Corners corners) {
+    void add_face(VertexIds corners) {
         if (corners.size() >= 3)
             soup_.faces.push_back(std::move(corners));
     }
@@ -112,18 +112,18 @@ private:
     }
 
     // The corners in the only <p>, if there is one.
-    Corners corners_of_first(const XmlElement& primitive) {
+    VertexIds corners_of_first(const XmlElement& primitive) {
         const std::vector<const XmlElement*> lists = children_of(primitive, "p");
         if (lists.size() > 1)
             fail_at(primitive, "has more than one <p>");
-        return lists.empty() ? Corners() : corners_of(*lists[0], input_of(primitive));
+        return lists.empty() ? VertexIds() : corners_of(*lists[0], input_of(primitive));
     }
 
     // Each corner has one index for each offset.
-    Corners corners_of(const XmlElement& list, const ColladaInput& input) {
+    VertexIds corners_of(const XmlElement& list, const ColladaInput& input) {
         const std::string text = text_of(list);
         Words words(text);
-        Corners corners;
+        VertexIds corners;
         std::size_t position = 0;
         for (std::string_view word = words.next(); !word.empty(); word = words.next())
             if (position++ % input.stride == input.offset)

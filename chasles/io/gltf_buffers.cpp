@@ -43,23 +43,23 @@ std::size_t component_size(std::size_t type) {
 }
 
 template <typename Number>
-double component(std::string_view bytes, bool is_normalized) {
+double gltf_component(std::string_view bytes, bool is_normalized) {
     const auto number = double(load<Number>(bytes, std::endian::little));
     return is_normalized ? std::max(number / double(std::numeric_limits<Number>::max()), -1.0) : number;
 }
 
-double component(std::size_t type, std::string_view bytes, bool is_normalized) {
+double gltf_component(std::size_t type, std::string_view bytes, bool is_normalized) {
     switch (type) {
     case 5120:
-        return component<std::int8_t>(bytes, is_normalized);
+        return gltf_component<std::int8_t>(bytes, is_normalized);
     case 5121:
-        return component<std::uint8_t>(bytes, is_normalized);
+        return gltf_component<std::uint8_t>(bytes, is_normalized);
     case 5122:
-        return component<std::int16_t>(bytes, is_normalized);
+        return gltf_component<std::int16_t>(bytes, is_normalized);
     case 5123:
-        return component<std::uint16_t>(bytes, is_normalized);
+        return gltf_component<std::uint16_t>(bytes, is_normalized);
     case 5125:
-        return component<std::uint32_t>(bytes, is_normalized);
+        return gltf_component<std::uint32_t>(bytes, is_normalized);
     default:
         return load<float>(bytes, std::endian::little);
     }
@@ -163,8 +163,8 @@ void GltfBuffers::copy(const Layout& layout, std::vector<double>& numbers) {
     numbers.reserve(layout.count * layout.components);
     for (std::size_t i = 0; i < layout.count; ++i)
         for (std::size_t k = 0; k < layout.components; ++k)
-            numbers.push_back(component(layout.component_type, bytes.substr(layout.offset + i * stride + k * size),
-                                        layout.is_normalized));
+            numbers.push_back(gltf_component(layout.component_type, bytes.substr(layout.offset + i * stride + k * size),
+                                             layout.is_normalized));
 }
 
 // Puts the values of the elements that the accessor lists in the place of the others.
