@@ -20,7 +20,7 @@ std::vector<MeshPart> read_parts(const std::filesystem::path& file, std::string_
     const std::string extension = lower_case(file.extension().string());
     refuse_step(bytes, extension);
     if (const Reader reader = reader_for(extension))
-        return {{file.stem().string(), with_faces(reader(bytes))}};
+        return {{one_line(valid_utf8(file.stem().string())), with_faces(reader(bytes))}};
     const auto file_beside = [&](const std::string& name) { return read_file(file.parent_path() / name); };
     std::vector<MeshPart> parts;
     if (extension == ".gltf" || extension == ".glb")

@@ -125,7 +125,7 @@ void make_names_unique(std::vector<MeshPart>& parts) {
     std::unordered_set<std::string> used;
     std::unordered_map<std::string, std::size_t> last_number;
     for (MeshPart& part : parts) {
-        const std::string given = part.name;
+        const std::string given = part.name = one_line(valid_utf8(part.name));
         std::size_t& number = last_number.try_emplace(given, 1).first->second;
         while (!used.insert(part.name).second)
             part.name = given + "_" + std::to_string(++number);

@@ -25,6 +25,9 @@ std::string in_quotes(std::string_view text);
 /// The text in one line: line breaks and other control characters are replaced.
 std::string one_line(std::string_view text);
 
+/// The text with a question mark for each byte that is not in UTF-8.
+std::string valid_utf8(std::string_view text);
+
 /// `text` in lower case (ASCII letters only).
 std::string lower_case(std::string_view text);
 

@@ -66,6 +66,12 @@ TEST(SceneGraph, NamesComeFromTheNearestNodeAndAreUnique) {
     EXPECT_EQ(names, (std::vector<std::string>{"bolt", "bolt_2", "bolt_3", "bolt_2_2", "part"}));
 }
 
+TEST(SceneGraph, NamesAreTextInOneLine) {
+    SceneGraph scene = chain(1, 1);
+    scene.nodes[0].name = "caf\xe9\n";
+    EXPECT_EQ(parts_of(scene).at(0).name, "caf? ");
+}
+
 TEST(SceneGraph, InfinitePlacesAreRefused) {
     SceneGraph scene = chain(2, 1);
     scene.nodes[1].name = "far";

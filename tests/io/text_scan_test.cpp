@@ -115,6 +115,19 @@ TEST(Words, AreSeparatedByAnyBlanks) {
     EXPECT_EQ(words.next(), "");
 }
 
+TEST(ValidUtf8, ReplacesWhatIsNoCharacter) {
+    for (const std::string_view good :
+         {"a", "\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x94\xa9", "\xed\x9f\xbf", "\xf4\x8f\xbf\xbf"})
+        EXPECT_EQ(valid_utf8(good), good);
+    // Latin-1, a byte that follows nothing, a cut character, an overlong slash, a surrogate, beyond Unicode.
+    EXPECT_EQ(valid_utf8("caf\xe9s"), "caf?s");
+    EXPECT_EQ(valid_utf8("\x80"), "?");
+    EXPECT_EQ(valid_utf8("a\xe2\x82"), "a??");
+    EXPECT_EQ(valid_utf8("\xc0\xaf"), "??");
+    EXPECT_EQ(valid_utf8("\xed\xa0\x80"), "???");
+    EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), "????");
+}
+
 TEST(InQuotes, IsShortPrintableAndOneLine) {
     EXPECT_EQ(in_quotes("  v 1 2\t3 \n"), "'v 1 2 3'");
     EXPECT_EQ(in_quotes(std::string("a\0\xff\x1b", 4)), "'a"
