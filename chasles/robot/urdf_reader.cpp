@@ -178,7 +178,7 @@ Polyhedron UrdfReader::mesh(const Element& element) {
         return known->second;
     if (scale.prod() == 0)
         file_.fail(element, "scale: must not be zero");
-    io::PolygonSoup soup = io::load_polygons(path, true);
+    io::PolygonSoup soup = io::load_polygons(path);
     for (Vector3d& vertex : soup.vertices)
         vertex = vertex.cwiseProduct(scale);
     if (scale.prod() < 0)

@@ -53,6 +53,7 @@ from ._core import (
     first_contact_on_path,
     least_distance,
     load,
+    load_parts,
     relative,
     rest_of,
 )
@@ -119,6 +120,7 @@ __all__ = [
     "least_distance_batch",
     "least_dtype",
     "load",
+    "load_parts",
     "motion_dtype",
     "path_dtype",
     "path_is_clear_batch",
