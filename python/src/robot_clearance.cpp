@@ -14,8 +14,10 @@ std::string summary(const PythonClearance& clearance) {
     const RobotClearance& found = clearance.found;
     if (!found.pair)
         return "<chasles.RobotClearance: no two bodies are tested>";
-    return fmt::format("<chasles.RobotClearance: {:.9g}, {} to {} at time {:.12g} of segment {}>", found.distance.lower,
-                       found.pair->first, found.pair->second, clearance.time().lower, found.segment);
+    const std::string distance = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
+    return fmt::format("<chasles.RobotClearance: {}{}, {} to {} at time {:.12g} of segment {}>", distance,
+                       found.certain ? "" : " (uncertain)", found.pair->first, found.pair->second,
+                       clearance.time().lower, found.segment);
 }
 
 } // namespace
