@@ -83,7 +83,8 @@ std::string report_features(const Found& found, const std::string& label, bool s
 }
 
 std::string report_contact_features(const FirstContact& found, double margin) {
-    return report_certainty(found, view::why_uncertain(found)) + report_features(found, margin > 0 ? "within" : "touching", margin > 0);
+    return report_certainty(found, view::why_uncertain(found)) +
+           report_features(found, margin > 0 ? "within" : "touching", margin > 0);
 }
 
 std::string report_nearest(const LeastDistance& found) {

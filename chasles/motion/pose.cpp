@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace chasles {
@@ -51,15 +52,16 @@ std::string other_than_turning(const Eigen::Matrix3d& matrix) {
     const auto text = [](double number) { return number_text(number, 6); };
     const Eigen::Vector3d scale = matrix.colwise().norm();
     const Eigen::Matrix3d products = matrix.transpose() * matrix;
-    const double slant = std::max({std::abs(products(0, 1)) / (scale[0] * scale[1]),
-                                   std::abs(products(1, 2)) / (scale[1] * scale[2]),
-                                   std::abs(products(2, 0)) / (scale[2] * scale[0])});
+    const double slant =
+        std::max({std::abs(products(0, 1)) / (scale[0] * scale[1]), std::abs(products(1, 2)) / (scale[1] * scale[2]),
+                  std::abs(products(2, 0)) / (scale[2] * scale[0])});
     if (!(slant <= orthogonality_tolerance))
         return scale.minCoeff() > 0 ? "it shears" : "it flattens bodies";
     const std::string mirrors = matrix.determinant() < 0 ? ", and mirrors" : "";
     if (scale.maxCoeff() - scale.minCoeff() <= orthogonality_tolerance * scale.maxCoeff())
         return "it scales by " + text(scale[0]) + mirrors;
-    return "it scales by " + text(scale[0]) + ", " + text(scale[1]) + ", " + text(scale[2]) + " along x, y, z" + mirrors;
+    return "it scales by " + text(scale[0]) + ", " + text(scale[1]) + ", " + text(scale[2]) + " along x, y, z" +
+           mirrors;
 }
 
 /// The nearest rotation in the Frobenius norm: the orthogonal factor of the polar decomposition, by Newton's method

@@ -113,7 +113,8 @@ private:
     Work work_;
 };
 
-/// The boxes hold their bodies, so their distance is a lower bound. Its own rounding is below 4 units in the last place.
+/// The boxes hold their bodies, so their distance is a lower bound. Its own rounding is below 4 units in the last
+/// place.
 void NearestPairSearch::push(const Node& first, const Node& second) {
     constexpr double rounding = 1e-14;
     const double bound = first_.box(first).exteriorDistance(this->second().box(second)) * (1 - rounding);
@@ -166,7 +167,8 @@ void NearestPairSearch::compare(const NodePair& leaves) {
     }
     LeastDistance found = least_distance_of(a, b, query_.options);
     work_ += found.work;
-    const double lower = best_.pair ? std::min(best_.nearest.distance.lower, found.distance.lower) : found.distance.lower;
+    const double lower =
+        best_.pair ? std::min(best_.nearest.distance.lower, found.distance.lower) : found.distance.lower;
     if (!best_.pair || found.distance.upper < best_.nearest.distance.upper) {
         best_.pair = {moving, fixed};
         best_.nearest = std::move(found);

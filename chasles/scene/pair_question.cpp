@@ -48,8 +48,8 @@ auto ask_along(const WorldMotion& moving, const WorldMotion& fixed, const Ask& a
     const Motion& b = fixed.motion;
     if (a.trajectory().straight_ends() && b.trajectory().straight_ends())
         return ask(relative(a, b).trajectory());
-    return ask(motion::ErasedTrajectory(motion::SmoothTrajectory(
-        {motion::relative_frame(moving.frame, fixed.frame), moving.frame, fixed.frame})));
+    return ask(motion::ErasedTrajectory(
+        motion::SmoothTrajectory({motion::relative_frame(moving.frame, fixed.frame), moving.frame, fixed.frame})));
 }
 
 } // namespace

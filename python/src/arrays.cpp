@@ -99,7 +99,7 @@ std::string text_of(const nb::object& object) {
 
 /// What an array of objects holds, and how numbers are made of it.
 std::string about_objects(const nb::object& array) {
-    const nb::object first = array.attr("flat")[0];
+    const nb::object first = array.attr("item")(0);
     const std::string type = text_of(first.type().attr("__name__"));
     if (nb::isinstance<nb::list>(first) || nb::isinstance<nb::tuple>(first))
         return " (of lists of different lengths)";

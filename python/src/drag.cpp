@@ -129,8 +129,8 @@ struct Named {
     int rounds = 8;
 };
 
-void make(PythonDraggedBody* body, nb::pointer_and_handle<PythonScene> scene, const std::string& name, const Named& named,
-          const std::optional<DragLock>& lock, const std::optional<MassProperties>& mass) {
+void make(PythonDraggedBody* body, nb::pointer_and_handle<PythonScene> scene, const std::string& name,
+          const Named& named, const std::optional<DragLock>& lock, const std::optional<MassProperties>& mass) {
     DragOptions options;
     options.margin = named.margin;
     options.reach = named.reach;
@@ -330,9 +330,9 @@ void bind_drag(nb::module_& module) {
     nb::class_<PythonDraggedBody>(module, "DraggedBody", body_doc, collected<PythonDraggedBody>())
         .def(
             "__init__",
-            [](PythonDraggedBody* body, nb::pointer_and_handle<PythonScene> scene, const std::string& name, double margin,
-               double reach, double stiffness, int rounds, double friction, const std::optional<DragLock>& lock,
-               const std::optional<MassProperties>& mass) {
+            [](PythonDraggedBody* body, nb::pointer_and_handle<PythonScene> scene, const std::string& name,
+               double margin, double reach, double stiffness, int rounds, double friction,
+               const std::optional<DragLock>& lock, const std::optional<MassProperties>& mass) {
                 make(body, scene, name, {margin, reach, stiffness, friction, rounds}, lock, mass);
             },
             "scene"_a, "name"_a, nb::kw_only(), "margin"_a = 0.0, "reach"_a = 0.0, "stiffness"_a = 1.0, "rounds"_a = 8,

@@ -68,7 +68,7 @@ void bind_robot_clearance(nb::module_& module) {
             "pairs", [](const Clearance& c) { return c.found.pairs; }, doc("RobotClearance.pairs"))
         .def_prop_ro(
             "work", [](const Clearance& c) { return c.found.work; }, doc("Work"))
-        .def("__repr__", summary);
+        .def("__repr__", [](const Clearance& c) { return summary(c); });
 }
 
 } // namespace chasles::python

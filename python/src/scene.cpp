@@ -252,8 +252,7 @@ void bind_contact(nb::module_& module) {
         .def("__repr__", [](const SceneContactAnswer& a) {
             if (!a.pair)
                 return fmt::format("<chasles.SceneContact: clear until {}>", a.found.clear_until);
-            return fmt::format("<chasles.SceneContact: {}>",
-                               summary(a.found, a.pair->first + " on " + a.pair->second));
+            return fmt::format("<chasles.SceneContact: {}>", summary(a.found, a.pair->first + " on " + a.pair->second));
         });
 }
 

@@ -98,8 +98,9 @@ void bind_motion(nb::module_& module) {
             nb::sig("def slider(direction: " CHASLES_POSE ", way: collections.abc.Sequence[float]) -> Motion"),
             doc("Motion.slider"))
         .def_static(
-            "polynomial", [](nb::handle places) { return PlainMotion{Motion::polynomial(vectors_from(places, "places"))}; }, "places"_a,
-            nb::sig("def polynomial(places: " CHASLES_POSE ") -> Motion"), doc("Motion.polynomial"))
+            "polynomial",
+            [](nb::handle places) { return PlainMotion{Motion::polynomial(vectors_from(places, "places"))}; },
+            "places"_a, nb::sig("def polynomial(places: " CHASLES_POSE ") -> Motion"), doc("Motion.polynomial"))
         .def("__repr__", [](const PlainMotion&) { return "<chasles.Motion>"; });
     bind_poses(type);
     module.def(
@@ -226,8 +227,7 @@ void bind_tracks(nb::module_& module) {
             doc("Motion.spline"))
         .def_static(
             "b_spline", [](nb::handle poses) { return PlainMotion{Motion::b_spline(poses_from(poses, "poses"))}; },
-            "poses"_a,
-            nb::sig("def b_spline(poses: " CHASLES_POSE ") -> Motion"), doc("Motion.b_spline"));
+            "poses"_a, nb::sig("def b_spline(poses: " CHASLES_POSE ") -> Motion"), doc("Motion.b_spline"));
 }
 
 } // namespace

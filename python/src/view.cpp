@@ -72,7 +72,8 @@ view::SceneRecord record_of(const Answer& answer, const Polyhedron& moving, cons
 std::string view_page(const Answer& answer, const std::string& title, const std::string& moving_name,
                       const std::string& fixed_name) {
     if (answer.moving.is_none())
-        throw InvalidInput("view: the scene is clear, so the answer has no pair of bodies; scene.view(found) shows all");
+        throw InvalidInput(
+            "view: the scene is clear, so the answer has no pair of bodies; scene.view(found) shows all");
     const Motion motion = plain(answer.motion);
     const std::optional<view::MotionNumbers> numbers = shown_numbers(answer.motion);
     if (!numbers) {
