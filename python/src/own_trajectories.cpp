@@ -132,10 +132,12 @@ constexpr const char* trajectory_text =
     "knots : times in (0, 1) at which velocities jump\n"
     "rounding : float\n"
     "    A bound of the error of poses by rounding: of unit quaternions, and of translations over their size.\n\n"
-    "Each pose and each bound is a call of Python, so a query may take long. `TimedPoses.through` many poses of the same\n"
+    "Each pose and each bound is a call of Python, so a query may take long. `TimedPoses.through` many poses of the "
+    "same\n"
     "motion takes a third of the time (median), and a hundredth of it where no accelerations are stated. Between two\n"
     "poses it strays from the motion by at most (a + (alpha + 2 omega^2) r) h^2 / 8, with the acceleration a of the\n"
-    "reference, the turn acceleration alpha and the turn rate omega, the greatest distance r of a point of the body from\n"
+    "reference, the turn acceleration alpha and the turn rate omega, the greatest distance r of a point of the body "
+    "from\n"
     "the reference, and the step h of the time. Add this length to the margin: then a clear answer is proven for the\n"
     "motion itself. See docs/python.md.\n";
 
