@@ -40,7 +40,8 @@ USES = {
     "batch": "table = chasles.first_contact_batch(cube, cube, motions=[trajectory] * 3)",
     "scene": "scene = scene_of(); found = scene.first_contact(); all_found = scene.all_contacts()",
     "stepper": "stepper = chasles.Stepper(scene_of(), margin=0.01); event = stepper.advance()",
-    "dragged_body": "scene = scene_of(); hand = chasles.DraggedBody(scene, 'b'); step = hand.update([0, 0, 1, 1, 0, 0, 0])",
+    "dragged_body": "scene = scene_of(); scene.add('c', cube, [0, 5, 0, 1, 0, 0, 0]); hand = chasles.DraggedBody(scene, 'c');"
+    " step = hand.update([0, 6, 0, 1, 0, 0, 0])",
     "checker": "robot = chasles.ompl.free_body(cube) if hasattr(chasles, 'ompl') else chasles._core._free_body(cube, 'r');"
     " checker = chasles.RobotChecker(robot, scene_of()); found = checker.first_contact([0, 0, 9, 0, 0, 0, 1], [0, 0, 8, 0, 0, 0, 1])",
     "validator": """

@@ -161,7 +161,7 @@ def test_motions_of_all_kinds_are_plotted(kind, cube, plt):
 def test_answers_of_scenes_and_paths_are_viewed_and_plotted(cube, page, plt):
     scene = chasles.Scene()
     scene.add("hinge", cube, motion=KINDS["hinge"]())
-    scene.add("post", cube, [2, 2, 0, 1, 0, 0, 0])
+    scene.add("post", cube, [2.5, 2.5, 0, 1, 0, 0, 0])
     found = scene.first_contact()
     assert found.pair == ("hinge", "post")
     assert "plot" in dir(found) and found.plot().get_title().startswith("contact")
