@@ -154,7 +154,7 @@ void NearestPairSearch::compare(const NodePair& leaves) {
     const auto mover = [&](std::size_t i) { return Mover{scene_.bodies()[i].shape, scene_.motion_of(i)}; };
     const Mover a = mover(moving), b = mover(fixed);
     ++best_.searched;
-    if (best_.pair) {
+    if (best_.pair && searched_distance() <= Pose::largest_length) { // a margin is no larger
         QueryOptions options;
         options.find = Find::any;
         options.margin = searched_distance();

@@ -87,7 +87,7 @@ TEST(NearestPair, ComparesFewPairs) {
     const NearestPair found = nearest_pair(world, {.first = all_of(0, 1000)});
     ASSERT_TRUE(found.pair);
     EXPECT_GT(found.nearest.distance.lower, 0);
-    EXPECT_LT(found.searched, 1000U);
+    EXPECT_LT(found.searched, 4000U); // of 499,500
 }
 
 TEST(NearestPair, OfNoPairIsNone) {
