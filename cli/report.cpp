@@ -4,6 +4,7 @@
 #include "cli/contact_table.h"
 #include "view/names.h"
 #include "view/proven_verdict.h"
+#include "view/why_uncertain.h"
 
 #include <fmt/format.h>
 #include <numbers>
@@ -81,10 +82,9 @@ std::string report_features(const Found& found, const std::string& label, bool s
     return text;
 }
 
-const std::string may_miss = "the bodies may miss each other by a rounding error";
-
 std::string report_contact_features(const FirstContact& found, double margin) {
-    return report_certainty(found, may_miss) + report_features(found, margin > 0 ? "within" : "touching", margin > 0);
+    return report_certainty(found, view::why_uncertain(found)) +
+           report_features(found, margin > 0 ? "within" : "touching", margin > 0);
 }
 
 std::string report_nearest(const LeastDistance& found) {
