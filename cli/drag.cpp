@@ -7,6 +7,7 @@
 #include "cli/report.h"
 #include "cli/scene_file.h"
 #include "view/page.h"
+#include "view/sampled_track.h"
 
 #include "chasles/io/motion_files.h"
 
@@ -57,7 +58,8 @@ std::string csv_row(double time, const DragStep& step) {
 /// What happened, counted and recorded.
 class Hand {
 public:
-    Hand(const Scene& scene, std::size_t dragged) : dragged_(dragged) {
+    Hand(const Scene& scene, std::size_t dragged)
+        : dragged_(dragged), box_(view::box_around(scene.bodies()[dragged].shape)) {
         for (const SceneBody& body : scene.bodies())
             record_.bodies.push_back({body.name, body.shape, {row_of(body.motion.pose_at(1))}});
         record_.bodies[dragged].poses.clear();
@@ -69,10 +71,7 @@ public:
         pieces_ += step.pieces.size();
         work_ += step.work;
         record_.times.push_back(time);
-        view::PoseRow row = row_of(step.pose);
-        if (std::vector<view::PoseRow>& rows = record_.bodies[dragged_].poses; !rows.empty())
-            keep_sign(row, rows.back());
-        record_.bodies[dragged_].poses.push_back(row);
+        add_way(time, step);
         std::map<std::size_t, std::vector<Contact>> begun;
         for (const DragEvent& event : step.events)
             if (event.begins)
@@ -118,6 +117,28 @@ private:
         const Eigen::Vector3d& place = pose.translation;
         return {place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z()};
     }
+    /// The page follows the way that was proven, not the line between two updates. Each piece takes an equal time.
+    void add_way(double time, const DragStep& step) {
+        const std::vector<double>& times = record_.bodies[dragged_].times;
+        const double begin = times.empty() ? time : times.back();
+        const double duration = (time - begin) / std::max(1., double(step.pieces.size()));
+        for (std::size_t i = 0; i < step.pieces.size(); ++i) {
+            const auto& [motion, until, clearance] = step.pieces[i];
+            const view::SampledTrack track = view::sampled_track(motion, box_, {until});
+            for (std::size_t k = 1; k < track.times.size() && track.times[k] <= until; ++k)
+                if (const double at = begin + duration * (double(i) + track.times[k] / until);
+                    !times.empty() && at > times.back() && at < time)
+                    add_row(at, track.poses[k]);
+        }
+        add_row(time, row_of(step.pose));
+    }
+    void add_row(double time, view::PoseRow row) {
+        view::RecordedBody& body = record_.bodies[dragged_];
+        if (!body.poses.empty())
+            keep_sign(row, body.poses.back());
+        body.times.push_back(time);
+        body.poses.push_back(row);
+    }
     /// A page goes the shorter way between two poses.
     static void keep_sign(view::PoseRow& row, const view::PoseRow& last) {
         double product = 0;
@@ -132,6 +153,7 @@ private:
     }
 
     std::size_t dragged_;
+    Eigen::AlignedBox3d box_;
     view::SceneRecord record_;
     std::map<DragState, std::size_t> states_;
     std::size_t in_contact_ = 0;
