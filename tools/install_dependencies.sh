@@ -20,9 +20,10 @@ add() {
     done
 }
 
-# Boost.Multiprecision is for the exact stage, oneTBB for batches; CLI11, fmt and nlohmann_json for the command line.
+# Boost.Multiprecision is for the exact stage, oneTBB for batches; CLI11, fmt, nlohmann_json and yaml-cpp for the command
+# line.
 add_demo() {
-    add make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libtinyxml2-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+    add make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libtinyxml2-dev libfmt-dev libcli11-dev nlohmann-json3-dev libyaml-cpp-dev
 }
 
 # Assimp is for mesh files of other formats. The page of `chasles view` is made by npm packages; a Node.js from elsewhere
