@@ -213,7 +213,7 @@ void for_each_pair(const Members& members, const char* key, const Use& use) {
 std::string motion_of(const Json& bodies) {
     std::string names;
     for (const view::MotionKind kind : {view::MotionKind::velocity, view::MotionKind::twist})
-        if (std::ranges::any_of(bodies, [&](const Json& json) {
+        if (std::any_of(bodies.begin(), bodies.end(), [&](const Json& json) {
                 const Members body(json, body_keys);
                 return (body.find("goal") || body.find("poses")) && kind_of(body) == kind;
             }))

@@ -63,7 +63,8 @@ nlohmann::json parse_yaml(const std::string& text) {
             documents.push_back(tree.copy(document));
         return documents;
     } catch (const YAML::Exception& error) {
-        throw InvalidInput("is not YAML: line " + std::to_string(error.mark.line + 1) + ": " + error.msg);
+        const std::string place = error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1) + ": ";
+        throw InvalidInput("is not YAML: " + place + error.msg);
     }
 }
 

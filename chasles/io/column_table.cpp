@@ -53,6 +53,31 @@ std::vector<std::string> names_in_comment(std::string_view comment) {
     }
 }
 
+// Gives a column the place of a wanted name. The wanted name itself counts more than another name for the same.
+void take_place(std::span<const std::string> names, std::size_t column, const std::string& wanted,
+                std::optional<std::size_t>& place, std::vector<std::string>& ignored) {
+    const auto is_itself = [&](std::size_t other) { return lower_case(names[other]) == wanted; };
+    if (place && is_itself(*place) == is_itself(column))
+        throw InvalidInput("the header " + shown_names(names) + " has two columns for " + wanted + ": " +
+                           in_quotes(names[*place]) + " and " + in_quotes(names[column]));
+    if (place)
+        ignored.push_back(names[is_itself(*place) ? column : *place]);
+    if (!place || is_itself(column))
+        place = column;
+}
+
+void require_places(std::span<const std::string> names, const NamedColumns& columns,
+                    std::span<const std::string> wanted, std::size_t optional_from) {
+    std::vector<std::string> missing;
+    for (std::size_t i = 0; i < optional_from; ++i)
+        if (!columns.places[i])
+            missing.push_back(wanted[i]);
+    if (!missing.empty())
+        throw InvalidInput("the header " + shown_names(names) + " has no column " + list_of(missing) +
+                           "; it needs the columns " + list_of(wanted.first(optional_from)) +
+                           " in any order, and may have " + list_of(wanted.subspan(optional_from)));
+}
+
 } // namespace
 
 ColumnTable::ColumnTable(std::string_view text, std::function<bool(std::string_view)> is_name,
@@ -143,24 +168,13 @@ NamedColumns find_columns(std::span<const std::string> names, std::span<const st
     NamedColumns columns{std::vector<std::optional<std::size_t>>(wanted.size()), {}};
     for (std::size_t i = 0; i < names.size(); ++i) {
         const auto found = std::ranges::find(wanted, meaning(names[i]));
-        if (found == wanted.end()) {
+        if (found == wanted.end())
             columns.ignored.push_back(names[i]);
-            continue;
-        }
-        std::optional<std::size_t>& place = columns.places[static_cast<std::size_t>(found - wanted.begin())];
-        if (place)
-            throw InvalidInput("the header " + shown_names(names) + " has two columns for " + *found + ": " +
-                               in_quotes(names[*place]) + " and " + in_quotes(names[i]));
-        place = i;
+        else
+            take_place(names, i, *found, columns.places[static_cast<std::size_t>(found - wanted.begin())],
+                       columns.ignored);
     }
-    std::vector<std::string> missing;
-    for (std::size_t i = 0; i < optional_from; ++i)
-        if (!columns.places[i])
-            missing.push_back(wanted[i]);
-    if (!missing.empty())
-        throw InvalidInput("the header " + shown_names(names) + " has no column " + list_of(missing) +
-                           "; it needs the columns " + list_of(wanted.first(optional_from)) +
-                           " in any order, and may have " + list_of(wanted.subspan(optional_from)));
+    require_places(names, columns, wanted, optional_from);
     return columns;
 }
 
@@ -189,9 +203,9 @@ void require_cells(const TableRow& row, std::size_t columns) {
 double cell_number(const std::string& cell, const std::string& name) {
     if (const auto number = parse_finite(cell))
         return *number;
-    const std::size_t comma = cell.find(',');
-    const bool has_decimal_comma =
-        comma != std::string::npos && parse_finite(std::string(cell).replace(comma, 1, ".")).has_value();
+    std::string with_points = cell;
+    std::ranges::replace(with_points, ',', '.');
+    const bool has_decimal_comma = with_points != cell && parse_finite(with_points).has_value();
     throw InvalidInput(one_line(name) + ": not a finite number: " + in_quotes(cell) +
                        (has_decimal_comma ? "; write a decimal point" : ""));
 }

@@ -71,8 +71,9 @@ struct NamedColumns {
     std::vector<std::string> ignored;               ///< names of the other columns, as the file writes them
 };
 
-/// Finds columns by name. `meaning` returns the wanted name that a name of the file stands for, or an empty text. The
-/// wanted names from `optional_from` on may be missing. Throws InvalidInput if columns are missing or come twice.
+/// Finds columns by name. `meaning` returns the wanted name that a name of the file stands for, or an empty text. Where
+/// a file has the wanted name itself and another name for it, the wanted name counts. The wanted names from
+/// `optional_from` on may be missing. Throws InvalidInput if columns are missing or come twice.
 NamedColumns find_columns(std::span<const std::string> names, std::span<const std::string> wanted,
                           std::size_t optional_from, const std::function<std::string(std::string_view)>& meaning);
 

@@ -166,7 +166,7 @@ Path read_path(std::string_view content, WithoutHeader without_header) {
         table_of(text, text.names().empty() ? names_without_header(text, without_header) : text.names(), pose_columns(),
                  pose_column);
     Path path;
-    warn_of_ignored(table.columns.ignored, text.line(), "a pose has none of these names", path.warnings);
+    warn_of_ignored(table.columns.ignored, text.line(), "x, y, z, qw, qx, qy, qz and t are read", path.warnings);
     std::size_t last_line = text.line();
     for_each_row(text, [&](const TableRow& row) {
         read_pose(row, table, path);
@@ -185,7 +185,7 @@ MotionList read_motions(std::string_view content) {
         refuse_without_header(text, "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1");
     const PoseTable table = table_of(text, text.names(), wanted, motion_column);
     MotionList motions;
-    warn_of_ignored(table.columns.ignored, text.line(), "a motion has none of these names", motions.warnings);
+    warn_of_ignored(table.columns.ignored, text.line(), "x0 to qz1 and id are read", motions.warnings);
     for_each_row(text, [&](const TableRow& row) {
         MotionRow motion;
         motion.id = id_of(row, table, motions.rows.size());

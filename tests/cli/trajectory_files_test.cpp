@@ -94,7 +94,7 @@ TEST_F(TrajectoryFiles, PosesOfEveryFormatAreTheSamePath) {
 TEST_F(TrajectoryFiles, IgnoredColumnsAreNamedInAWarning) {
     write("more.csv", "speed,x,y,z,qw,qx,qy,qz\n1,3,0.2,0.3,1,0,0,0\n1,-1,0.2,0.3,1,0,0,0\n");
     const auto finished = run("path cube.obj cube.obj --json --poses more.csv");
-    const std::string warning = "more.csv: line 1: ignored columns: 'speed'; a pose has none of these names";
+    const std::string warning = "more.csv: line 1: ignored columns: 'speed'; x, y, z, qw, qx, qy, qz and t are read";
     EXPECT_EQ(Json::parse(finished.out)["warnings"], Json::array({warning}));
     EXPECT_EQ(finished.err, "chasles: warning: " + warning + "\n");
     EXPECT_EQ(run("path cube.obj cube.obj --poses more.csv").err, finished.err);

@@ -127,7 +127,7 @@ TEST_F(MotionFiles, ReadsMotionsByNameInAnyOrder) {
         << list.rows[1].error;
     ASSERT_EQ(list.warnings.size(), 1U);
     EXPECT_EQ(without_folder(list.warnings[0]),
-              "motions.txt: line 2: ignored columns: 'Note'; a motion has none of these names");
+              "motions.txt: line 2: ignored columns: 'Note'; x0 to qz1 and id are read");
 }
 
 } // namespace

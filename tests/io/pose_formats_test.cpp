@@ -111,7 +111,17 @@ TEST(PoseFormats, NameTheColumnsThatAreNotRead) {
     const Path path = read_path(text_of({dialects[0], {7, 8, 0, 1, 2, 6, 5, 4, 3}, ";"}, random));
     expect_the_path(path, true, "with a note");
     ASSERT_EQ(path.warnings.size(), 1U);
-    EXPECT_EQ(path.warnings[0], "line 1: ignored columns: 'note'; a pose has none of these names");
+    EXPECT_EQ(path.warnings[0], "line 1: ignored columns: 'note'; x, y, z, qw, qx, qy, qz and t are read");
+}
+
+/// The output of `chasles drag` has a torque tx, ty, tz: x, y and z are the place.
+TEST(PoseFormats, PreferTheirOwnNames) {
+    const Path path =
+        read_path("TIME,t,tx,x,y,z,ty,tz,qw,qx,qy,qz\n5,0,9,1,2,3,9,9,1,0,0,0\n4,1,9,1,2,4,9,9,1,0,0,0\n");
+    EXPECT_EQ(path.poses[1].translation, Eigen::Vector3d(1, 2, 4));
+    EXPECT_EQ(path.stamps, (std::vector<double>{0, 1}));
+    ASSERT_EQ(path.warnings.size(), 1U);
+    EXPECT_EQ(path.warnings[0], "line 1: ignored columns: 'TIME, tx, ty, tz'; x, y, z, qw, qx, qy, qz and t are read");
 }
 
 TEST(PoseFormats, ReadTumTrajectories) {
@@ -148,8 +158,8 @@ TEST(PoseFormats, AreRefusedWithTheirHeader) {
         {"x\ty z\tqw\tqx\tqy\tqz\n", "has tabs and blanks between the names, so that y z may be one name or more"},
         {"x,y,z,qw,qx,qy,qz,x\n", "the column 'x' comes twice in the header 'x, y, z, qw, qx, qy, qz, x'"},
         {"x,y,z,qw,qx,qy,qz,X\n", "two columns for x: 'x' and 'X'"},
-        {"x,y,z,qw,qx,qy,qz,tx\n", "two columns for x: 'x' and 'tx'"},
-        {"t,x,y,z,qw,qx,qy,qz,time\n", "two columns for t: 't' and 'time'"},
+        {"pos_x,y,z,qw,qx,qy,qz,tx\n", "two columns for x: 'pos_x' and 'tx'"},
+        {"time,x,y,z,qw,qx,qy,qz,timestamp\n", "two columns for t: 'time' and 'timestamp'"},
         {"x,y,z,w,qx,qy,qz\n", "the header 'x, y, z, w, qx, qy, qz' has no column qw;"},
         {"x,y,z,roll_deg,pitch_deg,yaw_deg\n", "the angles of the column 'roll_deg' are not read"},
         {"x_deg,y,z,qw,qx,qy,qz\n", "'x_deg, y, z, qw, qx, qy, qz' has no column x;"},
