@@ -1,11 +1,12 @@
 // chasles robot: a robot along a path of configurations.
-#include "chasles/robot/joint_path_file.h"
 #include "cli/commands.h"
+#include "cli/joint_trajectory.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/report.h"
 #include "cli/robot_options.h"
 #include "cli/scene_file.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/page.h"
 #include "view/proven_verdict.h"
@@ -18,6 +19,8 @@
 
 namespace chasles::cli {
 namespace {
+
+constexpr const char* motion_name = "straight in joint space";
 
 struct RobotCommand {
     RobotOptions robot;
@@ -43,10 +46,11 @@ struct RobotQuestion {
 RobotQuestion read_question(const RobotCommand& options) {
     const QueryOptions query = options_of(options.query);
     Robot robot = load_robot(options.robot);
-    robot::ConfigurationRows rows = robot::load_configurations(options.path, robot);
+    robot::ConfigurationRows rows = load_joint_path(options.path, robot);
     std::optional<SceneFile> scene;
     if (!options.scene.empty())
         scene = load_scene(options.scene, {.triangulate = true});
+    print_warnings(rows.warnings);
     return {std::move(robot), std::move(rows), std::move(scene), query};
 }
 
@@ -77,7 +81,7 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     shown.verdict = found.verdict;
     if (question.has_stamps())
         shown.time = found.time;
-    std::string text = headline(shown, margin);
+    std::string text = headline(shown, margin, motion_name);
     if (found.pair)
         text += pair_report(*found.pair, found.segment) + report_contact(shown, margin);
     return text + labelled("joints", list_of(question.robot, found.configuration)) + report_path(question, found);
@@ -85,12 +89,20 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
 
 std::string robot_report(const RobotQuestion& question, const RobotClearance& found) {
     if (!found.pair)
-        return "CLEARANCE WITHOUT A LIMIT: no two bodies are tested\n" + report_path(question, found);
+        return naming_motion("CLEARANCE WITHOUT A LIMIT: no two bodies are tested", motion_name) +
+               report_path(question, found);
     LeastDistance shown = found.nearest;
     if (question.has_stamps())
         shown.time = found.time;
-    return headline(shown) + pair_report(*found.pair, found.segment) + report_least(shown) +
+    return headline(shown, motion_name) + pair_report(*found.pair, found.segment) + report_least(shown) +
            labelled("joints", list_of(question.robot, found.configuration)) + report_path(question, found);
+}
+
+/// The text of an answer in JSON, with the motion and the warnings.
+std::string with_motion(view::Json answer, const RobotQuestion& question) {
+    answer["motion"] = {{"kind", motion_name}};
+    add_warnings(answer, question.rows.warnings);
+    return answer.dump() + "\n";
 }
 
 /// Speeds become lengths per unit of the stamps.
@@ -114,7 +126,7 @@ int run_clearance(const RobotCommand& options) {
                                                       .find = question.options.find});
     if (question.has_stamps())
         count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
-    print(options.json ? view::robot_clearance_json(question.robot, found, question.has_stamps()).dump() + "\n"
+    print(options.json ? with_motion(view::robot_clearance_json(question.robot, found, question.has_stamps()), question)
                        : robot_report(question, found));
     return !found.pair || view::proven_verdict(found.nearest) == Verdict::clear ? is_clear : is_contact;
 }
@@ -138,7 +150,7 @@ int run_robot(const RobotCommand& options) {
     }
     if (question.has_stamps())
         count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
-    print(options.json ? view::robot_answer_json(question.robot, found, question.has_stamps()).dump() + "\n"
+    print(options.json ? with_motion(view::robot_answer_json(question.robot, found, question.has_stamps()), question)
                        : robot_report(question, found) + (options.page.empty() ? "" : labelled("page", options.page)));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
@@ -149,9 +161,12 @@ void add_robot(CLI::App& app, Task& task) {
     const auto options = std::make_shared<RobotCommand>();
     CLI::App& command = *app.add_subcommand("robot", "Does a robot touch its world or itself along a path?");
     add_robot_options(command, options->robot);
-    command.add_option("--path", options->path, "CSV file of configurations, with the names of joints as its header")
+    command
+        .add_option("--path", options->path,
+                    "table of configurations with the names of joints as its header, or a JointTrajectory of ROS as "
+                    "YAML or JSON")
         ->required()
-        ->type_name("CSV");
+        ->type_name("FILE");
     command.add_option("--scene", options->scene, "JSON file of the world, as for `chasles scene`")->type_name("FILE");
     auto* const clearance = command.add_flag("--clearance", options->finds_clearance,
                                              "find how near the robot comes to its world and to itself");
