@@ -19,6 +19,10 @@ constexpr double first_share = 0.125;
 /// hundreds. Features that stay near each other, such as flush sides, would take thousands; they end as not certain.
 constexpr int most_refinements = 800;
 constexpr int most_refinements_of_speeds = 4000; // of motions that are known in double only
+/// Parts in which the features are proven apart allow for more refinements if they are longer than this. There are
+/// bounded many of them. Features that stay within 1e-9 of each other need some thousands (note 34).
+constexpr double long_part = 0x1p-14;
+constexpr int refinements_of_a_long_part = 8;
 
 /// How a search over a part looks for brackets of this width in the part.
 template <class S>
@@ -74,6 +78,8 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::fir
     } else {
         found = tests_.touch(features);
     }
+    if (found && !found->certain && tests_.are_apart(features))
+        return std::nullopt;
     constexpr double rounding = 0x1p-51;
     if (found)
         found = FeasibleInterval{std::max(part_.lower, part_.at(found->lower) * (1 - rounding)),
@@ -85,9 +91,10 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::fir
 template <bool within_margin>
 template <class S>
 WithinAtStart::Answer EnclosedStages<within_margin>::PartTests<S>::within_at_start(const FeaturePair& features) {
+    using enum WithinAtStart::Answer;
     WithinAtStart collect; // NOLINT(misc-const-correctness): changed through the generic lambda
     tests_.distance(features, [&](const auto& problem) { collect(problem); });
-    return collect.answer();
+    return collect.answer() == uncertain && tests_.are_apart(features) ? no : collect.answer();
 }
 
 template <bool within_margin>
@@ -171,7 +178,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
                                                                       const SearchState& state) {
     constexpr double never = 2;
     const double shortest = std::min(shortest_part, 0.5 * options_.tolerance);
-    const int most_steps = context_.piece().is_refined() ? most_refinements : most_refinements_of_speeds;
+    int most_steps = context_.piece().is_refined() ? most_refinements : most_refinements_of_speeds;
     double proven_upper = where.certain ? where.upper : never;
     later_.clear();
     culling::TimeRange part{where.lower, where.upper};
@@ -181,6 +188,8 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
         if (!found) {
             if (later_.empty())
                 return std::nullopt;
+            if (part.width() > long_part)
+                most_steps += refinements_of_a_long_part;
             part = later_.back();
             later_.pop_back();
             continue;
