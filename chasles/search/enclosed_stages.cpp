@@ -16,13 +16,13 @@ constexpr double shortest_part = 0x1p-44;
 /// A part in which features may touch for long is refined by its first eighth.
 constexpr double first_share = 0.125;
 /// Ordinary refinements take six steps, grazing ones some sixty, and those of motions with a bound of speed only some
-/// hundreds. Features that stay near each other, such as flush sides, would take thousands; they end as not certain.
+/// hundreds. Features that touch for long, such as flush sides, end as not certain.
 constexpr int most_refinements = 800;
 constexpr int most_refinements_of_speeds = 4000; // of motions that are known in double only
-/// Parts in which the features are proven apart allow for more refinements if they are longer than this. There are
-/// bounded many of them. Features that stay within 1e-9 of each other need some thousands (note 34).
-constexpr double long_part = 0x1p-14;
-constexpr int refinements_of_a_long_part = 8;
+/// Features that stay 1e-9 of their size apart need some thousand parts (note 34). So each part that is longer than this
+/// and holds no contact allows for more refinements, while the search has some to spare.
+constexpr double long_part = 0x1p-17;
+constexpr int refinements_for_a_long_part = 4;
 
 /// How a search over a part looks for brackets of this width in the part.
 template <class S>
@@ -65,7 +65,7 @@ void EnclosedStages<within_margin>::PartTests<S>::use(const culling::TimeRange& 
 }
 
 /// Ends of brackets are rounded outward. A contact is proven only where no point of the moving body goes far (note 24,
-/// "Features").
+/// "Features"). A direction separates slivers that the test of the features does not separate (note 34).
 template <bool within_margin>
 template <class S>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::first(const FeaturePair& features) {
@@ -188,8 +188,10 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
         if (!found) {
             if (later_.empty())
                 return std::nullopt;
-            if (part.width() > long_part)
-                most_steps += refinements_of_a_long_part;
+            if (part.width() > long_part && spare_refinements_ > 0) {
+                most_steps += refinements_for_a_long_part;
+                spare_refinements_ -= refinements_for_a_long_part;
+            }
             part = later_.back();
             later_.pop_back();
             continue;
