@@ -1,9 +1,11 @@
-// chasles info: the content of a mesh file and the topology of its surface.
+// chasles info: the content of a mesh file and the topology of its surface, or the parts of a robot.
+#include "chasles/io/text_scan.h"
 #include "cli/commands.h"
 #include "cli/contact_table.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "cli/robot_info.h"
 #include "view/answer_json.h"
 
 #include <fmt/format.h>
@@ -15,6 +17,7 @@ namespace {
 struct InfoOptions {
     std::string mesh;
     PolyhedronOptions polyhedron;
+    RobotOptions robot;
     bool json = false;
 };
 
@@ -56,6 +59,11 @@ std::string body_report(const std::string& name, const Polyhedron& body) {
 }
 
 int run_info(const InfoOptions& options) {
+    if (is_robot_file(options.mesh))
+        return run_robot_info({options.mesh, options.robot.srdf, options.robot.packages}, options.json);
+    if (!options.robot.srdf.empty() || !options.robot.packages.empty())
+        throw InvalidInput("--srdf, --packages: are for robots, and " + io::in_quotes(options.mesh) +
+                           " does not end in .urdf");
     const Polyhedron body = Polyhedron::load(options.mesh, options.polyhedron);
     print(options.json ? body_json(body).dump() + "\n" : body_report(options.mesh, body));
     return is_clear;
@@ -66,8 +74,9 @@ int run_info(const InfoOptions& options) {
 void add_info(CLI::App& app, Task& task) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App& command =
-        *app.add_subcommand("info", "Describes the content of a mesh file and the topology of its surface.");
-    command.add_option("MESH", options->mesh, "mesh file")->required()->type_name("FILE");
+        *app.add_subcommand("info", "Describes a mesh file and the topology of its surface, or a robot.");
+    command.add_option("MESH", options->mesh, "mesh file, or a robot: a URDF file")->required()->type_name("FILE");
+    add_robot_file_options(command, options->robot);
     add_mesh_options(command, options->polyhedron);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_info(*options); }; });

@@ -5,6 +5,7 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_file.h"
+#include "cli/untested_text.h"
 #include "view/answer_json.h"
 #include "view/page.h"
 
@@ -34,7 +35,7 @@ struct SceneOptions {
 };
 
 QueryOptions query_options(const SceneOptions& options, const SceneFile& file) {
-    return {.margin = options.margin.empty() ? file.margin : number_of("--margin", options.margin),
+    return {.margin = file.margin,
             .hold = options.hold.empty() ? file.hold : number_of("--hold", options.hold),
             .time_tolerance = number_of("--time-tolerance", options.time_tolerance),
             .find = options.any            ? Find::any
@@ -53,21 +54,19 @@ std::string summary(const Scene& scene, const SceneAnswer& answer) {
            report(answer.work);
 }
 
+/// The line below the verdict, and how to test bodies at rest where nothing else is tested.
+std::string untested_lines(const SceneAnswer& answer) {
+    const bool all_rest = answer.untested.tested == 0 && answer.untested.count(UntestedReason::at_rest) > 0;
+    return report(answer.untested) + (all_rest ? labelled("", "--until 0 tests bodies at rest, too") : "");
+}
+
 /// The first contact in full, and a line for each that may be at the same time.
 std::string report_first(const Scene& scene, const SceneAnswer& answer, const QueryOptions& options) {
     const double margin = options.margin;
-    if (answer.contacts.empty() && options.hold)
-        return fmt::format("CLEAR: proven that nothing that is held comes within {:.9g}, or nearer than at the start "
-                           "if that is less, and nothing else within {:.9g}\n",
-                           *options.hold, margin) +
-               summary(scene, answer);
-    if (answer.contacts.empty()) {
-        FirstContact clear;
-        clear.verdict = Verdict::clear;
-        return headline(clear, margin) + summary(scene, answer);
-    }
+    if (answer.contacts.empty())
+        return clear_headline(answer.untested, options) + untested_lines(answer) + summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
-    std::string text = headline(first.contact, margin) + labelled("pair", pair_of(scene, first)) +
+    std::string text = headline(first.contact, margin) + untested_lines(answer) + labelled("pair", pair_of(scene, first)) +
                        report_contact(first.contact, margin);
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
@@ -77,7 +76,8 @@ std::string report_first(const Scene& scene, const SceneAnswer& answer, const Qu
 /// A line for each pair that touches.
 std::string report_all(const Scene& scene, const SceneAnswer& answer) {
     std::string text =
-        counted(answer.contacts.size(), "pair") + (answer.contacts.size() == 1 ? " touches\n" : " touch\n");
+        counted(answer.contacts.size(), "pair") + (answer.contacts.size() == 1 ? " touches\n" : " touch\n") +
+        untested_lines(answer);
     for (const SceneContact& contact : answer.contacts)
         text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
                          pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));
@@ -119,7 +119,10 @@ std::string report_of(const SceneOptions& options, const Scene& scene, const Sce
 }
 
 int run_scene(const SceneOptions& options) {
-    const SceneFile file = load_scene(options.file, options.polyhedron);
+    std::optional<double> margin;
+    if (!options.margin.empty())
+        margin = number_of("--margin", options.margin);
+    const SceneFile file = load_scene(options.file, options.polyhedron, margin);
     PageFile page(options);
     const Interruption interruption;
     std::optional<ProgressBar> bar;

@@ -66,6 +66,7 @@ SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scen
     const double begin = segments.front().begin, whole = segments.back().end - begin;
     const double end = answer.verdict == Verdict::clear ? segments.back().end : answer.time.lower;
     SceneRecord record{.source = RecordSource::recording, .clear_until = answer.clear_until};
+    record.untested = *answer.untested;
     record.times = sampled_stamps(path, end);
     const auto& links = robot.description().links;
     std::vector<std::vector<Pose>> poses(links.size());

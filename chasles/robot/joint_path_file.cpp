@@ -34,7 +34,7 @@ Columns columns_of(const io::CsvRow& header, const Robot& robot) {
             io::fail_at_line(header.line, "the robot has no variable " + io::in_quotes(name) +
                                               "; fixed joints and joints that follow others have none");
     }
-    if (columns.variables.empty())
+    if (columns.variables.empty() && !robot.variables().empty())
         io::fail_at_line(header.line, "the header names no variable of the robot");
     return columns;
 }

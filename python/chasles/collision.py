@@ -276,8 +276,8 @@ def _objects_of(manager: Any) -> dict[str, Placed]:
 def _contacts(scene: Scene, return_names: bool, return_data: bool) -> list[SceneContact]:
     """All pairs that touch if they are asked for, otherwise at most one."""
     if return_names or return_data:
-        return scene.all_contacts(find="first_with_all_contacts" if return_data else "first")
-    found = scene.first_contact(find="any")
+        return scene.all_contacts(until=0, find="first_with_all_contacts" if return_data else "first")
+    found = scene.first_contact(until=0, find="any")
     return [] if found.verdict == Verdict.clear else [found]
 
 

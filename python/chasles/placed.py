@@ -100,7 +100,7 @@ def scene_of(groups: Sequence[Mapping[str, Placed]]) -> tuple[Scene, dict[str, P
 def _nearest_pairs(scene: Scene, bound: float) -> list[tuple[str, str]]:
     """The pairs within a distance that has one: a thousandth of the bound at first, which some pair is known to have."""
     for distance in bound * 4.0 ** np.arange(-5, 1):
-        found = scene.all_contacts(margin=min(float(distance) * (1 + 1e-9), _LARGEST))
+        found = scene.all_contacts(until=0, margin=min(float(distance) * (1 + 1e-9), _LARGEST))
         if found:
             return [tuple(sorted(contact.pair)) for contact in found]  # type: ignore[type-var, misc]
     raise InvalidInput(f"distance: all objects are farther apart than {_LARGEST:g}")
