@@ -53,8 +53,8 @@ robot::ConfigurationRows read_path(const Robot& robot, const std::string& file) 
     std::string names;
     for (const RobotVariable& variable : robot.variables())
         names += (names.empty() ? "" : ", ") + variable.name;
-    throw InvalidInput("--path: is needed for the " + counted(robot.variables().size(), "variable") + " of the robot: " +
-                       names);
+    throw InvalidInput("--path: is needed for the " + counted(robot.variables().size(), "variable") +
+                       " of the robot: " + names);
 }
 
 RobotQuestion read_question(const RobotCommand& options) {
@@ -143,9 +143,8 @@ int run_clearance(const RobotCommand& options) {
                                                       .find = question.options.find});
     if (question.has_stamps())
         count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
-    print(options.json
-              ? json_text(question, view::robot_clearance_json(question.robot, found, question.has_stamps()))
-              : robot_report(question, found));
+    print(options.json ? json_text(question, view::robot_clearance_json(question.robot, found, question.has_stamps()))
+                       : robot_report(question, found));
     print_warnings(question.warnings);
     return !found.pair || view::proven_verdict(found.nearest) == Verdict::clear ? is_clear : is_contact;
 }
@@ -200,8 +199,9 @@ void add_robot(CLI::App& app, Task& task) {
         ->type_name("D")
         ->capture_default_str();
     command
-        .add_option("--hold", options->query.hold,
-                    "what is within the margin where a segment begins may move on, but never comes within this distance")
+        .add_option(
+            "--hold", options->query.hold,
+            "what is within the margin where a segment begins may move on, but never comes within this distance")
         ->excludes(clearance)
         ->type_name("H");
     command.add_option("--time-tolerance", options->query.time_tolerance, "aimed width of the bracket around the time")

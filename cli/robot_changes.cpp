@@ -54,14 +54,14 @@ AllowedPair allowed_pair(const Robot& robot, const Scene* scene, const std::stri
 }
 
 void allow(Robot& robot, const Scene* scene, const std::string& given) {
-    const auto [link, other] = allowed_pair(robot, scene, given);
-    const bool is_link = has_link(robot, other), is_body = has_body(scene, other);
+    const AllowedPair pair = allowed_pair(robot, scene, given);
+    const bool is_link = has_link(robot, pair.other), is_body = has_body(scene, pair.other);
     if (is_link && is_body)
-        refuse_pair(given, ": " + io::in_quotes(other) + " is a link and a body of the scene; rename the body");
+        refuse_pair(given, ": " + io::in_quotes(pair.other) + " is a link and a body of the scene; rename the body");
     if (is_body)
-        robot.ignore_in_scene(link, other);
+        robot.ignore_in_scene(pair.link, pair.other);
     else
-        at_place("--allow", [&] { robot.ignore(link, other); });
+        at_place("--allow", [&] { robot.ignore(pair.link, pair.other); });
 }
 
 /// The name of the file without its ending, with a number if that is taken.

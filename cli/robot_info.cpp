@@ -54,19 +54,18 @@ view::Json joint_json(const Robot& robot, const JointDescription& joint) {
                                      {"upper", variable.upper},
                                      {"continuous", variable.is_continuous}});
     if (joint.mimic)
-        json["mimic"] = {{"joint", joint.mimic->joint},
-                         {"multiplier", joint.mimic->multiplier},
-                         {"offset", joint.mimic->offset}};
+        json["mimic"] = {
+            {"joint", joint.mimic->joint}, {"multiplier", joint.mimic->multiplier}, {"offset", joint.mimic->offset}};
     return json;
 }
 
 view::Json robot_json(const Robot& robot) {
-    view::Json json{{"name", robot.description().name}, {"joints", view::Json::array()}, {"links", view::Json::array()}};
+    view::Json json{
+        {"name", robot.description().name}, {"joints", view::Json::array()}, {"links", view::Json::array()}};
     for (const JointDescription& joint : robot.description().joints)
         json["joints"].push_back(joint_json(robot, joint));
     for (const LinkDescription& link : robot.description().links)
-        json["links"].push_back(
-            {{"name", link.name}, {"shapes", link.collisions.size()}, {"faces", faces_of(link)}});
+        json["links"].push_back({{"name", link.name}, {"shapes", link.collisions.size()}, {"faces", faces_of(link)}});
     for (const GroupDescription& group : robot.description().groups)
         json["groups"].push_back({{"name", group.name}, {"joints", group.joints}, {"links", group.links}});
     for (const StateDescription& state : robot.description().states)
@@ -86,8 +85,8 @@ std::string limits_text(const RobotVariable& variable) {
 }
 
 std::string joint_lines(const Robot& robot, const JointDescription& joint) {
-    const std::string text = fmt::format("{}: {}, {} to {}", joint.name, view::name_of(joint.type), joint.parent,
-                                         joint.child);
+    const std::string text =
+        fmt::format("{}: {}, {} to {}", joint.name, view::name_of(joint.type), joint.parent, joint.child);
     if (joint.mimic)
         return labelled("joint", fmt::format("{}, follows {}: {:.9g} times its value, plus {:.9g}", text,
                                              joint.mimic->joint, joint.mimic->multiplier, joint.mimic->offset));
@@ -100,7 +99,7 @@ std::string joint_lines(const Robot& robot, const JointDescription& joint) {
     return lines;
 }
 
-std::string robot_report(const std::string& file, const Robot& robot) {
+std::string robot_text(const std::string& file, const Robot& robot) {
     const RobotDescription& description = robot.description();
     std::string text =
         fmt::format("{}: robot {}, {}, {}\n", file, description.name, counted(description.links.size(), "link"),
@@ -129,7 +128,7 @@ bool is_robot_file(const std::string& file) {
 
 int run_robot_info(const RobotOptions& options, bool json) {
     const Robot robot = load_robot(options);
-    print(json ? robot_json(robot).dump() + "\n" : robot_report(options.urdf, robot));
+    print(json ? robot_json(robot).dump() + "\n" : robot_text(options.urdf, robot));
     print_warnings(robot.warnings());
     return is_clear;
 }

@@ -66,8 +66,8 @@ std::string report_first(const Scene& scene, const SceneAnswer& answer, const Qu
     if (answer.contacts.empty())
         return clear_headline(answer.untested, options) + untested_lines(answer) + summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
-    std::string text = headline(first.contact, margin) + untested_lines(answer) + labelled("pair", pair_of(scene, first)) +
-                       report_contact(first.contact, margin);
+    std::string text = headline(first.contact, margin) + untested_lines(answer) +
+                       labelled("pair", pair_of(scene, first)) + report_contact(first.contact, margin);
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
     return text + summary(scene, answer);
@@ -75,9 +75,8 @@ std::string report_first(const Scene& scene, const SceneAnswer& answer, const Qu
 
 /// A line for each pair that touches.
 std::string report_all(const Scene& scene, const SceneAnswer& answer) {
-    std::string text =
-        counted(answer.contacts.size(), "pair") + (answer.contacts.size() == 1 ? " touches\n" : " touch\n") +
-        untested_lines(answer);
+    std::string text = counted(answer.contacts.size(), "pair") +
+                       (answer.contacts.size() == 1 ? " touches\n" : " touch\n") + untested_lines(answer);
     for (const SceneContact& contact : answer.contacts)
         text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
                          pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));

@@ -14,9 +14,9 @@ struct SceneFile {
     std::optional<double> hold;
 };
 
-/// Reads a scene and its meshes, whose paths are relative to the file. Each mesh is loaded once. `margin` counts instead
-/// of that of the file, also for what touches at the start. Throws InvalidInput "FILE: PLACE: WHY", for an unknown key,
-/// too.
+/// Reads a scene and its meshes, whose paths are relative to the file. Each mesh is loaded once. `margin` counts
+/// instead of that of the file, also for what touches at the start. Throws InvalidInput "FILE: PLACE: WHY", for an
+/// unknown key, too.
 SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions& options,
                      std::optional<double> margin = {});
 

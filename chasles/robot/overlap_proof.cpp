@@ -45,8 +45,8 @@ double distance_to_segment(const Vector3d& point, const Vector3d& a, const Vecto
 double distance_to(const std::array<Vector3d, 3>& triangle, const Vector3d& point) {
     const auto& [a, b, c] = triangle;
     const Vector3d normal = (b - a).cross(c - a);
-    const double rim = std::min({distance_to_segment(point, a, b), distance_to_segment(point, b, c),
-                                 distance_to_segment(point, c, a)});
+    const double rim = std::min(
+        {distance_to_segment(point, a, b), distance_to_segment(point, b, c), distance_to_segment(point, c, a)});
     const bool is_beside = normal.squaredNorm() > 0 && normal.cross(b - a).dot(point - a) >= 0 &&
                            normal.cross(c - b).dot(point - b) >= 0 && normal.cross(a - c).dot(point - c) >= 0;
     return is_beside ? std::min(rim, std::abs(normal.dot(point - a)) / normal.norm()) : rim;
@@ -61,7 +61,8 @@ Crossing crossing_of(const std::array<Vector3d, 3>& triangle, const Vector3d& po
     const Vector3d across = direction.cross(second);
     const double volume = first.dot(across);
     if (std::abs(volume) <= doubt * first.norm() * second.norm())
-        return distance_to(triangle, point) > 0 && first.cross(second).norm() == 0 ? Crossing::none : Crossing::doubtful;
+        return distance_to(triangle, point) > 0 && first.cross(second).norm() == 0 ? Crossing::none
+                                                                                   : Crossing::doubtful;
     const Vector3d from = point - triangle[0];
     const double u = from.dot(across) / volume, v = direction.dot(from.cross(first)) / volume;
     const double least = std::min({u, v, 1 - u - v});
@@ -129,7 +130,8 @@ bool OverlapProof::is_inside(const Surface& surface, const Vector3d& point, doub
     for (const auto& triangle : surface.triangles)
         if (!(distance_to(triangle, point) > margin))
             return false;
-    for (const Vector3d& direction : {Vector3d(0.57, 0.31, 0.76), Vector3d(-0.23, 0.85, 0.47), Vector3d(0.41, -0.62, 0.67)}) {
+    for (const Vector3d& direction :
+         {Vector3d(0.57, 0.31, 0.76), Vector3d(-0.23, 0.85, 0.47), Vector3d(0.41, -0.62, 0.67)}) {
         bool is_inside = false, is_doubtful = false;
         for (const auto& triangle : surface.triangles) {
             const Crossing crossing = crossing_of(triangle, point, direction);

@@ -78,8 +78,7 @@ void PairSearch::for_each_answer(const JointPath::Segment& segment, const QueryO
         for (const Element* fixed : second_) {
             const motion::SharedFrame frame = motion::chain_frame(model_.chain_between(motion, *fixed, *moving));
             const motion::ErasedTrajectory trajectory{motion::SmoothTrajectory(motion::SmoothMotion::of_one(frame))};
-            if (is_time_up() ||
-                !use(query::answer({moving->shape.body(), fixed->shape.body(), trajectory, options})))
+            if (is_time_up() || !use(query::answer({moving->shape.body(), fixed->shape.body(), trajectory, options})))
                 return;
         }
 }
@@ -269,9 +268,8 @@ bool PairSearch::examine_never(std::deque<Cell>& cells, PairProof& proof) {
 
 /// Likewise for cells in which the links are not proven to overlap everywhere. True once the pair was clear.
 bool PairSearch::examine_always(std::deque<Cell>& cells, PairProof& proof, const OverlapProof& overlaps) {
-    const std::vector<char> are_open = flags_of(cells, [&](const Cell& cell) {
-        return !overlaps.touch_within(margin_of(cell), configuration(cell.middle));
-    });
+    const std::vector<char> are_open = flags_of(
+        cells, [&](const Cell& cell) { return !overlaps.touch_within(margin_of(cell), configuration(cell.middle)); });
     if (is_over())
         return true;
     proof.cells += are_open.size();
@@ -299,16 +297,16 @@ void PairSearch::branch(PairProof& proof, std::size_t axes, PairReason reason, c
 void PairSearch::run(PairProof& proof, double seconds, const std::function<bool()>& goes_on) {
     goes_on_ = goes_on;
     const Clock::time_point start = Clock::now();
-    deadline_ = start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, 1e8)));
+    deadline_ =
+        start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, 1e8)));
     if (has_limits_ && !sample(proof) && !is_over()) {
         if (!may_touch_)
             branch(proof, axes_.size() - 1, PairReason::never,
                    [&](std::deque<Cell>& cells, PairProof& of) { return examine_never(cells, of); });
         else if (may_be_always()) {
             const OverlapProof overlaps(model_, first_, second_);
-            branch(proof, axes_.size(), PairReason::always, [&](std::deque<Cell>& cells, PairProof& of) {
-                return examine_always(cells, of, overlaps);
-            });
+            branch(proof, axes_.size(), PairReason::always,
+                   [&](std::deque<Cell>& cells, PairProof& of) { return examine_always(cells, of, overlaps); });
         }
     }
     proof.seconds += seconds_since(start);

@@ -70,7 +70,7 @@ struct RobotFiles {
 class CHASLES_EXPORT Robot {
 public:
     /// Reads a URDF file, and an SRDF file if one is named. Throws InvalidInput with file, line, element and reason.
-    /// Defined in chasles/robot/urdf_reader.cpp.
+    /// Defined in chasles/robot/srdf_reader.cpp.
     static Robot load(const std::filesystem::path& urdf, const RobotFiles& files = {});
 
     /// Throws InvalidInput "robot: ELEMENT: WHY" for a description that is no tree, names what does not exist, or
@@ -167,8 +167,8 @@ struct [[nodiscard]] RobotAnswer {
     /// Before this stamp nothing comes within the margin; held pairs do not come within `hold`, or nearer than where
     /// their segment began if that is less.
     double clear_until = 0;
-    Configuration clear_configuration; ///< at clear_until
-    std::size_t pairs = 0;             ///< that were searched, because boxes did not prove them apart
+    Configuration clear_configuration;             ///< at clear_until
+    std::size_t pairs = 0;                         ///< that were searched, because boxes did not prove them apart
     std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
     Work work;
 };
@@ -184,8 +184,8 @@ struct [[nodiscard]] RobotClearance {
     bool certain = false;          ///< whether the bracket is as narrow as asked; where something touches, proven
     std::optional<RobotPair> pair; ///< that is nearest
     LeastDistance nearest; ///< of the pair, with times of the segment in [0, 1]: the first one moves. In the world
-    Configuration configuration; ///< at the lower end of `time`
-    std::size_t pairs = 0;       ///< that were searched
+    Configuration configuration;                   ///< at the lower end of `time`
+    std::size_t pairs = 0;                         ///< that were searched
     std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
     Work work;
 };

@@ -22,7 +22,9 @@ public:
     }
 
     [[nodiscard]] bool is_empty() const { return faces_.empty(); }
-    [[nodiscard]] Polyhedron body() const { return Polyhedron::from_polygons(vertices_, faces_, {.triangulate = true}); }
+    [[nodiscard]] Polyhedron body() const {
+        return Polyhedron::from_polygons(vertices_, faces_, {.triangulate = true});
+    }
 
 private:
     /// Whole if it is still planar, else in triangles, which are planar always.

@@ -93,9 +93,9 @@ bool SrdfReader::has_link(const Element& element, const std::string& name) {
 
 void SrdfReader::add_warnings() {
     for (const auto& [names, unknown] : unknown_)
-        robot_.warnings.push_back(unknown.place + "there is no " + names.first + ' ' + io::in_quotes(names.second) +
-                                  (unknown.count > 1 ? "; it is named " + std::to_string(unknown.count) + " times"
-                                                     : std::string()));
+        robot_.warnings.push_back(
+            unknown.place + "there is no " + names.first + ' ' + io::in_quotes(names.second) +
+            (unknown.count > 1 ? "; it is named " + std::to_string(unknown.count) + " times" : std::string()));
 }
 
 void SrdfReader::add_disabled_pairs() {
@@ -265,3 +265,14 @@ void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
 }
 
 } // namespace chasles::robot
+
+namespace chasles {
+
+Robot Robot::load(const std::filesystem::path& urdf, const RobotFiles& files) {
+    RobotDescription description = robot::read_urdf(urdf, files);
+    if (!files.srdf.empty())
+        robot::read_srdf(files.srdf, description);
+    return Robot(std::move(description));
+}
+
+} // namespace chasles

@@ -347,14 +347,3 @@ RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& 
 }
 
 } // namespace chasles::robot
-
-namespace chasles {
-
-Robot Robot::load(const std::filesystem::path& urdf, const RobotFiles& files) {
-    RobotDescription description = robot::read_urdf(urdf, files);
-    if (!files.srdf.empty())
-        robot::read_srdf(files.srdf, description);
-    return Robot(std::move(description));
-}
-
-} // namespace chasles

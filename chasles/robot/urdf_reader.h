@@ -1,4 +1,4 @@
-// Reads robots from URDF and SRDF files. `Robot::load` (chasles/robot/robot.h) is defined in urdf_reader.cpp.
+// Reads robots from URDF and SRDF files. `Robot::load` (chasles/robot/robot.h) is defined in srdf_reader.cpp.
 #pragma once
 
 #include "chasles/robot/robot.h"

@@ -26,7 +26,7 @@ bool turns(const robot::Model& model, const RobotVariable& variable) {
     return variable.is_continuous || (joint != joints.end() && joint->type == JointType::revolute);
 }
 
-double excess_of(const RobotVariable& variable, double value) {
+double distance_beyond(const RobotVariable& variable, double value) {
     return std::max({0.0, variable.lower - value, value - variable.upper});
 }
 
@@ -37,13 +37,13 @@ std::string limits_text(const RobotVariable& variable) {
 /// The line about one variable, whose value is given for each configuration; empty if nothing looks wrong.
 std::string warning_about(const robot::Model& model, const RobotVariable& variable, const Eigen::VectorXd& values) {
     const double allowed = largest_angle_of(variable);
-    const bool has_far_limits = std::isfinite(variable.lower + variable.upper) &&
-                                std::max(-variable.lower, variable.upper) > allowed;
+    const bool has_far_limits =
+        std::isfinite(variable.lower + variable.upper) && std::max(-variable.lower, variable.upper) > allowed;
     const bool may_be_degrees = turns(model, variable) && !has_far_limits;
     Eigen::Index worst = -1, beyond = 0;
     for (Eigen::Index i = 0; i < values.size(); ++i) {
         const bool is_far = may_be_degrees && std::abs(values[i]) > allowed;
-        if (!is_far && !(excess_of(variable, values[i]) > least_excess))
+        if (!is_far && !(distance_beyond(variable, values[i]) > least_excess))
             continue;
         ++beyond;
         if (worst < 0 || std::abs(values[i]) > std::abs(values[worst]))

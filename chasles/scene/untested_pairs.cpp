@@ -77,7 +77,8 @@ void Scene::UntestedCount::count_pairs() {
 void Scene::UntestedCount::count_groups() {
     std::map<std::string, Members> members;
     for (const auto& [a, b] : scene_.ignored_groups_)
-        members[a], members[b];
+        for (const std::string& group : {a, b})
+            members.try_emplace(group);
     for (std::size_t i = 0; i < scene_.bodies_.size() && !members.empty(); ++i)
         if (const auto found = members.find(scene_.bodies_[i].group); found != members.end()) {
             found->second.all.push_back(i);
@@ -130,7 +131,7 @@ UntestedPairs Scene::UntestedCount::run() {
     if (!tests_bodies_at_rest_)
         count_at_rest();
     std::ranges::sort(found_.named, {}, [](const UntestedPair& pair) {
-        return std::tuple<Reason, const std::string&, const std::string&>(pair.reason, pair.first, pair.second);
+        return std::tuple(pair.reason, std::string_view(pair.first), std::string_view(pair.second));
     });
     found_.tested = pairs_of(scene_.bodies_.size()) - found_.total();
     return std::move(found_);

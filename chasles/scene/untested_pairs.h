@@ -33,10 +33,10 @@ struct UntestedPairs {
     static constexpr std::size_t reasons = 6;
     static constexpr std::size_t most_named = 100;
 
-    std::size_t tested = 0;                     ///< the number of all other pairs
+    std::size_t tested = 0;                    ///< the number of all other pairs
     std::array<std::size_t, reasons> counts{}; ///< by reason
-    std::vector<UntestedPair> named;            ///< in the order of reasons and names; of each reason at most 100
-    std::vector<std::string> without_shapes;    ///< links: their pairs are not among `named`
+    std::vector<UntestedPair> named;           ///< in the order of reasons and names; of each reason at most 100
+    std::vector<std::string> without_shapes;   ///< links: their pairs are not among `named`
 
     [[nodiscard]] std::size_t count(UntestedReason reason) const { return counts[std::size_t(reason)]; }
     [[nodiscard]] std::size_t total() const { return std::accumulate(counts.begin(), counts.end(), std::size_t{0}); }

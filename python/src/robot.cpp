@@ -158,7 +158,8 @@ constexpr const char* question_doc =
 } // namespace
 
 #define CHASLES_ROBOT_QUESTION                                                                                         \
-    "*, scene: Scene | None = None, margin: float = 0.0, hold: float | None = None, time_tolerance: float = 1e-12, " CHASLES_FIND_TYPE
+    "*, scene: Scene | None = None, margin: float = 0.0, hold: float | None = None, time_tolerance: float = "          \
+    "1e-12, " CHASLES_FIND_TYPE
 
 void bind_robot(nb::module_& module) {
     static const std::string edge_doc =
@@ -204,10 +205,10 @@ void bind_robot(nb::module_& module) {
         .def(
             "shape",
             [](const Robot& r, nb::handle configuration) {
-                return Body{r.shape(configuration.is_none() ? r.neutral()
-                                                            : configuration_from(configuration, "configuration")),
-                            nullptr,
-                            {}};
+                return Body{
+                    r.shape(configuration.is_none() ? r.neutral() : configuration_from(configuration, "configuration")),
+                    nullptr,
+                    {}};
             },
             "configuration"_a = nb::none(),
             nb::sig("def shape(self, configuration: numpy.typing.ArrayLike | None = None) -> Polyhedron"),
@@ -264,8 +265,8 @@ void bind_robot(nb::module_& module) {
                std::optional<double> hold, double tolerance, nb::handle find) {
                 return answer_on_edge(checker_of(r, {scene, margin, hold, tolerance, find}), start, goal);
             },
-            "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
-            "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
+            "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "hold"_a = nb::none(),
+            "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: "
                     "numpy.typing.ArrayLike, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
             edge_doc.c_str())
@@ -278,8 +279,8 @@ void bind_robot(nb::module_& module) {
                                       {configurations, times, velocities, accelerations});
             },
             "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
-            nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance,
-            "find"_a.none() = "first",
+            nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "hold"_a = nb::none(),
+            "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
@@ -291,8 +292,8 @@ void bind_robot(nb::module_& module) {
             "least_distance",
             [](const Robot& r, nb::handle start, nb::handle goal, nb::handle scene, double tolerance) {
                 const nb::str find("first");
-                return clearance_on_edge(checker_of(r, {scene, 0, std::nullopt, default_time_tolerance, find}), start, goal,
-                                         tolerance);
+                return clearance_on_edge(checker_of(r, {scene, 0, std::nullopt, default_time_tolerance, find}), start,
+                                         goal, tolerance);
             },
             "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "tolerance"_a = default_tolerance,
             nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, *, "

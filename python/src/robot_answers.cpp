@@ -97,7 +97,8 @@ namespace {
 
 std::string text_of(const PythonRobotAnswer& answer) {
     if (!answer.found.pair)
-        return "<chasles.RobotContact: clear>";
+        return fmt::format("<chasles.RobotContact: clear; {} pairs are tested, and {} are not>",
+                           answer.found.untested->tested, answer.found.untested->total());
     return fmt::format("<chasles.RobotContact: {} on {} at time {:.12g} of segment {}>", answer.found.pair->first,
                        answer.found.pair->second, answer.time().lower, answer.found.segment);
 }

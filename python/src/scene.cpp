@@ -154,7 +154,10 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
         clear.certain = true;
         clear.clear_until = found.clear_until;
         clear.work = found.work;
-        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin}, std::nullopt, true, {},
+        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin},
+                std::nullopt,
+                true,
+                {},
                 std::move(found.untested)};
     }
     SceneContactAnswer answer = answer_of(scene, found.contacts.front(), margin);
@@ -212,7 +215,8 @@ constexpr const char* question_doc =
     "\n\nParameters\n----------\nmargin : float\n    Distance that counts as contact, mesh unit.\n"
     "hold : float, optional\n    Bodies that start within their margin may move on, but come no nearer than "
     "this.\nuntil : float\n"
-    "    Contacts that begin after this time, in [0, 1], are left out. Two bodies that both stand still are tested with "
+    "    Contacts that begin after this time, in [0, 1], are left out. Two bodies that both stand still are tested "
+    "with "
     "0 only,\n    which makes it a question about the start.\ntime_tolerance : float\n"
     "    Width of the brackets to aim for.\nfind : Find or str\n"
     "    'first', 'first_with_all_contacts', or 'any' for a question of yes or no.\n"

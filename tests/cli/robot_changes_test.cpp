@@ -41,7 +41,7 @@ TEST_F(RobotChangesCommand, ARobotMayStandOnItsTable) {
         << found.out;
     const Json untested = json("--scene table.json --allow base,table")["untested"];
     EXPECT_EQ(untested["tested"], 3);
-    EXPECT_EQ(untested["reasons"][1]["pairs"], Json({{"base", "table"}}));
+    EXPECT_EQ(untested["reasons"][1]["pairs"], Json::parse(R"([["base", "table"]])"));
     EXPECT_EQ(json("--allow base,l2")["untested"]["tested"], 0);
 }
 
@@ -52,8 +52,9 @@ TEST_F(RobotChangesCommand, CarriesMeshesByName) {
     const Json found = json("--attach l2,block.obj,1.5,0,-0.05 --scene table.json --allow base,table");
     EXPECT_EQ(found["verdict"], "contact_at_start");
     EXPECT_EQ(found["pair"], Json({"block", "table"}));
-    EXPECT_EQ(json("--attach l2,block.obj,1.5,0,-0.05 --scene table.json --allow base,table --allow block,table")["verdict"],
-              "clear");
+    EXPECT_EQ(
+        json("--attach l2,block.obj,1.5,0,-0.05 --scene table.json --allow base,table --allow block,table")["verdict"],
+        "clear");
     const Json two = json("--attach l2,block.obj,1.5,0,3 --attach 'l1,block.obj,0 0 -1 1 0 0 0' --allow block,block_2");
     EXPECT_EQ(two["untested"]["reasons"].back()["pairs"].back(), Json({"block", "block_2"}));
 }
@@ -63,7 +64,8 @@ TEST_F(RobotChangesCommand, HoldsADistance) {
     EXPECT_EQ(json("--scene table.json --margin 0.1")["verdict"], "contact_at_start");
     const Json held = json("--scene table.json --margin 0.1 --hold 0.01");
     EXPECT_EQ(held["verdict"], "clear");
-    EXPECT_EQ(refused("--scene table.json --margin 0.1 --hold 0.1"), "chasles: query: hold: must be less than some margin");
+    EXPECT_EQ(refused("--scene table.json --margin 0.1 --hold 0.1"),
+              "chasles: query: hold: must be less than some margin");
     EXPECT_TRUE(run("robot arm.urdf --path path.csv --scene table.json --margin 0.1 --hold 0.01")
                     .out.starts_with("CLEAR: proven that no tested pair that is held comes within 0.01"));
 }
@@ -83,7 +85,8 @@ TEST_F(RobotChangesCommand, WarnsOfWhatHasNoEffect) {
 }
 
 TEST_F(RobotChangesCommand, ARobotWithoutMovingJointsNeedsNoPath) {
-    write("bench.urdf", R"(<robot name="bench"><link name="top"><collision><geometry><box size="2 1 0.1"/></geometry></collision>
+    write("bench.urdf",
+          R"(<robot name="bench"><link name="top"><collision><geometry><box size="2 1 0.1"/></geometry></collision>
         </link></robot>)");
     write("ball.json", R"({"bodies": [{"name": "ball", "mesh": "cube.obj", "pose": [0, 0, 2], "goal": [0, 0, -2]}]})");
     EXPECT_EQ(run("robot bench.urdf").status, 0);
@@ -92,8 +95,8 @@ TEST_F(RobotChangesCommand, ARobotWithoutMovingJointsNeedsNoPath) {
     EXPECT_NEAR(found["time"].get<double>(), 1.95 / 4, 1e-9);
     EXPECT_EQ(found["pair"], Json({"top", "ball"}));
     write("t.csv", "t\n0\n8\n");
-    EXPECT_NEAR(Json::parse(run("robot bench.urdf --scene ball.json --path t.csv --json").out)["time"].get<double>(), 3.9,
-                1e-8)
+    EXPECT_NEAR(Json::parse(run("robot bench.urdf --scene ball.json --path t.csv --json").out)["time"].get<double>(),
+                3.9, 1e-8)
         << "in stamps";
     EXPECT_EQ(error_line("robot arm.urdf"), "chasles: --path: is needed for the 2 variables of the robot: j1, j2");
 }
@@ -131,12 +134,13 @@ TEST_F(RobotChangesCommand, AnswersTheInputsOfTheField) {
     EXPECT_EQ(run(limits).status, 0);
     EXPECT_NE(run(limits).err.find("the joint has no limits"), std::string::npos);
     const std::string door = "robot " + at("11-adjacent-links/hinge.urdf") + " --path " + at("11-adjacent-links/h.csv");
-    EXPECT_TRUE(run(door).out.starts_with("CLEAR: no pair is tested\n  untested  1 pair: 1 adjacent (frame and door)\n"));
+    EXPECT_TRUE(
+        run(door).out.starts_with("CLEAR: no pair is tested\n  untested  1 pair: 1 adjacent (frame and door)\n"));
     EXPECT_EQ(run(door + " --srdf " + at("11-adjacent-links/en.srdf")).status, 1);
     const tests::Finished tiles = run("scene " + at("13-bodies-at-rest/tiles_move.json"));
-    EXPECT_EQ(tiles.status, 0) << tiles.out;
+    EXPECT_NE(tiles.out.find("pair      b on t"), std::string::npos) << "only the body moves" << tiles.out;
     EXPECT_NE(tiles.out.find("36 at rest"), std::string::npos) << tiles.out;
-    EXPECT_NE(run("acm " + at("17-open-with-a-witness/arm.urdf")).out.find("base   fore   sometimes"), std::string::npos)
+    EXPECT_NE(run("acm " + at("17-open-with-a-witness/arm.urdf")).out.find("fore   sometimes"), std::string::npos)
         << run("acm " + at("17-open-with-a-witness/arm.urdf")).out;
 }
 

@@ -14,8 +14,10 @@ Robot crane() {
     robot.links = {{"base"}, {"lift"}, {"load", {{make_box({1, 1, 1}), shifted(0, 0, 0.5)}}}};
     robot.joints = {{"z", JointType::prismatic, "base", "lift"}, {"x", JointType::prismatic, "lift", "load"}};
     robot.joints[0].axis = Eigen::Vector3d::UnitZ();
-    for (JointDescription& joint : robot.joints)
-        joint.lower = -10, joint.upper = 10;
+    for (JointDescription& joint : robot.joints) {
+        joint.lower = -10;
+        joint.upper = 10;
+    }
     return Robot(robot);
 }
 
@@ -41,8 +43,9 @@ TEST(RobotHold, WhatStartsWithinTheMarginMayMoveOn) {
     EXPECT_EQ(along.verdict, Verdict::clear);
     EXPECT_EQ(along.clear_until, 1);
     EXPECT_TRUE(checker.is_clear(crane_at(0.05, 0), crane_at(0.05, 3)));
-    EXPECT_EQ(RobotChecker(robot, &scene, {{.margin = 0.1}}).first_contact(crane_at(0.05, 0), crane_at(0.05, 3)).verdict,
-              Verdict::contact_at_start)
+    EXPECT_EQ(
+        RobotChecker(robot, &scene, {{.margin = 0.1}}).first_contact(crane_at(0.05, 0), crane_at(0.05, 3)).verdict,
+        Verdict::contact_at_start)
         << "without hold";
     // From 0.05 down to 0: the hold distance, with a reserve of some 1e-13, is reached at 0.6 of the way.
     const RobotAnswer down = checker.first_contact(crane_at(0.05, 0), crane_at(0, 3));
@@ -96,7 +99,8 @@ TEST(RobotHold, AnswersAsAllPairsByThemselves) {
     for (int round = 0; round < 300; ++round) {
         const Robot robot(random_robot(random, 6, round % 3 == 0));
         const Scene scene = random_world(random, 3);
-        const std::array<Configuration, 2> ends{random_configuration(random, robot), random_configuration(random, robot)};
+        const std::array<Configuration, 2> ends{random_configuration(random, robot),
+                                                random_configuration(random, robot)};
         bool has_quaternion = false;
         for (const RobotVariable& variable : robot.variables())
             has_quaternion = has_quaternion || variable.name.ends_with("rot_w");

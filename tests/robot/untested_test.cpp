@@ -17,7 +17,8 @@ bool is_rigid(const Robot& robot, const std::string& a, const std::string& b, Ra
     const auto relative = [&](const Configuration& q) {
         return (robot.link_pose(a, q).isometry().inverse() * robot.link_pose(b, q).isometry()).matrix().eval();
     };
-    const Configuration one = random_configuration(random, robot, 1.9), other = random_configuration(random, robot, 1.9);
+    const Configuration one = random_configuration(random, robot, 1.9),
+                        other = random_configuration(random, robot, 1.9);
     return (relative(one) - relative(other)).norm() < 1e-9;
 }
 
@@ -68,7 +69,8 @@ TEST(RobotUntested, EachPairIsTestedOrCountedOnce) {
         EXPECT_EQ(answer.untested.get(), checker.least_distance(robot.neutral(), robot.neutral()).untested.get());
         EXPECT_EQ(answer.untested.get(), &untested) << "computed once";
     }
-    for (const Reason reason : {Reason::no_shapes, Reason::at_rest, Reason::adjacent, Reason::disabled, Reason::ignored})
+    for (const Reason reason :
+         {Reason::no_shapes, Reason::at_rest, Reason::adjacent, Reason::disabled, Reason::ignored})
         EXPECT_GT(seen[std::size_t(reason)], 20U);
 }
 

@@ -43,8 +43,9 @@ TEST_F(RobotWarnings, NameWhatTheRobotHasNot) {
 <chain base_link="base" tip_link="foot"/></group>)"),
               Texts({by + "group h>: there is no group 'h'", by + "joint spin>: there is no joint 'spin'",
                      "robot.srdf:3: <chain>: there is no link 'foot'", by + "link leg>: there is no link 'leg'"}));
-    EXPECT_EQ(of_srdf(R"(<group_state name="home" group="none"><joint name="knee" value="1"/></group_state>)"),
-              Texts({by + "group_state home>: there is no group 'none'", by + "joint knee>: there is no joint 'knee'"}));
+    EXPECT_EQ(
+        of_srdf(R"(<group_state name="home" group="none"><joint name="knee" value="1"/></group_state>)"),
+        Texts({by + "group_state home>: there is no group 'none'", by + "joint knee>: there is no joint 'knee'"}));
 }
 
 TEST_F(RobotWarnings, LimitsInTheWrongOrderAreNone) {
@@ -52,8 +53,9 @@ TEST_F(RobotWarnings, LimitsInTheWrongOrderAreNone) {
     EXPECT_EQ(robot.joints[0].lower, -std::numeric_limits<double>::infinity());
     EXPECT_EQ(robot.joints[0].upper, std::numeric_limits<double>::infinity());
     ASSERT_EQ(robot.warnings.size(), 1U);
-    EXPECT_EQ(without_folder(robot.warnings[0]),
-              "robot.urdf:7: <joint turn>: limit: the lower one, 3, is above the upper one, 2: the joint has no limits");
+    EXPECT_EQ(
+        without_folder(robot.warnings[0]),
+        "robot.urdf:7: <joint turn>: limit: the lower one, 3, is above the upper one, 2: the joint has no limits");
     EXPECT_EQ(Robot(robot).neutral()[0], 0);
 }
 

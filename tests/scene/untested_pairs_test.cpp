@@ -7,6 +7,8 @@
 #include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
+#include <map>
+#include <optional>
 #include <set>
 
 namespace chasles::test {
@@ -56,7 +58,8 @@ KnownScene random_scene(Random& random, int count) {
     for (int i = 0; i < count; ++i)
         known.add(random, i);
     for (int i = 0; i < count / 2; ++i)
-        if (const auto a = std::size_t(random.integer(0, count - 1)), b = std::size_t(random.integer(0, count - 1)); a != b)
+        if (const auto a = std::size_t(random.integer(0, count - 1)), b = std::size_t(random.integer(0, count - 1));
+            a != b)
             known.ignore(a, b);
     for (const NamePair& pair : {NamePair("left", "right"), NamePair("floor", "floor"), NamePair("", "floor")})
         if (random.chance(0.4)) {
@@ -149,7 +152,7 @@ TEST(UntestedPairs, WhatTouchesAtTheStartIsIgnoredAndNamed) {
     EXPECT_EQ(scene.first_contact().verdict, Verdict::contact) << "the screw goes on to the nut";
     EXPECT_EQ(scene.ignore_touching_at_start(0.2), Pairs({{"nut", "screw"}}));
     EXPECT_EQ(scene.first_contact().verdict, Verdict::clear);
-    scene.move(3, going(3.05, 2.5));
+    scene.move(3, going(3.05, 2.3));
     EXPECT_EQ(scene.first_contact().verdict, Verdict::contact) << "the washer comes to the screw";
     EXPECT_TRUE(scene.is_ignored(2, 3));
     scene.remove("nut");
