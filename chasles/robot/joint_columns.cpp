@@ -72,7 +72,7 @@ JointColumns::JointColumns(std::span<const std::string> names, const Robot& robo
         if (!columns_.back().variable)
             ignored_.push_back(name);
     }
-    if (ignored_.size() == names.size())
+    if (ignored_.size() == names.size() && !robot.variables().empty())
         throw InvalidInput("the header " + io::shown_names(names) + " names no variable of the robot, which has " +
                            names_of_variables(robot) + "; fixed joints and joints that follow others have none");
     require_one_each(names);

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -43,9 +44,9 @@ private:
     [[nodiscard]] EnclosingPolyhedron round_body(const Element& element);
     [[nodiscard]] EnclosingPolyhedron made_round_body(const RoundBody& given) const;
     [[nodiscard]] JointDescription joint(const Element& element);
-    void add_limits(const Element& element, JointDescription& joint) const;
+    void add_limits(const Element& element, JointDescription& joint);
     [[nodiscard]] double limit(const Element& element, const char* attribute) const;
-    void mend_mimic(JointDescription& joint, const RobotDescription& robot) const;
+    void mend_mimic(JointDescription& joint, const RobotDescription& robot);
     void check_version() const;
     [[nodiscard]] std::string name(const Element& element, std::set<std::string>& names) const;
     [[nodiscard]] std::string link_named(const Element& joint, const char* child) const;
@@ -61,6 +62,7 @@ private:
     std::map<std::string, std::string> parents_;           ///< of each link that is the child of a joint
     std::map<MeshKey, Polyhedron> meshes_;                 ///< by file and scale
     std::map<RoundBody, EnclosingPolyhedron> round_bodies_;
+    std::vector<std::string> warnings_;
 };
 
 Vector3d UrdfReader::vector(const Element& element, const char* attribute) const {
@@ -235,7 +237,8 @@ double UrdfReader::limit(const Element& element, const char* attribute) const {
     return file_.number(element, attribute);
 }
 
-void UrdfReader::add_limits(const Element& element, JointDescription& joint) const {
+/// Limits in the wrong order are a way to say that there are none.
+void UrdfReader::add_limits(const Element& element, JointDescription& joint) {
     if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
         return;
     const Element* const given = file_.child(element, "limit");
@@ -244,18 +247,24 @@ void UrdfReader::add_limits(const Element& element, JointDescription& joint) con
                                                               : "has no <limit>");
     joint.lower = limit(*given, "lower");
     joint.upper = limit(*given, "upper");
-    if (joint.lower > joint.upper)
-        file_.fail(element, "limit: the lower one, " + number_text(joint.lower) + ", is above the upper one, " +
-                                number_text(joint.upper));
+    if (joint.lower <= joint.upper)
+        return;
+    warnings_.push_back(file_.place_of(element) + "limit: the lower one, " + number_text(joint.lower) +
+                        ", is above the upper one, " + number_text(joint.upper) + ": the joint has no limits");
+    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.upper = std::numeric_limits<double>::infinity();
 }
 
 /// A joint that has to follow one of an unknown name is free. `Robot` checks the rest too, but has no lines.
-void UrdfReader::mend_mimic(JointDescription& joint, const RobotDescription& robot) const {
-    if (joint.mimic && !joints_.contains(joint.mimic->joint))
+void UrdfReader::mend_mimic(JointDescription& joint, const RobotDescription& robot) {
+    const Element& element = *joint_elements_.at(joint.name);
+    if (joint.mimic && !joints_.contains(joint.mimic->joint)) {
+        warnings_.push_back(file_.place_of(element) + "mimic: there is no joint " + io::in_quotes(joint.mimic->joint) +
+                            ": the joint follows none");
         joint.mimic.reset();
+    }
     if (!joint.mimic)
         return;
-    const Element& element = *joint_elements_.at(joint.name);
     if (joint.type == JointType::planar || joint.type == JointType::floating)
         file_.fail(element, "mimic: a joint with several variables cannot follow another one");
     std::set<std::string> chain{joint.name};
@@ -322,6 +331,7 @@ RobotDescription UrdfReader::read() {
     for (JointDescription& joint : robot.joints)
         mend_mimic(joint, robot);
     check_one_root();
+    robot.warnings = std::move(warnings_);
     try {
         (void)Robot(robot);
     } catch (const InvalidInput& error) {
@@ -337,14 +347,3 @@ RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& 
 }
 
 } // namespace chasles::robot
-
-namespace chasles {
-
-Robot Robot::load(const std::filesystem::path& urdf, const RobotFiles& files) {
-    RobotDescription description = robot::read_urdf(urdf, files);
-    if (!files.srdf.empty())
-        robot::read_srdf(files.srdf, description);
-    return Robot(std::move(description));
-}
-
-} // namespace chasles
