@@ -107,7 +107,7 @@ def javascript_names(root: pathlib.Path) -> set[str]:
     text = (root / "javascript/chasles/index.d.ts").read_text(encoding="utf-8")
     names: set[str] = set()
     for name in CLASSES:
-        body = re.search(rf"^export declare class {name}\b.*?\{{(.*?)^\}}", text, re.DOTALL | re.MULTILINE)
+        body = re.search(rf"^export (?:declare class|interface) {name}\b.*?\{{(.*?)^\}}", text, re.DOTALL | re.MULTILINE)
         names |= set(METHOD.findall(body[1])) if body else {f"class {name}"}
     return names
 
