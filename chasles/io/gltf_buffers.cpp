@@ -115,82 +115,93 @@ std::string percent_decoded(std::string_view uri) {
 
 } // namespace
 
-std::vector<double> GltfBuffers::numbers(std::size_t accessor, const char* type, SizeBudget& budget) {
-    const GltfItem item = gltf_item(file_, "accessor", accessor);
+// What an accessor says about itself and its bufferView.
+GltfBuffers::Layout GltfBuffers::layout_of(const GltfItem& item, std::string_view type) const {
     if (item.text("type") != type)
         item.fail("type: must be " + std::string(type) + ", not " + in_quotes(item.text("type")));
     Layout layout;
     layout.place = item.place;
     layout.offset = item.count("byteOffset", 0);
     layout.component_type = item.count("componentType");
-    layout.components = std::string_view(type) == "VEC3" ? 3 : 1;
+    layout.components = type == "VEC3" ? 3 : 1;
     layout.count = item.count("count");
     layout.is_normalized = item.flag("normalized");
-    (void)component_size(layout.component_type);
-    if (!item.find("bufferView") && layout.count > most_sparse_elements)
-        item.fail("announces " + std::to_string(layout.count) + " elements, but has no bufferView");
-    std::vector<double> numbers;
     if (item.find("bufferView")) {
         layout.view = item.count("bufferView");
         layout.stride = gltf_item(file_, "bufferView", layout.view).count("byteStride", 0);
-        budget.spend(layout.count);
-        copy(layout, numbers);
-    } else if (item.find("sparse")) { // the elements are 0
-        budget.spend(layout.count);
-        numbers.assign(layout.count * layout.components, 0);
-    } else {
-        item.fail("has neither bufferView nor sparse values");
     }
+    return layout;
+}
+
+std::vector<double> GltfBuffers::numbers(std::size_t accessor, std::string_view type, SizeBudget& budget) {
+    const GltfItem item = gltf_item(file_, "accessor", accessor);
+    const Layout layout = layout_of(item, type);
+    const bool has_bytes = item.find("bufferView");
+    if (!has_bytes && !item.find("sparse"))
+        item.fail("has neither bufferView nor sparse values");
+    if (!has_bytes && layout.count > most_sparse_elements)
+        item.fail("announces " + std::to_string(layout.count) + " elements, but has no bufferView");
+    budget.spend(layout.count);
+    std::vector<double> numbers = has_bytes ? copy(layout) : std::vector<double>(layout.count * layout.components, 0.0);
     if (item.find("sparse"))
         add_sparse(item, layout, numbers);
     return numbers;
 }
 
-// Appends all numbers of the layout.
-void GltfBuffers::copy(const Layout& layout, std::vector<double>& numbers) {
-    const std::string_view bytes = view(layout.view);
-    const std::size_t size = component_size(layout.component_type), element = size * layout.components;
-    const std::size_t stride = layout.stride == 0 ? element : layout.stride;
+// Refuses elements beyond the end of the bytes.
+void GltfBuffers::check_room(const Layout& layout, std::size_t stride, std::size_t bytes) {
+    const std::size_t element = component_size(layout.component_type) * layout.components;
     if (stride < element)
         throw InvalidInput(layout.place + ": the byteStride of its bufferView is shorter than one element");
-    const bool has_room =
-        layout.offset <= bytes.size() &&
-        (layout.count == 0 || (bytes.size() - layout.offset >= element &&
-                               layout.count - 1 <= (bytes.size() - layout.offset - element) / stride));
+    const bool has_room = layout.offset <= bytes &&
+                          (layout.count == 0 || (bytes - layout.offset >= element &&
+                                                 layout.count - 1 <= (bytes - layout.offset - element) / stride));
     if (!has_room)
         throw InvalidInput(layout.place + ": announces " + std::to_string(layout.count) +
                            " elements, which are more than its bufferView has");
+}
+
+// All numbers of the layout.
+std::vector<double> GltfBuffers::copy(const Layout& layout) {
+    const std::string_view bytes = view(layout.view);
+    const std::size_t size = component_size(layout.component_type);
+    const std::size_t stride = layout.stride == 0 ? size * layout.components : layout.stride;
+    check_room(layout, stride, bytes.size());
+    std::vector<double> numbers;
     numbers.reserve(layout.count * layout.components);
     for (std::size_t i = 0; i < layout.count; ++i)
         for (std::size_t k = 0; k < layout.components; ++k)
             numbers.push_back(gltf_component(layout.component_type, bytes.substr(layout.offset + i * stride + k * size),
                                              layout.is_normalized));
+    return numbers;
+}
+
+// The indices or the values of a sparse accessor. They have the layout of `like`, elsewhere.
+std::vector<double> GltfBuffers::sparse_part(const GltfItem& sparse, const char* key, Layout like) {
+    const Json* const json = sparse.find(key);
+    if (!json || !json->is_object())
+        sparse.fail("needs indices and values");
+    const GltfItem part{*json, sparse.place + " " + key};
+    like.place = part.place;
+    like.count = sparse.count("count");
+    like.view = part.count("bufferView");
+    like.offset = part.count("byteOffset", 0);
+    like.stride = 0;
+    like.component_type = part.count("componentType", like.component_type);
+    return copy(like);
 }
 
 // Puts the values of the elements that the accessor lists in the place of the others.
 void GltfBuffers::add_sparse(const GltfItem& accessor, const Layout& layout, std::vector<double>& numbers) {
     const GltfItem sparse{*accessor.find("sparse"), accessor.place + ": sparse"};
-    if (!sparse.json.is_object() || !sparse.find("indices") || !sparse.find("values"))
-        sparse.fail("needs indices and values");
-    Layout part;
-    part.place = sparse.place;
-    part.count = sparse.count("count");
-    const GltfItem index_item{*sparse.find("indices"), sparse.place + " indices"};
-    const GltfItem value_item{*sparse.find("values"), sparse.place + " values"};
-    std::vector<double> indices, values;
-    part.view = index_item.count("bufferView");
-    part.offset = index_item.count("byteOffset", 0);
-    part.component_type = index_item.count("componentType");
-    copy(part, indices);
-    part.view = value_item.count("bufferView");
-    part.offset = value_item.count("byteOffset", 0);
-    part.component_type = layout.component_type;
-    part.components = layout.components;
-    part.is_normalized = layout.is_normalized;
-    copy(part, values);
+    Layout one_number = layout;
+    one_number.components = 1;
+    one_number.is_normalized = false;
+    const std::vector<double> indices = sparse_part(sparse, "indices", one_number);
+    const std::vector<double> values = sparse_part(sparse, "values", layout);
     for (std::size_t i = 0; i < indices.size(); ++i) {
         if (!(indices[i] >= 0 && indices[i] < double(layout.count)))
-            index_item.fail("an index is out of range");
+            sparse.fail("an index is out of range");
         for (std::size_t k = 0; k < layout.components; ++k)
             numbers[std::size_t(indices[i]) * layout.components + k] = values[i * layout.components + k];
     }

@@ -21,12 +21,15 @@ public:
         : file_(file), binary_(binary), file_beside_(file_beside) {}
 
     /// Numbers of an accessor, one after another, with sparse values put in. Normalised integers become -1 to 1.
-    std::vector<double> numbers(std::size_t accessor, const char* type, SizeBudget& budget);
+    std::vector<double> numbers(std::size_t accessor, std::string_view type, SizeBudget& budget);
 
 private:
     struct Layout;
 
-    void copy(const Layout& layout, std::vector<double>& numbers);
+    Layout layout_of(const GltfItem& item, std::string_view type) const;
+    static void check_room(const Layout& layout, std::size_t stride, std::size_t bytes);
+    std::vector<double> copy(const Layout& layout);
+    std::vector<double> sparse_part(const GltfItem& sparse, const char* key, Layout like);
     void add_sparse(const GltfItem& accessor, const Layout& layout, std::vector<double>& numbers);
     std::string_view view(std::size_t index);
     std::string_view buffer(std::size_t index);

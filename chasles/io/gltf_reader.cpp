@@ -5,7 +5,9 @@
 #include "chasles/io/gltf_buffers.h"
 #include "chasles/io/scene_graph.h"
 
+#include <algorithm>
 #include <map>
+#include <numeric>
 
 namespace chasles::io {
 namespace {
@@ -174,13 +176,7 @@ private:
         if (mode < 4)
             return; // points and lines
         PolygonSoup& mesh = scene_.meshes.back();
-        const std::size_t accessor = position_accessor(primitive);
-        const auto [known, is_new] =
-            first_vertices.try_emplace(accessor, static_cast<std::uint32_t>(mesh.vertices.size()));
-        if (is_new)
-            add_vertices(primitive, accessor);
-        counts_.try_emplace(accessor, mesh.vertices.size() - known->second);
-        const std::vector<std::uint32_t> corners = corners_of(primitive, known->second, counts_.at(accessor));
+        const std::vector<std::uint32_t> corners = corners_of(primitive, first_vertices);
         if (mode == 5)
             add_triangle_strip(mesh, corners);
         else if (mode == 6)
@@ -201,22 +197,36 @@ private:
         return accessor;
     }
 
-    void add_vertices(const GltfItem& primitive, std::size_t accessor) {
-        const std::vector<double> numbers = buffers_.numbers(accessor, "VEC3", budget_);
-        for (std::size_t i = 0; i + 2 < numbers.size(); i += 3) {
-            scene_.meshes.back().vertices.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
-            if (!scene_.meshes.back().vertices.back().allFinite())
-                primitive.fail("vertex " + std::to_string(i / 3) + ": NaN or infinity");
+    // Vertices of the mesh.
+    struct VertexRange {
+        std::uint32_t first;
+        std::size_t count;
+    };
+
+    VertexRange vertices_of(const GltfItem& primitive, std::map<std::size_t, std::uint32_t>& first_vertices) {
+        std::vector<Eigen::Vector3d>& vertices = scene_.meshes.back().vertices;
+        const std::size_t accessor = position_accessor(primitive);
+        const auto [known, is_new] = first_vertices.try_emplace(accessor, static_cast<std::uint32_t>(vertices.size()));
+        if (is_new) {
+            const std::vector<double> numbers = buffers_.numbers(accessor, "VEC3", budget_);
+            counts_[accessor] = numbers.size() / 3;
+            for (std::size_t i = 0; i < numbers.size(); i += 3)
+                vertices.emplace_back(numbers[i], numbers[i + 1], numbers[i + 2]);
+            if (!std::ranges::all_of(numbers, [](double number) { return std::isfinite(number); }))
+                primitive.fail("NaN or infinity in its vertices");
         }
+        return {known->second, counts_.at(accessor)};
     }
 
     // The indices of the primitive; without indices, all vertices in order.
-    std::vector<std::uint32_t> corners_of(const GltfItem& primitive, std::uint32_t first, std::size_t count) {
+    std::vector<std::uint32_t> corners_of(const GltfItem& primitive,
+                                          std::map<std::size_t, std::uint32_t>& first_vertices) {
+        const auto [first, count] = vertices_of(primitive, first_vertices);
         std::vector<std::uint32_t> corners;
         if (!primitive.find("indices")) {
             budget_.spend(count);
-            for (std::size_t vertex = 0; vertex < count; ++vertex)
-                corners.push_back(first + static_cast<std::uint32_t>(vertex));
+            corners.resize(count);
+            std::iota(corners.begin(), corners.end(), first);
             return corners;
         }
         for (const double index : buffers_.numbers(primitive.count("indices"), "SCALAR", budget_)) {

@@ -101,13 +101,13 @@ private:
 
 // Appends a mesh in the coordinates of the scene.
 void add_mesh(MeshPart& part, const PolygonSoup& mesh, const Eigen::Affine3d& to_scene) {
-    const int orientation = orientation_of(to_scene);
     const auto first = static_cast<std::uint32_t>(part.polygons.vertices.size());
     for (const Eigen::Vector3d& vertex : mesh.vertices) {
         part.polygons.vertices.push_back(to_scene * vertex);
         if (!part.polygons.vertices.back().allFinite())
             throw InvalidInput("node " + in_quotes(part.name) + ": NaN or infinity in its transform or its vertices");
     }
+    const int orientation = orientation_of(to_scene);
     if (orientation == 0)
         throw InvalidInput("node " + in_quotes(part.name) +
                            ": its transform flattens the mesh (a scale of 0); remove the node or scale it");

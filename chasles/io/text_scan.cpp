@@ -53,12 +53,8 @@ double beyond_range(std::string_view word) {
 std::size_t character_size(std::string_view text) {
     const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
     const unsigned first = byte(0);
-    const std::size_t size = first < 0x80   ? 1
-                             : first < 0xc2 ? 0
-                             : first < 0xe0 ? 2
-                             : first < 0xf0 ? 3
-                             : first < 0xf5 ? 4
-                                            : 0;
+    const bool is_first = first < 0x80 || (first >= 0xc2 && first <= 0xf4);
+    const std::size_t size = !is_first ? 0 : 1U + (first >= 0xc2) + (first >= 0xe0) + (first >= 0xf0);
     const unsigned lowest = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : 0x80;
     const unsigned highest = first == 0xed ? 0x9f : first == 0xf4 ? 0x8f : 0xbf;
     if (size > 1 && (byte(1) < lowest || byte(1) > highest))

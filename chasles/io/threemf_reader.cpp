@@ -71,6 +71,20 @@ std::vector<const XmlElement*> grandchildren_of(const XmlElement& element, std::
     return list ? children_of(*list, name) : std::vector<const XmlElement*>();
 }
 
+// The vertex ids of a triangle.
+std::vector<std::uint32_t> corners_of(const XmlElement& triangle, std::size_t vertex_count) {
+    std::vector<std::uint32_t> face;
+    for (const char* const corner : {"v1", "v2", "v3"}) {
+        const std::size_t vertex = count_of(triangle, corner);
+        if (vertex >= vertex_count)
+            fail_at(triangle, std::string(corner) + ": vertex index " + std::to_string(vertex) +
+                                  " is out of range; there are " + std::to_string(vertex_count) +
+                                  " vertices, counted from 0");
+        face.push_back(static_cast<std::uint32_t>(vertex));
+    }
+    return face;
+}
+
 PolygonSoup threemf_mesh(const XmlElement& element) {
     if (child_of(element, "beamlattice"))
         fail_at(element, "beam lattices are not read; export as a plain mesh");
@@ -78,18 +92,8 @@ PolygonSoup threemf_mesh(const XmlElement& element) {
     for (const XmlElement* const vertex : grandchildren_of(element, "vertices", "vertex"))
         mesh.vertices.emplace_back(coordinate_of(*vertex, "x"), coordinate_of(*vertex, "y"),
                                    coordinate_of(*vertex, "z"));
-    for (const XmlElement* const triangle : grandchildren_of(element, "triangles", "triangle")) {
-        std::vector<std::uint32_t> face;
-        for (const char* const corner : {"v1", "v2", "v3"}) {
-            const std::size_t vertex = count_of(*triangle, corner);
-            if (vertex >= mesh.vertices.size())
-                fail_at(*triangle, std::string(corner) + ": vertex index " + std::to_string(vertex) +
-                                       " is out of range; there are " + std::to_string(mesh.vertices.size()) +
-                                       " vertices, counted from 0");
-            face.push_back(static_cast<std::uint32_t>(vertex));
-        }
-        mesh.faces.push_back(std::move(face));
-    }
+    for (const XmlElement* const triangle : grandchildren_of(element, "triangles", "triangle"))
+        mesh.faces.push_back(corners_of(*triangle, mesh.vertices.size()));
     return mesh;
 }
 

@@ -18,6 +18,9 @@ constexpr std::uint64_t most_unpacked = std::uint64_t{512} << 20U;
 constexpr std::uint64_t always_unpacked = std::uint64_t{64} << 20U;
 constexpr std::uint64_t highest_ratio = 100;
 
+constexpr std::uint64_t stored = 0; ///< methods of packing
+constexpr std::uint64_t deflated = 8;
+
 constexpr std::uint32_t entry_signature = 0x02014b50;
 constexpr std::uint32_t local_signature = 0x04034b50;
 constexpr std::uint32_t end_signature = 0x06054b50;
@@ -159,33 +162,39 @@ std::string_view ZipArchive::packed_bytes(const Entry& entry) const {
     return zip_part(bytes_, entry.local_header + skipped, entry.packed_size);
 }
 
+// Refuses what cannot be unpacked, or what would take too much memory.
+void ZipArchive::check(const Entry& entry) const {
+    if ((entry.flags & 1U) != 0)
+        throw InvalidInput("is encrypted");
+    if (entry.method != stored && entry.method != deflated)
+        throw InvalidInput("is packed by method " + std::to_string(entry.method) + "; only deflate is read");
+    if (entry.size > bytes_left_)
+        throw InvalidInput("is too large when it is unpacked: all parts together may have 512 MiB, and 100 times the "
+                           "size of the file plus 64 MiB");
+}
+
+std::string ZipArchive::unpacked(const Entry& entry) const {
+    check(entry);
+    const std::string_view packed = packed_bytes(entry);
+    if (packed.size() > std::numeric_limits<uInt>::max() || (entry.method == stored && packed.size() != entry.size))
+        throw InvalidInput("is damaged");
+    std::string content = entry.method == stored ? std::string(packed) : inflated(packed, entry.size);
+    if (crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size())) != entry.crc)
+        throw InvalidInput("is damaged: its checksum is wrong");
+    return content;
+}
+
 std::string ZipArchive::read(std::string_view name) {
-    constexpr std::uint64_t stored = 0, deflated = 8;
     const auto found = entries_.find(zip_name(name));
     if (found == entries_.end())
         throw InvalidInput("has no part " + in_quotes(name));
-    const Entry& entry = found->second;
-    const auto refuse = [&](const std::string& why) { throw InvalidInput("part " + in_quotes(name) + ": " + why); };
-    if ((entry.flags & 1U) != 0)
-        refuse("is encrypted");
-    if (entry.method != stored && entry.method != deflated)
-        refuse("is packed by method " + std::to_string(entry.method) + "; only deflate is read");
-    if (entry.size > bytes_left_)
-        refuse("is too large when it is unpacked: all parts together may have 512 MiB, and 100 times the size of the "
-               "file plus 64 MiB");
-    const std::string_view packed = packed_bytes(entry);
-    if (packed.size() > std::numeric_limits<uInt>::max() || (entry.method == stored && packed.size() != entry.size))
-        refuse("is damaged");
-    std::string content;
     try {
-        content = entry.method == stored ? std::string(packed) : inflated(packed, entry.size);
+        std::string content = unpacked(found->second);
+        bytes_left_ -= content.size();
+        return content;
     } catch (const InvalidInput& error) {
-        refuse(error.what());
+        throw InvalidInput("part " + in_quotes(name) + ": " + error.what());
     }
-    if (crc32(0, reinterpret_cast<const Bytef*>(content.data()), static_cast<uInt>(content.size())) != entry.crc)
-        refuse("is damaged: its checksum is wrong");
-    bytes_left_ -= entry.size;
-    return content;
 }
 
 } // namespace chasles::io

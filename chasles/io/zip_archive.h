@@ -34,6 +34,8 @@ private:
 
     void read_directory(std::uint64_t position, std::uint64_t count);
     std::string_view packed_bytes(const Entry& entry) const;
+    void check(const Entry& entry) const;
+    std::string unpacked(const Entry& entry) const;
 
     std::string_view bytes_;
     std::map<std::string, Entry> entries_;
