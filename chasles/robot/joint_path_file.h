@@ -12,8 +12,8 @@ namespace chasles::robot {
 /// Configurations of a robot, at least two.
 struct ConfigurationRows {
     std::vector<Configuration> configurations;
-    std::vector<double> stamps;        ///< the column of time stamps, increasing; empty without this column
-    std::vector<std::string> warnings; ///< one line each: what the file has and the path has not
+    std::vector<double> stamps = {};        ///< the column of time stamps, increasing; empty without this column
+    std::vector<std::string> warnings = {}; ///< one line each: what the file has and the path has not
 };
 
 /// Reads a table with one configuration a row. The header names variables of the robot in any order, with the ending
