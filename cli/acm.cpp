@@ -7,6 +7,7 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/robot_options.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/names.h"
 

@@ -42,11 +42,6 @@ void print(const std::string& text) {
         throw InvalidInput("standard output" + why_not(error));
 }
 
-void print_warnings(const std::vector<std::string>& warnings) {
-    for (const std::string& warning : warnings)
-        std::fputs(("chasles: warning: " + io::one_line(warning) + "\n").c_str(), stderr);
-}
-
 OutputFile::OutputFile(const std::string& name)
     : name_(name), file_(open(name)), is_emptied_(is_standard_output(name)) {
     if (!file_)

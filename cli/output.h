@@ -4,15 +4,11 @@
 #include <cstdio>
 #include <memory>
 #include <string>
-#include <vector>
 
 namespace chasles::cli {
 
 /// Writes to standard output. Throws InvalidInput if the write fails.
 void print(const std::string& text);
-
-/// Writes "chasles: warning: ..." lines to standard error.
-void print_warnings(const std::vector<std::string>& warnings);
 
 /// Whether the name is that of the file, pipe or device that standard output goes to.
 bool is_standard_output(const std::string& name);

@@ -1,6 +1,6 @@
 // chasles robot: a robot along a path of configurations.
-#include "chasles/robot/joint_path_file.h"
 #include "cli/commands.h"
+#include "cli/joint_trajectory.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/report.h"
@@ -8,6 +8,7 @@
 #include "cli/robot_options.h"
 #include "cli/scene_file.h"
 #include "cli/untested_text.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/page.h"
 #include "view/proven_verdict.h"
@@ -20,6 +21,8 @@
 
 namespace chasles::cli {
 namespace {
+
+constexpr const char* motion_name = "straight in joint space";
 
 struct RobotCommand {
     RobotOptions robot;
@@ -47,7 +50,7 @@ struct RobotQuestion {
 /// The rows of a file. A robot without variables stays as it is if there is none.
 robot::ConfigurationRows read_path(const Robot& robot, const std::string& file) {
     if (!file.empty())
-        return robot::load_configurations(file, robot);
+        return load_joint_path(file, robot);
     if (robot.variables().empty())
         return {.configurations = {robot.neutral(), robot.neutral()}, .stamps = {}};
     std::string names;
@@ -66,6 +69,7 @@ RobotQuestion read_question(const RobotCommand& options) {
     change(robot, scene ? &scene->scene : nullptr, options.changes);
     robot::ConfigurationRows rows = read_path(robot, options.path);
     std::vector<std::string> warnings = robot.warnings();
+    warnings.insert(warnings.end(), rows.warnings.begin(), rows.warnings.end());
     for (std::string& warning : robot.warnings_about(rows.configurations))
         warnings.push_back("path: " + std::move(warning));
     return {std::move(robot), std::move(rows), std::move(scene), query, std::move(warnings)};
@@ -99,7 +103,9 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     shown.verdict = found.verdict;
     if (question.has_stamps())
         shown.time = found.time;
-    std::string text = found.pair ? headline(shown, margin) : clear_headline(*found.untested, question.options);
+    std::string text =
+        found.pair ? headline(shown, margin, motion_name)
+                   : naming_motion(clear_headline(*found.untested, question.options), motion_name);
     text += report(*found.untested);
     if (found.pair)
         text += pair_report(*found.pair, found.segment) + report_contact(shown, margin);
@@ -108,13 +114,20 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
 
 std::string robot_report(const RobotQuestion& question, const RobotClearance& found) {
     if (!found.pair)
-        return "CLEARANCE WITHOUT A LIMIT: no two bodies are tested\n" + report(*found.untested) +
+        return naming_motion("CLEARANCE WITHOUT A LIMIT: no two bodies are tested", motion_name) + report(*found.untested) +
                report_path(question, found);
     LeastDistance shown = found.nearest;
     if (question.has_stamps())
         shown.time = found.time;
-    return headline(shown) + report(*found.untested) + pair_report(*found.pair, found.segment) + report_least(shown) +
-           joints_line(question.robot, found.configuration) + report_path(question, found);
+    return headline(shown, motion_name) + report(*found.untested) + pair_report(*found.pair, found.segment) +
+           report_least(shown) + joints_line(question.robot, found.configuration) + report_path(question, found);
+}
+
+/// The text of an answer in JSON, with the motion and the warnings.
+std::string with_motion(view::Json answer, const RobotQuestion& question) {
+    answer["motion"] = {{"kind", motion_name}};
+    answer["warnings"] = question.warnings;
+    return answer.dump() + "\n";
 }
 
 /// Speeds become lengths per unit of the stamps.
@@ -129,11 +142,6 @@ JointPath path_of(const RobotQuestion& question) {
                                  : JointPath::straight(question.robot, rows.configurations);
 }
 
-std::string json_text(const RobotQuestion& question, view::Json answer) {
-    answer["warnings"] = question.warnings;
-    return answer.dump() + "\n";
-}
-
 int run_clearance(const RobotCommand& options) {
     const RobotQuestion question = read_question(options);
     const JointPath path = path_of(question);
@@ -143,7 +151,7 @@ int run_clearance(const RobotCommand& options) {
                                                       .find = question.options.find});
     if (question.has_stamps())
         count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
-    print(options.json ? json_text(question, view::robot_clearance_json(question.robot, found, question.has_stamps()))
+    print(options.json ? with_motion(view::robot_clearance_json(question.robot, found, question.has_stamps()), question)
                        : robot_report(question, found));
     print_warnings(question.warnings);
     return !found.pair || view::proven_verdict(found.nearest) == Verdict::clear ? is_clear : is_contact;
@@ -168,7 +176,7 @@ int run_robot(const RobotCommand& options) {
     }
     if (question.has_stamps())
         count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
-    print(options.json ? json_text(question, view::robot_answer_json(question.robot, found, question.has_stamps()))
+    print(options.json ? with_motion(view::robot_answer_json(question.robot, found, question.has_stamps()), question)
                        : robot_report(question, found) + (options.page.empty() ? "" : labelled("page", options.page)));
     print_warnings(question.warnings);
     return found.verdict == Verdict::clear ? is_clear : is_contact;
@@ -183,9 +191,9 @@ void add_robot(CLI::App& app, Task& task) {
     add_robot_change_options(command, options->changes);
     command
         .add_option("--path", options->path,
-                    "CSV file of configurations, with the names of joints as its header; a robot without moving joints "
-                    "needs none")
-        ->type_name("CSV");
+                    "table of configurations with the names of joints as its header, or a JointTrajectory of ROS as "
+                    "YAML or JSON; a robot without moving joints needs none")
+        ->type_name("FILE");
     command.add_option("--scene", options->scene, "JSON file of the world, as for `chasles scene`")->type_name("FILE");
     auto* const clearance = command.add_flag("--clearance", options->finds_clearance,
                                              "find how near the robot comes to its world and to itself");

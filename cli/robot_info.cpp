@@ -5,6 +5,7 @@
 #include "cli/output.h"
 #include "cli/report.h"
 #include "cli/untested_text.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/names.h"
 

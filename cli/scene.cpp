@@ -61,12 +61,14 @@ std::string untested_lines(const SceneAnswer& answer) {
 }
 
 /// The first contact in full, and a line for each that may be at the same time.
-std::string report_first(const Scene& scene, const SceneAnswer& answer, const QueryOptions& options) {
+std::string report_first(const SceneFile& file, const SceneAnswer& answer, const QueryOptions& options) {
+    const Scene& scene = file.scene;
     const double margin = options.margin;
     if (answer.contacts.empty())
-        return clear_headline(answer.untested, options) + untested_lines(answer) + summary(scene, answer);
+        return naming_motion(clear_headline(answer.untested, options), file.motion) + untested_lines(answer) +
+               summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
-    std::string text = headline(first.contact, margin) + untested_lines(answer) +
+    std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
                        labelled("pair", pair_of(scene, first)) + report_contact(first.contact, margin);
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
@@ -74,9 +76,11 @@ std::string report_first(const Scene& scene, const SceneAnswer& answer, const Qu
 }
 
 /// A line for each pair that touches.
-std::string report_all(const Scene& scene, const SceneAnswer& answer) {
-    std::string text = counted(answer.contacts.size(), "pair") +
-                       (answer.contacts.size() == 1 ? " touches\n" : " touch\n") + untested_lines(answer);
+std::string report_all(const SceneFile& file, const SceneAnswer& answer) {
+    const Scene& scene = file.scene;
+    const std::string verb = answer.contacts.size() == 1 ? " touches" : " touch";
+    std::string text =
+        naming_motion(counted(answer.contacts.size(), "pair") + verb, file.motion) + untested_lines(answer);
     for (const SceneContact& contact : answer.contacts)
         text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
                          pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));
@@ -109,11 +113,14 @@ private:
     std::optional<OutputFile> file_;
 };
 
-std::string report_of(const SceneOptions& options, const Scene& scene, const SceneAnswer& answer,
+std::string report_of(const SceneOptions& options, const SceneFile& file, const SceneAnswer& answer,
                       const QueryOptions& asked) {
-    if (options.json)
-        return view::scene_answer_json(scene, answer, options.all).dump() + "\n";
-    const std::string text = options.all ? report_all(scene, answer) : report_first(scene, answer, asked);
+    if (options.json) {
+        view::Json json = view::scene_answer_json(file.scene, answer, options.all);
+        json["motion"] = {{"kind", file.motion}};
+        return json.dump() + "\n";
+    }
+    const std::string text = options.all ? report_all(file, answer) : report_first(file, answer, asked);
     return text + (options.page.empty() ? "" : labelled("page", options.page));
 }
 
@@ -138,7 +145,7 @@ int run_scene(const SceneOptions& options) {
         const SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
         bar.reset();
         page.write(file.scene, answer, query.options.margin);
-        print(report_of(options, file.scene, answer, query.options));
+        print(report_of(options, file, answer, query.options));
         return answer.contacts.empty() ? is_clear : is_contact;
     } catch (const SceneCancelled&) {
         bar.reset();

@@ -37,7 +37,8 @@ Json json_of(const std::vector<Contact>& contacts) {
 }
 
 Json json_of(const MotionNumbers& motion) {
-    Json json = {{"angle", motion.angle},
+    Json json = {{"kind", name_of(motion.kind)},
+                 {"angle", motion.angle},
                  {"slide", motion.slide},
                  {"axis_point", vector_json(motion.axis_point)},
                  {"axis_direction", vector_json(motion.axis_direction)}};

@@ -16,6 +16,7 @@ void bind_batches(nanobind::module_& module);
 void bind_least_distance(nanobind::module_& module);
 void bind_untested(nanobind::module_& module);
 void bind_scene(nanobind::module_& module);
+void bind_nearest_pair(nanobind::module_& module);
 void bind_stepper(nanobind::module_& module);
 void bind_drag(nanobind::module_& module);
 void bind_robot(nanobind::module_& module);

@@ -99,8 +99,12 @@ std::string text_of(const PythonRobotAnswer& answer) {
     if (!answer.found.pair)
         return fmt::format("<chasles.RobotContact: clear; {} pairs are tested, and {} are not>",
                            answer.found.untested->tested, answer.found.untested->total());
-    return fmt::format("<chasles.RobotContact: {} on {} at time {:.12g} of segment {}>", answer.found.pair->first,
-                       answer.found.pair->second, answer.time().lower, answer.found.segment);
+    FirstContact found = answer.found.contact;
+    found.verdict = answer.found.verdict;
+    found.certain = answer.found.certain;
+    found.time = answer.time();
+    return fmt::format("<chasles.RobotContact: segment {}, {}>", answer.found.segment,
+                       summary(found, answer.found.pair->first + " on " + answer.found.pair->second));
 }
 
 void bind_contact(nb::module_& module) {
@@ -193,12 +197,13 @@ nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::h
 
 void bind_robot_answers(nb::module_& module) {
     bind_contact(module);
-    nb::class_<RobotChecker>(module, "RobotChecker", doc("RobotChecker"))
+    nb::class_<RobotChecker>(module, "RobotChecker", doc("RobotChecker"), nb::dynamic_attr())
         .def(
             "__init__",
-            [](RobotChecker* checker, const Robot& robot, nb::handle scene, double margin, std::optional<double> hold,
-               double time_tolerance, nb::handle find) {
-                new (checker) RobotChecker(checker_of(robot, {scene, margin, hold, time_tolerance, find}));
+            [](nb::pointer_and_handle<RobotChecker> checker, const Robot& robot, nb::handle scene, double margin,
+               std::optional<double> hold, double time_tolerance, nb::handle find) {
+                new (checker.p) RobotChecker(checker_of(robot, {scene, margin, hold, time_tolerance, find}));
+                checker.h.attr("_scene") = scene; // bodies may follow functions of Python, which the scene owns
             },
             "robot"_a, "scene"_a = nb::none(), nb::kw_only(), "margin"_a = 0.0, "hold"_a = nb::none(),
             "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",

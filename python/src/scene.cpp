@@ -60,11 +60,17 @@ std::vector<std::string> names_of(const PythonScene& scene) {
     return names;
 }
 
+Owners owners_of(const PythonScene& scene, const std::string& body) {
+    const nb::object& motion = scene.motions.at(body).motion;
+    return nb::isinstance<nb::str>(motion) || motion.is_none() ? Owners() : owners_of(given_motion(motion));
+}
+
 SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin) {
     const auto bodies = scene.scene.bodies();
     const Names names = names_of(scene.scene, contact);
     return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
-             relative(bodies[contact.moving].motion, bodies[contact.fixed].motion),
+             PlainMotion{relative(bodies[contact.moving].motion, bodies[contact.fixed].motion),
+                         joined(owners_of(scene, names.first), owners_of(scene, names.second))},
              scene.scene.margin_of(contact.moving, contact.fixed, margin)},
             names};
 }
@@ -154,7 +160,7 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
         clear.certain = true;
         clear.clear_until = found.clear_until;
         clear.work = found.work;
-        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin},
+        return {{clear, nb::none(), nb::none(), PlainMotion{Motion::at_rest(Pose())}, margin},
                 std::nullopt,
                 true,
                 {},
@@ -241,7 +247,7 @@ auto rule(const char* name, void (Scene::*function)(Name, Name, double)) {
 }
 
 void bind_contact(nb::module_& module) {
-    nb::class_<SceneContactAnswer, Answer>(module, "SceneContact", doc("SceneContact"))
+    nb::class_<SceneContactAnswer, Answer>(module, "SceneContact", doc("SceneContact"), collected<SceneContactAnswer>())
         .def_prop_ro(
             "pair",
             [](const SceneContactAnswer& a) -> nb::object {
@@ -262,9 +268,9 @@ void bind_contact(nb::module_& module) {
             "untested", [](const SceneContactAnswer& a) { return a.untested; },
             "What the answer of first_contact does not look at; `Scene.untested` tells it for other questions.")
         .def("__repr__", [](const SceneContactAnswer& a) {
-            return a.pair ? fmt::format("<chasles.SceneContact: {} on {} at time {:.12g}>", a.pair->first,
-                                        a.pair->second, a.found.time.lower)
-                          : fmt::format("<chasles.SceneContact: clear until {}>", a.found.clear_until);
+            if (!a.pair)
+                return fmt::format("<chasles.SceneContact: clear until {}>", a.found.clear_until);
+            return fmt::format("<chasles.SceneContact: {}>", summary(a.found, a.pair->first + " on " + a.pair->second));
         });
 }
 
@@ -279,7 +285,7 @@ void bind_scene(nb::module_& module) {
     static const std::string all_text = std::string("The first contact of each pair that touches, in order of time.") +
                                         question_doc + "Returns\n-------\nlist of SceneContact";
     bind_contact(module);
-    nb::class_<PythonScene> type(module, "Scene", doc("Scene"));
+    nb::class_<PythonScene> type(module, "Scene", doc("Scene"), collected<PythonScene>());
     bind_scene_state(type);
     type.def(nb::init<>())
         .def("add", add, "name"_a, "shape"_a.none(), "pose"_a = nb::none(), "goal"_a = nb::none(), nb::kw_only(),

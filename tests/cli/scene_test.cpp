@@ -108,7 +108,7 @@ TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
     EXPECT_EQ(
         found.out.substr(0, found.out.find('\n')),
         "CLEAR: proven that nothing that is held comes within 0.02, or nearer than at the start if that is less, and "
-        "nothing else within 0.1");
+        "nothing else within 0.1; motion: velocity");
     EXPECT_EQ(json("--hold 0.049")["verdict"], "clear");
     EXPECT_EQ(json("--margin 0.04 --hold 0.02")["verdict"], "clear");
     EXPECT_EQ(error_line("scene scene.json --hold 0.1"), "chasles: query: hold: must be less than some margin");

@@ -1,47 +1,50 @@
 #!/usr/bin/env python3
-"""The check of the abilities can fail: each test breaks one cell in a small tree."""
+"""The check of the table of abilities can fail: each test breaks one thing."""
 
+import pathlib
 import unittest
 
-from small_tree import SmallTree
+import small_tree  # noqa: F401  adds the folder of the tools
 
-import check_abilities  # in the folder that small_tree adds
+import check_abilities as check
 
-TABLE = "| ability | C++ | Python | command line | JavaScript |\n|---|---|---|---|---|\n"
-ROW = "| hold | `hold` | `hold` | `--hold` | (1) |\n"
-REASONS = "\n1. It needs none.\n"
+HEADER = "| ability | C++ | Python | command line | JavaScript | page |\n|---|---|---|---|---|---|\n"
+ROW = "| first | `first_contact` | `load` | `chasles check --margin` | `firstContact` | no (answer) |\n"
+REASONS = "\n- (answer) A page asks nothing.\n"
+ROOT = pathlib.Path(__file__).parents[2]
+COMMANDS = {"check": {"--help", "--margin"}}
 
 
-class CheckAbilities(SmallTree):
-    sound = {
-        "docs/abilities.md": TABLE + ROW + REASONS,
-        "chasles/query/options.h": "double hold = 0;\n",
-        "python/src/options.cpp": '"hold"_a\n',
-        "cli/options.cpp": '"--hold"\n',
-        "javascript/chasles/index.d.ts": "margin?: number;\n",
-    }
-    check = check_abilities
+def table(rows: str, reasons: str = REASONS) -> check.Table:
+    return check.Table(HEADER + rows + reasons)
 
-    def test_sound_tree_passes(self):
-        self.assertEqual(self.violations_with(), [])
 
-    def assert_table(self, row: str, reason: str, reasons: str = REASONS):
-        self.assert_violation("docs/abilities.md", TABLE + row + reasons, reason)
+class CheckAbilities(unittest.TestCase):
+    def test_a_sound_table_passes(self):
+        self.assertEqual(table(ROW).faults, [])
 
-    def test_names_that_a_face_lacks_are_found(self):
-        self.assert_table("| hold | `held` | `hold` | `--hold` | (1) |\n", "C\\+\\+: `held` does not exist there")
-        self.assert_table("| hold | `hold` | `hol` | `--hold` | (1) |\n", "Python: `hol` does not exist there")
-        self.assert_table("| hold | `hold` | `hold` | `-hold` | (1) |\n", "command line: `-hold` does not exist there")
+    def test_an_empty_cell_is_found(self):
+        self.assertIn("neither a name", table(ROW.replace("`load`", "yes")).faults[0])
 
-    def test_cells_without_a_reason_are_found(self):
-        self.assert_table("| hold | `hold` | `hold` | `--hold` | (2) |\n", "there is no reason 2", "\n2 reasons\n")
-        self.assert_table("| hold | `hold` | `hold` | `--hold` | |\n", "'' is neither a name nor a reason", "\n")
+    def test_a_missing_cell_is_found(self):
+        self.assertIn("4 cells", table(ROW.replace("| `load` ", "")).faults[0])
 
-    def test_reasons_without_a_cell_are_found(self):
-        self.assert_table(ROW, "reason 2 has no cell", REASONS + "2. Nobody asks.\n")
+    def test_a_reason_that_is_not_given_or_not_used_is_found(self):
+        self.assertIn("(answer) is not given", table(ROW, "").faults[0])
+        self.assertIn("(old) is not used", table(ROW, REASONS + "- (old) Gone.\n").faults[0])
 
-    def test_missing_faces_are_found(self):
-        self.assert_table("| hold | `hold` | `hold` | `--hold` |\n", "has 3 faces instead of 4", "\n")
+    def test_a_command_or_option_that_is_not_there_is_found(self):
+        self.assertEqual(check.missing_names(table(ROW), ROOT, COMMANDS), [])
+        self.assertIn("no --hold", check.missing_names(table(ROW.replace("--margin", "--hold")), ROOT, COMMANDS)[0])
+        self.assertIn("no command", check.missing_names(table(ROW.replace("check", "chock")), ROOT, COMMANDS)[0])
+        self.assertIn("nothing_here", check.missing_names(table(ROW.replace("`load`", "`nothing_here`")), ROOT, COMMANDS)[0])
+
+    def test_an_option_or_name_in_no_row_is_found(self):
+        found = check.missing_rows(table(ROW), ROOT, {"check": {"--margin", "--any"}, "batch": set()})
+        self.assertIn("docs/abilities.md: --any of chasles check is in no row", found)
+        self.assertIn("docs/abilities.md: chasles batch is in no row", found)
+        self.assertIn("docs/abilities.md: Python: Scene is in no row", found)
+        self.assertIn("docs/abilities.md: JavaScript: leastDistance is in no row", found)
 
 
 if __name__ == "__main__":
