@@ -122,7 +122,7 @@ TEST_F(SceneCommand, SaysWhatItDoesNotTest) {
     const tests::Finished found = run("scene tiles.json");
     EXPECT_EQ(found.status, 0);
     EXPECT_TRUE(
-        found.out.starts_with("CLEAR: proven that no tested pair touches during the whole motion\n"
+        found.out.starts_with("CLEAR: proven that no tested pair touches during the whole motion; motion: velocity\n"
                               "  untested  3 pairs: 1 at rest (t0 and t1), 2 ignored (low and t0, low and t1)\n"))
         << found.out;
     const Json untested = Json::parse(run("scene tiles.json --json").out)["untested"];
@@ -136,7 +136,7 @@ TEST_F(SceneCommand, SaysWhatItDoesNotTest) {
     EXPECT_EQ(start.status, 1) << "a question about the start";
     EXPECT_NE(start.out.find("t0 on t1"), std::string::npos) << start.out;
     write("rest.json", R"({"bodies": [{"name": "a", "mesh": "cube.obj"}, {"name": "b", "mesh": "cube.obj"}]})");
-    EXPECT_TRUE(run("scene rest.json").out.starts_with("CLEAR: no pair is tested\n"));
+    EXPECT_TRUE(run("scene rest.json").out.starts_with("CLEAR: no pair is tested; motion: rest\n"));
     EXPECT_NE(run("scene rest.json").out.find("--until 0 tests bodies at rest"), std::string::npos);
     EXPECT_EQ(run("scene scene.json").out.find("untested"), std::string::npos) << "all pairs are tested";
 }
