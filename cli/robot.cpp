@@ -103,9 +103,8 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     shown.verdict = found.verdict;
     if (question.has_stamps())
         shown.time = found.time;
-    std::string text =
-        found.pair ? headline(shown, margin, motion_name)
-                   : naming_motion(clear_headline(*found.untested, question.options), motion_name);
+    std::string text = found.pair ? headline(shown, margin, motion_name)
+                                  : naming_motion(clear_headline(*found.untested, question.options), motion_name);
     text += report(*found.untested);
     if (found.pair)
         text += pair_report(*found.pair, found.segment) + report_contact(shown, margin);
@@ -114,8 +113,8 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
 
 std::string robot_report(const RobotQuestion& question, const RobotClearance& found) {
     if (!found.pair)
-        return naming_motion("CLEARANCE WITHOUT A LIMIT: no two bodies are tested", motion_name) + report(*found.untested) +
-               report_path(question, found);
+        return naming_motion("CLEARANCE WITHOUT A LIMIT: no two bodies are tested", motion_name) +
+               report(*found.untested) + report_path(question, found);
     LeastDistance shown = found.nearest;
     if (question.has_stamps())
         shown.time = found.time;
