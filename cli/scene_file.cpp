@@ -20,8 +20,8 @@ namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::initializer_list<const char*> body_keys = {"name",   "mesh",   "scale", "pose",  "goal",
-                                                          "motion", "centre", "poses", "group", "urdf"};
+constexpr std::initializer_list<const char*> body_keys = {"name", "mesh",   "urdf",   "scale", "pose",
+                                                          "goal", "motion", "centre", "poses", "group"};
 
 [[noreturn]] void refuse(const std::string& why) {
     throw InvalidInput(why);

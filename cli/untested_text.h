@@ -7,7 +7,7 @@
 
 namespace chasles::cli {
 
-/// The first line of an answer without contact: of all pairs, or of those that are tested.
+/// The verdict of an answer without contact, without the end of the line: of all pairs, or of those that are tested.
 std::string clear_headline(const UntestedPairs& untested, const QueryOptions& options);
 
 /// The line below the verdict: how many pairs are not tested, which, and why. Empty if all are.

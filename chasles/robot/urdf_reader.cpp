@@ -59,8 +59,8 @@ private:
     const RobotFiles& files_;
     std::set<std::string> links_, joints_;
     std::map<std::string, const XmlElement*> joint_elements_; ///< by name
-    std::map<std::string, std::string> parents_;           ///< of each link that is the child of a joint
-    std::map<MeshKey, Polyhedron> meshes_;                 ///< by file and scale
+    std::map<std::string, std::string> parents_;              ///< of each link that is the child of a joint
+    std::map<MeshKey, Polyhedron> meshes_;                    ///< by file and scale
     std::map<RoundBody, EnclosingPolyhedron> round_bodies_;
     std::vector<std::string> warnings_;
 };

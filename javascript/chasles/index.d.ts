@@ -222,7 +222,7 @@ export interface SceneOptions {
   hold?: number;
   timeTolerance?: number;
   find?: Find;
-  /** Contacts that begin later are left out. */
+  /** Contacts that begin later are left out. Two bodies that both stand still are tested with 0 only, a question about the start. */
   until?: number;
 }
 
