@@ -109,8 +109,8 @@ bool are_apart(const EdgeMotion<S>& edges, const S& distance, const Accuracy& ac
     const auto& [maps, moving, fixed] = edges;
     const Vector3<Bernstein<3, S>> from = maps.rotation * moving.from + maps.translation;
     const Vector3<S> along = detail::middle_position(moving.direction, maps.weight);
-    const Vector3<S> between = detail::vector_between_segments<S>(
-        fixed.from, fixed.direction, detail::middle_position(from, maps.weight), along);
+    const Vector3<S> between = detail::vector_between_segments<S>(fixed.from, fixed.direction,
+                                                                  detail::middle_position(from, maps.weight), along);
     const auto separation = detail::separation_in_truth<S>(distance, accuracy.scale);
     const auto excludes = [&](const Vector3<S>& direction) {
         const auto half_space =

@@ -19,8 +19,8 @@ constexpr double first_share = 0.125;
 /// hundreds. Features that touch for long, such as flush sides, end as not certain.
 constexpr int most_refinements = 800;
 constexpr int most_refinements_of_speeds = 4000; // of motions that are known in double only
-/// Features that stay 1e-9 of their size apart need some thousand parts (note 34). So each part that is longer than this
-/// and holds no contact allows for more refinements, while the search has some to spare.
+/// Features that stay 1e-9 of their size apart need some thousand parts (note 34). So each part that is longer than
+/// this and holds no contact allows for more refinements, while the search has some to spare.
 constexpr double long_part = 0x1p-17;
 constexpr int refinements_for_a_long_part = 4;
 

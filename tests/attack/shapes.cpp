@@ -227,7 +227,8 @@ void add_slivers(Shape& shape, AttackRandom& random) {
         const std::vector<std::uint32_t> face = shape.faces[at];
         const int first = random.integer(0, 2);
         const auto corner = [&](int i) { return face[std::size_t((first + i) % 3)]; };
-        const Eigen::Vector3d a = shape.vertices[corner(0)], b = shape.vertices[corner(1)], c = shape.vertices[corner(2)];
+        const Eigen::Vector3d a = shape.vertices[corner(0)], b = shape.vertices[corner(1)],
+                              c = shape.vertices[corner(2)];
         const double width = std::pow(10, random.uniform(-12, -3));
         const bool is_near_corner = random.chance(0.5);
         const Eigen::Vector3d near = is_near_corner ? a : Eigen::Vector3d((a + b) / 2);

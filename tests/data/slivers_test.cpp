@@ -32,7 +32,8 @@ TEST(RealSlivers, ASliverAndATriangleOnTheirOwnTwists) {
         const Isometry3d near_goal = Eigen::Translation3d(1e-5 * any().normalized()) * goal;
         const Motion first = Motion::twist(pose_of(start), pose_of(goal));
         const Motion second = Motion::twist(pose_of(start), pose_of(near_goal));
-        const FirstContact found = first_contact({.moving = sliver, .fixed = triangle, .motion = relative(first, second)});
+        const FirstContact found =
+            first_contact({.moving = sliver, .fixed = triangle, .motion = relative(first, second)});
         const FirstContact swapped =
             first_contact({.moving = triangle, .fixed = sliver, .motion = relative(second, first)});
         EXPECT_EQ(found.verdict, Verdict::clear) << i << ", at " << found.time.lower;

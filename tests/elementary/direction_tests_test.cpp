@@ -1,16 +1,19 @@
-// Directions prove slivers and nearly parallel edges apart: never features that may come within the distance, and nearly
-// all that stay beyond it. Distances are those of samples, in long double. Note 34.
+// Directions prove slivers and nearly parallel edges apart: never features that may come within the distance, and
+// nearly all that stay beyond it. Distances are those of samples, in 40 digits. Note 34.
 #include "chasles/elementary/direction_tests.h"
 
 #include "tests/support/posed_motions.h"
 #include "tests/support/surface_distance.h"
+
+#include <boost/multiprecision/eigen.hpp>
+#include <boost/multiprecision/gmp.hpp>
 
 namespace chasles::elementary {
 namespace {
 
 using namespace test;
 using Corner = Vector3<double>;
-using Long = long double;
+using Long = boost::multiprecision::number<boost::multiprecision::gmp_float<40>, boost::multiprecision::et_off>;
 using LongPoint = Point3<Long>;
 
 LongPoint in_long(const Corner& p) {
@@ -26,7 +29,7 @@ public:
         const double from = width * random.integer(0, int(1 / width) - 1);
         maps = motion::restricted(motion::double_maps(posed.made), from, from + width);
         vertex = random.vector(reach_);
-        gap = reach_ * std::abs(random.scaled(-7, -1));
+        gap = reach_ * std::abs(random.scaled(-9.5, -1));
         accuracy.scale =
             error_scale(maps, reach_ + posed.made.reference_extent + motion::rounding_extent(posed.made), 4 * reach_);
         accuracy.scale.deviation = random.chance(0.5) ? 0 : gap * random.uniform(0.05, 0.5);
@@ -41,7 +44,7 @@ public:
     /// A sliver whose inside or rim is at the gap from the vertex, half way through the part.
     [[nodiscard]] std::array<Corner, 3> sliver(Random& random) const {
         const Corner along = random.vector(reach_), across = detail::across(along, random.vector(1));
-        const double width = std::abs(random.scaled(-9, -2)) * length(along) / length(across);
+        const double width = std::abs(random.scaled(-11, -2)) * length(along) / length(across);
         const Corner normal = cross(along, across);
         const double b = random.uniform(-0.2, 1), c = random.uniform(-0.2, 1);
         const Corner foot = scale(along, b) + scale(across, c * width);
@@ -63,9 +66,10 @@ private:
 /// The least and the greatest of a distance during the part.
 template <class SquareAt>
 std::pair<double, double> sampled(SquareAt square_at) {
+    constexpr int samples = 10;
     std::pair<double, double> extremes{1e300, 0};
-    for (int i = 0; i <= 40; ++i) {
-        const auto distance = double(std::sqrt(square_at(i / 40.0)));
+    for (int i = 0; i <= samples; ++i) {
+        const auto distance = double(sqrt(square_at(double(i) / samples)));
         extremes = {std::min(extremes.first, distance), std::max(extremes.second, distance)};
     }
     return extremes;
@@ -91,10 +95,12 @@ void judge(const ThinMeeting& meeting, const std::pair<double, double>& distance
 TEST(DirectionTests, TellAVertexAndASliverApart) {
     Random random(4111);
     Outcomes outcomes;
-    for (int trial = 0; trial < 4000; ++trial) {
+    for (int trial = 0; trial < 1500; ++trial) {
         const ThinMeeting meeting(random);
         const std::array<Corner, 3> corners = meeting.sliver(random);
         const FaceShape<double> face = face_shape<double>(corners, {});
+        if (!(length(face.normal) > 0) || !(length(corners[2] - corners[1]) > 0))
+            continue; // rounding has made it a segment
         const Triangle3<Long> triangle{in_long(corners[0]), in_long(corners[1]), in_long(corners[2])};
         const auto path = meeting.path(meeting.vertex);
         const auto distances = sampled([&](double tau) {
@@ -102,7 +108,7 @@ TEST(DirectionTests, TellAVertexAndASliverApart) {
             Long least = squared_distance_to_segment<Long>(p, triangle[0], triangle[1]);
             least = std::min(least, squared_distance_to_segment<Long>(p, triangle[1], triangle[2]));
             least = std::min(least, squared_distance_to_segment<Long>(p, triangle[2], triangle[0]));
-            return std::min(least, squared_distance_to_inside<Long>(p, triangle, least));
+            return std::min<Long>(least, squared_distance_to_inside<Long>(p, triangle, least));
         });
         judge(
             meeting, distances,
@@ -112,14 +118,14 @@ TEST(DirectionTests, TellAVertexAndASliverApart) {
             outcomes);
     }
     std::cout << outcomes.apart << " apart, " << outcomes.open << " left open\n";
-    EXPECT_GT(outcomes.apart, 500);
+    EXPECT_GT(outcomes.apart, 200);
     EXPECT_LT(outcomes.open, outcomes.apart / 50);
 }
 
 TEST(DirectionTests, TellNearlyParallelEdgesApart) {
     Random random(4112);
     Outcomes outcomes;
-    for (int trial = 0; trial < 4000; ++trial) {
+    for (int trial = 0; trial < 1500; ++trial) {
         const ThinMeeting meeting(random);
         const Corner other = random.vector(1);
         const Corner from = meeting.at(meeting.vertex, 0.5), along = meeting.at(other, 0.5) - from;
@@ -130,12 +136,11 @@ TEST(DirectionTests, TellNearlyParallelEdgesApart) {
         const auto distances = sampled([&](double tau) {
             const LongPoint a = in_long(meeting.at(meeting.vertex, tau)), b = in_long(meeting.at(other, tau));
             const LongPoint c = in_long(start), d = in_long(end);
-            Long least = std::min(squared_distance_to_segment<Long>(a, c, d), squared_distance_to_segment<Long>(b, c, d));
+            Long least =
+                std::min(squared_distance_to_segment<Long>(a, c, d), squared_distance_to_segment<Long>(b, c, d));
             least = std::min(least, squared_distance_to_segment<Long>(c, a, b));
             least = std::min(least, squared_distance_to_segment<Long>(d, a, b));
-            return squared_distance_of_insides<Long>(a, b, c, d, least) < least
-                       ? squared_distance_of_insides<Long>(a, b, c, d, least)
-                       : least;
+            return std::min<Long>(least, squared_distance_of_insides<Long>(a, b, c, d, least));
         });
         const EdgePath<double> moving = edge_path(meeting.maps, meeting.vertex, other);
         judge(
@@ -146,19 +151,19 @@ TEST(DirectionTests, TellNearlyParallelEdgesApart) {
             outcomes);
     }
     std::cout << outcomes.apart << " apart, " << outcomes.open << " left open\n";
-    EXPECT_GT(outcomes.apart, 500);
+    EXPECT_GT(outcomes.apart, 200);
     EXPECT_LT(outcomes.open, outcomes.apart / 20);
 }
 
-/// Products of doubles in long double are exact to 2^-64 of their size.
 TEST(DirectionTests, AcrossIsPerpendicularToBothHoweverSmallTheAngle) {
     Random random(4113);
     for (int trial = 0; trial < 2000; ++trial) {
-        const Corner a = random.vector(1), b = scale(a, random.uniform(-2, 2)) + random.vector(std::abs(random.scaled(-12, 0)));
+        const Corner a = random.vector(1),
+                     b = scale(a, random.uniform(-2, 2)) + random.vector(std::abs(random.scaled(-12, 0)));
         const Corner direction = detail::across(a, b);
         for (const Corner& side : {a, b}) {
             const Long height = in_long(direction).dot(in_long(side));
-            EXPECT_LT(double(std::abs(height)), 0x1p-47 * length(direction) * length(side)) << trial;
+            EXPECT_LT(double(abs(height)), 0x1p-47 * length(direction) * length(side)) << trial;
         }
     }
 }
