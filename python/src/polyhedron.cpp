@@ -53,6 +53,24 @@ Body load(const std::filesystem::path& file, bool triangulate, bool drop_degener
     return body;
 }
 
+nb::dict load_parts(const std::filesystem::path& file, bool triangulate, bool drop_degenerate, unsigned threads) {
+    const PolyhedronOptions options{triangulate, drop_degenerate, threads};
+    std::vector<std::pair<std::string, Body>> bodies;
+    {
+        const nb::gil_scoped_release release;
+        for (io::MeshPart& part : io::load_mesh_parts(file)) {
+            Body body{io::body_of(file, part, options), nullptr, options};
+            if (!has_given_ids(body.polyhedron))
+                body.given_faces = std::make_shared<Faces>(std::move(part.polygons.faces));
+            bodies.emplace_back(part.name, std::move(body));
+        }
+    }
+    nb::dict parts;
+    for (auto& [name, body] : bodies)
+        parts[nb::str(name.c_str(), name.size())] = nb::cast(std::move(body));
+    return parts;
+}
+
 nb::object vertices(nb::handle self) {
     const auto points = polyhedron_of(self, "self").vertices();
     using View = nb::ndarray<nb::numpy, const double>;
@@ -195,6 +213,11 @@ void bind_polyhedron(nb::module_& module) {
                nb::sig("def load(file: str | os.PathLike[str], triangulate: bool = False, "
                        "drop_degenerate: bool = False, threads: int = 0) -> Polyhedron"),
                doc("Polyhedron.load"));
+    module.def("load_parts", load_parts, "file"_a, "triangulate"_a = false, "drop_degenerate"_a = false,
+               "threads"_a = 0,
+               nb::sig("def load_parts(file: str | os.PathLike[str], triangulate: bool = False, "
+                       "drop_degenerate: bool = False, threads: int = 0) -> dict[str, Polyhedron]"),
+               doc("load_parts"));
 }
 
 } // namespace chasles::python

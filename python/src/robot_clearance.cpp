@@ -65,6 +65,8 @@ void bind_robot_clearance(nb::module_& module) {
             [](const Clearance& c) { return c.found.pair ? array_of(c.found.configuration) : nb::none(); },
             nb::sig("def configuration(self) -> " CHASLES_ARRAY " | None"), "At `time`.")
         .def_prop_ro(
+            "untested", [](const Clearance& c) { return *c.found.untested; }, "What the answer does not look at.")
+        .def_prop_ro(
             "pairs", [](const Clearance& c) { return c.found.pairs; }, doc("RobotClearance.pairs"))
         .def_prop_ro(
             "work", [](const Clearance& c) { return c.found.work; }, doc("Work"))

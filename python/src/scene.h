@@ -50,6 +50,7 @@ struct SceneContactAnswer : Answer {
     std::optional<Names> pair;
     bool is_first = false; ///< of all pairs: the answer of first_contact
     std::vector<NamedContact> simultaneous = {};
+    UntestedPairs untested = {}; ///< of the answer of first_contact
 };
 
 /// The functions of Python that a body follows.
