@@ -33,7 +33,11 @@ struct LeastAnswer {
 
 /// The references of an answer about two bodies. The bodies stay when the collector clears the others.
 template <typename AnyAnswer, typename Visit>
-    requires requires(AnyAnswer& answer) { answer.found, answer.moving, answer.motion; }
+    requires requires(AnyAnswer& answer) {
+        answer.found;
+        answer.moving;
+        answer.motion;
+    }
 void for_each_reference(AnyAnswer& answer, const Visit& visit) {
     for_each_reference(answer.motion, visit);
 }
