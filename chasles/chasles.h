@@ -5,6 +5,7 @@
 #include "chasles/contact/constraint_rows.h"
 #include "chasles/manipulation/dragged_body.h"
 #include "chasles/mesh/polyhedron.h"
+#include "chasles/mesh/polyhedron_parts.h"
 #include "chasles/mesh/primitives.h"
 #include "chasles/motion/motion.h"
 #include "chasles/motion/own_trajectory.h"

@@ -6,6 +6,7 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_file.h"
+#include "cli/warnings.h"
 #include "view/page.h"
 #include "view/sampled_track.h"
 
@@ -58,6 +59,8 @@ std::string csv_row(double time, const DragStep& step) {
 /// What happened, counted and recorded.
 class Hand {
 public:
+    static constexpr const char* motion_name = "dragged";
+
     Hand(const Scene& scene, std::size_t dragged)
         : dragged_(dragged), box_(view::box_around(scene.bodies()[dragged].shape)) {
         for (const SceneBody& body : scene.bodies())
@@ -100,10 +103,11 @@ public:
                 {"touching", count(DragState::touching)},
                 {"in_contact", in_contact_},
                 {"pieces", pieces_},
-                {"margin", margin}};
+                {"margin", margin},
+                {"motion", {{"kind", motion_name}}}};
     }
     [[nodiscard]] std::string text() const {
-        return counted(record_.times.size(), "update") + "\n" +
+        return naming_motion(counted(record_.times.size(), "update"), motion_name) +
                labelled("states",
                         fmt::format("{} reached, {} resting, {} moving, {} touching", count(DragState::reached),
                                     count(DragState::resting), count(DragState::moving), count(DragState::touching))) +
@@ -161,6 +165,12 @@ private:
     Work work_;
 };
 
+nlohmann::ordered_json json_of(const Hand& hand, double margin, const std::vector<std::string>& warnings) {
+    nlohmann::ordered_json json = hand.json(margin);
+    add_warnings(json, warnings);
+    return json;
+}
+
 DragLock lock_of(const DragCommand& options) {
     static const std::map<std::string, DragLockKind> kinds{{"", DragLockKind::free},
                                                            {"hinge", DragLockKind::hinge},
@@ -185,6 +195,7 @@ int run_drag(const DragCommand& options) {
     SceneFile file = load_scene(options.scene, options.polyhedron);
     require_rest(options.scene, file.scene);
     const io::Path goals = io::load_path(options.goals);
+    print_warnings(goals.warnings);
     DraggedBody body(file.scene, options.body, drag_options(options));
     OutputFile out(options.out);
     std::optional<OutputFile> page;
@@ -211,7 +222,7 @@ int run_drag(const DragCommand& options) {
         page->close();
     }
     if (!is_standard_output(options.out))
-        print(options.json ? hand.json(body.margin()).dump() + "\n" : hand.text());
+        print(options.json ? json_of(hand, body.margin(), goals.warnings).dump() + "\n" : hand.text());
     return hand.has_contact() ? is_contact : is_clear;
 }
 
@@ -234,8 +245,7 @@ void add_drag(CLI::App& app, Task& task) {
     CLI::App& command = *app.add_subcommand("drag", "Drag a body by a hand: it slides along what it touches");
     command.add_option("SCENE", options->scene, "JSON file with bodies at rest")->required()->type_name("FILE");
     command.add_option("--body", options->body, "name of the body in the hand")->required()->type_name("NAME");
-    command
-        .add_option("--goals", options->goals, "CSV file with the poses of the hand (x,y,z,qw,qx,qy,qz; optional t)")
+    command.add_option("--goals", options->goals, "table with the poses of the hand, as for `chasles path`")
         ->required()
         ->type_name("FILE");
     command.add_option("--out", options->out, "CSV file for the poses reached and the forces on the hand")

@@ -1,13 +1,18 @@
-// chasles info: the content of a mesh file and the topology of its surface.
+// chasles info: the content of a mesh file and the topology of its surface, or the parts of a robot.
+#include "chasles/io/mesh_files.h"
+#include "chasles/io/text_scan.h"
 #include "cli/commands.h"
 #include "cli/contact_table.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "cli/robot_info.h"
 #include "view/answer_json.h"
 
 #include <fmt/format.h>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace chasles::cli {
 namespace {
@@ -15,6 +20,7 @@ namespace {
 struct InfoOptions {
     std::string mesh;
     PolyhedronOptions polyhedron;
+    RobotOptions robot;
     bool json = false;
 };
 
@@ -55,9 +61,45 @@ std::string body_report(const std::string& name, const Polyhedron& body) {
                                                     mesh.bvh_depth, body.memory()));
 }
 
+// The parts of an assembly, in the order of the file. A file with one part is described as a body only.
+struct PartSummary {
+    std::string name;
+    std::size_t faces;
+};
+
+view::Json parts_json(const std::vector<PartSummary>& parts) {
+    view::Json list = view::Json::array();
+    for (const PartSummary& part : parts)
+        list.push_back({{"name", part.name}, {"faces", part.faces}});
+    return list;
+}
+
+std::string parts_report(const std::vector<PartSummary>& parts) {
+    std::string text = fmt::format("{}, merged into one body:", parts.size());
+    for (std::size_t i = 0; i < parts.size(); ++i)
+        text += fmt::format("{} {} ({}{})", i == 0 ? "" : ",", io::one_line(parts[i].name), parts[i].faces,
+                            i == 0 ? " faces" : "");
+    return labelled("parts", text);
+}
+
 int run_info(const InfoOptions& options) {
-    const Polyhedron body = Polyhedron::load(options.mesh, options.polyhedron);
-    print(options.json ? body_json(body).dump() + "\n" : body_report(options.mesh, body));
+    if (is_robot_file(options.mesh))
+        return run_robot_info({options.mesh, options.robot.srdf, options.robot.packages}, options.json);
+    if (!options.robot.srdf.empty() || !options.robot.packages.empty())
+        throw InvalidInput("--srdf, --packages: are for robots, and " + io::in_quotes(options.mesh) +
+                           " does not end in .urdf");
+    std::vector<io::MeshPart> parts = io::load_mesh_parts(options.mesh);
+    std::vector<PartSummary> summaries;
+    for (const io::MeshPart& part : parts)
+        summaries.push_back({part.name, part.polygons.faces.size()});
+    const Polyhedron body = io::body_of(options.mesh, io::merged(std::move(parts)), options.polyhedron);
+    view::Json json = body_json(body);
+    std::string report = body_report(options.mesh, body);
+    if (summaries.size() > 1) {
+        json["parts"] = parts_json(summaries);
+        report += parts_report(summaries);
+    }
+    print(options.json ? json.dump() + "\n" : report);
     return is_clear;
 }
 
@@ -66,8 +108,9 @@ int run_info(const InfoOptions& options) {
 void add_info(CLI::App& app, Task& task) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App& command =
-        *app.add_subcommand("info", "Describes the content of a mesh file and the topology of its surface.");
-    command.add_option("MESH", options->mesh, "mesh file")->required()->type_name("FILE");
+        *app.add_subcommand("info", "Describes a mesh file and the topology of its surface, or a robot.");
+    command.add_option("MESH", options->mesh, "mesh file, or a robot: a URDF file")->required()->type_name("FILE");
+    add_robot_file_options(command, options->robot);
     add_mesh_options(command, options->polyhedron);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_info(*options); }; });

@@ -20,16 +20,16 @@ add() {
     done
 }
 
-# Boost.Multiprecision is for the exact stage, oneTBB for batches; CLI11, fmt and nlohmann_json for the command line.
+# Boost.Multiprecision is for the exact stage, oneTBB for batches, tinyxml2, zlib and nlohmann_json for files; CLI11, fmt
+# and yaml-cpp for the command line.
 add_demo() {
-    add make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libtinyxml2-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+    add make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libtinyxml2-dev zlib1g-dev libfmt-dev libcli11-dev nlohmann-json3-dev libyaml-cpp-dev
 }
 
-# Assimp is for mesh files of other formats. The page of `chasles view` is made by npm packages; a Node.js from elsewhere
-# brings its npm along, and does not go with Debian's.
+# The page of `chasles view` is made by npm packages; a Node.js from elsewhere brings its npm along, and does not go with
+# Debian's.
 add_install() {
     add_demo
-    add libassimp-dev
     command -v npm >/dev/null || add nodejs npm
 }
 
@@ -44,18 +44,17 @@ add_group() {
     case $1 in
         demo) add_demo ;;
         install) add_install ;;
-        # GMP is the exact arithmetic that the tests compare with, FCL the distances; zlib reads packed test data, yaml-cpp
-        # planning scenes.
+        # GMP is the exact arithmetic that the tests compare with, FCL the distances; yaml-cpp reads planning scenes.
         check)
             add_install
-            add libgtest-dev libgmp-dev libfcl-dev libyaml-cpp-dev libompl-dev zlib1g-dev python3 "clang-format-$clang_version"
+            add libgtest-dev libgmp-dev libfcl-dev libyaml-cpp-dev libompl-dev python3 "clang-format-$clang_version"
             # The page of `chasles view` is tested in a browser.
             command -v chromium >/dev/null || add chromium
             ;;
         # libFuzzer and the sanitizers are in the runtime library.
         fuzz)
             add_demo
-            add libassimp-dev "clang-$clang_version" "libclang-rt-$clang_version-dev" libgmp-dev
+            add "clang-$clang_version" "libclang-rt-$clang_version-dev" libgmp-dev
             ;;
         # The rest comes from the package index into a virtual environment.
         python)
@@ -77,7 +76,7 @@ add_group() {
         # Python and Rust.
         bench)
             add_demo
-            add libassimp-dev libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev libyaml-cpp-dev libompl-dev python3-venv
+            add libbenchmark-dev libhwy-dev libfcl-dev libbullet-dev libyaml-cpp-dev libompl-dev python3-venv
             command -v cargo >/dev/null || add "$(cargo_package)"
             ;;
         tidy) add "clang-tidy-$clang_version" ;;

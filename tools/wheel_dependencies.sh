@@ -7,4 +7,4 @@ set -eu
 [ -d "$1" ] || git clone --depth 1 https://github.com/microsoft/vcpkg "$1"
 "$1/bootstrap-vcpkg.sh" -disableMetrics
 "$1/vcpkg" install ${VCPKG_TARGET_TRIPLET:+--triplet "$VCPKG_TARGET_TRIPLET"} \
-    eigen3 boost-multiprecision tbb tinyxml2 assimp fmt nlohmann-json
+    eigen3 boost-multiprecision tbb tinyxml2 zlib fmt nlohmann-json

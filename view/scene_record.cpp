@@ -95,6 +95,7 @@ SceneRecord scene_record(const chasles::Scene& scene, const SceneAnswer& found, 
         record.bodies.push_back(recorded_body(scene.bodies()[i], times[i]));
     for (const SceneContact& event : found.contacts)
         record.contacts.push_back(recorded_contact(event));
+    record.untested = found.untested;
     return record;
 }
 

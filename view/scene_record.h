@@ -44,6 +44,7 @@ struct SceneRecord {
     std::vector<double> times = {};         ///< ascending; the first and the last one are the ends of the slider
     std::vector<RecordedBody> bodies = {};
     std::vector<RecordedContact> contacts = {}; ///< in any order
+    std::optional<UntestedPairs> untested = {}; ///< of the answer, if it is known
 };
 
 /// The record of an answered scene, over the time [0, 1]. `source` is the question that was asked. Bodies are in the

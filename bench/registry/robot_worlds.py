@@ -1,7 +1,7 @@
 """Robots and worlds for Chasles and for peers alike: planning problems of MotionBenchMaker, and boxes around an ABB.
 
 Everybody gets equal shapes: boxes, and cylinders as prisms whose sides are tangent to them (as in
-tests/data/planning_scenes.cpp). Vertices of prisms are rounded to floats first, because Assimp reads no others.
+tests/data/planning_scenes.cpp). Vertices of prisms are rounded to floats first, because the peers read by Assimp, which keeps no others.
 """
 
 import dataclasses

@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 
+#include <algorithm>
 #include <new>
 
 namespace chasles::io {
@@ -27,6 +28,7 @@ std::string_view extension_of(std::string_view name) {
 }
 
 PolygonSoup read_without_name(std::string_view bytes, std::string_view extension) {
+    refuse_step(bytes, lower_case(extension));
     const Reader reader = reader_for(extension);
     if (!reader)
         throw InvalidInput("the extension is none of .obj, .off, .ply and .stl");
@@ -60,6 +62,22 @@ Reader reader_for(std::string_view extension) {
     if (lower == ".stl")
         return read_stl;
     return nullptr;
+}
+
+void refuse_step(std::string_view bytes, std::string_view extension) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    std::string_view start = bytes.substr(0, 10'000); // the header of a STEP file is longer only in odd cases
+    start.remove_prefix(start.starts_with(mark) ? mark.size() : 0);
+    if (Words(start).next().starts_with("ISO-10303-21")) {
+        const std::string_view schema = start.substr(std::min(start.find("FILE_SCHEMA"), start.size()));
+        const bool is_ifc = schema.substr(0, schema.find(';')).find("IFC") != std::string_view::npos;
+        throw InvalidInput(std::string(is_ifc ? "is an IFC file (a building model)" : "is a STEP file") +
+                           ", which holds curved surfaces, not polygons; export it as glTF, 3MF, STL or OBJ" +
+                           (is_ifc ? "" : ", or tessellate it (in Python: build123d or CadQuery, tessellate)"));
+    }
+    if (extension == ".step" || extension == ".stp")
+        throw InvalidInput("is no STEP file, though its extension says so; meshes have .obj, .off, .ply, .stl, .gltf, "
+                           ".glb, .dae or .3mf");
 }
 
 PolygonSoup with_faces(PolygonSoup soup) {

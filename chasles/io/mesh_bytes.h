@@ -13,8 +13,11 @@ namespace chasles::io {
 /// A reader of one format.
 using Reader = PolygonSoup (*)(std::string_view);
 
-/// The reader for an extension, for example ".obj", in capitals or not; null if only Assimp may read such a file.
+/// The reader for the extension of a format with one mesh, for example ".obj", in capitals or not; null for others.
 Reader reader_for(std::string_view extension);
+
+/// Throws InvalidInput for STEP and IFC files, by their first bytes, and for the extensions of STEP.
+void refuse_step(std::string_view bytes, std::string_view extension);
 
 /// The same mesh. Throws InvalidInput if it has no face.
 PolygonSoup with_faces(PolygonSoup soup);

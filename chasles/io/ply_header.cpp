@@ -37,7 +37,7 @@ constexpr std::array<TypeName, 16> type_names = {{{"char", PlyType::int8},
 // Reads the header line by line. It keeps statements in the order of the file, which is the order of the data.
 class PlyHeaderReader {
 public:
-    explicit PlyHeaderReader(std::string_view text) : lines_(text) {}
+    explicit PlyHeaderReader(std::string_view text) : text_(text), lines_(text) {}
 
     // Reads all lines from "ply" to "end_header".
     PlyHeader read() {
@@ -49,12 +49,19 @@ public:
         } while (read_statement());
         if (!has_format_)
             fail("the header does not state its format");
-        header_.size = lines_.position();
+        header_.size = end_of_header();
         header_.lines = lines_.number();
         return std::move(header_);
     }
 
 private:
+    // After lines that end with CR alone, a LF is the first byte of binary data.
+    [[nodiscard]] std::size_t end_of_header() const {
+        const bool ends_with_cr = text_.starts_with("ply\r") && !text_.starts_with("ply\r\n");
+        const bool has_taken_lf = text_.substr(0, lines_.position()).ends_with("\r\n");
+        return lines_.position() - (ends_with_cr && has_taken_lf ? 1 : 0);
+    }
+
     // Reads one line. Returns false at the end of the header.
     bool read_statement() {
         Words words(lines_.line());
@@ -128,6 +135,7 @@ private:
 
     [[noreturn]] void fail(const std::string& why) const { fail_at_line(lines_.number(), why); }
 
+    std::string_view text_;
     Lines lines_;
     PlyHeader header_;
     bool has_format_ = false;

@@ -66,17 +66,18 @@ private:
 };
 
 /// Reads "solid NAME", then any number of "facet normal X Y Z, outer loop, vertex X Y Z (three times), endloop,
-/// endfacet", then "endsolid NAME". Blanks and line ends separate words. A name extends to the end of its line.
+/// endfacet", then "endsolid NAME". Blanks and line ends separate words. A name extends to the end of its line. Writers
+/// also end a solid by "endsolidNAME", by "end solid NAME", by the next "solid", or by the end of the file after a
+/// facet; and they write "end loop" and "end facet".
 class AsciiStlReader {
 public:
     explicit AsciiStlReader(std::string_view text) : lines_(text) {}
 
     // Reads all solids of the file.
     PolygonSoup read() {
-        while (next_word()) {
+        for (bool has_word = next_word(); has_word;) {
             expect("solid");
-            words_ = Words("");
-            read_solid();
+            has_word = read_solid();
         }
         return triangles_.take();
     }
@@ -94,13 +95,29 @@ private:
         return true;
     }
 
-    // Reads all facets of a solid, to the end of its line "endsolid NAME".
-    void read_solid() {
-        for (require_word("endsolid"); lower_case(word_) != "endsolid"; require_word("endsolid")) {
+    // Reads the facets of a solid and its end. Returns false at the end of the file; otherwise the current word is the
+    // first one after the solid.
+    bool read_solid() {
+        words_ = Words("");
+        require_word("endsolid");
+        while (!is_end_of_solid()) {
             expect("facet");
             read_facet();
+            if (!next_word())
+                return false;
         }
-        words_ = Words("");
+        if (lower_case(word_) != "solid") {
+            words_ = Words("");
+            return next_word();
+        }
+        return true;
+    }
+
+    // Whether the current word ends a solid or begins the next one.
+    [[nodiscard]] bool is_end_of_solid() const {
+        const std::string word = lower_case(word_);
+        return word.starts_with("endsolid") || word == "solid" ||
+               (word == "end" && lower_case(Words(words_).next()) == "solid");
     }
 
     // Reads one facet and skips its normal.
@@ -114,8 +131,8 @@ private:
         std::vector<std::uint32_t> face(3);
         for (std::uint32_t& vertex : face)
             vertex = read_vertex();
-        require("endloop");
-        require("endfacet");
+        require_end("loop");
+        require_end("facet");
         triangles_.add_face(std::move(face));
         triangles_.add_line(line);
     }
@@ -132,6 +149,15 @@ private:
             coordinate = *number;
         }
         return triangles_.add_vertex(vertex);
+    }
+
+    // Reads "endKEYWORD" or "end KEYWORD".
+    void require_end(const std::string& keyword) {
+        require_word("end" + keyword);
+        if (lower_case(word_) == "end")
+            require(keyword);
+        else
+            expect("end" + keyword);
     }
 
     // Reads a word that must be the given keyword.

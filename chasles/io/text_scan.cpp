@@ -49,6 +49,26 @@ double beyond_range(std::string_view word) {
     return word.front() == '-' ? -size : size;
 }
 
+// The bytes of the character at the start of a text; 0 if it is not in UTF-8. Source: RFC 3629, section 4.
+std::size_t character_size(std::string_view text) {
+    const auto byte = [&](std::size_t i) { return i < text.size() ? static_cast<unsigned char>(text[i]) : 0U; };
+    const unsigned first = byte(0);
+    const std::size_t size = first < 0x80   ? 1
+                             : first < 0xc2 ? 0
+                             : first < 0xe0 ? 2
+                             : first < 0xf0 ? 3
+                             : first < 0xf5 ? 4
+                                            : 0;
+    const unsigned lowest = first == 0xe0 ? 0xa0 : first == 0xf0 ? 0x90 : 0x80;
+    const unsigned highest = first == 0xed ? 0x9f : first == 0xf4 ? 0x8f : 0xbf;
+    if (size > 1 && (byte(1) < lowest || byte(1) > highest))
+        return 0;
+    for (std::size_t i = 2; i < size; ++i)
+        if ((byte(i) & 0xc0U) != 0x80)
+            return 0;
+    return size;
+}
+
 } // namespace
 
 // The whole word must be used: "1.5x" is not a number.
@@ -95,6 +115,16 @@ std::string in_quotes(std::string_view text) {
     return "'" + shown + (is_long ? "...'" : "'");
 }
 
+std::string valid_utf8(std::string_view text) {
+    std::string valid;
+    while (!text.empty()) {
+        const std::size_t size = character_size(text);
+        valid.append(size > 0 ? text.substr(0, size) : "?");
+        text.remove_prefix(std::max<std::size_t>(size, 1));
+    }
+    return valid;
+}
+
 std::string lower_case(std::string_view text) {
     std::string lower(text);
     for (char& c : lower)
@@ -128,15 +158,17 @@ std::string_view Words::next() {
     return word;
 }
 
-// The last line may have no line end.
+// The last line may have no line end. The line feed that was found is kept: a text without any is searched once.
 bool Lines::next() {
     if (position_ >= text_.size())
         return false;
-    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
-    line_ = text_.substr(position_, end - position_);
-    if (line_.ends_with('\r'))
-        line_.remove_suffix(1);
-    position_ = end + 1;
+    if (line_feed_ < position_ || number_ == 0)
+        line_feed_ = std::min(text_.find('\n', position_), text_.size());
+    const std::string_view rest = text_.substr(position_, line_feed_ - position_);
+    line_ = rest.substr(0, rest.find('\r'));
+    position_ += line_.size() + 1;
+    if (line_.size() < rest.size() && position_ == line_feed_)
+        ++position_; // CR LF
     ++number_;
     return true;
 }

@@ -25,6 +25,9 @@ std::string in_quotes(std::string_view text);
 /// The text in one line: line breaks and other control characters are replaced.
 std::string one_line(std::string_view text);
 
+/// The text with a question mark for each byte that is not in UTF-8.
+std::string valid_utf8(std::string_view text);
+
 /// `text` in lower case (ASCII letters only).
 std::string lower_case(std::string_view text);
 
@@ -49,7 +52,7 @@ private:
     std::string_view rest_;
 };
 
-/// Splits a text into lines without line ends (LF or CR LF).
+/// Splits a text into lines without line ends (LF, CR LF or CR).
 class Lines {
 public:
     explicit Lines(std::string_view text) : text_(text) {}
@@ -65,6 +68,7 @@ private:
     std::string_view text_;
     std::string_view line_;
     std::size_t position_ = 0;
+    std::size_t line_feed_ = 0; ///< the next one from `position_` on, or the end of the text
     std::size_t number_ = 0;
 };
 

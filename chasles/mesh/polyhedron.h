@@ -73,8 +73,8 @@ public:
                                     std::span<const std::span<const std::uint32_t>> outlines,
                                     const PolyhedronOptions& options = {});
 
-    /// Reads a body from a file: OBJ, OFF, PLY, STL, or another format through Assimp. Throws InvalidInput with the
-    /// file name, the line number if the format has lines, and the reason. Defined in chasles/io/mesh_files.cpp.
+    /// Reads a file (docs/files.md) as one body; `load_parts` keeps its parts apart. Throws InvalidInput with the file
+    /// name, the line number if the format has lines, and the reason. Defined in chasles/io/mesh_files.cpp.
     static Polyhedron load(const std::filesystem::path& file, const PolyhedronOptions& options = {});
 
     [[nodiscard]] std::size_t vertex_count() const;

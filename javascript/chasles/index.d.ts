@@ -75,6 +75,7 @@ export interface Work {
 
 /** Numbers of a motion: the turn in radians, and slide and axis of the screw between the end poses. */
 export interface MotionNumbers {
+  kind: "screw" | "sweep" | "velocity" | "twist";
   angle: number;
   slide: number;
   axis_point: Point;

@@ -31,7 +31,8 @@ bool has_given_ids(const Polyhedron& polyhedron) {
 Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool drop_degenerate, unsigned threads) {
     const DoubleArray points(vertices, "vertices");
     if (points.shape().size() != 2 || points.shape()[1] != 3)
-        throw InvalidInput("vertices: the shape is " + points.shape_text() + "; points have (n, 3)");
+        throw InvalidInput("vertices: the shape is " + points.shape_text() +
+                           "; points have (n, 3), as in [[0, 0, 0], [1, 0, 0], [0, 1, 0]]");
     const FaceLists outlines(faces);
     const std::span given(reinterpret_cast<const Eigen::Vector3d*>(points.numbers().data()),
                           points.numbers().size() / 3);
@@ -50,6 +51,24 @@ Body load(const std::filesystem::path& file, bool triangulate, bool drop_degener
     if (!has_given_ids(body.polyhedron))
         body.given_faces = std::make_shared<Faces>(io::load_polygons(file).faces);
     return body;
+}
+
+nb::dict load_parts(const std::filesystem::path& file, bool triangulate, bool drop_degenerate, unsigned threads) {
+    const PolyhedronOptions options{triangulate, drop_degenerate, threads};
+    std::vector<std::pair<std::string, Body>> bodies;
+    {
+        const nb::gil_scoped_release release;
+        for (io::MeshPart& part : io::load_mesh_parts(file)) {
+            Body body{io::body_of(file, part, options), nullptr, options};
+            if (!has_given_ids(body.polyhedron))
+                body.given_faces = std::make_shared<Faces>(std::move(part.polygons.faces));
+            bodies.emplace_back(part.name, std::move(body));
+        }
+    }
+    nb::dict parts;
+    for (auto& [name, body] : bodies)
+        parts[nb::str(name.c_str(), name.size())] = nb::cast(std::move(body));
+    return parts;
 }
 
 nb::object vertices(nb::handle self) {
@@ -194,6 +213,11 @@ void bind_polyhedron(nb::module_& module) {
                nb::sig("def load(file: str | os.PathLike[str], triangulate: bool = False, "
                        "drop_degenerate: bool = False, threads: int = 0) -> Polyhedron"),
                doc("Polyhedron.load"));
+    module.def("load_parts", load_parts, "file"_a, "triangulate"_a = false, "drop_degenerate"_a = false,
+               "threads"_a = 0,
+               nb::sig("def load_parts(file: str | os.PathLike[str], triangulate: bool = False, "
+                       "drop_degenerate: bool = False, threads: int = 0) -> dict[str, Polyhedron]"),
+               doc("load_parts"));
 }
 
 } // namespace chasles::python

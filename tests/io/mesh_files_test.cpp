@@ -1,7 +1,8 @@
-// Files: the extension selects the reader, every error names the file, and Assimp reads other formats.
+// Files: the extension selects the reader, and every error names the file.
 #include "chasles/io/mesh_files.h"
-#include "chasles/mesh/polyhedron.h"
+#include "chasles/mesh/polyhedron_parts.h"
 #include "tests/io/message_of.h"
+#include "tests/io/post_files.h"
 
 #include <fmt/format.h>
 
@@ -10,12 +11,6 @@ namespace {
 
 using tests::message_of;
 using Face = std::vector<std::uint32_t>;
-
-#ifdef CHASLES_TESTS_ASSIMP
-constexpr bool has_assimp = true;
-#else
-constexpr bool has_assimp = false;
-#endif
 
 const std::string triangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
@@ -66,57 +61,47 @@ TEST_F(MeshFiles, PutsLineBreaksInNamesOnOneLine) {
     EXPECT_EQ(text, "no such file.obj: no such file");
 }
 
-TEST_F(MeshFiles, ReadsGltfWithTheTransformsOfItsNodes) {
-    if (!has_assimp)
-        GTEST_SKIP() << "built without Assimp";
-    const std::string gltf = R"({"asset": {"version": "2.0"}, "scene": 0, "scenes": [{"nodes": [0, 1]}],
-        "nodes": [{"mesh": 0, "translation": [10, 0, 0], "children": [2]}, {"mesh": 0},
-                  {"mesh": 0, "scale": [2, 2, 2]}],
-        "meshes": [{"primitives": [{"attributes": {"POSITION": 0}, "indices": 1}]}],
-        "accessors": [{"bufferView": 0, "componentType": 5126, "count": 3, "type": "VEC3",
-                       "min": [0, 0, 0], "max": [1, 1, 0]},
-                      {"bufferView": 1, "componentType": 5123, "count": 3, "type": "SCALAR"}],
-        "bufferViews": [{"buffer": 0, "byteOffset": 0, "byteLength": 36},
-                        {"buffer": 0, "byteOffset": 36, "byteLength": 6}],
-        "buffers": [{"byteLength": 42, "uri": "data:application/octet-stream;base64,)"
-                             "AAAAAAAAAAAAAAAAAACAPwAAAAAAAAAAAAAAAAAAgD8AAAAAAAABAAIA"
-                             R"("}]})";
-    const io::PolygonSoup soup = io::load_polygons(write("three.gltf", gltf));
-    ASSERT_EQ(soup.faces.size(), 3U);
-    EXPECT_EQ(soup.vertices[1], Eigen::Vector3d(11, 0, 0));
-    EXPECT_EQ(soup.vertices[4], Eigen::Vector3d(12, 0, 0)) << "scaled below the moved node";
-    EXPECT_EQ(soup.vertices[7], Eigen::Vector3d(1, 0, 0));
+TEST_F(MeshFiles, NamesWhatIsReadForOtherFormats) {
+    for (const char* const name : {"a.fbx", "a.3ds", "a.x"})
+        EXPECT_EQ(message(name, "x"), std::string(name) + ": no reader for the extension '" + (name + 1) +
+                                          "'; .obj, .off, .ply, .stl, .gltf, .glb, .dae and .3mf are read: export the "
+                                          "mesh as glTF, 3MF, STL or OBJ");
+    EXPECT_TRUE(message("broken.gltf", "{").starts_with("broken.gltf: is no well-formed JSON: "));
+    EXPECT_TRUE(message("broken.dae", "<COLLADA").starts_with("broken.dae: line 1: is no well-formed XML"));
+    EXPECT_TRUE(message("broken.3mf", "x").starts_with("broken.3mf: is no ZIP archive"));
+    EXPECT_EQ(message("empty.gltf", R"({"asset": {"version": "2.0"}})"),
+              "empty.gltf: has no face; a mesh needs at least one");
 }
 
-const char* const collada = R"(<?xml version="1.0"?>
-<COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
-<asset><unit name="meter" meter="1"/><up_axis>Y_UP</up_axis></asset>
-<library_geometries><geometry id="g"><mesh>
-<source id="p"><float_array id="a" count="12">0 0 0 1 0 0 1 1 0 0 1 0</float_array>
-<technique_common><accessor source="#a" count="4" stride="3"><param name="X" type="float"/>
-<param name="Y" type="float"/><param name="Z" type="float"/></accessor></technique_common></source>
-<vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
-<polylist count="1"><input semantic="VERTEX" source="#v" offset="0"/><vcount>4</vcount><p>0 1 2 3</p></polylist>
-</mesh></geometry></library_geometries>
-<library_visual_scenes><visual_scene id="s"><node><translate>0 0 5</translate>
-<instance_geometry url="#g"/></node></visual_scene></library_visual_scenes>
-<scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
-
-TEST_F(MeshFiles, ReadsColladaWithItsPolygons) {
-    if (!has_assimp)
-        GTEST_SKIP() << "built without Assimp";
-    const io::PolygonSoup soup = io::load_polygons(write("square.dae", collada));
-    ASSERT_EQ(soup.faces.size(), 1U);
-    EXPECT_EQ(soup.faces[0].size(), 4U) << "polygons are not cut";
-    EXPECT_EQ(soup.vertices[soup.faces[0][2]], Eigen::Vector3d(1, 1, 5));
+TEST_F(MeshFiles, TellsStepFromIfcWhateverTheExtension) {
+    const std::string start = "ISO-10303-21;\nHEADER;\nFILE_SCHEMA((\"";
+    const std::string is_step =
+        ": is a STEP file, which holds curved surfaces, not polygons; export it as glTF, 3MF, STL "
+        "or OBJ, or tessellate it (in Python: build123d or CadQuery, tessellate)";
+    for (const char* const name : {"a.step", "a.STP", "a.obj", "a.p21"})
+        EXPECT_EQ(message(name, start + "AUTOMOTIVE_DESIGN\"));\n#1=IFCWALL();"), name + is_step);
+    EXPECT_EQ(message("a.ifc", start + "IFC4\"));"),
+              "a.ifc: is an IFC file (a building model), which holds curved surfaces, not polygons; export it as glTF, "
+              "3MF, STL or OBJ");
+    EXPECT_TRUE(message("b.step", "v 0 0 0\n").starts_with("b.step: is no STEP file, though its extension says so"));
 }
 
-TEST_F(MeshFiles, NamesFilesThatAssimpCannotRead) {
-    if (!has_assimp)
-        GTEST_SKIP() << "built without Assimp";
-    EXPECT_TRUE(message("broken.gltf", "{").starts_with("broken.gltf: cannot be read: "))
-        << message(path("broken.gltf"));
-    EXPECT_TRUE(message("broken.dae", "<COLLADA").starts_with("broken.dae: ")) << message(path("broken.dae"));
+TEST_F(MeshFiles, PartsKeepTheirNamesAndErrorsNameThem) {
+    const std::vector<NamedPolyhedron> parts = load_parts(write(
+        "two.gltf", tests::post_gltf_json(R"(, "uri": "data:;base64,)" + tests::base64(tests::post_buffer()) + "\"")));
+    ASSERT_EQ(parts.size(), 1U);
+    EXPECT_EQ(parts[0].name, "post");
+    write("post.bin", tests::post_buffer());
+    EXPECT_EQ(Polyhedron::load(write("beside.gltf", tests::post_gltf_json(R"(, "uri": "post.bin")"))).face_count(),
+              12U);
+    EXPECT_EQ(message("missing.gltf", tests::post_gltf_json(R"(, "uri": "no.bin")")),
+              "missing.gltf: no.bin: no such file");
+    const std::string bent = tests::threemf(R"(<model><resources><object id="1" name="far"><mesh><vertices>
+<vertex x="0" y="0" z="0"/><vertex x="1e31" y="0" z="0"/><vertex x="0" y="1e31" z="0"/></vertices>
+<triangles><triangle v1="0" v2="1" v3="2"/></triangles></mesh></object></resources><build><item objectid="1"/></build></model>)");
+    const std::filesystem::path file = write("far.3mf", bent);
+    EXPECT_TRUE(without_folder(message_of([&] { (void)load_parts(file); })).starts_with("far.3mf: part 'far': "));
+    EXPECT_EQ(load_parts(write("a.b.obj", triangle)).at(0).name, "a.b");
 }
 
 // A grid of 200 by 200 squares, twice as many triangles.

@@ -103,7 +103,7 @@ TEST(ReadStl, RefusesBinaryWhoseCountDisagrees) {
 }
 
 TEST(ReadStl, RefusesBrokenAscii) {
-    EXPECT_EQ(message("solid\n" + facet), "line 8: the file ends before its 'endsolid'");
+    EXPECT_EQ(message("solid\n"), "line 1: the file ends before its 'endsolid'");
     EXPECT_EQ(message("solid\n" + facet.substr(0, 26)), "line 3: the file ends before its 'loop'");
     EXPECT_EQ(message("solid\nfacett normal 0 0 1\n"), "line 2: expected 'facet', found 'facett normal 0 0 1'");
     EXPECT_EQ(message("solid\n" + facet + "endsolid\n" + facet),
@@ -113,6 +113,19 @@ TEST(ReadStl, RefusesBrokenAscii) {
     EXPECT_EQ(
         message("solid\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\nvertex 1 1 0\nvertex 0 1 0\n"),
         "line 7: expected 'endloop', found 'vertex 0 1 0'");
+}
+
+TEST(ReadStl, ReadsTheEndsThatWritersMake) {
+    for (const char* const end : {"endsolidAssimpScene\n", "endsolid\n", "end solid x\n", "END SOLID\n", "", "\n \n"})
+        EXPECT_EQ(read_stl("solid x\n" + facet + end).faces.size(), 1U) << end;
+    EXPECT_EQ(read_stl("solid a\n" + facet + "endsolida\nsolid b\n" + facet).faces.size(), 2U);
+    EXPECT_EQ(read_stl("solid a\n" + facet + "solid b\n" + facet + "end solid b").faces.size(), 2U);
+    EXPECT_EQ(read_stl("solid a\nendsolid a\nsolid b\n" + facet + "endsolid b").faces.size(), 1U);
+    std::string spaced = facet;
+    spaced.replace(spaced.find("endloop"), 7, "end loop");
+    spaced.replace(spaced.find("endfacet"), 8, "end facet");
+    EXPECT_EQ(read_stl("solid x\n" + spaced + "end solid x").faces.size(), 1U);
+    EXPECT_EQ(message("solid x\n" + facet + "end of solid"), "line 9: expected 'facet', found 'end of solid'");
 }
 
 } // namespace

@@ -85,12 +85,47 @@ TEST(Lines, TakeBothLineEndsAndCountFromOne) {
     EXPECT_FALSE(lines.next());
 }
 
+TEST(Lines, EndWithCarriageReturnsToo) {
+    Lines lines("a\rb\r\rc\r\n\nd\r");
+    for (const char* const line : {"a", "b", "", "c", "", "d"}) {
+        ASSERT_TRUE(lines.next());
+        EXPECT_EQ(lines.line(), line);
+    }
+    EXPECT_EQ(lines.position(), 12U);
+    EXPECT_FALSE(lines.next());
+}
+
+TEST(Lines, TakeTimeInProportionToTheText) {
+    for (const std::string_view end : {"\r", "\n", "\r\n"}) {
+        std::string text;
+        for (int i = 0; i < 1'000'000; ++i)
+            text += end;
+        Lines lines(text); // a search to the end of the text for each line would take minutes
+        while (lines.next()) {
+        }
+        EXPECT_EQ(lines.number(), 1'000'000U);
+    }
+}
+
 TEST(Words, AreSeparatedByAnyBlanks) {
     Words words(" a\tb  c ");
     EXPECT_EQ(words.next(), "a");
     EXPECT_EQ(words.next(), "b");
     EXPECT_EQ(words.next(), "c");
     EXPECT_EQ(words.next(), "");
+}
+
+TEST(ValidUtf8, ReplacesWhatIsNoCharacter) {
+    for (const std::string_view good :
+         {"a", "\xc3\xa9", "\xe2\x82\xac", "\xf0\x9f\x94\xa9", "\xed\x9f\xbf", "\xf4\x8f\xbf\xbf"})
+        EXPECT_EQ(valid_utf8(good), good);
+    // Latin-1, a byte that follows nothing, a cut character, an overlong slash, a surrogate, beyond Unicode.
+    EXPECT_EQ(valid_utf8("caf\xe9s"), "caf?s");
+    EXPECT_EQ(valid_utf8("\x80"), "?");
+    EXPECT_EQ(valid_utf8("a\xe2\x82"), "a??");
+    EXPECT_EQ(valid_utf8("\xc0\xaf"), "??");
+    EXPECT_EQ(valid_utf8("\xed\xa0\x80"), "???");
+    EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), "????");
 }
 
 TEST(InQuotes, IsShortPrintableAndOneLine) {

@@ -18,12 +18,20 @@ export interface RecordedContact {
   overlap?: Overlap;
 }
 
+/** What an answer does not look at. */
+export interface Untested {
+  tested: number;
+  pairs: number;
+  reasons: { reason: string; count: number; pairs?: [string, string][]; links?: string[] }[];
+}
+
 export interface SceneRecord {
   format: 2;
   title: string;
   source: "first_contact" | "all_contacts" | "recording";
   margin: number;
-  clear_until?: number; // no pair touches before this time
+  clear_until?: number; // no tested pair touches before this time
+  untested?: Untested;
   times: string; // float64, ascending
   meshes: PackedMesh[];
   bodies: RecordedBody[];

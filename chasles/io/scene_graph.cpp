@@ -1,0 +1,198 @@
+// Walks the paths of a scene without recursion: chains of nodes may be long.
+#include "chasles/io/scene_graph.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/text_scan.h"
+
+#include <Eigen/LU>
+#include <algorithm>
+#include <limits>
+#include <unordered_map>
+#include <unordered_set>
+
+namespace chasles::io {
+namespace {
+
+constexpr std::size_t most_nodes = 1'000'000;
+constexpr std::size_t most_numbers = std::size_t{1} << 26U;
+
+std::size_t numbers_of(const PolygonSoup& mesh) {
+    std::size_t count = mesh.vertices.size();
+    for (const auto& face : mesh.faces)
+        count += face.size();
+    return count;
+}
+
+// The sign of the determinant: 1, -1 for a mirror, or 0 if the transform flattens bodies. The scale does not matter.
+int orientation_of(const Eigen::Affine3d& transform) {
+    const double scale = transform.linear().cwiseAbs().maxCoeff();
+    const double determinant = scale > 0 ? (transform.linear() / scale).determinant() : 0;
+    return (determinant > 0) - (determinant < 0);
+}
+
+// A node with a place in the scene.
+struct PlacedNode {
+    std::size_t node;
+    std::size_t next_child;
+    Eigen::Affine3d to_scene;
+    const std::string* name;
+};
+
+// Finds the places of all nodes with faces, and counts what they will take before anything is copied.
+class ScenePaths {
+public:
+    explicit ScenePaths(const SceneGraph& scene)
+        : scene_(scene), budget_(scene.file_size), is_on_path_(scene.nodes.size(), false) {
+        for (const SceneNode& node : scene.nodes) {
+            sizes_.push_back(0);
+            for (const std::size_t mesh : node.meshes)
+                sizes_.back() += scene.meshes[mesh].faces.empty() ? 0 : numbers_of(scene.meshes[mesh]);
+        }
+    }
+
+    std::vector<PlacedNode> places() {
+        static const std::string no_name = "part";
+        for (const std::size_t root : scene_.roots) {
+            push(root, Eigen::Affine3d::Identity(), no_name);
+            while (!path_.empty())
+                step();
+        }
+        return std::move(places_);
+    }
+
+private:
+    // Moves to the next child of the last node of the path, or back.
+    void step() {
+        PlacedNode& last = path_.back();
+        const std::vector<std::size_t>& children = scene_.nodes[last.node].children;
+        if (last.next_child < children.size()) {
+            const std::size_t child = children[last.next_child++];
+            push(child, last.to_scene, *last.name);
+        } else {
+            is_on_path_[last.node] = false;
+            path_.pop_back();
+        }
+    }
+
+    // The transform is a copy, because the path grows here.
+    void push(std::size_t index, Eigen::Affine3d to_scene, const std::string& name_above) {
+        const SceneNode& node = scene_.nodes[index];
+        const std::string& name = node.name.empty() ? name_above : node.name;
+        if (is_on_path_[index])
+            throw InvalidInput("node " + in_quotes(name) + " contains itself");
+        if (++visited_ > most_nodes)
+            throw InvalidInput("has more than 1,000,000 nodes, counting a node once for each path to it");
+        to_scene = to_scene * node.to_parent;
+        is_on_path_[index] = true;
+        path_.push_back({index, 0, to_scene, &name});
+        budget_.spend(sizes_[index]);
+        if (sizes_[index] > 0)
+            places_.push_back(path_.back());
+    }
+
+    const SceneGraph& scene_;
+    SizeBudget budget_;
+    std::vector<std::size_t> sizes_; ///< vertices and corners of each node
+    std::vector<bool> is_on_path_;
+    std::vector<PlacedNode> path_;
+    std::size_t visited_ = 0;
+    std::vector<PlacedNode> places_;
+};
+
+// Appends a mesh in the coordinates of the scene.
+void add_mesh(MeshPart& part, const PolygonSoup& mesh, const Eigen::Affine3d& to_scene) {
+    const int orientation = orientation_of(to_scene);
+    const auto first = static_cast<std::uint32_t>(part.polygons.vertices.size());
+    for (const Eigen::Vector3d& vertex : mesh.vertices) {
+        part.polygons.vertices.push_back(to_scene * vertex);
+        if (!part.polygons.vertices.back().allFinite())
+            throw InvalidInput("node " + in_quotes(part.name) + ": NaN or infinity in its transform or its vertices");
+    }
+    if (orientation == 0)
+        throw InvalidInput("node " + in_quotes(part.name) +
+                           ": its transform flattens the mesh (a scale of 0); remove the node or scale it");
+    for (std::vector<std::uint32_t> face : mesh.faces) {
+        for (std::uint32_t& corner : face)
+            corner += first;
+        if (orientation < 0)
+            std::ranges::reverse(face);
+        part.polygons.faces.push_back(std::move(face));
+    }
+}
+
+// The second "bolt" becomes "bolt_2". The counters keep many equal names from being tried again and again.
+void make_names_unique(std::vector<MeshPart>& parts) {
+    std::unordered_set<std::string> used;
+    std::unordered_map<std::string, std::size_t> last_number;
+    for (MeshPart& part : parts) {
+        const std::string given = part.name = one_line(valid_utf8(part.name));
+        std::size_t& number = last_number.try_emplace(given, 1).first->second;
+        while (!used.insert(part.name).second)
+            part.name = given + "_" + std::to_string(++number);
+    }
+}
+
+// Appends the polygons of a part.
+void append_part(PolygonSoup& soup, PolygonSoup part) {
+    if (soup.vertices.size() + part.vertices.size() >= std::numeric_limits<std::uint32_t>::max())
+        throw InvalidInput("more than 4,294,967,294 vertices");
+    const auto first = static_cast<std::uint32_t>(soup.vertices.size());
+    soup.vertices.insert(soup.vertices.end(), part.vertices.begin(), part.vertices.end());
+    for (std::vector<std::uint32_t>& face : part.faces) {
+        for (std::uint32_t& corner : face)
+            corner += first;
+        soup.faces.push_back(std::move(face));
+    }
+}
+
+void add_triangle(PolygonSoup& mesh, std::uint32_t a, std::uint32_t b, std::uint32_t c) {
+    if (a != b && b != c && c != a)
+        mesh.faces.push_back({a, b, c});
+}
+
+} // namespace
+
+void add_triangle_strip(PolygonSoup& mesh, const std::vector<std::uint32_t>& corners) {
+    for (std::size_t i = 2; i < corners.size(); ++i) { // every second triangle is turned over
+        const std::size_t odd = i % 2;
+        add_triangle(mesh, corners[i - 2 + odd], corners[i - 1 - odd], corners[i]);
+    }
+}
+
+void add_triangle_fan(PolygonSoup& mesh, const std::vector<std::uint32_t>& corners) {
+    for (std::size_t i = 2; i < corners.size(); ++i)
+        add_triangle(mesh, corners[0], corners[i - 1], corners[i]);
+}
+
+SizeBudget::SizeBudget(std::size_t file_size) : most_(std::max(most_numbers, 4 * file_size)) {}
+
+void SizeBudget::spend(std::size_t count) {
+    if (count > most_ - spent_)
+        throw InvalidInput("has more than " + std::to_string(most_) +
+                           " vertices and corners of faces, counting a mesh once for each node that places it");
+    spent_ += count;
+}
+
+std::vector<MeshPart> parts_of(const SceneGraph& scene) {
+    std::vector<MeshPart> parts;
+    for (const PlacedNode& place : ScenePaths(scene).places()) {
+        MeshPart part{*place.name, {}};
+        for (const std::size_t mesh : scene.nodes[place.node].meshes)
+            if (!scene.meshes[mesh].faces.empty())
+                add_mesh(part, scene.meshes[mesh], place.to_scene);
+        parts.push_back(std::move(part));
+    }
+    make_names_unique(parts);
+    return parts;
+}
+
+PolygonSoup merged(std::vector<MeshPart> parts) {
+    if (parts.size() == 1)
+        return std::move(parts.front().polygons);
+    PolygonSoup soup;
+    for (MeshPart& part : parts)
+        append_part(soup, std::move(part.polygons));
+    return soup;
+}
+
+} // namespace chasles::io

@@ -1,0 +1,222 @@
+// Reads 3MF: a ZIP archive with XML. Numbers stay in the unit that the file states. The build items and components of
+// all parts are read (production extension); colours, textures and print settings are ignored. Beam lattices, slices
+// and encrypted parts are refused. Source: 3MF Core Specification 1.3 and Production Extension 1.1.
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/mesh_files.h"
+#include "chasles/io/scene_graph.h"
+#include "chasles/io/text_scan.h"
+#include "chasles/io/xml_text.h"
+#include "chasles/io/zip_archive.h"
+
+#include <limits>
+#include <map>
+#include <memory>
+
+namespace chasles::io {
+namespace {
+
+// One XML part of the package and its objects.
+struct ModelPart {
+    tinyxml2::XMLDocument document;
+    std::map<std::string_view, const XmlElement*> objects;
+};
+
+// The name of a part without the slash at its start.
+std::string part_name(std::string_view target) {
+    return std::string(target.substr(target.starts_with('/') ? 1 : 0));
+}
+
+// Namespaces of extensions that leave meshes as they are. All others may change what the file is.
+void refuse_extension(const XmlElement& model, std::string_view prefix) {
+    const std::string attribute = "xmlns:" + std::string(prefix);
+    const char* const value = model.Attribute(attribute.c_str());
+    const std::string_view name = value ? value : "";
+    for (const std::string_view known : {"/production/", "/material/", "/trianglesets/"})
+        if (name.find(known) != std::string_view::npos)
+            return;
+    std::string what = "the extension " + in_quotes(name.empty() ? prefix : name);
+    if (name.find("/beamlattice/") != std::string_view::npos)
+        what = "beam lattices";
+    else if (name.find("/slice/") != std::string_view::npos)
+        what = "slices";
+    else if (name.find("/securecontent/") != std::string_view::npos)
+        what = "encrypted content";
+    throw InvalidInput("needs " + what + ", which is not read; export as a plain mesh");
+}
+
+// 12 numbers for row vectors: x' = x m0 + y m3 + z m6 + m9 and so on.
+Eigen::Affine3d threemf_transform(const XmlElement& element) {
+    Eigen::Affine3d transform = Eigen::Affine3d::Identity();
+    const std::string_view text = attribute_of(element, "transform");
+    if (text.empty())
+        return transform;
+    const std::vector<double> numbers = numbers_in(element, text);
+    if (numbers.size() != 12)
+        fail_at(element, "transform: has " + std::to_string(numbers.size()) + " numbers instead of 12");
+    transform.affine() = Eigen::Map<const Eigen::Matrix<double, 3, 4>>(numbers.data());
+    return transform;
+}
+
+double coordinate_of(const XmlElement& vertex, std::string_view axis) {
+    const auto number = parse_finite(Words(required_attribute_of(vertex, axis)).next());
+    if (!number)
+        fail_at(vertex, std::string(axis) + ": " + in_quotes(attribute_of(vertex, axis)) + " is not a finite number");
+    return *number;
+}
+
+// The children of this name below a child that may be missing.
+std::vector<const XmlElement*> grandchildren_of(const XmlElement& element, std::string_view child,
+                                                std::string_view name) {
+    const XmlElement* const list = child_of(element, child);
+    return list ? children_of(*list, name) : std::vector<const XmlElement*>();
+}
+
+PolygonSoup threemf_mesh(const XmlElement& element) {
+    if (child_of(element, "beamlattice"))
+        fail_at(element, "beam lattices are not read; export as a plain mesh");
+    PolygonSoup mesh;
+    for (const XmlElement* const vertex : grandchildren_of(element, "vertices", "vertex"))
+        mesh.vertices.emplace_back(coordinate_of(*vertex, "x"), coordinate_of(*vertex, "y"),
+                                   coordinate_of(*vertex, "z"));
+    for (const XmlElement* const triangle : grandchildren_of(element, "triangles", "triangle")) {
+        std::vector<std::uint32_t> face;
+        for (const char* const corner : {"v1", "v2", "v3"}) {
+            const std::size_t vertex = count_of(*triangle, corner);
+            if (vertex >= mesh.vertices.size())
+                fail_at(*triangle, std::string(corner) + ": vertex index " + std::to_string(vertex) +
+                                       " is out of range; there are " + std::to_string(mesh.vertices.size()) +
+                                       " vertices, counted from 0");
+            face.push_back(static_cast<std::uint32_t>(vertex));
+        }
+        mesh.faces.push_back(std::move(face));
+    }
+    return mesh;
+}
+
+class ThreemfReader {
+public:
+    explicit ThreemfReader(std::string_view bytes) : archive_(bytes) { scene_.file_size = bytes.size(); }
+
+    SceneGraph read() {
+        const std::string name = model_name();
+        const XmlElement& model = *part(name).document.RootElement();
+        for (const XmlElement* const item : children_of(required_child_of(model, "build"), "item"))
+            scene_.roots.push_back(place(*item, name));
+        while (!waiting_.empty()) {
+            const auto [node, element, home] = waiting_.back();
+            waiting_.pop_back();
+            in_part(home, [&] { fill(node, *element, home); });
+        }
+        return std::move(scene_);
+    }
+
+private:
+    // The name of the part with the 3D model, which a relationship of the package states.
+    std::string model_name() {
+        constexpr const char* relationships = "_rels/.rels";
+        if (!archive_.has(relationships))
+            throw InvalidInput("is no 3MF: the archive has no part '_rels/.rels'");
+        tinyxml2::XMLDocument document;
+        const std::string text = archive_.read(relationships);
+        in_part(relationships, [&] { parse_xml(document, text, "Relationships"); });
+        for (const XmlElement* const relationship : children_of(*document.RootElement(), "Relationship"))
+            if (attribute_of(*relationship, "Type").ends_with("/3dmodel"))
+                return part_name(required_attribute_of(*relationship, "Target"));
+        throw InvalidInput("is no 3MF: the archive names no 3D model");
+    }
+
+    // Adds the name of the part to messages with line numbers.
+    template <typename Work>
+    static void in_part(const std::string& name, const Work& work) {
+        try {
+            work();
+        } catch (const InvalidInput& error) {
+            throw InvalidInput("part " + in_quotes(name) + ": " + error.what());
+        }
+    }
+
+    ModelPart& part(const std::string& name) {
+        std::unique_ptr<ModelPart>& known = parts_[lower_case(name)];
+        if (!known) {
+            const std::string text = archive_.read(name);
+            known = std::make_unique<ModelPart>();
+            in_part(name, [&] { parse(*known, text); });
+        }
+        return *known;
+    }
+
+    static void parse(ModelPart& part, std::string_view text) {
+        parse_xml(part.document, text, "model");
+        const XmlElement& model = *part.document.RootElement();
+        Words prefixes(attribute_of(model, "requiredextensions"));
+        for (std::string_view prefix = prefixes.next(); !prefix.empty(); prefix = prefixes.next())
+            refuse_extension(model, prefix);
+        for (const XmlElement* const object : grandchildren_of(model, "resources", "object"))
+            if (!part.objects.try_emplace(required_attribute_of(*object, "id"), object).second)
+                fail_at(*object, "another object has the id " + in_quotes(attribute_of(*object, "id")));
+    }
+
+    // The node for an <item> or a <component>: a transform above the node of its object.
+    std::size_t place(const XmlElement& reference, const std::string& home) {
+        const std::string_view path = attribute_of(reference, "path");
+        const std::string name = path.empty() ? home : part_name(path);
+        const ModelPart& other = part(name);
+        const auto object = other.objects.find(required_attribute_of(reference, "objectid"));
+        if (object == other.objects.end())
+            fail_at(reference, "there is no object " + in_quotes(attribute_of(reference, "objectid")));
+        SceneNode node;
+        node.to_parent = threemf_transform(reference);
+        node.children = {node_of(*object->second, name)};
+        scene_.nodes.push_back(std::move(node));
+        return scene_.nodes.size() - 1;
+    }
+
+    // The node of an object. It is filled later: chains of components may be long.
+    std::size_t node_of(const XmlElement& object, const std::string& home) {
+        const auto [known, is_new] = nodes_.try_emplace(&object, scene_.nodes.size());
+        if (is_new) {
+            scene_.nodes.emplace_back();
+            waiting_.push_back({known->second, &object, home});
+        }
+        return known->second;
+    }
+
+    void fill(std::size_t index, const XmlElement& object, const std::string& home) {
+        SceneNode node;
+        node.name = attribute_of(object, "name");
+        for (const XmlElement* child = object.FirstChildElement(); child; child = child->NextSiblingElement()) {
+            const std::string_view name = local_name(*child);
+            if (name == "mesh") {
+                node.meshes.push_back(scene_.meshes.size());
+                scene_.meshes.push_back(threemf_mesh(*child));
+            } else if (name == "components") {
+                for (const XmlElement* const component : children_of(*child, "component"))
+                    node.children.push_back(place(*component, home));
+            } else if (name != "metadatagroup") {
+                fail_at(*child, "is not read; export as a plain mesh");
+            }
+        }
+        scene_.nodes[index] = std::move(node);
+    }
+
+    // An object that is not filled yet.
+    struct Waiting {
+        std::size_t node;
+        const XmlElement* object;
+        std::string home;
+    };
+
+    ZipArchive archive_;
+    std::map<std::string, std::unique_ptr<ModelPart>> parts_;
+    std::map<const XmlElement*, std::size_t> nodes_;
+    std::vector<Waiting> waiting_;
+    SceneGraph scene_;
+};
+
+} // namespace
+
+std::vector<MeshPart> read_3mf(std::string_view bytes) {
+    return parts_of(ThreemfReader(bytes).read());
+}
+
+} // namespace chasles::io

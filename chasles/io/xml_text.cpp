@@ -1,0 +1,121 @@
+// Reads XML elements, attributes and numbers. tinyxml2 parses; `text_scan` reads the numbers.
+#include "chasles/io/xml_text.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/text_scan.h"
+
+#include <algorithm>
+
+namespace chasles::io {
+namespace {
+
+constexpr std::ptrdiff_t most_attributes = 10'000;
+
+std::string_view without_prefix(std::string_view name) {
+    return name.substr(name.find(':') + 1); // all of it without a colon
+}
+
+// tinyxml2 compares each attribute of an element with all attributes before it.
+void refuse_many_attributes(std::string_view text) {
+    while (!text.empty()) {
+        const std::string_view element = text.substr(0, text.find('<'));
+        if (std::ranges::count(element, '=') > most_attributes)
+            throw InvalidInput("an element has more than 10,000 attributes");
+        text.remove_prefix(std::min(element.size() + 1, text.size()));
+    }
+}
+
+} // namespace
+
+void parse_xml(tinyxml2::XMLDocument& document, std::string_view text, std::string_view root) {
+    text = without_byte_order_mark(text);
+    if (text.find('\0') != std::string_view::npos)
+        throw InvalidInput("is no XML: has a zero byte");
+    refuse_many_attributes(text);
+    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
+        fail_at_line(static_cast<std::size_t>(std::max(document.ErrorLineNum(), 1)),
+                     std::string("is no well-formed XML (") + document.ErrorName() + ")");
+    const XmlElement* const element = document.RootElement();
+    if (!element || local_name(*element) != root)
+        throw InvalidInput("the root element must be <" + std::string(root) + ">" +
+                           (element ? ", not " + in_quotes(element->Name()) : ""));
+}
+
+std::string_view local_name(const XmlElement& element) {
+    return without_prefix(element.Name());
+}
+
+void fail_at(const XmlElement& element, const std::string& why) {
+    fail_at_line(static_cast<std::size_t>(std::max(element.GetLineNum(), 1)),
+                 std::string("<").append(one_line(element.Name())).append(">: ").append(why));
+}
+
+std::vector<const XmlElement*> children_of(const XmlElement& element, std::string_view name) {
+    std::vector<const XmlElement*> all;
+    for (const XmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+        if (local_name(*child) == name)
+            all.push_back(child);
+    return all;
+}
+
+const XmlElement* child_of(const XmlElement& element, std::string_view name) {
+    for (const XmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+        if (local_name(*child) == name)
+            return child;
+    return nullptr;
+}
+
+const XmlElement& required_child_of(const XmlElement& element, std::string_view name) {
+    const XmlElement* const found = child_of(element, name);
+    if (!found)
+        fail_at(element, "has no <" + std::string(name) + ">");
+    return *found;
+}
+
+std::string_view attribute_of(const XmlElement& element, std::string_view name) {
+    for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next())
+        if (without_prefix(attribute->Name()) == name)
+            return attribute->Value();
+    return {};
+}
+
+std::string_view required_attribute_of(const XmlElement& element, std::string_view name) {
+    const std::string_view value = attribute_of(element, name);
+    if (value.empty())
+        fail_at(element, "has no attribute " + std::string(name));
+    return value;
+}
+
+std::size_t count_of(const XmlElement& element, std::string_view name) {
+    const std::string_view word = Words(required_attribute_of(element, name)).next();
+    const auto count = parse_integer(word);
+    if (!count || *count < 0)
+        fail_at(element, std::string(name) + ": " + in_quotes(word) + " is not a whole number from 0");
+    return static_cast<std::size_t>(*count);
+}
+
+std::size_t count_of(const XmlElement& element, std::string_view name, std::size_t otherwise) {
+    return attribute_of(element, name).empty() ? otherwise : count_of(element, name);
+}
+
+std::vector<double> numbers_in(const XmlElement& element, std::string_view text) {
+    std::vector<double> numbers;
+    Words words(text);
+    for (std::string_view word = words.next(); !word.empty(); word = words.next()) {
+        const auto number = parse_finite(word);
+        if (!number)
+            fail_at(element, in_quotes(word) + " is not a finite number");
+        numbers.push_back(*number);
+    }
+    return numbers;
+}
+
+std::string text_of(const XmlElement& element) {
+    std::string text;
+    for (const auto* child = element.FirstChild(); child; child = child->NextSibling())
+        if (child->ToText())
+            text.append(child->Value()).push_back(' ');
+    return text;
+}
+
+} // namespace chasles::io

@@ -1,0 +1,114 @@
+// A file means the same through every command: nothing is turned, and numbers are in the unit of the file. A cube of
+// side 0.125 goes from x = -1 to x = 1 at half the height of a post. Their faces touch at x = -0.1875, which is 0.40625
+// of the way.
+#include "tests/cli/cli_test_files.h"
+#include "tests/io/post_files.h"
+
+#include "chasles/chasles.h"
+
+#include <nlohmann/json.hpp>
+
+namespace chasles {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr double time_of_touch = 0.40625;
+
+class FileFormats : public tests::CommandLine {
+protected:
+    FileFormats() {
+        std::string small = "# cube\n";
+        for (int i = 0; i < 8; ++i)
+            small += fmt::format("v {} {} {}\n", (i & 4) / 32.0, (i & 2) / 16.0, (i & 1) / 8.0);
+        for (const auto& [a, b, c] : tests::post_triangles())
+            small += fmt::format("f {} {} {}\n", a + 1, b + 1, c + 1);
+        write("small.obj", small);
+        for (const tests::PostFile& file : tests::post_files())
+            write(file.name, file.content);
+    }
+    [[nodiscard]] Json json(const std::string& arguments) const {
+        const auto finished = run(arguments + " --json");
+        EXPECT_TRUE(finished.err.empty()) << finished.err;
+        return Json::parse(finished.out);
+    }
+    static void expect_touch(const Json& answer, const std::string& name) {
+        EXPECT_EQ(answer["verdict"], "contact") << name;
+        EXPECT_NEAR(answer.value("time", 0.0), time_of_touch, 1e-9) << name;
+    }
+};
+
+TEST_F(FileFormats, MeanTheSameInCheck) {
+    for (const tests::PostFile& file : tests::post_files()) {
+        expect_touch(json("check small.obj " + file.name + " --start=-1,0,0.5 --goal 1,0,0.5"), file.name);
+        EXPECT_EQ(json("check small.obj " + file.name + " --start=-1,0.5,0.5 --goal 1,0.5,0.5")["verdict"], "clear")
+            << file.name << " is turned";
+    }
+}
+
+TEST_F(FileFormats, MeanTheSameInScenes) {
+    for (const tests::PostFile& file : tests::post_files()) {
+        write("scene.json",
+              R"({"bodies": [{"name": "post", "mesh": ")" + file.name +
+                  R"("}, {"name": "cube", "mesh": "small.obj", "pose": [-1, 0, 0.5], "goal": [1, 0, 0.5]}]})");
+        expect_touch(json("scene scene.json"), file.name);
+    }
+}
+
+TEST_F(FileFormats, MeanTheSameInDrag) {
+    write("goals.csv", "t,x,y,z,qw,qx,qy,qz\n0,-1,0,0.5,1,0,0,0\n1,1,0,0.5,1,0,0,0\n");
+    for (const tests::PostFile& file : tests::post_files()) {
+        write("scene.json", R"({"bodies": [{"name": "post", "mesh": ")" + file.name +
+                                R"("}, {"name": "cube", "mesh": "small.obj", "pose": [-1, 0, 0.5]}]})");
+        const Json answer = json("drag scene.json --body cube --goals goals.csv --out out.csv --margin 0.001");
+        EXPECT_EQ(answer["in_contact"], 1) << file.name;
+        EXPECT_EQ(answer["reached"], 1) << file.name;
+    }
+}
+
+TEST_F(FileFormats, MeanTheSameInRobots) {
+    write("path.csv", "x\n-1\n1\n");
+    write("scene.json", R"({"bodies": [{"name": "cube", "mesh": "small.obj", "pose": [0, 0, 0.5]}]})");
+    for (const tests::PostFile& file : tests::post_files()) {
+        write("robot.urdf",
+              R"(<robot name="r"><link name="base"/><link name="post"><collision><geometry><mesh filename=")" +
+                  file.name + R"("/></geometry></collision></link>
+            <joint name="x" type="prismatic"><parent link="base"/><child link="post"/><axis xyz="-1 0 0"/>
+            <limit lower="-2" upper="2" effort="1" velocity="1"/></joint></robot>)");
+        expect_touch(json("robot robot.urdf --path path.csv --scene scene.json"), file.name);
+    }
+}
+
+TEST_F(FileFormats, MeanTheSameInInfoAndTheLibrary) {
+    for (const tests::PostFile& file : tests::post_files()) {
+        const Json info = json("info " + file.name);
+        EXPECT_EQ(info["closed"], true) << file.name;
+        EXPECT_EQ(info["bounding_box"]["lower"], Json({-0.0625, -0.0625, 0.0})) << file.name;
+        EXPECT_EQ(info["bounding_box"]["upper"], Json({0.0625, 0.0625, 1.0})) << file.name;
+        const Polyhedron body = Polyhedron::load(path(file.name));
+        const std::vector<NamedPolyhedron> parts = load_parts(path(file.name));
+        ASSERT_EQ(parts.size(), 1U) << file.name;
+        EXPECT_EQ(parts[0].name, file.name.substr(1, 4) == "_up." ? "post" : path(file.name).stem().string());
+        for (const Polyhedron& loaded : {body, parts[0].polyhedron}) {
+            EXPECT_EQ(loaded.report().lower, Eigen::Vector3d(-0.0625, -0.0625, 0)) << file.name;
+            EXPECT_EQ(loaded.report().upper, Eigen::Vector3d(0.0625, 0.0625, 1)) << file.name;
+        }
+    }
+}
+
+TEST_F(FileFormats, InfoListsTheParts) {
+    std::string json = tests::post_gltf_json("");
+    json.replace(json.find(R"("nodes": [0])"), 12, R"("nodes": [0, 1])");
+    json.replace(json.find(R"([{"name": "post", "mesh": 0}])"), 28,
+                 R"([{"name": "post", "mesh": 0}, {"name": "post", "mesh": 0, "translation": [2, 0, 0]})");
+    write("two.glb", tests::glb(json, tests::post_buffer()));
+    EXPECT_EQ(this->json("info two.glb")["parts"],
+              Json::parse(R"([{"name": "post", "faces": 12}, {"name": "post_2", "faces": 12}])"));
+    const std::string text = run("info two.glb").out;
+    EXPECT_NE(text.find("  parts     2, merged into one body: post (12 faces), post_2 (12)"), std::string::npos)
+        << text;
+    EXPECT_FALSE(this->json("info post.glb").contains("parts")) << "one part is the body";
+}
+
+} // namespace
+} // namespace chasles
