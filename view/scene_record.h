@@ -11,8 +11,8 @@ namespace chasles::view {
 struct RecordedBody {
     std::string name; ///< UTF-8; invalid bytes are replaced
     Polyhedron shape; ///< a page holds a shape once that several bodies share
-    /// In the world. One if the body rests, otherwise one for each time. The page turns a body the shorter way round, so
-    /// neighbours should turn by at most `largest_turn_of_step`.
+    /// In the world. One if the body rests, otherwise one for each time. The page turns a body the shorter way round,
+    /// so neighbours should turn by at most `largest_turn_of_step`.
     std::vector<PoseRow> poses;
     std::vector<double> times = {}; ///< of the poses; empty: those of the record
 };
