@@ -146,7 +146,7 @@ class Files(PlaygroundTest):
         """Nothing lies on anything else, and nothing is wider than the page, also with long names of files."""
         self.open("#nut")
         name = "a_rather_long_name_without_any_space_in_it.obj"
-        self.drop(write(name, CUBE), write(f"b_{name}", CUBE))
+        self.drop(write(name, CUBE), write(f"{name[:-3]}off", TETRAHEDRON))
         self.wait_until("playground.app.hand.scene.id === 'own'")
         self.pull([0.3, 0.2, 0.2], -250, 0)
         try:

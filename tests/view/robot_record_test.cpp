@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <gtest/gtest.h>
+#include <memory>
 #include <numbers>
 
 namespace chasles {
@@ -27,6 +28,14 @@ JointPath turning(const Robot& robot, double angle) {
     return JointPath::polynomials(robot, {{.coefficients = Eigen::Vector2d(0, angle)}});
 }
 
+/// As a checker answers: what was not tested is never null.
+RobotAnswer answer_of(Verdict verdict) {
+    RobotAnswer answer;
+    answer.verdict = verdict;
+    answer.untested = std::make_shared<const UntestedPairs>();
+    return answer;
+}
+
 double largest_step(const std::vector<view::PoseRow>& rows) {
     double largest = 0;
     for (std::size_t i = 1; i < rows.size(); ++i) {
@@ -42,9 +51,8 @@ TEST(RobotRecord, NoLinkTurnsFarInOneStep) {
         for (const double factor : {-1.0, 0.3, 7.0}) {
             const Robot robot(shaft_with_wheel(factor));
             const double angle = std::clamp(turns * turn, 0.0, 900.0);
-            RobotAnswer answer;
-            answer.verdict = Verdict::clear;
-            const view::SceneRecord record = view::robot_record(robot, nullptr, turning(robot, angle), answer);
+            const view::SceneRecord record =
+                view::robot_record(robot, nullptr, turning(robot, angle), answer_of(Verdict::clear));
             ASSERT_EQ(record.bodies.size(), 2U);
             EXPECT_GE(double(record.times.size()), angle * std::max(1.0, std::abs(1 + factor)) / 1.6);
             for (const view::RecordedBody& body : record.bodies)
@@ -58,8 +66,7 @@ TEST(RobotRecord, BodiesOfTheWorldHaveTimesOfTheirOwn) {
     const Polyhedron box = test::box({0.5, 0.4, 0.3}).polyhedron();
     world.add({"fan", box, Motion::hinge({50, 0, 0}, {0, 0, 1}, {0, 30 * turn})});
     world.add({"post", box, Motion::at_rest(test::shifted(90, 0, 0))});
-    RobotAnswer answer;
-    answer.verdict = Verdict::contact;
+    RobotAnswer answer = answer_of(Verdict::contact);
     answer.time = {0.7, 0.7};
     const view::SceneRecord record = view::robot_record(robot, &world, turning(robot, 0.1), answer);
     EXPECT_NO_THROW(view::require_valid(record));
