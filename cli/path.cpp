@@ -43,7 +43,7 @@ PathQuestion read_path_question(const PathOptions& options) {
 
 /// The poses `first` to `last` and their stamps as one motion.
 TimedPoses track_of(const PathQuestion& question, std::size_t first, std::size_t last) {
-    const auto& [poses, stamps] = question.path;
+    const auto& [poses, stamps, warnings] = question.path;
     const auto begin = static_cast<std::ptrdiff_t>(first), end = static_cast<std::ptrdiff_t>(last) + 1;
     return track_through(question.rule, {stamps.begin() + begin, stamps.begin() + end},
                          {poses.begin() + begin, poses.begin() + end});
@@ -91,7 +91,7 @@ PathContact answer_segments(const PathQuestion& question) {
 }
 
 view::MotionNumbers numbers_of_segment(const PathQuestion& question, std::size_t segment) {
-    const auto& [poses, stamps] = question.path;
+    const auto& [poses, stamps, warnings] = question.path;
     view::MotionNumbers numbers = numbers_between(question.rule, poses[segment], poses[segment + 1]);
     if (question.has_stamps())
         numbers.span = {stamps[segment], stamps[segment + 1]};
@@ -107,7 +107,7 @@ view::Json path_json(const PathContact& found, const view::MotionNumbers& motion
 }
 
 std::string segment_text(const PathQuestion& question, std::size_t segment) {
-    const auto& [poses, stamps] = question.path;
+    const auto& [poses, stamps, warnings] = question.path;
     const std::string place = fmt::format("{} of {} (from 0)", segment, poses.size() - 1);
     if (question.has_stamps())
         return fmt::format("{}, from pose {} at t = {} to pose {} at t = {}; the time counts as t", place, segment,

@@ -29,7 +29,7 @@ void add_words(std::string_view text, std::vector<double>& numbers) {
 }
 
 // "1 number" or "N numbers".
-std::string count_of(std::size_t numbers) {
+std::string number_count(std::size_t numbers) {
     return std::to_string(numbers) + (numbers == 1 ? " number" : " numbers");
 }
 
@@ -58,7 +58,7 @@ Pose pose_from_numbers(std::span<const double> n) {
         return {{n[0], n[1], n[2]}, {n[3], n[4], n[5], n[6]}};
     if (n.size() == 16)
         return Pose::from_matrix(Eigen::Map<const Eigen::Matrix<double, 4, 4, Eigen::RowMajor>>(n.data()));
-    throw InvalidInput(count_of(n.size()) +
+    throw InvalidInput(number_count(n.size()) +
                        " found; a pose has 3 (x y z), 7 (x y z qw qx qy qz) or 16 (4x4, row by row)");
 }
 
@@ -69,7 +69,7 @@ Pose parse_pose(std::string_view text) {
 Eigen::Vector3d parse_point(std::string_view text) {
     const std::vector<double> n = parse_numbers(text);
     if (n.size() != 3)
-        throw InvalidInput(count_of(n.size()) + " found; a point has 3 (x y z)");
+        throw InvalidInput(number_count(n.size()) + " found; a point has 3 (x y z)");
     return {n[0], n[1], n[2]};
 }
 
