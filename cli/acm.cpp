@@ -7,6 +7,7 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/robot_options.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/names.h"
 
@@ -26,6 +27,15 @@ struct AcmOptions {
     bool json = false;
 };
 
+std::string remark(const Robot& robot, const PairProof& proof) {
+    if (proof.reason == PairReason::sometimes && !robot.is_tested(proof.first, proof.second))
+        return ", but the robot does not test it";
+    if (proof.reason == PairReason::open && proof.tried > 0)
+        return fmt::format(", touching in {} of {} configurations that were tried",
+                           proof.touching == proof.tried ? "all" : std::to_string(proof.touching), proof.tried);
+    return {};
+}
+
 std::string listed(const Robot& robot, const std::vector<PairProof>& proofs) {
     std::string text;
     std::size_t width = 0;
@@ -33,9 +43,7 @@ std::string listed(const Robot& robot, const std::vector<PairProof>& proofs) {
         width = std::max(width, proof.first.size() + proof.second.size() + 4);
     for (const PairProof& proof : proofs)
         text += fmt::format("{:<{}}{}{}\n", proof.first + "  " + proof.second, width, view::name_of(proof.reason),
-                            proof.reason == PairReason::sometimes && !robot.is_tested(proof.first, proof.second)
-                                ? ", but the robot does not test it"
-                                : "");
+                            remark(robot, proof));
     return text;
 }
 
@@ -69,6 +77,7 @@ int run_acm(const AcmOptions& options) {
         file->close();
     }
     print(options.json ? view::pair_proofs_json(robot, proofs).dump() + "\n" : listed(robot, proofs) + counts(proofs));
+    print_warnings(robot.warnings());
     return Interruption::is_requested() ? is_interrupted : is_clear;
 }
 

@@ -10,6 +10,7 @@
 #include "cli/output.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
+#include "cli/warnings.h"
 
 #include <algorithm>
 #include <array>
@@ -155,7 +156,9 @@ int report_interruption(const std::string& out, std::size_t answered, std::size_
 
 int run_batch(const BatchOptions& options) {
     check_out_is_no_input(options);
-    const std::vector<io::MotionRow> rows = io::load_motions(options.motions);
+    const io::MotionList motions = io::load_motions(options.motions);
+    print_warnings(motions.warnings);
+    const std::vector<io::MotionRow>& rows = motions.rows;
     const Interruption interruption;
     const Tally tally = BatchRun(options, rows).run();
     if (!is_standard_output(options.out))
@@ -176,7 +179,9 @@ void add_batch(CLI::App& app, Task& task) {
     const auto options = std::make_shared<BatchOptions>();
     CLI::App& command = *app.add_subcommand("batch", "Answers many motions of one pair of bodies, on all cores.");
     add_body_options(command, options->bodies);
-    command.add_option("--motions", options->motions, "CSV file, one motion a row: [id,]x0,...,qz0,x1,...,qz1")
+    command
+        .add_option("--motions", options->motions,
+                    "table, one motion a row, with the columns x0,...,qz0,x1,...,qz1 in any order, and perhaps id")
         ->required()
         ->type_name("FILE");
     command.add_option("--out", options->out, "CSV file to write, one answer a row")->required()->type_name("FILE");

@@ -6,7 +6,9 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_file.h"
+#include "cli/warnings.h"
 #include "view/page.h"
+#include "view/sampled_track.h"
 
 #include "chasles/io/motion_files.h"
 
@@ -57,7 +59,10 @@ std::string csv_row(double time, const DragStep& step) {
 /// What happened, counted and recorded.
 class Hand {
 public:
-    Hand(const Scene& scene, std::size_t dragged) : dragged_(dragged) {
+    static constexpr const char* motion_name = "dragged";
+
+    Hand(const Scene& scene, std::size_t dragged)
+        : dragged_(dragged), box_(view::box_around(scene.bodies()[dragged].shape)) {
         for (const SceneBody& body : scene.bodies())
             record_.bodies.push_back({body.name, body.shape, {row_of(body.motion.pose_at(1))}});
         record_.bodies[dragged].poses.clear();
@@ -69,10 +74,7 @@ public:
         pieces_ += step.pieces.size();
         work_ += step.work;
         record_.times.push_back(time);
-        view::PoseRow row = row_of(step.pose);
-        if (std::vector<view::PoseRow>& rows = record_.bodies[dragged_].poses; !rows.empty())
-            keep_sign(row, rows.back());
-        record_.bodies[dragged_].poses.push_back(row);
+        add_way(time, step);
         std::map<std::size_t, std::vector<Contact>> begun;
         for (const DragEvent& event : step.events)
             if (event.begins)
@@ -101,10 +103,11 @@ public:
                 {"touching", count(DragState::touching)},
                 {"in_contact", in_contact_},
                 {"pieces", pieces_},
-                {"margin", margin}};
+                {"margin", margin},
+                {"motion", {{"kind", motion_name}}}};
     }
     [[nodiscard]] std::string text() const {
-        return counted(record_.times.size(), "update") + "\n" +
+        return naming_motion(counted(record_.times.size(), "update"), motion_name) +
                labelled("states",
                         fmt::format("{} reached, {} resting, {} moving, {} touching", count(DragState::reached),
                                     count(DragState::resting), count(DragState::moving), count(DragState::touching))) +
@@ -117,6 +120,28 @@ private:
         const auto turn = pose.rotation.normalized();
         const Eigen::Vector3d& place = pose.translation;
         return {place.x(), place.y(), place.z(), turn.w(), turn.x(), turn.y(), turn.z()};
+    }
+    /// The page follows the way that was proven, not the line between two updates. Each piece takes an equal time.
+    void add_way(double time, const DragStep& step) {
+        const std::vector<double>& times = record_.bodies[dragged_].times;
+        const double begin = times.empty() ? time : times.back();
+        const double duration = (time - begin) / std::max(1., double(step.pieces.size()));
+        for (std::size_t i = 0; i < step.pieces.size(); ++i) {
+            const auto& [motion, until, clearance] = step.pieces[i];
+            const view::SampledTrack track = view::sampled_track(motion, box_, {until});
+            for (std::size_t k = 1; k < track.times.size() && track.times[k] <= until; ++k)
+                if (const double at = begin + duration * (double(i) + track.times[k] / until);
+                    !times.empty() && at > times.back() && at < time)
+                    add_row(at, track.poses[k]);
+        }
+        add_row(time, row_of(step.pose));
+    }
+    void add_row(double time, view::PoseRow row) {
+        view::RecordedBody& body = record_.bodies[dragged_];
+        if (!body.poses.empty())
+            keep_sign(row, body.poses.back());
+        body.times.push_back(time);
+        body.poses.push_back(row);
     }
     /// A page goes the shorter way between two poses.
     static void keep_sign(view::PoseRow& row, const view::PoseRow& last) {
@@ -132,12 +157,19 @@ private:
     }
 
     std::size_t dragged_;
+    Eigen::AlignedBox3d box_;
     view::SceneRecord record_;
     std::map<DragState, std::size_t> states_;
     std::size_t in_contact_ = 0;
     std::size_t pieces_ = 0;
     Work work_;
 };
+
+nlohmann::ordered_json json_of(const Hand& hand, double margin, const std::vector<std::string>& warnings) {
+    nlohmann::ordered_json json = hand.json(margin);
+    add_warnings(json, warnings);
+    return json;
+}
 
 DragLock lock_of(const DragCommand& options) {
     static const std::map<std::string, DragLockKind> kinds{{"", DragLockKind::free},
@@ -163,6 +195,7 @@ int run_drag(const DragCommand& options) {
     SceneFile file = load_scene(options.scene, options.polyhedron);
     require_rest(options.scene, file.scene);
     const io::Path goals = io::load_path(options.goals);
+    print_warnings(goals.warnings);
     DraggedBody body(file.scene, options.body, drag_options(options));
     OutputFile out(options.out);
     std::optional<OutputFile> page;
@@ -189,7 +222,7 @@ int run_drag(const DragCommand& options) {
         page->close();
     }
     if (!is_standard_output(options.out))
-        print(options.json ? hand.json(body.margin()).dump() + "\n" : hand.text());
+        print(options.json ? json_of(hand, body.margin(), goals.warnings).dump() + "\n" : hand.text());
     return hand.has_contact() ? is_contact : is_clear;
 }
 
@@ -212,8 +245,7 @@ void add_drag(CLI::App& app, Task& task) {
     CLI::App& command = *app.add_subcommand("drag", "Drag a body by a hand: it slides along what it touches");
     command.add_option("SCENE", options->scene, "JSON file with bodies at rest")->required()->type_name("FILE");
     command.add_option("--body", options->body, "name of the body in the hand")->required()->type_name("NAME");
-    command
-        .add_option("--goals", options->goals, "CSV file with the poses of the hand (x,y,z,qw,qx,qy,qz; optional t)")
+    command.add_option("--goals", options->goals, "table with the poses of the hand, as for `chasles path`")
         ->required()
         ->type_name("FILE");
     command.add_option("--out", options->out, "CSV file for the poses reached and the forces on the hand")

@@ -1,4 +1,4 @@
-// chasles info: the content of a mesh file and the topology of its surface.
+// chasles info: the content of a mesh file and the topology of its surface, or the parts of a robot.
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/text_scan.h"
 #include "cli/commands.h"
@@ -6,6 +6,7 @@
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "cli/robot_info.h"
 #include "view/answer_json.h"
 
 #include <fmt/format.h>
@@ -19,6 +20,7 @@ namespace {
 struct InfoOptions {
     std::string mesh;
     PolyhedronOptions polyhedron;
+    RobotOptions robot;
     bool json = false;
 };
 
@@ -81,6 +83,11 @@ std::string parts_report(const std::vector<PartSummary>& parts) {
 }
 
 int run_info(const InfoOptions& options) {
+    if (is_robot_file(options.mesh))
+        return run_robot_info({options.mesh, options.robot.srdf, options.robot.packages}, options.json);
+    if (!options.robot.srdf.empty() || !options.robot.packages.empty())
+        throw InvalidInput("--srdf, --packages: are for robots, and " + io::in_quotes(options.mesh) +
+                           " does not end in .urdf");
     std::vector<io::MeshPart> parts = io::load_mesh_parts(options.mesh);
     std::vector<PartSummary> summaries;
     for (const io::MeshPart& part : parts)
@@ -101,8 +108,9 @@ int run_info(const InfoOptions& options) {
 void add_info(CLI::App& app, Task& task) {
     const auto options = std::make_shared<InfoOptions>();
     CLI::App& command =
-        *app.add_subcommand("info", "Describes the content of a mesh file and the topology of its surface.");
-    command.add_option("MESH", options->mesh, "mesh file")->required()->type_name("FILE");
+        *app.add_subcommand("info", "Describes a mesh file and the topology of its surface, or a robot.");
+    command.add_option("MESH", options->mesh, "mesh file, or a robot: a URDF file")->required()->type_name("FILE");
+    add_robot_file_options(command, options->robot);
     add_mesh_options(command, options->polyhedron);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_info(*options); }; });

@@ -21,7 +21,7 @@ std::optional<MotionKind> kind_named(const std::string& name) {
     return found == kinds.end() ? std::nullopt : std::optional(*found);
 }
 
-void add_motion_rule_options(CLI::App& command, MotionOptions& options, const std::string& defaults) {
+void add_motion_rule_options(CLI::App& command, MotionOptions& options) {
     std::vector<std::string> names(kinds.size());
     std::ranges::transform(kinds, names.begin(), [](MotionKind kind) { return std::string(view::name_of(kind)); });
     command
@@ -29,7 +29,7 @@ void add_motion_rule_options(CLI::App& command, MotionOptions& options, const st
                     "the motion between the poses: screw, sweep, velocity (constant velocity) or twist (constant "
                     "twist)")
         ->check(CLI::IsMember(names))
-        ->default_str(defaults);
+        ->capture_default_str();
     command
         .add_option("--centre", options.centre,
                     "point of the moving body that a sweep or a constant velocity carries along a line")
@@ -49,8 +49,8 @@ Eigen::Vector3d centre_of(const std::string& option, const std::string& text, Mo
     return point_of(option, text);
 }
 
-MotionRule rule_of(const MotionOptions& options, const QuestionOptions& query, MotionKind if_not_given) {
-    const MotionKind kind = options.motion.empty() ? if_not_given : kind_named(options.motion).value();
+MotionRule rule_of(const MotionOptions& options, const QuestionOptions& query) {
+    const MotionKind kind = kind_named(options.motion).value();
     return {.kind = kind,
             .max_turn = max_turn_of(query),
             .centre = centre_of("--centre", options.centre, kind, {MotionKind::sweep, MotionKind::velocity})};

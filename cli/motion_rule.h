@@ -12,8 +12,8 @@
 namespace chasles::cli {
 
 struct MotionOptions {
-    std::string motion; ///< empty: the subcommand's default
-    std::string centre; ///< empty: the origin of the moving body
+    std::string motion = "screw"; ///< one default for every subcommand and every file, with time stamps or without
+    std::string centre;           ///< empty: the origin of the moving body
 };
 
 /// How a body moves from one pose to the next.
@@ -26,12 +26,10 @@ struct MotionRule {
 /// Empty if there is no motion of this name.
 std::optional<view::MotionKind> kind_named(const std::string& name);
 
-/// `defaults` says in the help which motion is the default.
-void add_motion_rule_options(CLI::App& command, MotionOptions& options, const std::string& defaults = "screw");
+void add_motion_rule_options(CLI::App& command, MotionOptions& options);
 
 /// Throws InvalidInput for numbers that cannot be read, and for a centre of a motion that has none.
-MotionRule rule_of(const MotionOptions& options, const QuestionOptions& query,
-                   view::MotionKind if_not_given = view::MotionKind::screw);
+MotionRule rule_of(const MotionOptions& options, const QuestionOptions& query);
 
 /// The point given for an option, or the origin if there is no text. Throws InvalidInput if a point is given for a
 /// motion of a kind that is not in `right_kinds`.

@@ -6,7 +6,9 @@
 #include "cli/output.h"
 #include "cli/progress_bar.h"
 #include "cli/report.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
+#include "view/names.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -34,8 +36,7 @@ struct PathQuestion {
 // Poses and numbers are read before meshes, which may be large.
 PathQuestion read_path_question(const PathOptions& options) {
     const io::Path path = io::load_path(options.poses);
-    const auto if_not_given = path.stamps.empty() ? view::MotionKind::screw : view::MotionKind::velocity;
-    const MotionRule rule = rule_of(options.motion, options.query, if_not_given);
+    const MotionRule rule = rule_of(options.motion, options.query);
     const QueryOptions query = options_of(options.query);
     return {path, rule, query, load_bodies(options.bodies)};
 }
@@ -98,9 +99,10 @@ view::MotionNumbers numbers_of_segment(const PathQuestion& question, std::size_t
 }
 
 // The JSON of `check`, with the segment that the time and the motion belong to (for a clear path, the last segment).
-view::Json path_json(const PathContact& found, const view::MotionNumbers& motion) {
+view::Json path_json(const PathContact& found, const view::MotionNumbers& motion, const PathQuestion& question) {
     view::Json answer = view::answer_json(found.contact, motion);
     answer["segment"] = found.segment;
+    add_warnings(answer, question.path.warnings);
     return answer;
 }
 
@@ -115,19 +117,21 @@ std::string segment_text(const PathQuestion& question, std::size_t segment) {
 
 std::string path_report(const PathContact& found, const view::MotionNumbers& motion, const PathQuestion& question) {
     const double margin = question.options.margin;
+    const std::string first_line = headline(found.contact, margin, view::name_of(question.rule.kind));
     if (found.contact.verdict == Verdict::clear)
-        return headline(found.contact, margin) + labelled("path", counted(question.path.poses.size() - 1, "segment")) +
+        return first_line + labelled("path", counted(question.path.poses.size() - 1, "segment")) +
                report(found.contact.work);
-    return headline(found.contact, margin) + labelled("segment", segment_text(question, found.segment)) +
+    return first_line + labelled("segment", segment_text(question, found.segment)) +
            details(found.contact, motion, margin);
 }
 
 int run_path(const PathOptions& options) {
     const PathQuestion question = read_path_question(options);
+    print_warnings(question.path.warnings);
     const bool is_one_motion = question.has_stamps() && !view::has_tau(question.rule.kind);
     const PathContact found = is_one_motion ? answer_track(question) : answer_segments(question);
     const view::MotionNumbers motion = numbers_of_segment(question, found.segment);
-    print(options.json ? path_json(found, motion).dump() + "\n" : path_report(found, motion, question));
+    print(options.json ? path_json(found, motion, question).dump() + "\n" : path_report(found, motion, question));
     return found.contact.verdict == Verdict::clear ? is_clear : is_contact;
 }
 
@@ -138,11 +142,13 @@ void add_path(CLI::App& app, Task& task) {
     CLI::App& command = *app.add_subcommand("path", "When do two bodies first touch on a path of many poses?");
     add_body_options(command, options->bodies);
     command
-        .add_option("--poses", options->poses,
-                    "CSV file with the header x,y,z,qw,qx,qy,qz, one pose a row; a first column t holds time stamps")
+        .add_option(
+            "--poses", options->poses,
+            "table with the columns x,y,z,qw,qx,qy,qz in any order, one pose a row, and perhaps t, the time stamp; "
+            "or a TUM trajectory")
         ->required()
         ->type_name("FILE");
-    add_motion_rule_options(command, options->motion, "screw, or velocity with a column t");
+    add_motion_rule_options(command, options->motion);
     add_query_options(command, options->query);
     command.add_flag("--json", options->json, "print one JSON object");
     command.callback([options, &task] { task = [options] { return run_path(*options); }; });

@@ -4,6 +4,7 @@
 #include "cli/contact_table.h"
 #include "view/names.h"
 #include "view/proven_verdict.h"
+#include "view/why_uncertain.h"
 
 #include <fmt/format.h>
 #include <numbers>
@@ -81,10 +82,9 @@ std::string report_features(const Found& found, const std::string& label, bool s
     return text;
 }
 
-const std::string may_miss = "the bodies may miss each other by a rounding error";
-
 std::string report_contact_features(const FirstContact& found, double margin) {
-    return report_certainty(found, may_miss) + report_features(found, margin > 0 ? "within" : "touching", margin > 0);
+    return report_certainty(found, view::why_uncertain(found)) +
+           report_features(found, margin > 0 ? "within" : "touching", margin > 0);
 }
 
 std::string report_nearest(const LeastDistance& found) {
@@ -93,9 +93,7 @@ std::string report_nearest(const LeastDistance& found) {
            report_features(found, is_apart ? "nearest" : "touching", is_apart);
 }
 
-} // namespace
-
-std::string headline(const FirstContact& found, double margin) {
+std::string verdict_text(const FirstContact& found, double margin) {
     const bool is_at_hold_distance = !found.held.empty() && found.clear_until <= found.time.lower;
     const std::string within = is_at_hold_distance ? " at the hold distance,"
                                : margin > 0        ? fmt::format(" within {:.9g}", margin)
@@ -104,31 +102,45 @@ std::string headline(const FirstContact& found, double margin) {
     case Verdict::clear:
         if (!found.held.empty())
             return "CLEAR: proven that the bodies keep the hold distance, or that of the start if it is less, during "
-                   "the whole motion\n";
-        return fmt::format("CLEAR: proven that nothing {} during the whole motion\n",
+                   "the whole motion";
+        return fmt::format("CLEAR: proven that nothing {} during the whole motion",
                            margin > 0 ? "comes" + within : "touches");
     case Verdict::contact:
-        return fmt::format("CONTACT{} at time {:.12g}\n", within, found.time.lower);
+        return fmt::format("CONTACT{} at time {:.12g}", within, found.time.lower);
     case Verdict::contact_at_start:
     case Verdict::unknown: // no query returns it
         break;
     }
-    return fmt::format("CONTACT{} AT THE START{}\n", within,
+    return fmt::format("CONTACT{} AT THE START{}", within,
                        found.overlap ? ": the surfaces pass through each other" : "");
 }
 
-std::string headline(const LeastDistance& found) {
+std::string verdict_text(const LeastDistance& found) {
     switch (view::proven_verdict(found)) {
     case Verdict::clear:
-        return fmt::format("CLEARANCE {:.9g} at time {:.12g}\n", found.distance.lower, found.time.lower);
+        return fmt::format("CLEARANCE {:.9g} at time {:.12g}", found.distance.lower, found.time.lower);
     case Verdict::contact:
-        return fmt::format("TOUCH at time {:.12g}\n", found.time.lower);
+        return fmt::format("TOUCH at time {:.12g}", found.time.lower);
     case Verdict::contact_at_start:
-        return fmt::format("TOUCH AT THE START{}\n", found.overlap ? ": the surfaces pass through each other" : "");
+        return fmt::format("TOUCH AT THE START{}", found.overlap ? ": the surfaces pass through each other" : "");
     case Verdict::unknown:
         break;
     }
-    return fmt::format("NO CLEARANCE PROVEN: at most {:.9g} at time {:.12g}\n", found.distance.upper, found.time.lower);
+    return fmt::format("NO CLEARANCE PROVEN: at most {:.9g} at time {:.12g}", found.distance.upper, found.time.lower);
+}
+
+} // namespace
+
+std::string headline(const FirstContact& found, double margin, std::string_view motion) {
+    return naming_motion(verdict_text(found, margin), motion);
+}
+
+std::string headline(const LeastDistance& found, std::string_view motion) {
+    return naming_motion(verdict_text(found), motion);
+}
+
+std::string naming_motion(const std::string& text, std::string_view motion) {
+    return fmt::format("{}; motion: {}\n", text, motion);
 }
 
 std::string labelled(const std::string& label, const std::string& text) {
@@ -161,7 +173,7 @@ std::string report_contact(const FirstContact& found, double margin) {
 }
 
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
-    return headline(found, margin) + details(found, motion, margin);
+    return headline(found, margin, view::name_of(motion.kind)) + details(found, motion, margin);
 }
 
 std::string report_least(const LeastDistance& found) {
@@ -170,8 +182,9 @@ std::string report_least(const LeastDistance& found) {
 }
 
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion) {
-    return headline(found) + motion_line(motion) + labelled("distance", text_of(found.distance)) +
-           report_time(found, motion) + report_nearest(found) + report(found.work);
+    return headline(found, view::name_of(motion.kind)) + motion_line(motion) +
+           labelled("distance", text_of(found.distance)) + report_time(found, motion) + report_nearest(found) +
+           report(found.work);
 }
 
 } // namespace chasles::cli

@@ -4,6 +4,7 @@
 #include "view/motion_numbers.h"
 
 #include <string>
+#include <string_view>
 
 namespace chasles::cli {
 
@@ -20,13 +21,16 @@ std::string report_least(const LeastDistance& found);
 /// The answer of `clearance` in the same form. The first line has the proven lower end of the distance.
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion);
 
-/// The two parts of report(): the verdict in one line, and the details.
-std::string headline(const FirstContact& found, double margin);
-std::string headline(const LeastDistance& found);
+/// The two parts of report(): the verdict and the motion in one line, and the details.
+std::string headline(const FirstContact& found, double margin, std::string_view motion);
+std::string headline(const LeastDistance& found, std::string_view motion);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
 /// One line "  label     text". All lines are aligned.
 std::string labelled(const std::string& label, const std::string& text);
+
+/// `text` and the motion that it is about, in one line: "TEXT; motion: MOTION".
+std::string naming_motion(const std::string& text, std::string_view motion);
 
 /// The line of work counters.
 std::string report(const Work& work);

@@ -1,11 +1,14 @@
 // chasles robot: a robot along a path of configurations.
-#include "chasles/robot/joint_path_file.h"
 #include "cli/commands.h"
+#include "cli/joint_trajectory.h"
 #include "cli/options.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "cli/robot_changes.h"
 #include "cli/robot_options.h"
 #include "cli/scene_file.h"
+#include "cli/untested_text.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/page.h"
 #include "view/proven_verdict.h"
@@ -19,9 +22,12 @@
 namespace chasles::cli {
 namespace {
 
+constexpr const char* motion_name = "straight in joint space";
+
 struct RobotCommand {
     RobotOptions robot;
-    std::string path;
+    RobotChangeOptions changes;
+    std::string path; ///< empty: none
     std::string scene;
     std::string page;
     QuestionOptions query;
@@ -35,26 +41,46 @@ struct RobotQuestion {
     robot::ConfigurationRows rows;
     std::optional<SceneFile> scene;
     QueryOptions options;
+    std::vector<std::string> warnings;
 
     [[nodiscard]] bool has_stamps() const { return !rows.stamps.empty(); }
     [[nodiscard]] const Scene* world() const { return scene ? &scene->scene : nullptr; }
 };
 
+/// The rows of a file. A robot without variables stays as it is if there is none.
+robot::ConfigurationRows read_path(const Robot& robot, const std::string& file) {
+    if (!file.empty())
+        return load_joint_path(file, robot);
+    if (robot.variables().empty())
+        return {.configurations = {robot.neutral(), robot.neutral()}, .stamps = {}};
+    std::string names;
+    for (const RobotVariable& variable : robot.variables())
+        names += (names.empty() ? "" : ", ") + variable.name;
+    throw InvalidInput("--path: is needed for the " + counted(robot.variables().size(), "variable") +
+                       " of the robot: " + names);
+}
+
 RobotQuestion read_question(const RobotCommand& options) {
     const QueryOptions query = options_of(options.query);
     Robot robot = load_robot(options.robot);
-    robot::ConfigurationRows rows = robot::load_configurations(options.path, robot);
     std::optional<SceneFile> scene;
     if (!options.scene.empty())
         scene = load_scene(options.scene, {.triangulate = true});
-    return {std::move(robot), std::move(rows), std::move(scene), query};
+    change(robot, scene ? &scene->scene : nullptr, options.changes);
+    robot::ConfigurationRows rows = read_path(robot, options.path);
+    std::vector<std::string> warnings = robot.warnings();
+    warnings.insert(warnings.end(), rows.warnings.begin(), rows.warnings.end());
+    for (std::string& warning : robot.warnings_about(rows.configurations))
+        warnings.push_back("path: " + std::move(warning));
+    return {std::move(robot), std::move(rows), std::move(scene), query, std::move(warnings)};
 }
 
-std::string list_of(const Robot& robot, const Configuration& values) {
+/// Empty for a robot without variables.
+std::string joints_line(const Robot& robot, const Configuration& values) {
     std::string text;
     for (std::size_t i = 0; i < robot.variables().size(); ++i)
         text += fmt::format("{}{} {:.9g}", i > 0 ? ", " : "", robot.variables()[i].name, values[Eigen::Index(i)]);
-    return text;
+    return text.empty() ? text : labelled("joints", text);
 }
 
 std::string pair_report(const RobotPair& pair, std::size_t segment) {
@@ -77,20 +103,30 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     shown.verdict = found.verdict;
     if (question.has_stamps())
         shown.time = found.time;
-    std::string text = headline(shown, margin);
+    std::string text = found.pair ? headline(shown, margin, motion_name)
+                                  : naming_motion(clear_headline(*found.untested, question.options), motion_name);
+    text += report(*found.untested);
     if (found.pair)
         text += pair_report(*found.pair, found.segment) + report_contact(shown, margin);
-    return text + labelled("joints", list_of(question.robot, found.configuration)) + report_path(question, found);
+    return text + joints_line(question.robot, found.configuration) + report_path(question, found);
 }
 
 std::string robot_report(const RobotQuestion& question, const RobotClearance& found) {
     if (!found.pair)
-        return "CLEARANCE WITHOUT A LIMIT: no two bodies are tested\n" + report_path(question, found);
+        return naming_motion("CLEARANCE WITHOUT A LIMIT: no two bodies are tested", motion_name) +
+               report(*found.untested) + report_path(question, found);
     LeastDistance shown = found.nearest;
     if (question.has_stamps())
         shown.time = found.time;
-    return headline(shown) + pair_report(*found.pair, found.segment) + report_least(shown) +
-           labelled("joints", list_of(question.robot, found.configuration)) + report_path(question, found);
+    return headline(shown, motion_name) + report(*found.untested) + pair_report(*found.pair, found.segment) +
+           report_least(shown) + joints_line(question.robot, found.configuration) + report_path(question, found);
+}
+
+/// The text of an answer in JSON, with the motion and the warnings.
+std::string with_motion(view::Json answer, const RobotQuestion& question) {
+    answer["motion"] = {{"kind", motion_name}};
+    answer["warnings"] = question.warnings;
+    return answer.dump() + "\n";
 }
 
 /// Speeds become lengths per unit of the stamps.
@@ -114,8 +150,9 @@ int run_clearance(const RobotCommand& options) {
                                                       .find = question.options.find});
     if (question.has_stamps())
         count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
-    print(options.json ? view::robot_clearance_json(question.robot, found, question.has_stamps()).dump() + "\n"
+    print(options.json ? with_motion(view::robot_clearance_json(question.robot, found, question.has_stamps()), question)
                        : robot_report(question, found));
+    print_warnings(question.warnings);
     return !found.pair || view::proven_verdict(found.nearest) == Verdict::clear ? is_clear : is_contact;
 }
 
@@ -138,8 +175,9 @@ int run_robot(const RobotCommand& options) {
     }
     if (question.has_stamps())
         count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
-    print(options.json ? view::robot_answer_json(question.robot, found, question.has_stamps()).dump() + "\n"
+    print(options.json ? with_motion(view::robot_answer_json(question.robot, found, question.has_stamps()), question)
                        : robot_report(question, found) + (options.page.empty() ? "" : labelled("page", options.page)));
+    print_warnings(question.warnings);
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 
@@ -149,9 +187,12 @@ void add_robot(CLI::App& app, Task& task) {
     const auto options = std::make_shared<RobotCommand>();
     CLI::App& command = *app.add_subcommand("robot", "Does a robot touch its world or itself along a path?");
     add_robot_options(command, options->robot);
-    command.add_option("--path", options->path, "CSV file of configurations, with the names of joints as its header")
-        ->required()
-        ->type_name("CSV");
+    add_robot_change_options(command, options->changes);
+    command
+        .add_option("--path", options->path,
+                    "table of configurations with the names of joints as its header, or a JointTrajectory of ROS as "
+                    "YAML or JSON; a robot without moving joints needs none")
+        ->type_name("FILE");
     command.add_option("--scene", options->scene, "JSON file of the world, as for `chasles scene`")->type_name("FILE");
     auto* const clearance = command.add_flag("--clearance", options->finds_clearance,
                                              "find how near the robot comes to its world and to itself");
@@ -164,6 +205,12 @@ void add_robot(CLI::App& app, Task& task) {
         ->excludes(clearance)
         ->type_name("D")
         ->capture_default_str();
+    command
+        .add_option(
+            "--hold", options->query.hold,
+            "what is within the margin where a segment begins may move on, but never comes within this distance")
+        ->excludes(clearance)
+        ->type_name("H");
     command.add_option("--time-tolerance", options->query.time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();

@@ -6,6 +6,10 @@ namespace chasles::cli {
 
 void add_robot_options(CLI::App& command, RobotOptions& options) {
     command.add_option("ROBOT", options.urdf, "URDF file")->required()->type_name("FILE");
+    add_robot_file_options(command, options);
+}
+
+void add_robot_file_options(CLI::App& command, RobotOptions& options) {
     command.add_option("--srdf", options.srdf, "SRDF file: which links are not tested against each other")
         ->type_name("FILE");
     command

@@ -1,4 +1,4 @@
-// The robot of `robot` and `acm`: its files, and where packages are.
+// The robot of `robot`, `acm` and `info`: its files, and where packages are.
 #pragma once
 
 #include "chasles/chasles.h"
@@ -15,7 +15,9 @@ struct RobotOptions {
     std::vector<std::string> packages; ///< NAME=FOLDER
 };
 
+/// The file of the robot, and the options about further files; and these options alone.
 void add_robot_options(CLI::App& command, RobotOptions& options);
+void add_robot_file_options(CLI::App& command, RobotOptions& options);
 Robot load_robot(const RobotOptions& options);
 
 } // namespace chasles::cli

@@ -5,6 +5,7 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/scene_file.h"
+#include "cli/untested_text.h"
 #include "view/answer_json.h"
 #include "view/page.h"
 
@@ -34,7 +35,7 @@ struct SceneOptions {
 };
 
 QueryOptions query_options(const SceneOptions& options, const SceneFile& file) {
-    return {.margin = options.margin.empty() ? file.margin : number_of("--margin", options.margin),
+    return {.margin = file.margin,
             .hold = options.hold.empty() ? file.hold : number_of("--hold", options.hold),
             .time_tolerance = number_of("--time-tolerance", options.time_tolerance),
             .find = options.any            ? Find::any
@@ -53,31 +54,33 @@ std::string summary(const Scene& scene, const SceneAnswer& answer) {
            report(answer.work);
 }
 
+/// The line below the verdict, and how to test bodies at rest where nothing else is tested.
+std::string untested_lines(const SceneAnswer& answer) {
+    const bool all_rest = answer.untested.tested == 0 && answer.untested.count(UntestedReason::at_rest) > 0;
+    return report(answer.untested) + (all_rest ? labelled("", "--until 0 tests bodies at rest, too") : "");
+}
+
 /// The first contact in full, and a line for each that may be at the same time.
-std::string report_first(const Scene& scene, const SceneAnswer& answer, const QueryOptions& options) {
+std::string report_first(const SceneFile& file, const SceneAnswer& answer, const QueryOptions& options) {
+    const Scene& scene = file.scene;
     const double margin = options.margin;
-    if (answer.contacts.empty() && options.hold)
-        return fmt::format("CLEAR: proven that nothing that is held comes within {:.9g}, or nearer than at the start "
-                           "if that is less, and nothing else within {:.9g}\n",
-                           *options.hold, margin) +
+    if (answer.contacts.empty())
+        return naming_motion(clear_headline(answer.untested, options), file.motion) + untested_lines(answer) +
                summary(scene, answer);
-    if (answer.contacts.empty()) {
-        FirstContact clear;
-        clear.verdict = Verdict::clear;
-        return headline(clear, margin) + summary(scene, answer);
-    }
     const SceneContact& first = answer.contacts.front();
-    std::string text = headline(first.contact, margin) + labelled("pair", pair_of(scene, first)) +
-                       report_contact(first.contact, margin);
+    std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
+                       labelled("pair", pair_of(scene, first)) + report_contact(first.contact, margin);
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
     return text + summary(scene, answer);
 }
 
 /// A line for each pair that touches.
-std::string report_all(const Scene& scene, const SceneAnswer& answer) {
+std::string report_all(const SceneFile& file, const SceneAnswer& answer) {
+    const Scene& scene = file.scene;
+    const std::string verb = answer.contacts.size() == 1 ? " touches" : " touch";
     std::string text =
-        counted(answer.contacts.size(), "pair") + (answer.contacts.size() == 1 ? " touches\n" : " touch\n");
+        naming_motion(counted(answer.contacts.size(), "pair") + verb, file.motion) + untested_lines(answer);
     for (const SceneContact& contact : answer.contacts)
         text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
                          pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));
@@ -110,16 +113,22 @@ private:
     std::optional<OutputFile> file_;
 };
 
-std::string report_of(const SceneOptions& options, const Scene& scene, const SceneAnswer& answer,
+std::string report_of(const SceneOptions& options, const SceneFile& file, const SceneAnswer& answer,
                       const QueryOptions& asked) {
-    if (options.json)
-        return view::scene_answer_json(scene, answer, options.all).dump() + "\n";
-    const std::string text = options.all ? report_all(scene, answer) : report_first(scene, answer, asked);
+    if (options.json) {
+        view::Json json = view::scene_answer_json(file.scene, answer, options.all);
+        json["motion"] = {{"kind", file.motion}};
+        return json.dump() + "\n";
+    }
+    const std::string text = options.all ? report_all(file, answer) : report_first(file, answer, asked);
     return text + (options.page.empty() ? "" : labelled("page", options.page));
 }
 
 int run_scene(const SceneOptions& options) {
-    const SceneFile file = load_scene(options.file, options.polyhedron);
+    std::optional<double> margin;
+    if (!options.margin.empty())
+        margin = number_of("--margin", options.margin);
+    const SceneFile file = load_scene(options.file, options.polyhedron, margin);
     PageFile page(options);
     const Interruption interruption;
     std::optional<ProgressBar> bar;
@@ -136,7 +145,7 @@ int run_scene(const SceneOptions& options) {
         const SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
         bar.reset();
         page.write(file.scene, answer, query.options.margin);
-        print(report_of(options, file.scene, answer, query.options));
+        print(report_of(options, file, answer, query.options));
         return answer.contacts.empty() ? is_clear : is_contact;
     } catch (const SceneCancelled&) {
         bar.reset();

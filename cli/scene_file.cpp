@@ -6,6 +6,8 @@
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "cli/motion_rule.h"
+#include "cli/strict_json.h"
+#include "view/names.h"
 
 #include <algorithm>
 #include <initializer_list>
@@ -17,6 +19,9 @@ namespace chasles::cli {
 namespace {
 
 using Json = nlohmann::json;
+
+constexpr std::initializer_list<const char*> body_keys = {"name", "mesh",   "urdf",   "scale", "pose",
+                                                          "goal", "motion", "centre", "poses", "group"};
 
 [[noreturn]] void refuse(const std::string& why) {
     throw InvalidInput(why);
@@ -126,9 +131,13 @@ Motion track_in(const Json& json, const MotionRule& rule) {
     return track_through(rule, times, poses);
 }
 
+view::MotionKind kind_of(const Members& body) {
+    return body.read("motion", kind_in).value_or(view::MotionKind::velocity);
+}
+
 Motion motion_in(const Members& body) {
     MotionRule rule;
-    rule.kind = body.read("motion", kind_in).value_or(view::MotionKind::velocity);
+    rule.kind = kind_of(body);
     if (const auto centre = body.read("centre", point_in)) {
         if (rule.kind == view::MotionKind::twist)
             refuse("centre: a twist has none");
@@ -157,6 +166,19 @@ public:
             return found->second;
         return shapes_.emplace(key, load(folder_ / name, scale)).first->second;
     }
+    /// All links of a robot whose joints do not move, as one body.
+    Polyhedron get_urdf(const std::string& name) {
+        if (const auto found = robots_.find(name); found != robots_.end())
+            return found->second;
+        const Robot robot = Robot::load(folder_ / name);
+        std::string joints;
+        for (const RobotVariable& variable : robot.variables())
+            joints += (joints.empty() ? "" : ", ") + variable.name;
+        if (!joints.empty())
+            refuse("the joints of " + io::in_quotes(name) + " move (" + joints +
+                   "), and a body of a scene is rigid; `chasles robot` moves joints");
+        return robots_.emplace(name, robot.shape(robot.neutral())).first->second;
+    }
 
 private:
     [[nodiscard]] Polyhedron load(const std::filesystem::path& file, double scale) const {
@@ -174,17 +196,29 @@ private:
     std::filesystem::path folder_;
     PolyhedronOptions options_;
     std::map<std::pair<std::string, double>, Polyhedron> shapes_;
+    std::map<std::string, Polyhedron> robots_;
 };
 
+/// A body has a mesh or a robot without moving joints.
+Polyhedron shape_in(const Members& body, Shapes& shapes) {
+    const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name)); });
+    if (!urdf) {
+        const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
+        return shapes.get(mesh, body.read("scale", number_in).value_or(1));
+    }
+    for (const char* other : {"mesh", "scale"})
+        if (body.find(other))
+            refuse(std::string(other) + ": goes with a mesh, and the body has a urdf");
+    return *urdf;
+}
+
 void add_body(Scene& scene, const Json& json, Shapes& shapes) {
-    const Members body(json, {"name", "mesh", "scale", "pose", "goal", "motion", "centre", "poses", "group"});
+    const Members body(json, body_keys);
     const std::string name = at_place("name", [&] { return text_in(body.get("name")); });
     scene.add(at_place(io::in_quotes(name), [&]() -> SceneBody {
-        const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
-        const double scale = body.read("scale", number_in).value_or(1);
         const Motion motion = motion_in(body);
         const std::string group = body.read("group", text_in).value_or("");
-        return {name, shapes.get(mesh, scale), motion, group};
+        return {name, shape_in(body, shapes), motion, group};
     }));
 }
 
@@ -200,34 +234,50 @@ void for_each_pair(const Members& members, const char* key, const Use& use) {
     });
 }
 
-SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const PolyhedronOptions& options) {
-    const Members members(json, {"bodies", "ignore", "ignore_groups", "margin", "hold"});
+/// The names of the motions of all bodies that move.
+std::string motion_of(const Json& bodies) {
+    std::string names;
+    for (const view::MotionKind kind : {view::MotionKind::velocity, view::MotionKind::twist})
+        if (std::any_of(bodies.begin(), bodies.end(), [&](const Json& json) {
+                const Members body(json, body_keys);
+                return (body.find("goal") || body.find("poses")) && kind_of(body) == kind;
+            }))
+            names += (names.empty() ? "" : " and ") + std::string(view::name_of(kind));
+    return names.empty() ? "rest" : names;
+}
+
+bool truth_in(const Json& json) {
+    if (!json.is_boolean())
+        refuse("must be true or false");
+    return json.get<bool>();
+}
+
+SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const PolyhedronOptions& options,
+                   const std::optional<double>& margin) {
+    const Members members(json, {"bodies", "ignore", "ignore_groups", "ignore_touching_at_start", "margin", "hold"});
     SceneFile file;
-    file.margin = members.read("margin", number_in).value_or(0);
+    const std::optional<double> own_margin = members.read("margin", number_in);
+    file.margin = margin ? *margin : own_margin.value_or(0);
     file.hold = members.read("hold", number_in);
     Shapes shapes(folder, options);
     std::size_t count = 0;
     for (const Json& body : at_place("bodies", [&]() -> const Json& { return list_in(members.get("bodies")); }))
         at_place("body " + std::to_string(++count), [&] { add_body(file.scene, body, shapes); });
+    file.motion = motion_of(members.get("bodies"));
     for_each_pair(members, "ignore", [&](const auto& a, const auto& b) { file.scene.ignore(a, b); });
     for_each_pair(members, "ignore_groups", [&](const auto& a, const auto& b) { file.scene.ignore_groups(a, b); });
+    if (members.read("ignore_touching_at_start", truth_in).value_or(false))
+        (void)file.scene.ignore_touching_at_start(file.margin);
     return file;
-}
-
-Json parse(const std::string& text) {
-    try {
-        return Json::parse(io::without_byte_order_mark(text));
-    } catch (const Json::exception& error) {
-        const std::string why = error.what(); // "[json.exception.parse_error.101] parse error at ..."
-        throw InvalidInput("is not JSON: " + why.substr(why.find(']') + 2));
-    }
 }
 
 } // namespace
 
-SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions& options) {
+SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions& options,
+                     std::optional<double> margin) {
     const std::string text = io::read_file(file);
-    return at_place(io::shown_name(file), [&] { return scene_in(parse(text), file.parent_path(), options); });
+    return at_place(io::shown_name(file),
+                    [&] { return scene_in(parse_json(text), file.parent_path(), options, margin); });
 }
 
 } // namespace chasles::cli

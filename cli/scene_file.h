@@ -5,6 +5,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 
 namespace chasles::cli {
 
@@ -12,10 +13,13 @@ struct SceneFile {
     Scene scene;
     double margin = 0;
     std::optional<double> hold;
+    std::string motion; ///< how the bodies move: "velocity", "twist", "velocity and twist", or "rest"
 };
 
-/// Reads a scene and its meshes, whose paths are relative to the file. Each mesh is loaded once. Throws InvalidInput
-/// "FILE: PLACE: WHY", for an unknown key, too.
-SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions& options);
+/// Reads a scene and its meshes, whose paths are relative to the file. Each mesh is loaded once. `margin` counts
+/// instead of that of the file, also for what touches at the start. Throws InvalidInput "FILE: PLACE: WHY", for an
+/// unknown key and for a key that comes twice, too.
+SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions& options,
+                     std::optional<double> margin = {});
 
 } // namespace chasles::cli

@@ -3,6 +3,7 @@
 #include "cli/one_motion.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "view/names.h"
 #include "view/page.h"
 
 #include <filesystem>
@@ -38,7 +39,8 @@ int run_view(const ViewOptions& options) {
                            .moving_name = moving_name,
                            .fixed_name = fixed_name}));
     file.close();
-    print(headline(found, question.options.margin) + labelled("page", options.out));
+    print(headline(found, question.options.margin, view::name_of(question.numbers.kind)) +
+          labelled("page", options.out));
     return found.verdict == Verdict::clear ? is_clear : is_contact;
 }
 

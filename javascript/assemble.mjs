@@ -29,22 +29,14 @@ async function bundled(file, options) {
   return outputFiles[0].text;
 }
 
-/** Stands for new_worker.js: the script of the workers is a text. */
-const workerInText = {
-  name: "worker in text",
-  setup(step) {
-    step.onLoad({ filter: /new_worker\.js$/ }, async () => ({
-      contents: `const script = ${JSON.stringify(await bundled("worker.js", { format: "iife" }))};
-        let address;
-        export const newWorker = () => new Worker((address ??= URL.createObjectURL(new Blob([script], { type: "text/javascript" }))));`,
-    }));
-  },
-};
+const scriptOfWorkers = await bundled("worker.js", { format: "iife" });
+writeFileSync(
+  `${folder}/worker_script.js`,
+  `// worker.js with all that it imports, as text.\nexport const script =\n  ${JSON.stringify(scriptOfWorkers)};\n`,
+);
 const script = await bundled("inline.js", {
   format: "iife",
   globalName: "chasles",
-  define: { "import.meta.url": '"about:blank"' }, // nothing is loaded
-  plugins: [workerInText],
 });
 writeFileSync(`${folder}/script.js`, `// chasles for a script element without modules: the global "chasles" has what "chasles/inline" exports.\n${script}`);
 

@@ -11,7 +11,7 @@ import re
 import shutil
 
 TOPICS: dict[str, tuple[str, list[str]]] = {
-    "bodies": ("Bodies", ["Polyhedron", "MeshReport", "load", "from_trimesh", "InvalidInput"]),
+    "bodies": ("Bodies", ["Polyhedron", "MeshReport", "load", "from_trimesh", "parts_from_trimesh", "InvalidInput"]),
     "motions": (
         "Motions",
         ["ScrewMotion", "SweepMotion", "ConstantVelocity", "ConstantTwist", "Motion", "Spline", "TimedPoses", "Trajectory",
@@ -28,7 +28,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
          "motion_dtype", "path_dtype", "least_dtype"],
     ),
     "least-distance": ("The least distance", ["least_distance", "LeastDistance"]),
-    "scenes": ("Scenes", ["Scene", "SceneContact", "Stepper", "StepEvent", "CollisionManager"]),
+    "scenes": ("Scenes", ["Scene", "SceneContact", "UntestedPairs", "Stepper", "StepEvent", "CollisionManager"]),
     "dragged-bodies": ("Dragged bodies", ["DraggedBody", "DragStep", "DragContact", "DragEvent", "DragLock", "MassProperties"]),
     "robots": (
         "Robots",

@@ -32,7 +32,7 @@ MAY_INCLUDE = {
     "scenes": [],
     "view": [],
     "cli": ["base", "io", "robot", "scenes", "view"],
-    "python": ["base", "motion", "io", "view"],
+    "python": ["base", "motion", "scene", "io", "view"],
     "javascript": ["base", "motion", "io", "view"],
     "playground": ["examples", "scenes"],
     "ompl": [],

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 LONGEST_FUNCTION = 50  # lines
 MOST_PARAMETERS = 6
 SHORT_FUNCTION = 18  # lines; SHORT_SHARE of all functions are shorter
-SHORT_SHARE = 0.95
+SHORT_SHARE = 0.9
 LONGEST_FILE = 350  # lines
 COMMENT_SHARE = 0.15
 

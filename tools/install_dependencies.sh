@@ -20,10 +20,10 @@ add() {
     done
 }
 
-# Boost.Multiprecision is for the exact stage, oneTBB for batches, tinyxml2, zlib and nlohmann_json for files; CLI11 and fmt
-# for the command line.
+# Boost.Multiprecision is for the exact stage, oneTBB for batches, tinyxml2, zlib and nlohmann_json for files; CLI11, fmt
+# and yaml-cpp for the command line.
 add_demo() {
-    add make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libtinyxml2-dev zlib1g-dev libfmt-dev libcli11-dev nlohmann-json3-dev
+    add make cmake ninja-build g++ libeigen3-dev libboost-dev libtbb-dev libtinyxml2-dev zlib1g-dev libfmt-dev libcli11-dev nlohmann-json3-dev libyaml-cpp-dev
 }
 
 # The page of `chasles view` is made by npm packages; a Node.js from elsewhere brings its npm along, and does not go with

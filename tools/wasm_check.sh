@@ -29,9 +29,12 @@ npm install --no-save --ignore-scripts --prefer-offline --no-audit --no-fund --l
 node node_modules/typescript/bin/tsc
 export CHASLES_NATIVE_ANSWERS="${native:-}" CHASLES_DATA_DIR="${CHASLES_DATA_DIR:-}"
 node --expose-gc --test --test-reporter=spec \
-    package.test.mjs hands.test.mjs native.test.mjs readme.test.mjs
+    package.test.mjs arguments.test.mjs three.test.mjs workers.test.mjs hands.test.mjs types.test.mjs native.test.mjs readme.test.mjs
 
 chromium=$(command -v chromium || command -v chromium-browser || command -v google-chrome || true)
-status=0
-python3 "$tests/browser_test.py" . "$bundler" "$chromium" || status=$?
-[ "$status" -eq 0 ] || [ "$status" -eq 77 ] || exit "$status"
+for test in "browser_test.py . $bundler" "vite_test.py ."; do
+    status=0
+    # shellcheck disable=SC2086  # the arguments are separate words
+    python3 "$tests"/$test "$chromium" || status=$?
+    [ "$status" -eq 0 ] || [ "$status" -eq 77 ] || exit "$status"
+done

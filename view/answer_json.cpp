@@ -37,7 +37,8 @@ Json json_of(const std::vector<Contact>& contacts) {
 }
 
 Json json_of(const MotionNumbers& motion) {
-    Json json = {{"angle", motion.angle},
+    Json json = {{"kind", name_of(motion.kind)},
+                 {"angle", motion.angle},
                  {"slide", motion.slide},
                  {"axis_point", vector_json(motion.axis_point)},
                  {"axis_direction", vector_json(motion.axis_direction)}};
@@ -71,7 +72,28 @@ void add_contacts(Json& answer, const Found& found, MotionKind kind) {
         answer["overlap"] = overlap_json(*found.overlap);
 }
 
+Json reason_json(const UntestedPairs& untested, UntestedReason reason) {
+    Json json{{"reason", name_of(reason)}, {"count", untested.count(reason)}};
+    if (reason == UntestedReason::no_shapes) {
+        json["links"] = untested.without_shapes;
+        return json;
+    }
+    json["pairs"] = Json::array();
+    for (const UntestedPair& pair : untested.named)
+        if (pair.reason == reason)
+            json["pairs"].push_back(Json{pair.first, pair.second});
+    return json;
+}
+
 } // namespace
+
+Json untested_json(const UntestedPairs& untested) {
+    Json reasons = Json::array();
+    for (std::size_t i = 0; i < UntestedPairs::reasons; ++i)
+        if (untested.counts[i] > 0)
+            reasons.push_back(reason_json(untested, UntestedReason(i)));
+    return {{"tested", untested.tested}, {"pairs", untested.total()}, {"reasons", std::move(reasons)}};
+}
 
 Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bool all) {
     const auto pair = [&](const SceneContact& contact) {
@@ -86,6 +108,7 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bo
                                         {"certain", event.contact.certain},
                                         {"pair", pair(event)},
                                         {"contacts", json_of(event.contact.contacts)}});
+        answer["untested"] = untested_json(found.untested);
         answer["work"] = json_of(found.work);
         return answer;
     }
@@ -100,6 +123,7 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bo
         for (std::size_t i = 1; i < found.contacts.size(); ++i)
             answer["simultaneous"].push_back(pair(found.contacts[i]));
     }
+    answer["untested"] = untested_json(found.untested);
     answer["work"] = json_of(found.work);
     return answer;
 }
@@ -126,11 +150,14 @@ Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& found, bo
             answer["overlap"] = overlap_json(*found.contact.overlap);
         if (found.contact.contacts_cut)
             answer["contacts_cut"] = true;
+        if (!found.contact.held.empty())
+            answer["held"] = json_of(found.contact.held);
     }
     answer["configuration"] = configuration_json(robot, found.configuration);
     answer["clear_until"] = in_stamps                         ? found.clear_until
                             : found.verdict == Verdict::clear ? 1.0
                                                               : found.contact.clear_until;
+    answer["untested"] = untested_json(*found.untested);
     answer["work"] = json_of(found.work);
     return answer;
 }
@@ -153,6 +180,7 @@ Json robot_clearance_json(const chasles::Robot& robot, const RobotClearance& fou
             answer["contacts_cut"] = true;
         answer["configuration"] = configuration_json(robot, found.configuration);
     }
+    answer["untested"] = untested_json(*found.untested);
     answer["work"] = json_of(found.work);
     return answer;
 }
@@ -163,6 +191,10 @@ Json pair_proofs_json(const chasles::Robot& robot, const std::vector<PairProof>&
         Json pair{{"links", {proof.first, proof.second}}, {"reason", name_of(proof.reason)}};
         if (proof.witness)
             pair["witness"] = configuration_json(robot, *proof.witness);
+        if (proof.reason == PairReason::open && proof.tried > 0) {
+            pair["tried"] = proof.tried;
+            pair["touching"] = proof.touching;
+        }
         pairs.push_back(std::move(pair));
     }
     return {{"pairs", std::move(pairs)}};

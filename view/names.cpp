@@ -76,4 +76,40 @@ std::string_view name_of(PairReason reason) {
     return "open";
 }
 
+std::string_view name_of(UntestedReason reason) {
+    switch (reason) {
+    case UntestedReason::no_shapes:
+        return "no_shapes";
+    case UntestedReason::at_rest:
+        return "at_rest";
+    case UntestedReason::adjacent:
+        return "adjacent";
+    case UntestedReason::disabled:
+        return "disabled";
+    case UntestedReason::ignored:
+        return "ignored";
+    case UntestedReason::touching_at_start:
+        break;
+    }
+    return "touching_at_start";
+}
+
+std::string_view name_of(JointType type) {
+    switch (type) {
+    case JointType::fixed:
+        return "fixed";
+    case JointType::revolute:
+        return "revolute";
+    case JointType::continuous:
+        return "continuous";
+    case JointType::prismatic:
+        return "prismatic";
+    case JointType::planar:
+        return "planar";
+    case JointType::floating:
+        break;
+    }
+    return "floating";
+}
+
 } // namespace chasles::view

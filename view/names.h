@@ -16,5 +16,7 @@ std::string_view name_of(ContactKind kind);
 std::string_view name_of(MotionKind kind);
 std::string_view name_of(RecordSource source);
 std::string_view name_of(PairReason reason);
+std::string_view name_of(UntestedReason reason);
+std::string_view name_of(JointType type);
 
 } // namespace chasles::view

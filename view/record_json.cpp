@@ -1,6 +1,7 @@
 // Contacts are decimal text that reads back to the same doubles. Meshes, times and poses are base64.
 #include "view/record_json.h"
 
+#include "view/answer_json.h"
 #include "view/names.h"
 #include "view/page_data.h"
 
@@ -80,6 +81,8 @@ std::string record_json(const SceneRecord& record) {
                  {"bodies", std::move(bodies)}, {"events", std::move(events)}};
     if (record.clear_until)
         json["clear_until"] = *record.clear_until;
+    if (record.untested)
+        json["untested"] = untested_json(*record.untested);
     return page_text(json);
 }
 

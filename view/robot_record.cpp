@@ -1,13 +1,21 @@
 #include "view/robot_record.h"
 
+#include "view/sampled_track.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace chasles::view {
 namespace {
 
-/// Enough stamps for a page: linear interpolation between them looks like the motion.
-std::vector<double> sampled_stamps(const JointPath& path, double end) {
+/// All links of a robot at a stamp.
+struct LinksAt {
+    double stamp;
+    std::vector<Pose> poses;
+};
+
+/// Stamps that follow the variables: the page interpolates between them.
+std::vector<double> stamps_of_variables(const JointPath& path, double end) {
     constexpr double largest_step = 0.03; // of the sum of all variables, radians or mesh unit
     constexpr int most_steps = 200;       // of a segment
     std::vector<double> stamps;
@@ -17,7 +25,7 @@ std::vector<double> sampled_stamps(const JointPath& path, double end) {
         double way = 0;
         for (Eigen::Index k = 1; k < segment.coefficients.rows(); ++k)
             way += segment.coefficients.row(k).lpNorm<1>();
-        const int steps = std::clamp(int(std::ceil(way / largest_step)), 1, most_steps);
+        const int steps = int(std::clamp(std::ceil(way / largest_step), 1.0, double(most_steps)));
         for (int i = 0; i < steps; ++i)
             if (const double stamp = segment.begin + (segment.end - segment.begin) * i / steps; stamp < end)
                 stamps.push_back(stamp);
@@ -27,6 +35,53 @@ std::vector<double> sampled_stamps(const JointPath& path, double end) {
     stamps.erase(first, last);
     return stamps;
 }
+
+/// Adds stamps where a link turns far in one step: a joint of many turns, a joint that follows another one with a large
+/// factor, a floating joint.
+class LinkSampler {
+public:
+    LinkSampler(const chasles::Robot& robot, const JointPath& path) : robot_(robot), path_(path) {}
+
+    [[nodiscard]] std::vector<LinksAt> along(const std::vector<double>& stamps) const {
+        std::vector<LinksAt> samples{at(stamps.front())};
+        for (std::size_t i = 1; i < stamps.size(); ++i)
+            add(LinksAt(samples.back()), at(stamps[i]), most_halvings, samples);
+        return samples;
+    }
+
+private:
+    static constexpr int most_halvings = 12;
+    static constexpr double probed_part = 0.618034;   ///< see sampled_track.cpp
+    static constexpr double largest_deviation = 0.01; ///< radians
+
+    [[nodiscard]] LinksAt at(double stamp) const { return {stamp, robot_.link_poses(path_.at(stamp))}; }
+
+    void add(const LinksAt& from, const LinksAt& to, int halvings, std::vector<LinksAt>& samples) const {
+        if (halvings > 0 && turns_far(from, to)) {
+            const LinksAt middle = at((from.stamp + to.stamp) / 2);
+            add(from, middle, halvings - 1, samples);
+            add(middle, to, halvings - 1, samples);
+        } else {
+            samples.push_back(to);
+        }
+    }
+
+    [[nodiscard]] bool turns_far(const LinksAt& from, const LinksAt& to) const {
+        const LinksAt probe = at((1 - probed_part) * from.stamp + probed_part * to.stamp);
+        for (std::size_t i = 0; i < from.poses.size(); ++i) {
+            const auto turn = [&](const LinksAt& links) {
+                return Eigen::Quaterniond(links.poses[i].rotation).normalized();
+            };
+            if (turn(from).angularDistance(turn(to)) > largest_turn_of_step ||
+                turn(from).slerp(probed_part, turn(to)).angularDistance(turn(probe)) > largest_deviation)
+                return true;
+        }
+        return false;
+    }
+
+    const chasles::Robot& robot_;
+    const JointPath& path_;
+};
 
 /// One pose for what never moves.
 std::vector<PoseRow> rows_of(const std::vector<Pose>& poses) {
@@ -49,6 +104,21 @@ void add_bodies(SceneRecord& record, const std::string& name, const std::vector<
     }
 }
 
+/// A body of the world around the robot, at times of its own: it may turn much faster than the links.
+RecordedBody body_of_world(const SceneBody& body, double begin, double whole, double end) {
+    const double share = std::clamp((end - begin) / whole, 0.0, 1.0);
+    const SampledTrack track = sampled_track(body.motion, box_around(body.shape), {share});
+    RecordedBody recorded{body.name, body.shape, track.poses};
+    if (track.times.empty())
+        return recorded; // it rests
+    for (const double time : track.times)
+        recorded.times.push_back(time == share ? end : begin + whole * time);
+    const auto after = std::ranges::upper_bound(recorded.times, end) - recorded.times.begin();
+    recorded.times.resize(std::size_t(after));
+    recorded.poses.resize(std::size_t(after));
+    return recorded;
+}
+
 /// The index of a shape of a link, part or body of the scene in the record.
 std::size_t index_of(const SceneRecord& record, const std::string& name, std::size_t shape) {
     for (const std::string& known : {name, name + "/" + std::to_string(shape + 1)})
@@ -66,13 +136,13 @@ SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scen
     const double begin = segments.front().begin, whole = segments.back().end - begin;
     const double end = answer.verdict == Verdict::clear ? segments.back().end : answer.time.lower;
     SceneRecord record{.source = RecordSource::recording, .clear_until = answer.clear_until};
-    record.times = sampled_stamps(path, end);
+    record.untested = *answer.untested;
     const auto& links = robot.description().links;
     std::vector<std::vector<Pose>> poses(links.size());
-    for (const double stamp : record.times) {
-        const std::vector<Pose> now = robot.link_poses(path.at(stamp));
+    for (const LinksAt& now : LinkSampler(robot, path).along(stamps_of_variables(path, end))) {
+        record.times.push_back(now.stamp);
         for (std::size_t i = 0; i < links.size(); ++i)
-            poses[i].push_back(now[i]);
+            poses[i].push_back(now.poses[i]);
     }
     for (std::size_t i = 0; i < links.size(); ++i) {
         add_bodies(record, links[i].name, links[i].collisions, poses[i]);
@@ -80,13 +150,8 @@ SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scen
             if (part.link == links[i].name)
                 add_bodies(record, part.name, {{part.shape, part.pose}}, poses[i]);
     }
-    for (const SceneBody& body : scene ? scene->bodies() : std::span<const SceneBody>()) {
-        std::vector<Pose> of_body;
-        of_body.reserve(record.times.size());
-        for (const double stamp : record.times)
-            of_body.push_back(body.motion.pose_at(std::clamp((stamp - begin) / whole, 0.0, 1.0)));
-        record.bodies.push_back({body.name, body.shape, rows_of(of_body)});
-    }
+    for (const SceneBody& body : scene ? scene->bodies() : std::span<const SceneBody>())
+        record.bodies.push_back(body_of_world(body, begin, whole, end));
     if (answer.pair)
         record.contacts.push_back({.time = answer.time.lower,
                                    .time_upper = answer.time.upper,

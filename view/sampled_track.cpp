@@ -7,9 +7,10 @@
 namespace chasles::view {
 namespace {
 
-/// Parts of an interval, in the order of the test. Most motions that deviate do so in the middle.
-constexpr double probed_parts[] = {1 / 2., 1 / 4.,  3 / 4.,  1 / 8.,   3 / 8.,  5 / 8.,
-                                   7 / 8., 1 / 16., 5 / 16., 11 / 16., 15 / 16.};
+/// Parts of an interval, in the order of the test. Most motions that deviate do so in the middle. The other parts are
+/// multiples of the golden ratio: no number of full turns puts a body in the interpolated pose at all of them.
+constexpr double probed_parts[] = {1 / 2.,   0.618034, 0.236068, 0.854102, 0.472136, 0.090170,
+                                   0.708204, 0.326238, 0.944272, 0.562306, 0.180340};
 constexpr int most_halvings = 13; ///< of an interval between two exact times
 constexpr int probes_of_way = 32;
 constexpr double deviation_over_diagonal = 1e-3; ///< a third of a pixel where the body fills a third of a screen
@@ -62,6 +63,9 @@ public:
 
 private:
     [[nodiscard]] bool deviates(const TimedPose& from, const TimedPose& to) const {
+        return turn_between(from.pose, to.pose) > largest_turn_of_step || probes_deviate(from, to);
+    }
+    [[nodiscard]] bool probes_deviate(const TimedPose& from, const TimedPose& to) const {
         return std::ranges::any_of(probed_parts, [&](double part) {
             const Eigen::Isometry3d there = at((1 - part) * from.time + part * to.time).pose.isometry();
             const Corners off = there * corners_ - interpolated(from.pose, to.pose, part) * corners_;
@@ -75,6 +79,13 @@ private:
 };
 
 } // namespace
+
+Eigen::AlignedBox3d box_around(const Polyhedron& shape) {
+    Eigen::AlignedBox3d box;
+    for (const Eigen::Vector3d& vertex : shape.vertices())
+        box.extend(vertex);
+    return box;
+}
 
 SampledTrack sampled_track(const Motion& motion, const Eigen::AlignedBox3d& box,
                            const std::vector<double>& exact_times) {

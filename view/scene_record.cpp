@@ -68,15 +68,8 @@ std::vector<std::vector<double>> contact_times(const chasles::Scene& scene, cons
     return times;
 }
 
-Eigen::AlignedBox3d box_of(const Polyhedron& shape) {
-    Eigen::AlignedBox3d box;
-    for (const Eigen::Vector3d& vertex : shape.vertices())
-        box.extend(vertex);
-    return box;
-}
-
 RecordedBody recorded_body(const SceneBody& body, const std::vector<double>& exact_times) {
-    SampledTrack track = sampled_track(body.motion, box_of(body.shape), exact_times);
+    SampledTrack track = sampled_track(body.motion, box_around(body.shape), exact_times);
     if (track.times == std::vector<double>{0, 1})
         track.times.clear(); // those of the record
     return {body.name, body.shape, std::move(track.poses), std::move(track.times)};
@@ -102,6 +95,7 @@ SceneRecord scene_record(const chasles::Scene& scene, const SceneAnswer& found, 
         record.bodies.push_back(recorded_body(scene.bodies()[i], times[i]));
     for (const SceneContact& event : found.contacts)
         record.contacts.push_back(recorded_contact(event));
+    record.untested = found.untested;
     return record;
 }
 

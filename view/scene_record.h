@@ -11,7 +11,8 @@ namespace chasles::view {
 struct RecordedBody {
     std::string name; ///< UTF-8; invalid bytes are replaced
     Polyhedron shape; ///< a page holds a shape once that several bodies share
-    /// In the world. One if the body rests, otherwise one for each time.
+    /// In the world. One if the body rests, otherwise one for each time. The page turns a body the shorter way round,
+    /// so neighbours should turn by at most `largest_turn_of_step`.
     std::vector<PoseRow> poses;
     std::vector<double> times = {}; ///< of the poses; empty: those of the record
 };
@@ -43,6 +44,7 @@ struct SceneRecord {
     std::vector<double> times = {};         ///< ascending; the first and the last one are the ends of the slider
     std::vector<RecordedBody> bodies = {};
     std::vector<RecordedContact> contacts = {}; ///< in any order
+    std::optional<UntestedPairs> untested = {}; ///< of the answer, if it is known
 };
 
 /// The record of an answered scene, over the time [0, 1]. `source` is the question that was asked. Bodies are in the

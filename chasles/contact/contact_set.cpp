@@ -3,6 +3,7 @@
 #include "chasles/base/sort.h"
 #include "chasles/contact/flat_hull.h"
 #include "chasles/contact/near_pair.h"
+#include "chasles/contact/normal_cone.h"
 #include "chasles/mesh/adjacent_directions.h"
 
 #include <Eigen/Geometry>
@@ -160,6 +161,11 @@ std::vector<FeaturePair> named(const ContactScene& scene, const std::vector<Feat
     return namer.take();
 }
 
+/// Whether a contact is of a vertex or edge with a vertex or edge, not with a face.
+bool is_at_rims(ContactKind kind) {
+    return moving_feature_kind(kind) != FeatureKind::face && fixed_feature_kind(kind) != FeatureKind::face;
+}
+
 } // namespace
 
 std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<FeaturePair>& candidates) {
@@ -169,6 +175,29 @@ std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<Fe
     if (contacts.empty()) // an uncertain distance, which need not be a local minimum
         contacts.push_back(described(scene, candidates.front()));
     return at_corners_of_hulls(std::move(contacts), scene.slack);
+}
+
+Contact named_contact(const ContactScene& scene, const FeaturePair& features) {
+    Contact contact = described(scene, features);
+    if (scene.margin > 0 && contact.gap > scene.slack)
+        return contact;
+    Namer namer(scene);
+    namer.add(features);
+    for (const FeaturePair& name : namer.take()) {
+        if (name == features || !is_at_rims(name.kind))
+            continue;
+        const Contact other = described(scene, name);
+        const bool separated = separates(contact.normal, scene.bodies, name);
+        const bool separates_too = separates(other.normal, scene.bodies, name);
+        const bool closes_instead = is_closing(scene, other) && !is_closing(scene, contact);
+        if (separates_too == separated ? closes_instead : separates_too)
+            contact = other;
+    }
+    return contact;
+}
+
+bool is_closing(const ContactScene& scene, const Contact& contact) {
+    return contact.approach_speed > no_direction * scene.bodies.velocity_at(contact.point).norm();
 }
 
 } // namespace chasles::contact

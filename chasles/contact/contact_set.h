@@ -19,4 +19,12 @@ namespace chasles::contact {
 /// Contacts in one plane with one normal are reduced to the corners of their convex hull.
 std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<FeaturePair>& candidates);
 
+/// The contact of one feature pair. Features that touch at a rim get the name of the vertex or edge there, if the
+/// normal of that name separates the features and the first one's does not, or if the motion closes against that normal
+/// only.
+Contact named_contact(const ContactScene& scene, const FeaturePair& features);
+
+/// Whether the motion closes the gap of a contact in the fixed body's frame, by more than rounding.
+bool is_closing(const ContactScene& scene, const Contact& contact);
+
 } // namespace chasles::contact

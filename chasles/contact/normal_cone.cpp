@@ -51,6 +51,24 @@ Ways candidates(const Ways& ways, const Eigen::Vector3d& wanted) {
     return normals;
 }
 
+/// The directions w for which a normal n has to fulfil n . w <= 0: into the fixed surface, and against those into the
+/// moving one.
+Ways limits_of(const RelativeConfiguration& bodies, const FeaturePair& features) {
+    Ways ways = ways_from(bodies.fixed(), fixed_feature_kind(features.kind), features.fixed);
+    for (const Eigen::Vector3d& way : ways_from(bodies.moving(), moving_feature_kind(features.kind), features.moving))
+        ways.emplace_back(-bodies.turned(way)); // -n . way <= 0
+    return ways;
+}
+
+/// By how much a normal violates the conditions; 0 up to rounding.
+double excess_of(const Eigen::Vector3d& normal, const Ways& limits) {
+    constexpr double rounding = 1e-9;
+    double excess = 0;
+    for (const Eigen::Vector3d& way : limits)
+        excess = std::max(excess, normal.dot(way));
+    return excess <= rounding ? 0 : excess;
+}
+
 } // namespace
 
 Eigen::Vector3d outward_direction(const RelativeConfiguration& bodies) {
@@ -59,21 +77,15 @@ Eigen::Vector3d outward_direction(const RelativeConfiguration& bodies) {
 
 Eigen::Vector3d normal_between_cones(const RelativeConfiguration& bodies, const FeaturePair& features, bool at_start) {
     const NearestPoints nearest = bodies.nearest(features);
-    Ways ways = ways_from(bodies.fixed(), fixed_feature_kind(features.kind), features.fixed);
-    for (const Eigen::Vector3d& way : ways_from(bodies.moving(), moving_feature_kind(features.kind), features.moving))
-        ways.emplace_back(-bodies.turned(way)); // -n . way <= 0
+    const Ways ways = limits_of(bodies, features);
     Eigen::Vector3d wanted = at_start ? outward_direction(bodies) : -bodies.velocity_at(nearest.on_fixed);
     wanted.stableNormalize();
     // The cones of bodies that are not convex may have no normal in common. The fallback violates the cones least.
-    constexpr double rounding = 1e-9;
     Eigen::Vector3d best = wanted;
     double best_excess = 2;
     double best_share = -2;
     for (const Eigen::Vector3d& normal : candidates(ways, wanted)) {
-        double excess = 0;
-        for (const Eigen::Vector3d& way : ways)
-            excess = std::max(excess, normal.dot(way));
-        excess = excess <= rounding ? 0 : excess;
+        const double excess = excess_of(normal, ways);
         const double share = normal.dot(wanted);
         if (excess < best_excess || (excess == best_excess && share > best_share)) {
             best = normal;
@@ -82,6 +94,10 @@ Eigen::Vector3d normal_between_cones(const RelativeConfiguration& bodies, const 
         }
     }
     return best;
+}
+
+bool separates(const Eigen::Vector3d& normal, const RelativeConfiguration& bodies, const FeaturePair& features) {
+    return excess_of(normal, limits_of(bodies, features)) == 0;
 }
 
 } // namespace chasles::contact

@@ -14,4 +14,7 @@ Eigen::Vector3d outward_direction(const RelativeConfiguration& bodies);
 /// shortest connection between them. At the start, the moving body counts as if it came from the middle of its box.
 Eigen::Vector3d normal_between_cones(const RelativeConfiguration& bodies, const FeaturePair& features, bool at_start);
 
+/// Whether both features allow a unit normal. The features are a vertex or an edge of each body.
+bool separates(const Eigen::Vector3d& normal, const RelativeConfiguration& bodies, const FeaturePair& features);
+
 } // namespace chasles::contact

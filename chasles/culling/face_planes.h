@@ -30,6 +30,11 @@ public:
     [[nodiscard]] bool all_on_one_side() const {
         return sides_[0] != 0 && std::all_of(sides_.begin(), sides_.end(), [&](int side) { return side == sides_[0]; });
     }
+    /// Whether corners are proven to stay on both sides.
+    [[nodiscard]] bool some_on_each_side() const {
+        return std::find(sides_.begin(), sides_.end(), 1) != sides_.end() &&
+               std::find(sides_.begin(), sides_.end(), -1) != sides_.end();
+    }
     /// Whether the corner may touch the plane.
     [[nodiscard]] bool may_meet(std::uint32_t vertex) const { return side(vertex) == 0; }
     /// Whether a point of the edge may touch the plane.

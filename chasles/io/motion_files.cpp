@@ -1,97 +1,140 @@
-// Reads paths and lists of motions from CSV files. Headers must match exactly, therefore columns cannot be confused.
-// Every message contains the file name and the line number.
+// Reads paths and lists of motions. Columns are found by their names, therefore columns cannot be confused.
+// Every message contains the file name and the line number. Source: docs/decisions/0090-columns-by-name.md.
 #include "chasles/io/motion_files.h"
 
 #include "chasles/base/invalid_input.h"
-#include "chasles/base/number_text.h"
-#include "chasles/io/csv_table.h"
+#include "chasles/io/column_table.h"
+#include "chasles/io/pose_columns.h"
 #include "chasles/io/pose_text.h"
 #include "chasles/io/read_file.h"
 
 #include <algorithm>
-#include <cmath>
-#include <span>
+#include <array>
 
 namespace chasles::io {
 namespace {
 
-// The exact headers. Quaternions have the order w, x, y, z.
-constexpr std::string_view path_header = "x,y,z,qw,qx,qy,qz";
-constexpr std::string_view stamped_path_header = "t,x,y,z,qw,qx,qy,qz";
-constexpr std::string_view motion_header = "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1";
+constexpr std::size_t pose_size = 7;
+constexpr const char* pose_header = "x,y,z,qw,qx,qy,qz";
 
-using Cells = std::span<const std::string>;
-
-// The cells without the first cell, the id.
-Cells without_first(Cells cells) {
-    return cells.subspan(1);
+bool is_pose_column(std::string_view name) {
+    return !pose_column(name).empty();
 }
 
-// Whether the cells are exactly the names of a header.
-bool is_header(Cells cells, std::string_view header) {
-    const std::vector<std::string> names = split_csv(header);
-    return std::equal(cells.begin(), cells.end(), names.begin(), names.end());
+// "x0" to "qz1", then "id": two poses and the name of their motion.
+std::vector<std::string> motion_columns() {
+    std::vector<std::string> names;
+    const std::vector<std::string> of_pose = pose_columns();
+    for (const char* const end : {"0", "1"})
+        for (std::size_t i = 0; i < pose_size; ++i)
+            names.push_back(of_pose[i] + end);
+    names.emplace_back("id");
+    return names;
 }
 
-// The numbers of a row. The header gives their count and the names for messages.
-std::vector<double> numbers_in(Cells cells, std::string_view header) {
-    const std::vector<std::string> names = split_csv(header);
-    if (cells.size() != names.size())
-        throw InvalidInput(std::to_string(cells.size()) + (cells.size() == 1 ? " column" : " columns") + " found, " +
-                           std::to_string(names.size()) + " expected");
-    std::vector<double> numbers;
-    for (std::size_t i = 0; i < cells.size(); ++i) {
-        const auto number = parse_finite(cells[i]);
-        if (!number)
-            throw InvalidInput(names[i] + ": not a finite number: " + in_quotes(cells[i]));
-        numbers.push_back(*number);
+// A pose's name with 0 for the start or 1 for the goal.
+std::string motion_column(std::string_view name) {
+    if (lower_case(name) == "id")
+        return "id";
+    if (!name.ends_with('0') && !name.ends_with('1'))
+        return "";
+    const std::string column = pose_column(name.substr(0, name.size() - 1));
+    return column.empty() || column == "t" ? "" : column + name.back();
+}
+
+bool is_motion_column(std::string_view name) {
+    return !motion_column(name).empty();
+}
+
+/// The columns of a table of poses or motions, and the names that messages give them.
+struct PoseTable {
+    std::vector<std::string> names; ///< as in the file
+    NamedColumns columns;
+
+    [[nodiscard]] bool has(std::size_t wanted) const { return columns.places[wanted].has_value(); }
+    [[nodiscard]] const std::string& name(std::size_t wanted) const { return names[columns.places[wanted].value()]; }
+    [[nodiscard]] double number(const TableRow& row, std::size_t wanted) const {
+        return cell_number(row.cells[columns.places[wanted].value()], name(wanted));
     }
-    return numbers;
+    /// The pose whose first column is the wanted column `first`.
+    [[nodiscard]] Pose pose(const TableRow& row, std::size_t first) const {
+        std::array<double, pose_size> numbers{};
+        for (std::size_t i = 0; i < pose_size; ++i)
+            numbers[i] = number(row, first + i);
+        return pose_from_numbers(numbers);
+    }
+};
+
+// Roll, pitch and yaw have no order and no unit that all programs share.
+std::string why_no_angles(std::span<const std::string> names) {
+    for (const std::string& name : names)
+        for (const std::string_view angle : {"roll", "pitch", "yaw", "euler", "rpy"})
+            if (lower_case(name).find(angle) != std::string::npos)
+                return "; the angles of the column " + in_quotes(name) +
+                       " are not read, because programs do not agree on the order of their turns: write a quaternion";
+    return "";
 }
 
-// Adds the stamp of a row. The distance of two stamps has to be finite too.
-void add_stamp(double stamp, std::vector<double>& stamps) {
-    if (!stamps.empty() && !(stamps.back() < stamp))
-        throw InvalidInput("t: must increase, but is " + number_text(stamp) + " after " + number_text(stamps.back()));
-    if (!stamps.empty() && !std::isfinite(stamp - stamps.front()))
-        throw InvalidInput("t: " + number_text(stamp) + " is too far from the first stamp");
-    stamps.push_back(stamp);
+PoseTable table_of(const ColumnTable& text, std::span<const std::string> names, std::span<const std::string> wanted,
+                   const std::function<std::string(std::string_view)>& meaning) {
+    try {
+        return {{names.begin(), names.end()}, find_columns(names, wanted, wanted.size() - 1, meaning)};
+    } catch (const InvalidInput& error) {
+        fail_at_line(text.line(), error.what() + why_no_angles(names));
+    }
+}
+
+[[noreturn]] void refuse_without_header(const ColumnTable& text, const std::string& columns) {
+    if (text.columns() == 0)
+        throw InvalidInput("has no header; it needs the columns " + columns + " in any order");
+    fail_at_line(text.line(), "there is no header, but " + std::to_string(text.columns()) +
+                                  (text.columns() == 1 ? " number" : " numbers") +
+                                  " in the first line; write the names " + columns +
+                                  " of the columns in their order above");
+}
+
+// The names of a table of poses that has none. Where two readings are possible, the message names both.
+std::vector<std::string> names_without_header(const ColumnTable& text, WithoutHeader without_header) {
+    const bool is_tum = without_header == WithoutHeader::tum && text.separator() == Separator::blanks;
+    if (text.columns() == 8 && is_tum)
+        return {"timestamp", "tx", "ty", "tz", "qx", "qy", "qz", "qw"};
+    const std::string stamp = text.columns() == 8 ? "t," : "";
+    if (text.columns() == 7 || text.columns() == 8)
+        fail_at_line(text.line(), "there is no header, and " + std::to_string(text.columns()) + " numbers may be " +
+                                      stamp + pose_header + " or " + stamp +
+                                      "x,y,z,qx,qy,qz,qw (as in TUM trajectories): write the names in the line above");
+    refuse_without_header(text, pose_header);
 }
 
 // Reads one row of a path. Messages start with the line number.
-void read_pose(const CsvRow& row, bool has_stamps, Path& path) {
+void read_pose(const TableRow& row, const PoseTable& table, Path& path) {
     try {
-        const std::vector<double> numbers = numbers_in(row.cells, has_stamps ? stamped_path_header : path_header);
-        if (has_stamps)
-            add_stamp(numbers.front(), path.stamps);
-        path.poses.push_back(pose_from_numbers(std::span(numbers).last(7)));
+        require_cells(row, table.names.size());
+        if (table.has(pose_size))
+            add_stamp(table.number(row, pose_size), table.name(pose_size), path.stamps);
+        path.poses.push_back(table.pose(row, 0));
     } catch (const InvalidInput& error) {
         fail_at_line(row.line, error.what());
     }
 }
 
 // Reads one row of a list of motions. An invalid row sets `motion.error` and throws nothing.
-void read_motion(const CsvRow& row, bool has_id, MotionRow& motion) {
+void read_motion(const TableRow& row, const PoseTable& table, MotionRow& motion) {
     try {
-        const Cells cells = has_id ? without_first(row.cells) : Cells(row.cells);
-        const std::vector<double> numbers = numbers_in(cells, motion_header);
-        motion.start = pose_from_numbers(std::span(numbers).first(7));
-        motion.goal = pose_from_numbers(std::span(numbers).last(7));
+        if (row.may_be_comment)
+            throw InvalidInput("begins with #: it may be a comment, or the motion " + in_quotes(motion.id) +
+                               "; put the name in quotes, or leave the line out");
+        require_cells(row, table.names.size());
+        motion.start = table.pose(row, 0);
+        motion.goal = table.pose(row, pose_size);
     } catch (const InvalidInput& error) {
         motion.error = "line " + std::to_string(row.line) + ": " + error.what();
     }
 }
 
-// Checks the header. Returns whether it begins with the optional column `first`.
-bool read_header(CsvTable& table, std::string_view names, const std::string& first) {
-    const auto header = table.next();
-    if (header && is_header(header->cells, names))
-        return false;
-    const bool has_first = header && header->cells.front() == first && is_header(without_first(header->cells), names);
-    if (!has_first)
-        fail_at_line(header ? header->line : 1,
-                     "the header must be " + std::string(names) + ", with an optional first column " + first);
-    return true;
+std::string id_of(const TableRow& row, const PoseTable& table, std::size_t number) {
+    const auto place = table.columns.places[2 * pose_size];
+    return place && *place < row.cells.size() ? row.cells[*place] : std::to_string(number);
 }
 
 // Runs a reader on the content of a file and puts the file name at the start of every message.
@@ -99,7 +142,10 @@ template <typename Read>
 auto read_naming_file(const std::filesystem::path& file, const Read& read) {
     const std::string text = read_file(file);
     try {
-        return read(text);
+        auto found = read(text);
+        for (std::string& warning : found.warnings)
+            warning = shown_name(file) + ": " + warning;
+        return found;
     } catch (const InvalidInput& error) {
         fail_in_file(file, error.what());
     }
@@ -107,20 +153,23 @@ auto read_naming_file(const std::filesystem::path& file, const Read& read) {
 
 // Calls `read` for each row that is left.
 template <typename Read>
-void for_each_row(CsvTable& table, const Read& read) {
+void for_each_row(ColumnTable& table, const Read& read) {
     while (const auto row = table.next())
         read(*row); // NOLINT(bugprone-unchecked-optional-access): the condition of the loop is the check
 }
 
 } // namespace
 
-Path read_path(std::string_view text) {
-    CsvTable table(text);
-    const bool has_stamps = read_header(table, path_header, "t");
+Path read_path(std::string_view content, WithoutHeader without_header) {
+    ColumnTable text(content, is_pose_column);
+    const PoseTable table =
+        table_of(text, text.names().empty() ? names_without_header(text, without_header) : text.names(), pose_columns(),
+                 pose_column);
     Path path;
-    std::size_t last_line = 1;
-    for_each_row(table, [&](const CsvRow& row) {
-        read_pose(row, has_stamps, path);
+    warn_of_ignored(table.columns.ignored, text.line(), "x, y, z, qw, qx, qy, qz and t are read", path.warnings);
+    std::size_t last_line = text.line();
+    for_each_row(text, [&](const TableRow& row) {
+        read_pose(row, table, path);
         last_line = row.line;
     });
     if (path.poses.size() < 2)
@@ -129,24 +178,32 @@ Path read_path(std::string_view text) {
     return path;
 }
 
-std::vector<MotionRow> read_motions(std::string_view text) {
-    CsvTable table(text);
-    const bool has_id = read_header(table, motion_header, "id");
-    std::vector<MotionRow> motions;
-    for_each_row(table, [&](const CsvRow& row) {
+MotionList read_motions(std::string_view content) {
+    const std::vector<std::string> wanted = motion_columns();
+    ColumnTable text(content, is_motion_column, "id");
+    if (text.names().empty())
+        refuse_without_header(text, "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1");
+    const PoseTable table = table_of(text, text.names(), wanted, motion_column);
+    MotionList motions;
+    warn_of_ignored(table.columns.ignored, text.line(), "x0 to qz1 and id are read", motions.warnings);
+    for_each_row(text, [&](const TableRow& row) {
         MotionRow motion;
-        motion.id = has_id ? row.cells.front() : std::to_string(motions.size());
-        read_motion(row, has_id, motion);
-        motions.push_back(std::move(motion));
+        motion.id = id_of(row, table, motions.rows.size());
+        read_motion(row, table, motion);
+        motions.rows.push_back(std::move(motion));
     });
     return motions;
 }
 
 Path load_path(const std::filesystem::path& file) {
-    return read_naming_file(file, read_path);
+    const std::string extension = lower_case(file.extension().string());
+    const bool may_be_tum = extension == ".tum" || extension == ".txt";
+    return read_naming_file(file, [&](std::string_view text) {
+        return read_path(text, may_be_tum ? WithoutHeader::tum : WithoutHeader::refused);
+    });
 }
 
-std::vector<MotionRow> load_motions(const std::filesystem::path& file) {
+MotionList load_motions(const std::filesystem::path& file) {
     return read_naming_file(file, read_motions);
 }
 

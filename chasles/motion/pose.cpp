@@ -8,6 +8,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 
 namespace chasles {
@@ -46,16 +47,35 @@ Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
     return scaled;
 }
 
+/// What a matrix that is no rotation does, and the way out.
+std::string other_than_turning(const Eigen::Matrix3d& matrix) {
+    const auto text = [](double number) { return number_text(number, 6); };
+    const Eigen::Vector3d scale = matrix.colwise().norm();
+    const Eigen::Matrix3d products = matrix.transpose() * matrix;
+    const double slant =
+        std::max({std::abs(products(0, 1)) / (scale[0] * scale[1]), std::abs(products(1, 2)) / (scale[1] * scale[2]),
+                  std::abs(products(2, 0)) / (scale[2] * scale[0])});
+    if (!(slant <= orthogonality_tolerance))
+        return scale.minCoeff() > 0 ? "it shears" : "it flattens bodies";
+    const std::string mirrors = matrix.determinant() < 0 ? ", and mirrors" : "";
+    if (scale.maxCoeff() - scale.minCoeff() <= orthogonality_tolerance * scale.maxCoeff())
+        return "it scales by " + text(scale[0]) + mirrors;
+    return "it scales by " + text(scale[0]) + ", " + text(scale[1]) + ", " + text(scale[2]) + " along x, y, z" +
+           mirrors;
+}
+
 /// The nearest rotation in the Frobenius norm: the orthogonal factor of the polar decomposition, by Newton's method
 /// (N. Higham, 1986). Each step squares the distance, of which the tolerance leaves little.
 Eigen::Matrix3d nearest_rotation(const Eigen::Matrix3d& matrix) {
     const double deviation = (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
     if (!(deviation <= orthogonality_tolerance))
-        throw InvalidInput("pose: matrix: the 3x3 part is not a rotation (an entry of R^T R is off by " +
+        throw InvalidInput("pose: matrix: the 3x3 part is not a rotation: " + other_than_turning(matrix) +
+                           "; apply it to the vertices of the body (an entry of R^T R is off by " +
                            number_text(deviation, 6) + ", allowed are " + number_text(orthogonality_tolerance, 6) +
                            ")");
     if (matrix.determinant() < 0)
-        throw InvalidInput("pose: matrix: the 3x3 part is a reflection (its determinant is negative)");
+        throw InvalidInput("pose: matrix: the 3x3 part is a reflection: it mirrors; apply it to the vertices of the "
+                           "body (its determinant is negative)");
     if (deviation <= rounding_tolerance)
         return matrix;
     Eigen::Matrix3d rotation = matrix;
@@ -90,7 +110,9 @@ Pose Pose::from_matrix(const Eigen::Matrix4d& matrix) {
     if (!matrix.allFinite())
         throw InvalidInput("pose: matrix: a number is NaN or infinite");
     if (matrix.row(3) != Eigen::RowVector4d(0, 0, 0, 1))
-        throw InvalidInput("pose: matrix: the last row is not 0 0 0 1");
+        throw InvalidInput(matrix.col(3) == Eigen::Vector4d(0, 0, 0, 1)
+                               ? "pose: matrix: the last row is not 0 0 0 1, but the last column is: transpose it"
+                               : "pose: matrix: the last row is not 0 0 0 1");
     const Eigen::Matrix3d rotation = nearest_rotation(matrix.topLeftCorner<3, 3>());
     return Pose(matrix.topRightCorner<3, 1>(), Eigen::Quaterniond(rotation));
 }

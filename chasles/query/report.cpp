@@ -1,7 +1,5 @@
 #include "chasles/query/report.h"
 
-#include "chasles/contact/contact_set.h"
-
 #include <algorithm>
 
 namespace chasles::query {
@@ -63,6 +61,15 @@ void remove_held(std::vector<FeaturePair>& pairs, const ContactMoment& moment, c
     });
 }
 
+/// Contacts with a gap that the motion closes come before others, which may be of two faces in one plane.
+void put_closing_first(std::vector<Contact>& contacts) {
+    double fastest = 0;
+    for (const Contact& contact : contacts)
+        fastest = std::max(fastest, contact.approach_speed);
+    std::ranges::stable_partition(
+        contacts, [&](const Contact& contact) { return contact.approach_speed > contact::no_direction * fastest; });
+}
+
 /// All contacts of the moment; with an overlap those that were found before it, as it ends the search.
 void list_contacts(FirstContact& answer, const ContactMoment& moment, const search::PieceResult& result,
                    const ReportScope& scope) {
@@ -79,7 +86,44 @@ void list_contacts(FirstContact& answer, const ContactMoment& moment, const sear
         pairs.push_back(first_of(result.candidates)); // an uncertain contact may be none
     if (!pairs.empty())
         answer.contacts = moment.contacts_of(pairs);
+    put_closing_first(answer.contacts);
     answer.contacts_cut = cut_to_most(answer.contacts) || answer.contacts_cut || result.overlap;
+}
+
+/// A short search for what touches at the moment, and at the start for an overlap.
+class Surroundings {
+public:
+    Surroundings(const ContactMoment& moment, const search::PieceResult& result, const ReportScope& scope)
+        : moment_(moment), is_searched_(scope.margin == 0 && scope.options.find != Find::any && !result.overlap) {}
+
+    const search::NearFeatures& near() {
+        if (is_searched_ && !near_)
+            near_ =
+                moment_.find({.most_pairs = 256, .most_visits = 1 << 10, .finds_crossing_faces = moment_.scene().at_start});
+        return near_ ? *near_ : none_;
+    }
+    [[nodiscard]] Work work() const { return near_ ? near_->work : Work(); }
+
+private:
+    const ContactMoment& moment_;
+    bool is_searched_; ///< touches only; a question for yes or no asks for no features
+    std::optional<search::NearFeatures> near_;
+    search::NearFeatures none_;
+};
+
+/// The contact that is reported alone. The pair that decided the time may have a normal along which nothing closes, for
+/// example that of two tops in one plane; then another pair that touches is reported, if the motion closes its gap.
+Contact one_contact(const ContactMoment& moment, const std::vector<Candidate>& candidates, Surroundings& surroundings) {
+    const Candidate& first = first_of(candidates);
+    std::vector<FeaturePair> pairs{first};
+    for (const Candidate& candidate : candidates)
+        if (candidate.tau.lower <= first.tau.upper && (candidate.tau.certain || !first.tau.certain))
+            pairs.push_back(candidate);
+    if (const auto closing = moment.closing_contact(pairs))
+        return *closing;
+    if (const auto closing = moment.closing_contact(surroundings.near().pairs))
+        return *closing;
+    return moment.contact_of(first);
 }
 
 } // namespace
@@ -114,10 +158,14 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
         answer.overlap = reported(*result.overlap, answer.fixed_pose, context);
     const double width = std::min(tau.upper - tau.lower, scope.options.time_tolerance);
     const ContactMoment moment(context, tau.lower, at_start, scope.margin, width);
+    Surroundings surroundings(moment, result, scope);
+    if (at_start && !result.overlap && surroundings.near().overlap)
+        answer.overlap = reported(*surroundings.near().overlap, answer.fixed_pose, context);
     if (lists_contacts(scope.options))
         list_contacts(answer, moment, result, scope);
     else if (!result.candidates.empty())
-        answer.contacts = {moment.contact_of(first_of(result.candidates))};
+        answer.contacts = {one_contact(moment, result.candidates, surroundings)};
+    answer.work += surroundings.work();
 }
 
 ContactMoment::ContactMoment(search::PieceContext& context, double tau, bool is_at_start, double margin, double width)
@@ -125,8 +173,11 @@ ContactMoment::ContactMoment(search::PieceContext& context, double tau, bool is_
       scene_{bodies_, is_at_start, margin, contact::touch_slack(bodies_, context.error_scale(margin), width)},
       to_world_(context.piece().fixed_pose_at(tau).isometry()) {}
 
-Contact ContactMoment::contact_of(const FeaturePair& features) const {
-    return in_world(contact::described(scene_, features));
+std::optional<Contact> ContactMoment::closing_contact(const std::vector<FeaturePair>& pairs) const {
+    for (const FeaturePair& features : pairs)
+        if (const Contact contact = contact::named_contact(scene_, features); contact::is_closing(scene_, contact))
+            return in_world(contact);
+    return std::nullopt;
 }
 
 std::vector<Contact> ContactMoment::contacts_of(const std::vector<FeaturePair>& pairs) const {

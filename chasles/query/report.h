@@ -1,7 +1,7 @@
 // From what a search of one piece found to the answer that a user gets.
 #pragma once
 
-#include "chasles/contact/contact_frame.h"
+#include "chasles/contact/contact_set.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/search/near_features.h"
 #include "chasles/search/piece_search.h"
@@ -54,7 +54,11 @@ public:
         return search::near_features(context_, scene_, tau_, search);
     }
     /// One contact, in the world and named as in the input.
-    [[nodiscard]] Contact contact_of(const contact::FeaturePair& features) const;
+    [[nodiscard]] Contact contact_of(const contact::FeaturePair& features) const {
+        return in_world(contact::named_contact(scene_, features));
+    }
+    /// The contact of the first pair with a gap that the motion closes; empty if there is none.
+    [[nodiscard]] std::optional<Contact> closing_contact(const std::vector<contact::FeaturePair>& pairs) const;
     /// The contacts of feature pairs, each once, and flat contacts by their corners.
     [[nodiscard]] std::vector<Contact> contacts_of(const std::vector<contact::FeaturePair>& pairs) const;
 

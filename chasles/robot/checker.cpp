@@ -48,16 +48,15 @@ void count_in_segment(FirstContact& found, const Bracket& part) {
     found.time = robot::in_segment(found.time, part);
     found.tau = found.time;
     robot::slow_down(found.contacts, part);
+    robot::slow_down(found.held, part);
     if (found.verdict == Verdict::contact_at_start && part.lower > 0)
         found.verdict = Verdict::contact; // it was clear before
 }
 
 FirstContact SegmentSearch::ask(const Task& task, double until, Find find) const {
     const double duration = task.part.upper - task.part.lower;
-    QueryOptions options = prepared_.options;
+    QueryOptions options = prepared_.options_of(task);
     options.find = find;
-    if (task.kind == Task::Kind::self)
-        options.margin = prepared_.self_pairs[task.first].margin;
     options.time_tolerance = std::clamp(options.time_tolerance / duration, 1e-15, 1.0);
     const auto trajectory = segment_.trajectory(task);
     const double local_until = std::clamp((until - task.part.lower) / duration * (1 + 1e-12), 0.0, 1.0);
@@ -77,7 +76,7 @@ std::optional<SegmentSearch::Found> SegmentSearch::run() {
     const bool finds_any = prepared_.options.find == Find::any;
     std::optional<Found> first;
     double best = 1, clear_until = 1;
-    for (const Task& task : near_tasks(prepared_, segment_.motion())) {
+    for (const Task& task : robot::tasks_of(segment_)) {
         if (first && (finds_any || task.part.lower > best)) {
             clear_until = std::min(clear_until, task.part.lower); // it is not asked
             break;
@@ -93,13 +92,13 @@ std::optional<SegmentSearch::Found> SegmentSearch::run() {
         best = std::min(best, first->contact.time.upper);
     }
     if (first)
-        first->contact.clear_until = clear_until;
+        first->contact.clear_until = std::min(clear_until, best); // others were asked about no later time
     return first;
 }
 
 /// The earliest contact is not needed: a pair whose path is not proven clear ends the question.
 bool SegmentSearch::is_clear() const {
-    return std::ranges::all_of(near_tasks(prepared_, segment_.motion()),
+    return std::ranges::all_of(robot::tasks_of(segment_),
                                [&](const Task& task) { return ask(task, 1, Find::any).verdict == Verdict::clear; });
 }
 
@@ -113,6 +112,10 @@ RobotChecker& RobotChecker::operator=(RobotChecker&&) noexcept = default;
 
 const Robot& RobotChecker::robot() const {
     return prepared_->robot;
+}
+
+const UntestedPairs& RobotChecker::untested() const {
+    return *prepared_->untested;
 }
 
 namespace {
@@ -136,6 +139,7 @@ void set_contact(RobotAnswer& answer, const JointPath& path, SegmentSearch::Foun
 
 RobotAnswer RobotChecker::first_contact(const JointPath& path) const {
     RobotAnswer answer;
+    answer.untested = prepared_->untested;
     const std::vector<JointPath::Segment>& segments = path.segments();
     for (answer.segment = 0; answer.segment < segments.size(); ++answer.segment) {
         SegmentSearch search(*prepared_, path, answer.segment);

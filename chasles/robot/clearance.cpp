@@ -41,6 +41,7 @@ private:
 RobotClearance ClearanceSearch::run() {
     const double infinity = std::numeric_limits<double>::infinity();
     best_.distance = {infinity, infinity};
+    best_.untested = prepared_.untested;
     for (std::size_t segment = 0; segment < path_.segments().size() && !touches(); ++segment)
         visit(segment);
     if (!best_.pair) {

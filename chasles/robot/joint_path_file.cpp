@@ -1,90 +1,98 @@
+// Reads paths of robots from tables with named columns.
 #include "chasles/robot/joint_path_file.h"
 
 #include "chasles/base/invalid_input.h"
-#include "chasles/io/csv_table.h"
-#include "chasles/io/read_file.h"
+#include "chasles/io/column_table.h"
+#include "chasles/robot/joint_columns.h"
 
-#include <algorithm>
-#include <set>
+#include <optional>
 
 namespace chasles::robot {
-
 namespace {
 
-/// The columns of a header.
-struct Columns {
-    bool has_stamps = false;
-    std::vector<std::size_t> variables; ///< of the columns after the stamps
-};
-
-Columns columns_of(const io::CsvRow& header, const Robot& robot) {
-    Columns columns;
-    std::set<std::string> names;
-    for (std::size_t i = 0; i < header.cells.size(); ++i) {
-        const std::string& name = header.cells[i];
-        if (!names.insert(name).second)
-            io::fail_at_line(header.line, "the column " + io::in_quotes(name) + " comes twice");
-        const auto variables = robot.variables();
-        const auto found = std::ranges::find(variables, name, &RobotVariable::name);
-        if (found != variables.end())
-            columns.variables.push_back(std::size_t(found - variables.begin()));
-        else if (name == "t" && i == 0)
-            columns.has_stamps = true;
-        else
-            io::fail_at_line(header.line, "the robot has no variable " + io::in_quotes(name) +
-                                              "; fixed joints and joints that follow others have none");
-    }
-    if (columns.variables.empty())
-        io::fail_at_line(header.line, "the header names no variable of the robot");
-    return columns;
+bool is_stamp(std::string_view name) {
+    const std::string small = io::lower_case(name);
+    return small == "t" || small == "time" || small == "timestamp";
 }
 
-double number_in(const io::CsvRow& row, const io::CsvRow& header, std::size_t column) {
-    const std::optional<double> number = io::parse_finite(row.cells[column]);
-    if (!number)
-        io::fail_at_line(row.line,
-                         header.cells[column] + ": " + io::in_quotes(row.cells[column]) + " is not a finite number");
-    return *number;
+// A variable of the robot may be called "t".
+bool is_stamp_of(const Robot& robot, std::string_view name) {
+    return is_stamp(name) && !JointColumns::is_name(robot, name);
+}
+
+/// The columns of a table: the stamp, and the names of all others.
+struct JointTable {
+    std::optional<std::size_t> stamp;
+    std::vector<std::string> names; ///< without the stamp
+
+    JointTable(const std::vector<std::string>& all, const Robot& robot) {
+        for (std::size_t i = 0; i < all.size(); ++i) {
+            if (!is_stamp_of(robot, all[i])) {
+                names.push_back(all[i]);
+                continue;
+            }
+            if (stamp)
+                throw InvalidInput("the header " + io::shown_names(all) + " has two columns for the time: " +
+                                   io::in_quotes(all[*stamp]) + " and " + io::in_quotes(all[i]));
+            stamp = i;
+        }
+    }
+};
+
+void read_configuration(const io::TableRow& row, const std::vector<std::string>& names, const JointTable& table,
+                        const JointColumns& columns, ConfigurationRows& rows) {
+    io::require_cells(row, names.size());
+    std::vector<double> numbers;
+    for (std::size_t i = 0; i < names.size(); ++i)
+        if (i == table.stamp)
+            io::add_stamp(io::cell_number(row.cells[i], names[i]), names[i], rows.stamps);
+        else
+            numbers.push_back(columns.reads(numbers.size()) ? io::cell_number(row.cells[i], names[i]) : 0);
+    rows.configurations.push_back(columns.configuration(numbers));
+}
+
+// What `read` returns. What it throws gets the number of a line in front.
+template <typename Read>
+auto at_line(std::size_t line, const Read& read) {
+    try {
+        return read();
+    } catch (const InvalidInput& error) {
+        io::fail_at_line(line, error.what());
+    }
+}
+
+[[noreturn]] void refuse_no_names(const io::ColumnTable& text, const Robot& robot) {
+    std::vector<std::string> names;
+    for (const RobotVariable& variable : robot.variables())
+        names.push_back(variable.name);
+    const std::string needed = "the first line has to name variables of the robot, of " + io::shown_names(names);
+    if (text.columns() == 0)
+        throw InvalidInput("has no header; " + needed);
+    io::fail_at_line(text.line(), "there is no header, but " + std::to_string(text.columns()) +
+                                      (text.columns() == 1 ? " number" : " numbers") + " in the first line; " + needed);
 }
 
 } // namespace
 
 ConfigurationRows read_configurations(std::string_view text, const Robot& robot) {
-    io::CsvTable table(text);
-    const std::optional<io::CsvRow> header = table.next();
-    if (!header)
-        throw InvalidInput("has no header");
-    const Columns columns = columns_of(*header, robot);
+    const auto may_be_name = [&](std::string_view name) {
+        return is_stamp(name) || JointColumns::is_name(robot, name);
+    };
+    io::ColumnTable rows_of_text(text, may_be_name);
+    const std::vector<std::string>& names = rows_of_text.names();
+    const std::size_t line = rows_of_text.line();
+    if (names.empty())
+        refuse_no_names(rows_of_text, robot);
+    const JointTable table = at_line(line, [&] { return JointTable(names, robot); });
+    const JointColumns columns = at_line(line, [&] { return JointColumns(table.names, robot, JointUnits::by_name); });
     ConfigurationRows rows;
-    while (const std::optional<io::CsvRow> row = table.next()) {
-        if (row->cells.size() != header->cells.size())
-            io::fail_at_line(row->line, "has " + std::to_string(row->cells.size()) + " cells, and the header has " +
-                                            std::to_string(header->cells.size()));
-        const std::size_t first = columns.has_stamps ? 1 : 0;
-        if (columns.has_stamps) {
-            const double stamp = number_in(*row, *header, 0);
-            if (!rows.stamps.empty() && !(stamp > rows.stamps.back()))
-                io::fail_at_line(row->line, "t: must be greater than in the row before");
-            rows.stamps.push_back(stamp);
-        }
-        Configuration values = robot.neutral();
-        for (std::size_t i = 0; i < columns.variables.size(); ++i)
-            values[Eigen::Index(columns.variables[i])] = number_in(*row, *header, first + i);
-        rows.configurations.push_back(std::move(values));
-    }
+    io::warn_of_ignored(columns.ignored(), line, "the robot has no variables of these names", rows.warnings);
+    while (const std::optional<io::TableRow> row = rows_of_text.next())
+        at_line(row->line, [&] { read_configuration(*row, names, table, columns, rows); });
     if (rows.configurations.size() < 2)
         throw InvalidInput("a path needs at least two configurations, and there are " +
                            std::to_string(rows.configurations.size()));
     return rows;
-}
-
-ConfigurationRows load_configurations(const std::filesystem::path& file, const Robot& robot) {
-    const std::string text = io::read_file(file);
-    try {
-        return read_configurations(text, robot);
-    } catch (const InvalidInput& error) {
-        io::fail_in_file(file, error.what());
-    }
 }
 
 } // namespace chasles::robot

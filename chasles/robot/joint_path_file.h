@@ -1,9 +1,9 @@
-// Reads paths of robots from CSV files. The format is in docs/command-line.md.
+// Reads paths of robots from tables. The format is in docs/command-line.md.
 #pragma once
 
 #include "chasles/robot/robot.h"
 
-#include <filesystem>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -12,15 +12,13 @@ namespace chasles::robot {
 /// Configurations of a robot, at least two.
 struct ConfigurationRows {
     std::vector<Configuration> configurations;
-    std::vector<double> stamps; ///< the column "t", ascending; empty without this column
+    std::vector<double> stamps = {};        ///< the column of time stamps, increasing; empty without this column
+    std::vector<std::string> warnings = {}; ///< one line each: what the file has and the path has not
 };
 
-/// Reads one configuration a row. The header names variables of the robot, in any order, and has an optional first
-/// column "t". Variables that are left out have the values of Robot::neutral(). Throws InvalidInput "FILE: line N:
-/// WHY".
-ConfigurationRows load_configurations(const std::filesystem::path& file, const Robot& robot);
-
-/// Likewise for the content of a file. Its messages do not contain the file name.
+/// Reads a table with one configuration a row. The header names variables of the robot in any order, with the ending
+/// "_deg" where the column has degrees, and perhaps t, time or timestamp. Variables that are left out have the values
+/// of Robot::neutral(). Throws InvalidInput "line N: WHY".
 ConfigurationRows read_configurations(std::string_view text, const Robot& robot);
 
 } // namespace chasles::robot

@@ -28,14 +28,17 @@ struct PairProof {
     PairReason reason = PairReason::open;
     /// The links overlap there, or touch. Joints that are not between them are neutral.
     std::optional<Configuration> witness = {};
-    std::size_t cells = 0; ///< boxes of configurations that were examined
+    std::size_t cells = 0;    ///< boxes of configurations that were examined
+    std::size_t tried = 0;    ///< single configurations
+    std::size_t touching = 0; ///< of these: how many are not proven clear
     double seconds = 0;
 };
 
 struct PairProofOptions {
     double seconds = 600; ///< for all pairs; what is not decided then is open
     unsigned threads = 0; ///< at most so many; 0: all cores
-    /// Called after each pair with their number, from the calling thread; where it returns false, the rest stays open.
+    /// Called now and then with the number of pairs that are done, from the calling thread; where it returns false, the
+    /// rest stays open.
     std::function<bool(std::size_t done, std::size_t pairs)> progress = {};
 };
 

@@ -43,17 +43,39 @@ Prepared::Obstacle obstacle_of(std::size_t index, const Polyhedron& shape, const
     return obstacle;
 }
 
+/// As for scenes: `hold` needs some pair with a greater margin.
+void check_options(QueryOptions options, const Model& model) {
+    if (options.hold) {
+        query::require_hold(*options.hold);
+        double largest = options.margin;
+        for (const auto& [owners, margin] : model.margins)
+            largest = std::max(largest, margin);
+        query::require(*options.hold < largest, "hold", "must be less than some margin");
+        options.hold.reset(); // the margin of the question may be less
+    }
+    query::check_options(options);
+}
+
 } // namespace
 
 RobotChecker::Prepared::Prepared(const Robot& given, const Scene* scene, const RobotQuery& query)
     : robot(given), options(query.options) {
-    query::check_options(options);
-    query::require(!options.hold, "hold", "is not supported for robots");
+    check_options(options, model());
     for (const Element& element : model().elements)
         extents.push_back(extent_of(element));
     add_self_pairs();
     if (scene)
         add_scene(*scene);
+    untested = std::make_shared<const UntestedPairs>(robot::untested_pairs(*this));
+}
+
+QueryOptions RobotChecker::Prepared::options_of(const robot::Task& task) const {
+    QueryOptions of_task = options;
+    if (task.kind == robot::Task::Kind::self)
+        of_task.margin = self_pairs[task.first].margin;
+    if (of_task.hold && *of_task.hold >= of_task.margin)
+        of_task.hold.reset();
+    return of_task;
 }
 
 /// The element with more joints above it moves.

@@ -56,6 +56,8 @@ struct RobotChecker::Prepared {
     [[nodiscard]] const robot::Model& model() const { return robot.model(); }
     void add_self_pairs();
     void add_scene(const Scene& scene);
+    /// The question about a task: with its margin, and with `hold` if that is less.
+    [[nodiscard]] QueryOptions options_of(const robot::Task& task) const;
     void make_tree();
     [[nodiscard]] bool is_ignored(std::size_t element, std::size_t body) const {
         return ignored.contains({model().elements[element].owner, body});
@@ -85,9 +87,13 @@ struct RobotChecker::Prepared {
     std::optional<scene::BoxTree> tree;                    ///< over the obstacles, if they are many
     std::vector<Extent> extents;                           ///< of each element
     std::vector<SelfPair> self_pairs;
+    std::shared_ptr<const UntestedPairs> untested; ///< shared by all answers
 };
 
 namespace robot {
+
+/// What the checker does not look at.
+UntestedPairs untested_pairs(const RobotChecker::Prepared& prepared);
 
 /// The pairs that boxes and large nodes do not prove apart during a segment, in order of time. They come within their
 /// margins, or within the distance that is given in the place of all margins.

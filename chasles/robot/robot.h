@@ -70,7 +70,7 @@ struct RobotFiles {
 class CHASLES_EXPORT Robot {
 public:
     /// Reads a URDF file, and an SRDF file if one is named. Throws InvalidInput with file, line, element and reason.
-    /// Defined in chasles/robot/urdf_reader.cpp.
+    /// Defined in chasles/robot/srdf_reader.cpp.
     static Robot load(const std::filesystem::path& urdf, const RobotFiles& files = {});
 
     /// Throws InvalidInput "robot: ELEMENT: WHY" for a description that is no tree, names what does not exist, or
@@ -82,6 +82,11 @@ public:
     [[nodiscard]] RobotChanges changes() const;
 
     [[nodiscard]] const RobotDescription& description() const;
+    /// What the files of the robot say that has no effect, one line each.
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return description().warnings; }
+    /// What looks wrong in configurations, one line for each variable: values beyond its limits, and values that look
+    /// like degrees. Throws InvalidInput for a wrong number of values.
+    [[nodiscard]] std::vector<std::string> warnings_about(std::span<const Configuration> configurations) const;
     /// The variables of the joints that are neither fixed nor mimic another one, in the order of the description.
     [[nodiscard]] std::span<const RobotVariable> variables() const;
     /// Throws InvalidInput for an unknown name.
@@ -96,6 +101,10 @@ public:
     [[nodiscard]] Pose link_pose(std::string_view link, const Configuration& configuration) const;
     /// The poses of all links, in the order of the description.
     [[nodiscard]] std::vector<Pose> link_poses(const Configuration& configuration) const;
+    /// The shapes of all links and parts at a configuration as one rigid body, in the world: vertices are rounded to
+    /// doubles, and polygons that rounding bends are cut into triangles. Throws InvalidInput for a robot without
+    /// shapes, and as link_pose.
+    [[nodiscard]] Polyhedron shape(const Configuration& configuration) const;
 
     /// Where the root link stands in the world.
     void set_base(const Pose& pose);
@@ -130,7 +139,8 @@ private:
 
 /// How to answer a question about a robot.
 struct RobotQuery {
-    /// With Find::any some contact, not placed in time. `hold` is not supported.
+    /// With Find::any some contact, not placed in time. `hold` counts for pairs with a greater margin: those that are
+    /// within their margin where a segment begins may move on, and are reported where they come within `hold`.
     QueryOptions options = {};
 };
 
@@ -154,10 +164,12 @@ struct [[nodiscard]] RobotAnswer {
     std::optional<RobotPair> pair; ///< that touches first
     FirstContact contact;          ///< of the pair: the first one moves. In the world
     Configuration configuration;   ///< at the lower end of `time`; at the end of the path if clear
-    /// Before this stamp nothing comes within the margin.
+    /// Before this stamp nothing comes within the margin; held pairs do not come within `hold`, or nearer than where
+    /// their segment began if that is less.
     double clear_until = 0;
-    Configuration clear_configuration; ///< at clear_until
-    std::size_t pairs = 0;             ///< that were searched, because boxes did not prove them apart
+    Configuration clear_configuration;             ///< at clear_until
+    std::size_t pairs = 0;                         ///< that were searched, because boxes did not prove them apart
+    std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
     Work work;
 };
 
@@ -172,8 +184,9 @@ struct [[nodiscard]] RobotClearance {
     bool certain = false;          ///< whether the bracket is as narrow as asked; where something touches, proven
     std::optional<RobotPair> pair; ///< that is nearest
     LeastDistance nearest; ///< of the pair, with times of the segment in [0, 1]: the first one moves. In the world
-    Configuration configuration; ///< at the lower end of `time`
-    std::size_t pairs = 0;       ///< that were searched
+    Configuration configuration;                   ///< at the lower end of `time`
+    std::size_t pairs = 0;                         ///< that were searched
+    std::shared_ptr<const UntestedPairs> untested; ///< of the checker: never null in an answer
     Work work;
 };
 
@@ -208,6 +221,8 @@ public:
                                                 const LeastDistanceOptions& options = {}) const;
 
     [[nodiscard]] const Robot& robot() const;
+    /// What no answer of the checker looks at.
+    [[nodiscard]] const UntestedPairs& untested() const;
 
     struct Prepared; ///< for the library's own use
 

@@ -91,6 +91,7 @@ struct RobotDescription {
     std::vector<LinkPairDescription> enabled_pairs = {};  ///< these count more than disabled_pairs
     std::vector<GroupDescription> groups = {};
     std::vector<StateDescription> states = {};
+    std::vector<std::string> warnings = {}; ///< what files say that has no effect, one line each
 };
 
 } // namespace chasles

@@ -121,4 +121,22 @@ motion::ErasedTrajectory<motion::SmoothTrajectory> SegmentPairs::trajectory(cons
     return motion::ErasedTrajectory<motion::SmoothTrajectory>{motion::SmoothTrajectory(motion_of(task))};
 }
 
+std::vector<Task> tasks_of(const SegmentPairs& segment) {
+    std::vector<Task> tasks = near_tasks(segment.prepared(), segment.motion());
+    if (!segment.prepared().options.hold)
+        return tasks;
+    std::vector<Task> joined; // parts of one pair are in order of time
+    for (const Task& task : tasks) {
+        const auto held = std::ranges::find_if(joined, [&](const Task& earlier) {
+            return earlier.kind == task.kind && earlier.first == task.first && earlier.second == task.second &&
+                   earlier.part.lower == 0;
+        });
+        if (held == joined.end())
+            joined.push_back(task);
+        else
+            held->part.upper = task.part.upper;
+    }
+    return joined;
+}
+
 } // namespace chasles::robot

@@ -14,7 +14,7 @@ namespace chasles::robot {
 
 namespace {
 
-using Element = XmlFile::Element;
+using XmlElement = XmlFile::Element;
 
 class SrdfReader {
 public:
@@ -32,17 +32,20 @@ public:
 private:
     using Names = std::pair<std::string, std::string>;
 
-    [[nodiscard]] Names names_of(const Element& pair) const;
+    [[nodiscard]] Names names_of(const XmlElement& pair) const;
+    [[nodiscard]] bool has_link(const XmlElement& element, const std::string& name);
+    void warn(const XmlElement& element, const std::string& what, const std::string& name);
+    void add_warnings();
     void add_disabled_pairs();
     void add_enabled_pairs();
     void add_default_pairs();
     void add_groups();
     void add_states();
-    [[nodiscard]] const GroupDescription& made_group(const std::string& name, const Element& place);
-    void add_part(GroupDescription& group, const Element& element);
+    [[nodiscard]] const GroupDescription& made_group(const std::string& name, const XmlElement& place);
+    void add_part(GroupDescription& group, const XmlElement& element);
     static void add_joint(GroupDescription& group, const JointDescription& joint);
-    void add_chain(GroupDescription& group, const Element& element) const;
-    [[nodiscard]] StateDescription::Value value_of(const Element& element, const JointDescription& joint) const;
+    void add_chain(GroupDescription& group, const XmlElement& element);
+    [[nodiscard]] StateDescription::Value value_of(const XmlElement& element, const JointDescription& joint) const;
     [[nodiscard]] std::vector<std::string> links_above(const std::string& link) const;
 
     XmlFile file_;
@@ -51,9 +54,15 @@ private:
     std::set<Names> disabled_;                                   ///< pairs that the file names
     std::map<std::string, const JointDescription*> joints_;      ///< by name
     std::map<std::string, const JointDescription*> joint_above_; ///< of each link but the root
-    std::map<std::string, const Element*> group_elements_;
+    std::map<std::string, const XmlElement*> group_elements_;
     std::map<std::string, GroupDescription> groups_; ///< that are made
     std::vector<std::string> open_groups_;           ///< that are being made, each inside of the one before it
+    std::set<std::string> virtual_joints_;           ///< the file defines them; they are no joints of the robot
+    struct Unknown {
+        std::string place; ///< of the first element that names it
+        std::size_t count = 0;
+    };
+    std::map<Names, Unknown> unknown_; ///< by what is missing and by name
 };
 
 template <class Items, class Item>
@@ -62,25 +71,48 @@ void add_once(Items& items, const Item& item) {
         items.push_back(item);
 }
 
-SrdfReader::Names SrdfReader::names_of(const Element& pair) const {
+SrdfReader::Names SrdfReader::names_of(const XmlElement& pair) const {
     Names names{file_.text(pair, "link1"), file_.text(pair, "link2")};
     if (names.first == names.second)
         file_.fail(pair, "names " + io::in_quotes(names.first) + " twice");
     return names;
 }
 
+/// Files are shared by variants of a robot, so one name may be missing many times: it makes one line.
+void SrdfReader::warn(const XmlElement& element, const std::string& what, const std::string& name) {
+    Unknown& unknown = unknown_[{what, name}];
+    if (++unknown.count == 1)
+        unknown.place = file_.place_of(element);
+}
+
+bool SrdfReader::has_link(const XmlElement& element, const std::string& name) {
+    if (!links_.contains(name))
+        warn(element, "link", name);
+    return links_.contains(name);
+}
+
+void SrdfReader::add_warnings() {
+    for (const auto& [names, unknown] : unknown_)
+        robot_.warnings.push_back(
+            unknown.place + "there is no " + names.first + ' ' + io::in_quotes(names.second) +
+            (unknown.count > 1 ? "; it is named " + std::to_string(unknown.count) + " times" : std::string()));
+}
+
 void SrdfReader::add_disabled_pairs() {
-    for (const Element* pair : XmlFile::children(file_.root(), "disable_collisions"))
-        if (const auto [first, second] = names_of(*pair); links_.contains(first) && links_.contains(second)) {
-            const char* const reason = pair->Attribute("reason");
-            disabled_.insert(std::minmax(first, second));
-            robot_.disabled_pairs.push_back({first, second, reason ? reason : ""});
-        }
+    for (const XmlElement* pair : XmlFile::children(file_.root(), "disable_collisions")) {
+        const auto [first, second] = names_of(*pair);
+        const bool has_first = has_link(*pair, first);
+        if (!has_link(*pair, second) || !has_first)
+            continue;
+        const char* const reason = pair->Attribute("reason");
+        disabled_.insert(std::minmax(first, second));
+        robot_.disabled_pairs.push_back({first, second, reason ? reason : ""});
+    }
 }
 
 /// A pair that is also disabled stays disabled, as in MoveIt.
 void SrdfReader::add_enabled_pairs() {
-    for (const Element* pair : XmlFile::children(file_.root(), "enable_collisions")) {
+    for (const XmlElement* pair : XmlFile::children(file_.root(), "enable_collisions")) {
         const Names names = names_of(*pair);
         for (const std::string& link : {names.first, names.second})
             if (!links_.contains(link))
@@ -93,9 +125,9 @@ void SrdfReader::add_enabled_pairs() {
 
 /// A link that is not tested unless its pairs are enabled.
 void SrdfReader::add_default_pairs() {
-    for (const Element* element : XmlFile::children(file_.root(), "disable_default_collisions")) {
+    for (const XmlElement* element : XmlFile::children(file_.root(), "disable_default_collisions")) {
         const std::string link = file_.text(*element, "link");
-        if (!links_.contains(link))
+        if (!has_link(*element, link))
             continue;
         for (const std::string& other : links_)
             if (other != link)
@@ -118,9 +150,10 @@ void SrdfReader::add_joint(GroupDescription& group, const JointDescription& join
 }
 
 /// The joints from the base to the tip, by the lowest link that is above both.
-void SrdfReader::add_chain(GroupDescription& group, const Element& element) const {
+void SrdfReader::add_chain(GroupDescription& group, const XmlElement& element) {
     const std::string base = file_.text(element, "base_link"), tip = file_.text(element, "tip_link");
-    if (!links_.contains(base) || !links_.contains(tip))
+    const bool has_base = has_link(element, base);
+    if (!has_link(element, tip) || !has_base)
         return;
     std::vector<std::string> from = links_above(base), to = links_above(tip);
     while (!from.empty() && !to.empty() && from.back() == to.back()) {
@@ -133,24 +166,26 @@ void SrdfReader::add_chain(GroupDescription& group, const Element& element) cons
         add_joint(group, *joint_above_.at(link));
 }
 
-void SrdfReader::add_part(GroupDescription& group, const Element& element) {
+void SrdfReader::add_part(GroupDescription& group, const XmlElement& element) {
     const std::string_view kind = element.Name();
     if (kind == "joint") {
-        const auto joint = joints_.find(file_.text(element, "name"));
-        if (joint != joints_.end()) // else it may be a virtual joint
+        const std::string name = file_.text(element, "name");
+        if (const auto joint = joints_.find(name); joint != joints_.end())
             add_joint(group, *joint->second);
+        else if (!virtual_joints_.contains(name))
+            warn(element, "joint", name);
     } else if (kind == "link") {
         const std::string link = file_.text(element, "name");
         if (const auto above = joint_above_.find(link); above != joint_above_.end())
             add_joint(group, *above->second);
-        else if (links_.contains(link)) // the root
+        else if (has_link(element, link)) // the root
             add_once(group.links, link);
     } else if (kind == "chain") {
         add_chain(group, element);
     } else if (kind == "group") {
         const auto inner = group_elements_.find(file_.text(element, "name"));
         if (inner == group_elements_.end())
-            return;
+            return warn(element, "group", file_.text(element, "name"));
         const GroupDescription& subgroup = made_group(inner->first, element);
         for (const std::string& joint : subgroup.joints)
             add_joint(group, *joints_.at(joint));
@@ -160,7 +195,7 @@ void SrdfReader::add_part(GroupDescription& group, const Element& element) {
 }
 
 /// Each group is made once, before the groups that contain it.
-const GroupDescription& SrdfReader::made_group(const std::string& name, const Element& place) {
+const GroupDescription& SrdfReader::made_group(const std::string& name, const XmlElement& place) {
     constexpr std::size_t most_levels = 100;
     if (const auto known = groups_.find(name); known != groups_.end())
         return known->second;
@@ -170,36 +205,40 @@ const GroupDescription& SrdfReader::made_group(const std::string& name, const El
         file_.fail(place, "groups are nested more than " + std::to_string(most_levels) + " times");
     open_groups_.push_back(name);
     GroupDescription group{name};
-    const Element& element = *group_elements_.at(name);
-    for (const Element* part = element.FirstChildElement(); part; part = part->NextSiblingElement())
+    const XmlElement& element = *group_elements_.at(name);
+    for (const XmlElement* part = element.FirstChildElement(); part; part = part->NextSiblingElement())
         add_part(group, *part);
     open_groups_.pop_back();
     return groups_.emplace(name, std::move(group)).first->second;
 }
 
 void SrdfReader::add_groups() {
-    const std::vector<const Element*> elements = XmlFile::children(file_.root(), "group");
-    for (const Element* element : elements)
+    const std::vector<const XmlElement*> elements = XmlFile::children(file_.root(), "group");
+    for (const XmlElement* element : elements)
         if (!group_elements_.emplace(file_.text(*element, "name"), element).second)
             file_.fail(*element, "there is another group of this name");
-    for (const Element* element : elements)
+    for (const XmlElement* element : elements)
         robot_.groups.push_back(made_group(file_.text(*element, "name"), *element));
 }
 
-StateDescription::Value SrdfReader::value_of(const Element& element, const JointDescription& joint) const {
+StateDescription::Value SrdfReader::value_of(const XmlElement& element, const JointDescription& joint) const {
     const std::size_t count = joint.type == JointType::floating ? 7 : joint.type == JointType::planar ? 3 : 1;
     return {joint.name, file_.numbers(element, "value", count)};
 }
 
 void SrdfReader::add_states() {
     std::set<std::pair<std::string, std::string>> names;
-    for (const Element* element : XmlFile::children(file_.root(), "group_state")) {
+    for (const XmlElement* element : XmlFile::children(file_.root(), "group_state")) {
         StateDescription state{file_.text(*element, "name"), file_.optional_text(*element, "group").value_or("")};
         if (!names.emplace(state.name, state.group).second)
             file_.fail(*element, "there is another state of this name and group");
-        for (const Element* value : XmlFile::children(*element, "joint")) {
-            const auto joint = joints_.find(file_.text(*value, "name"));
-            // Others are virtual joints, or joints of another variant of the robot.
+        if (!state.group.empty() && !group_elements_.contains(state.group))
+            warn(*element, "group", state.group);
+        for (const XmlElement* value : XmlFile::children(*element, "joint")) {
+            const std::string name = file_.text(*value, "name");
+            const auto joint = joints_.find(name);
+            if (joint == joints_.end() && !virtual_joints_.contains(name))
+                warn(*value, "joint", name);
             if (joint != joints_.end() && joint->second->type != JointType::fixed)
                 state.values.push_back(value_of(*value, *joint->second));
         }
@@ -208,11 +247,15 @@ void SrdfReader::add_states() {
 }
 
 void SrdfReader::read() {
+    for (const XmlElement* joint : XmlFile::children(file_.root(), "virtual_joint"))
+        if (const auto name = file_.optional_text(*joint, "name"))
+            virtual_joints_.insert(*name);
     add_disabled_pairs();
     add_enabled_pairs();
     add_default_pairs();
     add_groups();
     add_states();
+    add_warnings();
 }
 
 } // namespace
@@ -222,3 +265,14 @@ void read_srdf(const std::filesystem::path& file, RobotDescription& robot) {
 }
 
 } // namespace chasles::robot
+
+namespace chasles {
+
+Robot Robot::load(const std::filesystem::path& urdf, const RobotFiles& files) {
+    RobotDescription description = robot::read_urdf(urdf, files);
+    if (!files.srdf.empty())
+        robot::read_srdf(files.srdf, description);
+    return Robot(std::move(description));
+}
+
+} // namespace chasles

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <set>
 #include <tuple>
@@ -24,7 +25,7 @@ namespace chasles::robot {
 namespace {
 
 using Eigen::Vector3d;
-using Element = XmlFile::Element;
+using XmlElement = XmlFile::Element;
 
 class UrdfReader {
 public:
@@ -33,22 +34,22 @@ public:
     RobotDescription read();
 
 private:
-    [[nodiscard]] Vector3d vector(const Element& element, const char* attribute) const;
-    [[nodiscard]] Pose origin(const Element& element) const;
-    [[nodiscard]] LinkDescription link(const Element& element);
-    [[nodiscard]] CollisionDescription collision(const Element& element);
-    [[nodiscard]] Polyhedron mesh(const Element& element);
-    [[nodiscard]] CollisionDescription box(const Element& element, const Pose& place) const;
+    [[nodiscard]] Vector3d vector(const XmlElement& element, const char* attribute) const;
+    [[nodiscard]] Pose origin(const XmlElement& element) const;
+    [[nodiscard]] LinkDescription link(const XmlElement& element);
+    [[nodiscard]] CollisionDescription collision(const XmlElement& element);
+    [[nodiscard]] Polyhedron mesh(const XmlElement& element);
+    [[nodiscard]] CollisionDescription box(const XmlElement& element, const Pose& place) const;
     using RoundBody = std::tuple<std::string, double, double>; ///< kind, radius, length
-    [[nodiscard]] EnclosingPolyhedron round_body(const Element& element);
+    [[nodiscard]] EnclosingPolyhedron round_body(const XmlElement& element);
     [[nodiscard]] EnclosingPolyhedron made_round_body(const RoundBody& given) const;
-    [[nodiscard]] JointDescription joint(const Element& element);
-    void add_limits(const Element& element, JointDescription& joint) const;
-    [[nodiscard]] double limit(const Element& element, const char* attribute) const;
-    void mend_mimic(JointDescription& joint, const RobotDescription& robot) const;
+    [[nodiscard]] JointDescription joint(const XmlElement& element);
+    void add_limits(const XmlElement& element, JointDescription& joint);
+    [[nodiscard]] double limit(const XmlElement& element, const char* attribute) const;
+    void mend_mimic(JointDescription& joint, const RobotDescription& robot);
     void check_version() const;
-    [[nodiscard]] std::string name(const Element& element, std::set<std::string>& names) const;
-    [[nodiscard]] std::string link_named(const Element& joint, const char* child) const;
+    [[nodiscard]] std::string name(const XmlElement& element, std::set<std::string>& names) const;
+    [[nodiscard]] std::string link_named(const XmlElement& joint, const char* child) const;
     void check_one_root() const;
     void check_connected(const std::string& root) const;
 
@@ -57,19 +58,20 @@ private:
     XmlFile file_;
     const RobotFiles& files_;
     std::set<std::string> links_, joints_;
-    std::map<std::string, const Element*> joint_elements_; ///< by name
-    std::map<std::string, std::string> parents_;           ///< of each link that is the child of a joint
-    std::map<MeshKey, Polyhedron> meshes_;                 ///< by file and scale
+    std::map<std::string, const XmlElement*> joint_elements_; ///< by name
+    std::map<std::string, std::string> parents_;              ///< of each link that is the child of a joint
+    std::map<MeshKey, Polyhedron> meshes_;                    ///< by file and scale
     std::map<RoundBody, EnclosingPolyhedron> round_bodies_;
+    std::vector<std::string> warnings_;
 };
 
-Vector3d UrdfReader::vector(const Element& element, const char* attribute) const {
+Vector3d UrdfReader::vector(const XmlElement& element, const char* attribute) const {
     return Vector3d(file_.numbers(element, attribute, 3).data());
 }
 
 /// `rpy` turns about the fixed axes x, y and z in this order; version 1.1 allows a quaternion x y z w in its place.
-Pose UrdfReader::origin(const Element& element) const {
-    const Element* const origin = file_.child(element, "origin");
+Pose UrdfReader::origin(const XmlElement& element) const {
+    const XmlElement* const origin = file_.child(element, "origin");
     if (!origin)
         return {};
     const Vector3d place = origin->Attribute("xyz") ? vector(*origin, "xyz") : Vector3d(Vector3d::Zero());
@@ -91,26 +93,26 @@ Pose UrdfReader::origin(const Element& element) const {
     }
 }
 
-std::string UrdfReader::name(const Element& element, std::set<std::string>& names) const {
+std::string UrdfReader::name(const XmlElement& element, std::set<std::string>& names) const {
     std::string name = file_.text(element, "name");
     if (!names.insert(name).second)
         file_.fail(element, "there is another one of this name");
     return name;
 }
 
-LinkDescription UrdfReader::link(const Element& element) {
+LinkDescription UrdfReader::link(const XmlElement& element) {
     LinkDescription link{name(element, links_)};
-    for (const Element* collision_element : XmlFile::children(element, "collision"))
+    for (const XmlElement* collision_element : XmlFile::children(element, "collision"))
         link.collisions.push_back(collision(*collision_element));
     return link;
 }
 
-CollisionDescription UrdfReader::collision(const Element& element) {
-    const Element& geometry = file_.required_child(element, "geometry");
-    const Element* const shape = geometry.FirstChildElement();
+CollisionDescription UrdfReader::collision(const XmlElement& element) {
+    const XmlElement& geometry = file_.required_child(element, "geometry");
+    const XmlElement* const shape = geometry.FirstChildElement();
     if (!shape)
         file_.fail(geometry, "has no shape");
-    if (const Element* const second = shape->NextSiblingElement())
+    if (const XmlElement* const second = shape->NextSiblingElement())
         file_.fail(*second, "<geometry> has another shape already; write a second <collision>");
     const std::string_view kind = shape->Name();
     const Pose place = origin(element);
@@ -139,7 +141,7 @@ double with_extent(double size) {
     return size == 0 ? least_size : size;
 }
 
-CollisionDescription UrdfReader::box(const Element& element, const Pose& place) const {
+CollisionDescription UrdfReader::box(const XmlElement& element, const Pose& place) const {
     const Vector3d given = vector(element, "size");
     const Vector3d sides = given.unaryExpr(&with_extent);
     return {make_box(sides), place, 0.5 * (sides - given).norm()};
@@ -161,7 +163,7 @@ EnclosingPolyhedron UrdfReader::made_round_body(const RoundBody& given) const {
 }
 
 /// Equal bodies share their polyhedron.
-EnclosingPolyhedron UrdfReader::round_body(const Element& element) {
+EnclosingPolyhedron UrdfReader::round_body(const XmlElement& element) {
     const std::string kind = element.Name();
     const RoundBody body{kind, file_.number(element, "radius"), kind == "sphere" ? 0 : file_.number(element, "length")};
     if (const auto known = round_bodies_.find(body); known != round_bodies_.end())
@@ -170,7 +172,7 @@ EnclosingPolyhedron UrdfReader::round_body(const Element& element) {
 }
 
 /// A mirrored mesh has its faces the other way round.
-Polyhedron UrdfReader::mesh(const Element& element) {
+Polyhedron UrdfReader::mesh(const XmlElement& element) {
     const std::filesystem::path path = resolved(file_.text(element, "filename"), file_.path(), files_);
     const Vector3d scale = element.Attribute("scale") ? vector(element, "scale") : Vector3d(Vector3d::Ones());
     const MeshKey key{path, {scale.x(), scale.y(), scale.z()}};
@@ -188,8 +190,8 @@ Polyhedron UrdfReader::mesh(const Element& element) {
         .first->second;
 }
 
-std::string UrdfReader::link_named(const Element& joint, const char* child) const {
-    const Element& element = file_.required_child(joint, child);
+std::string UrdfReader::link_named(const XmlElement& joint, const char* child) const {
+    const XmlElement& element = file_.required_child(joint, child);
     std::string link = file_.text(element, "link");
     if (!links_.contains(link))
         file_.fail(joint, std::string(child) + ": there is no link " + io::in_quotes(link) +
@@ -197,7 +199,7 @@ std::string UrdfReader::link_named(const Element& joint, const char* child) cons
     return link;
 }
 
-JointDescription UrdfReader::joint(const Element& element) {
+JointDescription UrdfReader::joint(const XmlElement& element) {
     static const std::map<std::string, JointType> types{
         {"fixed", JointType::fixed},         {"revolute", JointType::revolute}, {"continuous", JointType::continuous},
         {"prismatic", JointType::prismatic}, {"planar", JointType::planar},     {"floating", JointType::floating}};
@@ -212,13 +214,13 @@ JointDescription UrdfReader::joint(const Element& element) {
     if (!parents_.emplace(joint.child, joint.parent).second)
         file_.fail(element, "child: another joint has the link " + io::in_quotes(joint.child) + " already");
     joint.origin = origin(element);
-    if (const Element* const axis = file_.child(element, "axis"))
+    if (const XmlElement* const axis = file_.child(element, "axis"))
         joint.axis = vector(*axis, "xyz");
     const bool has_axis = joint.type != JointType::fixed && joint.type != JointType::floating;
     if (has_axis && joint.axis.isZero(0))
         file_.fail(element, "axis: is zero");
     add_limits(element, joint);
-    const Element* const mimic = file_.child(element, "mimic");
+    const XmlElement* const mimic = file_.child(element, "mimic");
     if (mimic && joint.type != JointType::fixed)
         joint.mimic = MimicDescription{file_.text(*mimic, "joint"), file_.number(*mimic, "multiplier", 1),
                                        file_.number(*mimic, "offset", 0)};
@@ -226,7 +228,7 @@ JointDescription UrdfReader::joint(const Element& element) {
 }
 
 /// Limits that are left out are 0, as the format says. Some writers give infinite ones.
-double UrdfReader::limit(const Element& element, const char* attribute) const {
+double UrdfReader::limit(const XmlElement& element, const char* attribute) const {
     if (!element.Attribute(attribute))
         return 0;
     const std::string given = io::lower_case(file_.text(element, attribute));
@@ -235,27 +237,34 @@ double UrdfReader::limit(const Element& element, const char* attribute) const {
     return file_.number(element, attribute);
 }
 
-void UrdfReader::add_limits(const Element& element, JointDescription& joint) const {
+/// Limits in the wrong order are a way to say that there are none.
+void UrdfReader::add_limits(const XmlElement& element, JointDescription& joint) {
     if (joint.type != JointType::revolute && joint.type != JointType::prismatic)
         return;
-    const Element* const given = file_.child(element, "limit");
+    const XmlElement* const given = file_.child(element, "limit");
     if (!given)
         file_.fail(element, joint.type == JointType::revolute ? "has no <limit>; a joint without limits is continuous"
                                                               : "has no <limit>");
     joint.lower = limit(*given, "lower");
     joint.upper = limit(*given, "upper");
-    if (joint.lower > joint.upper)
-        file_.fail(element, "limit: the lower one, " + number_text(joint.lower) + ", is above the upper one, " +
-                                number_text(joint.upper));
+    if (joint.lower <= joint.upper)
+        return;
+    warnings_.push_back(file_.place_of(element) + "limit: the lower one, " + number_text(joint.lower) +
+                        ", is above the upper one, " + number_text(joint.upper) + ": the joint has no limits");
+    joint.lower = -std::numeric_limits<double>::infinity();
+    joint.upper = std::numeric_limits<double>::infinity();
 }
 
 /// A joint that has to follow one of an unknown name is free. `Robot` checks the rest too, but has no lines.
-void UrdfReader::mend_mimic(JointDescription& joint, const RobotDescription& robot) const {
-    if (joint.mimic && !joints_.contains(joint.mimic->joint))
+void UrdfReader::mend_mimic(JointDescription& joint, const RobotDescription& robot) {
+    const XmlElement& element = *joint_elements_.at(joint.name);
+    if (joint.mimic && !joints_.contains(joint.mimic->joint)) {
+        warnings_.push_back(file_.place_of(element) + "mimic: there is no joint " + io::in_quotes(joint.mimic->joint) +
+                            ": the joint follows none");
         joint.mimic.reset();
+    }
     if (!joint.mimic)
         return;
-    const Element& element = *joint_elements_.at(joint.name);
     if (joint.type == JointType::planar || joint.type == JointType::floating)
         file_.fail(element, "mimic: a joint with several variables cannot follow another one");
     std::set<std::string> chain{joint.name};
@@ -271,8 +280,8 @@ void UrdfReader::mend_mimic(JointDescription& joint, const RobotDescription& rob
 
 /// `Robot` checks this too, but has no lines.
 void UrdfReader::check_one_root() const {
-    const Element* root = nullptr;
-    for (const Element* link : XmlFile::children(file_.root(), "link")) {
+    const XmlElement* root = nullptr;
+    for (const XmlElement* link : XmlFile::children(file_.root(), "link")) {
         if (parents_.contains(file_.text(*link, "name")))
             continue;
         if (root)
@@ -288,7 +297,7 @@ void UrdfReader::check_one_root() const {
 /// Links that are not below the root are below themselves.
 void UrdfReader::check_connected(const std::string& root) const {
     std::set<std::string> connected{root};
-    for (const Element* element : XmlFile::children(file_.root(), "link")) {
+    for (const XmlElement* element : XmlFile::children(file_.root(), "link")) {
         std::set<std::string> way;
         std::string link = file_.text(*element, "name");
         for (; !connected.contains(link); link = parents_.at(link))
@@ -309,11 +318,11 @@ void UrdfReader::check_version() const {
 RobotDescription UrdfReader::read() {
     check_version();
     RobotDescription robot{file_.optional_text(file_.root(), "name").value_or(file_.path().stem().string())};
-    for (const Element* element : XmlFile::children(file_.root(), "link"))
+    for (const XmlElement* element : XmlFile::children(file_.root(), "link"))
         robot.links.push_back(link(*element));
     if (robot.links.empty())
         file_.fail(file_.root(), "has no link");
-    for (const Element* element : XmlFile::children(file_.root(), "joint")) {
+    for (const XmlElement* element : XmlFile::children(file_.root(), "joint")) {
         JointDescription made = joint(*element);
         made.name = name(*element, joints_);
         joint_elements_.emplace(made.name, element);
@@ -322,6 +331,7 @@ RobotDescription UrdfReader::read() {
     for (JointDescription& joint : robot.joints)
         mend_mimic(joint, robot);
     check_one_root();
+    robot.warnings = std::move(warnings_);
     try {
         (void)Robot(robot);
     } catch (const InvalidInput& error) {
@@ -337,14 +347,3 @@ RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& 
 }
 
 } // namespace chasles::robot
-
-namespace chasles {
-
-Robot Robot::load(const std::filesystem::path& urdf, const RobotFiles& files) {
-    RobotDescription description = robot::read_urdf(urdf, files);
-    if (!files.srdf.empty())
-        robot::read_srdf(files.srdf, description);
-    return Robot(std::move(description));
-}
-
-} // namespace chasles

@@ -74,11 +74,15 @@ void XmlFile::refuse_xacro(const Element& element) const {
         refuse_xacro(*child);
 }
 
-void XmlFile::fail(const Element& element, const std::string& why) const {
-    std::string message = place(path_, element.GetLineNum()) + ": <" + io::one_line(element.Name());
+std::string XmlFile::place_of(const Element& element) const {
+    std::string text = place(path_, element.GetLineNum()) + ": <" + io::one_line(element.Name());
     if (const char* const name = element.Attribute("name"))
-        message.append(" ").append(io::one_line(name));
-    throw XmlFault(message.append(">: ").append(why));
+        text.append(" ").append(io::one_line(name));
+    return text.append(">: ");
+}
+
+void XmlFile::fail(const Element& element, const std::string& why) const {
+    throw XmlFault(place_of(element) + why);
 }
 
 std::vector<const XmlFile::Element*> XmlFile::children(const Element& element, const char* name) {

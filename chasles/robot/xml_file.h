@@ -32,6 +32,8 @@ public:
 
     void copy_to(tinyxml2::XMLDocument& document) const { document_.DeepCopy(&document); }
 
+    /// "FILE:LINE: <ELEMENT NAME>: ", for messages.
+    [[nodiscard]] std::string place_of(const Element& element) const;
     /// Throws XmlFault "FILE:LINE: <ELEMENT NAME>: WHY".
     [[noreturn]] void fail(const Element& element, const std::string& why) const;
 

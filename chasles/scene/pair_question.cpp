@@ -38,19 +38,32 @@ WorldMotion rest_of(const WorldMotion& motion, double from) {
     return {std::move(rest), std::move(frame), false};
 }
 
-/// The frames are those that the bodies hold; `relative` would make them anew for each pair.
-FirstContact first_contact_of(const Mover& moving, const Mover& fixed, const QueryOptions& options, double until) {
-    const auto ask_along = [&](const motion::AnyTrajectory& trajectory) {
-        return query::answer({moving.shape.body(), fixed.shape.body(), trajectory, options, until});
-    };
-    const Motion& a = moving.motion.motion;
-    const Motion& b = fixed.motion.motion;
+namespace {
+
+/// Calls ask(trajectory) for the motion as seen from the fixed body. The frames are those that the bodies hold;
+/// `relative` would make them anew for each pair.
+template <class Ask>
+auto ask_along(const WorldMotion& moving, const WorldMotion& fixed, const Ask& ask) {
+    const Motion& a = moving.motion;
+    const Motion& b = fixed.motion;
     if (a.trajectory().straight_ends() && b.trajectory().straight_ends())
-        return ask_along(relative(a, b).trajectory());
-    const motion::SharedFrame& of_moving = moving.motion.frame;
-    const motion::SharedFrame& of_fixed = fixed.motion.frame;
-    return ask_along(motion::ErasedTrajectory(
-        motion::SmoothTrajectory({motion::relative_frame(of_moving, of_fixed), of_moving, of_fixed})));
+        return ask(relative(a, b).trajectory());
+    return ask(motion::ErasedTrajectory(
+        motion::SmoothTrajectory({motion::relative_frame(moving.frame, fixed.frame), moving.frame, fixed.frame})));
+}
+
+} // namespace
+
+FirstContact first_contact_of(const Mover& moving, const Mover& fixed, const QueryOptions& options, double until) {
+    return ask_along(moving.motion, fixed.motion, [&](const motion::AnyTrajectory& trajectory) {
+        return query::answer({moving.shape.body(), fixed.shape.body(), trajectory, options, until});
+    });
+}
+
+LeastDistance least_distance_of(const Mover& moving, const Mover& fixed, const LeastDistanceOptions& options) {
+    return ask_along(moving.motion, fixed.motion, [&](const motion::AnyTrajectory& trajectory) {
+        return query::answer(query::LeastPairQuery{moving.shape.body(), fixed.shape.body(), trajectory, options});
+    });
 }
 
 } // namespace chasles::scene

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/motion/moving_frame.h"
+#include "chasles/query/least_distance.h"
 #include "chasles/scene/scene.h"
 
 #include <cstddef>
@@ -37,6 +38,8 @@ struct Mover {
 
 /// The first contact of two bodies, with options that have been checked. Contacts after `until` need not be found.
 FirstContact first_contact_of(const Mover& moving, const Mover& fixed, const QueryOptions& options, double until);
+/// The least distance of two bodies, with options that have been checked.
+LeastDistance least_distance_of(const Mover& moving, const Mover& fixed, const LeastDistanceOptions& options);
 
 /// Throws InvalidInput "scene: NAME: WHY".
 [[noreturn]] void refuse(std::string_view name, std::string_view why);

@@ -41,11 +41,14 @@ IndexPair in_their_roles(const Scene& scene, const IndexPair& pair) {
 std::vector<PairTask> near_pairs(const Scene& scene, const SceneQuery& query, const std::vector<SweptBody>& bodies,
                                  const BoxTree& tree) {
     const std::vector<IndexPair> pairs = tree.overlapping_pairs(query.threads);
+    const auto never_move = [&](std::size_t a, std::size_t b) { return scene.rests(a) && scene.rests(b); };
     constexpr std::size_t chunk = 1024;
     return joined_chunks<PairTask>(
         query.threads, pairs.size(), chunk, [&](std::size_t begin, std::size_t end, std::vector<PairTask>& tasks) {
             for (std::size_t i = begin; i < end; ++i) {
                 const auto [a, b] = pairs[i];
+                if (query.until > 0 && never_move(a, b))
+                    continue;
                 const double margin = scene.margin_of(a, b, query.options.margin);
                 const double share = earliest_meeting(bodies[a].ball, bodies[b].ball, margin);
                 if (share <= 1 && !scene.is_ignored(a, b))

@@ -13,7 +13,7 @@ struct PairTask {
     IndexPair pair;      ///< the moving and the fixed body
 };
 
-/// Sorted by `earliest`, then by names. Pairs that are not listed are clear, or ignored.
+/// Sorted by `earliest`, then by names. Pairs that are not listed are clear or not tested.
 std::vector<PairTask> pair_tasks(const Scene& scene, const SceneQuery& query);
 
 /// The same in parts. What each body sweeps; the boxes are wide enough for the margin.

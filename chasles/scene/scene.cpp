@@ -35,7 +35,9 @@ std::size_t Scene::add(SceneBody body) {
         refuse(body.name, "is in the scene already");
     grow(bodies_);
     grow(placed_);
-    placed_.push_back({std::make_shared<scene::WorldMotion>(scene::world_motion(body.motion, body.name)), next_id_});
+    scene::WorldMotion motion = scene::world_motion(body.motion, body.name);
+    const bool rests = motion.rests;
+    placed_.push_back({std::make_shared<scene::WorldMotion>(std::move(motion)), next_id_, rests});
     ++next_id_;
     by_name_.emplace(body.name, bodies_.size());
     bodies_.push_back(std::move(body));
@@ -47,6 +49,7 @@ void Scene::remove(std::string_view name) {
     const std::uint32_t id = placed_[index].id;
     const auto has_body = [&](const Ids& pair) { return pair.first == id || pair.second == id; };
     std::erase_if(ignored_, has_body);
+    std::erase_if(touching_, has_body);
     for (Rules* rules : {&margins_, &holds_})
         std::erase_if(rules->of_pairs, [&](const auto& entry) { return has_body(entry.first); });
     by_name_.erase(by_name_.find(name));
@@ -62,6 +65,7 @@ void Scene::remove(std::string_view name) {
 void Scene::move(std::size_t index, const Motion& motion) {
     scene::require_body(*this, index);
     placed_[index].motion = std::make_shared<scene::WorldMotion>(scene::world_motion(motion, bodies_[index].name));
+    placed_[index].rests = placed_[index].motion->rests;
     bodies_[index].motion = motion;
 }
 

@@ -4,6 +4,7 @@
 
 #include "chasles/algebra/bracket.h"
 #include "chasles/query/first_contact.h"
+#include "chasles/scene/untested_pairs.h"
 
 #include <cstdint>
 #include <functional>
@@ -37,7 +38,9 @@ struct SceneQuery {
     /// `find`: Find::any makes it a question of yes or no. The margin is that of all pairs that have none of their own.
     /// Likewise `hold`, which counts for pairs with a greater margin only.
     QueryOptions options = {};
-    double until = 1;     ///< time in [0, 1]: contacts that begin later are left out
+    /// Time in [0, 1]: contacts that begin later are left out. Two bodies that both stand still are tested only with 0,
+    /// which makes it a question about the start.
+    double until = 1;
     unsigned threads = 0; ///< at most so many; 0: all cores
     /// Called now and then, from any one thread at a time, with the number of pairs done and of all pairs; may be
     /// empty. Where it returns false, the question ends with SceneCancelled.
@@ -67,6 +70,7 @@ struct [[nodiscard]] SceneAnswer {
     /// apart than `hold`, or than at the start where that is less.
     double clear_until = 0;
     std::size_t pairs = 0; ///< whose swept boxes overlap
+    UntestedPairs untested;
     Work work;
 };
 
@@ -89,6 +93,12 @@ public:
     void ignore(std::string_view a, std::string_view b);
     /// No body of the one group is tested against one of the other; the same group twice: within the group.
     void ignore_groups(const std::string& a, const std::string& b);
+    /// Ignores the pairs that touch, overlap or are within their margin at time 0, as the parts of a mounted assembly
+    /// do, whether they move or not. Returns these pairs in the order of their names. Throws InvalidInput for a margin
+    /// that is not in [0, 1e30].
+    std::vector<std::pair<std::string, std::string>> ignore_touching_at_start(double margin = 0);
+    /// What a question leaves out.
+    [[nodiscard]] UntestedPairs untested(const SceneQuery& query = {}) const;
 
     /// The margin of two bodies in all questions, in the place of that of the question. Throws InvalidInput for an
     /// unknown name, for one name twice, and for a margin that is not in [0, 1e30].
@@ -112,6 +122,7 @@ public:
 
     /// For the library's own use: how a body moves in the world.
     [[nodiscard]] const scene::WorldMotion& motion_of(std::size_t index) const { return *placed_[index].motion; }
+    [[nodiscard]] bool rests(std::size_t index) const { return placed_[index].rests; }
     [[nodiscard]] bool is_ignored(std::size_t a, std::size_t b) const;
     /// The margin of two bodies, and the least and the largest one of all pairs, where that of the question is given.
     [[nodiscard]] double margin_of(std::size_t a, std::size_t b, double of_question) const;
@@ -125,7 +136,9 @@ private:
     struct Placed {
         std::shared_ptr<const scene::WorldMotion> motion;
         std::uint32_t id = 0; ///< bodies are counted as they are added
+        bool rests = false;
     };
+    class UntestedCount;
 
     /// A number for some pairs and for some groups.
     struct Rules {
@@ -142,6 +155,7 @@ private:
     std::uint32_t next_id_ = 0;
     std::map<std::string, std::size_t, std::less<>> by_name_;
     std::set<Ids> ignored_;
+    std::set<Ids> touching_; ///< those of `ignored_` that touched at the start
     std::set<Groups> ignored_groups_;
     Rules margins_;
     Rules holds_;

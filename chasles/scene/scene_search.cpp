@@ -199,13 +199,17 @@ SceneAnswer SceneSearch::all() {
 SceneAnswer Scene::first_contact(const SceneQuery& query) const {
     check(*this, query);
     SceneSearch search(*this, query);
-    return query.options.find == Find::any ? search.any() : search.earliest();
+    SceneAnswer answer = query.options.find == Find::any ? search.any() : search.earliest();
+    answer.untested = untested(query);
+    return answer;
 }
 
 SceneAnswer Scene::all_contacts(const SceneQuery& query) const {
     check(*this, query);
     query::require(query.options.find != Find::any, "find", "is a question of yes or no");
-    return SceneSearch(*this, query).all();
+    SceneAnswer answer = SceneSearch(*this, query).all();
+    answer.untested = untested(query);
+    return answer;
 }
 
 std::vector<double> Scene::clear_until(const SceneQuery& query) const {

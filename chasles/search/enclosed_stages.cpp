@@ -16,9 +16,13 @@ constexpr double shortest_part = 0x1p-44;
 /// A part in which features may touch for long is refined by its first eighth.
 constexpr double first_share = 0.125;
 /// Ordinary refinements take six steps, grazing ones some sixty, and those of motions with a bound of speed only some
-/// hundreds. Features that stay near each other, such as flush sides, would take thousands; they end as not certain.
+/// hundreds. Features that touch for long, such as flush sides, end as not certain.
 constexpr int most_refinements = 800;
 constexpr int most_refinements_of_speeds = 4000; // of motions that are known in double only
+/// Features that stay 1e-9 of their size apart need some thousand parts (note 34). So each part that is longer than
+/// this and holds no contact allows for more refinements, while the search has some to spare.
+constexpr double long_part = 0x1p-17;
+constexpr int refinements_for_a_long_part = 4;
 
 /// How a search over a part looks for brackets of this width in the part.
 template <class S>
@@ -61,7 +65,7 @@ void EnclosedStages<within_margin>::PartTests<S>::use(const culling::TimeRange& 
 }
 
 /// Ends of brackets are rounded outward. A contact is proven only where no point of the moving body goes far (note 24,
-/// "Features").
+/// "Features"). A direction separates slivers that the test of the features does not separate (note 34).
 template <bool within_margin>
 template <class S>
 std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::first(const FeaturePair& features) {
@@ -74,6 +78,8 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::fir
     } else {
         found = tests_.touch(features);
     }
+    if (found && !found->certain && tests_.are_apart(features))
+        return std::nullopt;
     constexpr double rounding = 0x1p-51;
     if (found)
         found = FeasibleInterval{std::max(part_.lower, part_.at(found->lower) * (1 - rounding)),
@@ -85,9 +91,10 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::fir
 template <bool within_margin>
 template <class S>
 WithinAtStart::Answer EnclosedStages<within_margin>::PartTests<S>::within_at_start(const FeaturePair& features) {
+    using enum WithinAtStart::Answer;
     WithinAtStart collect; // NOLINT(misc-const-correctness): changed through the generic lambda
     tests_.distance(features, [&](const auto& problem) { collect(problem); });
-    return collect.answer();
+    return collect.answer() == uncertain && tests_.are_apart(features) ? no : collect.answer();
 }
 
 template <bool within_margin>
@@ -171,7 +178,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
                                                                       const SearchState& state) {
     constexpr double never = 2;
     const double shortest = std::min(shortest_part, 0.5 * options_.tolerance);
-    const int most_steps = context_.piece().is_refined() ? most_refinements : most_refinements_of_speeds;
+    int most_steps = context_.piece().is_refined() ? most_refinements : most_refinements_of_speeds;
     double proven_upper = where.certain ? where.upper : never;
     later_.clear();
     culling::TimeRange part{where.lower, where.upper};
@@ -181,6 +188,10 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
         if (!found) {
             if (later_.empty())
                 return std::nullopt;
+            if (part.width() > long_part && spare_refinements_ > 0) {
+                most_steps += refinements_for_a_long_part;
+                spare_refinements_ -= refinements_for_a_long_part;
+            }
             part = later_.back();
             later_.pop_back();
             continue;

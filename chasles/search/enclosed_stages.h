@@ -98,6 +98,7 @@ private:
     Candidates candidates_;
     bool is_at_start_ = false;
     bool is_settling_ = false;
+    int spare_refinements_ = 1 << 19;       ///< for features that stay near each other
     std::vector<culling::TimeRange> later_; ///< parts that wait for their refinement, the earliest last
     Work work_;
 };

@@ -1,9 +1,10 @@
 // The elementary tests between features named by their ids, in any scalar: when they touch, and when they come within a
-// distance. Source: docs/derivations/03-vertex-face.md, 04-edge-edge.md and 16-margin.md.
+// distance. Source: docs/derivations/03-vertex-face.md, 04-edge-edge.md, 16-margin.md and 34-slivers.md.
 #pragma once
 
 #include "chasles/contact/feature_pair.h"
 #include "chasles/culling/cached_face.h"
+#include "chasles/elementary/direction_tests.h"
 #include "chasles/elementary/distance_tests.h"
 #include "chasles/elementary/edge_through_face.h"
 
@@ -81,6 +82,24 @@ public:
             return vertex_vertex_distance<S>({moving_path(features.moving), maps_->weight},
                                              point_of<S>(fixed_, features.fixed.first), margin_, accuracy_, workspace_,
                                              visit);
+        }
+    }
+
+    /// Whether a direction proves that the features stay farther apart than the margin. False proves nothing, and is
+    /// the answer for the kinds whose distance tests begin with such a proof.
+    bool are_apart(const FeaturePair& features) {
+        switch (features.kind) {
+        case ContactKind::vertex_face:
+            return elementary::are_apart<S>({moving_path(features.moving), maps_->weight}, fixed_face(features.fixed),
+                                            margin_.distance, accuracy_);
+        case ContactKind::face_vertex:
+            return elementary::are_apart<S>({fixed_path(features.fixed), maps_->weight}, moving_face(features.moving),
+                                            margin_.distance, accuracy_);
+        case ContactKind::edge_edge:
+            return elementary::are_apart<S>({*maps_, moving_edge(features.moving), fixed_edge(features.fixed)},
+                                            margin_.distance, accuracy_);
+        default:
+            return false;
         }
     }
 

@@ -112,6 +112,9 @@ public:
             return;
         if (finds_overlaps && overlaps_.collect(filter_, faces))
             return;
+        if (search_.finds_crossing_faces && moving.some_on_each_side() && fixed.some_on_each_side() &&
+            overlaps_.collect_crossing(faces))
+            return;
         const auto visit = [&](const contact::FeaturePair& features) { add(features); };
         if (scene_.margin > 0)
             for_each_owned_pair<true>(context_.moving(), context_.fixed(), faces, moving, fixed, visit);

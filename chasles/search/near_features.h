@@ -27,6 +27,7 @@ struct NearSearch {
     std::uint64_t most_visits = 1 << 16; ///< pairs of nodes to visit at one distance
     int refinements = 0;                 ///< of the distance within which a list that is cut is complete
     bool finds_overlaps = false;         ///< also edges that pass through faces; only at tau = 0
+    bool finds_crossing_faces = false;   ///< also faces that are proven to pass through each other; only at tau = 0
     NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
                                          ///< a margin and for motions that rest
     const PartPairs* pairs =

@@ -1,7 +1,9 @@
-// The edges that pass through faces at the start, collected while a search goes on and decided when it ends.
-// Source: docs/derivations/05-being-inside.md, last section.
+// The edges that pass through faces at the start, collected while a search goes on and decided when it ends. An edge
+// may pass through a face at its rim, where a face of the edge passes through the inside. Source:
+// docs/derivations/05-being-inside.md, last section.
 #pragma once
 
+#include "chasles/contact/relative_configuration.h"
 #include "chasles/search/exact_stage.h"
 #include "chasles/search/find.h"
 #include "chasles/search/overlaps.h"
@@ -21,6 +23,9 @@ public:
 
     /// Refines what the filter finds between two faces. True if a certain overlap is known.
     bool collect(FeatureTests<double>& filter, const TwoFaces& faces);
+    /// Whether two faces are proven to pass through each other, in double. Bodies of one height may have no edge that passes
+    /// through the inside of a face (docs/derivations/05-being-inside.md, "A face through a face at the start").
+    bool collect_crossing(const TwoFaces& faces);
     /// Decides the uncertain overlaps in exact arithmetic, until one is certain. True if there is an overlap.
     ///
     /// Without exact maps, an uncertain overlap stays in the answer. No other test finds an edge that passes through
@@ -32,10 +37,14 @@ public:
 
 private:
     void refine(const Overlap& overlap);
+    /// An edge around a face of one body that passes through a face of the other one, also at its rim.
+    std::optional<Overlap> passing_edge(bool edge_is_moving, const TwoFaces& faces);
+    FeatureTests<algebra::DoubleDouble>& refinement();
 
     PieceContext& context_;
     const elementary::ErrorScale& scale_;
     std::unique_ptr<FeatureTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
+    std::optional<contact::RelativeConfiguration> start_;             ///< made on the first use
     std::optional<Overlap> found_;
     std::vector<Overlap> uncertain_;
     Work work_;

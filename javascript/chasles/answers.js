@@ -86,7 +86,7 @@ function work(reader) {
 
 function motion(reader) {
   const kind = motionKinds[reader.number()];
-  const shown = { angle: reader.number(), slide: reader.number(), axis_point: reader.point(), axis_direction: reader.point() };
+  const shown = { kind, angle: reader.number(), slide: reader.number(), axis_point: reader.point(), axis_direction: reader.point() };
   const displacement = reader.point();
   if (kind === "velocity") shown.displacement = displacement;
   return { hasTau: kind === "screw" || kind === "sweep", shown };

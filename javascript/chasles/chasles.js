@@ -3,25 +3,27 @@ import { firstContact, leastDistance, pathContact } from "./answers.js";
 import { Border } from "./border.js";
 import { InvalidInput } from "./errors.js";
 import { Held } from "./held.js";
-import {
-  addMotion, addPoses, addQuery, addRule, checkBatch, checkOptions, find, fixedOptions, motionOptions, number, queryOptions,
-} from "./numbers.js";
-import { fromArrays, fromBufferGeometry, fromFile, Polyhedron } from "./polyhedron.js";
+import { fromBufferGeometry, fromObject3D } from "./geometry.js";
+import { addMotion, addQuery, addRule, checkBatch, contactOptions, find, fixedOptions, motionOptions, queryOptions } from "./numbers.js";
+import { fromArrays, fromFile, Polyhedron } from "./polyhedron.js";
+import { addPoses } from "./poses.js";
 import { DraggedBody, Scene } from "./scene.js";
+import { checkOptions, number } from "./values.js";
 import { Workers } from "./workers.js";
-
-const allOptions = [...queryOptions, ...motionOptions, ...fixedOptions];
 
 /** What `load` returns. */
 export class Chasles {
   #border;
+  #newWorker;
 
-  constructor(border) {
+  constructor(border, newWorker) {
     this.#border = border;
+    this.#newWorker = newWorker;
   }
 
-  static async of(module) {
-    return new Chasles(await Border.open(module));
+  /** `newWorker` makes the workers of a build. */
+  static async of(module, newWorker) {
+    return new Chasles(await Border.open(module), newWorker);
   }
 
   polyhedron(vertices, faces, options = {}) {
@@ -33,6 +35,10 @@ export class Chasles {
   fromBufferGeometry(geometry, options = {}) {
     return fromBufferGeometry(this.#border, geometry, options);
   }
+  /** A body of a Mesh of three.js as it is drawn, with scale, shear and mirroring in it, and where it is: `{ body, pose }`. */
+  fromObject3D(mesh, options = {}) {
+    return fromObject3D(this.#border, mesh, options);
+  }
   scene() {
     return new Scene(this.#border);
   }
@@ -41,7 +47,7 @@ export class Chasles {
   }
 
   firstContact(moving, fixed, start, goal, options = {}) {
-    checkOptions(options, allOptions);
+    checkOptions(options, contactOptions);
     const asked = addQuery(this.#bodies(moving, fixed), options);
     this.#border.giveNumbers(addMotion(asked, start, goal, options));
     return firstContact(this.#border.read("first_contact"));
@@ -49,7 +55,7 @@ export class Chasles {
 
   /** True if it is proven that no contact occurs on the whole motion. */
   isClear(moving, fixed, start, goal, options = {}) {
-    checkOptions(options, allOptions.filter((key) => key !== "find"));
+    checkOptions(options, contactOptions.filter((key) => key !== "find"));
     return this.firstContact(moving, fixed, start, goal, { ...options, find: "any" }).verdict === "clear";
   }
 
@@ -90,7 +96,7 @@ export class Chasles {
 
   /** Workers with an instance each, for batches. */
   workers(options = {}) {
-    return Workers.start(this.#border.module, options);
+    return Workers.start(this.#border, this.#newWorker, options);
   }
 
   /** How many objects are not freed. */

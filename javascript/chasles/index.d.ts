@@ -6,15 +6,31 @@ export type Numbers = readonly number[] | Float64Array | Float32Array;
 
 /**
  * A pose: 3 numbers x y z, 7 numbers x y z qw qx qy qz (a quaternion of any non-zero length), or 16 numbers (a 4x4 matrix,
- * row by row). Objects of three.js are poses, too: a Matrix4, and an Object3D.
+ * row by row). Objects of three.js are poses, too. A Matrix4 stores its elements column by column, and is taken as that. An
+ * Object3D is where it is in the world, with its parents; an object with a scale, a shear or a mirroring in the world is
+ * refused: `fromObject3D` makes a body with that in it, and its pose.
  */
-export type Pose =
-  | Numbers
-  | { readonly elements: Numbers }
-  | {
-      readonly position: { readonly x: number; readonly y: number; readonly z: number };
-      readonly quaternion: { readonly x: number; readonly y: number; readonly z: number; readonly w: number };
-    };
+export type Pose = Numbers | MatrixLike | ObjectLike;
+
+/** What a Matrix4 of three.js has, and this package needs: 16 numbers, column by column. */
+export interface MatrixLike {
+  readonly elements: Numbers;
+}
+
+export interface PointLike {
+  readonly x: number;
+  readonly y: number;
+  readonly z: number;
+}
+
+/** What an Object3D of three.js has, and this package needs. Without `matrixWorld`, position and quaternion are the pose. */
+export interface ObjectLike {
+  readonly position: PointLike;
+  readonly quaternion: PointLike & { readonly w: number };
+  readonly scale?: PointLike;
+  readonly matrixWorld?: MatrixLike;
+  updateWorldMatrix?(updateParents: boolean, updateChildren: boolean): void;
+}
 
 /** An array of numbers that says nothing else: x y z qw qx qy qz, with a quaternion of length one. */
 export type PoseNumbers = [number, number, number, number, number, number, number];
@@ -59,6 +75,7 @@ export interface Work {
 
 /** Numbers of a motion: the turn in radians, and slide and axis of the screw between the end poses. */
 export interface MotionNumbers {
+  kind: "screw" | "sweep" | "velocity" | "twist";
   angle: number;
   slide: number;
   axis_point: Point;
@@ -67,7 +84,7 @@ export interface MotionNumbers {
 }
 
 /** The keys that an answer with a contact has, and an answer without one lacks. */
-interface ContactParts {
+export interface ContactParts {
   /** The bracket of the first contact, in [0, 1]. */
   time: number;
   time_upper: number;
@@ -76,7 +93,7 @@ interface ContactParts {
   tau_upper?: number;
   /** True if a contact is proven to be in the bracket. */
   certain: boolean;
-  /** Of the moving body in the world, at `time`; likewise of the fixed body. */
+  /** The moving body in the world, and the fixed body, at `time`. */
   pose: PoseNumbers;
   fixed_pose: PoseNumbers;
   contacts: Contact[];
@@ -84,7 +101,7 @@ interface ContactParts {
   overlap?: Overlap;
 }
 
-interface ClearAnswer {
+export interface ClearAnswer {
   verdict: "clear";
   /** With `hold`: the contacts at time 0. */
   held?: Contact[];
@@ -92,7 +109,7 @@ interface ClearAnswer {
   motion: MotionNumbers;
   work: Work;
 }
-interface ContactAnswer extends ContactParts {
+export interface ContactAnswer extends ContactParts {
   verdict: "contact" | "contact_at_start";
   held?: Contact[];
   /** Before this time the bodies are proven to stay apart, or farther apart than the margin. */
@@ -144,7 +161,7 @@ export type FirstContactOptions = QueryOptions & MotionOptions & FixedOptions;
 export type LeastDistanceOptions = { tolerance?: number; timeTolerance?: number; find?: Find } & MotionOptions & FixedOptions;
 
 /** An object that holds memory of the instance, until it is freed or nothing refers to it any more. */
-declare abstract class Held {
+export interface Held {
   free(): void;
   [Symbol.dispose](): void;
 }
@@ -165,8 +182,9 @@ export interface MeshReport {
   upper: Point;
 }
 
+export interface Polyhedron extends Held {}
 /** A polyhedral surface. It never changes; scenes and hands that use it keep it. */
-export declare class Polyhedron extends Held {
+export declare class Polyhedron {
   private constructor();
   readonly report: MeshReport;
   /** x y z of each vertex. */
@@ -198,10 +216,13 @@ export interface BodyMotion {
 }
 
 export interface SceneOptions {
+  /** Distance of the surfaces that counts as contact, mesh unit; pairs may have their own (`setMargin`). */
   margin?: number;
+  /** Less than the margin: bodies that start within it may move on until they come within this distance. */
+  hold?: number;
   timeTolerance?: number;
   find?: Find;
-  /** Contacts that begin later are left out. */
+  /** Contacts that begin later are left out. Two bodies that both stand still are tested with 0 only, a question about the start. */
   until?: number;
 }
 
@@ -210,6 +231,8 @@ export type SceneContact =
   | { verdict: "clear"; clear_until: number; work: Work }
   | (ContactParts & {
       verdict: "contact" | "contact_at_start";
+      /** With `hold`: the contacts of the pair at time 0. */
+      held?: Contact[];
       clear_until: number;
       /** Names of the moving and the fixed body. */
       pair: [string, string];
@@ -223,8 +246,9 @@ export interface SceneEvents {
   work: Work;
 }
 
+export interface Scene extends Held {}
 /** Many bodies in one world over the time [0, 1]. */
-export declare class Scene extends Held {
+export declare class Scene {
   private constructor();
   readonly names: string[];
   add(name: string, shape: Polyhedron, options?: BodyMotion & { group?: string }): string;
@@ -306,11 +330,12 @@ export interface DragStep {
   work: Work;
 }
 
+export interface DraggedBody extends Held {}
 /** A body of a scene in a hand: it stops at contacts, slides along them and lifts off, and never goes through. */
-export declare class DraggedBody extends Held {
+export declare class DraggedBody {
   private constructor();
   readonly name: string;
-  readonly pose: number[];
+  readonly pose: PoseNumbers;
   readonly margin: number;
   readonly reach: number;
   /** Goes towards the goal. No round begins after so many seconds, and each goes less far where its search gets long; 0: no bound. */
@@ -319,19 +344,47 @@ export declare class DraggedBody extends Held {
   force(goal: Pose): Wrench;
 }
 
-/** What a BufferGeometry of three.js has, and this package needs. */
+/** What a BufferGeometry of three.js has, and this package needs. Draw range and index are followed. */
 export interface GeometryLike {
   readonly attributes: {
     readonly position?: { readonly count: number; getX(i: number): number; getY(i: number): number; getZ(i: number): number };
   };
   readonly index?: { readonly count: number; getX(i: number): number } | null;
+  readonly drawRange?: { readonly start: number; readonly count: number };
+  readonly groups?: readonly { readonly start: number; readonly count: number; readonly materialIndex?: number }[];
 }
 
-/** Workers with an instance each. */
-export declare class Workers {
-  private constructor();
+/** What a Mesh of three.js has, and this package needs. */
+export interface MeshLike extends ObjectLike {
+  readonly isMesh: true;
+  readonly geometry: GeometryLike;
+  readonly material: unknown;
+  readonly matrixWorld: MatrixLike;
+}
+
+/** A body of a Mesh. */
+export interface MeshBody {
+  readonly body: Polyhedron;
+  /**
+   * Where the object is in the world, whenever this is read. The object may move and turn. It must keep the scale, shear and
+   * mirroring that are in the body.
+   */
+  readonly pose: PoseNumbers;
+}
+
+/** What a factory of workers makes: a Web Worker, or a Worker of node:worker_threads. It runs `chasles/worker`. */
+export interface WorkerLike {
+  postMessage(message: any): void;
+  terminate(): unknown;
+}
+
+/** Workers with an instance each. In Node.js they keep the process alive only while they work. */
+export interface Workers {
   readonly count: number;
-  /** The answers of Chasles.firstContactBatch. */
+  /**
+   * The answers of Chasles.firstContactBatch. A body goes to each worker once, and is freed there when it is freed here; a batch
+   * keeps its bodies until it ends.
+   */
   firstContactBatch(
     moving: Polyhedron, fixed: Polyhedron, starts: readonly Pose[], goals: readonly Pose[], options?: FirstContactOptions,
   ): Promise<FirstContact[]>;
@@ -352,6 +405,11 @@ export declare class Chasles {
   fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: { triangulate?: boolean }): Polyhedron;
   /** A body of a geometry of three.js. Vertices at equal places count as one. */
   fromBufferGeometry(geometry: GeometryLike, options?: { triangulate?: boolean }): Polyhedron;
+  /**
+   * A body of a Mesh of three.js as it is drawn in the world, and its pose: scale, shear and mirroring are in the body, and so are
+   * morph targets and bones as they are now. Of a mesh with a list of materials, the triangles of its groups are taken.
+   */
+  fromObject3D(mesh: MeshLike, options?: { triangulate?: boolean }): MeshBody;
   scene(): Scene;
   draggedBody(scene: Scene, name: string, options?: DragOptions): DraggedBody;
 
@@ -372,7 +430,7 @@ export declare class Chasles {
     moving: Polyhedron, fixed: Polyhedron, starts: readonly Pose[], goals: readonly Pose[], options?: FirstContactOptions,
   ): FirstContact[];
   /** Workers for batches; `worker` makes one of them where the package's own script cannot be found. */
-  workers(options?: { count?: number; worker?: () => Worker }): Promise<Workers>;
+  workers(options?: { count?: number; worker?: () => WorkerLike | Promise<WorkerLike> }): Promise<Workers>;
   /** How many objects are not freed. */
   readonly held: { polyhedra: number; scenes: number; draggedBodies: number };
 }
@@ -382,7 +440,10 @@ export declare class InvalidInput extends Error {}
 /** The instance stopped within a call, and answers no more; load() makes a new one. */
 export declare class InstanceStopped extends Error {}
 
-/** Makes an instance. `wasm` stands for chasles.wasm if that lies elsewhere: a URL, a Response, bytes, or a module. */
-export declare function load(options?: {
-  wasm?: string | URL | Response | ArrayBuffer | Uint8Array | WebAssembly.Module | Promise<Response>;
-}): Promise<Chasles>;
+export type WasmSource = string | URL | Response | ArrayBuffer | Uint8Array | WebAssembly.Module;
+
+/**
+ * Makes an instance. `wasm` stands for chasles.wasm if that lies elsewhere: a URL, a Response, bytes, or a module. In Node.js a
+ * path alone is no URL.
+ */
+export declare function load(options?: { wasm?: WasmSource | Promise<WasmSource> }): Promise<Chasles>;

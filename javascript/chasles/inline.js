@@ -2,6 +2,8 @@
 import { Chasles } from "./chasles.js";
 import { base64 } from "./chasles.wasm.js";
 import { compiled } from "./module.js";
+import { fromText } from "./text_worker.js";
+import { checkOptions } from "./values.js";
 
 export { Chasles };
 export { InstanceStopped, InvalidInput } from "./errors.js";
@@ -18,6 +20,8 @@ function unpacked() {
 }
 
 /** Makes an instance of the library. `wasm` stands for the module in the script. */
-export async function load({ wasm } = {}) {
-  return Chasles.of(await compiled(wasm ?? unpacked()));
+export async function load(options = {}) {
+  checkOptions(options, ["wasm"]);
+  const { wasm = unpacked() } = options;
+  return Chasles.of(await compiled(wasm), fromText);
 }

@@ -1,24 +1,76 @@
-// The WebAssembly module of whatever `load` is given.
+// The WebAssembly module of whatever `load` is given. A refusal says where the module was looked for, and the way out.
+import { InvalidInput } from "./errors.js";
 
-const isFile = (url) => url instanceof URL && url.protocol === "file:";
+const isNode = Boolean(globalThis.process?.versions?.node);
+const schemesOfNode = ["http:", "https:", "file:", "data:", "blob:"];
+const wayOut = isNode
+  ? "give the bytes of chasles.wasm, or pathToFileURL(path) of node:url"
+  : 'import "chasles/inline", which fetches nothing, or give load({ wasm: url }) the address of chasles.wasm';
+
+function refuse(what) {
+  throw new InvalidInput(`wasm: ${what}: ${wayOut}`);
+}
 
 async function bytesOfFile(url) {
   const name = "node:fs/promises"; // a name that bundlers for browsers do not follow
   const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ name);
-  return readFile(url);
+  return readFile(url).catch((error) => refuse(`${url.href} cannot be read (${error.message})`));
+}
+
+/** An address; a path alone is one in a browser, where it counts from the page. */
+function addressOf(given) {
+  const base = isNode ? undefined : (globalThis.document?.baseURI ?? globalThis.location?.href);
+  let url;
+  try {
+    url = new URL(given, base?.startsWith("blob:") ? undefined : base);
+  } catch {
+    return refuse(`"${given}" is no URL`);
+  }
+  return isNode && !schemesOfNode.includes(url.protocol) ? refuse(`"${given}" is no URL that can be fetched`) : url;
+}
+
+const isModule = (bytes) => [0, 97, 115, 109].every((byte, i) => bytes[i] === byte); // "\0asm"
+
+function compileBytes(given, where) {
+  const bytes = ArrayBuffer.isView(given) ? new Uint8Array(given.buffer, given.byteOffset, given.byteLength) : new Uint8Array(given);
+  return isModule(bytes) ? WebAssembly.compile(bytes) : refuse(`${where} no WebAssembly module`);
 }
 
 async function compileResponse(response) {
-  if (!response.ok) throw new Error(`chasles: ${response.url} cannot be loaded (${response.status})`);
-  const isTyped = response.headers.get("Content-Type")?.startsWith("application/wasm");
-  return isTyped ? WebAssembly.compileStreaming(response) : WebAssembly.compile(await response.arrayBuffer());
+  const address = response.url || "the response";
+  if (!response.ok) refuse(`${address} answers with status ${response.status}`);
+  const type = response.headers.get("Content-Type") ?? "";
+  if (type.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  if (type.startsWith("text/html")) refuse(`${address} is a web page, as servers answer for files that they do not find`);
+  return compileBytes(await response.arrayBuffer(), `${address} is`);
 }
 
-/** `source`: a URL, a Response, bytes, or a module. */
-export async function compiled(source) {
-  const given = await source;
+async function fetched(given) {
+  const url = given instanceof URL ? given : addressOf(given);
+  if (isNode && url.protocol === "file:") return compileBytes(await bytesOfFile(url), `${url.href} is`);
+  return compileResponse(await fetch(url).catch((error) => refuse(`${url.href} cannot be fetched (${error.message})`)));
+}
+
+async function compiledFrom(given) {
   if (given instanceof WebAssembly.Module) return given;
-  if (given instanceof ArrayBuffer || ArrayBuffer.isView(given)) return WebAssembly.compile(given);
+  if (given instanceof ArrayBuffer || ArrayBuffer.isView(given)) return compileBytes(given, "the bytes are");
   if (typeof Response !== "undefined" && given instanceof Response) return compileResponse(given);
-  return isFile(given) ? WebAssembly.compile(await bytesOfFile(given)) : compileResponse(await fetch(given));
+  if (given instanceof URL || typeof given === "string") return fetched(given);
+  return refuse(`${Array.isArray(given) ? "an array" : String(given)} is no URL, Response, bytes or WebAssembly.Module`);
+}
+
+/** Browsers refuse to compile where the page forbids it. */
+function inWords(error) {
+  if (/content security policy|unsafe-eval/i.test(error.message))
+    return new InvalidInput("wasm: the Content-Security-Policy of the page forbids WebAssembly: its script-src needs 'wasm-unsafe-eval'");
+  return error;
+}
+
+/** `source`: a URL, a Response, bytes, or a module; or a promise of one. */
+export async function compiled(source) {
+  const module = await compiledFrom(await source).catch((error) => {
+    throw inWords(error);
+  });
+  const names = WebAssembly.Module.exports(module).map(({ name }) => name);
+  return names.includes("chasles_first_contact") ? module : refuse("is another module than chasles.wasm");
 }

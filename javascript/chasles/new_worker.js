@@ -1,2 +1,5 @@
-// A worker in a browser, written so that bundlers see the file. In script.js its script is in the same text instead.
-export const newWorker = () => new Worker(new URL("./worker.js", import.meta.url), { type: "module" });
+// Workers of the plain build: their script is a file beside this one. Each call is written so that bundlers see the file.
+export const fromFile = {
+  inBrowser: () => new Worker(new URL("./worker.js", import.meta.url), { type: "module" }),
+  inNode: (NodeWorker) => new NodeWorker(new URL("./worker.js", import.meta.url), { execArgv: [] }), // none of --input-type
+};

@@ -1,6 +1,8 @@
 // Arguments as numbers, in the order in which javascript/src/numbers_in.cpp reads them. Functions that begin with "add" append to a
 // list of numbers, and return it.
 import { InvalidInput } from "./errors.js";
+import { addPose, addPoses } from "./poses.js";
+import { addCounted, checkOptions, isList, number, shown, text } from "./values.js";
 
 const kinds = ["screw", "sweep", "velocity", "twist"];
 const finds = ["first", "any", "first_with_all_contacts"];
@@ -8,62 +10,8 @@ const finds = ["first", "any", "first_with_all_contacts"];
 export const queryOptions = ["margin", "hold", "timeTolerance", "find"];
 export const motionOptions = ["motion", "centre", "maxTurn"];
 export const fixedOptions = ["fixedStart", "fixedGoal", "fixedCentre"];
-
-/** Options are an object without other keys than these. */
-export function checkOptions(options, known, name = "options") {
-  if (options === null || typeof options !== "object") throw new InvalidInput(`${name}: must be an object`);
-  for (const key of Object.keys(options))
-    if (!known.includes(key)) throw new InvalidInput(`${key}: is no option here; there are ${known.join(", ")}`);
-}
-
-/** A number, or the default if there is none. Its range is checked by the library. */
-export function number(value, name, byDefault) {
-  if (value === undefined && byDefault !== undefined) return byDefault;
-  if (typeof value !== "number") throw new InvalidInput(`${name}: ${shown(value)} is not a number`);
-  return value;
-}
-
-export function text(value, name) {
-  if (typeof value !== "string") throw new InvalidInput(`${name}: ${shown(value)} is not a text`);
-  return value;
-}
-
-export const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
-
-function shown(value) {
-  return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value);
-}
-
-/** A list of numbers, behind their count. */
-function addCounted(numbers, list, name) {
-  if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of numbers`);
-  numbers.push(list.length);
-  for (let i = 0; i < list.length; ++i) {
-    if (typeof list[i] !== "number") number(list[i], `${name}[${i}]`); // throws
-    numbers.push(list[i]);
-  }
-  return numbers;
-}
-
-/** A pose: 3, 7 or 16 numbers, or an object of three.js: a Matrix4, or an Object3D with position and quaternion. */
-export function addPose(numbers, value, name) {
-  if (value?.position && value?.quaternion) {
-    const { position: p, quaternion: q } = value;
-    return addCounted(numbers, [p.x, p.y, p.z, q.w, q.x, q.y, q.z], name);
-  }
-  if (value?.elements?.length === 16) {
-    const columns = value.elements; // three.js stores columns, and a pose has rows
-    return addCounted(numbers, Array.from({ length: 16 }, (_, i) => columns[4 * (i % 4) + Math.floor(i / 4)]), name);
-  }
-  return addCounted(numbers, value, name);
-}
-
-export function addPoses(numbers, list, name) {
-  if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of poses`);
-  numbers.push(list.length);
-  for (let i = 0; i < list.length; ++i) addPose(numbers, list[i], `${name}[${i}]`);
-  return numbers;
-}
+/** Those of a first contact. */
+export const contactOptions = [...queryOptions, ...motionOptions, ...fixedOptions];
 
 /** A flag, and the value behind it if there is one. */
 function addOptional(numbers, value, add, name) {

@@ -1,8 +1,8 @@
-// Bodies: from arrays, from the content of a file, from a geometry of three.js.
+// Bodies: from arrays, and from the content of a file.
 import { meshReport, Reader } from "./answers.js";
 import { InvalidInput } from "./errors.js";
 import { Held } from "./held.js";
-import { checkOptions, isList, number, text } from "./numbers.js";
+import { checkOptions, isList, number, text } from "./values.js";
 
 const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
 const largestIndex = 2 ** 32 - 1;
@@ -67,10 +67,11 @@ function flatPoints(vertices) {
   if (ArrayBuffer.isView(vertices)) return Float64Array.from(vertices, Number);
   if (typeof vertices[0] === "number") return Float64Array.from(vertices, (x, i) => number(x, `vertices[${i}]`));
   const numbers = new Float64Array(3 * vertices.length);
-  vertices.forEach((point, i) => {
+  for (let i = 0; i < vertices.length; ++i) {
+    const point = vertices[i]; // by index: forEach leaves out the holes of an array
     if (!isList(point) || point.length !== 3) throw new InvalidInput(`vertices[${i}]: is no point of 3 numbers`);
     for (let k = 0; k < 3; ++k) numbers[3 * i + k] = number(point[k], `vertices[${i}][${k}]`);
-  });
+  }
   return numbers;
 }
 
@@ -93,11 +94,12 @@ function flatFaces(faces) {
 function polygonFaces(faces) {
   const sizes = new Uint32Array(faces.length);
   const corners = [];
-  faces.forEach((face, i) => {
+  for (let i = 0; i < faces.length; ++i) {
+    const face = faces[i];
     if (!isList(face)) throw new InvalidInput(`faces[${i}]: is no list of indices`);
     sizes[i] = face.length;
     for (const value of face) corners.push(index(value, i));
-  });
+  }
   return { sizes, corners: Uint32Array.from(corners) };
 }
 
@@ -113,25 +115,4 @@ export function fromFile(border, content, name, options) {
   const nameBytes = new TextEncoder().encode(text(name, "name"));
   border.giveBytes(nameBytes, bytesOf(bytes));
   return new Polyhedron(border, border.call("body_from_file", nameBytes.length, triangulate ? 1 : 0));
-}
-
-/** The places of a geometry's vertices. Accessors know interleaved and normalised arrays. */
-function positions(geometry) {
-  const position = geometry?.attributes?.position;
-  if (typeof position?.getX !== "function" || !(position.count >= 0))
-    throw new InvalidInput("geometry: has no attribute position");
-  const vertices = new Float64Array(3 * position.count);
-  for (let i = 0; i < position.count; ++i)
-    vertices.set([position.getX(i), position.getY(i), position.getZ(i)], 3 * i);
-  return vertices;
-}
-
-/** Vertices at equal places, which normals and texture need, count as one. Groups and draw ranges are left aside. */
-export function fromBufferGeometry(border, geometry, options) {
-  const vertices = positions(geometry);
-  const { index: given } = geometry;
-  const corners = given
-    ? Array.from({ length: given.count }, (_, i) => given.getX(i))
-    : Uint32Array.from({ length: vertices.length / 3 }, (_, i) => i);
-  return fromArrays(border, vertices, corners, options);
 }

@@ -1,10 +1,10 @@
 // Many bodies in one world, and a body in a hand.
 import { dragStep, sceneContact, sceneEvents } from "./answers.js";
 import { Held } from "./held.js";
-import {
-  addDrag, addPose, addPoses, addQuery, addWorldMotion, addWorldRule, checkOptions, dragOptions, number, text,
-} from "./numbers.js";
+import { addDrag, addQuery, addWorldMotion, addWorldRule, dragOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
+import { addPose, addPoses } from "./poses.js";
+import { checkOptions, number, text } from "./values.js";
 
 const motionKeys = ["pose", "goal", "motion", "centre", "poses", "times"];
 const questions = { firstContact: 0, allContacts: 1, clearUntil: 2 };

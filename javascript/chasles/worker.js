@@ -22,6 +22,11 @@ const tasks = {
   body({ number, copy }) {
     bodies.set(number, Chasles.adopt(chasles, copy));
   },
+  free({ number }) {
+    bodies.get(number)?.free();
+    bodies.delete(number);
+  },
+  held: () => chasles.held,
   batch,
 };
 

@@ -1,33 +1,56 @@
 // Workers with an instance each: Web Workers in a browser, worker threads in Node.js.
 import { InvalidInput } from "./errors.js";
-import { dispose } from "./held.js";
-import { newWorker } from "./new_worker.js";
-import { checkBatch, checkOptions } from "./numbers.js";
+import { dispose, Held } from "./held.js";
+import { checkBatch, contactOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
+import { copiedPose } from "./poses.js";
+import { checkOptions } from "./values.js";
 
 const isNode = Boolean(globalThis.process?.versions?.node);
 
-/** A worker of either kind, behind the same three functions. */
-async function startWorker(make) {
-  if (make) return browserWorker(make());
-  if (!isNode) return browserWorker(newWorker());
+/** A worker of either kind, behind the same functions. The kind is that of the worker: in Node.js there are both. */
+function adapted(worker) {
+  if (typeof worker?.postMessage !== "function" || typeof worker.terminate !== "function")
+    throw new InvalidInput("worker: must make a Worker");
+  return typeof worker.on === "function" ? nodeWorker(worker) : webWorker(worker);
+}
+
+async function startWorker(make, newWorker) {
+  if (make !== undefined && typeof make !== "function") throw new InvalidInput("worker: must be a function that makes a Worker");
+  if (make) return adapted(await make());
+  if (!isNode) return adapted(newWorker.inBrowser());
   const threads = "node:worker_threads"; // a name that bundlers for browsers do not follow
   const { Worker: NodeWorker } = await import(/* @vite-ignore */ /* webpackIgnore: true */ threads);
-  const worker = new NodeWorker(new URL("./worker.js", import.meta.url));
+  return adapted(newWorker.inNode(NodeWorker));
+}
+
+/** While it waits for nothing, a worker does not keep the process alive. */
+function nodeWorker(worker) {
+  worker.unref();
   return {
     send: (message) => worker.postMessage(message),
-    receive: (onMessage, onError) => worker.on("message", onMessage).on("error", onError),
+    receive: (onMessage, onError) =>
+      worker
+        .on("message", onMessage)
+        .on("error", onError)
+        .on("exit", () => onError(new Error("chasles: a worker has ended"))),
+    wait: (isWaiting) => (isWaiting ? worker.ref() : worker.unref()),
     stop: () => void worker.terminate(),
   };
 }
 
-function browserWorker(worker) {
+const notStarted =
+  'chasles: a worker cannot be started: its script was not found, or the page forbids it (worker-src); import "chasles/inline", which has the ' +
+  "script in itself, or give workers({ worker }) a function that makes a Worker of chasles/worker";
+
+function webWorker(worker) {
   return {
     send: (message) => worker.postMessage(message),
     receive: (onMessage, onError) => {
       worker.onmessage = ({ data }) => onMessage(data);
-      worker.onerror = (event) => onError(new Error(event.message ?? "the worker could not be started"));
+      worker.onerror = (event) => onError(new Error(event.message ? `chasles: a worker failed: ${event.message}` : notStarted));
     },
+    wait: () => undefined,
     stop: () => worker.terminate(),
   };
 }
@@ -38,7 +61,7 @@ const cores = () => globalThis.navigator?.hardwareConcurrency ?? 4;
 class Mate {
   #worker;
   #waiting = new Map();
-  #sent = new WeakMap(); // bodies that the worker has, with their numbers there
+  #bodies = new WeakMap(); // bodies that the worker has
   #next = 1;
   #failure = null;
 
@@ -52,57 +75,92 @@ class Mate {
     const job = this.#next++;
     return new Promise((resolve, reject) => {
       this.#waiting.set(job, { resolve, reject });
+      this.#worker.wait(true);
       this.#worker.send({ ...message, job });
     });
   }
 
-  /** The number of a body in the worker, which gets a copy at first. */
-  body(body) {
-    if (!this.#sent.has(body)) {
-      const number = this.#next++;
-      const copy = Polyhedron.copy(body);
-      this.#sent.set(body, number);
-      this.ask({ task: "body", number, copy }).catch((error) => this.fail(error));
+  /** A body in the worker, which gets a copy at first. It stays there until it is freed here and let go as often as it was held. */
+  hold(body) {
+    if (!this.#bodies.has(body)) {
+      const held = { number: this.#next++, uses: 0, isFreed: false };
+      this.#tell({ task: "body", number: held.number, copy: Polyhedron.copy(body) });
+      this.#bodies.set(body, held);
+      Held.follow(body, () => {
+        held.isFreed = true;
+        this.#drop(held);
+      });
     }
-    return this.#sent.get(body);
+    const held = this.#bodies.get(body);
+    ++held.uses;
+    return held;
+  }
+
+  letGo(held) {
+    --held.uses;
+    this.#drop(held);
+  }
+
+  #drop({ number, uses, isFreed }) {
+    if (isFreed && uses === 0 && !this.#failure) this.#tell({ task: "free", number });
+  }
+
+  #tell(message) {
+    this.ask(message).catch((error) => this.fail(error));
   }
 
   fail(error) {
     this.#failure ??= error;
     for (const { reject } of this.#waiting.values()) reject(error);
     this.#waiting.clear();
+    this.#worker.wait(false);
   }
 
   stop() {
-    this.#worker.stop();
     this.fail(new InvalidInput("workers: have been stopped"));
+    this.#worker.stop();
   }
 
   #settle({ job, answer, error }) {
     const waiting = this.#waiting.get(job);
     this.#waiting.delete(job);
     if (!waiting) return;
+    if (this.#waiting.size === 0) this.#worker.wait(false);
     if (!error) waiting.resolve(answer);
     else waiting.reject(error.isInput ? new InvalidInput(error.message) : new Error(error.message));
   }
 }
 
-export class Workers {
-  #mates;
+/** The poses of a list as arrays, which can be sent. */
+function copiedPoses(list, name) {
+  return Array.from(list, (pose, i) => copiedPose(pose, `motion ${i}: ${name}`));
+}
 
-  constructor(mates) {
-    this.#mates = mates;
+/** Options that can be sent: poses in them may be objects of three.js. */
+function copiedOptions(options) {
+  checkOptions(options, contactOptions);
+  const copied = { ...options };
+  for (const name of ["fixedStart", "fixedGoal"])
+    if (options[name] !== undefined) copied[name] = copiedPose(options[name], name);
+  return copied;
+}
+
+export class Workers {
+  #border;
+  #mates = [];
+
+  constructor(border) {
+    this.#border = border;
   }
 
-  static async start(module, options) {
+  static async start(border, newWorker, options) {
     checkOptions(options, ["count", "worker"]);
     const { count = cores(), worker } = options;
     if (!Number.isInteger(count) || count < 1) throw new InvalidInput("count: must be a whole number from 1");
-    const mates = [];
-    for (let i = 0; i < count; ++i) mates.push(new Mate(await startWorker(worker)));
-    const workers = new Workers(mates);
+    const workers = new Workers(border);
     try {
-      await Promise.all(mates.map((mate) => mate.ask({ task: "open", module })));
+      for (let i = 0; i < count; ++i) workers.#mates.push(new Mate(await startWorker(worker, newWorker)));
+      await Promise.all(workers.#mates.map((mate) => mate.ask({ task: "open", module: border.module })));
     } catch (error) {
       workers.stop();
       throw error;
@@ -114,24 +172,30 @@ export class Workers {
     return this.#mates.length;
   }
 
-  /** One answer a motion, in order: the answers of `Chasles.firstContactBatch`. */
+  /** One answer a motion, in order: the answers of `Chasles.firstContactBatch`. Bodies that are freed meanwhile are kept until it ends. */
   async firstContactBatch(moving, fixed, starts, goals, options = {}) {
+    for (const [body, name] of [[moving, "moving"], [fixed, "fixed"]]) Held.handle(body, this.#border, Polyhedron, name);
     checkBatch(starts, goals);
-    const size = Math.max(1, Math.ceil(starts.length / (4 * this.count)));
-    const from = (list, begin) => Array.from(list).slice(begin, begin + size);
+    const sent = copiedOptions(options);
+    const [from, to] = [copiedPoses(starts, "start"), copiedPoses(goals, "goal")];
+    const size = Math.max(1, Math.ceil(from.length / (4 * this.count)));
     const chunks = [];
-    for (let begin = 0; begin < starts.length; begin += size)
-      chunks.push({ begin, starts: from(starts, begin), goals: from(goals, begin) });
+    for (let begin = 0; begin < from.length; begin += size)
+      chunks.push({ begin, starts: from.slice(begin, begin + size), goals: to.slice(begin, begin + size) });
     const answers = new Array(chunks.length);
     let next = 0;
     const run = async (mate) => {
-      while (next < chunks.length) {
-        const chunk = next++;
-        const bodies = { moving: mate.body(moving), fixed: mate.body(fixed) };
-        answers[chunk] = await mate.ask({ task: "batch", ...bodies, ...chunks[chunk], options });
+      const held = [mate.hold(moving), mate.hold(fixed)];
+      try {
+        while (next < chunks.length) {
+          const chunk = next++;
+          answers[chunk] = await mate.ask({ task: "batch", moving: held[0].number, fixed: held[1].number, ...chunks[chunk], options: sent });
+        }
+      } finally {
+        for (const body of held) mate.letGo(body);
       }
     };
-    await Promise.all(this.#mates.map(run));
+    await Promise.all(this.#mates.slice(0, chunks.length).map(run));
     return answers.flat();
   }
 

@@ -225,7 +225,8 @@ export class App implements Shown {
     const before = this.own;
     this.own = files;
     const isOpen = await this.open(ownScene(files));
-    if (!isOpen) this.own = before;
+    if (isOpen) history.replaceState(null, "", "#"); // a link cannot hold files, and must not name the scene before
+    else this.own = before;
     if (this.own.length === 0) select.querySelector("[value=own]")?.remove();
     return isOpen;
   }

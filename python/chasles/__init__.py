@@ -46,6 +46,7 @@ from ._core import (
     SweepMotion,
     TimedPoses,
     Trajectory,
+    UntestedPairs,
     Work,
     __version__,
     constraint_rows,
@@ -60,7 +61,7 @@ from ._core import (
 from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .collision import CollisionManager
 from .enums import ContactKind, Find, Verdict
-from .meshes import from_trimesh
+from .meshes import from_trimesh, parts_from_trimesh
 from .record import recording_page, write_scene_page
 from .robots import edge_dtype, first_contacts_on_edges, write_robot_page
 from .saved_scene import reduce_scene
@@ -105,6 +106,7 @@ __all__ = [
     "SweepMotion",
     "TimedPoses",
     "Trajectory",
+    "UntestedPairs",
     "Verdict",
     "Work",
     "__version__",
@@ -122,6 +124,7 @@ __all__ = [
     "load",
     "load_parts",
     "motion_dtype",
+    "parts_from_trimesh",
     "path_dtype",
     "path_is_clear_batch",
     "recording_page",

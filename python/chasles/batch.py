@@ -38,9 +38,10 @@ class BatchInterrupted(KeyboardInterrupt):
 def first_contact_batch(
     moving: Polyhedron,
     fixed: Polyhedron,
-    starts: npt.ArrayLike,
-    goals: npt.ArrayLike,
+    starts: npt.ArrayLike | None = None,
+    goals: npt.ArrayLike | None = None,
     *,
+    motions: Sequence[Any] | None = None,
     margin: float = 0.0,
     hold: float | None = None,
     time_tolerance: float = 1e-12,
@@ -54,7 +55,7 @@ def first_contact_batch(
 ) -> Table:
     """The first contact of many motions of one pair of bodies.
 
-    Each motion goes from its start to its goal. The batch runs without the GIL (Python's global interpreter
+    Each motion goes from its start to its goal, or is one of `motions`. The batch runs without the GIL (Python's global interpreter
     lock). The answers do not depend on the number of threads.
 
     Parameters
@@ -62,15 +63,17 @@ def first_contact_batch(
     moving, fixed : Polyhedron
     starts, goals : array (n, 4, 4) or (n, 7)
         Poses of the moving body in the frame of the fixed body, in the form that `first_contact` takes.
+    motions : list of motions, optional
+        Instead of starts and goals: motions of any kinds, such as hinges or a `TimedPoses`.
     margin, hold, time_tolerance, max_turn, find
-        As for `first_contact`. A row holds one contact.
+        As for `first_contact`. A row holds one contact; `first_contact` returns all of them.
     motion : "screw", "sweep", "velocity" or "twist"
         What lies between start and goal. A sweep and a constant velocity have the body's origin on a straight line.
         "velocity" and "twist" have no tau: it is NaN.
     threads : int
         The maximal number of threads; 0 for all cores.
     errors : "raise" or "mark"
-        How to treat an invalid pose: "raise" raises InvalidInput with its index before any motion is answered, "mark"
+        How to treat an invalid pose or motion: "raise" raises InvalidInput with its index before any motion is answered, "mark"
         sets the verdict of its row to "error".
     progress : bool
         Show a progress bar; requires tqdm.
@@ -91,9 +94,9 @@ def first_contact_batch(
         A KeyboardInterrupt with the finished rows. After Ctrl-C it is raised within 0.1 seconds plus the time of the
         longest running query.
     """
-    starts, goals = _array(starts, "starts"), _array(goals, "goals")
-    table = _table_for(table, len(starts) if starts.ndim else 0, motion_dtype)
-    answer_rows = partial(_core._first_contact_batch, moving, fixed, starts, goals, table, hold=hold, motion=motion)
+    rows, of_motions = _motions(starts, goals, motions, motion)
+    table = _table_for(table, rows, motion_dtype)
+    answer_rows = partial(_core._first_contact_batch, moving, fixed, *of_motions, table, hold=hold, motion=motion)
     options = {"margin": margin, "time_tolerance": time_tolerance, "max_turn": max_turn, "find": find}
     return _run(answer_rows, table, options, threads, errors, progress, "motions")
 
@@ -101,9 +104,10 @@ def first_contact_batch(
 def least_distance_batch(
     moving: Polyhedron,
     fixed: Polyhedron,
-    starts: npt.ArrayLike,
-    goals: npt.ArrayLike,
+    starts: npt.ArrayLike | None = None,
+    goals: npt.ArrayLike | None = None,
     *,
+    motions: Sequence[Any] | None = None,
     tolerance: float = 1e-6,
     time_tolerance: float = 1e-12,
     motion: MotionKind = "screw",
@@ -122,6 +126,8 @@ def least_distance_batch(
     moving, fixed : Polyhedron
     starts, goals : array (n, 4, 4) or (n, 7)
         Poses of the moving body in the frame of the fixed body, in the form that `first_contact` takes.
+    motions : list of motions, optional
+        Instead of starts and goals.
     tolerance, time_tolerance, max_turn
         As for `least_distance`. A row holds one pair of nearest features.
     motion
@@ -140,9 +146,9 @@ def least_distance_batch(
     InvalidInput, BatchInterrupted
         As for `first_contact_batch`.
     """
-    starts, goals = _array(starts, "starts"), _array(goals, "goals")
-    table = _table_for(table, len(starts) if starts.ndim else 0, least_dtype)
-    answer_rows = partial(_core._least_distance_batch, moving, fixed, starts, goals, table, motion=motion)
+    rows, of_motions = _motions(starts, goals, motions, motion)
+    table = _table_for(table, rows, least_dtype)
+    answer_rows = partial(_core._least_distance_batch, moving, fixed, *of_motions, table, motion=motion)
     options = {"tolerance": tolerance, "time_tolerance": time_tolerance, "max_turn": max_turn}
     return _run(answer_rows, table, options, threads, errors, progress, "motions")
 
@@ -234,6 +240,22 @@ def _array(argument: npt.ArrayLike, name: str) -> npt.NDArray[Any]:
         return np.asarray(argument)
     except (TypeError, ValueError) as error:
         raise InvalidInput(f"{name}: not an array: {error}") from None
+
+
+def _motions(starts: Any, goals: Any, motions: Any, kind: str) -> tuple[int, tuple[Any, Any, Any]]:
+    """The number of rows; and starts and goals as arrays, or motions as a list."""
+    if motions is None:
+        if starts is None or goals is None:
+            raise InvalidInput("starts, goals: both are needed, or motions=[...]")
+        starts, goals = _array(starts, "starts"), _array(goals, "goals")
+        return len(starts) if starts.ndim else 0, (starts, goals, None)
+    if starts is not None or goals is not None or kind != "screw":
+        raise InvalidInput("motions: stand instead of starts, goals and motion")
+    try:
+        motions = list(motions)
+    except TypeError:
+        raise InvalidInput(f"motions: a {type(motions).__name__} is no list of motions; [motion] is one") from None
+    return len(motions), (None, None, motions)
 
 
 def _table_for(table: Table | None, rows: int, dtype: np.dtype) -> Table:

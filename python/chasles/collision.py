@@ -1,17 +1,17 @@
 """Objects by name at rest: which touch, and how near they are, in the manner of ``trimesh.collision``."""
 
 import math
-from collections.abc import Iterable, Mapping
+from collections.abc import Mapping
 from typing import Any, Literal
 
 import numpy as np
 import numpy.typing as npt
 
-from ._core import InvalidInput, Motion, Polyhedron, Scene, SceneContact, least_distance, relative
+from ._core import InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair
 from .collision_data import ContactData, DistanceData
 from .enums import Verdict
 from .meshes import from_trimesh
-from .placed import Placed, candidates_of_all, candidates_of_one, candidates_of_two, scene_of
+from .placed import Placed, scene_of
 
 EXTERNAL = "__external"  # the name of an object that is not in the manager, as in trimesh
 
@@ -166,8 +166,13 @@ class CollisionManager:
         -------
         float, or a tuple of it and what was asked for
         """
-        one = _placed(mesh, transform)
-        distance, names, data = _nearest(candidates_of_one(self._objects, EXTERNAL, one))
+        placed = _placed(mesh, transform)
+        self._beside.add(EXTERNAL, placed.shape, placed.pose, group=EXTERNAL)
+        try:
+            bodies = {**self._objects, EXTERNAL: placed}
+            distance, names, data = _nearest(self._beside, bodies, list(self._objects), [EXTERNAL])
+        finally:
+            self._beside.remove(EXTERNAL)
         return _chosen(distance, (return_name, names and names[0]), (return_data, data))
 
     def min_distance_internal(
@@ -188,12 +193,11 @@ class CollisionManager:
         -------
         float, or a tuple of it and what was asked for
         """
-        if name is None:
-            distance, names, data = _nearest(candidates_of_all(self._objects))
-        else:
-            one = self._get(name)
-            others = {key: placed for key, placed in self._objects.items() if key != name}
-            distance, names, data = _nearest(candidates_of_one(others, name, one))
+        if name is not None:
+            self._get(name)
+        first = list(self._objects) if name is None else [name]
+        second = None if name is None else [other for other in self._objects if other != name]
+        distance, names, data = _nearest(self._within, self._objects, first, second)
         return _chosen(distance, (return_names, names and tuple(sorted(names))), (return_data, data))
 
     def min_distance_other(
@@ -213,7 +217,9 @@ class CollisionManager:
         -------
         float, or a tuple of it and what was asked for
         """
-        distance, names, data = _nearest(candidates_of_two(self._objects, _objects_of(other_manager)))
+        scene, bodies = scene_of([self._objects, _objects_of(other_manager)])
+        groups = [[name for name in bodies if name[0] == group] for group in "01"]
+        distance, names, data = _nearest(scene, bodies, *groups, first_letter=1)
         return _chosen(distance, (return_names, names), (return_data, data))
 
     def first_contact(
@@ -274,10 +280,10 @@ def _objects_of(manager: Any) -> dict[str, Placed]:
 
 
 def _contacts(scene: Scene, return_names: bool, return_data: bool) -> list[SceneContact]:
-    """All pairs that touch if they are asked for, otherwise at most one."""
+    """All pairs that touch at the start if they are asked for, otherwise at most one."""
     if return_names or return_data:
-        return scene.all_contacts(find="first_with_all_contacts" if return_data else "first")
-    found = scene.first_contact(find="any")
+        return scene.all_contacts(until=0, find="first_with_all_contacts" if return_data else "first")
+    found = scene.first_contact(until=0, find="any")
     return [] if found.verdict == Verdict.clear else [found]
 
 
@@ -304,18 +310,12 @@ def _chosen(first: Any, *others: tuple[bool, Any]) -> Any:
 
 
 def _nearest(
-    candidates: Iterable[tuple[float, str, str, Placed, Placed]],
+    scene: Scene, bodies: Mapping[str, Placed], first: list[str], second: list[str] | None, first_letter: int = 0
 ) -> tuple[float, tuple[str, str] | None, DistanceData | None]:
-    """The nearest pair. The candidates ascend by lower bounds of their distances."""
-    best: Any = None
-    for bound, first, second, a, b in candidates:
-        if best is not None and bound > best[0]:
-            break
-        motion = relative(Motion.at_rest(a.pose), Motion.at_rest(b.pose))
-        found = least_distance(a.shape, b.shape, motion=motion, tolerance=1e-12)
-        if best is None or found.distance_upper < best[0]:
-            best = found.distance_upper, (first, second), (a, b), found
-    if best is None:
+    """The nearest pair of a body of each list, or of two bodies of the first list."""
+    nearest = _nearest_pair(scene, first, second, tolerance=1e-12)
+    if nearest is None:
         return math.inf, None, None
-    distance, names, placed, found = best
-    return distance, names, DistanceData(names, placed, found)
+    moving, fixed, found = nearest
+    shown = moving[first_letter:], fixed[first_letter:]
+    return found.distance_upper, shown, DistanceData(shown, (bodies[moving], bodies[fixed]), found)

@@ -2,6 +2,8 @@
 
 from typing import Any
 
+import numpy as np
+
 from ._core import InvalidInput, Polyhedron
 
 
@@ -10,9 +12,51 @@ def from_trimesh(
 ) -> Polyhedron:
     """A polyhedron from a ``trimesh.Trimesh``. It keeps the ids of the vertices and faces.
 
-    Scenes and other geometry raise InvalidInput; ``scene.to_mesh()`` converts a scene to a Trimesh.
+    Scenes and other geometry raise InvalidInput. `parts_from_trimesh` gives the parts of a scene, and
+    ``scene.to_mesh()`` makes one Trimesh of it.
     """
     vertices, faces = getattr(mesh, "vertices", None), getattr(mesh, "faces", None)
     if vertices is None or faces is None:
-        raise InvalidInput(f"mesh: a {type(mesh).__name__} has no vertices and faces; a trimesh.Trimesh is needed")
+        way_out = "parts_from_trimesh gives its parts" if hasattr(mesh, "graph") else "a trimesh.Trimesh is needed"
+        raise InvalidInput(f"mesh: a {type(mesh).__name__} has no vertices and faces; {way_out}")
     return Polyhedron(vertices, faces, triangulate=triangulate, drop_degenerate=drop_degenerate, threads=threads)
+
+
+def parts_from_trimesh(
+    scene: Any, *, triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0
+) -> dict[str, Polyhedron]:
+    """The parts of a ``trimesh.Scene``: a polyhedron for each node of its graph that has a mesh, by the node's name.
+
+    Vertices are in the world of the scene: all transforms above a node are applied to them, with their scale, mirroring
+    and shear. Faces of mirrored parts are reversed, so that they still turn outwards. Each part keeps the ids of the
+    vertices and faces of its mesh.
+
+    Raises
+    ------
+    InvalidInput
+        For what is no scene, and with the name of the node for geometry without faces or a mesh that is refused.
+    """
+    if not hasattr(scene, "graph") or not hasattr(scene, "geometry"):
+        raise InvalidInput(f"scene: a {type(scene).__name__} is no trimesh.Scene; from_trimesh takes a Trimesh")
+    parts = {}
+    for node in scene.graph.nodes_geometry:
+        matrix, name = scene.graph[node]
+        try:
+            mesh = _placed(scene.geometry[name], np.asarray(matrix, np.float64))
+            parts[str(node)] = Polyhedron(
+                *mesh, triangulate=triangulate, drop_degenerate=drop_degenerate, threads=threads
+            )
+        except InvalidInput as error:
+            raise InvalidInput(f"{node}: {error}") from None
+    return parts
+
+
+def _placed(mesh: Any, matrix: Any) -> tuple[Any, Any]:
+    """The vertices and faces of a mesh after an affine map."""
+    if not hasattr(mesh, "faces"):
+        raise InvalidInput(f"a {type(mesh).__name__} has no faces; delete it from the scene")
+    if matrix.shape != (4, 4) or not np.isfinite(matrix).all() or (matrix[3] != [0, 0, 0, 1]).any():
+        raise InvalidInput("transform: is no affine map: finite numbers (4, 4) with the last row 0 0 0 1 are needed")
+    vertices = np.asarray(mesh.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
+    faces = np.asarray(mesh.faces)
+    return vertices, faces[:, ::-1] if np.linalg.det(matrix[:3, :3]) < 0 else faces

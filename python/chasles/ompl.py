@@ -14,11 +14,14 @@ The classes are those of the C++ header chasles/ompl.h and keep the same contrac
   keep no part of a motion that is not valid. `checkMotion` with three arguments is for callers in Python.
 - The counters of `SpaceInformation` do not count the motions that a validator in Python answers. Those of the
   validator do.
-- `setMotionValidator` keeps the validator, the checker and the space information until the process ends. At its end the
-  package lists these objects as leaked.
+- `setMotionValidator` keeps the validator, the checker and the space information until the process ends: the package
+  hides from Python's garbage collector what a space information refers to. At the end this module lets them go. A
+  validator refuses later calls.
 """
 
+import atexit
 import threading
+import weakref
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -205,6 +208,25 @@ def _reader(information: Any, checker: Any, state_map: Any) -> Callable[[Any], n
     return state_map.reader(information.getStateSpace())
 
 
+class _Released:
+    """Stands for the space information of a validator after the end of the process has begun."""
+
+    def __getattr__(self, name: str) -> Any:
+        raise RuntimeError("chasles.ompl: the process is ending, and the validator has let its space information go")
+
+
+_validators: "weakref.WeakSet[Any]" = weakref.WeakSet()
+
+
+@atexit.register
+def _release() -> None:
+    """Breaks the cycles of validators and space informations, so that nothing is left at the end."""
+    for validator in list(_validators):
+        validator._information = _Released()
+        if hasattr(validator, "_local"):
+            validator._local = threading.local()
+
+
 class RobotValidityChecker(_base.StateValidityChecker):
     """A state is valid within the bounds of its space, if the robot touches nothing there.
 
@@ -225,6 +247,7 @@ class RobotValidityChecker(_base.StateValidityChecker):
         self._values = _reader(information, checker, state_map)
         super().__init__(information)
         self._information, self._checker = information, checker
+        _validators.add(self)
 
     def isValid(self, state: Any) -> bool:  # noqa: N802 (OMPL's name)
         """Whether a state is valid."""
@@ -241,6 +264,7 @@ class RobotMotionValidator(_base.MotionValidator):
         self._values = _reader(information, checker, state_map)
         super().__init__(information)
         self._information, self._checker = information, checker
+        _validators.add(self)
         self._lock, self._local = threading.Lock(), threading.local()
         self.resetMotionCounter()
 

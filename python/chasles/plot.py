@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 import numpy.typing as npt
 
-from ._core import FirstContact, Polyhedron, ScrewMotion, SweepMotion
+from ._core import FirstContact, InvalidInput, Polyhedron, ScrewMotion
 from .enums import Verdict
 
 if TYPE_CHECKING:
@@ -46,7 +46,14 @@ def plot(
     Returns
     -------
     Axes3D
+
+    Raises
+    ------
+    InvalidInput
+        For the answer of a clear scene, which names no bodies.
     """
+    if found.moving is None:
+        raise InvalidInput("plot: the scene is clear, so the answer has no pair of bodies; scene.view(found) shows all")
     axes = axes or _new_axes()
     axes.computed_zorder = False  # fixed order: contacts are drawn in front of the bodies
     if found.is_swapped:
@@ -56,7 +63,8 @@ def plot(
     motion = _poses(found.motion)
     moving, fixed = _polygons(found.moving), _polygons(found.fixed)
     moving_pose = motion(1.0) if is_clear else np.asarray(found.pose)
-    bodies = [(_moved(fixed, found.fixed_pose), FIXED), (_moved(moving, moving_pose), MOVING)]
+    fixed_pose = found.motion.fixed_pose_at(1.0) if is_clear else found.fixed_pose
+    bodies = [(_moved(fixed, fixed_pose), FIXED), (_moved(moving, moving_pose), MOVING)]
     _draw_ghosts(axes, [_moved(moving, motion(time)) for time in _ghost_times(end, ghosts)])
     _draw_solid(axes, bodies)
     _draw_path(axes, found.moving, motion)
@@ -73,9 +81,9 @@ def _new_axes() -> Axes3D:
     return plt.figure(figsize=(8, 6.5), layout="constrained").add_subplot(projection="3d")
 
 
-def _poses(motion: ScrewMotion | SweepMotion) -> Any:
+def _poses(motion: Any) -> Any:
     """The pose of the moving body as a function of time. A screw is cut into pieces, as in the query."""
-    if isinstance(motion, SweepMotion):
+    if not isinstance(motion, ScrewMotion):
         return motion.pose_at
     pieces = motion.pieces()
 

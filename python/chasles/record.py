@@ -54,7 +54,8 @@ def recording_page(
 ) -> pathlib.Path:
     """Write a page of HTML that shows recorded motions and contacts of many bodies, and return its path.
 
-    The page interpolates between the recorded poses. It is one file and needs no network.
+    The page interpolates between the recorded poses, and turns a body the shorter way round: record poses that are at most a
+    quarter turn apart. It is one file and needs no network.
 
     Parameters
     ----------

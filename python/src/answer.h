@@ -1,7 +1,7 @@
 // Answers as Python objects: the library's answer with the bodies and the motion of its query.
 #pragma once
 
-#include "chasles/query/first_contact.h"
+#include "chasles/query/least_distance.h"
 #include "python/src/body.h"
 #include "python/src/motions.h"
 
@@ -22,6 +22,29 @@ struct Answer {
 struct PathAnswer : Answer {
     std::size_t segment = 0;
 };
+
+struct LeastAnswer {
+    LeastDistance found;
+    nanobind::object moving; ///< as in Answer
+    nanobind::object fixed;
+    TypedMotion motion;
+    bool is_swapped = false;
+};
+
+/// The references of an answer about two bodies. The bodies stay when the collector clears the others.
+template <typename AnyAnswer, typename Visit>
+    requires requires(AnyAnswer& answer) {
+        answer.found;
+        answer.moving;
+        answer.motion;
+    }
+void for_each_reference(AnyAnswer& answer, const Visit& visit) {
+    for_each_reference(answer.motion, visit);
+}
+
+/// "contact at time 0.25 (uncertain: ...), bolt on nut, overlapping, 1 contact: edge 0-3 on edge 2-6". `bodies` is
+/// empty or "bolt on nut".
+std::string summary(const FirstContact& found, const std::string& bodies = "");
 
 /// "edge 0-3 on edge 2-6"
 std::string text_of(const Contact& contact);

@@ -2,21 +2,22 @@
 #include "python/src/answer_members.h"
 #include "python/src/bind.h"
 #include "python/src/names.h"
+#include "view/why_uncertain.h"
 
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
 
 namespace chasles::python {
-namespace {
 
-/// "contact at time 0.465661545123, 1 contact: edge 0-3 on edge 2-6"
-std::string summary(const FirstContact& found) {
+std::string summary(const FirstContact& found, const std::string& bodies) {
     if (found.verdict == Verdict::clear)
         return found.clear_until < 1 ? fmt::format("clear until {}", found.clear_until) : "clear";
     std::string text = found.verdict == Verdict::contact ? fmt::format("contact at time {:.12g}", found.time.lower)
                                                          : "contact at the start";
     if (!found.certain)
-        text += " (uncertain)";
+        text += " (uncertain: " + view::why_uncertain(found) + ")";
+    if (!bodies.empty())
+        text += ", " + bodies;
     if (found.overlap)
         text += ", overlapping";
     if (!found.contacts.empty())
@@ -24,6 +25,8 @@ std::string summary(const FirstContact& found) {
                             text_of(found.contacts.front()), found.contacts.size() > 1 ? ", ..." : "");
     return text;
 }
+
+namespace {
 
 constexpr MemberDocs member_docs{
     .time =
@@ -39,7 +42,7 @@ constexpr MemberDocs member_docs{
 };
 
 void bind_first_contact(nb::module_& module) {
-    nb::class_<Answer> type(module, "FirstContact", doc("FirstContact"));
+    nb::class_<Answer> type(module, "FirstContact", doc("FirstContact"), collected<Answer>());
     bind_members(type, member_docs);
     type.def_prop_ro(
             "verdict", [](const Answer& a) { return member_of(a.found.verdict); },
@@ -57,7 +60,7 @@ void bind_first_contact(nb::module_& module) {
 
 void bind_answers(nb::module_& module) {
     bind_first_contact(module);
-    nb::class_<PathAnswer, Answer>(module, "PathContact", doc("PathContact"))
+    nb::class_<PathAnswer, Answer>(module, "PathContact", doc("PathContact"), collected<PathAnswer>())
         .def_ro("segment", &PathAnswer::segment, doc("PathContact.segment"))
         .def("swapped", swapped<PathAnswer>, doc("FirstContact.swapped"))
         .def("__repr__", [](const PathAnswer& a) {

@@ -97,6 +97,19 @@ std::string text_of(const nb::object& object) {
     return nb::cast<std::string>(nb::str(nb::handle(object)));
 }
 
+/// What an array of objects holds, and how numbers are made of it.
+std::string about_objects(const nb::object& array) {
+    const nb::object first = array.attr("item")(0);
+    const std::string type = text_of(first.type().attr("__name__"));
+    if (nb::isinstance<nb::list>(first) || nb::isinstance<nb::tuple>(first))
+        return " (of lists of different lengths)";
+    if (nb::hasattr(first, "x") && nb::hasattr(first, "y") && nb::hasattr(first, "z"))
+        return " (of " + type + "); take their numbers: [[p.x, p.y, p.z] for p in points]";
+    if (nb::hasattr(first, "X") && nb::hasattr(first, "Y") && nb::hasattr(first, "Z"))
+        return " (of " + type + "); take their numbers: [[p.X, p.Y, p.Z] for p in points]";
+    return " (of " + type + ")";
+}
+
 template <typename Number>
 nb::object converted(nb::handle argument, const std::string& name) {
     const nb::module_ numpy = nb::module_::import_("numpy");
@@ -106,14 +119,16 @@ nb::object converted(nb::handle argument, const std::string& name) {
     } catch (nb::python_error& error) {
         if (!error.matches(PyExc_ValueError) && !error.matches(PyExc_TypeError))
             throw;
-        throw InvalidInput(name + ": not an array: " + text_of(nb::borrow(error.value())));
+        throw InvalidInput(name + ": not an array: " + text_of(nb::borrow(error.value())) +
+                           "; rows of one length are needed, as in [[0, 0, 0], [1, 0, 0]]");
     }
     const auto kind = nb::cast<std::string>(array.attr("dtype").attr("kind"));
     const bool is_empty = nb::cast<std::size_t>(array.attr("size")) == 0; // NumPy makes floats of []
     if (!is_empty && std::string_view(allowed_kinds<Number>).find(kind) == std::string_view::npos)
         throw InvalidInput(name + ": an array of " + text_of(array.attr("dtype")) +
                            (std::is_same_v<Number, double> ? " is not an array of real numbers"
-                                                           : " is not an array of whole numbers"));
+                                                           : " is not an array of whole numbers") +
+                           (kind == "O" ? about_objects(array) : ""));
     return numpy.attr("require")(array, numpy_type<Number>, "CA");
 }
 
@@ -124,6 +139,14 @@ std::string text_of_shape(std::span<const Py_ssize_t> shape) {
     for (std::size_t i = 0; i < shape.size(); ++i)
         text += (i ? ", " : "") + std::to_string(shape[i]);
     return text + (shape.size() == 1 ? ",)" : ")");
+}
+
+std::string text_of_argument(nb::handle argument) {
+    constexpr std::size_t most = 40;
+    const std::string text = nb::cast<std::string>(nb::repr(argument));
+    return text.size() <= most && text.find('\n') == std::string::npos
+               ? text
+               : "a " + nb::cast<std::string>(argument.type().attr("__name__"));
 }
 
 std::string text_of(const Eigen::Vector3d& vector) {
@@ -177,7 +200,7 @@ template class ArrayArgument<std::int64_t>;
 Eigen::Vector3d vector_from(nb::handle argument, const std::string& name) {
     const DoubleArray array(argument, name);
     if (array.shape().size() != 1 || array.numbers().size() != 3)
-        throw InvalidInput(name + ": the shape is " + array.shape_text() + "; a point has (3,)");
+        throw InvalidInput(name + ": the shape is " + array.shape_text() + "; a point has (3,), as in [0, 0, 1]");
     return Eigen::Map<const Eigen::Vector3d>(array.numbers().data());
 }
 

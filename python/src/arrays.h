@@ -50,6 +50,9 @@ using IndexArray = ArrayArgument<std::int64_t>;
 /// "(4, 3)", as Python writes a shape.
 std::string text_of_shape(std::span<const Py_ssize_t> shape);
 
+/// An argument in a message: "0.5", or "a list" where it is long.
+std::string text_of_argument(nb::handle argument);
+
 /// "(0.5, 1, -2)", with six digits per number.
 std::string text_of(const Eigen::Vector3d& vector);
 

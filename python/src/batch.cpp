@@ -16,10 +16,10 @@ namespace {
 
 using namespace nb::literals;
 
-void first_contact_rows(const BodyPair& bodies, nb::handle starts, nb::handle goals, nb::handle array,
-                        const QueryOptions& query, const RowOptions& options, nb::handle report) {
+void first_contact_rows(const BodyPair& bodies, const RowMotions& motions, nb::handle array, const QueryOptions& query,
+                        const RowOptions& options, nb::handle report) {
     motion_rows<Row>(
-        starts, goals, array, options, report,
+        motions, array, options, report,
         [&](const Polyhedron& triangle, const Motion& rest) {
             static_cast<void>(first_contact({triangle, triangle, rest, query}));
         },
@@ -72,16 +72,16 @@ void path_rows(const BodyPair& bodies, nb::handle poses, nb::handle offset_array
 void bind_batches(nb::module_& module) {
     module.def(
         "_first_contact_batch",
-        [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle table, double margin,
-           std::optional<double> hold, double time_tolerance, nb::handle motion, double max_turn, nb::handle find,
-           unsigned threads, bool marks_errors, nb::handle report) {
-            first_contact_rows({polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")}, starts, goals, table,
-                               {margin, hold, time_tolerance, find_from(find)},
+        [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle motions,
+           nb::handle table, double margin, std::optional<double> hold, double time_tolerance, nb::handle motion,
+           double max_turn, nb::handle find, unsigned threads, bool marks_errors, nb::handle report) {
+            first_contact_rows({polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")},
+                               {starts, goals, motions}, table, {margin, hold, time_tolerance, find_from(find)},
                                {kind_from(motion), max_turn, threads, marks_errors}, report);
         },
-        "moving"_a.none(), "fixed"_a.none(), "starts"_a, "goals"_a, "table"_a, nb::kw_only(), "margin"_a,
-        "hold"_a.none(), "time_tolerance"_a, "motion"_a.none(), "max_turn"_a, "find"_a.none(), "threads"_a,
-        "marks_errors"_a, "report"_a.none());
+        "moving"_a.none(), "fixed"_a.none(), "starts"_a.none(), "goals"_a.none(), "motions"_a.none(), "table"_a,
+        nb::kw_only(), "margin"_a, "hold"_a.none(), "time_tolerance"_a, "motion"_a.none(), "max_turn"_a,
+        "find"_a.none(), "threads"_a, "marks_errors"_a, "report"_a.none());
     module.def(
         "_path_is_clear_batch",
         [](nb::handle moving, nb::handle fixed, nb::handle poses, nb::handle offsets, nb::handle table, double margin,

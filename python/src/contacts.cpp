@@ -31,9 +31,10 @@ std::string repr_of_contact(const Contact& contact) {
 }
 
 std::string repr_of_overlap(const Overlap& overlap) {
-    return fmt::format("<chasles.Overlap: edge {}-{} of the {} body through face {} of the other, at {}>",
+    return fmt::format("<chasles.Overlap: edge {}-{} of the {} body through face {} of the other, at {}{}>",
                        overlap.edge.first, overlap.edge.second, overlap.edge_is_moving ? "moving" : "fixed",
-                       overlap.face.first, text_of(overlap.point));
+                       overlap.face.first, text_of(overlap.point),
+                       overlap.certain ? "" : " (uncertain: the edge may just miss the rim of the face)");
 }
 
 std::string repr_of_work(const Work& work) {

@@ -76,8 +76,8 @@ nb::object wrench_of(const Eigen::Vector3d& force, const Eigen::Vector3d& torque
 
 class PythonDraggedBody {
 public:
-    PythonDraggedBody(PythonScene& scene, std::string name, const DragOptions& options)
-        : scene_(scene), name_(std::move(name)), body_(scene.scene, name_, options) {}
+    PythonDraggedBody(nb::handle owner, PythonScene& scene, std::string name, const DragOptions& options)
+        : owner_(nb::borrow(owner)), scene_(scene), name_(std::move(name)), body_(scene.scene, name_, options) {}
 
     PythonStep update(nb::handle goal, double seconds) {
         const Pose wanted = pose_from(goal, "goal");
@@ -111,7 +111,13 @@ public:
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const DraggedBody& body() const { return body_; }
 
+    template <typename Visit>
+    friend void for_each_reference(PythonDraggedBody& body, const Visit& visit) {
+        visit(body.owner_);
+    }
+
 private:
+    nb::object owner_; ///< of the scene
     PythonScene& scene_;
     std::string name_;
     DraggedBody body_;
@@ -123,8 +129,8 @@ struct Named {
     int rounds = 8;
 };
 
-void make(PythonDraggedBody* body, PythonScene& scene, const std::string& name, const Named& named,
-          const std::optional<DragLock>& lock, const std::optional<MassProperties>& mass) {
+void make(PythonDraggedBody* body, nb::pointer_and_handle<PythonScene> scene, const std::string& name,
+          const Named& named, const std::optional<DragLock>& lock, const std::optional<MassProperties>& mass) {
     DragOptions options;
     options.margin = named.margin;
     options.reach = named.reach;
@@ -133,7 +139,7 @@ void make(PythonDraggedBody* body, PythonScene& scene, const std::string& name, 
     options.rounds = named.rounds;
     options.lock = lock.value_or(DragLock());
     options.mass = mass;
-    new (body) PythonDraggedBody(scene, name, options);
+    new (body) PythonDraggedBody(scene.h, *scene.p, name, options);
 }
 
 nb::list contacts_of(const PythonStep& step) {
@@ -321,16 +327,16 @@ void bind_drag(nb::module_& module) {
     bind_lock(module);
     bind_mass(module);
     bind_step(module);
-    nb::class_<PythonDraggedBody>(module, "DraggedBody", body_doc)
+    nb::class_<PythonDraggedBody>(module, "DraggedBody", body_doc, collected<PythonDraggedBody>())
         .def(
             "__init__",
-            [](PythonDraggedBody* body, PythonScene& scene, const std::string& name, double margin, double reach,
-               double stiffness, int rounds, double friction, const std::optional<DragLock>& lock,
-               const std::optional<MassProperties>& mass) {
+            [](PythonDraggedBody* body, nb::pointer_and_handle<PythonScene> scene, const std::string& name,
+               double margin, double reach, double stiffness, int rounds, double friction,
+               const std::optional<DragLock>& lock, const std::optional<MassProperties>& mass) {
                 make(body, scene, name, {margin, reach, stiffness, friction, rounds}, lock, mass);
             },
             "scene"_a, "name"_a, nb::kw_only(), "margin"_a = 0.0, "reach"_a = 0.0, "stiffness"_a = 1.0, "rounds"_a = 8,
-            "friction"_a = 0.0, "lock"_a = nb::none(), "mass"_a = nb::none(), nb::keep_alive<1, 2>())
+            "friction"_a = 0.0, "lock"_a = nb::none(), "mass"_a = nb::none())
         .def("update", &PythonDraggedBody::update, "goal"_a, "seconds"_a = 0.0,
              nb::sig("def update(self, goal: numpy.typing.ArrayLike, seconds: float = 0.0) -> DragStep"), update_doc)
         .def("follow", &PythonDraggedBody::follow, "goals"_a, "seconds"_a = 0.0,

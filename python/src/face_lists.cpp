@@ -67,7 +67,7 @@ void FaceLists::convert_array(nb::handle argument) {
     const IndexArray array(argument, "faces");
     if (array.shape().size() != 2)
         throw InvalidInput("faces: the shape is " + array.shape_text() +
-                           "; faces have (m, 3), or (m, k) for k corners each");
+                           "; faces have (m, 3), or (m, k) for k corners each, as in [[0, 1, 2], [0, 2, 3]]");
     const auto corners = std::size_t(array.shape()[1]);
     converted_.reserve(array.numbers().size());
     for (const std::int64_t index : array.numbers())

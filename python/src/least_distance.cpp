@@ -15,15 +15,6 @@ namespace {
 
 using namespace nb::literals;
 
-/// The answer with the bodies and the motion of its query.
-struct LeastAnswer {
-    LeastDistance found;
-    nb::object moving; ///< the bodies of the query, kept alive by the answer
-    nb::object fixed;
-    TypedMotion motion;
-    bool is_swapped = false; ///< the bodies have swapped their roles since the query; the motion has not changed
-};
-
 LeastAnswer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goal, nb::handle motion,
                 nb::handle fixed_start, nb::handle fixed_goal, double tolerance, double time_tolerance,
                 std::optional<double> max_turn, nb::handle find) {
@@ -44,7 +35,8 @@ std::string summary(const LeastDistance& found) {
     std::string text = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
     text += fmt::format(" at time {:.12g}", found.time.lower);
     if (!found.certain)
-        text += " (uncertain)";
+        text += found.distance.upper > 0 ? " (uncertain: the bracket is wider than the tolerance)"
+                                         : " (uncertain: the bodies may miss each other by a rounding error)";
     if (found.overlap)
         text += ", overlapping";
     if (!found.contacts.empty())
@@ -65,7 +57,7 @@ constexpr MemberDocs member_docs{
 };
 
 void bind_answer(nb::module_& module) {
-    nb::class_<LeastAnswer> type(module, "LeastDistance", doc("LeastDistance"));
+    nb::class_<LeastAnswer> type(module, "LeastDistance", doc("LeastDistance"), collected<LeastAnswer>());
     type.def_prop_ro(
             "distance", [](const LeastAnswer& a) { return a.found.distance.lower; },
             "Lower end of the bracket around the least distance. It is proven: the surfaces never come nearer. Mesh "
@@ -89,7 +81,7 @@ std::string least_distance_doc() {
            invalid_input_docs;
 }
 
-void answer_batch(nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle array,
+void answer_batch(nb::handle moving, nb::handle fixed, const RowMotions& motions, nb::handle array,
                   const LeastDistanceOptions& options, const RowOptions& rows, nb::handle report) {
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
@@ -97,7 +89,7 @@ void answer_batch(nb::handle moving, nb::handle fixed, nb::handle starts, nb::ha
         return least_distance({a, b, motion, options});
     };
     motion_rows<LeastRow>(
-        starts, goals, array, rows, report,
+        motions, array, rows, report,
         [&](const Polyhedron& triangle, const Motion& rest) { static_cast<void>(ask_about(triangle, triangle, rest)); },
         [&](const Motion& motion, LeastRow& row) { write(ask_about(moving_body, fixed_body, motion), row); });
 }
@@ -123,15 +115,16 @@ void bind_least_distance(nb::module_& module) {
         text.c_str());
     module.def(
         "_least_distance_batch",
-        [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle table, double tolerance,
-           double time_tolerance, nb::handle motion, double max_turn, unsigned threads, bool marks_errors,
-           nb::handle report) {
-            answer_batch(moving, fixed, starts, goals, table,
+        [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle motions,
+           nb::handle table, double tolerance, double time_tolerance, nb::handle motion, double max_turn,
+           unsigned threads, bool marks_errors, nb::handle report) {
+            answer_batch(moving, fixed, {starts, goals, motions}, table,
                          {.tolerance = tolerance, .time_tolerance = time_tolerance},
                          {kind_from(motion), max_turn, threads, marks_errors}, report);
         },
-        "moving"_a.none(), "fixed"_a.none(), "starts"_a, "goals"_a, "table"_a, nb::kw_only(), "tolerance"_a,
-        "time_tolerance"_a, "motion"_a.none(), "max_turn"_a, "threads"_a, "marks_errors"_a, "report"_a.none());
+        "moving"_a.none(), "fixed"_a.none(), "starts"_a.none(), "goals"_a.none(), "motions"_a.none(), "table"_a,
+        nb::kw_only(), "tolerance"_a, "time_tolerance"_a, "motion"_a.none(), "max_turn"_a, "threads"_a,
+        "marks_errors"_a, "report"_a.none());
 }
 
 } // namespace chasles::python

@@ -38,7 +38,9 @@ NB_MODULE(_core, module) {
     python::bind_queries(module);
     python::bind_batches(module);
     python::bind_least_distance(module);
+    python::bind_untested(module);
     python::bind_scene(module);
+    python::bind_nearest_pair(module);
     python::bind_stepper(module);
     python::bind_joint_path(module);
     python::bind_drag(module);

@@ -244,11 +244,23 @@ std::optional<TypedMotion> cast_to(nb::handle motion, const std::variant<Kinds..
 TypedMotion given_motion(nb::handle motion) {
     if (auto found = cast_to(motion, static_cast<const TypedMotion*>(nullptr)))
         return *found;
-    throw InvalidInput("motion: must be a motion, such as ScrewMotion or ConstantVelocity");
+    throw InvalidInput("motion: " + text_of_argument(motion) +
+                       " must be a motion, such as chasles.ConstantVelocity.between(start, goal)");
 }
 
 Motion plain(const TypedMotion& motion) {
     return std::visit([](const auto& typed) -> Motion { return typed; }, motion);
+}
+
+Owners owners_of(const TypedMotion& motion) {
+    return std::visit(
+        [](const auto& typed) -> Owners {
+            if constexpr (requires { typed.owners; })
+                return typed.owners;
+            else
+                return {};
+        },
+        motion);
 }
 
 TypedMotion motion_from(const MotionArguments& a) {

@@ -16,14 +16,42 @@ namespace {
 
 using namespace nb::literals;
 
-/// Python objects may be released only with the GIL, and queries copy and destroy motions without it.
-using SharedObject = std::shared_ptr<nb::object>;
+/// Both functions while their Python object lives. Copies of motions in C++ have this link only: queries copy and
+/// destroy motions without the GIL, and the collector does not see what C++ keeps.
+struct Link {
+    nb::handle pose_at, bounds;
+};
 
-SharedObject shared(nb::handle object) {
-    return {new nb::object(nb::borrow(object)), [](const nb::object* last) {
-                const nb::gil_scoped_acquire acquire;
-                delete last;
-            }};
+/// The Python object that owns the functions of a trajectory.
+class Functions {
+public:
+    Functions(nb::handle pose_at, nb::handle bounds)
+        : pose_at_(nb::borrow(pose_at)), bounds_(nb::borrow(bounds)),
+          link_(std::make_shared<Link>(Link{pose_at, bounds})) {}
+    ~Functions() { *link_ = {}; }
+    Functions(const Functions&) = delete;
+    Functions& operator=(const Functions&) = delete;
+
+    [[nodiscard]] std::shared_ptr<const Link> link() const { return link_; }
+
+    template <typename Visit>
+    friend void for_each_reference(Functions& functions, const Visit& visit) {
+        visit(functions.pose_at_);
+        visit(functions.bounds_);
+        if (!functions.pose_at_.is_valid()) // the collector has cleared it
+            *functions.link_ = {};
+    }
+
+private:
+    nb::object pose_at_, bounds_;
+    std::shared_ptr<Link> link_;
+};
+
+/// The function, kept alive while it is called. With the GIL only.
+nb::object function_of(nb::handle linked) {
+    if (!linked.is_valid())
+        throw InvalidInput("trajectory: its functions are gone: Python has freed all objects with this motion");
+    return nb::borrow(linked);
 }
 
 double bound_from(const nb::dict& bounds, const char* name, std::optional<double> unknown) {
@@ -52,18 +80,22 @@ MotionBounds bounds_from(nb::handle result) {
             bound_from(bounds, "speed", {}), bound_from(bounds, "acceleration", unknown)};
 }
 
-OwnTrajectory trajectory_from(nb::handle pose_at, nb::handle bounds, nb::handle reference, std::vector<double> knots,
+void require_function(nb::handle argument, const char* name, const char* form) {
+    if (!PyCallable_Check(argument.ptr()))
+        throw InvalidInput(fmt::format("trajectory: {}: {} is no function; one is needed, as in {}", name,
+                                       text_of_argument(argument), form));
+}
+
+OwnTrajectory trajectory_from(const std::shared_ptr<const Link>& link, nb::handle reference, std::vector<double> knots,
                               double rounding) {
-    if (!nb::hasattr(pose_at, "__call__") || !nb::hasattr(bounds, "__call__"))
-        throw InvalidInput("trajectory: pose_at and bounds must be functions");
     OwnTrajectory own;
-    own.pose_at = [function = shared(pose_at)](double time) {
+    own.pose_at = [link](double time) {
         const nb::gil_scoped_acquire acquire;
-        return pose_from((*function)(time), "trajectory: pose_at");
+        return pose_from(function_of(link->pose_at)(time), "trajectory: pose_at");
     };
-    own.bounds = [function = shared(bounds)](double from, double to) {
+    own.bounds = [link](double from, double to) {
         const nb::gil_scoped_acquire acquire;
-        return bounds_from((*function)(from, to));
+        return bounds_from(function_of(link->bounds)(from, to));
     };
     if (!reference.is_none())
         own.reference = vector_from(reference, "reference");
@@ -99,18 +131,31 @@ constexpr const char* trajectory_text =
     "    The point of the moving body, in its frame, whose speed and acceleration are bounded.\n"
     "knots : times in (0, 1) at which velocities jump\n"
     "rounding : float\n"
-    "    A bound of the error of poses by rounding: of unit quaternions, and of translations over their size.\n";
+    "    A bound of the error of poses by rounding: of unit quaternions, and of translations over their size.\n\n"
+    "Each pose and each bound is a call of Python, so a query may take long. `TimedPoses.through` many poses of the "
+    "same\n"
+    "motion takes a third of the time (median), and a hundredth of it where no accelerations are stated. Between two\n"
+    "poses it strays from the motion by at most (a + (alpha + 2 omega^2) r) h^2 / 8, with the acceleration a of the\n"
+    "reference, the turn acceleration alpha and the turn rate omega, the greatest distance r of a point of the body "
+    "from\n"
+    "the reference, and the step h of the time. Add this length to the margin: then a clear answer is proven for the\n"
+    "motion itself. See docs/python.md.\n";
 
 } // namespace
 
 void bind_own_trajectories(nb::module_& module) {
-    nb::class_<OwnMotion>(module, "Trajectory", trajectory_text)
+    nb::class_<Functions>(module, "_Functions", collected<Functions>());
+    nb::class_<OwnMotion>(module, "Trajectory", trajectory_text, collected<OwnMotion>())
         .def(
             "__init__",
             [](OwnMotion* self, nb::handle pose_at, nb::handle bounds, nb::handle reference, std::vector<double> knots,
                double rounding) {
-                const OwnTrajectory own = trajectory_from(pose_at, bounds, reference, std::move(knots), rounding);
-                new (self) OwnMotion{own, Motion::along(own)};
+                require_function(pose_at, "pose_at", "lambda time: [time, 0, 0, 1, 0, 0, 0]");
+                require_function(bounds, "bounds", "lambda start, end: {\"turn_rate\": 0, \"speed\": 1}");
+                const nb::object owner = nb::cast(new Functions(pose_at, bounds), nb::rv_policy::take_ownership);
+                const OwnTrajectory own =
+                    trajectory_from(nb::inst_ptr<Functions>(owner)->link(), reference, std::move(knots), rounding);
+                new (self) OwnMotion{{Motion::along(own), {owner}}, own};
             },
             "pose_at"_a, "bounds"_a, nb::kw_only(), "reference"_a = nb::none(), "knots"_a = std::vector<double>(),
             "rounding"_a = OwnTrajectory().rounding,
@@ -129,7 +174,14 @@ void bind_own_trajectories(nb::module_& module) {
             nb::sig("def pose_at(self, time: float) -> " CHASLES_ARRAY),
             "The pose (4, 4) of the moving body at a time in [0, 1].")
         .def(
-            "__mul__", [](const OwnMotion& m, nb::handle inner) { return m.motion * plain(given_motion(inner)); },
+            "fixed_pose_at", [](const OwnMotion& m, double time) { return matrix_of(m.motion.fixed_pose_at(time)); },
+            "time"_a, nb::sig("def fixed_pose_at(self, time: float) -> " CHASLES_ARRAY),
+            "The pose (4, 4) of the fixed body, which stands still.")
+        .def(
+            "__mul__",
+            [](const OwnMotion& m, nb::handle inner) {
+                return made_of(m, given_motion(inner), [](const Motion& a, const Motion& b) { return a * b; });
+            },
             "inner"_a, nb::sig("def __mul__(self, inner: typing.Any) -> Motion"),
             "The motion `inner`, carried by this one.")
         .def("__repr__", [](const OwnMotion&) { return "<chasles.Trajectory>"; });

@@ -31,7 +31,8 @@ bool has_given_ids(const Polyhedron& polyhedron) {
 Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool drop_degenerate, unsigned threads) {
     const DoubleArray points(vertices, "vertices");
     if (points.shape().size() != 2 || points.shape()[1] != 3)
-        throw InvalidInput("vertices: the shape is " + points.shape_text() + "; points have (n, 3)");
+        throw InvalidInput("vertices: the shape is " + points.shape_text() +
+                           "; points have (n, 3), as in [[0, 0, 0], [1, 0, 0], [0, 1, 0]]");
     const FaceLists outlines(faces);
     const std::span given(reinterpret_cast<const Eigen::Vector3d*>(points.numbers().data()),
                           points.numbers().size() / 3);

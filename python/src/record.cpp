@@ -48,12 +48,14 @@ std::string scene_page(const PythonScene& scene, nb::handle found, const std::st
         margin = contact.margin;
         return contact;
     };
+    answer.untested = scene.scene.untested();
     auto source = view::RecordSource::all_contacts;
     if (nb::isinstance<SceneContactAnswer>(found)) {
         const SceneContactAnswer only = add(found);
         if (only.is_first) {
             source = view::RecordSource::first_contact;
             clear_until = only.found.clear_until;
+            answer.untested = only.untested;
         }
     } else if (nb::isinstance<nb::list>(found) || nb::isinstance<nb::tuple>(found)) {
         for (const nb::handle entry : found)

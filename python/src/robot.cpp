@@ -78,7 +78,7 @@ struct PythonProof {
     [[nodiscard]] std::pair<std::string, std::string> links() const { return {proof.first, proof.second}; }
 };
 
-nb::list proofs_of(const Robot& robot, double seconds, unsigned threads) {
+nb::list proofs_of(const Robot& robot, double seconds, unsigned threads, nb::handle report) {
     std::vector<PairProof> proofs;
     run_interruptibly(
         [&](Progress& progress) {
@@ -89,7 +89,7 @@ nb::list proofs_of(const Robot& robot, double seconds, unsigned threads) {
             };
             proofs = prove_pairs(robot, options);
         },
-        nb::none());
+        report);
     nb::list list;
     for (PairProof& proof : proofs)
         list.append(nb::cast(PythonProof{std::move(proof)}));
@@ -101,7 +101,7 @@ std::string page_of(const Robot& robot, nb::handle configurations, nb::handle sc
                     const std::string& title) {
     const JointPath path = path_from(robot, {configurations, nb::none(), nb::none(), nb::none()});
     const nb::str find("first");
-    const RobotChecker checker = checker_of(robot, {scene, margin, default_time_tolerance, find});
+    const RobotChecker checker = checker_of(robot, {scene, margin, std::nullopt, default_time_tolerance, find});
     const Scene* world = scene.is_none() ? nullptr : &nb::cast<const PythonScene&>(scene).scene;
     const nb::gil_scoped_release release;
     view::SceneRecord record = view::robot_record(robot, world, path, checker.first_contact(path));
@@ -127,6 +127,10 @@ void bind_proof(nb::module_& module) {
         .def_prop_ro(
             "cells", [](const PythonProof& p) { return p.proof.cells; }, doc("PairProof.cells"))
         .def_prop_ro(
+            "tried", [](const PythonProof& p) { return p.proof.tried; }, doc("PairProof.tried"))
+        .def_prop_ro(
+            "touching", [](const PythonProof& p) { return p.proof.touching; }, doc("PairProof.touching"))
+        .def_prop_ro(
             "seconds", [](const PythonProof& p) { return p.proof.seconds; }, "Spent on this pair.")
         .def("__repr__", [](const PythonProof& p) {
             return fmt::format("<chasles.PairProof: {} and {}: {}>", p.proof.first, p.proof.second,
@@ -144,7 +148,9 @@ constexpr const char* clearance_doc =
 constexpr const char* question_doc =
     "\n\nParameters\n----------\nstart, goal : array (variables,)\n    Configurations, in the order of "
     "`variables`: radians, or the mesh unit.\nscene : Scene, optional\n    The world; without it the robot is tested "
-    "against itself only.\nmargin : float\n    Distance that counts as contact, mesh unit.\ntime_tolerance : float\n"
+    "against itself only.\nmargin : float\n    Distance that counts as contact, mesh unit.\nhold : float, optional\n"
+    "    What is within its margin where a segment begins may move on, but comes no nearer than this.\n"
+    "time_tolerance : float\n"
     "    Width of the bracket to aim for.\nfind : Find or str\n    'first', 'first_with_all_contacts' or 'any'.\n\n"
     "Returns\n-------\nRobotContact\n\nRaises\n------\nInvalidInput\n    For a wrong number of values, NaN, or a value "
     "beyond 1000. Limits of joints are not checked.";
@@ -152,7 +158,8 @@ constexpr const char* question_doc =
 } // namespace
 
 #define CHASLES_ROBOT_QUESTION                                                                                         \
-    "*, scene: Scene | None = None, margin: float = 0.0, time_tolerance: float = 1e-12, " CHASLES_FIND_TYPE
+    "*, scene: Scene | None = None, margin: float = 0.0, hold: float | None = None, time_tolerance: float = "          \
+    "1e-12, " CHASLES_FIND_TYPE
 
 void bind_robot(nb::module_& module) {
     static const std::string edge_doc =
@@ -185,6 +192,27 @@ void bind_robot(nb::module_& module) {
             nb::sig("def continuous(self) -> list[bool]"),
             "Of each variable, whether it is an angle without limits: values that differ by 2 pi are the same.")
         .def_prop_ro("links", links_of, "The names of the links.")
+        .def_prop_ro(
+            "warnings", [](const Robot& r) { return r.warnings(); }, doc("Robot.warnings"))
+        .def(
+            "warnings_about",
+            [](const Robot& r, nb::handle configurations) {
+                return r.warnings_about(rows_of(configurations, "configurations"));
+            },
+            "configurations"_a,
+            nb::sig("def warnings_about(self, configurations: numpy.typing.ArrayLike) -> list[str]"),
+            doc("Robot.warnings_about"))
+        .def(
+            "shape",
+            [](const Robot& r, nb::handle configuration) {
+                return Body{
+                    r.shape(configuration.is_none() ? r.neutral() : configuration_from(configuration, "configuration")),
+                    nullptr,
+                    {}};
+            },
+            "configuration"_a = nb::none(),
+            nb::sig("def shape(self, configuration: numpy.typing.ArrayLike | None = None) -> Polyhedron"),
+            doc("Robot.shape"))
         .def("collisions", collisions_of, "link"_a,
              nb::sig("def collisions(self, link: str) -> list[tuple[Polyhedron, " CHASLES_ARRAY ", float]]"),
              "The shapes of a link: each with its pose in the frame of the link, (4, 4), and with the deviation by "
@@ -233,11 +261,11 @@ void bind_robot(nb::module_& module) {
             "first"_a, "second"_a, "margin"_a, doc("Robot.set_margin"))
         .def(
             "first_contact",
-            [](const Robot& r, nb::handle start, nb::handle goal, nb::handle scene, double margin, double tolerance,
-               nb::handle find) {
-                return answer_on_edge(checker_of(r, {scene, margin, tolerance, find}), start, goal);
+            [](const Robot& r, nb::handle start, nb::handle goal, nb::handle scene, double margin,
+               std::optional<double> hold, double tolerance, nb::handle find) {
+                return answer_on_edge(checker_of(r, {scene, margin, hold, tolerance, find}), start, goal);
             },
-            "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
+            "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "hold"_a = nb::none(),
             "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: "
                     "numpy.typing.ArrayLike, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
@@ -245,13 +273,14 @@ void bind_robot(nb::module_& module) {
         .def(
             "first_contact_on_path",
             [](const Robot& r, nb::handle configurations, nb::handle times, nb::handle velocities,
-               nb::handle accelerations, nb::handle scene, double margin, double tolerance, nb::handle find) {
-                return answer_on_path(checker_of(r, {scene, margin, tolerance, find}),
+               nb::handle accelerations, nb::handle scene, double margin, std::optional<double> hold, double tolerance,
+               nb::handle find) {
+                return answer_on_path(checker_of(r, {scene, margin, hold, tolerance, find}),
                                       {configurations, times, velocities, accelerations});
             },
             "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
-            nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "time_tolerance"_a = default_time_tolerance,
-            "find"_a.none() = "first",
+            nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "hold"_a = nb::none(),
+            "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
@@ -263,15 +292,16 @@ void bind_robot(nb::module_& module) {
             "least_distance",
             [](const Robot& r, nb::handle start, nb::handle goal, nb::handle scene, double tolerance) {
                 const nb::str find("first");
-                return clearance_on_edge(checker_of(r, {scene, 0, default_time_tolerance, find}), start, goal,
-                                         tolerance);
+                return clearance_on_edge(checker_of(r, {scene, 0, std::nullopt, default_time_tolerance, find}), start,
+                                         goal, tolerance);
             },
             "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "tolerance"_a = default_tolerance,
             nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, *, "
                     "scene: Scene | None = None, tolerance: float = 1e-6) -> RobotClearance"),
             clearance_doc)
-        .def("prove_pairs", proofs_of, "seconds"_a = 600.0, "threads"_a = 0,
-             nb::sig("def prove_pairs(self, seconds: float = 600.0, threads: int = 0) -> list[PairProof]"),
+        .def("prove_pairs", proofs_of, "seconds"_a = 600.0, "threads"_a = 0, "progress"_a = nb::none(),
+             nb::sig("def prove_pairs(self, seconds: float = 600.0, threads: int = 0, progress: "
+                     "collections.abc.Callable[[int], object] | None = None) -> list[PairProof]"),
              doc("prove_pairs"))
         .def("__repr__", [](const Robot& r) {
             return fmt::format("<chasles.Robot: {}, {} links, {} variables>", r.description().name,

@@ -38,6 +38,7 @@ struct PythonClearance {
 struct RobotArguments {
     nb::handle scene; ///< None or a chasles.Scene
     double margin = 0;
+    std::optional<double> hold;
     double time_tolerance = 0;
     nb::handle find;
 };

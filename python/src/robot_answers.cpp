@@ -29,7 +29,7 @@ RobotChecker checker_of(const Robot& robot, const RobotArguments& arguments) {
         scene = &given->scene;
     }
     return RobotChecker(robot, scene,
-                        {{arguments.margin, std::nullopt, arguments.time_tolerance, find_from(arguments.find)}});
+                        {{arguments.margin, arguments.hold, arguments.time_tolerance, find_from(arguments.find)}});
 }
 
 Configuration configuration_from(nb::handle argument, const std::string& name) {
@@ -97,9 +97,14 @@ namespace {
 
 std::string text_of(const PythonRobotAnswer& answer) {
     if (!answer.found.pair)
-        return "<chasles.RobotContact: clear>";
-    return fmt::format("<chasles.RobotContact: {} on {} at time {:.12g} of segment {}>", answer.found.pair->first,
-                       answer.found.pair->second, answer.time().lower, answer.found.segment);
+        return fmt::format("<chasles.RobotContact: clear; {} pairs are tested, and {} are not>",
+                           answer.found.untested->tested, answer.found.untested->total());
+    FirstContact found = answer.found.contact;
+    found.verdict = answer.found.verdict;
+    found.certain = answer.found.certain;
+    found.time = answer.time();
+    return fmt::format("<chasles.RobotContact: segment {}, {}>", answer.found.segment,
+                       summary(found, answer.found.pair->first + " on " + answer.found.pair->second));
 }
 
 void bind_contact(nb::module_& module) {
@@ -140,6 +145,11 @@ void bind_contact(nb::module_& module) {
         .def_prop_ro(
             "clear_configuration", [](const Answer& a) { return array_of(a.found.clear_configuration); },
             nb::sig("def clear_configuration(self) -> " CHASLES_ARRAY), "At `clear_until`.")
+        .def_prop_ro(
+            "held", [](const Answer& a) { return tuple_of(a.found.contact.held); },
+            nb::sig("def held(self) -> tuple[Contact, ...]"), doc("FirstContact.held"))
+        .def_prop_ro(
+            "untested", [](const Answer& a) { return *a.found.untested; }, "What the answer does not look at.")
         .def_prop_ro(
             "pairs", [](const Answer& a) { return a.found.pairs; }, doc("RobotAnswer.pairs"))
         .def_prop_ro(
@@ -182,21 +192,26 @@ nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::h
     return nb::tuple(fields);
 }
 
-#define CHASLES_ROBOT_OPTIONS "*, margin: float = 0.0, time_tolerance: float = 1e-12, " CHASLES_FIND_TYPE
+#define CHASLES_ROBOT_OPTIONS                                                                                          \
+    "*, margin: float = 0.0, hold: float | None = None, time_tolerance: float = 1e-12, " CHASLES_FIND_TYPE
 
 void bind_robot_answers(nb::module_& module) {
     bind_contact(module);
-    nb::class_<RobotChecker>(module, "RobotChecker", doc("RobotChecker"))
+    nb::class_<RobotChecker>(module, "RobotChecker", doc("RobotChecker"), nb::dynamic_attr())
         .def(
             "__init__",
-            [](RobotChecker* checker, const Robot& robot, nb::handle scene, double margin, double time_tolerance,
-               nb::handle find) {
-                new (checker) RobotChecker(checker_of(robot, {scene, margin, time_tolerance, find}));
+            [](nb::pointer_and_handle<RobotChecker> checker, const Robot& robot, nb::handle scene, double margin,
+               std::optional<double> hold, double time_tolerance, nb::handle find) {
+                new (checker.p) RobotChecker(checker_of(robot, {scene, margin, hold, time_tolerance, find}));
+                checker.h.attr("_scene") = scene; // bodies may follow functions of Python, which the scene owns
             },
-            "robot"_a, "scene"_a = nb::none(), nb::kw_only(), "margin"_a = 0.0,
+            "robot"_a, "scene"_a = nb::none(), nb::kw_only(), "margin"_a = 0.0, "hold"_a = nb::none(),
             "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def __init__(self, robot: Robot, scene: Scene | None = None, " CHASLES_ROBOT_OPTIONS ") -> None"),
             "Keeps the state of the robot and of the scene.")
+        .def_prop_ro(
+            "untested", [](const RobotChecker& checker) { return checker.untested(); },
+            "What no answer of the checker looks at.")
         .def_prop_ro(
             "robot", [](const RobotChecker& checker) { return checker.robot(); },
             "A copy of the robot, as it was when the checker was made.")

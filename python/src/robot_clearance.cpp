@@ -14,8 +14,10 @@ std::string summary(const PythonClearance& clearance) {
     const RobotClearance& found = clearance.found;
     if (!found.pair)
         return "<chasles.RobotClearance: no two bodies are tested>";
-    return fmt::format("<chasles.RobotClearance: {:.9g}, {} to {} at time {:.12g} of segment {}>", found.distance.lower,
-                       found.pair->first, found.pair->second, clearance.time().lower, found.segment);
+    const std::string distance = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
+    return fmt::format("<chasles.RobotClearance: {}{}, {} to {} at time {:.12g} of segment {}>", distance,
+                       found.certain ? "" : " (uncertain)", found.pair->first, found.pair->second,
+                       clearance.time().lower, found.segment);
 }
 
 } // namespace
@@ -63,10 +65,12 @@ void bind_robot_clearance(nb::module_& module) {
             [](const Clearance& c) { return c.found.pair ? array_of(c.found.configuration) : nb::none(); },
             nb::sig("def configuration(self) -> " CHASLES_ARRAY " | None"), "At `time`.")
         .def_prop_ro(
+            "untested", [](const Clearance& c) { return *c.found.untested; }, "What the answer does not look at.")
+        .def_prop_ro(
             "pairs", [](const Clearance& c) { return c.found.pairs; }, doc("RobotClearance.pairs"))
         .def_prop_ro(
             "work", [](const Clearance& c) { return c.found.work; }, doc("Work"))
-        .def("__repr__", summary);
+        .def("__repr__", [](const Clearance& c) { return summary(c); });
 }
 
 } // namespace chasles::python

@@ -6,6 +6,7 @@
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
 #include "python/src/interruptible.h"
+#include "python/src/motions.h"
 #include "python/src/names.h"
 #include "python/src/poses.h"
 #include "python/src/table.h"
@@ -13,6 +14,7 @@
 #include <algorithm>
 #include <fmt/format.h>
 #include <limits>
+#include <optional>
 #include <vector>
 
 namespace chasles::python {
@@ -101,6 +103,46 @@ private:
     std::vector<std::uint8_t> is_bad_;
 };
 
+/// Motions of any kinds, read before the first query.
+class GivenMotions {
+public:
+    GivenMotions(nb::handle list, const RowOptions& options) {
+        for (const nb::handle item : list)
+            try {
+                motions_.emplace_back(given_motion(item));
+            } catch (const InvalidInput& error) {
+                if (!options.marks_errors)
+                    throw InvalidInput(fmt::format("motions[{}]: {}", motions_.size(), error.what()));
+                motions_.emplace_back();
+            }
+    }
+    [[nodiscard]] std::size_t size() const { return motions_.size(); }
+    /// Throws InvalidInput for what is no motion.
+    const TypedMotion& operator[](std::size_t i) const {
+        if (!motions_[i])
+            throw InvalidInput(fmt::format("motions[{}]", i));
+        return *motions_[i];
+    }
+
+private:
+    std::vector<std::optional<TypedMotion>> motions_;
+};
+
+/// Whether the motion has the paper's parameter.
+inline bool has_tau(const TypedMotion& motion) {
+    return std::holds_alternative<ScrewMotion>(motion) || std::holds_alternative<SweepMotion>(motion);
+}
+
+template <typename AnyRow>
+void remove_tau(AnyRow& row) {
+    row.tau = row.tau_upper = std::numeric_limits<double>::quiet_NaN();
+}
+
+/// Where the motions of a batch come from: starts and goals, or a list of motions; the others are None.
+struct RowMotions {
+    nb::handle starts, goals, motions;
+};
+
 /// The motion of a row. About the body's origin, if it has a centre.
 inline Motion row_motion(const RowOptions& options, const Pose& start, const Pose& goal) {
     switch (options.motion) {
@@ -115,13 +157,34 @@ inline Motion row_motion(const RowOptions& options, const Pose& start, const Pos
     }
 }
 
-/// The rows of motions from starts to goals. `try_options(triangle, motion)` refuses invalid options;
-/// `answer(motion, row)` answers one row.
+/// The rows of given motions.
+template <typename AnyRow, typename Answer>
+void given_rows(nb::handle motions, const Table<AnyRow>& table, const RowOptions& options, nb::handle report,
+                const Answer& answer) {
+    const GivenMotions given(motions, options);
+    if (table.size() != given.size())
+        throw InvalidInput(fmt::format("table: has {} rows for {} motions", table.size(), given.size()));
+    const auto work = [&](Progress& progress) {
+        answer_rows(table, options, progress, [&](std::size_t i) {
+            answer(plain(given[i]), table[i]);
+            if (!has_tau(given[i]))
+                remove_tau(table[i]);
+        });
+    };
+    run_interruptibly(work, report);
+}
+
+/// The rows of motions from starts to goals, or of given motions. `try_options(triangle, motion)` refuses invalid
+/// options; `answer(motion, row)` answers one row.
 template <typename AnyRow, typename TryOptions, typename Answer>
-void motion_rows(nb::handle starts, nb::handle goals, nb::handle array, const RowOptions& options, nb::handle report,
+void motion_rows(const RowMotions& motions, nb::handle array, const RowOptions& options, nb::handle report,
                  const TryOptions& try_options, const Answer& answer) {
-    const PoseArray start_array(starts, "starts"), goal_array(goals, "goals");
     const Table<AnyRow> table(array);
+    if (!motions.motions.is_none()) {
+        check(options, try_options);
+        return given_rows(motions.motions, table, options, report, answer);
+    }
+    const PoseArray start_array(motions.starts, "starts"), goal_array(motions.goals, "goals");
     if (goal_array.size() != start_array.size())
         throw InvalidInput(fmt::format("goals: there are {} for {} starts", goal_array.size(), start_array.size()));
     if (table.size() != start_array.size())
@@ -136,7 +199,7 @@ void motion_rows(nb::handle starts, nb::handle goals, nb::handle array, const Ro
         answer_rows(table, options, progress, [&](std::size_t i) {
             answer(row_motion(options, from[i], to[i]), table[i]);
             if (!view::has_tau(options.motion))
-                table[i].tau = table[i].tau_upper = std::numeric_limits<double>::quiet_NaN();
+                remove_tau(table[i]);
         });
     };
     run_interruptibly(work, report);

@@ -60,11 +60,17 @@ std::vector<std::string> names_of(const PythonScene& scene) {
     return names;
 }
 
+Owners owners_of(const PythonScene& scene, const std::string& body) {
+    const nb::object& motion = scene.motions.at(body).motion;
+    return nb::isinstance<nb::str>(motion) || motion.is_none() ? Owners() : owners_of(given_motion(motion));
+}
+
 SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin) {
     const auto bodies = scene.scene.bodies();
     const Names names = names_of(scene.scene, contact);
     return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
-             relative(bodies[contact.moving].motion, bodies[contact.fixed].motion),
+             PlainMotion{relative(bodies[contact.moving].motion, bodies[contact.fixed].motion),
+                         joined(owners_of(scene, names.first), owners_of(scene, names.second))},
              scene.scene.margin_of(contact.moving, contact.fixed, margin)},
             names};
 }
@@ -154,12 +160,17 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
         clear.certain = true;
         clear.clear_until = found.clear_until;
         clear.work = found.work;
-        return {{clear, nb::none(), nb::none(), Motion::at_rest(Pose()), margin}, std::nullopt, true};
+        return {{clear, nb::none(), nb::none(), PlainMotion{Motion::at_rest(Pose())}, margin},
+                std::nullopt,
+                true,
+                {},
+                std::move(found.untested)};
     }
     SceneContactAnswer answer = answer_of(scene, found.contacts.front(), margin);
     answer.is_first = true;
     answer.found.clear_until = found.clear_until;
     answer.found.work = found.work;
+    answer.untested = std::move(found.untested);
     for (std::size_t i = 1; i < found.contacts.size(); ++i)
         answer.simultaneous.push_back({names_of(scene.scene, found.contacts[i]), found.contacts[i].contact});
     return answer;
@@ -174,6 +185,14 @@ nb::list all_contacts(const PythonScene& scene, double margin, std::optional<dou
     for (const SceneContact& contact : found.contacts)
         contacts.append(nb::cast(answer_of(scene, contact, margin)));
     return contacts;
+}
+
+/// The pairs are remembered as ignored ones.
+std::vector<Names> ignore_touching_at_start(PythonScene& scene, double margin) {
+    std::vector<Names> pairs = scene.scene.ignore_touching_at_start(margin);
+    for (const auto& [a, b] : pairs)
+        scene.rules[{"ignore", a, b}] = 0;
+    return pairs;
 }
 
 nb::dict clear_until(const PythonScene& scene, double margin, std::optional<double> hold, double until,
@@ -202,7 +221,9 @@ constexpr const char* question_doc =
     "\n\nParameters\n----------\nmargin : float\n    Distance that counts as contact, mesh unit.\n"
     "hold : float, optional\n    Bodies that start within their margin may move on, but come no nearer than "
     "this.\nuntil : float\n"
-    "    Contacts that begin after this time, in [0, 1], are left out.\ntime_tolerance : float\n"
+    "    Contacts that begin after this time, in [0, 1], are left out. Two bodies that both stand still are tested "
+    "with "
+    "0 only,\n    which makes it a question about the start.\ntime_tolerance : float\n"
     "    Width of the brackets to aim for.\nfind : Find or str\n"
     "    'first', 'first_with_all_contacts', or 'any' for a question of yes or no.\n"
     "threads : int\n    At most so many; 0 for all cores. The answer does not depend on it.\n\n";
@@ -226,7 +247,7 @@ auto rule(const char* name, void (Scene::*function)(Name, Name, double)) {
 }
 
 void bind_contact(nb::module_& module) {
-    nb::class_<SceneContactAnswer, Answer>(module, "SceneContact", doc("SceneContact"))
+    nb::class_<SceneContactAnswer, Answer>(module, "SceneContact", doc("SceneContact"), collected<SceneContactAnswer>())
         .def_prop_ro(
             "pair",
             [](const SceneContactAnswer& a) -> nb::object {
@@ -243,10 +264,13 @@ void bind_contact(nb::module_& module) {
                 return pairs;
             },
             "Further pairs that may touch at the same time, as their brackets overlap.")
+        .def_prop_ro(
+            "untested", [](const SceneContactAnswer& a) { return a.untested; },
+            "What the answer of first_contact does not look at; `Scene.untested` tells it for other questions.")
         .def("__repr__", [](const SceneContactAnswer& a) {
-            return a.pair ? fmt::format("<chasles.SceneContact: {} on {} at time {:.12g}>", a.pair->first,
-                                        a.pair->second, a.found.time.lower)
-                          : fmt::format("<chasles.SceneContact: clear until {}>", a.found.clear_until);
+            if (!a.pair)
+                return fmt::format("<chasles.SceneContact: clear until {}>", a.found.clear_until);
+            return fmt::format("<chasles.SceneContact: {}>", summary(a.found, a.pair->first + " on " + a.pair->second));
         });
 }
 
@@ -261,7 +285,7 @@ void bind_scene(nb::module_& module) {
     static const std::string all_text = std::string("The first contact of each pair that touches, in order of time.") +
                                         question_doc + "Returns\n-------\nlist of SceneContact";
     bind_contact(module);
-    nb::class_<PythonScene> type(module, "Scene", doc("Scene"));
+    nb::class_<PythonScene> type(module, "Scene", doc("Scene"), collected<PythonScene>());
     bind_scene_state(type);
     type.def(nb::init<>())
         .def("add", add, "name"_a, "shape"_a.none(), "pose"_a = nb::none(), "goal"_a = nb::none(), nb::kw_only(),
@@ -286,6 +310,13 @@ void bind_scene(nb::module_& module) {
              "with the number of the body, and then changes nothing.")
         .def("ignore", rule("ignore", &Scene::ignore), "a"_a, "b"_a, doc("Scene.ignore"))
         .def("ignore_groups", rule("ignore_groups", &Scene::ignore_groups), "a"_a, "b"_a, doc("Scene.ignore_groups"))
+        .def("ignore_touching_at_start", ignore_touching_at_start, nb::kw_only(), "margin"_a = 0.0,
+             nb::sig("def ignore_touching_at_start(self, *, margin: float = 0.0) -> list[tuple[str, str]]"),
+             doc("Scene.ignore_touching_at_start"))
+        .def(
+            "untested", [](const PythonScene& s, double until) { return s.scene.untested({.until = until}); },
+            nb::kw_only(), "until"_a = 1.0, nb::sig("def untested(self, *, until: float = 1.0) -> UntestedPairs"),
+            doc("Scene.untested"))
         .def("set_margin", rule("set_margin", &Scene::set_margin), "a"_a, "b"_a, "margin"_a, doc("Scene.set_margin"))
         .def("set_group_margin", rule("set_group_margin", &Scene::set_group_margin), "a"_a, "b"_a, "margin"_a,
              doc("Scene.set_group_margin"))

@@ -38,12 +38,23 @@ struct NamedContact {
     FirstContact found;
 };
 
+/// The shapes stay when the collector clears the motions.
+template <typename Visit>
+void for_each_reference(PythonScene& scene, const Visit& visit) {
+    for (auto& [name, given] : scene.motions)
+        visit(given.motion);
+}
+
 /// The first contact of a pair of a scene; of a clear scene without a pair.
 struct SceneContactAnswer : Answer {
     std::optional<Names> pair;
     bool is_first = false; ///< of all pairs: the answer of first_contact
     std::vector<NamedContact> simultaneous = {};
+    UntestedPairs untested = {}; ///< of the answer of first_contact
 };
+
+/// The functions of Python that a body follows.
+Owners owners_of(const PythonScene& scene, const std::string& body);
 
 SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin);
 

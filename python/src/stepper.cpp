@@ -9,6 +9,7 @@
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/string.h>
@@ -54,6 +55,8 @@ public:
         const bool has_poses = motion.is_none() || nb::try_cast(motion, kind);
         const nb::object start = has_poses ? pose(name) : nb::object(nb::none());
         stepper_.move(scene_->scene.index_of(name), motion_of_body(start, goal, motion, centre));
+        if (!has_poses)
+            moved_.push_back(nb::borrow(motion));
     }
     [[nodiscard]] std::size_t size() const { return scene_->scene.bodies().size(); }
 
@@ -68,7 +71,22 @@ private:
     std::unique_ptr<PythonScene> scene_; ///< stays where it is: the stepper refers to it
     double margin_;
     Stepper stepper_;
+    Owners moved_; ///< motions that bodies were given on the way
+
+    template <typename Visit>
+    friend void for_each_reference(PythonStepper& stepper, const Visit& visit) {
+        for_each_reference(*stepper.scene_, visit);
+        for (nb::object& motion : stepper.moved_)
+            visit(motion);
+    }
 };
+
+template <typename Visit>
+void for_each_reference(PythonEvent& event, const Visit& visit) {
+    for (std::vector<SceneContactAnswer>* list : {&event.contacts, &event.connected})
+        for (SceneContactAnswer& answer : *list)
+            for_each_reference(answer, visit);
+}
 
 void make(PythonStepper* stepper, const PythonScene& scene, double margin, std::optional<double> reach,
           double time_tolerance, unsigned threads) {
@@ -109,7 +127,7 @@ constexpr const char* move_doc =
     "Raises\n------\nInvalidInput\n    For a motion that starts elsewhere, and after the end of the step.";
 
 void bind_event(nb::module_& module) {
-    nb::class_<PythonEvent>(module, "StepEvent", doc("StepEvent"))
+    nb::class_<PythonEvent>(module, "StepEvent", doc("StepEvent"), collected<PythonEvent>())
         .def_ro("time", &PythonEvent::time, doc("StepEvent.time"))
         .def_prop_ro(
             "contacts", [](const PythonEvent& e) { return list_of(e.contacts); },
@@ -122,7 +140,9 @@ void bind_event(nb::module_& module) {
             for (const SceneContactAnswer& contact : e.contacts)
                 pairs +=
                     fmt::format("{}{} on {}", pairs.empty() ? "" : ", ", contact.pair->first, contact.pair->second);
-            return fmt::format("<chasles.StepEvent: time {:.12g}, {}>", e.time, pairs);
+            const bool is_certain = std::ranges::all_of(e.contacts, [](const auto& c) { return c.found.certain; });
+            return fmt::format("<chasles.StepEvent: time {:.12g}{}, {}>", e.time, is_certain ? "" : " (uncertain)",
+                               pairs);
         });
 }
 
@@ -130,7 +150,7 @@ void bind_event(nb::module_& module) {
 
 void bind_stepper(nb::module_& module) {
     bind_event(module);
-    nb::class_<PythonStepper>(module, "Stepper", stepper_doc)
+    nb::class_<PythonStepper>(module, "Stepper", stepper_doc, collected<PythonStepper>())
         .def("__init__", make, "scene"_a, nb::kw_only(), "margin"_a, "reach"_a = nb::none(),
              "time_tolerance"_a = default_time_tolerance, "threads"_a = 0)
         .def("advance", &PythonStepper::advance, nb::sig("def advance(self) -> StepEvent | None"), advance_doc)

@@ -23,19 +23,30 @@ Eigen::Vector3d centre_from(nb::handle centre) {
     return centre.is_none() ? Eigen::Vector3d::Zero() : vector_from(centre, "centre");
 }
 
-/// Numbers from any sequence of them.
-std::vector<double> numbers_from(nb::handle argument, const char* name) {
+/// A form of the coefficients of a polynomial in the time.
+constexpr const char* in_time = "[0, 0.5], which goes evenly from 0 to 0.5";
+
+/// Numbers from any sequence of them. A message shows the form.
+std::vector<double> numbers_from(nb::handle argument, const char* name, const char* form) {
     std::vector<double> numbers;
     if (!nb::try_cast(argument, numbers))
-        throw InvalidInput(fmt::format("{}: must be a sequence of numbers", name));
+        throw InvalidInput(fmt::format("{}: {} is no sequence of numbers; one is needed, as in {}", name,
+                                       text_of_argument(argument), form));
     return numbers;
 }
 
 std::vector<Eigen::Vector3d> vectors_from(nb::handle argument, const char* name) {
+    if (!nb::isinstance<nb::iterable>(argument))
+        throw InvalidInput(fmt::format("{}: {} is no list of points; one is needed, as in [[0, 0, 0], [1, 0, 0]]", name,
+                                       text_of_argument(argument)));
     std::vector<Eigen::Vector3d> vectors;
     for (const nb::handle item : argument)
         vectors.push_back(vector_from(item, fmt::format("{}[{}]", name, vectors.size())));
     return vectors;
+}
+
+PlainMotion product(const TypedMotion& outer, const TypedMotion& inner) {
+    return made_of(outer, inner, [](const Motion& a, const Motion& b) { return a * b; });
 }
 
 double in_unit_interval(double time) {
@@ -57,21 +68,21 @@ void bind_poses(nb::class_<M>& type) {
             nb::sig("def fixed_pose_at(self, time: float) -> " CHASLES_ARRAY),
             "The pose (4, 4) of the fixed body in the world at a time in [0, 1].")
         .def(
-            "__mul__", [](const M& outer, nb::handle inner) { return plain(outer) * plain(given_motion(inner)); },
-            "inner"_a, nb::sig("def __mul__(self, inner: " CHASLES_MOTIONS ") -> Motion"),
+            "__mul__", [](const M& outer, nb::handle inner) { return product(outer, given_motion(inner)); }, "inner"_a,
+            nb::sig("def __mul__(self, inner: " CHASLES_MOTIONS ") -> Motion"),
             "The motion `inner`, carried by this one: its pose is self.pose_at(t) @ inner.pose_at(t).");
 }
 
 void bind_motion(nb::module_& module) {
-    nb::class_<Motion> type(module, "Motion", doc("Motion"));
+    nb::class_<PlainMotion> type(module, "Motion", doc("Motion"), collected<PlainMotion>());
     type.def_static(
-            "at_rest", [](nb::handle pose) { return Motion::at_rest(pose_from(pose, "pose")); }, "pose"_a,
+            "at_rest", [](nb::handle pose) { return PlainMotion{Motion::at_rest(pose_from(pose, "pose"))}; }, "pose"_a,
             nb::sig("def at_rest(pose: " CHASLES_POSE ") -> Motion"), doc("Motion.at_rest"))
         .def_static(
             "hinge",
             [](nb::handle point, nb::handle direction, nb::handle angle) {
-                return Motion::hinge(vector_from(point, "point"), vector_from(direction, "direction"),
-                                     numbers_from(angle, "angle"));
+                return PlainMotion{Motion::hinge(vector_from(point, "point"), vector_from(direction, "direction"),
+                                                 numbers_from(angle, "angle", in_time))};
             },
             "point"_a, "direction"_a, "angle"_a,
             nb::sig("def hinge(point: " CHASLES_POSE ", direction: " CHASLES_POSE
@@ -80,24 +91,31 @@ void bind_motion(nb::module_& module) {
         .def_static(
             "slider",
             [](nb::handle direction, nb::handle way) {
-                return Motion::slider(vector_from(direction, "direction"), numbers_from(way, "way"));
+                return PlainMotion{
+                    Motion::slider(vector_from(direction, "direction"), numbers_from(way, "way", in_time))};
             },
             "direction"_a, "way"_a,
             nb::sig("def slider(direction: " CHASLES_POSE ", way: collections.abc.Sequence[float]) -> Motion"),
             doc("Motion.slider"))
         .def_static(
-            "polynomial", [](nb::handle places) { return Motion::polynomial(vectors_from(places, "places")); },
+            "polynomial",
+            [](nb::handle places) { return PlainMotion{Motion::polynomial(vectors_from(places, "places"))}; },
             "places"_a, nb::sig("def polynomial(places: " CHASLES_POSE ") -> Motion"), doc("Motion.polynomial"))
-        .def("__repr__", [](const Motion&) { return "<chasles.Motion>"; });
+        .def("__repr__", [](const PlainMotion&) { return "<chasles.Motion>"; });
     bind_poses(type);
     module.def(
-        "rest_of", [](nb::handle motion, double start) { return rest_of(plain(given_motion(motion)), start); },
+        "rest_of",
+        [](nb::handle motion, double start) {
+            const TypedMotion whole = given_motion(motion);
+            return PlainMotion{rest_of(plain(whole), start), owners_of(whole)};
+        },
         "motion"_a, "start"_a, nb::sig("def rest_of(motion: " CHASLES_MOTIONS ", start: float) -> Motion"),
         doc("rest_of"));
     module.def(
         "relative",
         [](nb::handle moving, nb::handle fixed) {
-            return relative(plain(given_motion(moving)), plain(given_motion(fixed)));
+            return made_of(given_motion(moving), given_motion(fixed),
+                           [](const Motion& a, const Motion& b) { return relative(a, b); });
         },
         "moving"_a, "fixed"_a,
         nb::sig("def relative(moving: " CHASLES_MOTIONS ", fixed: " CHASLES_MOTIONS ") -> Motion"), doc("relative"));
@@ -167,7 +185,7 @@ void bind_even(nb::module_& module) {
 TimedPoses timed_poses(nb::handle stamps, nb::handle poses, const std::string& between, nb::handle centre) {
     if (between != "velocity" && between != "twist")
         throw InvalidInput(fmt::format("between: must be \"velocity\" or \"twist\", not \"{}\"", between));
-    return TimedPoses::through(numbers_from(stamps, "stamps"), poses_from(poses, "poses"),
+    return TimedPoses::through(numbers_from(stamps, "stamps", "[0, 0.5, 1]"), poses_from(poses, "poses"),
                                between == "twist" ? TimedPoses::Between::twist : TimedPoses::Between::velocity,
                                centre_from(centre));
 }
@@ -201,14 +219,15 @@ void bind_tracks(nb::module_& module) {
         .def_static(
             "through",
             [](nb::handle times, nb::handle poses) {
-                return Motion::spline(numbers_from(times, "times"), poses_from(poses, "poses"));
+                return PlainMotion{
+                    Motion::spline(numbers_from(times, "times", "[0, 0.5, 1]"), poses_from(poses, "poses"))};
             },
             "times"_a, "poses"_a,
             nb::sig("def through(times: collections.abc.Sequence[float], poses: " CHASLES_POSE ") -> Motion"),
             doc("Motion.spline"))
         .def_static(
-            "b_spline", [](nb::handle poses) { return Motion::b_spline(poses_from(poses, "poses")); }, "poses"_a,
-            nb::sig("def b_spline(poses: " CHASLES_POSE ") -> Motion"), doc("Motion.b_spline"));
+            "b_spline", [](nb::handle poses) { return PlainMotion{Motion::b_spline(poses_from(poses, "poses"))}; },
+            "poses"_a, nb::sig("def b_spline(poses: " CHASLES_POSE ") -> Motion"), doc("Motion.b_spline"));
 }
 
 } // namespace

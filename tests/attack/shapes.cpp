@@ -3,6 +3,7 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace chasles::attack {
 
@@ -216,6 +217,34 @@ Shape shaken(Shape shape, AttackRandom& random) {
     for (Eigen::Vector3d& v : shape.vertices)
         v = v / 12 + random.vector(0.2);
     return shape;
+}
+
+void add_slivers(Shape& shape, AttackRandom& random) {
+    cut_into_triangles(shape);
+    Shape slivers;
+    for (int count = random.integer(1, 3); count > 0; --count) {
+        const auto at = std::size_t(random.integer(0, int(shape.faces.size()) - 1));
+        const std::vector<std::uint32_t> face = shape.faces[at];
+        const int first = random.integer(0, 2);
+        const auto corner = [&](int i) { return face[std::size_t((first + i) % 3)]; };
+        const Eigen::Vector3d a = shape.vertices[corner(0)], b = shape.vertices[corner(1)],
+                              c = shape.vertices[corner(2)];
+        const double width = std::pow(10, random.uniform(-12, -3));
+        const bool is_near_corner = random.chance(0.5);
+        const Eigen::Vector3d near = is_near_corner ? a : Eigen::Vector3d((a + b) / 2);
+        const Eigen::Vector3d far = is_near_corner ? Eigen::Vector3d((b + c) / 2) : c;
+        const Eigen::Vector3d cut = near + width * (far - near);
+        const auto number = std::uint32_t(shape.vertices.size());
+        shape.vertices.push_back(cut);
+        shape.faces[at] = {corner(1), corner(2), number};
+        shape.faces.push_back({corner(2), corner(0), number});
+        shape.faces.push_back({corner(0), corner(1), number});
+        const auto next = std::uint32_t(slivers.vertices.size());
+        slivers.vertices.insert(slivers.vertices.end(), {a, b, cut});
+        slivers.faces.push_back({next, next + 1, next + 2});
+    }
+    if (random.chance(0.4))
+        shape = slivers;
 }
 
 void shift(Shape& shape, const Eigen::Vector3d& by) {

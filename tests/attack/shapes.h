@@ -37,6 +37,10 @@ void cut_into_triangles(Shape& shape);
 /// The shape off the lattice, scaled by about 1/12 and perturbed, in triangles.
 Shape shaken(Shape shape, AttackRandom& random);
 
+/// Cuts some faces, each at a point very near one of its corners or sides: two of the three parts, or one, are slivers.
+/// May leave only these parts. Afterwards all faces are triangles.
+void add_slivers(Shape& shape, AttackRandom& random);
+
 void shift(Shape& shape, const Eigen::Vector3d& by);
 
 /// Shifts `moving` to the side `direction` of `fixed`. Both bodies then touch one plane normal to `direction` from

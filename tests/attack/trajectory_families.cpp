@@ -176,6 +176,8 @@ TrajectoryCase TrajectoryFamily::make(AttackRandom& random) const {
                         : random.chance(0.3) ? std::pow(10, random.uniform(-6, 6))
                                              : 1;
     TrajectoryCase posed{any_shape(random, is_simple), any_shape(random, is_simple), motion(random, is_simple, unit)};
+    if (has_slivers)
+        add_slivers(random.chance(0.5) ? posed.moving : posed.fixed, random);
     scale(posed.moving, unit);
     scale(posed.fixed, unit);
     posed.time = random.uniform(0, 1);
@@ -194,12 +196,17 @@ TrajectoryCase TrajectoryFamily::make(AttackRandom& random) const {
     return posed;
 }
 
+/// The families with slivers are last: the number of a family enters its random numbers.
 std::vector<TrajectoryFamily> trajectory_families() {
+    constexpr double share_of_slivers = 0.4;
     std::vector<TrajectoryFamily> families;
-    for (const NamedMotion& motion : motions)
-        for (const NamedPlacement& where : placements)
-            families.push_back(
-                {std::string(motion.name) + " " + where.name, where.share, motion.make, where.placement});
+    for (const bool has_slivers : {false, true})
+        for (const NamedMotion& motion : motions)
+            for (const NamedPlacement& where : placements)
+                if (!has_slivers || where.placement != Placement::lattice)
+                    families.push_back({std::string(motion.name) + (has_slivers ? " slivers " : " ") + where.name,
+                                        where.share * (has_slivers ? share_of_slivers : 1), motion.make,
+                                        where.placement, has_slivers});
     return families;
 }
 

@@ -34,6 +34,7 @@ struct TrajectoryFamily {
     double share; ///< of all cases
     MotionCase (*motion)(AttackRandom& random, bool is_simple, double unit);
     Placement placement;
+    bool has_slivers = false; ///< one of the bodies has faces that are far narrower than long
 
     [[nodiscard]] TrajectoryCase make(AttackRandom& random) const;
 };

@@ -1,7 +1,7 @@
 // chasles batch: one row per motion in the order of the input, also where some rows are wrong.
 #include "tests/cli/cli_test_files.h"
 
-#include "chasles/io/csv_table.h"
+#include "chasles/io/column_table.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -26,8 +26,9 @@ protected:
     }
     [[nodiscard]] std::vector<std::vector<std::string>> rows() const {
         const std::string text = output();
-        io::CsvTable table(text);
+        io::ColumnTable table(text, [](std::string_view) { return false; });
         std::vector<std::vector<std::string>> rows;
+        rows.push_back(table.names());
         while (const auto row = table.next())
             rows.push_back(row->cells);
         return rows;

@@ -76,7 +76,7 @@ TEST_F(Clearance, IsZeroWhereTheBodiesTouch) {
     const std::string poses = "--start '0.25 0.5 3' --goal '0.25 0.5 -1' ";
     const auto finished = clearance(poses);
     EXPECT_EQ(finished.status, 1);
-    EXPECT_TRUE(finished.out.starts_with("TOUCH at time 0.5\n")) << finished.out;
+    EXPECT_TRUE(finished.out.starts_with("TOUCH at time 0.5; motion: screw\n")) << finished.out;
     EXPECT_NE(finished.out.find("  touching "), std::string::npos) << finished.out;
     const Json answer = json(poses), check = Json::parse(run("check cube.obj cube.obj --json " + poses).out);
     EXPECT_EQ(answer["distance"], 0.0);
@@ -89,7 +89,8 @@ TEST_F(Clearance, IsZeroWhereTheBodiesOverlapAtTheStart) {
     const std::string poses = "--start '0.5 0.25 0.25' --goal '9 0 0' --all-contacts ";
     const auto finished = clearance(poses);
     EXPECT_EQ(finished.status, 1);
-    EXPECT_TRUE(finished.out.starts_with("TOUCH AT THE START: the surfaces pass through each other\n")) << finished.out;
+    EXPECT_TRUE(finished.out.starts_with("TOUCH AT THE START: the surfaces pass through each other; motion: screw\n"))
+        << finished.out;
     EXPECT_EQ(json(poses)["overlap"]["point"].size(), 3U);
     EXPECT_EQ(json(poses)["contacts_cut"], true);
 }

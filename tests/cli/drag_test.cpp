@@ -2,10 +2,15 @@
 #include "tests/cli/cli_test_files.h"
 
 #include "chasles/chasles.h"
+#include "tests/view/packed.h"
 
+#include <algorithm>
+#include <cmath>
+#include <fmt/format.h>
 #include <fstream>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <numbers>
 #include <sstream>
 
 namespace chasles {
@@ -90,6 +95,41 @@ TEST_F(DragCommand, WritesAPageToo) {
     std::ifstream page(path("page.html"));
     const std::string text{std::istreambuf_iterator<char>(page), {}};
     EXPECT_NE(text.find("box in scene.json"), std::string::npos);
+}
+
+/// Goals a third of a turn apart about a hinge: the page shows the arcs, not the lines between the updates.
+TEST_F(DragCommand, ThePageFollowsTheWayThatWasProven) {
+    std::string goals = "x,y,z,qw,qx,qy,qz\n";
+    for (int i = 0; i <= 6; ++i) {
+        const double turn = 2 * i * std::numbers::pi / 3;
+        goals += fmt::format("{},{},1,{},0,0,{}\n", 9 - 9 * std::cos(turn), -9 * std::sin(turn), std::cos(turn / 2),
+                             std::sin(turn / 2));
+    }
+    write("around.csv", goals);
+    const auto result = run("drag scene.json --body box --goals around.csv --out out.csv --page page.html "
+                            "--lock hinge --lock-axis \"0 0 1\" --lock-point \"9 0 0\"");
+    if (result.err.find("this build has no viewer") != std::string::npos)
+        GTEST_SKIP() << result.err;
+    std::ifstream page(path("page.html"));
+    const std::string text{std::istreambuf_iterator<char>(page), {}};
+    const std::string before = "<script id=\"scene\" type=\"application/json\">";
+    const std::size_t begin = text.find(before) + before.size();
+    const auto record = nlohmann::json::parse(text.substr(begin, text.find("</script>", begin) - begin));
+    const auto body = std::ranges::find(record["bodies"], "box", [](const auto& each) { return each["name"]; });
+    ASSERT_NE(body, record["bodies"].end());
+    const auto times = tests::unpacked<double>((*body)["times"].template get<std::string>());
+    const auto rows = tests::unpacked<double>((*body)["poses"].template get<std::string>());
+    ASSERT_EQ(rows.size(), 7 * times.size());
+    EXPECT_GE(times.size(), 3 * 7U);
+    double turned = 0;
+    for (std::size_t i = 0; i + 13 < rows.size(); i += 7) {
+        EXPECT_LT(times[i / 7], times[i / 7 + 1]);
+        const double x = (rows[i] + rows[i + 7]) / 2 - 9, y = (rows[i + 1] + rows[i + 8]) / 2;
+        EXPECT_NEAR(std::hypot(x, y), 9, 0.02) << "between two poses";
+        const double product = rows[i + 3] * rows[i + 10] + rows[i + 6] * rows[i + 13];
+        turned += 2 * std::acos(std::min(1., product));
+    }
+    EXPECT_GE(turned, std::numbers::pi) << "the hand has moved it";
 }
 
 TEST_F(DragCommand, AHandThatMeetsNothingIsClear) {

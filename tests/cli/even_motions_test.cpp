@@ -125,7 +125,7 @@ TEST_F(EvenMotions, HaveTheNumbersOfTheScrew) {
     }
     EXPECT_GT(std::abs(json("check", both)["motion"]["angle"].get<double>() - screw["angle"].get<double>()), 0.1)
         << "a screw is that seen from the fixed body";
-    EXPECT_EQ(json("check", alone + "--motion twist")["motion"].size(), 4U);
+    EXPECT_EQ(json("check", alone + "--motion twist")["motion"].size(), 5U);
     const Json velocity = json("check", alone + "--motion velocity --centre .5 -.25 1")["motion"];
     const Eigen::Vector3d expected = pose(goal).isometry() * centre - pose(start).isometry() * centre;
     for (std::size_t i = 0; i < 3; ++i)

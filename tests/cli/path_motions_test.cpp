@@ -86,7 +86,7 @@ TEST_F(PathMotions, AreOneTrackWithStamps) {
             << name;
         EXPECT_FALSE(found.contains("tau")) << name;
     }
-    EXPECT_EQ(json("stamped.csv"), json("stamped.csv --motion velocity")) << "the default";
+    EXPECT_EQ(json("stamped.csv"), json("stamped.csv --motion screw")) << "the default, as without stamps";
 }
 
 /// A track and its segments are the same motion; of screws and sweeps the times of a segment are mapped to stamps.
@@ -140,15 +140,15 @@ TEST_F(PathMotions, HoldInStamps) {
 TEST_F(PathMotions, AreReportedInStamps) {
     write("straight.csv",
           "t," + columns + "\n10,3,0,0,1,0,0,0\n11,3,3,0,1,0,0,0\n13,.25,3,.5,1,0,0,0\n14.5,.25,0,.5,1,0,0,0\n");
-    const std::string stamped = text("straight.csv");
-    EXPECT_TRUE(stamped.starts_with("CONTACT at time 14\n")) << stamped;
+    const std::string stamped = text("straight.csv --motion velocity");
+    EXPECT_TRUE(stamped.starts_with("CONTACT at time 14; motion: velocity\n")) << stamped;
     for (const char* const line :
          {"  segment   2 of 3 (from 0), from pose 2 at t = 13 to pose 3 at t = 14.5; the time counts as t\n",
           "  velocity  turns 0 degrees about (0, -1, 0), travels 3 straight on\n",
           "  so far    turned 0 degrees, travelled 2\n"})
         EXPECT_NE(stamped.find(line), std::string::npos) << stamped;
     EXPECT_EQ(stamped.find("\n  tau "), std::string::npos) << stamped;
-    const std::string screws = text("straight.csv --motion screw");
+    const std::string screws = text("straight.csv");
     EXPECT_NE(screws.find("  so far    turned 0 degrees, slid 2\n"), std::string::npos) << screws;
     EXPECT_NE(screws.find("\n  tau       0.66666666"), std::string::npos) << screws;
 }

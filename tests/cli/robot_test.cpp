@@ -125,16 +125,17 @@ TEST_F(RobotCommand, ProvesPairsAndWritesThem) {
 
 TEST_F(RobotCommand, RefusesWrongInput) {
     EXPECT_EQ(error_line("robot nothing.urdf --path path.csv"), "chasles: nothing.urdf: no such file");
-    write("bad.csv", "shoulder,wrist\n0,0\n");
-    EXPECT_EQ(error_line("robot arm.urdf --path bad.csv"),
-              "chasles: bad.csv: line 1: the robot has no variable 'wrist'; fixed joints and joints that follow others "
-              "have none");
+    write("bad.csv", "wrist\n0\n");
+    EXPECT_EQ(
+        error_line("robot arm.urdf --path bad.csv"),
+        "chasles: bad.csv: line 1: the header 'wrist' names no variable of the robot, which has 'shoulder, elbow'; "
+        "fixed joints and joints that follow others have none");
     write("bad.csv", "shoulder\n0\nnan\n");
     EXPECT_EQ(error_line("robot arm.urdf --path bad.csv"),
-              "chasles: bad.csv: line 3: shoulder: 'nan' is not a finite number");
+              "chasles: bad.csv: line 3: shoulder: not a finite number: 'nan'");
     write("bad.csv", "t,shoulder\n0,0\n0,1\n");
     EXPECT_EQ(error_line("robot arm.urdf --path bad.csv"),
-              "chasles: bad.csv: line 3: t: must be greater than in the row before");
+              "chasles: bad.csv: line 3: t: must increase, but is 0 after 0");
     EXPECT_EQ(error_line("robot arm.urdf --path path.csv --packages here"),
               "chasles: --packages: 'here' is not of the form NAME=FOLDER");
     EXPECT_EQ(error_line("acm arm.urdf --seconds 0"), "chasles: query: seconds: must be positive");

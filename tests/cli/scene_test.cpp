@@ -108,10 +108,72 @@ TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
     EXPECT_EQ(
         found.out.substr(0, found.out.find('\n')),
         "CLEAR: proven that nothing that is held comes within 0.02, or nearer than at the start if that is less, and "
-        "nothing else within 0.1");
+        "nothing else within 0.1; motion: velocity");
     EXPECT_EQ(json("--hold 0.049")["verdict"], "clear");
     EXPECT_EQ(json("--margin 0.04 --hold 0.02")["verdict"], "clear");
     EXPECT_EQ(error_line("scene scene.json --hold 0.1"), "chasles: query: hold: must be less than some margin");
+}
+
+TEST_F(SceneCommand, SaysWhatItDoesNotTest) {
+    write("tiles.json",
+          R"({"bodies": [{"name": "t0", "mesh": "cube.obj"}, {"name": "t1", "mesh": "cube.obj", "pose": [1, 0, 0]},
+        {"name": "high", "mesh": "cube.obj", "pose": [0, 0, 5], "goal": [9, 0, 5]},
+        {"name": "low", "mesh": "cube.obj", "pose": [0, 0, 1], "goal": [9, 0, 1]}], "ignore": [["low", "t0"], ["t1", "low"]]})");
+    const tests::Finished found = run("scene tiles.json");
+    EXPECT_EQ(found.status, 0);
+    EXPECT_TRUE(
+        found.out.starts_with("CLEAR: proven that no tested pair touches during the whole motion; motion: velocity\n"
+                              "  untested  3 pairs: 1 at rest (t0 and t1), 2 ignored (low and t0, low and t1)\n"))
+        << found.out;
+    const Json untested = Json::parse(run("scene tiles.json --json").out)["untested"];
+    EXPECT_EQ(untested["tested"], 3);
+    EXPECT_EQ(untested["pairs"], 3);
+    EXPECT_EQ(untested["reasons"][0], Json::parse(R"({"reason": "at_rest", "count": 1, "pairs": [["t0", "t1"]]})"));
+    EXPECT_EQ(untested["reasons"][1]["reason"], "ignored");
+    EXPECT_EQ(Json::parse(run("scene tiles.json --json --all").out)["untested"], untested);
+    EXPECT_NE(run("scene tiles.json --all").out.find("untested"), std::string::npos);
+    const tests::Finished start = run("scene tiles.json --until 0");
+    EXPECT_EQ(start.status, 1) << "a question about the start";
+    EXPECT_NE(start.out.find("t0 on t1"), std::string::npos) << start.out;
+    write("rest.json", R"({"bodies": [{"name": "a", "mesh": "cube.obj"}, {"name": "b", "mesh": "cube.obj"}]})");
+    EXPECT_TRUE(run("scene rest.json").out.starts_with("CLEAR: no pair is tested; motion: rest\n"));
+    EXPECT_NE(run("scene rest.json").out.find("--until 0 tests bodies at rest"), std::string::npos);
+    EXPECT_EQ(run("scene scene.json").out.find("untested"), std::string::npos) << "all pairs are tested";
+}
+
+TEST_F(SceneCommand, IgnoresWhatTouchesAtTheStart) {
+    const std::string parts = R"({"bodies": [{"name": "plate", "mesh": "cube.obj"},
+        {"name": "screw", "mesh": "cube.obj", "pose": [0.9, 0, 0], "goal": [0.9, 0, 3]},
+        {"name": "lid", "mesh": "cube.obj", "pose": [0.5, 0, 1.01]}], "ignore_touching_at_start": )";
+    write("parts.json", parts + "true}");
+    const tests::Finished found = run("scene parts.json");
+    EXPECT_NE(found.out.find("1 touching at the start (plate and screw)"), std::string::npos) << found.out;
+    EXPECT_NE(found.out.find("screw on lid"), std::string::npos) << found.out;
+    const tests::Finished wide = run("scene parts.json --margin 0.02");
+    EXPECT_EQ(wide.status, 0) << wide.out;
+    EXPECT_NE(wide.out.find("3 touching at the start"), std::string::npos) << wide.out;
+    write("parts.json", parts + "false}");
+    EXPECT_EQ(Json::parse(run("scene parts.json --json").out)["verdict"], "contact_at_start");
+    EXPECT_EQ(refused(parts + "1}"), "ignore_touching_at_start: must be true or false");
+}
+
+TEST_F(SceneCommand, TakesARobotWithoutMovingJointsAsABody) {
+    write("fixture.urdf",
+          R"(<robot name="fixture"><link name="plate"><collision><geometry><box size="4 4 1"/></geometry>
+        </collision></link><link name="post"><collision><geometry><box size="1 1 2"/></geometry></collision></link>
+        <joint name="glue" type="fixed"><parent link="plate"/><child link="post"/><origin xyz="0 0 1.5"/></joint></robot>)");
+    write("scene.json", R"({"bodies": [{"name": "fixture", "urdf": "fixture.urdf", "pose": [0, 0, 1]},
+        {"name": "box", "mesh": "cube.obj", "pose": [0, 0, 6.5], "goal": [0, 0, 2.5]}]})");
+    EXPECT_NEAR(json("")["time"].get<double>(), (6.5 - 3.5) / 4, 1e-12) << "the post ends at 3.5";
+    EXPECT_EQ(json("")["pair"], Json({"box", "fixture"}));
+    write("door.urdf", R"(<robot name="door"><link name="a"/><link name="b"/>
+        <joint name="hinge" type="continuous"><parent link="a"/><child link="b"/></joint></robot>)");
+    EXPECT_EQ(
+        refused(R"({"bodies": [{"name": "d", "urdf": "door.urdf"}]})"),
+        "body 1: 'd': urdf: the joints of 'door.urdf' move (hinge), and a body of a scene is rigid; `chasles robot` "
+        "moves joints");
+    EXPECT_EQ(refused(R"({"bodies": [{"name": "d", "urdf": "fixture.urdf", "scale": 2}]})"),
+              "body 1: 'd': scale: goes with a mesh, and the body has a urdf");
 }
 
 /// What a build without the viewer says is the same for all pages.

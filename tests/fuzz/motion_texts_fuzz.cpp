@@ -17,11 +17,19 @@ void demand_sound(const Pose& pose) {
     demand(norm > 0 && std::isfinite(norm), "quaternions that are read can be normalised");
 }
 
+void demand_sound(const io::Path& path) {
+    for (const Pose& pose : path.poses)
+        demand_sound(pose);
+    demand(path.stamps.empty() || path.stamps.size() == path.poses.size(), "every pose has a stamp");
+    demand(std::ranges::is_sorted(path.stamps), "stamps increase");
+}
+
 template <class Read>
 void unless_refused(Read read) {
     try {
         read();
-    } catch (const InvalidInput&) { // refused, which is an answer
+    } catch (const InvalidInput& error) { // refused, which is an answer
+        demand(*error.what() != 0, "a refusal has a reason");
     }
 }
 
@@ -41,15 +49,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::string_view text = fuzz::text_of(data, size);
     fuzz::unless_refused([&] { fuzz::demand_sound(io::parse_pose(text)); });
     fuzz::unless_refused([&] { fuzz::demand(io::parse_point(text).allFinite(), "points are finite"); });
+    for (const auto without_header : {io::WithoutHeader::refused, io::WithoutHeader::tum})
+        fuzz::unless_refused([&] { fuzz::demand_sound(io::read_path(text, without_header)); });
     fuzz::unless_refused([&] {
-        const io::Path path = io::read_path(text);
-        for (const Pose& pose : path.poses)
-            fuzz::demand_sound(pose);
-        fuzz::demand(path.stamps.empty() || path.stamps.size() == path.poses.size(), "every pose has a stamp");
-        fuzz::demand(std::ranges::is_sorted(path.stamps), "stamps increase");
-    });
-    fuzz::unless_refused([&] {
-        for (const io::MotionRow& row : io::read_motions(text)) {
+        for (const io::MotionRow& row : io::read_motions(text).rows) {
             fuzz::demand_sound(row.start);
             fuzz::demand_sound(row.goal);
         }

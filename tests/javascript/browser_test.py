@@ -54,6 +54,13 @@ class InABrowser(unittest.TestCase):
         cls.server.shutdown()
         cls.server.server_close()
 
+    def open_once(self, name: str, body: str) -> dict:
+        """Writes the page and opens it. Returns what it answers, which may be an error."""
+        (project / f"{name}.html").write_text(f'<!doctype html><meta charset="utf-8"><title>{name}</title><link rel="icon" href="data:,">{body}\n')
+        with Browser(chromium, 400, 300, patience=60) as browser:
+            browser.open(f"http://127.0.0.1:{self.server.server_port}/{name}.html", "!!window.isDone")
+            return browser.evaluate("window.answer")
+
     def ask(self, name: str, body: str, *, from_disk: bool = False) -> dict:
         """Writes the page and opens it several times in a new browser. Returns the first answer."""
         (project / f"{name}.html").write_text(f'<!doctype html><meta charset="utf-8"><title>{name}</title><link rel="icon" href="data:,">{body}\n')
@@ -93,13 +100,39 @@ class InABrowser(unittest.TestCase):
         self.assertFalse(answer["fetches"])
         self.check_workers(answer)
 
+    def guarded(self, name: str, file: str, policy: str) -> str:
+        """The body of a page with a policy, which forbids scripts in the page itself."""
+        script = f'import {{ load }} from "/node_modules/chasles/{file}"; import {{ ask }} from "/question.mjs"; ask(load, {{}}, {{}});'
+        (project / f"{name}.mjs").write_text(script)
+        return f'<meta http-equiv="Content-Security-Policy" content="{policy}"><script type="module" src="/{name}.mjs"></script>'
+
+    def test_content_security_policies(self) -> None:
+        always = "default-src 'none'; img-src data:; script-src 'self' 'wasm-unsafe-eval'"
+        for name, file, more in [("plain", "index.js", "connect-src 'self'; worker-src 'self'"), ("inlined", "inline.js", "worker-src blob:")]:
+            self.check_workers(self.ask(f"policy_{name}", self.guarded(f"policy_{name}", file, f"{always}; {more}")))
+            refused = self.open_once(f"strict_{name}", self.guarded(f"strict_{name}", file, f"default-src 'self' blob:; img-src data:"))
+            self.assertEqual(
+                refused, {"error": "InvalidInput: wasm: the Content-Security-Policy of the page forbids WebAssembly: its script-src needs 'wasm-unsafe-eval'"}
+            )
+            stuck = self.open_once(f"no_workers_{name}", self.guarded(f"no_workers_{name}", file, f"{always}; connect-src 'self'; worker-src 'none'"))
+            self.assertIn("a worker cannot be started", stuck["error"])
+
+    def test_a_server_that_answers_with_a_page(self) -> None:
+        """As development servers do for a file that they do not find."""
+        (project / "fallback.html").write_text("<!doctype html>")
+        script = '<script type="module">import { load } from "/node_modules/chasles/index.js"; import { ask } from "/question.mjs"; ask(load, { wasm: "fallback.html" })</script>'
+        refused = self.open_once("fallback_page", script)["error"]
+        self.assertRegex(refused, r"^InvalidInput: wasm: http://.*/fallback\.html is a web page, .*: import \"chasles/inline\"")
+
     def test_bundles(self) -> None:
         script = lambda name, kind: f'<script {kind}src="bundles/{name}/app.js"></script>'  # noqa: E731
         plain = self.ask("bundle_plain", script("plain", 'type="module" '))
         self.assertTrue(plain["fetches"])
         self.check_workers(plain)
         self.assertTrue(self.ask("bundle_loaded", '<base href="/bundles/loaded/">' + '<script type="module" src="app.js"></script>')["fetches"])
-        self.assertFalse(self.ask("bundle_inlined", script("inlined", ""))["fetches"])
+        inlined = self.ask("bundle_inlined", script("inlined", ""))
+        self.assertFalse(inlined["fetches"])
+        self.check_workers(inlined)
         self.ask("bundle_inlined_from_disk", script("inlined", ""), from_disk=True)
 
 

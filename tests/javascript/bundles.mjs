@@ -21,4 +21,4 @@ await bundle("plain", `import { load } from "chasles"; ask(load, {}, ${ownWorker
 await build({ entryPoints: [fileURLToPath(import.meta.resolve("chasles/worker"))], bundle: true, minify: true, format: "esm", outfile: `${folder}/plain/worker.js` });
 copyFileSync(fileURLToPath(import.meta.resolve("chasles/chasles.wasm")), `${folder}/plain/chasles.wasm`);
 await bundle("loaded", 'import { load } from "chasles"; import wasm from "chasles/chasles.wasm"; ask(load, { wasm });', { format: "esm", loader: { ".wasm": "file" } });
-await bundle("inlined", 'import { load } from "chasles/inline"; ask(load);', { format: "iife", logOverride: { "empty-import-meta": "silent" } });
+await bundle("inlined", 'import { load } from "chasles/inline"; ask(load, {}, {});', { format: "iife", logOverride: { "empty-import-meta": "silent" } });

@@ -1,4 +1,21 @@
-// Bodies and random questions of the tests. Nothing here comes from the library.
+// Bodies, random questions and refusals of the tests. Nothing here comes from the library.
+import assert from "node:assert/strict";
+
+/** The message of the InvalidInput that `work` throws, or rejects with if it is a promise. */
+export function refusal(work) {
+  const message = (error) => {
+    assert.equal(error.name, "InvalidInput", error.stack);
+    assert.ok(!error.message.includes("\n"));
+    return error.message;
+  };
+  if (work instanceof Promise) return work.then(() => assert.fail("nothing was refused"), message);
+  try {
+    work();
+  } catch (error) {
+    return message(error);
+  }
+  return assert.fail("nothing was refused");
+}
 
 /** A box with polygon faces. */
 export function box(x = 1, y = x, z = x) {

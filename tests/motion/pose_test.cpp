@@ -133,6 +133,28 @@ TEST(Pose, MatrixThatMirrorsIsRefused) {
     expect_refused([&] { Pose::from_matrix(matrix); }, "reflection");
 }
 
+TEST(Pose, RefusalNamesWhatTheMatrixDoes) {
+    const auto expect_named = [](const Eigen::Matrix3d& map, const char* what) {
+        Eigen::Matrix4d matrix = quarter_turn();
+        matrix.topLeftCorner<3, 3>() *= map;
+        expect_refused([&] { Pose::from_matrix(matrix); }, what);
+    };
+    Eigen::Matrix3d shear = Eigen::Matrix3d::Identity();
+    shear(0, 1) = 0.5;
+    expect_named(Eigen::Vector3d(3, 3, 3).asDiagonal(), "it scales by 3;");
+    expect_named(Eigen::Vector3d(1, 2, 0.5).asDiagonal(), "it scales by 1, 2, 0.5 along x, y, z;");
+    expect_named(Eigen::Vector3d(-2, 2, 2).asDiagonal(), "it scales by 2, and mirrors;");
+    expect_named(Eigen::Vector3d(1, 1, 0).asDiagonal(), "it flattens bodies;");
+    expect_named(shear, "it shears;");
+    expect_named(Eigen::Vector3d(1, 1, -1).asDiagonal(), "it mirrors;");
+}
+
+TEST(Pose, TransposedMatrixIsRefusedWithTheWayOut) {
+    Eigen::Matrix4d matrix = quarter_turn().transpose();
+    matrix.row(3) = Eigen::RowVector4d(5, 0, 0, 1);
+    expect_refused([&] { Pose::from_matrix(matrix); }, "transpose it");
+}
+
 TEST(Pose, MatrixWithAnotherLastRowIsRefused) {
     Eigen::Matrix4d matrix = quarter_turn();
     matrix(3, 0) = 1e-9;

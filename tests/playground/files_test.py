@@ -11,7 +11,7 @@ import sys
 import time
 import zlib
 
-from playground import PlaygroundTest, chasles, count, folder, is_moving_colour, main, poses_in, run
+from playground import SIZE, PlaygroundTest, chasles, count, folder, is_moving_colour, main, poses_in, run
 
 CUBE = """v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1
 f 4 3 2 1\nf 5 6 7 8\nf 1 2 6 5\nf 2 3 7 6\nf 3 4 8 7\nf 4 1 5 8\n"""
@@ -98,6 +98,7 @@ class Files(PlaygroundTest):
         self.open("#nut")
         self.drop(write("my cube.obj", CUBE), write("tetrahedron.off", TETRAHEDRON))
         self.wait_until("playground.app.hand.scene.id === 'own'")
+        self.assertEqual(self.evaluate("location.hash"), "", "the address does not name the scene before")
         self.assertIn("tetrahedron.off is dragged, my cube.obj stands", self.text("#about"))
         self.assertTrue(self.is_hidden("#trouble"))
         start = self.pose()
@@ -140,6 +141,31 @@ class Files(PlaygroundTest):
         self.drop(write("open.obj", OPEN))
         self.wait_until("playground.app.hand.scene.spec.moving === 'open.obj'")
         self.assertIn("open.obj is open", self.text("#trouble-text"))
+
+    def test_a_page_of_320_pixels(self) -> None:
+        """Nothing lies on anything else, and nothing is wider than the page, also with long names of files."""
+        self.open("#nut")
+        name = "a_rather_long_name_without_any_space_in_it.obj"
+        self.drop(write(name, CUBE), write(f"{name[:-3]}off", TETRAHEDRON))
+        self.wait_until("playground.app.hand.scene.id === 'own'")
+        self.pull([0.3, 0.2, 0.2], -250, 0)
+        try:
+            for width, height in [(320, 568), (360, 640), (568, 320), (821, 400)]:
+                self.browser.resize(width, height)
+                self.picture(f"narrow_{width}")
+                wide = "[...document.querySelectorAll('body *')].filter((e) => !e.closest('table') && e.getBoundingClientRect().right > innerWidth + 0.5).map((e) => e.id)"
+                self.assertEqual(self.evaluate(wide), [])
+                self.assertEqual(self.evaluate("document.documentElement.scrollWidth"), width)
+                boxes = self.evaluate(
+                    "['#modes', '#views', '#legend'].map((id) => { const { left, top, right, bottom } = document.querySelector(id).getBoundingClientRect(); return [left, top, right, bottom]; })"
+                )
+                for i, first in enumerate(boxes):
+                    for second in boxes[:i]:
+                        self.assertTrue(first[0] >= second[2] or second[0] >= first[2] or first[1] >= second[3] or second[1] >= first[3], f"{width}: {boxes}")
+                self.click("#mode-turn + span")
+                self.click("#look-front")
+        finally:
+            self.browser.resize(*SIZE)
 
     def test_a_worker_that_stops_is_replaced(self) -> None:
         self.open("#nut")

@@ -6,6 +6,7 @@ import re
 
 import numpy as np
 import pytest
+from motion_kinds import KINDS
 
 import chasles
 
@@ -137,3 +138,44 @@ def test_plot_draws_large_meshes_coarsely(plt):
     drawn = np.concatenate(_polygons(tube))
     assert 1000 < len(drawn) / 3 <= MOST_TRIANGLES < len(faces)
     np.testing.assert_allclose(np.ptp(drawn, axis=0), [2, 2, 2], atol=0.1)
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_motions_of_all_kinds_are_viewed(kind, cube, page):
+    found = chasles.first_contact(cube, cube, motion=KINDS[kind]())
+    text = found.view(page).read_text("utf-8")
+    if found.contacts:
+        assert repr(float(found.contacts[0].point[1])) in text or "scene" in text
+    assert "Content-Security-Policy" in text and len(text) > 10000
+    assert found.swapped().view(page).read_text("utf-8") == text
+
+
+@pytest.mark.parametrize("kind", KINDS)
+def test_motions_of_all_kinds_are_plotted(kind, cube, plt):
+    found = chasles.first_contact(cube, cube, motion=KINDS[kind]())
+    title = found.plot().get_title()
+    assert title.startswith("clear" if found.verdict == "clear" else "contact")
+    assert found.swapped().plot().get_title() == title
+
+
+def test_answers_of_scenes_and_paths_are_viewed_and_plotted(cube, page, plt):
+    scene = chasles.Scene()
+    scene.add("hinge", cube, motion=KINDS["hinge"]())
+    scene.add("post", cube, [2.5, 2.5, 0, 1, 0, 0, 0])
+    found = scene.first_contact()
+    assert found.pair == ("hinge", "post")
+    assert "plot" in dir(found) and found.plot().get_title().startswith("contact")
+    assert "Content-Security-Policy" in found.view(page, names=found.pair).read_text("utf-8")
+    assert "Content-Security-Policy" in scene.view(found, page).read_text("utf-8")
+    path = chasles.first_contact_on_path(cube, cube, [AWAY, START, GOAL])
+    assert path.plot().get_title().startswith("contact") and path.view(page)
+
+
+def test_the_answer_of_a_clear_scene_names_the_way_out(cube, page, plt):
+    scene = chasles.Scene()
+    scene.add("a", cube)
+    clear = scene.first_contact()
+    for call in (lambda: clear.view(page), clear.plot):
+        with pytest.raises(chasles.InvalidInput, match=r"the scene is clear.*scene\.view\(found\)"):
+            call()
+    assert "Content-Security-Policy" in scene.view(clear, page).read_text("utf-8")

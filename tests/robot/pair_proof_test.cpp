@@ -5,6 +5,7 @@
 #include "tests/robot/random_robot.h"
 #include "tests/support/refusal.h"
 
+#include <chrono>
 #include <gtest/gtest.h>
 
 namespace chasles::test {
@@ -167,6 +168,75 @@ TEST(PairProof, AgreesWithSamplesOfRandomRobots) {
     std::cout << never << " never, " << sometimes << " sometimes\n";
     EXPECT_GT(never, 10U);
     EXPECT_GT(sometimes, 10U);
+}
+
+/// They touch at the lower limit of the elbow, where all sweeps begin, and are far apart in the middle.
+TEST(PairProof, AContactWhereTheSweepBeginsAndAClearPoseElsewhereAreSometimes) {
+    RobotDescription arm{"arm"};
+    const Polyhedron bar = make_box({0.05, 0.05, 0.9});
+    arm.links = {{"base", {{make_box({0.2, 0.2, 0.2})}}},
+                 {"upper", {{make_box({0.05, 0.05, 0.6}), shifted(0, 0, 0.5)}}},
+                 {"fore", {{bar, shifted(0, 0, 0.5)}}}};
+    constexpr double half_turn = 3.14159265;
+    arm.joints = {joint("lift", JointType::revolute, "base", "upper", Pose(), -1, 1),
+                  joint("elbow", JointType::revolute, "upper", "fore", shifted(0, 0.09, 0.85), -half_turn, half_turn,
+                        Vector3d::UnitY())};
+    const PairProof proof = proof_of(arm, "base", "fore");
+    EXPECT_EQ(proof.reason, PairReason::sometimes);
+    ASSERT_TRUE(proof.witness);
+    EXPECT_FALSE(RobotChecker(Robot(arm)).is_clear(*proof.witness));
+}
+
+/// A rod slides and turns in a block: it sticks out on both sides, in all configurations or only in most.
+RobotDescription rod_in_block(double slide) {
+    RobotDescription robot{"rod"};
+    const Polyhedron speck = make_box({1e-3, 1e-3, 1e-3});
+    robot.links = {{"block", {{make_box({1, 1, 1})}}},
+                   {"carriage", {{speck, shifted(0, 0, 7)}}},
+                   {"rod", {{make_box({4, 0.2, 0.2})}}}};
+    robot.joints = {joint("slide", JointType::prismatic, "block", "carriage", Pose(), -slide, slide, Vector3d::UnitX()),
+                    joint("turn", JointType::revolute, "carriage", "rod", Pose(), -0.5, 0.5)};
+    return robot;
+}
+
+TEST(PairProof, WhatOverlapsEverywhereIsAlways) {
+    const PairProof always = proof_of(rod_in_block(0.4), "block", "rod");
+    EXPECT_EQ(always.reason, PairReason::always);
+    ASSERT_TRUE(always.witness);
+    EXPECT_GT(always.cells, 1U);
+    EXPECT_EQ(always.touching, always.tried);
+    EXPECT_EQ(proof_of(rod_in_block(2.9), "block", "rod").reason, PairReason::sometimes)
+        << "the rod ends 2 from its middle, and the block 0.5: from 2.5 on they are apart";
+    const PairProof open = proof_of(rod_in_block(0.4), "block", "rod", {.seconds = 1e-9});
+    EXPECT_EQ(open.reason, PairReason::open);
+    // Nested surfaces that do not touch are clear.
+    RobotDescription nested = rod_in_block(0.1);
+    nested.links[2].collisions[0].shape = make_box({0.2, 0.2, 0.2});
+    EXPECT_EQ(proof_of(nested, "block", "rod").reason, PairReason::never);
+}
+
+TEST(PairProof, KeepsItsTimeAndTellsItsProgress) {
+    Random random(4104);
+    RobotDescription description = random_robot(random, 24, false);
+    for (JointDescription& joint : description.joints)
+        if (joint.type == JointType::planar) {
+            joint.type = JointType::revolute; // what has no limits is not examined
+            joint.lower = -1;
+            joint.upper = 1;
+        }
+    const Robot robot(description);
+    std::size_t calls = 0, last = 0, pairs = 0;
+    const auto start = std::chrono::steady_clock::now();
+    (void)prove_pairs(robot, {.seconds = 0.2, .progress = [&](std::size_t done, std::size_t all) {
+                                  ++calls;
+                                  EXPECT_LE(done, all);
+                                  last = done;
+                                  pairs = all;
+                                  return true;
+                              }});
+    EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 0.2 * 1.1 + 0.5);
+    EXPECT_GT(calls, pairs) << "also while a pair is examined";
+    EXPECT_EQ(last, pairs);
 }
 
 } // namespace

@@ -70,15 +70,18 @@ TEST(Scene, FindsTheFirstOfManyContactsBeforeATime) {
 }
 
 /// Plates in a tilted stack: their boxes and balls overlap all along, so their pairs fill the first round. The first
-/// two come together; what another pair of bodies is asked then has a limit.
+/// two come together; what another pair of bodies is asked then has a limit. All plates move a little, as pairs at rest
+/// are not asked.
 std::vector<SceneBody> tilted_plates(double time) {
     const Polyhedron plate = box({1, 1, 0.01}).polyhedron();
     const Eigen::Quaterniond tilt(Eigen::AngleAxisd(0.8, Vector3d::UnitX()));
     const auto at = [&](double height) { return Pose(Vector3d(100, 0, 0) + tilt * Vector3d(0, 0, height), tilt); };
     std::vector<SceneBody> plates{{"a low", plate, Motion::at_rest(at(0)), ""},
                                   {"a falling", plate, Motion::velocity(at(0.12), at(0.12 - 0.1 / time)), ""}};
-    for (int i = 1; i <= 11; ++i)
-        plates.push_back({"b " + std::to_string(i), plate, Motion::at_rest(at(0.2 + 0.04 * i)), ""});
+    for (int i = 1; i <= 11; ++i) {
+        const double height = 0.2 + 0.04 * i;
+        plates.push_back({"b " + std::to_string(i), plate, Motion::velocity(at(height), at(height + 1e-3)), ""});
+    }
     return plates;
 }
 

@@ -70,7 +70,7 @@ std::vector<PairContact> contacts_of_all_pairs(const std::vector<SceneBody>& bod
         for (const SceneBody& b : bodies) {
             const bool a_moves = rests(a.motion) != rests(b.motion) ? rests(b.motion) : a.name < b.name;
             const bool ignored = (a.group == "left" && b.group == "right") || (a.group == "right" && !b.group.empty());
-            if (a.name == b.name || !a_moves || ignored)
+            if (a.name == b.name || !a_moves || ignored || (rests(a.motion) && rests(b.motion)))
                 continue;
             FirstContact contact = first_contact({a.shape, b.shape, relative(a.motion, b.motion), options});
             if (contact.verdict != Verdict::clear)

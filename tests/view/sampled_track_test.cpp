@@ -4,6 +4,7 @@
 #include "tests/query/bodies.h"
 
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace chasles {
 namespace {
@@ -44,7 +45,7 @@ double largest_deviation(const Motion& motion, const view::SampledTrack& track) 
 }
 
 TEST(SampledTrack, AnEvenMotionNeedsItsEndsOnly) {
-    const Motion motion = Motion::velocity(test::shifted(3, 0, 0), test::turned({-1, 2, 0}, {1, 2, 3}, 2.5));
+    const Motion motion = Motion::velocity(test::shifted(3, 0, 0), test::turned({-1, 2, 0}, {1, 2, 3}, 1.5));
     const view::SampledTrack track = view::sampled_track(motion, unit_box, {});
     EXPECT_EQ(track.times, (std::vector<double>{0, 1}));
     EXPECT_LE(largest_deviation(motion, track), 1e-12);
@@ -68,6 +69,22 @@ TEST(SampledTrack, FollowsCurvesAndCorners) {
         EXPECT_LE(largest_deviation(motion, track), 2.5e-3);
         EXPECT_GT(track.times.size(), 5U);
         EXPECT_LT(track.times.size(), 100U);
+    }
+}
+
+/// At a half turn the page and this file would choose the way round by the last bit.
+TEST(SampledTrack, NoStepTurnsByMoreThanAQuarterTurn) {
+    for (const int half_turns : {1, 2, 4, 16, 32, 64, 300}) {
+        const Motion motion = Motion::hinge({1, 0, 0}, {1, 2, 3}, {0, half_turns * std::numbers::pi});
+        const view::SampledTrack track = view::sampled_track(motion, unit_box, {});
+        for (std::size_t i = 1; i < track.poses.size(); ++i) {
+            double product = 0;
+            for (std::size_t k = 3; k < 7; ++k)
+                product += track.poses[i - 1][k] * track.poses[i][k];
+            EXPECT_GE(product, std::cos(0.8)) << half_turns;
+        }
+        EXPECT_GE(track.poses.size(), std::size_t(2 * half_turns + 1));
+        EXPECT_LE(largest_deviation(motion, track), 2.5e-3) << half_turns;
     }
 }
 

@@ -13,10 +13,8 @@ export function cornersOf(mesh: DrawnMesh): Vector3[] {
   return corners(mesh.surface.boundingBox!).map((corner) => corner.add(mesh.origin));
 }
 
-/** The corners of the box at some poses of the track, among them the first one and, for few poses, all. */
+/** The corners of the box at some poses of the track, among them the first and the last one and, for few poses, all. */
 export function cornersOnPath(mesh: DrawnMesh, track: Track, mostBoxes: number): Vector3[] {
   const box = cornersOf(mesh);
-  const step = Math.max(1, Math.ceil((track.count - 1) / Math.max(1, mostBoxes - 1)));
-  const samples = Array.from({ length: track.count }, (_, index) => index).filter((index) => index % step === 0);
-  return samples.flatMap((index) => box.map((corner) => corner.clone().applyMatrix4(track.sample(index))));
+  return track.along(mostBoxes).flatMap((pose) => box.map((corner) => corner.clone().applyMatrix4(pose)));
 }

@@ -1,5 +1,6 @@
 // The data of a page of many bodies, written by view/record_json.cpp.
 import type { Overlap, PackedBody, PackedMesh, Point } from "./scene";
+import { Track, unpackedNumbers } from "./track";
 
 /** One pose if the body rests, otherwise one for each of its times, or of the record's times. */
 export interface RecordedBody extends PackedBody {
@@ -17,16 +18,30 @@ export interface RecordedContact {
   overlap?: Overlap;
 }
 
+/** What an answer does not look at. */
+export interface Untested {
+  tested: number;
+  pairs: number;
+  reasons: { reason: string; count: number; pairs?: [string, string][]; links?: string[] }[];
+}
+
 export interface SceneRecord {
   format: 2;
   title: string;
   source: "first_contact" | "all_contacts" | "recording";
   margin: number;
-  clear_until?: number; // no pair touches before this time
+  clear_until?: number; // no tested pair touches before this time
+  untested?: Untested;
   times: string; // float64, ascending
   meshes: PackedMesh[];
   bodies: RecordedBody[];
   events: RecordedContact[]; // in order of time
+}
+
+/** The motion of each body, as the page plays it. */
+export function tracksOf(record: SceneRecord): Track[] {
+  const times = unpackedNumbers(record.times);
+  return record.bodies.map((body) => new Track(unpackedNumbers(body.poses), body.times ? unpackedNumbers(body.times) : times));
 }
 
 /** "left on right" */

@@ -10,11 +10,11 @@ import { EventList } from "./event_list";
 import { Markers } from "./markers";
 import { type DrawnMesh, drawnMesh } from "./meshes";
 import { Player } from "./player";
-import type { RecordedContact, SceneRecord } from "./record";
+import { type RecordedContact, type SceneRecord, tracksOf } from "./record";
 import { fillRecordPanel, showEvent } from "./record_panel";
 import { markedPoints } from "./scene";
 import { ballAround, connectSeeThrough, Stage } from "./stage";
-import { Track, unpackedNumbers } from "./track";
+import { type Track, unpackedNumbers } from "./track";
 
 const mostBoxes = 200_000; // of all bodies, to find what the picture has to show
 const mostTicks = 200; // on the slider
@@ -42,8 +42,7 @@ class RecordView {
 
   constructor(private readonly record: SceneRecord, private readonly player: Player, pick: (body: number) => void) {
     this.meshes = record.meshes.map(drawnMesh);
-    const times = unpackedNumbers(record.times);
-    this.tracks = record.bodies.map((body) => new Track(unpackedNumbers(body.poses), body.times ? unpackedNumbers(body.times) : times));
+    this.tracks = tracksOf(record);
     const whole = this.boxOf(() => true);
     const canvas = byId<HTMLCanvasElement>("canvas");
     canvas.setAttribute("aria-label", `${record.bodies.length} bodies`);

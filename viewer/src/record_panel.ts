@@ -1,7 +1,7 @@
 // The words and numbers of a page of many bodies.
 import { contactList, overlapName } from "./contact_details";
 import { byId, element, table } from "./elements";
-import { pairText, type RecordedContact, type SceneRecord } from "./record";
+import { pairText, type RecordedContact, type SceneRecord, type Untested } from "./record";
 
 function counted(count: number, one: string, many: string): string {
   return `${count.toLocaleString("en")} ${count === 1 ? one : many}`;
@@ -18,11 +18,23 @@ function meaning({ source, events, margin, clear_until }: SceneRecord): string {
   const touch = margin > 0 ? `comes within ${margin}` : "touches";
   const interpolated = "Between the recorded times the motion is interpolated.";
   if (source === "recording") return events.length === 0 ? `No contacts were recorded. ${interpolated}` : interpolated;
-  if (events.length === 0) return clear_until === undefined ? `No pair ${touch}.` : `Proven: no pair ${touch} before time ${clear_until}.`;
+  if (events.length === 0) return clear_until === undefined ? `No pair ${touch}.` : `Proven: no tested pair ${touch} before time ${clear_until}.`;
   if (source === "all_contacts") return "The first contact of each pair, in order of time.";
   if (clear_until! < events[0].time) return `A pair ${touch} inside the bracket, and perhaps earlier: the question stopped at any contact.`;
   const others = events.length > 1 ? " The brackets of all listed pairs overlap." : "";
   return `The first pair ${touch} inside the bracket, and not before its lower end.${others}`;
+}
+
+/** " Not tested: 3 pairs (2 at rest: a and b, c and d; 1 ignored: e and f)." */
+function untestedText({ untested }: SceneRecord): string {
+  if (!untested || untested.pairs === 0) return "";
+  const named = ({ pairs, links, count }: Untested["reasons"][number]) => {
+    const names = links ?? pairs!.map((pair) => pair.join(" and "));
+    const left = (links ? links.length : count) - Math.min(names.length, 3);
+    return names.slice(0, 3).join(", ") + (left > 0 ? `, and ${left.toLocaleString("en")} more` : "");
+  };
+  const reasons = untested.reasons.map((one) => `${one.count.toLocaleString("en")} ${one.reason.replaceAll("_", " ")}: ${named(one)}`);
+  return ` Not tested: ${counted(untested.pairs, "pair", "pairs")} (${reasons.join("; ")}).`;
 }
 
 export function fillRecordPanel(record: SceneRecord): void {
@@ -36,7 +48,7 @@ export function fillRecordPanel(record: SceneRecord): void {
   byId("verdict").textContent = verdict(record);
   const resting = bodies.filter(({ poses }) => poses.length <= 76).length; // one pose of 56 bytes in base64
   const rest = resting > 0 ? `, ${resting.toLocaleString("en")} at rest` : "";
-  byId("meaning").textContent = `${counted(bodies.length, "body", "bodies")}${rest}. ${meaning(record)}`;
+  byId("meaning").textContent = `${counted(bodies.length, "body", "bodies")}${rest}. ${meaning(record)}${untestedText(record)}`;
 }
 
 function timeRows({ source }: SceneRecord, event: RecordedContact): [string, string | number][] {

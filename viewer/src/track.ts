@@ -3,6 +3,7 @@ import { Matrix4, Quaternion, Vector3 } from "three";
 import { unpacked, type PoseRow } from "./scene";
 
 const numbersOfPose = 7;
+const turnOfArc = Math.PI / 60; // a path of turning points is drawn in steps of this turn
 const one = new Vector3(1, 1, 1);
 
 interface Pose {
@@ -56,7 +57,31 @@ export class Track {
   at(time: number, result = new Matrix4()): Matrix4 {
     if (time === this.exact?.time) return matrixOf(read(from, this.exact.pose), result);
     if (this.count === 1) return this.sample(0, result);
-    const [index, part] = this.place(time);
+    return this.between(...this.place(time), result);
+  }
+
+  sample(index: number, result = new Matrix4()): Matrix4 {
+    return matrixOf(read(from, this.rows, index * numbersOfPose), result);
+  }
+
+  /** Poses along the whole motion, close enough that lines between their points look like arcs; about `most` of them. */
+  along(most = Infinity): Matrix4[] {
+    const last = this.count - 1;
+    const places: [number, number][] = [];
+    for (let index = 0; index < last; ++index) {
+      const parts = Math.max(1, Math.ceil(this.turn(index) / turnOfArc));
+      for (let part = 0; part < parts; ++part) places.push([index, part / parts]);
+    }
+    const nth = Math.max(1, Math.ceil(places.length / Math.max(1, most - 1)));
+    return [...places.filter((_, index) => index % nth === 0).map(([index, part]) => this.between(index, part)), this.sample(last)];
+  }
+
+  /** The path of a point of the body, in the world. */
+  pathOf(point: Vector3): Vector3[] {
+    return this.along().map((pose) => point.clone().applyMatrix4(pose));
+  }
+
+  private between(index: number, part: number, result = new Matrix4()): Matrix4 {
     read(from, this.rows, index * numbersOfPose);
     read(to, this.rows, (index + 1) * numbersOfPose);
     from.translation.lerp(to.translation, part);
@@ -64,13 +89,11 @@ export class Track {
     return matrixOf(from, result);
   }
 
-  sample(index: number, result = new Matrix4()): Matrix4 {
-    return matrixOf(read(from, this.rows, index * numbersOfPose), result);
-  }
-
-  /** The path of a point of the body, in the world. */
-  pathOf(point: Vector3): Vector3[] {
-    return Array.from({ length: this.count }, (_, index) => point.clone().applyMatrix4(this.sample(index)));
+  /** The turn from a pose to the next one, in radians. */
+  private turn(index: number): number {
+    read(from, this.rows, index * numbersOfPose);
+    read(to, this.rows, (index + 1) * numbersOfPose);
+    return from.rotation.angleTo(to.rotation);
   }
 
   /** The index of the pose before a time, and the part of the step to the next pose. */

@@ -1,0 +1,228 @@
+// Reads tables by the names of their columns. docs/decisions/0090-columns-by-name.md has the rules.
+#include "chasles/io/column_table.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace chasles::io {
+namespace {
+
+constexpr std::size_t longest_shown_header = 300;
+
+bool is_blank_line(std::string_view line) {
+    return line.find_first_not_of(" \t") == std::string_view::npos;
+}
+
+bool is_comment(std::string_view line) {
+    const std::size_t first = line.find_first_not_of(" \t");
+    return first != std::string_view::npos && line[first] == '#';
+}
+
+// The comment without its mark.
+std::string_view inside_of(std::string_view comment) {
+    return comment.substr(std::min(comment.find_first_not_of(" \t#"), comment.size()));
+}
+
+void drop_empty_cells_at_end(std::vector<std::string>& cells, std::size_t columns) {
+    while (cells.size() > columns && cells.back().empty())
+        cells.pop_back();
+}
+
+bool all_empty(const std::vector<std::string>& cells) {
+    return std::ranges::all_of(cells, [](const std::string& cell) { return cell.empty(); });
+}
+
+std::string list_of(std::span<const std::string> names) {
+    std::string text;
+    for (const std::string& name : names)
+        text += (text.empty() ? "" : ", ") + name;
+    return text;
+}
+
+// A comment that can be read as a header, or no names.
+std::vector<std::string> names_in_comment(std::string_view comment) {
+    try {
+        std::vector<std::string> names = split_cells(comment, separator_of(comment));
+        drop_empty_cells_at_end(names, 0);
+        return names;
+    } catch (const InvalidInput&) { // prose with commas and semicolons
+        return {};
+    }
+}
+
+// Gives a column the place of a wanted name. The wanted name itself counts more than another name for the same.
+void take_place(std::span<const std::string> names, std::size_t column, const std::string& wanted,
+                std::optional<std::size_t>& place, std::vector<std::string>& ignored) {
+    const auto is_itself = [&](std::size_t other) { return lower_case(names[other]) == wanted; };
+    if (place && is_itself(*place) == is_itself(column))
+        throw InvalidInput("the header " + shown_names(names) + " has two columns for " + wanted + ": " +
+                           in_quotes(names[*place]) + " and " + in_quotes(names[column]));
+    if (place)
+        ignored.push_back(names[is_itself(*place) ? column : *place]);
+    if (!place || is_itself(column))
+        place = column;
+}
+
+void require_places(std::span<const std::string> names, const NamedColumns& columns,
+                    std::span<const std::string> wanted, std::size_t optional_from) {
+    std::vector<std::string> missing;
+    for (std::size_t i = 0; i < optional_from; ++i)
+        if (!columns.places[i])
+            missing.push_back(wanted[i]);
+    if (!missing.empty())
+        throw InvalidInput("the header " + shown_names(names) + " has no column " + list_of(missing) +
+                           "; it needs the columns " + list_of(wanted.first(optional_from)) +
+                           " in any order, and may have " + list_of(wanted.subspan(optional_from)));
+}
+
+} // namespace
+
+ColumnTable::ColumnTable(std::string_view text, std::function<bool(std::string_view)> is_name,
+                         std::string_view text_column)
+    : lines_(without_byte_order_mark(text)), is_name_(std::move(is_name)), text_column_(text_column) {
+    std::vector<Comment> comments;
+    bool has_line = lines_.next();
+    for (; has_line && (is_comment(lines_.line()) || is_blank_line(lines_.line())); has_line = lines_.next())
+        if (is_comment(lines_.line()))
+            comments.push_back({lines_.number(), inside_of(lines_.line())});
+    if (has_line)
+        read_first_line(comments);
+}
+
+// A line of numbers is a row, unless the numbers are names too.
+void ColumnTable::read_first_line(const std::vector<Comment>& comments) {
+    const std::string_view line = without_comment(lines_.line());
+    line_ = lines_.number();
+    try {
+        separator_ = separator_of(line);
+    } catch (const InvalidInput& error) {
+        fail_at_line(line_, "the header " + in_quotes(line) + " " + error.what());
+    }
+    std::vector<std::string> cells = split_cells(line, separator_);
+    drop_empty_cells_at_end(cells, 1);
+    columns_ = cells.size();
+    is_at_row_ = std::ranges::all_of(cells, [](const std::string& cell) { return parse_number(cell).has_value(); }) &&
+                 !std::ranges::all_of(cells, [&](const std::string& cell) { return is_name_(cell); });
+    if (is_at_row_)
+        take_header_from(comments, line);
+    else
+        names_ = std::move(cells);
+    has_text_ = std::ranges::any_of(names_, [&](const auto& name) { return lower_case(name) == text_column_; });
+}
+
+// Comments before a row of numbers: one of them may be the header.
+void ColumnTable::take_header_from(const std::vector<Comment>& comments, std::string_view row) {
+    for (const auto& [line, text] : comments) {
+        std::vector<std::string> names = names_in_comment(text);
+        const auto known = static_cast<std::size_t>(std::ranges::count_if(names, is_name_));
+        if (names.size() == columns_ && 2 * known >= columns_) {
+            if (!names_.empty() && names_ != names)
+                fail_at_line(line, "the comments in the lines " + std::to_string(line_) + " and " +
+                                       std::to_string(line) + " both may be the header: " + shown_names(names_) +
+                                       " and " + shown_names(names));
+            names_ = std::move(names);
+            line_ = line;
+        } else if (known >= 4 && 2 * known >= names.size()) {
+            fail_at_line(line, "the comment " + shown_names(names) + " may be the header, but it has " +
+                                   std::to_string(names.size()) + " names, and the first row " + in_quotes(row) +
+                                   " has " + std::to_string(columns_) + " columns");
+        }
+    }
+}
+
+std::vector<std::string> ColumnTable::cells_of(std::string_view line) const {
+    std::vector<std::string> cells = split_cells(has_text_ ? line : without_comment(line), separator_);
+    drop_empty_cells_at_end(cells, columns_);
+    return cells;
+}
+
+// With a column of texts, a line that begins with # may be a comment or a row.
+std::optional<TableRow> ColumnTable::row_of_comment() const {
+    if (!has_text_)
+        return std::nullopt;
+    TableRow row{lines_.number(), cells_of(lines_.line()), true};
+    return row.cells.size() == columns_ ? std::optional(std::move(row)) : std::nullopt;
+}
+
+std::optional<TableRow> ColumnTable::next() {
+    while (is_at_row_ || lines_.next()) {
+        is_at_row_ = false;
+        if (is_comment(lines_.line())) {
+            if (auto row = row_of_comment())
+                return row;
+            continue;
+        }
+        TableRow row{lines_.number(), cells_of(lines_.line()), false};
+        if (!all_empty(row.cells))
+            return row;
+    }
+    return std::nullopt;
+}
+
+NamedColumns find_columns(std::span<const std::string> names, std::span<const std::string> wanted,
+                          std::size_t optional_from, const std::function<std::string(std::string_view)>& meaning) {
+    require_different(names);
+    NamedColumns columns{std::vector<std::optional<std::size_t>>(wanted.size()), {}};
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const auto found = std::ranges::find(wanted, meaning(names[i]));
+        if (found == wanted.end())
+            columns.ignored.push_back(names[i]);
+        else
+            take_place(names, i, *found, columns.places[static_cast<std::size_t>(found - wanted.begin())],
+                       columns.ignored);
+    }
+    require_places(names, columns, wanted, optional_from);
+    return columns;
+}
+
+std::string shown_names(std::span<const std::string> names) {
+    std::string text = one_line(list_of(names));
+    for (char& c : text)
+        if (static_cast<unsigned char>(c) >= 0x80)
+            c = '?'; // UTF-8 or binary data
+    return text.size() > longest_shown_header ? "'" + text.substr(0, longest_shown_header) + "...'" : "'" + text + "'";
+}
+
+void require_different(std::span<const std::string> names) {
+    std::vector<std::string> sorted(names.begin(), names.end());
+    std::erase(sorted, "");
+    std::ranges::sort(sorted);
+    if (const auto twice = std::ranges::adjacent_find(sorted); twice != sorted.end())
+        throw InvalidInput("the column " + in_quotes(*twice) + " comes twice in the header " + shown_names(names));
+}
+
+void require_cells(const TableRow& row, std::size_t columns) {
+    if (row.cells.size() != columns)
+        throw InvalidInput(std::to_string(row.cells.size()) + (row.cells.size() == 1 ? " column" : " columns") +
+                           " found, " + std::to_string(columns) + " expected");
+}
+
+double cell_number(const std::string& cell, const std::string& name) {
+    if (const auto number = parse_finite(cell))
+        return *number;
+    std::string with_points = cell;
+    std::ranges::replace(with_points, ',', '.');
+    const bool has_decimal_comma = with_points != cell && parse_finite(with_points).has_value();
+    throw InvalidInput(one_line(name) + ": not a finite number: " + in_quotes(cell) +
+                       (has_decimal_comma ? "; write a decimal point" : ""));
+}
+
+void add_stamp(double stamp, const std::string& name, std::vector<double>& stamps) {
+    if (!stamps.empty() && !(stamps.back() < stamp))
+        throw InvalidInput(one_line(name) + ": must increase, but is " + number_text(stamp) + " after " +
+                           number_text(stamps.back()));
+    if (!stamps.empty() && !std::isfinite(stamp - stamps.front()))
+        throw InvalidInput(one_line(name) + ": " + number_text(stamp) + " is too far from the first stamp");
+    stamps.push_back(stamp);
+}
+
+void warn_of_ignored(std::span<const std::string> ignored, std::size_t line, const std::string& why,
+                     std::vector<std::string>& warnings) {
+    if (!ignored.empty())
+        warnings.push_back("line " + std::to_string(line) + ": ignored columns: " + shown_names(ignored) + "; " + why);
+}
+
+} // namespace chasles::io

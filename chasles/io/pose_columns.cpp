@@ -1,0 +1,66 @@
+// Names as in TUM and EuRoC trajectories, in tables made from ROS messages, and in ours.
+#include "chasles/io/pose_columns.h"
+
+#include "chasles/io/text_scan.h"
+
+#include <algorithm>
+#include <array>
+#include <initializer_list>
+
+namespace chasles::io {
+namespace {
+
+// Units that leave the meaning of a name as it is: lengths have the unit of the meshes, stamps any unit.
+constexpr auto units_to_drop = std::to_array<std::string_view>({"[]", "[m]", "[s]", "[ns]"});
+// What stands before the axis.
+constexpr auto of_position =
+    std::to_array<std::string_view>({"", "t", "p_", "pos_", "position_", "translation_", "p_rs_r_"});
+constexpr auto of_quaternion =
+    std::to_array<std::string_view>({"q", "q_", "quat_", "quaternion_", "orientation_", "rotation_", "q_rs_"});
+constexpr auto of_time = std::to_array<std::string_view>({"t", "time", "timestamp"});
+
+template <typename Names>
+bool is_one_of(const Names& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+}
+
+std::string without_unit(std::string name) {
+    for (const std::string_view unit : units_to_drop)
+        if (name.ends_with(unit))
+            name.resize(name.size() - unit.size());
+    return name.substr(0, name.find_last_not_of(' ') + 1);
+}
+
+// "Pose.Orientation.W" becomes "orientation_w".
+std::string plain(std::string_view text) {
+    std::string name = without_unit(lower_case(text));
+    std::ranges::replace(name, '.', '_');
+    std::ranges::replace(name, '/', '_');
+    for (const std::string_view prefix : {"pose_", "pose_", "transform_"}) // PoseWithCovariance has a pose in a pose
+        if (name.starts_with(prefix))
+            name.erase(0, prefix.size());
+    return name;
+}
+
+} // namespace
+
+std::vector<std::string> pose_columns() {
+    return {"x", "y", "z", "qw", "qx", "qy", "qz", "t"};
+}
+
+std::string pose_column(std::string_view text) {
+    const std::string name = plain(text);
+    if (is_one_of(of_time, name))
+        return "t";
+    if (name.empty())
+        return "";
+    const std::string_view before = std::string_view(name).substr(0, name.size() - 1);
+    const char axis = name.back();
+    if (axis >= 'x' && axis <= 'z' && is_one_of(of_position, before))
+        return {axis};
+    if (axis >= 'w' && axis <= 'z' && is_one_of(of_quaternion, before))
+        return {'q', axis};
+    return "";
+}
+
+} // namespace chasles::io

@@ -1,0 +1,17 @@
+// The names that programs give the columns of a pose.
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace chasles::io {
+
+/// "x", "y", "z", "qw", "qx", "qy", "qz", then "t": the columns of a pose and of its time stamp.
+std::vector<std::string> pose_columns();
+
+/// Which of these columns a name stands for, or an empty text. Capitals count as small letters. docs/command-line.md
+/// lists the names.
+std::string pose_column(std::string_view name);
+
+} // namespace chasles::io

@@ -1,0 +1,142 @@
+// Names of columns are those of the robot's variables. Source: docs/decisions/0090-columns-by-name.md.
+#include "chasles/robot/joint_columns.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/column_table.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace chasles::robot {
+namespace {
+
+constexpr std::string_view degrees_ending = "_deg";
+
+// The variable of this name. Throws InvalidInput where capitals would decide between two.
+std::optional<std::size_t> variable_named(const Robot& robot, std::string_view name) {
+    const auto variables = robot.variables();
+    const auto exact = std::ranges::find(variables, name, &RobotVariable::name);
+    if (exact != variables.end())
+        return static_cast<std::size_t>(exact - variables.begin());
+    std::optional<std::size_t> found;
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        if (io::lower_case(variables[i].name) != io::lower_case(name))
+            continue;
+        if (found)
+            throw InvalidInput("the column " + io::in_quotes(name) + " may be the variable " +
+                               io::in_quotes(variables[*found].name) + " or " + io::in_quotes(variables[i].name));
+        found = i;
+    }
+    return found;
+}
+
+/// Whether the variable is an angle.
+bool is_angle(const Robot& robot, const std::string& variable) {
+    return std::ranges::any_of(robot.description().joints, [&](const JointDescription& joint) {
+        return joint.type == JointType::planar
+                   ? variable == joint.name + "/theta"
+                   : (joint.type == JointType::revolute || joint.type == JointType::continuous) &&
+                         variable == joint.name;
+    });
+}
+
+std::string_view without_degrees(std::string_view name) {
+    const bool has_ending = io::lower_case(name).ends_with(degrees_ending);
+    return has_ending ? name.substr(0, name.size() - degrees_ending.size()) : std::string_view();
+}
+
+// Whether one letter more, less or other makes the same name.
+bool differ_in_one_letter(std::string_view a, std::string_view b) {
+    if (a.size() < b.size())
+        std::swap(a, b);
+    const auto [first, second] = std::ranges::mismatch(a, b);
+    const auto after = static_cast<std::size_t>(first - a.begin());
+    if (a.size() == b.size())
+        return after < a.size() && a.substr(after + 1) == b.substr(after + 1);
+    return a.size() == b.size() + 1 && a.substr(after + 1) == b.substr(after);
+}
+
+std::string names_of_variables(const Robot& robot) {
+    std::vector<std::string> names;
+    for (const RobotVariable& variable : robot.variables())
+        names.push_back(variable.name);
+    return io::shown_names(names);
+}
+
+} // namespace
+
+JointColumns::JointColumns(std::span<const std::string> names, const Robot& robot, JointUnits units) : robot_(robot) {
+    io::require_different(names);
+    for (const std::string& name : names) {
+        columns_.push_back(column_of(name, units));
+        if (!columns_.back().variable)
+            ignored_.push_back(name);
+    }
+    if (ignored_.size() == names.size() && !robot.variables().empty())
+        throw InvalidInput("the header " + io::shown_names(names) + " names no variable of the robot, which has " +
+                           names_of_variables(robot) + "; fixed joints and joints that follow others have none");
+    require_one_each(names);
+    require_no_misspelt_name();
+}
+
+JointColumns::Column JointColumns::column_of(const std::string& name, JointUnits units) const {
+    const std::optional<std::size_t> plain = variable_named(robot_, name);
+    const std::string_view before = without_degrees(name);
+    if (units == JointUnits::radians || before.empty())
+        return {plain};
+    const std::optional<std::size_t> turned = variable_named(robot_, before);
+    if (plain && turned)
+        throw InvalidInput("the column " + io::in_quotes(name) + " may be the variable " + io::in_quotes(name) +
+                           ", or " + io::in_quotes(before) + " in degrees");
+    if (turned && !is_angle(robot_, robot_.variables()[*turned].name))
+        throw InvalidInput("the column " + io::in_quotes(name) + " has degrees, but the variable " +
+                           io::in_quotes(before) + " is no angle");
+    return plain ? Column{plain} : Column{turned, true};
+}
+
+void JointColumns::require_one_each(std::span<const std::string> names) const {
+    std::vector<std::optional<std::size_t>> place_of(robot_.variables().size());
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        if (!columns_[i].variable)
+            continue;
+        std::optional<std::size_t>& place = place_of[*columns_[i].variable];
+        if (place)
+            throw InvalidInput("the header " + io::shown_names(names) + " has two columns for one variable: " +
+                               io::in_quotes(names[*place]) + " and " + io::in_quotes(names[i]));
+        place = i;
+    }
+}
+
+// A variable that is left out stays where it is. Nobody wants that of a variable whose name is misspelt.
+void JointColumns::require_no_misspelt_name() const {
+    const auto variables = robot_.variables();
+    for (std::size_t i = 0; i < variables.size(); ++i) {
+        const auto reads_it = [&](const Column& column) { return column.variable == i; };
+        if (std::ranges::any_of(columns_, reads_it))
+            continue;
+        for (const std::string& name : ignored_)
+            if (differ_in_one_letter(io::lower_case(name), io::lower_case(variables[i].name)))
+                throw InvalidInput(
+                    "the column " + io::in_quotes(name) + " is no variable of the robot; it may be a misspelt " +
+                    io::in_quotes(variables[i].name) + ", which has no column, or one to leave out of the file");
+    }
+}
+
+Configuration JointColumns::configuration(std::span<const double> row) const {
+    Configuration values = robot_.neutral();
+    for (std::size_t i = 0; i < row.size(); ++i)
+        if (const auto& [variable, is_in_degrees] = columns_[i]; variable)
+            values[static_cast<Eigen::Index>(*variable)] = is_in_degrees ? row[i] / 180 * std::numbers::pi : row[i];
+    return values;
+}
+
+bool JointColumns::is_name(const Robot& robot, std::string_view name) {
+    const auto is_variable = [&](std::string_view text) {
+        return std::ranges::any_of(robot.variables(), [&](const RobotVariable& variable) {
+            return io::lower_case(variable.name) == io::lower_case(text);
+        });
+    };
+    return is_variable(name) || is_variable(without_degrees(name));
+}
+
+} // namespace chasles::robot

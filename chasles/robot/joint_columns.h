@@ -1,0 +1,53 @@
+// The columns of a path of a robot: which variable each name stands for.
+#pragma once
+
+#include "chasles/robot/robot.h"
+
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace chasles::robot {
+
+/// What the numbers of a path are.
+enum class JointUnits {
+    by_name, ///< a column NAME_deg has degrees, every other one radians or the length unit
+    radians, ///< no name means degrees
+};
+
+/// Maps rows of numbers to configurations.
+class JointColumns {
+public:
+    /// `names` are those of variables of the robot, in any order. Capitals count as small letters where only one
+    /// variable has the name. Throws InvalidInput if no name is that of a variable, if two are those of the same one,
+    /// if a name can be read in two ways, and if it differs in one letter from a variable that is left out.
+    JointColumns(std::span<const std::string> names, const Robot& robot, JointUnits units);
+
+    /// Variables that are left out have the values of Robot::neutral(). The row has a number for each name; numbers of
+    /// columns that are not read are not used.
+    [[nodiscard]] Configuration configuration(std::span<const double> row) const;
+    [[nodiscard]] bool reads(std::size_t column) const { return columns_[column].variable.has_value(); }
+    /// The names that are no variable of the robot.
+    [[nodiscard]] const std::vector<std::string>& ignored() const { return ignored_; }
+
+    /// Whether a name may be that of a column.
+    static bool is_name(const Robot& robot, std::string_view name);
+
+private:
+    struct Column {
+        std::optional<std::size_t> variable;
+        bool is_in_degrees = false;
+    };
+
+    [[nodiscard]] Column column_of(const std::string& name, JointUnits units) const;
+    void require_one_each(std::span<const std::string> names) const;
+    void require_no_misspelt_name() const;
+
+    const Robot& robot_;
+    std::vector<Column> columns_;
+    std::vector<std::string> ignored_;
+};
+
+} // namespace chasles::robot

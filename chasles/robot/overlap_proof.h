@@ -1,0 +1,48 @@
+// Proof that two links overlap in all configurations near one of them: a point of one surface is inside of the other
+// body, and another one outside, both by more than any point may move.
+// Source: docs/derivations/29-robots.md, "Pairs that never touch".
+#pragma once
+
+#include "chasles/robot/model.h"
+
+#include <array>
+#include <vector>
+
+namespace chasles::robot {
+
+class OverlapProof {
+public:
+    /// Of two links with these shapes. Both are kept by reference.
+    OverlapProof(const Model& model, const std::vector<const Element*>& first,
+                 const std::vector<const Element*>& second);
+
+    /// Whether the links touch wherever no point is farther than the margin from its place at the configuration, as
+    /// seen from the other link. False where that is not proven.
+    [[nodiscard]] bool touch_within(double margin, const Configuration& configuration) const;
+
+private:
+    /// A point of a surface, and which of its connected parts it is on.
+    struct SurfacePoint {
+        Eigen::Vector3d place;
+        std::uint32_t part = 0;
+    };
+    struct Surface {
+        std::vector<std::array<Eigen::Vector3d, 3>> triangles;
+        std::vector<SurfacePoint> points;
+        Eigen::AlignedBox3d box;
+        bool is_closed = false; ///< each edge has an even number of faces: a point is inside or outside
+    };
+
+    static Surface surface_of(const Polyhedron& shape);
+    /// Whether a part of the first surface passes through the second one, for any displacement up to the margin.
+    static bool passes_through(const Surface& moving, const Surface& fixed, const Eigen::Isometry3d& relative,
+                               double margin);
+    static bool is_inside(const Surface& surface, const Eigen::Vector3d& point, double margin);
+
+    const Model& model_;
+    const std::vector<const Element*>& first_;
+    const std::vector<const Element*>& second_;
+    std::vector<Surface> of_first_, of_second_; ///< of each element
+};
+
+} // namespace chasles::robot

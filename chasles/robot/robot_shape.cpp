@@ -1,0 +1,76 @@
+// A robot as one rigid body, for questions in which its joints do not move.
+#include "chasles/mesh/exact_orientation.h"
+#include "chasles/robot/model.h"
+
+#include <array>
+
+namespace chasles {
+
+namespace {
+
+using Corners = std::vector<std::uint32_t>;
+
+/// The surfaces of several shapes, each placed by a pose.
+class MergedSurface {
+public:
+    void add(const Polyhedron& shape, const Eigen::Isometry3d& pose) {
+        const auto first = std::uint32_t(vertices_.size());
+        for (const Eigen::Vector3d& vertex : shape.vertices())
+            vertices_.emplace_back(pose * vertex);
+        for (std::size_t face = 0; face < shape.face_count(); ++face)
+            add_face(shape, face, first);
+    }
+
+    [[nodiscard]] bool is_empty() const { return faces_.empty(); }
+    [[nodiscard]] Polyhedron body() const {
+        return Polyhedron::from_polygons(vertices_, faces_, {.triangulate = true});
+    }
+
+private:
+    /// Whole if it is still planar, else in triangles, which are planar always.
+    void add_face(const Polyhedron& shape, std::size_t face, std::uint32_t first) {
+        Corners corners(shape.face(face).begin(), shape.face(face).end());
+        for (std::uint32_t& corner : corners)
+            corner += first;
+        if (is_planar(corners)) {
+            faces_.push_back(std::move(corners));
+            return;
+        }
+        const std::span<const std::uint32_t> triangles = shape.face_triangles(face);
+        for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
+            faces_.push_back({corners[triangles[i]], corners[triangles[i + 1]], corners[triangles[i + 2]]});
+        for (std::size_t i = 1; triangles.empty() && i + 1 < corners.size(); ++i)
+            faces_.push_back({corners[0], corners[i], corners[i + 1]});
+    }
+
+    [[nodiscard]] bool is_planar(const Corners& corners) const {
+        for (std::size_t i = 3; i < corners.size(); ++i)
+            if (!are_coplanar(vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]],
+                              vertices_[corners[i]]))
+                return false;
+        return true;
+    }
+
+    std::vector<Eigen::Vector3d> vertices_;
+    std::vector<Corners> faces_;
+};
+
+} // namespace
+
+Polyhedron Robot::shape(const Configuration& configuration) const {
+    const std::array ends{configuration, configuration};
+    const JointPath path = JointPath::straight(*this, ends);
+    const robot::SegmentMotion motion = model_->motion_of(path.segments().front());
+    MergedSurface surface;
+    for (const robot::Element& element : model_->elements) {
+        Eigen::Isometry3d pose = model_->pose_of(motion, element.owner, 0).isometry();
+        if (element.owner < model_->description.links.size())
+            pose = pose * model_->description.links[element.owner].collisions[element.shape_index].origin.isometry();
+        surface.add(element.shape, pose);
+    }
+    if (surface.is_empty())
+        robot::refuse(model_->description.name, "has no collision shapes");
+    return surface.body();
+}
+
+} // namespace chasles

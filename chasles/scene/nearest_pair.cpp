@@ -1,0 +1,206 @@
+#include "chasles/scene/nearest_pair.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/query/pair_query.h"
+#include "chasles/scene/curve_order.h"
+#include "chasles/scene/pair_question.h"
+#include "chasles/scene/swept_body.h"
+
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <queue>
+#include <tuple>
+
+namespace chasles::scene {
+
+namespace {
+
+/// Children of a node.
+constexpr std::size_t arity = 4;
+
+struct Node {
+    std::size_t level = 0; ///< 0: the boxes of bodies
+    std::size_t index = 0;
+
+    friend auto operator<=>(const Node&, const Node&) = default;
+};
+
+/// A tree of the boxes that bodies sweep. The boxes lie along a curve that fills space; four that follow each other are
+/// a node. Boxes are in double precision, because their distances are proven bounds.
+class SweptTree {
+public:
+    SweptTree(const Scene& scene, const std::vector<std::size_t>& bodies) {
+        std::vector<Box> boxes;
+        std::vector<Eigen::Vector3d> middles;
+        for (const std::size_t body : bodies) {
+            require_body(scene, body);
+            const WorldMotion& motion = scene.motion_of(body);
+            boxes.push_back(swept({scene.bodies()[body].shape.body(), *motion.frame, motion.rests}, 1).box);
+            middles.emplace_back(0.5 * boxes.back().min() + 0.5 * boxes.back().max());
+        }
+        levels_.emplace_back();
+        for (const std::uint32_t i : curve_order(middles, 1)) {
+            bodies_.push_back(bodies[i]);
+            levels_[0].push_back(boxes[i]);
+        }
+        while (levels_.back().size() > 1)
+            add_level();
+    }
+
+    [[nodiscard]] bool is_empty() const { return bodies_.empty(); }
+    [[nodiscard]] Node root() const { return {levels_.size() - 1, 0}; }
+    [[nodiscard]] const Box& box(const Node& node) const { return levels_[node.level][node.index]; }
+    [[nodiscard]] std::size_t body(const Node& leaf) const { return bodies_[leaf.index]; }
+
+    template <class Visit>
+    void for_each_child(const Node& node, const Visit& visit) const {
+        const std::size_t end = std::min((node.index + 1) * arity, levels_[node.level - 1].size());
+        for (std::size_t child = node.index * arity; child < end; ++child)
+            visit(Node{node.level - 1, child});
+    }
+
+private:
+    void add_level() {
+        const std::vector<Box>& below = levels_.back();
+        std::vector<Box> level((below.size() + arity - 1) / arity);
+        for (std::size_t i = 0; i < below.size(); ++i)
+            level[i / arity].extend(below[i]);
+        levels_.push_back(std::move(level));
+    }
+
+    std::vector<std::size_t> bodies_; ///< along the curve
+    std::vector<std::vector<Box>> levels_;
+};
+
+/// Two nodes and a proven lower bound of the distance of their bodies.
+struct NodePair {
+    double bound = 0;
+    Node first, second;
+
+    /// The queue takes the nearest pair first. Equal bounds are taken in the order of nodes, nearer to bodies first.
+    friend bool operator<(const NodePair& a, const NodePair& b) {
+        return std::tie(a.bound, a.first, a.second) > std::tie(b.bound, b.first, b.second);
+    }
+};
+
+class NearestPairSearch {
+public:
+    NearestPairSearch(const Scene& scene, const NearestPairQuery& query)
+        : scene_(scene), query_(query), is_within_(!query.second), first_(scene, query.first),
+          second_(scene, query.second.value_or(std::vector<std::size_t>())) {}
+
+    NearestPair run();
+
+private:
+    [[nodiscard]] const SweptTree& second() const { return is_within_ ? first_ : second_; }
+    /// Whether pairs with this bound can be nearer than the nearest one so far.
+    [[nodiscard]] bool can_be_nearer(double bound) const { return bound < best_.nearest.distance.upper; }
+    /// What stays farther apart than this is not nearer; the bracket of the distance may have this width.
+    [[nodiscard]] double searched_distance() const {
+        return best_.nearest.distance.upper * (1 - 0.5 * query_.options.tolerance);
+    }
+    void push(const Node& first, const Node& second);
+    void split(const NodePair& nodes);
+    void compare(const NodePair& leaves);
+
+    const Scene& scene_;
+    const NearestPairQuery& query_;
+    bool is_within_; ///< all pairs of one list
+    SweptTree first_, second_;
+    std::priority_queue<NodePair> queue_;
+    NearestPair best_;
+    Work work_;
+};
+
+/// The boxes hold their bodies, so their distance is a lower bound. Its own rounding is below 4 units in the last
+/// place.
+void NearestPairSearch::push(const Node& first, const Node& second) {
+    constexpr double rounding = 1e-14;
+    const double bound = first_.box(first).exteriorDistance(this->second().box(second)) * (1 - rounding);
+    if (!best_.pair || can_be_nearer(bound))
+        queue_.push({bound, first, second});
+}
+
+/// Splits the higher node, or both. A node with itself gives each pair of children once.
+void NearestPairSearch::split(const NodePair& nodes) {
+    const auto& [bound, first, second] = nodes;
+    if (is_within_ && first == second)
+        first_.for_each_child(first, [&](const Node& a) {
+            first_.for_each_child(first, [&](const Node& b) {
+                if (a.index < b.index || (a.index == b.index && a.level > 0))
+                    push(a, b);
+            });
+        });
+    else if (first.level > second.level)
+        first_.for_each_child(first, [&](const Node& a) { push(a, nodes.second); });
+    else if (first.level < second.level)
+        this->second().for_each_child(second, [&](const Node& b) { push(nodes.first, b); });
+    else
+        first_.for_each_child(first, [&](const Node& a) {
+            this->second().for_each_child(nodes.second, [&](const Node& b) { push(a, b); });
+        });
+}
+
+/// A pair is searched only if it comes nearer than the nearest one so far.
+void NearestPairSearch::compare(const NodePair& leaves) {
+    std::size_t moving = first_.body(leaves.first), fixed = second().body(leaves.second);
+    if (is_within_ && fixed < moving)
+        std::swap(moving, fixed);
+    if (moving == fixed || scene_.is_ignored(moving, fixed))
+        return;
+    if (query_.may_go_on && !query_.may_go_on())
+        throw SceneCancelled();
+    const auto mover = [&](std::size_t i) { return Mover{scene_.bodies()[i].shape, scene_.motion_of(i)}; };
+    const Mover a = mover(moving), b = mover(fixed);
+    ++best_.searched;
+    if (best_.pair && searched_distance() <= Pose::largest_length) { // a margin is no larger
+        QueryOptions options;
+        options.find = Find::any;
+        options.margin = searched_distance();
+        const FirstContact found = first_contact_of(a, b, options, 1);
+        work_ += found.work;
+        if (found.verdict == Verdict::clear) {
+            best_.nearest.distance.lower = std::min(best_.nearest.distance.lower, options.margin);
+            return;
+        }
+    }
+    LeastDistance found = least_distance_of(a, b, query_.options);
+    work_ += found.work;
+    const double lower =
+        best_.pair ? std::min(best_.nearest.distance.lower, found.distance.lower) : found.distance.lower;
+    if (!best_.pair || found.distance.upper < best_.nearest.distance.upper) {
+        best_.pair = {moving, fixed};
+        best_.nearest = std::move(found);
+    }
+    best_.nearest.distance.lower = lower;
+}
+
+NearestPair NearestPairSearch::run() {
+    if (first_.is_empty() || second().is_empty())
+        return best_;
+    push(first_.root(), second().root());
+    while (!queue_.empty()) {
+        const NodePair nodes = queue_.top();
+        queue_.pop();
+        if (best_.pair && !can_be_nearer(nodes.bound))
+            break;
+        if (nodes.bound > Pose::largest_length)
+            throw InvalidInput("distance: all objects are farther apart than 1e+30");
+        if (nodes.first.level == 0 && nodes.second.level == 0)
+            compare(nodes);
+        else
+            split(nodes);
+    }
+    best_.nearest.work = work_;
+    return best_;
+}
+
+} // namespace
+
+NearestPair nearest_pair(const Scene& scene, const NearestPairQuery& query) {
+    query::check_options(query.options);
+    return NearestPairSearch(scene, query).run();
+}
+
+} // namespace chasles::scene

@@ -1,0 +1,209 @@
+// A trajectory of ROS holds names of joints, and points with positions and the time since the start.
+#include "cli/joint_trajectory.h"
+
+#include "chasles/io/column_table.h"
+#include "chasles/io/read_file.h"
+#include "chasles/robot/joint_columns.h"
+#include "cli/options.h"
+#include "cli/strict_json.h"
+#include "cli/yaml_text.h"
+
+#include <algorithm>
+
+namespace chasles::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int deepest_wrapper = 8; ///< levels of messages around a trajectory
+
+/// The first line that is neither blank nor a comment.
+std::string_view first_line_of(std::string_view text) {
+    io::Lines lines(io::without_byte_order_mark(text));
+    while (lines.next()) {
+        const std::string_view line = io::without_comment(lines.line());
+        if (const std::size_t first = line.find_first_not_of(" \t"); first != std::string_view::npos)
+            return line.substr(first);
+    }
+    return {};
+}
+
+bool is_json_text(const std::filesystem::path& file, std::string_view text) {
+    const std::string extension = io::lower_case(file.extension().string());
+    if (extension == ".json")
+        return true;
+    const std::string_view line = first_line_of(text);
+    return extension != ".yaml" && extension != ".yml" && (line.starts_with('{') || line.starts_with('['));
+}
+
+double finite_in(const Json& json) {
+    if (json.is_number())
+        return json.get<double>();
+    const std::string text = json.is_string() ? json.get<std::string>() : json.dump();
+    if (const auto number = io::parse_finite(text); number && json.is_string())
+        return *number;
+    throw InvalidInput("not a finite number: " + io::in_quotes(text));
+}
+
+const Json& entries_of(const Json& json) {
+    if (!json.is_array())
+        throw InvalidInput("must be a list");
+    return json;
+}
+
+const Json* find_in(const Json& json, const char* key) {
+    const auto found = json.is_object() ? json.find(key) : json.end();
+    return found == json.end() || found->is_null() ? nullptr : &*found;
+}
+
+/// Adds the trajectories below a node.
+void find_trajectories(const Json& json, int depth, std::vector<const Json*>& found) {
+    if (json.is_object() && json.contains("joint_names") && json.contains("points"))
+        found.push_back(&json);
+    else if (json.is_structured() && depth < deepest_wrapper)
+        for (const auto& [key, value] : json.items()) {
+            if (key != "multi_dof_joint_trajectory")
+                find_trajectories(value, depth + 1, found);
+            else if (const Json* names = find_in(value, "joint_names"); names && !names->empty())
+                throw InvalidInput("multi_dof_joint_trajectory: is not read; a table of columns can hold its joints");
+        }
+}
+
+const Json& only_trajectory_in(const Json& json) {
+    std::vector<const Json*> found;
+    find_trajectories(json, 0, found);
+    if (found.empty())
+        throw InvalidInput("has no trajectory: no object has the keys joint_names and points");
+    if (found.size() > 1)
+        throw InvalidInput("has " + std::to_string(found.size()) +
+                           " trajectories (objects with the keys joint_names and points): leave one in the file");
+    return *found.front();
+}
+
+std::vector<std::string> joint_names_in(const Json& trajectory) {
+    return at_place("joint_names", [&] {
+        std::vector<std::string> names;
+        for (const Json& name : entries_of(trajectory["joint_names"])) {
+            if (!name.is_string())
+                throw InvalidInput("not a text: " +
+                                   io::in_quotes(name.is_structured() ? "a list or an object" : name.dump()));
+            names.push_back(name.get<std::string>());
+        }
+        return names;
+    });
+}
+
+/// ROS 2 has sec and nanosec, ROS 1 secs and nsecs; others write the seconds.
+double seconds_in(const Json& json) {
+    if (!json.is_object())
+        return finite_in(json);
+    const auto part = [&](const char* key, const char* other) {
+        const Json* value = find_in(json, key) ? find_in(json, key) : find_in(json, other);
+        if (!value)
+            throw InvalidInput("has no " + std::string(key) + " and no " + other);
+        return at_place(key, [&] { return finite_in(*value); });
+    };
+    return part("sec", "secs") + 1e-9 * part("nanosec", "nsecs");
+}
+
+std::vector<double> positions_in(const Json& point, std::size_t joints) {
+    const Json* positions = find_in(point, "positions");
+    if (!positions)
+        throw InvalidInput("is missing");
+    std::vector<double> numbers;
+    for (const Json& number : entries_of(*positions))
+        numbers.push_back(at_place("joint " + std::to_string(numbers.size() + 1), [&] { return finite_in(number); }));
+    if (numbers.size() != joints)
+        throw InvalidInput(std::to_string(numbers.size()) + " found, and joint_names has " + std::to_string(joints));
+    return numbers;
+}
+
+/// Reads the points one by one.
+class PointReader {
+public:
+    PointReader(std::size_t joints, const robot::JointColumns& columns) : joints_(joints), columns_(columns) {}
+
+    void read(const Json& point) {
+        const auto positions = at_place("positions", [&] { return positions_in(point, joints_); });
+        rows_.configurations.push_back(columns_.configuration(positions));
+        for (const char* key : {"velocities", "accelerations"})
+            if (const Json* rates = find_in(point, key); rates && !rates->empty())
+                has_rates_ = true;
+        if (const Json* time = find_in(point, "time_from_start"))
+            times_.push_back(at_place("time_from_start", [&] { return seconds_in(*time); }));
+    }
+
+    robot::ConfigurationRows finish() {
+        take_stamps();
+        if (has_rates_)
+            rows_.warnings.emplace_back(
+                "velocities and accelerations are not used: the path is straight in joint space "
+                "from point to point");
+        if (rows_.configurations.size() < 2)
+            throw InvalidInput("points: a path needs at least two, and there are " +
+                               std::to_string(rows_.configurations.size()));
+        return std::move(rows_);
+    }
+
+private:
+    // A planner that has not timed its path leaves all times at 0.
+    void take_stamps() {
+        if (times_.empty() || std::ranges::all_of(times_, [](double time) { return time == 0; }))
+            return;
+        if (times_.size() != rows_.configurations.size())
+            throw InvalidInput("points: " + std::to_string(times_.size()) + " of " +
+                               std::to_string(rows_.configurations.size()) + " have time_from_start");
+        for (std::size_t i = 0; i < times_.size(); ++i)
+            at_place("points: point " + std::to_string(i + 1),
+                     [&] { io::add_stamp(times_[i], "time_from_start", rows_.stamps); });
+    }
+
+    std::size_t joints_;
+    const robot::JointColumns& columns_;
+    robot::ConfigurationRows rows_;
+    std::vector<double> times_;
+    bool has_rates_ = false;
+};
+
+} // namespace
+
+bool is_joint_trajectory(const std::filesystem::path& file, const std::string& text) {
+    const std::string extension = io::lower_case(file.extension().string());
+    if (extension == ".yaml" || extension == ".yml" || is_json_text(file, text))
+        return true;
+    const std::string_view line = first_line_of(text);
+    const bool begins_a_map =
+        line.find(": ") != std::string_view::npos || line.substr(0, line.find_last_not_of(" \t") + 1).ends_with(':');
+    return extension != ".csv" && (line.starts_with("---") || begins_a_map);
+}
+
+robot::ConfigurationRows read_joint_trajectory(const std::string& text, bool is_json, const Robot& robot) {
+    const Json json = is_json ? parse_json(text) : parse_yaml(text);
+    const Json& trajectory = only_trajectory_in(json);
+    const std::vector<std::string> names = joint_names_in(trajectory);
+    const robot::JointColumns columns =
+        at_place("joint_names", [&] { return robot::JointColumns(names, robot, robot::JointUnits::radians); });
+    PointReader reader(names.size(), columns);
+    std::size_t number = 0;
+    for (const Json& point : at_place("points", [&]() -> const Json& { return entries_of(trajectory["points"]); }))
+        at_place("points: point " + std::to_string(++number), [&] { reader.read(point); });
+    robot::ConfigurationRows rows = reader.finish();
+    if (!columns.ignored().empty())
+        rows.warnings.push_back("joint_names: ignored joints: " + io::shown_names(columns.ignored()) +
+                                "; the robot has no variables of these names");
+    return rows;
+}
+
+robot::ConfigurationRows load_joint_path(const std::filesystem::path& file, const Robot& robot) {
+    const std::string text = io::read_file(file);
+    return at_place(io::shown_name(file), [&] {
+        robot::ConfigurationRows rows = is_joint_trajectory(file, text)
+                                            ? read_joint_trajectory(text, is_json_text(file, text), robot)
+                                            : robot::read_configurations(text, robot);
+        for (std::string& warning : rows.warnings)
+            warning = io::shown_name(file) + ": " + warning;
+        return rows;
+    });
+}
+
+} // namespace chasles::cli

@@ -1,0 +1,13 @@
+// JSON files of users: what is wrong gets one line, and no key may come twice in one object.
+#pragma once
+
+#include <nlohmann/json.hpp>
+
+#include <string_view>
+
+namespace chasles::cli {
+
+/// Throws InvalidInput "is not JSON: WHY", and for a key that comes twice in one object.
+nlohmann::json parse_json(std::string_view text);
+
+} // namespace chasles::cli

@@ -1,0 +1,16 @@
+// What an answer does not look at, for people. A verdict never claims more than was tested.
+#pragma once
+
+#include "chasles/chasles.h"
+
+#include <string>
+
+namespace chasles::cli {
+
+/// The verdict of an answer without contact, without the end of the line: of all pairs, or of those that are tested.
+std::string clear_headline(const UntestedPairs& untested, const QueryOptions& options);
+
+/// The line below the verdict: how many pairs are not tested, which, and why. Empty if all are.
+std::string report(const UntestedPairs& untested);
+
+} // namespace chasles::cli

@@ -1,0 +1,71 @@
+// Source: docs/decisions/0002-dependencies.md. Aliases make a graph of the text, which is copied as a tree.
+#include "cli/yaml_text.h"
+
+#include "chasles/base/invalid_input.h"
+#include "chasles/io/text_scan.h"
+
+#include <yaml-cpp/yaml.h>
+
+namespace chasles::cli {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr int deepest = 32;
+constexpr std::size_t nodes_per_byte = 16; ///< a trajectory with aliases has less than one
+
+/// Copies nodes, up to a number.
+class TreeOfNodes {
+public:
+    explicit TreeOfNodes(std::size_t bytes) : left_(1000 + nodes_per_byte * bytes) {}
+
+    Json copy(const YAML::Node& node, int depth = 0) {
+        if (depth > deepest)
+            throw InvalidInput("is nested more than " + std::to_string(deepest) + " deep");
+        if (left_-- == 0)
+            throw InvalidInput("has aliases (*NAME) that make much more than the file has");
+        if (node.IsSequence())
+            return copy_list(node, depth);
+        if (node.IsMap())
+            return copy_map(node, depth);
+        return node.IsScalar() ? Json(node.Scalar()) : Json();
+    }
+
+private:
+    Json copy_list(const YAML::Node& node, int depth) {
+        Json list = Json::array();
+        for (const YAML::Node& entry : node)
+            list.push_back(copy(entry, depth + 1));
+        return list;
+    }
+    Json copy_map(const YAML::Node& node, int depth) {
+        Json map = Json::object();
+        for (const auto& entry : node) {
+            if (!entry.first.IsScalar())
+                throw InvalidInput("has a key that is no text");
+            const std::string key = entry.first.Scalar();
+            if (!map.emplace(key, copy(entry.second, depth + 1)).second)
+                throw InvalidInput("the key " + io::in_quotes(key) + " comes twice in one map");
+        }
+        return map;
+    }
+
+    std::size_t left_;
+};
+
+} // namespace
+
+nlohmann::json parse_yaml(const std::string& text) {
+    try {
+        TreeOfNodes tree(text.size());
+        Json documents = Json::array();
+        for (const YAML::Node& document : YAML::LoadAll(std::string(io::without_byte_order_mark(text))))
+            documents.push_back(tree.copy(document));
+        return documents;
+    } catch (const YAML::Exception& error) {
+        const std::string place = error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1) + ": ";
+        throw InvalidInput("is not YAML: " + place + error.msg);
+    }
+}
+
+} // namespace chasles::cli

@@ -1,0 +1,38 @@
+// Arguments of any kind: checked, and refused in words.
+import { InvalidInput } from "./errors.js";
+
+/** Options are an object without other keys than these. */
+export function checkOptions(options, known, name = "options") {
+  if (Object.prototype.toString.call(options) !== "[object Object]") throw new InvalidInput(`${name}: must be an object with ${known.join(", ")}`);
+  for (const key of Object.keys(options))
+    if (!known.includes(key)) throw new InvalidInput(`${key}: is no option here; there are ${known.join(", ")}`);
+}
+
+/** A number, or the default if there is none. Its range is checked by the library. */
+export function number(value, name, byDefault) {
+  if (value === undefined && byDefault !== undefined) return byDefault;
+  if (typeof value !== "number") throw new InvalidInput(`${name}: ${shown(value)} is not a number`);
+  return value;
+}
+
+export function text(value, name) {
+  if (typeof value !== "string") throw new InvalidInput(`${name}: ${shown(value)} is not a text`);
+  return value;
+}
+
+export const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
+
+export function shown(value) {
+  return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value);
+}
+
+/** A list of numbers, behind their count. */
+export function addCounted(numbers, list, name) {
+  if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of numbers`);
+  numbers.push(list.length);
+  for (let i = 0; i < list.length; ++i) {
+    if (typeof list[i] !== "number") number(list[i], `${name}[${i}]`); // throws
+    numbers.push(list[i]);
+  }
+  return numbers;
+}

@@ -1,0 +1,56 @@
+// The compiled part of the distances of chasles.CollisionManager.
+#include "chasles/scene/nearest_pair.h"
+
+#include "python/src/interruptible.h"
+#include "python/src/scene.h"
+
+#include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
+
+namespace chasles::python {
+namespace {
+
+using namespace nb::literals;
+
+std::vector<std::size_t> indices_of(const Scene& scene, const std::vector<std::string>& names) {
+    std::vector<std::size_t> indices;
+    for (const std::string& name : names)
+        indices.push_back(scene.index_of(name));
+    return indices;
+}
+
+/// The names of the nearest pair and its LeastDistance, or None.
+nb::object nearest_pair(const PythonScene& given, const std::vector<std::string>& first,
+                        const std::optional<std::vector<std::string>>& second, double tolerance) {
+    const Scene& scene = given.scene;
+    scene::NearestPairQuery query{.first = indices_of(scene, first), .options = {.tolerance = tolerance}};
+    if (second)
+        query.second = indices_of(scene, *second);
+    scene::NearestPair found;
+    run_interruptibly(
+        [&](Progress& progress) {
+            query.may_go_on = [&] { return !progress.is_stopping; };
+            found = scene::nearest_pair(scene, query);
+        },
+        nb::none());
+    if (!found.pair)
+        return nb::none();
+    const SceneBody& moving = scene.bodies()[found.pair->first];
+    const SceneBody& fixed = scene.bodies()[found.pair->second];
+    LeastAnswer answer{std::move(found.nearest), given.shapes.at(moving.name), given.shapes.at(fixed.name),
+                       PlainMotion{relative(moving.motion, fixed.motion),
+                                   joined(owners_of(given, moving.name), owners_of(given, fixed.name))}};
+    return nb::make_tuple(moving.name, fixed.name, std::move(answer));
+}
+
+} // namespace
+
+void bind_nearest_pair(nb::module_& module) {
+    module.def("_nearest_pair", nearest_pair, "scene"_a, "first"_a, "second"_a = nb::none(), nb::kw_only(),
+               "tolerance"_a,
+               nb::sig("def _nearest_pair(scene: Scene, first: list[str], second: list[str] | None = None, *, "
+                       "tolerance: float) -> tuple[str, str, LeastDistance] | None"));
+}
+
+} // namespace chasles::python

@@ -1,0 +1,106 @@
+// Holes in arrays, options of load, and ways to the module: refused in words, with a way out.
+import assert from "node:assert/strict";
+import { readFile } from "node:fs/promises";
+import { createServer } from "node:http";
+import { test } from "node:test";
+import { fileURLToPath } from "node:url";
+import { load } from "chasles";
+import { load as loadInline } from "chasles/inline";
+import { box, refusal } from "./shapes.mjs";
+
+const chasles = await load();
+const { vertices, faces } = box();
+const cube = chasles.polyhedron(vertices, faces);
+const far = [5, 0, 0];
+
+/** A copy of an array with a hole in place of an item. */
+function withHole(list, place) {
+  const copy = [...list];
+  delete copy[place];
+  return copy;
+}
+const without = (list, place) => [withHole(list, place), list.map((item, i) => (i === place ? undefined : item))];
+
+test("holes and missing numbers are refused with their index, in every array", () => {
+  const at = (place) => new RegExp(`^[^:]*\\b${place}\\b|\\[${place}\\]`);
+  const body = chasles.polyhedron;
+  const asked = {
+    points: [vertices, (list) => chasles.polyhedron(list, faces)],
+    numbers: [vertices.flat(), (list) => chasles.polyhedron(list, faces)],
+    "numbers of a point": [[0, 0, 0], (list) => chasles.polyhedron([list, [1, 0, 0], [0, 1, 0]], [[0, 1, 2]])],
+    faces: [faces, (list) => chasles.polyhedron(vertices, list)],
+    pose: [[0, 0, 0, 1, 0, 0, 0], (list) => chasles.firstContact(cube, cube, list, far)],
+    matrix: [[1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1], (list) => chasles.firstContact(cube, cube, far, list)],
+    path: [[far, [4, 0, 0], [3, 0, 0]], (list) => chasles.firstContactOnPath(cube, cube, list)],
+    starts: [[far, far, far], (list) => chasles.firstContactBatch(cube, cube, list, [far, far, far])],
+    goals: [[far, far, far], (list) => chasles.firstContactBatch(cube, cube, [far, far, far], list)],
+    centre: [[0, 0, 0], (centre) => chasles.firstContact(cube, cube, far, far, { motion: "sweep", centre })],
+    times: [[0, 0.5, 1], (times) => chasles.scene().add("a", cube, { poses: [far, far, far], times })],
+    poses: [[far, far, far], (poses) => chasles.scene().add("a", cube, { poses, times: [0, 0.5, 1] })],
+    inertia: [[1, 0, 0, 0, 1, 0, 0, 0, 1], (inertia) => dragged({ mass: { inertia } })],
+    "rows of an inertia": [[[1, 0, 0], [0, 1, 0], [0, 0, 1]], (inertia) => dragged({ mass: { inertia } })],
+    direction: [[0, 0, 1], (direction) => dragged({ lock: { kind: "hinge", direction } })],
+  };
+  for (const [name, [list, ask]] of Object.entries(asked)) {
+    ask(list); // as it is, it is taken
+    for (const place of [0, 1, 2])
+      for (const spoiled of without(list, place)) assert.match(refusal(() => ask(spoiled)), /undefined|no point|no list|no array/, name);
+  }
+  assert.match(refusal(() => body.call(chasles, withHole(vertices, 3), faces)), at(3));
+  assert.match(refusal(() => body.call(chasles, vertices, withHole(faces, 2))), at(2));
+  assert.match(refusal(() => chasles.polyhedron(vertices, [withHole([0, 1, 3, 2], 1), ...faces])), /^faces\[0\]: there is no vertex undefined/);
+});
+
+function dragged(options) {
+  const scene = chasles.scene();
+  scene.add("a", cube);
+  return chasles.draggedBody(scene, "a", options);
+}
+
+test("options are objects with known keys, also those of load", async () => {
+  for (const start of [load, loadInline]) {
+    assert.match(await refusal(start({ wsm: "x" })), /^wsm: is no option here; there are wasm$/);
+    for (const options of [null, "chasles.wasm", new URL("file:///chasles.wasm"), new Uint8Array(8), []])
+      assert.match(await refusal(start(options)), /^options: must be an object with wasm$/);
+    assert.match(await refusal(start({ wasm: null })), /^wasm: null is no URL, Response, bytes or WebAssembly\.Module: give/);
+  }
+  assert.match(refusal(() => chasles.firstContact(cube, cube, far, far, new Map([["margin", 1]]))), /^options: must be an object with margin/);
+  assert.match(await refusal(chasles.workers({ worker: "worker.js" })), /^worker: must be a function that makes a Worker/);
+  assert.match(await refusal(chasles.workers({ count: 1, worker: () => ({}) })), /^worker: must make a Worker/);
+});
+
+test("a way to the module that does not lead there is refused with a way out", async () => {
+  const path = fileURLToPath(import.meta.resolve("chasles/chasles.wasm"));
+  const wayOut = /: give the bytes of chasles\.wasm, or pathToFileURL\(path\) of node:url$/;
+  for (const wasm of [path, "./chasles.wasm", "chasles.wasm", "C:\\chasles.wasm"]) {
+    const message = await refusal(load({ wasm }));
+    assert.ok(message.startsWith(`wasm: "${wasm}" is no URL`), message);
+    assert.match(message, wayOut);
+  }
+  assert.match(await refusal(load({ wasm: new URL("nowhere.wasm", import.meta.url) })), /^wasm: file:.*nowhere\.wasm cannot be read \(ENOENT/);
+  assert.match(await refusal(load({ wasm: new URL(import.meta.url) })), /^wasm: file:.* is no WebAssembly module/);
+  assert.match(await refusal(load({ wasm: new Uint8Array(8) })), /^wasm: the bytes are no WebAssembly module/);
+  const empty = Uint8Array.from([0, 97, 115, 109, 1, 0, 0, 0]);
+  assert.match(await refusal(load({ wasm: empty })), /^wasm: is another module than chasles\.wasm/);
+  assert.ok(await load({ wasm: import.meta.resolve("chasles/chasles.wasm") }), "an address as text");
+});
+
+test("what a server answers: a web page, an error, the module without its type", async () => {
+  const bytes = await readFile(new URL(import.meta.resolve("chasles/chasles.wasm")));
+  const server = createServer((request, response) => {
+    const answers = { "/page": [200, "text/html", "<!doctype html>"], "/gone": [404, "text/plain", ""], "/plain": [200, "text/plain", "abc"], "/bytes": [200, "application/octet-stream", bytes] };
+    const [status, type, body] = answers[request.url];
+    response.writeHead(status, { "Content-Type": type }).end(body);
+  });
+  await new Promise((resolve) => server.listen(0, "127.0.0.1", resolve));
+  const address = `http://127.0.0.1:${server.address().port}`;
+  try {
+    assert.match(await refusal(load({ wasm: `${address}/page` })), /^wasm: http:.*\/page is a web page, as servers answer for files that they do not find: /);
+    assert.match(await refusal(load({ wasm: new URL(`${address}/gone`) })), /^wasm: http:.*\/gone answers with status 404: /);
+    assert.match(await refusal(load({ wasm: fetch(`${address}/plain`) })), /^wasm: http:.*\/plain is no WebAssembly module: /);
+    assert.ok(await load({ wasm: `${address}/bytes` }));
+  } finally {
+    server.close();
+  }
+  assert.match(await refusal(load({ wasm: `${address}/page` })), /^wasm: http:.*\/page cannot be fetched \(/);
+});

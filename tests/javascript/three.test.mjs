@@ -1,0 +1,233 @@
+// Objects of three.js as poses and as bodies: taken as three.js draws them, or refused by name.
+import assert from "node:assert/strict";
+import { test } from "node:test";
+import { load } from "chasles";
+import {
+  Bone, BoxGeometry, BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, InstancedMesh, InterleavedBuffer, InterleavedBufferAttribute,
+  LineSegments, Matrix4, Mesh, MeshBasicMaterial, Object3D, Points, Quaternion, Skeleton, SkinnedMesh, Vector3,
+} from "three";
+import { box, randomNumbers, refusal } from "./shapes.mjs";
+
+const chasles = await load();
+const cube = chasles.polyhedron(box().vertices, box().faces); // from -1 to 1
+const random = randomNumbers(41);
+const spread = (size) => size * (2 * random() - 1);
+const randomTurn = () => new Quaternion(spread(1), spread(1), spread(1), spread(1)).normalize();
+
+/** A mesh below two parents, placed by chance; `deform` has the last word on the scales. */
+function randomMesh(deform = () => undefined) {
+  const chain = [new Group(), new Group(), new Mesh(new BoxGeometry(1, 2, 3))];
+  chain.forEach((object, i) => {
+    object.position.set(spread(3), spread(3), spread(3));
+    object.quaternion.copy(randomTurn());
+    if (i > 0) chain[i - 1].add(object);
+  });
+  deform(chain);
+  return chain[2];
+}
+
+/** The corners of a mesh in the world, by three.js alone. */
+function drawnCorners(mesh) {
+  const { position } = mesh.geometry.attributes;
+  mesh.updateWorldMatrix(true, false);
+  return Array.from({ length: position.count }, (_, i) => new Vector3().fromBufferAttribute(position, i).applyMatrix4(mesh.matrixWorld).toArray());
+}
+
+/** The vertices of a body at a pose of seven numbers. */
+function placed(body, [x, y, z, w, a, b, c]) {
+  const turn = new Quaternion(a, b, c, w);
+  return Array.from({ length: body.vertices.length / 3 }, (_, i) =>
+    new Vector3(...body.vertices.slice(3 * i, 3 * i + 3)).applyQuaternion(turn).add(new Vector3(x, y, z)).toArray());
+}
+
+function assertNear(points, expected, most = 1e-12) {
+  assert.equal(points.length, expected.length);
+  points.forEach((point, i) => assert.ok(Math.hypot(...point.map((x, k) => x - expected[i][k])) <= most, `${i}: ${point} ${expected[i]}`));
+}
+
+const poseOf = (value) => chasles.poseAt(value, value, 0);
+
+test("an Object3D is where it is in the world, with its parents as they are now", () => {
+  for (let i = 0; i < 100; ++i) {
+    const mesh = randomMesh();
+    const corners = drawnCorners(mesh); // of vertices that are single precision, and exact here
+    const plain = chasles.fromBufferGeometry(mesh.geometry);
+    mesh.parent.parent.position.x += 1; // nobody has updated a matrix
+    assertNear(placed(plain, poseOf(mesh)), corners.map(([x, ...rest]) => [x + 1, ...rest]));
+    const scene = chasles.scene();
+    scene.add("mesh", plain, { pose: mesh });
+    assert.deepEqual(scene.poseAt("mesh", 0), poseOf(mesh));
+  }
+});
+
+test("matrices: the elements of a Matrix4 are columns, 16 numbers are rows, and columns are refused where they show", () => {
+  for (let i = 0; i < 50; ++i) {
+    const matrix = new Matrix4().compose(new Vector3(spread(3), spread(3), spread(3)), randomTurn(), new Vector3(1, 1, 1));
+    const expected = new Vector3(1, 2, 3).applyMatrix4(matrix).toArray();
+    const body = chasles.polyhedron([[1, 2, 3], [0, 0, 0], [1, 0, 0]], [[0, 1, 2]]);
+    for (const pose of [matrix, { elements: new Float64Array(matrix.elements) }, matrix.clone().transpose().toArray()])
+      assertNear([placed(body, poseOf(pose))[0]], [expected], 1e-9);
+    for (const columns of [matrix.elements, new Float64Array(matrix.elements)])
+      assert.match(refusal(() => poseOf(columns)), /^start: 16 numbers column by column; .* give the Matrix4 itself/);
+  }
+  assert.match(refusal(() => poseOf(new Matrix4().makeScale(2, 2, 2))), /^start: pose: matrix: /);
+  assert.match(refusal(() => poseOf(new Matrix4().makeScale(-1, 1, 1))), /^start: pose: matrix: .*reflection/);
+});
+
+test("an object with more than a pose is refused by name, wherever a pose is taken", async () => {
+  const scaled = randomMesh(([, , mesh]) => mesh.scale.set(3, 3, 3));
+  const inherited = randomMesh(([top]) => top.scale.set(1, 1, 1.5));
+  const mirrored = randomMesh(([, , mesh]) => mesh.scale.set(-1, 1, 1));
+  const moved = new Mesh(new BoxGeometry(2, 2, 2));
+  const scene = chasles.scene();
+  scene.add("a", cube);
+  const hand = chasles.draggedBody(scene, "a");
+  const workers = await chasles.workers({ count: 1 });
+  for (const [object, what] of [[scaled, "scaled by 3 3 3"], [inherited, "scaled by"], [mirrored, "mirrored"]]) {
+    const expected = new RegExp(`the object is ${what}.* fromObject3D`);
+    for (const asked of [
+      () => chasles.firstContact(cube, cube, object, moved),
+      () => chasles.firstContact(cube, cube, moved, moved, { fixedStart: moved, fixedGoal: object }),
+      () => chasles.firstContactOnPath(cube, cube, [moved, object]),
+      () => chasles.leastDistance(cube, cube, moved, object),
+      () => chasles.firstContactBatch(cube, cube, [object], [moved]),
+      () => scene.add("b", cube, { pose: object }),
+      () => scene.move("a", { poses: [moved, object], times: [0, 1] }),
+      () => scene.moveAll([moved], [object]),
+      () => hand.update(object),
+      () => hand.force(object),
+    ])
+      assert.match(refusal(asked), expected);
+    assert.match(await refusal(workers.firstContactBatch(cube, cube, [moved], [object])), expected);
+  }
+  workers.stop();
+  const sheared = randomMesh(([top, middle]) => (top.scale.set(1, 2, 3), middle.scale.set(1, 1 / 2, 1 / 3)));
+  assert.match(refusal(() => poseOf(sheared)), /the object is (sheared|scaled)/);
+  assert.match(refusal(() => poseOf({ ...new Object3D(), matrixWorld: undefined, scale: { x: 2, y: 1, z: 1 }, position: far, quaternion: still })), /scaled by 2 1 1/);
+});
+const far = { x: 5, y: 0, z: 0 };
+const still = { x: 0, y: 0, z: 0, w: 1 };
+
+test("fromObject3D: body and pose give the corners that three.js draws, with every scale, mirroring and shear", () => {
+  let mirrored = 0;
+  for (let i = 0; i < 200; ++i) {
+    const mesh = randomMesh((chain) => chain.forEach(({ scale }) => random() < 0.5 && scale.set(spread(3), spread(3), spread(3))));
+    const { body, pose } = chasles.fromObject3D(mesh);
+    const corners = drawnCorners(mesh);
+    assertNear(placed(body, pose), corners, 1e-10);
+    assert.ok(body.report.closed);
+    // Outlines stay outward: the volume of a closed surface is positive.
+    const v = body.vertices;
+    const at = (k) => new Vector3(v[3 * k], v[3 * k + 1], v[3 * k + 2]);
+    const volume = body.faces.reduce((sum, [a, b, c]) => sum + at(a).dot(at(b).cross(at(c))) / 6, 0);
+    const determinant = mesh.matrixWorld.determinant();
+    assert.ok(Math.abs(volume / (6 * Math.abs(determinant)) - 1) < 1e-6, `${volume} ${determinant}`);
+    mirrored += determinant < 0 ? 1 : 0;
+  }
+  assert.ok(mirrored > 20 && mirrored < 180);
+});
+
+test("fromObject3D: the pose follows the object, and its scale must stay", () => {
+  const mesh = randomMesh(([top, , inner]) => (top.scale.set(1, 1, -2), inner.scale.set(3, 1, 0.5)));
+  const part = chasles.fromObject3D(mesh);
+  for (let i = 0; i < 20; ++i) {
+    mesh.parent.parent.position.set(spread(5), spread(5), spread(5));
+    mesh.parent.parent.quaternion.copy(randomTurn());
+    assertNear(placed(part.body, part.pose), drawnCorners(mesh), 1e-9);
+  }
+  mesh.scale.x = 3.001;
+  assert.match(refusal(() => part.pose), /^object: its scale, shear or mirroring has changed/);
+  mesh.scale.x = 0;
+  assert.match(refusal(() => chasles.fromObject3D(mesh)), /^object: its matrix in the world has no inverse/);
+});
+
+test("cubes of scale 3 meet", () => {
+  const [left, right] = [-4, 4].map((x) => {
+    const mesh = new Mesh(new BoxGeometry(1, 1, 1));
+    mesh.scale.set(3, 3, 3);
+    mesh.position.x = x;
+    return mesh;
+  });
+  const [moving, fixed] = [left, right].map((mesh) => chasles.fromObject3D(mesh));
+  const start = moving.pose;
+  left.position.x = 2;
+  const found = chasles.firstContact(moving.body, fixed.body, start, moving.pose, { fixedStart: right.position.toArray(), fixedGoal: fixed.pose });
+  assert.ok(Math.abs(found.time - 5 / 6) < 1e-9, "the gap of 5 closes on a way of 6");
+});
+
+/** Two triangles and two more, far away. */
+function fourTriangles() {
+  const places = [[0, 0, 0], [1, 0, 0], [0, 1, 0], [1, 1, 0], [50, 0, 0], [51, 0, 0], [50, 1, 0], [51, 1, 0]];
+  const geometry = new BufferGeometry().setAttribute("position", new Float32BufferAttribute(places.flat(), 3));
+  return geometry.setIndex([0, 1, 2, 1, 3, 2, 4, 5, 6, 5, 7, 6]);
+}
+
+test("draw range, groups and materials: what is drawn is the body", () => {
+  const faces = (body) => body.faces;
+  const geometry = fourTriangles();
+  geometry.setDrawRange(3, 6);
+  const expected = [[1, 3, 2], [4, 5, 6]];
+  assert.deepEqual(faces(chasles.fromBufferGeometry(geometry)), expected);
+  assert.deepEqual(faces(chasles.fromObject3D(new Mesh(geometry)).body), expected);
+  const loose = geometry.toNonIndexed();
+  loose.setDrawRange(0, 6);
+  assert.equal(faces(chasles.fromBufferGeometry(loose)).length, 2);
+  geometry.setDrawRange(1, 5);
+  assert.match(refusal(() => chasles.fromBufferGeometry(geometry)), /^geometry\.drawRange: 5 indices are no triangles/);
+  geometry.setDrawRange(6, Infinity);
+  geometry.addGroup(0, 6, 0);
+  geometry.addGroup(9, 3, 5);
+  assert.match(refusal(() => chasles.fromBufferGeometry(geometry)), /^geometry\.groups: leave out triangle 2.* fromObject3D/);
+  assert.deepEqual(faces(chasles.fromObject3D(new Mesh(geometry)).body), [[4, 5, 6], [5, 7, 6]], "one material draws all");
+  const list = [0, 1, 2, 3, 4, 5].map(() => new MeshBasicMaterial());
+  assert.deepEqual(faces(chasles.fromObject3D(new Mesh(geometry, list)).body), [[5, 7, 6]]);
+  geometry.addGroup(6, 3, 9); // no material draws it
+  assert.deepEqual(faces(chasles.fromObject3D(new Mesh(geometry, list)).body), [[5, 7, 6]]);
+  assert.equal(faces(chasles.fromBufferGeometry(geometry)).length, 2, "now the groups leave out nothing");
+  assert.equal(faces(chasles.fromBufferGeometry(new BoxGeometry(1, 1, 1))).length, 12, "six groups");
+});
+
+test("interleaved attributes are read, and attributes of two numbers are refused", () => {
+  const buffer = new InterleavedBuffer(new Float32Array([9, 0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0]), 4);
+  const geometry = new BufferGeometry().setAttribute("position", new InterleavedBufferAttribute(buffer, 3, 1));
+  assert.deepEqual([...chasles.fromBufferGeometry(geometry).vertices], [0, 0, 0, 1, 0, 0, 0, 1, 0]);
+  const flat = new BufferGeometry().setAttribute("position", new Float32BufferAttribute([0, 0, 1, 0, 0, 1], 2));
+  assert.match(refusal(() => chasles.fromBufferGeometry(flat)), /^geometry\.attributes\.position: has 2 numbers a vertex/);
+});
+
+test("morph targets and bones: as drawn now, or refused by name", () => {
+  const geometry = new BoxGeometry(2, 2, 2);
+  const up = geometry.attributes.position.clone();
+  for (let i = 0; i < up.count; ++i) up.setXYZ(i, 0, 0, 10);
+  geometry.morphAttributes.position = [up];
+  geometry.morphTargetsRelative = true;
+  assert.match(refusal(() => chasles.fromBufferGeometry(geometry)), /^geometry\.morphAttributes\.position: .* fromObject3D/);
+  const mesh = new Mesh(geometry);
+  mesh.updateMorphTargets();
+  mesh.morphTargetInfluences[0] = 0.5;
+  assert.deepEqual(chasles.fromObject3D(mesh).body.report.lower, [-1, -1, 4]);
+
+  const skin = new BoxGeometry(2, 2, 2);
+  const { count } = skin.attributes.position;
+  skin.setAttribute("skinIndex", new BufferAttribute(new Uint16Array(4 * count), 4));
+  skin.setAttribute("skinWeight", new Float32BufferAttribute(Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0)), 4));
+  const skinned = new SkinnedMesh(skin);
+  const bone = new Bone();
+  skinned.add(bone);
+  skinned.bind(new Skeleton([bone]));
+  bone.position.y = 7;
+  skinned.position.x = 1;
+  const { body, pose } = chasles.fromObject3D(skinned);
+  assert.deepEqual([body.report.lower[1], pose[0]], [6, 1]);
+});
+
+test("what is no surface, or many, is refused by name", () => {
+  const body = (object) => refusal(() => chasles.fromObject3D(object));
+  const group = new Group();
+  group.add(new Mesh(new BoxGeometry(1, 1, 1)));
+  assert.match(body(group), /^object: is no Mesh, but holds others: object\.traverse\(\)/);
+  for (const object of [undefined, null, {}, new Object3D(), new Points(), new LineSegments(), new BoxGeometry(1, 1, 1)])
+    assert.match(body(object), /^object: is no Mesh/);
+  assert.match(body(new InstancedMesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial(), 3)), /^object: is an InstancedMesh/);
+  assert.match(refusal(() => chasles.fromObject3D(new Mesh(new BoxGeometry(1, 1, 1)), { triangulat: true })), /^triangulat: is no option/);
+});

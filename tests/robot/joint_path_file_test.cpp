@@ -1,0 +1,137 @@
+// Paths of robots: columns by the names of variables, in radians or degrees.
+#include "chasles/io/text_scan.h"
+#include "chasles/robot/joint_columns.h"
+#include "chasles/robot/joint_path_file.h"
+#include "tests/io/message_of.h"
+
+#include <algorithm>
+#include <numbers>
+#include <random>
+
+namespace chasles::robot {
+namespace {
+
+using tests::message_of;
+
+/// Joints in a chain, of these names and types.
+Robot chain_of(const std::vector<std::pair<std::string, JointType>>& joints) {
+    RobotDescription description;
+    description.name = "chain";
+    description.links.push_back({"link0"});
+    for (std::size_t i = 0; i < joints.size(); ++i) {
+        description.links.push_back({"link" + std::to_string(i + 1)});
+        description.joints.push_back({.name = joints[i].first,
+                                      .type = joints[i].second,
+                                      .parent = "link" + std::to_string(i),
+                                      .child = "link" + std::to_string(i + 1)});
+    }
+    return Robot(description);
+}
+
+Robot arm() {
+    return chain_of({{"waist", JointType::revolute},
+                     {"elbow", JointType::continuous},
+                     {"slide", JointType::prismatic},
+                     {"mount", JointType::fixed}});
+}
+
+std::string refused(const std::string& text, const Robot& robot) {
+    return message_of([&] { (void)read_configurations(text, robot); });
+}
+
+/// Every separator, order of columns and spelling reads as the same path.
+TEST(JointPathFile, ReadsColumnsByNameInAnyOrder) {
+    const Robot robot = arm();
+    std::mt19937 random(10);
+    std::vector<std::string> columns = {"waist", "elbow", "slide", "t"};
+    const std::vector<std::vector<std::string>> rows = {{"0.5", "-1.25", "3", "-1"}, {"0.75", "2", "-4", "6"}};
+    std::vector<std::size_t> order = {0, 1, 2, 3};
+    for (int i = 0; i < 200; ++i) {
+        std::ranges::shuffle(order, random);
+        const std::string separator = std::vector<std::string>{",", ";", "\t", " ", " , "}.at(random() % 5);
+        columns[3] = std::vector<std::string>{"t", "time", "Timestamp"}.at(random() % 3);
+        columns[0] = std::vector<std::string>{"waist", "Waist", "WAIST"}.at(random() % 3);
+        std::string text = random() % 2 == 0 ? "# a comment\n" : "";
+        const auto add = [&](const std::vector<std::string>& cells) {
+            for (const std::size_t column : order)
+                text += cells[column] + separator;
+            text += "\n";
+        };
+        add(columns);
+        add(rows[0]);
+        add(rows[1]);
+        const ConfigurationRows read = read_configurations(text, robot);
+        ASSERT_EQ(read.configurations.size(), 2U) << text;
+        EXPECT_EQ(read.configurations[0], Eigen::Vector3d(0.5, -1.25, 3)) << text;
+        EXPECT_EQ(read.configurations[1], Eigen::Vector3d(0.75, 2, -4)) << text;
+        EXPECT_EQ(read.stamps, (std::vector<double>{-1, 6})) << text;
+        EXPECT_TRUE(read.warnings.empty()) << text;
+    }
+}
+
+TEST(JointPathFile, ReadsDegreesByTheEndingDeg) {
+    const ConfigurationRows rows = read_configurations("waist_deg,elbow,slide\n180,1,2\n-90,0,0\n", arm());
+    EXPECT_EQ(rows.configurations[0], Eigen::Vector3d(std::numbers::pi, 1, 2));
+    EXPECT_EQ(rows.configurations[1], Eigen::Vector3d(-std::numbers::pi / 2, 0, 0));
+    EXPECT_EQ(read_configurations("Elbow_DEG\n180\n90\n", arm()).configurations[0][1], std::numbers::pi);
+    EXPECT_EQ(refused("slide_deg\n1\n2\n", arm()),
+              "line 1: the column 'slide_deg' has degrees, but the variable 'slide' is no angle");
+    EXPECT_EQ(refused("waist,waist_deg\n1,2\n2,3\n", arm()),
+              "line 1: the header 'waist, waist_deg' has two columns for one variable: 'waist' and 'waist_deg'");
+    const Robot named = chain_of({{"waist_deg", JointType::revolute}});
+    EXPECT_EQ(read_configurations("waist_deg\n1\n2\n", named).configurations[0][0], 1) << "its name, not its unit";
+    const Robot both = chain_of({{"waist_deg", JointType::revolute}, {"waist", JointType::revolute}});
+    EXPECT_EQ(refused("waist_deg\n1\n2\n", both),
+              "line 1: the column 'waist_deg' may be the variable 'waist_deg', or 'waist' in degrees");
+    const Robot planar = chain_of({{"base", JointType::planar}});
+    EXPECT_EQ(read_configurations("base/theta_deg\n180\n0\n", planar).configurations[0][2], std::numbers::pi);
+    EXPECT_NE(refused("base/x_deg\n180\n0\n", planar).find("is no angle"), std::string::npos);
+}
+
+TEST(JointPathFile, NamesWhatItDoesNotRead) {
+    const ConfigurationRows rows = read_configurations("effort,waist,mount,\nnone,0,x\n?,1,y\n", arm());
+    EXPECT_EQ(rows.configurations[1], Eigen::Vector3d(1, 0, 0));
+    ASSERT_EQ(rows.warnings.size(), 1U);
+    EXPECT_EQ(rows.warnings[0], "line 1: ignored columns: 'effort, mount'; the robot has no variables of these names");
+}
+
+/// Of two readings none is taken in silence.
+TEST(JointPathFile, RefusesHeadersAndShowsThem) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"wrist,hand\n0,0\n",
+         "line 1: the header 'wrist, hand' names no variable of the robot, which has 'waist, elbow, "
+         "slide'; fixed joints and joints that follow others have none"},
+        {"waist,elbo\n0,0\n",
+         "line 1: the column 'elbo' is no variable of the robot; it may be a misspelt 'elbow', which "
+         "has no column, or one to leave out of the file"},
+        {"waist,elbow,waist\n0,0,0\n", "line 1: the column 'waist' comes twice in the header 'waist, elbow, waist'"},
+        {"waist,Waist\n0,0\n",
+         "line 1: the header 'waist, Waist' has two columns for one variable: 'waist' and 'Waist'"},
+        {"t,time,waist\n0,0,0\n", "line 1: the header 't, time, waist' has two columns for the time: 't' and 'time'"},
+        {"0,0\n1,1\n",
+         "line 1: there is no header, but 2 numbers in the first line; the first line has to name variables "
+         "of the robot, of 'waist, elbow, slide'"},
+        {"waist;elbow\n0;0\n1;0,5\n", "line 3: elbow: not a finite number: '0,5'; write a decimal point"},
+        {"waist elbow\n0\n", "line 2: 1 column found, 2 expected"},
+        {"t,waist\n0,0\n0,1\n", "line 3: t: must increase, but is 0 after 0"},
+        {"waist\n0\n", "a path needs at least two configurations, and there are 1"},
+    };
+    for (const auto& [text, message] : cases)
+        EXPECT_EQ(refused(text, arm()), message);
+    const Robot two = chain_of({{"A", JointType::revolute}, {"a", JointType::revolute}, {"T", JointType::revolute}});
+    EXPECT_EQ(read_configurations("A,t\n1,2\n3,4\n", two).configurations[0], Eigen::Vector3d(1, 0, 2))
+        << "a joint may be called T";
+    const Robot pair = chain_of({{"Ab", JointType::revolute}, {"aB", JointType::revolute}});
+    EXPECT_EQ(refused("ab\n0\n1\n", pair), "line 1: the column 'ab' may be the variable 'Ab' or 'aB'");
+}
+
+/// A robot's joints may be called 1, 2 and 3; and numpy writes the header as a comment.
+TEST(JointPathFile, TellsNamesFromNumbers) {
+    const Robot numbered = chain_of({{"1", JointType::revolute}, {"2", JointType::revolute}});
+    EXPECT_EQ(read_configurations("2 1\n0.5 7\n1 8\n", numbered).configurations[1], Eigen::Vector2d(8, 1));
+    EXPECT_EQ(read_configurations("# elbow waist\n0.5 7\n1 8\n", arm()).configurations[0], Eigen::Vector3d(7, 0.5, 0));
+    EXPECT_EQ(read_configurations("# slide\n7\n8\n", arm()).configurations[1], Eigen::Vector3d(0, 0, 8));
+}
+
+} // namespace
+} // namespace chasles::robot
