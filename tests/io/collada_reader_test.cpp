@@ -124,7 +124,8 @@ TEST(ReadCollada, RefusesWhatWouldBeLostWithItsLine) {
               "line 6: <instance_geometry>: there is no <geometry> with the id 'x'");
     EXPECT_TRUE(read({.nodes = ""}).empty());
     EXPECT_EQ(message_of([] { (void)read_collada("<a/>"); }), "the root element must be <COLLADA>, not 'a'");
-    EXPECT_EQ(message_of([] { (void)read_collada("<COLLADA>"); }), "line 1: is no well-formed XML (XML_ERROR_MISMATCHED_ELEMENT)");
+    EXPECT_EQ(message_of([] { (void)read_collada("<COLLADA>"); }),
+              "line 1: is no well-formed XML (XML_ERROR_MISMATCHED_ELEMENT)");
 }
 
 TEST(ReadCollada, RefusesNumbersThatAreNotFinite) {
