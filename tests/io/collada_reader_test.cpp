@@ -154,5 +154,18 @@ TEST(ReadCollada, DeepAndWideElementsCostOneLine) {
     EXPECT_EQ(read(chain).at(0).name, "n30000");
 }
 
+TEST(ReadCollada, TakesTimeInProportionToTheFile) {
+    constexpr int count = 30'000; // a square of it would take minutes
+    std::string outlines;
+    std::string primitives;
+    for (int i = 0; i < count; ++i) {
+        outlines += "<p>0 1 2</p>";
+        primitives +=
+            R"(<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>)";
+    }
+    EXPECT_EQ(faces(with("polygons", outlines)).size(), count);
+    EXPECT_EQ(faces({.primitives = primitives}).size(), count);
+}
+
 } // namespace
 } // namespace chasles::io
