@@ -155,10 +155,10 @@ TEST(ReadCollada, DeepAndWideElementsCostOneLine) {
 }
 
 TEST(ReadCollada, TakesTimeInProportionToTheFile) {
-    constexpr int count = 30'000; // a square of it would take minutes
+    constexpr std::size_t count = 30'000; // a square of it would take minutes
     std::string outlines;
     std::string primitives;
-    for (int i = 0; i < count; ++i) {
+    for (std::size_t i = 0; i < count; ++i) {
         outlines += "<p>0 1 2</p>";
         primitives +=
             R"(<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>)";

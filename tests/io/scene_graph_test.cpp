@@ -57,7 +57,8 @@ TEST(SceneGraph, MoreCornersThanAnyoneNeedsAreRefused) {
 TEST(SceneGraph, ALargeMeshIsCountedOnceForManyNodes) {
     SceneGraph scene = chain(1, 1);
     scene.meshes[0].faces.assign(100'000, {0, 1, 2});
-    scene.nodes.assign(100'000, scene.nodes[0]); // 10^10 faces
+    const SceneNode node_with_mesh = scene.nodes[0];
+    scene.nodes.assign(100'000, node_with_mesh); // 10^10 faces
     scene.roots.resize(100'000);
     for (std::size_t node = 0; node < scene.roots.size(); ++node)
         scene.roots[node] = node;
