@@ -28,7 +28,10 @@ struct ColladaInput {
 
 class ColladaMesh {
 public:
-    ColladaMesh(const XmlElement& mesh, SizeBudget& budget) : mesh_(mesh), budget_(budget) {}
+    ColladaMesh(const XmlElement& mesh, SizeBudget& budget) : mesh_(mesh), budget_(budget) {
+        for (const XmlElement* child = mesh_.FirstChildElement(); child; child = child->NextSiblingElement())
+            by_id_.try_emplace(attribute_of(*child, "id"), child);
+    }
 
     PolygonSoup read() {
         for (const XmlElement* child = mesh_.FirstChildElement(); child; child = child->NextSiblingElement())
@@ -52,7 +55,7 @@ private:
     }
 
     void read_triangles(const XmlElement& primitive) {
-        const VertexIds corners = corners_of_first(primitive);
+        const VertexIds corners = corners_of_only(primitive);
         if (corners.size() % 3 != 0)
             fail_at(primitive, std::to_string(corners.size()) + " corners are no whole triangles");
         check_count(primitive, corners.size() / 3);
@@ -61,7 +64,7 @@ private:
     }
 
     void read_polylist(const XmlElement& primitive) {
-        const VertexIds corners = corners_of_first(primitive);
+        const VertexIds corners = corners_of_only(primitive);
         const XmlElement* const counts = child_of(primitive, "vcount");
         std::size_t at = 0, faces = 0;
         for (const double count : counts ? numbers_in(*counts, text_of(*counts)) : std::vector<double>()) {
@@ -80,22 +83,18 @@ private:
     void read_polygons(const XmlElement& primitive) {
         if (child_of(primitive, "ph"))
             fail_at(primitive, "polygons with holes are not read; triangulate them");
-        const std::vector<const XmlElement*> outlines = children_of(primitive, "p");
-        check_count(primitive, outlines.size());
-        for (const XmlElement* const outline : outlines)
-            add_face(corners_of(*outline, input_of(primitive)));
+        for (VertexIds& outline : corners_of_each(primitive))
+            add_face(std::move(outline));
     }
 
     void read_strips(const XmlElement& primitive) {
-        for (const XmlElement* const strip : children_of(primitive, "p"))
-            add_triangle_strip(soup_, corners_of(*strip, input_of(primitive)));
-        check_count(primitive, children_of(primitive, "p").size());
+        for (const VertexIds& strip : corners_of_each(primitive))
+            add_triangle_strip(soup_, strip);
     }
 
     void read_fans(const XmlElement& primitive) {
-        for (const XmlElement* const fan : children_of(primitive, "p"))
-            add_triangle_fan(soup_, corners_of(*fan, input_of(primitive)));
-        check_count(primitive, children_of(primitive, "p").size());
+        for (const VertexIds& fan : corners_of_each(primitive))
+            add_triangle_fan(soup_, fan);
     }
 
     // Polygons of one or two corners are points and lines.
@@ -111,8 +110,19 @@ private:
                     "announces " + std::to_string(announced) + " items, but there are " + std::to_string(found));
     }
 
+    // The corners in each <p>.
+    std::vector<VertexIds> corners_of_each(const XmlElement& primitive) {
+        std::vector<VertexIds> all;
+        const std::vector<const XmlElement*> lists = children_of(primitive, "p");
+        check_count(primitive, lists.size());
+        const ColladaInput input = lists.empty() ? ColladaInput() : input_of(primitive);
+        for (const XmlElement* const list : lists)
+            all.push_back(corners_of(*list, input));
+        return all;
+    }
+
     // The corners in the only <p>, if there is one.
-    VertexIds corners_of_first(const XmlElement& primitive) {
+    VertexIds corners_of_only(const XmlElement& primitive) {
         const std::vector<const XmlElement*> lists = children_of(primitive, "p");
         if (lists.size() > 1)
             fail_at(primitive, "has more than one <p>");
@@ -168,9 +178,9 @@ private:
     // The element of the mesh that an input refers to.
     const XmlElement& part_of_mesh(const XmlElement& input, std::string_view name) const {
         const std::string_view reference = required_attribute_of(input, "source");
-        for (const XmlElement* const candidate : children_of(mesh_, name))
-            if (attribute_of(*candidate, "id") == reference.substr(1))
-                return *candidate;
+        const auto found = by_id_.find(reference.substr(1));
+        if (found != by_id_.end() && local_name(*found->second) == name)
+            return *found->second;
         fail_at(input, "the mesh has no <" + std::string(name) + "> with the id " + in_quotes(reference.substr(1)));
     }
 
@@ -215,6 +225,7 @@ private:
 
     const XmlElement& mesh_;
     SizeBudget& budget_;
+    std::map<std::string_view, const XmlElement*> by_id_;
     std::map<const XmlElement*, ColladaVertices> sources_;
     PolygonSoup soup_;
 };

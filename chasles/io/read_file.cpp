@@ -77,15 +77,6 @@ OpenFile open_file(const std::filesystem::path& file, FileType type) {
     return type == FileType::regular ? checked(file, std::fopen(file.string().c_str(), "rb")) : open_pipe(file);
 }
 
-// Whether half of the memory holds the bytes; the mesh needs the other half. The system would not refuse the memory.
-bool fits_into_memory(std::size_t bytes) {
-#if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
-    return bytes / 1024 <= std::size_t(::sysconf(_SC_PHYS_PAGES)) * (std::size_t(::sysconf(_SC_PAGESIZE)) / 1024) / 2;
-#else
-    return bytes < std::string().max_size();
-#endif
-}
-
 // At most `most` bytes. The buffer grows with what is read.
 std::string read_up_to(std::FILE& opened, std::size_t most, std::size_t first_capacity) {
     std::string bytes(first_capacity, '\0');
@@ -120,6 +111,15 @@ std::string read_to_end(const std::filesystem::path& file, FileType type) {
 }
 
 } // namespace
+
+// The system would not refuse the memory.
+bool fits_into_memory(std::size_t bytes) {
+#if defined(_SC_PHYS_PAGES) && defined(_SC_PAGESIZE)
+    return bytes / 1024 <= std::size_t(::sysconf(_SC_PHYS_PAGES)) * (std::size_t(::sysconf(_SC_PAGESIZE)) / 1024) / 2;
+#else
+    return bytes < std::string().max_size();
+#endif
+}
 
 std::string shown_name(const std::filesystem::path& file) {
     return one_line(file.string());

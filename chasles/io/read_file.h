@@ -12,6 +12,9 @@ namespace chasles::io {
 /// for a pipe that stays silent for 30 seconds after it is opened. Links are followed.
 std::string read_file(const std::filesystem::path& file);
 
+/// Whether half of the memory holds the bytes; a mesh needs the other half.
+bool fits_into_memory(std::size_t bytes);
+
 /// The name of a file for messages: as given, in one line.
 std::string shown_name(const std::filesystem::path& file);
 

@@ -16,7 +16,10 @@ namespace {
 constexpr std::size_t most_nodes = 1'000'000;
 constexpr std::size_t most_numbers = std::size_t{1} << 26U;
 
+// Vertices and corners. A mesh without faces places nothing.
 std::size_t numbers_of(const PolygonSoup& mesh) {
+    if (mesh.faces.empty())
+        return 0;
     std::size_t count = mesh.vertices.size();
     for (const auto& face : mesh.faces)
         count += face.size();
@@ -43,10 +46,13 @@ class ScenePaths {
 public:
     explicit ScenePaths(const SceneGraph& scene)
         : scene_(scene), budget_(scene.file_size), is_on_path_(scene.nodes.size(), false) {
+        std::vector<std::size_t> mesh_sizes; // many nodes may place one mesh
+        for (const PolygonSoup& mesh : scene.meshes)
+            mesh_sizes.push_back(numbers_of(mesh));
         for (const SceneNode& node : scene.nodes) {
             sizes_.push_back(0);
             for (const std::size_t mesh : node.meshes)
-                sizes_.back() += scene.meshes[mesh].faces.empty() ? 0 : numbers_of(scene.meshes[mesh]);
+                sizes_.back() += mesh_sizes[mesh];
         }
     }
 

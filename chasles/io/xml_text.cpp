@@ -2,6 +2,7 @@
 #include "chasles/io/xml_text.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 
 #include <algorithm>
@@ -13,6 +14,13 @@ constexpr std::ptrdiff_t most_attributes = 10'000;
 
 std::string_view without_prefix(std::string_view name) {
     return name.substr(name.find(':') + 1); // all of it without a colon
+}
+
+// An element or an attribute takes about 100 bytes (tinyxml2 9).
+void refuse_more_than_the_memory(std::string_view text) {
+    const auto items = std::ranges::count(text, '<') + std::ranges::count(text, '=');
+    if (!fits_into_memory(100 * static_cast<std::size_t>(items)))
+        throw InvalidInput("does not fit into memory");
 }
 
 // tinyxml2 compares each attribute of an element with all attributes before it.
@@ -31,6 +39,7 @@ void parse_xml(tinyxml2::XMLDocument& document, std::string_view text, std::stri
     text = without_byte_order_mark(text);
     if (text.find('\0') != std::string_view::npos)
         throw InvalidInput("is no XML: has a zero byte");
+    refuse_more_than_the_memory(text);
     refuse_many_attributes(text);
     if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
         fail_at_line(static_cast<std::size_t>(std::max(document.ErrorLineNum(), 1)),

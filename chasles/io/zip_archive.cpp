@@ -15,7 +15,7 @@ namespace chasles::io {
 namespace {
 
 constexpr std::uint64_t most_unpacked = std::uint64_t{512} << 20U;
-constexpr std::uint64_t always_unpacked = std::uint64_t{64} << 20U;
+constexpr std::uint64_t always_unpacked = std::uint64_t{16} << 20U;
 constexpr std::uint64_t highest_ratio = 100;
 
 constexpr std::uint64_t stored = 0; ///< methods of packing
@@ -170,7 +170,7 @@ void ZipArchive::check(const Entry& entry) const {
         throw InvalidInput("is packed by method " + std::to_string(entry.method) + "; only deflate is read");
     if (entry.size > bytes_left_)
         throw InvalidInput("is too large when it is unpacked: all parts together may have 512 MiB, and 100 times the "
-                           "size of the file plus 64 MiB");
+                           "size of the file plus 16 MiB");
 }
 
 std::string ZipArchive::unpacked(const Entry& entry) const {

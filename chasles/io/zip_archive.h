@@ -19,7 +19,7 @@ public:
 
     /// The unpacked entry. Throws InvalidInput if the entry does not exist, is encrypted, is packed by another method
     /// than deflate, or is damaged. All entries together may have 512 MiB, and 100 times the size of the archive plus
-    /// 64 MiB.
+    /// 16 MiB.
     [[nodiscard]] std::string read(std::string_view name);
 
 private:

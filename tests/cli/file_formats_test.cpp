@@ -99,7 +99,8 @@ TEST_F(FileFormats, MeanTheSameInInfoAndTheLibrary) {
 TEST_F(FileFormats, InfoListsTheParts) {
     std::string json = tests::post_gltf_json("");
     json.replace(json.find(R"("nodes": [0])"), 12, R"("nodes": [0, 1])");
-    json.replace(json.find(R"([{"name": "post", "mesh": 0}])"), 28,
+    const std::string node = R"([{"name": "post", "mesh": 0}])";
+    json.replace(json.find(node), node.size(),
                  R"([{"name": "post", "mesh": 0}, {"name": "post", "mesh": 0, "translation": [2, 0, 0]})");
     write("two.glb", tests::glb(json, tests::post_buffer()));
     EXPECT_EQ(this->json("info two.glb")["parts"],

@@ -124,7 +124,8 @@ TEST(ReadCollada, RefusesWhatWouldBeLostWithItsLine) {
               "line 6: <instance_geometry>: there is no <geometry> with the id 'x'");
     EXPECT_TRUE(read({.nodes = ""}).empty());
     EXPECT_EQ(message_of([] { (void)read_collada("<a/>"); }), "the root element must be <COLLADA>, not 'a'");
-    EXPECT_EQ(message_of([] { (void)read_collada("<COLLADA>"); }), "line 1: is no well-formed XML (XML_ERROR_PARSING)");
+    EXPECT_EQ(message_of([] { (void)read_collada("<COLLADA>"); }),
+              "line 1: is no well-formed XML (XML_ERROR_MISMATCHED_ELEMENT)");
 }
 
 TEST(ReadCollada, RefusesNumbersThatAreNotFinite) {
@@ -151,6 +152,19 @@ TEST(ReadCollada, DeepAndWideElementsCostOneLine) {
     chain.libraries += "<node id=\"n30000\"><instance_geometry url=\"#g\"/></node></library_nodes>";
     chain.nodes = R"(<node><instance_node url="#n0"/></node>)";
     EXPECT_EQ(read(chain).at(0).name, "n30000");
+}
+
+TEST(ReadCollada, TakesTimeInProportionToTheFile) {
+    constexpr std::size_t count = 30'000; // a square of it would take minutes
+    std::string outlines;
+    std::string primitives;
+    for (std::size_t i = 0; i < count; ++i) {
+        outlines += "<p>0 1 2</p>";
+        primitives +=
+            R"(<triangles count="1"><input semantic="VERTEX" source="#v" offset="0"/><p>0 1 2</p></triangles>)";
+    }
+    EXPECT_EQ(faces(with("polygons", outlines)).size(), count);
+    EXPECT_EQ(faces({.primitives = primitives}).size(), count);
 }
 
 } // namespace

@@ -54,6 +54,17 @@ TEST(SceneGraph, MoreCornersThanAnyoneNeedsAreRefused) {
         "has more than 67108864 vertices and corners of faces, counting a mesh once for each node that places it");
 }
 
+TEST(SceneGraph, ALargeMeshIsCountedOnceForManyNodes) {
+    SceneGraph scene = chain(1, 1);
+    scene.meshes[0].faces.assign(100'000, {0, 1, 2});
+    const SceneNode node_with_mesh = scene.nodes[0];
+    scene.nodes.assign(100'000, node_with_mesh); // 10^10 faces
+    scene.roots.resize(100'000);
+    for (std::size_t node = 0; node < scene.roots.size(); ++node)
+        scene.roots[node] = node;
+    EXPECT_TRUE(tests::message_of([&] { (void)parts_of(scene); }).starts_with("has more than 67108864 vertices"));
+}
+
 TEST(SceneGraph, NamesComeFromTheNearestNodeAndAreUnique) {
     SceneGraph scene = chain(2, 3);
     scene.nodes[0].name = "bolt";
