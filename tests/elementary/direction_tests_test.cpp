@@ -168,5 +168,28 @@ TEST(DirectionTests, AcrossIsPerpendicularToBothHoweverSmallTheAngle) {
     }
 }
 
+/// A sliver in a plane of any direction: its normal is level along it, and so is the vector from a long side.
+TEST(DirectionTests, DirectionsAreLevelAlongASliver) {
+    Random random(4114);
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Corner along = random.vector(1), aside = detail::across(along, random.vector(1));
+        const double width = std::abs(random.scaled(-11, -2)) / length(aside), share = random.uniform(0.1, 0.9);
+        const Corner from = random.vector(1);
+        const std::array<Corner, 3> corners{from, from + along, from + scale(along, share) + scale(aside, width)};
+        const FaceShape<double> face = face_shape<double>(corners, {});
+        const ConvexPart<double> part = convex_part(face, 0);
+        const Corner normal = detail::normal_along_longest_side(part);
+        for (const Corner& corner : corners) {
+            const Long height = in_long(normal).dot(in_long(corner) - in_long(from));
+            EXPECT_LT(double(abs(height)), 0x1p-47 * length(normal) * length(along)) << trial;
+        }
+        const double away = -std::abs(random.scaled(-9, -1)) / length(aside); // from the long side
+        const Corner point = from + scale(along, random.uniform(0.2, 0.8)) + scale(aside, away);
+        const Corner vector = detail::vector_from_rim(part, point);
+        const Long tilt = in_long(vector).dot(in_long(corners[1]) - in_long(from));
+        EXPECT_LT(double(abs(tilt)), 0x1p-47 * length(vector) * length(along)) << trial;
+    }
+}
+
 } // namespace
 } // namespace chasles::elementary
