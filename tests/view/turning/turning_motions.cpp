@@ -28,6 +28,7 @@ Pose half_a_turn_from(const Pose& from, test::Random& random) {
 Motion turning_motion(int kind, test::Random& random) {
     const Pose start = test::random_pose(random, 3);
     const Pose goal = half_a_turn_from(start, random);
+    const Eigen::Vector3d origin = Eigen::Vector3d::Zero();
     constexpr std::array turns{1, 2, 4, 16, 32, 64};
     const double angle = half_turn * turns[std::size_t(random.integer(0, 5))];
     switch (kind % 6) {
