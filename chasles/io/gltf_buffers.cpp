@@ -24,7 +24,7 @@ struct GltfBuffers::Layout {
 
 namespace {
 
-constexpr std::size_t most_sparse_elements = std::size_t{1} << 24U; ///< of an accessor without bytes of its own
+constexpr std::size_t most_sparse_elements = std::size_t{1} << 20U; ///< of an accessor without bytes of its own
 
 std::size_t component_size(std::size_t type) {
     switch (type) {
@@ -141,8 +141,8 @@ std::vector<double> GltfBuffers::numbers(std::size_t accessor, std::string_view 
         item.fail("has neither bufferView nor sparse values");
     if (!has_bytes && layout.count > most_sparse_elements)
         item.fail("announces " + std::to_string(layout.count) + " elements, but has no bufferView");
-    budget.spend(layout.count);
     std::vector<double> numbers = has_bytes ? copy(layout) : std::vector<double>(layout.count * layout.components, 0.0);
+    budget.spend(layout.count);
     if (item.find("sparse"))
         add_sparse(item, layout, numbers);
     return numbers;

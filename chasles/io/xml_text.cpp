@@ -10,7 +10,7 @@
 namespace chasles::io {
 namespace {
 
-constexpr std::ptrdiff_t most_attributes = 10'000;
+constexpr std::size_t most_attributes = 1'000;
 
 std::string_view without_prefix(std::string_view name) {
     return name.substr(name.find(':') + 1); // all of it without a colon
@@ -23,24 +23,47 @@ void refuse_more_than_the_memory(std::string_view text) {
         throw InvalidInput("does not fit into memory");
 }
 
+// Where an element's tag ends, or a comment and the like, as tinyxml2 reads them. `text` begins with it. Values of
+// attributes may contain any other marks.
+std::size_t end_of_markup(std::string_view text) {
+    struct Marks {
+        std::string_view begin;
+        std::string_view end;
+    };
+    for (const Marks& marks : {Marks{"<?", "?>"}, Marks{"<!--", "-->"}, Marks{"<![CDATA[", "]]>"}, Marks{"<!", ">"}})
+        if (text.starts_with(marks.begin))
+            return std::min(text.find(marks.end), text.size() - 1) + 1;
+    std::size_t position = 1, attributes = 0;
+    while (position < text.size() && text[position] != '>') {
+        if (text[position] == '"' || text[position] == '\'') {
+            if (++attributes > most_attributes)
+                throw InvalidInput("an element has more than 1,000 attributes");
+            position = std::min(text.find(text[position], position + 1), text.size() - 1);
+        }
+        ++position;
+    }
+    return std::min(position + 1, text.size());
+}
+
 // tinyxml2 compares each attribute of an element with all attributes before it.
 void refuse_many_attributes(std::string_view text) {
-    while (!text.empty()) {
-        const std::string_view element = text.substr(0, text.find('<'));
-        if (std::ranges::count(element, '=') > most_attributes)
-            throw InvalidInput("an element has more than 10,000 attributes");
-        text.remove_prefix(std::min(element.size() + 1, text.size()));
-    }
+    for (std::size_t at = text.find('<'); at != std::string_view::npos; at = text.find('<'))
+        text.remove_prefix(at + end_of_markup(text.substr(at)));
 }
 
 } // namespace
 
-void parse_xml(tinyxml2::XMLDocument& document, std::string_view text, std::string_view root) {
+std::string_view checked_xml(std::string_view text) {
     text = without_byte_order_mark(text);
     if (text.find('\0') != std::string_view::npos)
         throw InvalidInput("is no XML: has a zero byte");
     refuse_more_than_the_memory(text);
     refuse_many_attributes(text);
+    return text;
+}
+
+void parse_xml(tinyxml2::XMLDocument& document, std::string_view text, std::string_view root) {
+    text = checked_xml(text);
     if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
         fail_at_line(static_cast<std::size_t>(std::max(document.ErrorLineNum(), 1)),
                      std::string("is no well-formed XML (") + document.ErrorName() + ")");

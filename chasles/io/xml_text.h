@@ -12,6 +12,11 @@ namespace chasles::io {
 
 using XmlElement = tinyxml2::XMLElement;
 
+/// The text without a byte order mark. Throws InvalidInput for text that tinyxml2 would read in part, or only with much
+/// memory or time: other encodings, zero bytes, more elements than fit into memory, and more than 1,000 attributes of
+/// one element.
+std::string_view checked_xml(std::string_view text);
+
 /// Parses UTF-8 text. Throws InvalidInput unless it is XML with this root element. tinyxml2 bounds the depth.
 void parse_xml(tinyxml2::XMLDocument& document, std::string_view text, std::string_view root);
 

@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
+#include "chasles/io/xml_text.h"
 
 namespace chasles::robot {
 
@@ -22,9 +23,9 @@ std::string trimmed(std::string_view text) {
                                            : std::string(text.substr(begin, text.find_last_not_of(blanks) - begin + 1));
 }
 
-void check_encoding(const std::filesystem::path& file, std::string_view bytes) {
+void check_text(const std::filesystem::path& file, std::string_view bytes) {
     try {
-        (void)io::without_byte_order_mark(bytes);
+        (void)io::checked_xml(bytes);
     } catch (const InvalidInput& error) {
         throw InvalidInput(place(file, 1) + ": " + error.what());
     }
@@ -52,7 +53,7 @@ bool is_the_same(const XmlFile::Element& a, const XmlFile::Element& b) {
 
 XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(file) {
     const std::string bytes = io::read_file(file);
-    check_encoding(path_, bytes);
+    check_text(path_, bytes);
     if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS)
         throw InvalidInput(place(path_, document_.ErrorLineNum()) + ": is no well-formed XML (" +
                            io::one_line(document_.ErrorName()) + ")");

@@ -140,10 +140,13 @@ TEST(ReadCollada, DeepAndWideElementsCostOneLine) {
         deep += "<node>";
     EXPECT_EQ(message_of([&] { (void)read_collada(deep); }),
               "line 1: is no well-formed XML (XML_ELEMENT_DEPTH_EXCEEDED)");
-    std::string wide = "<COLLADA";
-    for (int i = 0; i < 100'000; ++i)
-        wide += " a" + std::to_string(i) + "=''";
-    EXPECT_EQ(message_of([&] { (void)read_collada(wide + "/>"); }), "an element has more than 10,000 attributes");
+    for (const char* const value : {"=''", "=\"<a\"", "='>'", "=\"<!--\""}) {
+        std::string wide = "<?xml version='1.0'?><!-- < ' --><COLLADA";
+        for (int i = 0; i < 100'000; ++i)
+            wide += " a" + std::to_string(i) + value;
+        EXPECT_EQ(message_of([&] { (void)read_collada(wide + "/>"); }), "an element has more than 1,000 attributes");
+    }
+    EXPECT_TRUE(message_of([&] { (void)read_collada("<COLLADA a='"); }).starts_with("line 1: is no well-formed XML"));
     Document chain; // of nodes that refer to nodes
     chain.libraries = "<library_nodes>";
     for (int i = 0; i < 30'000; ++i)

@@ -24,6 +24,15 @@ TEST_F(XmlFileTest, RefusesOtherEncodings) {
                   std::string::npos);
 }
 
+/// The parser takes time in proportion to the square of their number.
+TEST_F(XmlFileTest, RefusesManyAttributesAndZeroBytes) {
+    std::string wide = "<robot";
+    for (int i = 0; i < 100'000; ++i)
+        wide += " a" + std::to_string(i) + "='<'";
+    EXPECT_EQ(refused("<robot", wide), "robot.urdf:1: an element has more than 1,000 attributes");
+    EXPECT_EQ(refused("</robot>", std::string("\0</robot>", 9)), "robot.urdf:1: is no XML: has a zero byte");
+}
+
 /// Other readers leave these parts out without a message.
 TEST_F(XmlFileTest, RefusesWhatWouldBeLeftOut) {
     EXPECT_EQ(refused("</robot>", "</robot><robot name=\"other\"/>"),
