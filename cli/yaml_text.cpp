@@ -4,6 +4,7 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 
+#include <yaml-cpp/depthguard.h>
 #include <yaml-cpp/yaml.h>
 
 namespace chasles::cli {
@@ -14,6 +15,19 @@ using Json = nlohmann::json;
 constexpr int deepest = 32;
 constexpr std::size_t nodes_per_byte = 16; ///< a trajectory with aliases has less than one
 
+[[noreturn]] void refuse_depth() {
+    throw InvalidInput("is nested more than " + std::to_string(deepest) + " deep");
+}
+
+/// The text with LF at the ends of its lines: yaml-cpp takes a lone CR for a character of a line.
+std::string with_line_feeds(std::string_view text) {
+    std::string lines(text);
+    for (std::size_t i = 0; i < lines.size(); ++i)
+        if (lines[i] == '\r' && (i + 1 == lines.size() || lines[i + 1] != '\n'))
+            lines[i] = '\n';
+    return lines;
+}
+
 /// Copies nodes, up to a number.
 class TreeOfNodes {
 public:
@@ -21,7 +35,7 @@ public:
 
     Json copy(const YAML::Node& node, int depth = 0) {
         if (depth > deepest)
-            throw InvalidInput("is nested more than " + std::to_string(deepest) + " deep");
+            refuse_depth();
         if (left_-- == 0)
             throw InvalidInput("has aliases (*NAME) that make much more than the file has");
         if (node.IsSequence())
@@ -59,9 +73,11 @@ nlohmann::json parse_yaml(const std::string& text) {
     try {
         TreeOfNodes tree(text.size());
         Json documents = Json::array();
-        for (const YAML::Node& document : YAML::LoadAll(std::string(io::without_byte_order_mark(text))))
+        for (const YAML::Node& document : YAML::LoadAll(with_line_feeds(io::without_byte_order_mark(text))))
             documents.push_back(tree.copy(document));
         return documents;
+    } catch (const YAML::DeepRecursion&) { // the parser's own limit, whose message is "bad file"
+        refuse_depth();
     } catch (const YAML::Exception& error) {
         const std::string place = error.mark.is_null() ? "" : "line " + std::to_string(error.mark.line + 1) + ": ";
         throw InvalidInput("is not YAML: " + place + error.msg);

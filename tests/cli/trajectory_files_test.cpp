@@ -204,6 +204,8 @@ TEST_F(TrajectoryFiles, JointPathsOfEveryFormatAreTheSamePath) {
         {"goal.json", R"({"trajectory": {"joint_names": ["shoulder", "elbow"], "points": [
                           {"positions": [0, 0], "time_from_start": {"sec": 10, "nanosec": 0}},
                           {"positions": [1.5, 0.5], "time_from_start": {"sec": 14, "nanosec": 0}}]}})"},
+        {"lone_cr.yaml", "joint_names: [shoulder, elbow]\rpoints:\r- {positions: [0, 0], time_from_start: 10}\r"
+                         "- {positions: [1.5, 0.5], time_from_start: 14}\r"},
         {"aliases.yaml",
          "joint_names: &names [shoulder, elbow]\npoints:\n- {positions: &zero [0, 0], velocities: *zero, "
          "time_from_start: 10}\n- {positions: [1.5, 0.5], velocities: *zero, time_from_start: 14}\n"},
@@ -274,8 +276,8 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
         {"multi_dof_joint_trajectory: {joint_names: [base], points: []}\n",
          "multi_dof_joint_trajectory: is not read; a table of columns can hold its joints"},
         {"joint_names: [shoulder]\njoint_names: [elbow]\npoints: []\n", "the key 'joint_names' comes twice in one map"},
-        {"a: &a [*a]\n", ""},
-        {deep, ""},
+        {"a: &a [*a]\n", "is nested more than 32 deep"},
+        {deep, "is nested more than 32 deep"},
         {bomb, "has aliases (*NAME) that make much more than the file has"},
         {"joint_names: [shoulder\n", ""},
         {"joint_names: *unknown\n", ""},
