@@ -59,7 +59,7 @@ TEST(OverlapProof, WhatIsProvenHoldsForEveryDisplacement) {
 }
 
 TEST(OverlapProof, ProvesNothingOfNestedOrOpenSurfaces) {
-    const std::vector<Eigen::Vector3d> corners{{-2, -2, 0}, {2, -2, 0}, {2, 2, 0}, {-2, 2, 0}};
+    const std::vector<Eigen::Vector3d> corners{{-0.2, -0.2, 0}, {3, -0.2, 0}, {3, 3, 0}, {-0.2, 3, 0}};
     const std::vector<std::vector<std::uint32_t>> square{{0, 1, 2, 3}};
     const auto proven = [](const Polyhedron& fixed, const Polyhedron& moving, double margin) {
         const Robot robot(sliding_body(fixed, moving, Pose()));

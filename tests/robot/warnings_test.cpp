@@ -12,8 +12,9 @@ protected:
     [[nodiscard]] std::vector<std::string> of_srdf(const std::string& content) const {
         RobotDescription robot = read("", "");
         robot::read_srdf(write("robot.srdf", "<robot name=\"small\">\n" + content + "\n</robot>"), robot);
+        const Robot made(robot);
         std::vector<std::string> warnings;
-        for (const std::string& warning : Robot(robot).warnings())
+        for (const std::string& warning : made.warnings())
             warnings.push_back(without_folder(warning));
         return warnings;
     }

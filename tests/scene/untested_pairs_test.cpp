@@ -38,7 +38,7 @@ struct KnownScene {
         names.push_back("body " + std::to_string((index * 7919) % 1000));
         groups.push_back(all[std::size_t(random.integer(0, 3))]);
         at_rest.push_back(random.chance(0.5));
-        scene.add({names.back(), make_box({1, 1, 1}), at_rest.back() ? standing(3 * index) : going(3 * index, 0),
+        scene.add({names.back(), make_box({1, 1, 1}), at_rest.back() ? standing(3 * index) : going(3 * index, -1),
                    groups.back()});
     }
     void ignore(std::size_t a, std::size_t b) {
