@@ -51,12 +51,14 @@ Eigen::Quaterniond in_safe_range(const Eigen::Quaterniond& rotation) {
 std::string other_than_turning(const Eigen::Matrix3d& matrix) {
     const auto text = [](double number) { return number_text(number, 6); };
     const Eigen::Vector3d scale = matrix.colwise().norm();
+    if (!(scale.minCoeff() > 0))
+        return "it flattens bodies";
     const Eigen::Matrix3d products = matrix.transpose() * matrix;
     const double slant =
         std::max({std::abs(products(0, 1)) / (scale[0] * scale[1]), std::abs(products(1, 2)) / (scale[1] * scale[2]),
                   std::abs(products(2, 0)) / (scale[2] * scale[0])});
     if (!(slant <= orthogonality_tolerance))
-        return scale.minCoeff() > 0 ? "it shears" : "it flattens bodies";
+        return "it shears";
     const std::string mirrors = matrix.determinant() < 0 ? ", and mirrors" : "";
     if (scale.maxCoeff() - scale.minCoeff() <= orthogonality_tolerance * scale.maxCoeff())
         return "it scales by " + text(scale[0]) + mirrors;
