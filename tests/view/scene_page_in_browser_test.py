@@ -146,7 +146,7 @@ class ScenePage(PageTest):
     def test_a_clear_scene_has_no_list(self) -> None:
         self.open("clear_scene.html")
         self.assertEqual(self.text("#verdict"), "Clear")
-        self.assertIn("no pair touches before time 0.1", self.text("#meaning"))
+        self.assertIn("no tested pair touches before time 0.1", self.text("#meaning"))
         self.assertEqual(self.browser.evaluate("document.getElementById('events').offsetHeight"), 0)
 
     def test_a_scene_may_be_empty(self) -> None:

@@ -33,7 +33,7 @@ Motion turning_motion(int kind, test::Random& random) {
     const double angle = half_turn * turns[std::size_t(random.integer(0, 5))];
     switch (kind % 6) {
     case 0:
-        return Motion::velocity(start, goal, test::random_point(random, 1));
+        return Motion::velocity(start, goal, random.chance(0.5) ? origin : test::random_point(random, 1));
     case 1:
         return Motion::twist(start, goal);
     case 2:
