@@ -98,8 +98,8 @@ public:
 
     const search::NearFeatures& near() {
         if (is_searched_ && !near_)
-            near_ =
-                moment_.find({.most_pairs = 256, .most_visits = 1 << 10, .finds_crossing_faces = moment_.scene().at_start});
+            near_ = moment_.find(
+                {.most_pairs = 256, .most_visits = 1 << 10, .finds_crossing_faces = moment_.scene().at_start});
         return near_ ? *near_ : none_;
     }
     [[nodiscard]] Work work() const { return near_ ? near_->work : Work(); }

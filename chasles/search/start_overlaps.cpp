@@ -37,7 +37,8 @@ void StartOverlaps::refine(const Overlap& overlap) {
 bool StartOverlaps::collect_crossing(const TwoFaces& faces) {
     if (!start_)
         start_.emplace(context_.configuration_at(0));
-    if (found_ || !contact::are_crossing(*start_, faces.moving, faces.fixed, elementary::position_error<double>(scale_)))
+    if (found_ ||
+        !contact::are_crossing(*start_, faces.moving, faces.fixed, elementary::position_error<double>(scale_)))
         return found_.has_value();
     found_ = passing_edge(true, faces);
     if (!found_)
@@ -52,8 +53,8 @@ std::optional<Overlap> StartOverlaps::passing_edge(bool edge_is_moving, const Tw
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const auto [from, to] = std::minmax(corners[i], corners[(i + 1) % corners.size()]);
         ++work_.refined;
-        auto passing = refined({edge_is_moving, {from, to}, {other, other}, Eigen::Vector3d::Zero(), false}, refinement(),
-                               context_.piece().cubic());
+        auto passing = refined({edge_is_moving, {from, to}, {other, other}, Eigen::Vector3d::Zero(), false},
+                               refinement(), context_.piece().cubic());
         if (passing) {
             passing->certain = true;
             return passing;

@@ -23,8 +23,8 @@ public:
 
     /// Refines what the filter finds between two faces. True if a certain overlap is known.
     bool collect(FeatureTests<double>& filter, const TwoFaces& faces);
-    /// Whether two faces are proven to pass through each other, in double. Bodies of one height may have no edge that passes
-    /// through the inside of a face (docs/derivations/05-being-inside.md, "A face through a face at the start").
+    /// Whether two faces are proven to pass through each other, in double. Bodies of one height may have no edge that
+    /// passes through the inside of a face (docs/derivations/05-being-inside.md, "A face through a face at the start").
     bool collect_crossing(const TwoFaces& faces);
     /// Decides the uncertain overlaps in exact arithmetic, until one is certain. True if there is an overlap.
     ///

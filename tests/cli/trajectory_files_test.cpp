@@ -123,8 +123,7 @@ TEST_F(TrajectoryFiles, StampsDoNotChangeTheMotion) {
         EXPECT_EQ(a["verdict"], c["verdict"]) << motion;
         EXPECT_EQ(a["motion"], b["motion"]) << motion;
         EXPECT_EQ(a["motion"], c["motion"]) << motion;
-        if (a["verdict"] != "clear")
-            EXPECT_NEAR(a["time"].get<double>(), b["time"].get<double>(), 1e-9) << motion;
+        EXPECT_NEAR(a.value("time", -1.0), b.value("time", -1.0), 1e-9) << motion;
         const std::string kind = a["motion"]["kind"];
         EXPECT_EQ(kind, motion.empty() ? "screw" : motion.substr(motion.rfind(' ') + 1));
         for (const std::string file : {"without.csv", "with.csv"}) {
@@ -286,8 +285,7 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
         const std::string line = error_line(robot_command("bad.yaml", content));
         EXPECT_TRUE(line.starts_with("chasles: bad.yaml: ")) << line;
         EXPECT_GT(line.size(), std::string("chasles: bad.yaml: ").size() + 3) << "a reason";
-        if (!message.empty())
-            EXPECT_EQ(line, "chasles: bad.yaml: " + message);
+        EXPECT_TRUE(message.empty() || line == "chasles: bad.yaml: " + message) << line;
     }
     EXPECT_EQ(error_line(robot_command("bad.json", R"({"joint_names": ["elbow"], "points": [], "points": []})")),
               "chasles: bad.json: the key 'points' comes twice in one object");

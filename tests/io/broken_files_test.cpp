@@ -66,8 +66,7 @@ std::vector<Sample> scene_samples() {
     const std::string embedded = R"(, "uri": "data:;base64,)" + tests::base64(triangle) + R"("}]})";
     std::string gltf(two_triangles_gltf);
     gltf.append("}]}"); // GCC 12 warns of "+" here
-    return {{"GLB", [](std::string_view bytes) { return merged(read_gltf(bytes)); },
-             tests::glb(gltf, triangle)},
+    return {{"GLB", [](std::string_view bytes) { return merged(read_gltf(bytes)); }, tests::glb(gltf, triangle)},
             {"glTF", [](std::string_view bytes) { return merged(read_gltf(bytes)); }, two_triangles_gltf + embedded},
             {"COLLADA", [](std::string_view bytes) { return merged(read_collada(bytes)); }, two_triangles_collada},
             {"3MF", [](std::string_view bytes) { return merged(read_3mf(bytes)); }, tests::threemf(two_triangles_3mf)}};
