@@ -112,7 +112,7 @@ std::string verdict_text(const FirstContact& found, double margin) {
         break;
     }
     return fmt::format("CONTACT{} AT THE START{}", within,
-                       found.overlap ? ": the surfaces pass through each other" : "");
+                       found.overlap && found.overlap->certain ? ": the surfaces pass through each other" : "");
 }
 
 std::string verdict_text(const LeastDistance& found) {
@@ -122,7 +122,8 @@ std::string verdict_text(const LeastDistance& found) {
     case Verdict::contact:
         return fmt::format("TOUCH at time {:.12g}", found.time.lower);
     case Verdict::contact_at_start:
-        return fmt::format("TOUCH AT THE START{}", found.overlap ? ": the surfaces pass through each other" : "");
+        return fmt::format("TOUCH AT THE START{}",
+                           found.overlap && found.overlap->certain ? ": the surfaces pass through each other" : "");
     case Verdict::unknown:
         break;
     }

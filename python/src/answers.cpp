@@ -18,7 +18,7 @@ std::string summary(const FirstContact& found, const std::string& bodies) {
         text += " (uncertain: " + view::why_uncertain(found) + ")";
     if (!bodies.empty())
         text += ", " + bodies;
-    if (found.overlap)
+    if (found.overlap && found.overlap->certain)
         text += ", overlapping";
     if (!found.contacts.empty())
         text += fmt::format(", {} contact{}: {}{}", found.contacts.size(), found.contacts.size() == 1 ? "" : "s",

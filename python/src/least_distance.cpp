@@ -37,7 +37,7 @@ std::string summary(const LeastDistance& found) {
     if (!found.certain)
         text += found.distance.upper > 0 ? " (uncertain: the bracket is wider than the tolerance)"
                                          : " (uncertain: the bodies may miss each other by a rounding error)";
-    if (found.overlap)
+    if (found.overlap && found.overlap->certain)
         text += ", overlapping";
     if (!found.contacts.empty())
         text += fmt::format(", {}{}", text_of(found.contacts.front()), found.contacts.size() > 1 ? ", ..." : "");

@@ -23,7 +23,7 @@ function meaning(answer: Answer, margin: number): string {
       if (answer.clear_until < answer.time!) return `The bodies ${touch} inside the bracket, and perhaps earlier: the query stopped at any contact.`;
       return `The bodies first ${touch} inside the bracket, and not before its lower end.`;
     case "contact_at_start":
-      return answer.overlap ? "The surfaces pass through each other already." : `The bodies ${touch} already.`;
+      return answer.overlap && answer.certain ? "The surfaces pass through each other already." : `The bodies ${touch} already.`;
   }
 }
 
