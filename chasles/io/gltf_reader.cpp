@@ -262,7 +262,8 @@ std::vector<MeshPart> read_gltf(std::string_view bytes, const FileBeside& file_b
     try {
         file = Json::parse(chunks.json);
     } catch (const Json::exception& error) {
-        throw InvalidInput("is no well-formed JSON: " + one_line(error.what()).substr(0, 200));
+        const std::string why = error.what(); // "[json.exception.parse_error.101] parse error at ..."
+        throw InvalidInput("is no well-formed JSON: " + one_line(why.substr(why.find(']') + 2)).substr(0, 200));
     }
     const auto asset = file.find("asset");
     const bool has_asset = file.is_object() && asset != file.end() && asset->is_object();

@@ -101,7 +101,7 @@ TEST_F(FileFormats, InfoListsTheParts) {
     json.replace(json.find(R"("nodes": [0])"), 12, R"("nodes": [0, 1])");
     const std::string node = R"([{"name": "post", "mesh": 0}])";
     json.replace(json.find(node), node.size(),
-                 R"([{"name": "post", "mesh": 0}, {"name": "post", "mesh": 0, "translation": [2, 0, 0]})");
+                 R"([{"name": "post", "mesh": 0}, {"name": "post", "mesh": 0, "translation": [2, 0, 0]}])");
     write("two.glb", tests::glb(json, tests::post_buffer()));
     EXPECT_EQ(this->json("info two.glb")["parts"],
               Json::parse(R"([{"name": "post", "faces": 12}, {"name": "post_2", "faces": 12}])"));

@@ -96,7 +96,7 @@ TEST(UntestedPairs, EachPairIsTestedOrCountedOnceAndNamed) {
         at_rest += int(untested.count(Reason::at_rest));
     }
     EXPECT_GT(ignored, 1000);
-    EXPECT_GT(at_rest, 1000);
+    EXPECT_GT(at_rest, 800);
 }
 
 TEST(UntestedPairs, AreCountedInLargeScenesAndNamedUpToABound) {
