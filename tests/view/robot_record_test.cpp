@@ -50,7 +50,7 @@ TEST(RobotRecord, NoLinkTurnsFarInOneStep) {
     for (const double turns : {0.5, 1.0, 200.0, 400.0})
         for (const double factor : {-1.0, 0.3, 7.0}) {
             const Robot robot(shaft_with_wheel(factor));
-            const double angle = std::min(turns * turn, 1900 / std::max(1.0, std::abs(factor))); // the limit is 2,000
+            const double angle = std::min({turns * turn, 900.0, 1900 / std::abs(factor)}); // within the limits of paths
             const view::SceneRecord record =
                 view::robot_record(robot, nullptr, turning(robot, angle), answer_of(Verdict::clear));
             ASSERT_EQ(record.bodies.size(), 2U);
