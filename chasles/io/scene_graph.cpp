@@ -105,13 +105,28 @@ private:
     std::vector<PlacedNode> places_;
 };
 
+// The new number of each vertex that a face uses, in their order. Meshes of a file often share one list of vertices, and
+// one that no face uses would make the body larger.
+std::vector<std::uint32_t> numbers_of_used(const PolygonSoup& mesh, std::uint32_t first) {
+    constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
+    std::vector<std::uint32_t> numbers(mesh.vertices.size(), unused);
+    for (const std::vector<std::uint32_t>& face : mesh.faces)
+        for (const std::uint32_t corner : face)
+            numbers[corner] = 0;
+    for (std::uint32_t& number : numbers)
+        number = number == unused ? unused : first++;
+    return numbers;
+}
+
 // Appends a mesh in the coordinates of the scene.
 void add_mesh(MeshPart& part, const PolygonSoup& mesh, const Eigen::Affine3d& to_scene) {
-    const auto first = static_cast<std::uint32_t>(part.polygons.vertices.size());
-    for (const Eigen::Vector3d& vertex : mesh.vertices) {
-        part.polygons.vertices.push_back(to_scene * vertex);
-        if (!part.polygons.vertices.back().allFinite())
+    const auto numbers = numbers_of_used(mesh, static_cast<std::uint32_t>(part.polygons.vertices.size()));
+    for (std::size_t i = 0; i < mesh.vertices.size(); ++i) {
+        const Eigen::Vector3d vertex = to_scene * mesh.vertices[i];
+        if (!vertex.allFinite())
             throw InvalidInput("node " + in_quotes(part.name) + ": NaN or infinity in its transform or its vertices");
+        if (numbers[i] != std::numeric_limits<std::uint32_t>::max())
+            part.polygons.vertices.push_back(vertex);
     }
     const int orientation = orientation_of(to_scene);
     if (orientation == 0)
@@ -119,7 +134,7 @@ void add_mesh(MeshPart& part, const PolygonSoup& mesh, const Eigen::Affine3d& to
                            ": its transform flattens the mesh (a scale of 0); remove the node or scale it");
     for (std::vector<std::uint32_t> face : mesh.faces) {
         for (std::uint32_t& corner : face)
-            corner += first;
+            corner = numbers[corner];
         if (orientation < 0)
             std::ranges::reverse(face);
         part.polygons.faces.push_back(std::move(face));

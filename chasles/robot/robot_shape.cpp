@@ -8,7 +8,7 @@ namespace chasles {
 
 namespace {
 
-using Corners = std::vector<std::uint32_t>;
+using CornerIds = std::vector<std::uint32_t>;
 
 /// The surfaces of several shapes, each placed by a pose.
 class MergedSurface {
@@ -29,7 +29,7 @@ public:
 private:
     /// Whole if it is still planar, else in triangles, which are planar always.
     void add_face(const Polyhedron& shape, std::size_t face, std::uint32_t first) {
-        Corners corners(shape.face(face).begin(), shape.face(face).end());
+        CornerIds corners(shape.face(face).begin(), shape.face(face).end());
         for (std::uint32_t& corner : corners)
             corner += first;
         if (is_planar(corners)) {
@@ -43,7 +43,7 @@ private:
             faces_.push_back({corners[0], corners[i], corners[i + 1]});
     }
 
-    [[nodiscard]] bool is_planar(const Corners& corners) const {
+    [[nodiscard]] bool is_planar(const CornerIds& corners) const {
         for (std::size_t i = 3; i < corners.size(); ++i)
             if (!are_coplanar(vertices_[corners[0]], vertices_[corners[1]], vertices_[corners[2]],
                               vertices_[corners[i]]))
@@ -52,7 +52,7 @@ private:
     }
 
     std::vector<Eigen::Vector3d> vertices_;
-    std::vector<Corners> faces_;
+    std::vector<CornerIds> faces_;
 };
 
 } // namespace

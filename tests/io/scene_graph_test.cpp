@@ -102,5 +102,19 @@ TEST(SceneGraph, StripsAndFansKeepOneSide) {
     EXPECT_EQ(fan.faces, (std::vector<std::vector<std::uint32_t>>{{9, 0, 1}, {9, 1, 2}}));
 }
 
+TEST(SceneGraph, VerticesThatNoFaceUsesAreLeftOut) {
+    PolygonSoup mesh;
+    mesh.vertices = {{9, 9, 9}, {0, 0, 0}, {1, 0, 0}, {8, 8, 8}, {0, 1, 0}};
+    mesh.faces = {{1, 2, 4}};
+    SceneGraph scene;
+    scene.meshes = {mesh};
+    scene.nodes = {{.name = "one", .meshes = {0, 0}}};
+    scene.roots = {0};
+    const std::vector<MeshPart> parts = parts_of(scene);
+    ASSERT_EQ(parts.size(), 1u);
+    EXPECT_EQ(parts[0].polygons.vertices.size(), 6u);
+    EXPECT_EQ(parts[0].polygons.faces, (std::vector<std::vector<std::uint32_t>>{{0, 1, 2}, {3, 4, 5}}));
+}
+
 } // namespace
 } // namespace chasles::io
