@@ -48,7 +48,7 @@ def number(text: str) -> float:
 
 
 def peer(cells: list[str]) -> Mark:
-    """A row of the table of README.md."""
+    """A row of the table beside other libraries."""
     name, missed, false_alarms, time = cells
     label = re.split(r"[,`]", name)[0] + (", 10 samples" if "samples" in name else "")
     label += ", conservative advancement" if "advancement" in name else ""
@@ -101,7 +101,7 @@ def plot(title: str, axis: str, marks: list[Mark]) -> str:
 
 
 def peers_plot(root: pathlib.Path) -> str:
-    marks = [peer(cells) for cells in table(root / "README.md", "| library |")]
+    marks = [peer(cells) for cells in table(root / "docs" / "performance.md", "| library |")]
     return plot("Times of other libraries, over a first contact by Chasles", "time, over a first contact by Chasles", marks)
 
 

@@ -15,7 +15,7 @@ OTHERS = ["chasles/ompl.h"]  # public, but not included by the surface
 NOTHING_TO_SAY = {"chasles/base/export.h", SURFACE}
 
 TOPICS: dict[str, tuple[str, list[str]]] = {
-    "bodies": ("Bodies", ["mesh/polyhedron.h", "mesh/primitives.h", "base/invalid_input.h"]),
+    "bodies": ("Bodies", ["mesh/polyhedron.h", "mesh/polyhedron_parts.h", "mesh/primitives.h", "base/invalid_input.h"]),
     "motions": ("Poses and motions", ["motion/pose.h", "motion/motion.h", "motion/timed_poses.h", "motion/own_trajectory.h"]),
     "first-contact": (
         "The first contact",
@@ -24,7 +24,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
     ),
     "paths-and-batches": ("Paths and batches", ["query/path.h", "query/batch.h"]),
     "least-distance": ("The least distance", ["query/least_distance.h"]),
-    "scenes": ("Scenes", ["scene/scene.h", "scene/stepper.h"]),
+    "scenes": ("Scenes", ["scene/scene.h", "scene/untested_pairs.h", "scene/stepper.h"]),
     "dragged-bodies": (
         "Dragged bodies",
         ["manipulation/dragged_body.h", "manipulation/drag_options.h", "manipulation/drag_lock.h", "manipulation/mass_properties.h"],

@@ -105,8 +105,8 @@ private:
     std::vector<PlacedNode> places_;
 };
 
-// The new number of each vertex that a face uses, in their order. Meshes of a file often share one list of vertices, and
-// one that no face uses would make the body larger.
+// The new number of each vertex that a face uses, in their order. Meshes of a file often share one list of vertices,
+// and one that no face uses would make the body larger.
 std::vector<std::uint32_t> numbers_of_used(const PolygonSoup& mesh, std::uint32_t first) {
     constexpr auto unused = std::numeric_limits<std::uint32_t>::max();
     std::vector<std::uint32_t> numbers(mesh.vertices.size(), unused);
