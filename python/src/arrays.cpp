@@ -143,10 +143,15 @@ std::string text_of_shape(std::span<const Py_ssize_t> shape) {
 
 std::string text_of_argument(nb::handle argument) {
     constexpr std::size_t most = 40;
-    const std::string text = nb::cast<std::string>(nb::repr(argument));
-    return text.size() <= most && text.find('\n') == std::string::npos
-               ? text
-               : "a " + nb::cast<std::string>(argument.type().attr("__name__"));
+    const std::string type = "a " + nb::cast<std::string>(argument.type().attr("__name__"));
+    try {
+        const std::string text = nb::cast<std::string>(nb::repr(argument));
+        return text.size() <= most && text.find('\n') == std::string::npos ? text : type;
+    } catch (nb::python_error& error) {
+        if (!error.matches(PyExc_Exception)) // an interruption
+            throw;
+        return type; // such as of an object of which only __new__ was called
+    }
 }
 
 std::string text_of(const Eigen::Vector3d& vector) {

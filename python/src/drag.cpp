@@ -272,7 +272,7 @@ void bind_mass(nb::module_& module) {
                 using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
                 new (mass) MassProperties{vector_from(centre, "centre"), Eigen::Map<const Rows>(rows.numbers().data())};
             },
-            "inertia"_a, "centre"_a = nb::make_tuple(0, 0, 0),
+            "inertia"_a.none(), "centre"_a = nb::make_tuple(0, 0, 0),
             nb::sig("def __init__(self, inertia: numpy.typing.ArrayLike, centre: numpy.typing.ArrayLike = (0, 0, 0)) "
                     "-> None"));
 }
@@ -337,12 +337,12 @@ void bind_drag(nb::module_& module) {
             },
             "scene"_a, "name"_a, nb::kw_only(), "margin"_a = 0.0, "reach"_a = 0.0, "stiffness"_a = 1.0, "rounds"_a = 8,
             "friction"_a = 0.0, "lock"_a = nb::none(), "mass"_a = nb::none())
-        .def("update", &PythonDraggedBody::update, "goal"_a, "seconds"_a = 0.0,
+        .def("update", &PythonDraggedBody::update, "goal"_a.none(), "seconds"_a = 0.0,
              nb::sig("def update(self, goal: numpy.typing.ArrayLike, seconds: float = 0.0) -> DragStep"), update_doc)
-        .def("follow", &PythonDraggedBody::follow, "goals"_a, "seconds"_a = 0.0,
+        .def("follow", &PythonDraggedBody::follow, "goals"_a.none(), "seconds"_a = 0.0,
              nb::sig("def follow(self, goals: numpy.typing.ArrayLike, seconds: float = 0.0) -> list[DragStep]"),
              follow_doc)
-        .def("force", &PythonDraggedBody::force, "goal"_a,
+        .def("force", &PythonDraggedBody::force, "goal"_a.none(),
              nb::sig("def force(self, goal: numpy.typing.ArrayLike) -> numpy.typing.NDArray[numpy.float64]"), force_doc)
         .def_prop_ro("pose", &PythonDraggedBody::pose, nb::sig("def pose(self) -> numpy.typing.NDArray[numpy.float64]"),
                      "The present pose, as an array (4, 4).")

@@ -93,7 +93,7 @@ void bind_joint_path(nb::module_& module) {
     nb::class_<JointPath>(module, "JointPath",
                           "A path of a robot in joint space: segments of time, in each of which every variable is a "
                           "polynomial.\nTimes ascend, in any unit.")
-        .def_static("straight", straight, "robot"_a, "configurations"_a, "times"_a = nb::none(),
+        .def_static("straight", straight, "robot"_a, "configurations"_a.none(), "times"_a = nb::none(),
                     nb::sig("def straight(robot: Robot, configurations: numpy.typing.ArrayLike, "
                             "times: numpy.typing.ArrayLike | None = None) -> JointPath"),
                     "Straight from each configuration (n, variables) to the next; continuous joints go the shorter "

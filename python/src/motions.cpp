@@ -147,7 +147,7 @@ void bind_screw(nb::module_& module) {
             [](nb::handle start, nb::handle goal, double max_turn) {
                 return ScrewMotion::between(pose_from(start, "start"), pose_from(goal, "goal"), max_turn);
             },
-            "start"_a, "goal"_a, "max_turn"_a = ScrewMotion::default_max_turn,
+            "start"_a.none(), "goal"_a.none(), "max_turn"_a = ScrewMotion::default_max_turn,
             nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE CHASLES_MAX_TURN ") -> ScrewMotion"),
             doc("ScrewMotion.between"))
         .def_static(
@@ -157,7 +157,7 @@ void bind_screw(nb::module_& module) {
                 return relative<ScrewMotion>(moving_start, moving_goal, fixed_start, fixed_goal)
                     .with_max_turn(max_turn);
             },
-            "moving_start"_a, "moving_goal"_a, "fixed_start"_a, "fixed_goal"_a,
+            "moving_start"_a.none(), "moving_goal"_a.none(), "fixed_start"_a.none(), "fixed_goal"_a.none(),
             "max_turn"_a = ScrewMotion::default_max_turn, nb::sig(CHASLES_RELATIVE CHASLES_MAX_TURN ") -> ScrewMotion"),
             relative_text)
         .def_prop_ro("slide", &ScrewMotion::slide, doc("ScrewMotion.slide"))
@@ -189,15 +189,17 @@ void bind_sweep(nb::module_& module) {
                 return centre.is_none() ? SweepMotion::between(from, to)
                                         : SweepMotion::between(from, to, vector_from(centre, "centre"));
             },
-            "start"_a, "goal"_a, "centre"_a = nb::none(),
+            "start"_a.none(), "goal"_a.none(), "centre"_a = nb::none(),
             nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE ", centre: " CHASLES_POSE
                     " | None = None) -> SweepMotion"),
             doc("SweepMotion.between"))
-        .def_static("relative", relative<SweepMotion>, "moving_start"_a, "moving_goal"_a, "fixed_start"_a,
-                    "fixed_goal"_a, nb::sig(CHASLES_RELATIVE ") -> SweepMotion"), relative_text)
+        .def_static("relative", relative<SweepMotion>, "moving_start"_a.none(), "moving_goal"_a.none(),
+                    "fixed_start"_a.none(), "fixed_goal"_a.none(), nb::sig(CHASLES_RELATIVE ") -> SweepMotion"),
+                    relative_text)
         .def(
             "about", [](const SweepMotion& m, nb::handle centre) { return m.about(vector_from(centre, "centre")); },
-            "centre"_a, nb::sig("def about(self, centre: " CHASLES_POSE ") -> SweepMotion"), doc("SweepMotion.about"))
+            "centre"_a.none(), nb::sig("def about(self, centre: " CHASLES_POSE ") -> SweepMotion"),
+            doc("SweepMotion.about"))
         .def_prop_ro(
             "displacement", [](const SweepMotion& m) { return array_of(m.displacement()); },
             nb::sig("def displacement(self) -> " CHASLES_ARRAY), doc("SweepMotion.displacement"))

@@ -1,6 +1,7 @@
 #include "python/src/names.h"
 
 #include "chasles/base/invalid_input.h"
+#include "python/src/arrays.h"
 #include "view/names.h"
 
 #include <array>
@@ -42,8 +43,7 @@ Find find_from(nb::handle argument) {
         for (std::size_t i = 0; i < finds.size(); ++i)
             if (name == finds[i])
                 return Find(i);
-    throw InvalidInput("find: " + nb::cast<std::string>(nb::repr(argument)) +
-                       ": must be 'first', 'any' or 'first_with_all_contacts'");
+    throw InvalidInput("find: " + text_of_argument(argument) + ": must be 'first', 'any' or 'first_with_all_contacts'");
 }
 
 view::MotionKind kind_from(nb::handle argument) {
@@ -54,8 +54,7 @@ view::MotionKind kind_from(nb::handle argument) {
         for (const view::MotionKind kind : kinds)
             if (name == view::name_of(kind))
                 return kind;
-    throw InvalidInput("motion: " + nb::cast<std::string>(nb::repr(argument)) +
-                       ": must be 'screw', 'sweep', 'velocity' or 'twist'");
+    throw InvalidInput("motion: " + text_of_argument(argument) + ": must be 'screw', 'sweep', 'velocity' or 'twist'");
 }
 
 } // namespace chasles::python

@@ -157,8 +157,8 @@ void bind_own_trajectories(nb::module_& module) {
                     trajectory_from(nb::inst_ptr<Functions>(owner)->link(), reference, std::move(knots), rounding);
                 new (self) OwnMotion{{Motion::along(own), {owner}}, own};
             },
-            "pose_at"_a, "bounds"_a, nb::kw_only(), "reference"_a = nb::none(), "knots"_a = std::vector<double>(),
-            "rounding"_a = OwnTrajectory().rounding,
+            "pose_at"_a.none(), "bounds"_a.none(), nb::kw_only(), "reference"_a = nb::none(),
+            "knots"_a = std::vector<double>(), "rounding"_a = OwnTrajectory().rounding,
             nb::sig("def __init__(self, pose_at: collections.abc.Callable[[float], numpy.typing.ArrayLike], "
                     "bounds: collections.abc.Callable[[float, float], dict[str, float]], *, "
                     "reference: numpy.typing.ArrayLike | None = None, "
@@ -182,7 +182,7 @@ void bind_own_trajectories(nb::module_& module) {
             [](const OwnMotion& m, nb::handle inner) {
                 return made_of(m, given_motion(inner), [](const Motion& a, const Motion& b) { return a * b; });
             },
-            "inner"_a, nb::sig("def __mul__(self, inner: typing.Any) -> Motion"),
+            "inner"_a.none(), nb::sig("def __mul__(self, inner: typing.Any) -> Motion"),
             "The motion `inner`, carried by this one.")
         .def("__repr__", [](const OwnMotion&) { return "<chasles.Trajectory>"; });
 }

@@ -199,7 +199,7 @@ void bind_robot(nb::module_& module) {
             [](const Robot& r, nb::handle configurations) {
                 return r.warnings_about(rows_of(configurations, "configurations"));
             },
-            "configurations"_a,
+            "configurations"_a.none(),
             nb::sig("def warnings_about(self, configurations: numpy.typing.ArrayLike) -> list[str]"),
             doc("Robot.warnings_about"))
         .def(
@@ -233,14 +233,14 @@ void bind_robot(nb::module_& module) {
             [](const Robot& r, const std::string& link, nb::handle configuration) {
                 return matrix_of(r.link_pose(link, configuration_from(configuration, "configuration")));
             },
-            "link"_a, "configuration"_a,
+            "link"_a, "configuration"_a.none(),
             nb::sig("def link_pose(self, link: str, configuration: numpy.typing.ArrayLike) -> " CHASLES_ARRAY),
             "The pose of a link in the world, (4, 4).")
-        .def("link_poses", link_poses, "configuration"_a,
+        .def("link_poses", link_poses, "configuration"_a.none(),
              nb::sig("def link_poses(self, configuration: numpy.typing.ArrayLike) -> dict[str, " CHASLES_ARRAY "]"),
              "The poses of all links by name.")
         .def(
-            "set_base", [](Robot& r, nb::handle pose) { r.set_base(pose_from(pose, "pose")); }, "pose"_a,
+            "set_base", [](Robot& r, nb::handle pose) { r.set_base(pose_from(pose, "pose")); }, "pose"_a.none(),
             nb::sig("def set_base(self, pose: numpy.typing.ArrayLike) -> None"), doc("Robot.set_base"))
         .def("attach", attach, "name"_a, "link"_a, "shape"_a.none(), "pose"_a = nb::none(),
              "touch_links"_a = nb::list(),
@@ -265,8 +265,8 @@ void bind_robot(nb::module_& module) {
                std::optional<double> hold, double tolerance, nb::handle find) {
                 return answer_on_edge(checker_of(r, {scene, margin, hold, tolerance, find}), start, goal);
             },
-            "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "hold"_a = nb::none(),
-            "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
+            "start"_a.none(), "goal"_a.none(), nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
+            "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: "
                     "numpy.typing.ArrayLike, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
             edge_doc.c_str())
@@ -278,9 +278,9 @@ void bind_robot(nb::module_& module) {
                 return answer_on_path(checker_of(r, {scene, margin, hold, tolerance, find}),
                                       {configurations, times, velocities, accelerations});
             },
-            "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
-            nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0, "hold"_a = nb::none(),
-            "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
+            "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
+            "accelerations"_a = nb::none(), nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
+            "hold"_a = nb::none(), "time_tolerance"_a = default_time_tolerance, "find"_a.none() = "first",
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, " CHASLES_ROBOT_QUESTION ") -> RobotContact"),
@@ -295,7 +295,7 @@ void bind_robot(nb::module_& module) {
                 return clearance_on_edge(checker_of(r, {scene, 0, std::nullopt, default_time_tolerance, find}), start,
                                          goal, tolerance);
             },
-            "start"_a, "goal"_a, nb::kw_only(), "scene"_a = nb::none(), "tolerance"_a = default_tolerance,
+            "start"_a.none(), "goal"_a.none(), nb::kw_only(), "scene"_a = nb::none(), "tolerance"_a = default_tolerance,
             nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, *, "
                     "scene: Scene | None = None, tolerance: float = 1e-6) -> RobotClearance"),
             clearance_doc)

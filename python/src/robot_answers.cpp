@@ -215,7 +215,7 @@ void bind_robot_answers(nb::module_& module) {
         .def_prop_ro(
             "robot", [](const RobotChecker& checker) { return checker.robot(); },
             "A copy of the robot, as it was when the checker was made.")
-        .def("first_contact", answer_on_edge, "start"_a, "goal"_a,
+        .def("first_contact", answer_on_edge, "start"_a.none(), "goal"_a.none(),
              nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike) -> "
                      "RobotContact"),
              "Along the straight edge between two configurations.")
@@ -226,7 +226,7 @@ void bind_robot_answers(nb::module_& module) {
                 return goal.is_none() ? checker.is_clear(from)
                                       : checker.is_clear(from, configuration_from(goal, "goal"));
             },
-            "start"_a, "goal"_a = nb::none(),
+            "start"_a.none(), "goal"_a = nb::none(),
             nb::sig("def is_clear(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike | None = None) -> "
                     "bool"),
             "Whether the straight edge, or the one configuration, is proven clear.")
@@ -236,14 +236,15 @@ void bind_robot_answers(nb::module_& module) {
                nb::handle accelerations) {
                 return answer_on_path(checker, {configurations, times, velocities, accelerations});
             },
-            "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
+            "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
+            "accelerations"_a = nb::none(),
             nb::sig("def first_contact_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None) -> RobotContact"),
             "Along a path: a JointPath; or configurations: straight, or cubic with velocities, or quintic with "
             "accelerations, "
             "too.")
-        .def("least_distance", clearance_on_edge, "start"_a, "goal"_a, "tolerance"_a = default_tolerance,
+        .def("least_distance", clearance_on_edge, "start"_a.none(), "goal"_a.none(), "tolerance"_a = default_tolerance,
              nb::sig("def least_distance(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike, "
                      "tolerance: float = 1e-6) -> RobotClearance"),
              "How near the robot comes to its world and to itself along the straight edge.")
@@ -253,13 +254,13 @@ void bind_robot_answers(nb::module_& module) {
                nb::handle accelerations, double tolerance) {
                 return clearance_on_path(checker, {configurations, times, velocities, accelerations}, tolerance);
             },
-            "configurations"_a, "times"_a = nb::none(), "velocities"_a = nb::none(), "accelerations"_a = nb::none(),
-            "tolerance"_a = default_tolerance,
+            "configurations"_a.none(), "times"_a = nb::none(), "velocities"_a = nb::none(),
+            "accelerations"_a = nb::none(), "tolerance"_a = default_tolerance,
             nb::sig("def least_distance_on_path(self, configurations: numpy.typing.ArrayLike | JointPath, "
                     "times: numpy.typing.ArrayLike | None = None, velocities: numpy.typing.ArrayLike | None = None, "
                     "accelerations: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-6) -> RobotClearance"),
             "Likewise along a path, as in first_contact_on_path.")
-        .def("first_contacts", answers_on_edges, "starts"_a, "goals"_a, "threads"_a = 0,
+        .def("first_contacts", answers_on_edges, "starts"_a.none(), "goals"_a.none(), "threads"_a = 0,
              nb::sig("def first_contacts(self, starts: numpy.typing.ArrayLike, goals: numpy.typing.ArrayLike, "
                      "threads: int = 0) -> tuple"),
              "The fields of chasles.first_contacts_on_edges, one after another.");

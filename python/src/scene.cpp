@@ -303,7 +303,7 @@ void bind_scene(nb::module_& module) {
                      "TimedPoses | Trajectory | Motion | None = None, "
                      "centre: numpy.typing.ArrayLike | None = None) -> None"),
              "Give a body another motion; the arguments are those of `add`.")
-        .def("move_all", move_all, "starts"_a, "goals"_a, nb::kw_only(), "motion"_a = "velocity",
+        .def("move_all", move_all, "starts"_a.none(), "goals"_a.none(), nb::kw_only(), "motion"_a = "velocity",
              nb::sig("def move_all(self, starts: numpy.typing.ArrayLike, goals: numpy.typing.ArrayLike, *, "
                      "motion: str = 'velocity') -> None"),
              "Give all bodies other motions: arrays (n, 4, 4) or (n, 7), in the order of `names`. Raises InvalidInput "

@@ -68,23 +68,23 @@ void bind_poses(nb::class_<M>& type) {
             nb::sig("def fixed_pose_at(self, time: float) -> " CHASLES_ARRAY),
             "The pose (4, 4) of the fixed body in the world at a time in [0, 1].")
         .def(
-            "__mul__", [](const M& outer, nb::handle inner) { return product(outer, given_motion(inner)); }, "inner"_a,
-            nb::sig("def __mul__(self, inner: " CHASLES_MOTIONS ") -> Motion"),
+            "__mul__", [](const M& outer, nb::handle inner) { return product(outer, given_motion(inner)); },
+            "inner"_a.none(), nb::sig("def __mul__(self, inner: " CHASLES_MOTIONS ") -> Motion"),
             "The motion `inner`, carried by this one: its pose is self.pose_at(t) @ inner.pose_at(t).");
 }
 
 void bind_motion(nb::module_& module) {
     nb::class_<PlainMotion> type(module, "Motion", doc("Motion"), collected<PlainMotion>());
     type.def_static(
-            "at_rest", [](nb::handle pose) { return PlainMotion{Motion::at_rest(pose_from(pose, "pose"))}; }, "pose"_a,
-            nb::sig("def at_rest(pose: " CHASLES_POSE ") -> Motion"), doc("Motion.at_rest"))
+            "at_rest", [](nb::handle pose) { return PlainMotion{Motion::at_rest(pose_from(pose, "pose"))}; },
+            "pose"_a.none(), nb::sig("def at_rest(pose: " CHASLES_POSE ") -> Motion"), doc("Motion.at_rest"))
         .def_static(
             "hinge",
             [](nb::handle point, nb::handle direction, nb::handle angle) {
                 return PlainMotion{Motion::hinge(vector_from(point, "point"), vector_from(direction, "direction"),
                                                  numbers_from(angle, "angle", in_time))};
             },
-            "point"_a, "direction"_a, "angle"_a,
+            "point"_a.none(), "direction"_a.none(), "angle"_a.none(),
             nb::sig("def hinge(point: " CHASLES_POSE ", direction: " CHASLES_POSE
                     ", angle: collections.abc.Sequence[float]) -> Motion"),
             doc("Motion.hinge"))
@@ -94,13 +94,13 @@ void bind_motion(nb::module_& module) {
                 return PlainMotion{
                     Motion::slider(vector_from(direction, "direction"), numbers_from(way, "way", in_time))};
             },
-            "direction"_a, "way"_a,
+            "direction"_a.none(), "way"_a.none(),
             nb::sig("def slider(direction: " CHASLES_POSE ", way: collections.abc.Sequence[float]) -> Motion"),
             doc("Motion.slider"))
         .def_static(
             "polynomial",
             [](nb::handle places) { return PlainMotion{Motion::polynomial(vectors_from(places, "places"))}; },
-            "places"_a, nb::sig("def polynomial(places: " CHASLES_POSE ") -> Motion"), doc("Motion.polynomial"))
+            "places"_a.none(), nb::sig("def polynomial(places: " CHASLES_POSE ") -> Motion"), doc("Motion.polynomial"))
         .def("__repr__", [](const PlainMotion&) { return "<chasles.Motion>"; });
     bind_poses(type);
     module.def(
@@ -109,7 +109,7 @@ void bind_motion(nb::module_& module) {
             const TypedMotion whole = given_motion(motion);
             return PlainMotion{rest_of(plain(whole), start), owners_of(whole)};
         },
-        "motion"_a, "start"_a, nb::sig("def rest_of(motion: " CHASLES_MOTIONS ", start: float) -> Motion"),
+        "motion"_a.none(), "start"_a, nb::sig("def rest_of(motion: " CHASLES_MOTIONS ", start: float) -> Motion"),
         doc("rest_of"));
     module.def(
         "relative",
@@ -117,7 +117,7 @@ void bind_motion(nb::module_& module) {
             return made_of(given_motion(moving), given_motion(fixed),
                            [](const Motion& a, const Motion& b) { return relative(a, b); });
         },
-        "moving"_a, "fixed"_a,
+        "moving"_a.none(), "fixed"_a.none(),
         nb::sig("def relative(moving: " CHASLES_MOTIONS ", fixed: " CHASLES_MOTIONS ") -> Motion"), doc("relative"));
 }
 
@@ -130,7 +130,7 @@ void bind_even(nb::module_& module) {
                 return ConstantVelocity::between(pose_from(start, "start"), pose_from(goal, "goal"),
                                                  centre_from(centre));
             },
-            "start"_a, "goal"_a, "centre"_a = nb::none(),
+            "start"_a.none(), "goal"_a.none(), "centre"_a = nb::none(),
             nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE ", centre: " CHASLES_POSE
                     " | None = None) -> ConstantVelocity"),
             doc("ConstantVelocity.between"))
@@ -163,7 +163,7 @@ void bind_even(nb::module_& module) {
             [](nb::handle start, nb::handle goal) {
                 return ConstantTwist::between(pose_from(start, "start"), pose_from(goal, "goal"));
             },
-            "start"_a, "goal"_a,
+            "start"_a.none(), "goal"_a.none(),
             nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE ") -> ConstantTwist"),
             doc("ConstantTwist.between"))
         .def_prop_ro("screw_of_same_poses", &ConstantTwist::screw_of_same_poses,
@@ -193,7 +193,8 @@ TimedPoses timed_poses(nb::handle stamps, nb::handle poses, const std::string& b
 void bind_tracks(nb::module_& module) {
     nb::class_<TimedPoses> track(module, "TimedPoses", doc("TimedPoses"));
     track
-        .def_static("through", timed_poses, "stamps"_a, "poses"_a, "between"_a = "velocity", "centre"_a = nb::none(),
+        .def_static("through", timed_poses, "stamps"_a.none(), "poses"_a.none(), "between"_a = "velocity",
+                    "centre"_a = nb::none(),
                     nb::sig("def through(stamps: collections.abc.Sequence[float], poses: " CHASLES_POSE
                             ", between: typing.Literal['velocity', 'twist'] = 'velocity', centre: " CHASLES_POSE
                             " | None = None) -> TimedPoses"),
@@ -222,12 +223,12 @@ void bind_tracks(nb::module_& module) {
                 return PlainMotion{
                     Motion::spline(numbers_from(times, "times", "[0, 0.5, 1]"), poses_from(poses, "poses"))};
             },
-            "times"_a, "poses"_a,
+            "times"_a.none(), "poses"_a.none(),
             nb::sig("def through(times: collections.abc.Sequence[float], poses: " CHASLES_POSE ") -> Motion"),
             doc("Motion.spline"))
         .def_static(
             "b_spline", [](nb::handle poses) { return PlainMotion{Motion::b_spline(poses_from(poses, "poses"))}; },
-            "poses"_a, nb::sig("def b_spline(poses: " CHASLES_POSE ") -> Motion"), doc("Motion.b_spline"));
+            "poses"_a.none(), nb::sig("def b_spline(poses: " CHASLES_POSE ") -> Motion"), doc("Motion.b_spline"));
 }
 
 } // namespace

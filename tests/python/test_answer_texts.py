@@ -56,15 +56,32 @@ def test_an_uncertain_answer_says_why(accelerations, cube):
         assert not found.certain and "(uncertain: the bodies may miss each other by a rounding error)" in repr(found)
 
 
-def test_bodies_that_slide_are_a_reason(cube):
-    """A cube that turns on top of another one: nothing closes."""
+SPIN = chasles.Motion.hinge([0.5, 0.5, 0], [0, 0, 1], [0, 3])
+SLIDE = chasles.Motion.slider([1, 0, 0], [0, 0.5])
+DIP = chasles.Motion.polynomial([[0.1, 0.2, 0.25], [0, 0, -1], [0, 0, 1]])  # lowest, without a speed, at time 0.5
+SLIDES = "the bodies slide along or graze each other there"
+MISSES = "an edge may just miss the rim of a face that it seems to pass through"
+
+
+@pytest.mark.parametrize(
+    "height, motion, margin, when, why",
+    [
+        (1.5, SPIN, 0.5, "at the start", SLIDES),
+        (1.25, SLIDE, 0.25, "at the start", SLIDES),
+        (1, DIP, 0, "at time 0.5", SLIDES),
+        (1.25, DIP, 0.25, "at time 0.5", SLIDES),
+        (1, SPIN, 0, "at the start", MISSES),  # the surfaces touch: nothing tells a touch from a pass
+        (1, SLIDE, 0, "at the start", MISSES),
+    ],
+)
+def test_bodies_that_slide_are_a_reason(height, motion, margin, when, why, cube):
+    """A cube on top of another one, or just the margin above it: nothing closes."""
     scene = chasles.Scene()
-    spin = chasles.Motion.hinge([0.5, 0.5, 0], [0, 0, 1], [0, 3])
-    scene.add("top", cube, motion=chasles.Motion.at_rest([0, 0, 1, 1, 0, 0, 0]) * spin)
+    scene.add("top", cube, motion=chasles.Motion.at_rest([0, 0, height, 1, 0, 0, 0]) * motion)
     scene.add("base", cube)
-    found = scene.first_contact()
-    assert found.verdict == "contact_at_start" and not found.certain
-    assert "contact at the start (uncertain: the bodies slide along or graze each other there" in repr(found)
+    found = scene.first_contact(margin=margin)
+    assert found.verdict == ("contact_at_start" if when == "at the start" else "contact") and not found.certain
+    assert f"contact {when} (uncertain: {why}" in repr(found)
     assert "top on base" in repr(found)
 
 

@@ -21,11 +21,32 @@ def code_of(document: pathlib.Path) -> str:
     return "\n".join(re.findall(r"^```python\n(.*?)^```", document.read_text("utf-8"), re.DOTALL | re.MULTILINE))
 
 
+def gap(corners, others):
+    """The widest gap of two unit cubes along the 15 directions that can separate them; negative if they overlap."""
+    edges = [[cube[4] - cube[0], cube[2] - cube[0], cube[1] - cube[0]] for cube in (corners, others)]
+    axes = [*edges[0], *edges[1], *(np.cross(a, b) for a in edges[0] for b in edges[1])]
+    units = [axis / np.linalg.norm(axis) for axis in axes if np.linalg.norm(axis) > 1e-9]
+    spans = [(corners @ axis, others @ axis) for axis in units]
+    return max(max(a.min() - b.max(), b.min() - a.max()) for a, b in spans)
+
+
 def test_the_quick_start_can_be_pasted(tmp_path, monkeypatch, capsys):
+    """The printed times enclose the time at which the gap of both cubes closes, on the pieces that a query follows."""
     monkeypatch.chdir(tmp_path)
-    exec(compile(code_of(ROOT / "README.md"), "README.md", "exec"), {})
-    between, count = capsys.readouterr().out.splitlines()
-    assert between.startswith("between 0.49999999999") and count == "400 of 1000 are clear"
+    names: dict = {}
+    exec(compile(code_of(ROOT / "README.md"), "README.md", "exec"), names)
+    (line,) = capsys.readouterr().out.splitlines()
+    lower, upper, *point = map(float, re.findall(r"[-+.e\d]*\d\.?[-+.e\d]*", line))
+    assert re.match(r"between \S+ and \S+, at \[.*\]$", line) and 0 < upper - lower <= 1e-12
+    corners, pieces = names["vertices"], names["found"].motion.pieces()
+
+    def gap_at(time):
+        piece = min(int(time * len(pieces)), len(pieces) - 1)
+        pose = pieces[piece].pose_at(time * len(pieces) - piece)
+        return gap(corners @ pose[:3, :3].T + pose[:3, 3], corners)
+
+    assert all(gap_at(time) > 0 for time in np.linspace(0, lower - 1e-9, 100)) and gap_at(upper + 1e-9) < 0
+    assert point[:2] == [1, 1] and 0 < point[2] < 1  # on an edge of the cube at rest
 
 
 @pytest.mark.parametrize("document", ["docs/python.md", "docs/guide/python.md"])

@@ -36,7 +36,7 @@ USES = {
     "first_contact": "found = chasles.first_contact(cube, cube, motion=trajectory); again = found.motion; other = found.swapped()",
     "least_distance": "found = chasles.least_distance(cube, cube, motion=trajectory)",
     "product": "product = trajectory * rest; other = rest * product; found = chasles.first_contact(cube, cube, motion=other)",
-    "relative": "motion = chasles.rest_of(chasles.relative(trajectory, rest), 0.1); motion.pose_at(0.5)",
+    "relative": "motion = chasles.relative(chasles.rest_of(trajectory, 0.1), rest); motion.pose_at(0.5)",
     "batch": "table = chasles.first_contact_batch(cube, cube, motions=[trajectory] * 3)",
     "scene": "scene = scene_of(); found = scene.first_contact(); all_found = scene.all_contacts()",
     "stepper": "stepper = chasles.Stepper(scene_of(), margin=0.01); event = stepper.advance()",
@@ -141,7 +141,7 @@ def test_a_motion_lives_as_long_as_anything_that_follows_it(cube):
         )
 
     product = chasles.Motion.at_rest([0, 0, 0, 1, 0, 0, 0]) * trajectory()
-    rest = chasles.rest_of(chasles.relative(trajectory(), chasles.Motion.at_rest([0, 0, 0, 1, 0, 0, 0])), 0.25)
+    rest = chasles.relative(chasles.rest_of(trajectory(), 0.25), chasles.Motion.at_rest([0, 0, 0, 1, 0, 0, 0]))
     answer = chasles.first_contact(cube, cube, motion=trajectory())
     least = chasles.least_distance(cube, cube, motion=trajectory())
     scene = chasles.Scene()

@@ -153,7 +153,7 @@ def test_what_is_no_pose_is_refused_by_name(cube, name, bad, why):
         ({"fixed_start": START}, "fixed_start and fixed_goal are needed together"),
         ({"motion": chasles.ScrewMotion.between(START, GOAL)}, "only one of them is allowed"),
         ({"start": None}, "start and goal are needed"),
-        ({"start": None, "goal": None, "motion": 5}, "motion: must be a motion"),
+        ({"start": None, "goal": None, "motion": 5}, "motion: 5 must be a motion, such as"),
     ],
 )
 def test_options_out_of_range_are_refused(cube, options, why):
@@ -209,7 +209,7 @@ def test_what_nothing_was_put_into_is_refused(cube):
     with pytest.raises(TypeError):
         getattr(empty, "vertices")
     motion = chasles.ScrewMotion.__new__(chasles.ScrewMotion)
-    with pytest.raises(chasles.InvalidInput, match="motion"):
+    with pytest.raises(chasles.InvalidInput, match="^motion: a ScrewMotion must be a motion, such as"):
         chasles.first_contact(cube, cube, motion=motion)
 
 

@@ -50,7 +50,46 @@ def test_a_wrong_form_shows_the_right_one(call, message):
         call()
 
 
-@pytest.mark.parametrize("motion", ["velocity", 0.5, [REST, REST], None])
+class Unspeakable:
+    def __repr__(self):
+        raise RuntimeError("an object without a text")
+
+
+NEEDS = {
+    "pose_at": lambda none: chasles.Trajectory(none, KINDS),
+    "bounds": lambda none: chasles.Trajectory(lambda time: REST, none),
+    "inner": lambda none: KINDS["hinge"]() * none,
+    "inner of a trajectory": lambda none: KINDS["trajectory"]() * none,
+    "moving": lambda none: chasles.relative(none, KINDS["hinge"]()),
+    "fixed": lambda none: chasles.relative(KINDS["hinge"](), none),
+    "motion": lambda none: chasles.rest_of(none, 0.5),
+    "point": lambda none: chasles.Motion.hinge(none, [0, 0, 1], [0, 1]),
+    "direction": lambda none: chasles.Motion.slider(none, [0, 1]),
+    "way": lambda none: chasles.Motion.slider([0, 0, 1], none),
+    "angle": lambda none: chasles.Motion.hinge([0, 0, 0], [0, 0, 1], none),
+    "pose": chasles.Motion.at_rest,
+    "places": chasles.Motion.polynomial,
+    "stamps": lambda none: chasles.TimedPoses.through(none, [REST, REST]),
+    "poses": lambda none: chasles.TimedPoses.through([0, 1], none),
+    "times": lambda none: chasles.Spline.through(none, [REST, REST]),
+    "poses of a spline": chasles.Spline.b_spline,
+    "centre": lambda none: KINDS["sweep"]().about(none),
+    "moving_start": lambda none: chasles.ScrewMotion.relative(none, REST, REST, REST),
+    "fixed_goal": lambda none: chasles.SweepMotion.relative(REST, REST, REST, none),
+    "inertia": chasles.MassProperties,
+}
+
+
+@pytest.mark.parametrize("nothing", [None, Unspeakable()], ids=["None", "no text"])
+@pytest.mark.parametrize("argument", NEEDS)
+def test_what_is_needed_is_named_where_nothing_is_given(argument, nothing):
+    named = "motion" if argument.split()[0] in ("inner", "moving", "fixed") else argument.split()[0]
+    with pytest.raises(chasles.InvalidInput, match=rf"{named}\b.*: ") as caught:
+        NEEDS[argument](nothing)
+    assert "\n" not in str(caught.value)
+
+
+@pytest.mark.parametrize("motion", ["velocity", 0.5, [REST, REST], None, Unspeakable()])
 def test_what_is_no_motion_is_named(motion, cube):
     with pytest.raises(chasles.InvalidInput, match=r"motions\[1\]: motion: .* must be a motion, such as"):
         chasles.first_contact_batch(cube, cube, motions=[KINDS["hinge"](), motion])

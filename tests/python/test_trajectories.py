@@ -134,7 +134,7 @@ def test_a_bound_that_is_too_small_is_found():
 @pytest.mark.parametrize(
     ("pose_at", "bounds", "message"),
     [
-        (3, lambda a, b: {}, "must be functions"),
+        (3, lambda a, b: {}, "trajectory: pose_at: 3 is no function; one is needed"),
         (lambda t: TURNED, lambda a, b: {"speed": 1}, "turn_rate is missing"),
         (lambda t: TURNED, lambda a, b: {"turn_rate": 1, "speed": math.nan}, "speed from 0 to 1"),
         (lambda t: TURNED, lambda a, b: {"turn_rate": 1, "speed": 1, "jerk": 1}, "no bound with the name jerk"),
