@@ -108,7 +108,10 @@ TEST(SceneGraph, VerticesThatNoFaceUsesAreLeftOut) {
     mesh.faces = {{1, 2, 4}};
     SceneGraph scene;
     scene.meshes = {mesh};
-    scene.nodes = {{.name = "one", .meshes = {0, 0}}};
+    SceneNode node;
+    node.name = "one";
+    node.meshes = {0, 0};
+    scene.nodes = {node};
     scene.roots = {0};
     const std::vector<MeshPart> parts = parts_of(scene);
     ASSERT_EQ(parts.size(), 1u);
