@@ -56,7 +56,7 @@ TEST(ReadCollada, ReadsEveryKindOfPolygons) {
     EXPECT_EQ(faces(with("polygons", "<p>0 1 2</p><p>0 1 2 3</p>")), (std::vector<Face>{{0, 1, 2}, {0, 1, 2, 3}}));
     EXPECT_EQ(faces(with("tristrips", "<p>0 1 2 3</p>")), (std::vector<Face>{{0, 1, 2}, {2, 1, 3}}));
     EXPECT_EQ(faces(with("trifans", "<p>0 1 2 3</p>")), (std::vector<Face>{{0, 1, 2}, {0, 2, 3}}));
-    EXPECT_EQ(faces(with("polylist", "<vcount>2 3 1</vcount><p>0 1 1 2 3 0</p>")), (std::vector<Face>{{1, 2, 3}}))
+    EXPECT_EQ(faces(with("polylist", "<vcount>2 3 1</vcount><p>0 1 1 2 3 0</p>")), (std::vector<Face>{{0, 1, 2}}))
         << "points and lines have no area";
     EXPECT_TRUE(read(with("lines", "<p>0 1</p>")).empty());
 }
@@ -65,7 +65,9 @@ TEST(ReadCollada, TakesTheVerticesAmongSeveralInputs) {
     const Document document{.primitives = R"(<triangles count="1"><input semantic="NORMAL" source="#n" offset="0"/>
 <input semantic="VERTEX" source="#v" offset="1"/><input semantic="TEXCOORD" source="#t" offset="2"/>
 <p>9 1 9 9 2 9 9 3 9</p></triangles>)"};
-    EXPECT_EQ(faces(document), (std::vector<Face>{{1, 2, 3}}));
+    EXPECT_EQ(faces(document), (std::vector<Face>{{0, 1, 2}}));
+    const std::vector<Eigen::Vector3d> all = read({}).at(0).polygons.vertices;
+    EXPECT_EQ(read(document).at(0).polygons.vertices, (std::vector<Eigen::Vector3d>{all[1], all[2], all[3]}));
 }
 
 TEST(ReadCollada, AppliesUnitsAndTransformsInOrder) {
