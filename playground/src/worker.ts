@@ -79,7 +79,7 @@ class OpenScene {
   }
 
   private refuseOverlap(): void {
-    const found = this.scene.firstContact();
+    const found = this.scene.firstContact({ until: 0 }); // at the start, so that bodies at rest are tested, too
     if (found.verdict !== "clear") throw new InvalidInput(`${found.pair.join(" and ")}: overlap`);
   }
 }
