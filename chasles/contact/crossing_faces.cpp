@@ -1,10 +1,8 @@
 #include "chasles/contact/crossing_faces.h"
 
-#include "chasles/mesh/face_normal.h"
+#include "chasles/elementary/face_shape.h"
 
-#include <Eigen/Geometry>
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <vector>
 
@@ -12,97 +10,84 @@ namespace chasles::contact {
 
 namespace {
 
-using Eigen::Vector3d;
+using elementary::ConvexPart;
+using elementary::FaceShape;
+using Vector = algebra::Vector3<double>;
+using Corners = std::vector<Vector>;
 
-/// A convex part of a face in the fixed body's frame.
-struct PlacedPart {
-    std::vector<Vector3d> corners;
-    Vector3d normal = Vector3d::Zero(); ///< unit
-    double deviation = 0;               ///< of the corners from the plane through the first corner
+Vector unit(const Vector& v) {
+    return scale(v, 1 / length(v));
+}
 
-    explicit PlacedPart(std::vector<Vector3d> given) : corners(std::move(given)) {
-        for (std::size_t i = 1; i + 1 < corners.size(); ++i)
-            normal += (corners[i] - corners[0]).cross(corners[i + 1] - corners[0]);
-        normal.stableNormalize();
-        for (const Vector3d& corner : corners)
-            deviation = std::max(deviation, std::abs(normal.dot(corner - corners[0])));
-    }
-};
-
-/// The convex parts of a face: the face, or the triangles that cover it. `place` carries a vertex into the fixed frame.
+/// The corners of a face in the fixed body's frame. `place` carries a vertex there.
 template <class Place>
-std::vector<PlacedPart> placed_parts(const Body& body, std::uint32_t face, const Place& place) {
-    std::vector<PlacedPart> parts;
-    if (body.is_segment(face))
-        return parts;
-    const auto outline = body.face(face);
-    const auto triangles = body.face_triangles(face);
-    const auto corner = [&](std::uint32_t i) { return place(body.vertices()[outline[i]]); };
-    for (std::size_t t = 0; t < triangles.size(); t += 3)
-        parts.emplace_back(std::vector{corner(triangles[t]), corner(triangles[t + 1]), corner(triangles[t + 2])});
-    if (triangles.empty()) {
-        std::vector<Vector3d> corners;
-        for (std::uint32_t i = 0; i < outline.size(); ++i)
-            corners.push_back(corner(i));
-        parts.emplace_back(std::move(corners));
+Corners placed_corners(const Body& body, std::uint32_t face, const Place& place) {
+    Corners corners;
+    for (const std::uint32_t vertex : body.face(face)) {
+        const Eigen::Vector3d point = place(body.vertices()[vertex]);
+        corners.push_back({point.x(), point.y(), point.z()});
     }
-    return parts;
+    return corners;
+}
+
+/// Calls `visit` with the start of each side of a part and the unit vector across it into the part.
+template <class Visit>
+void for_each_side(const ConvexPart<double>& part, const Visit& visit) {
+    for (std::size_t i = 0; i < part.count; ++i) {
+        const Vector& from = part.corner(i);
+        visit(from, unit(cross(part.face.normal, part.next_corner(i) - from)));
+    }
 }
 
 /// A part of a line: origin + s * direction for s in [lower, upper].
 struct Stretch {
-    Vector3d origin;
-    Vector3d direction; ///< unit
+    Vector origin;
+    Vector direction; ///< unit
     double lower = -std::numeric_limits<double>::infinity();
     double upper = std::numeric_limits<double>::infinity();
 
     /// Keeps what lies on the inner side of each side of a part.
-    void clip(const PlacedPart& part) {
-        for_each_side(part, [&](const Vector3d& from, const Vector3d& inwards) {
-            const double height = inwards.dot(origin - from), slope = inwards.dot(direction);
+    void clip(const ConvexPart<double>& part) {
+        for_each_side(part, [&](const Vector& from, const Vector& inwards) {
+            const double height = dot(inwards, origin - from), slope = dot(inwards, direction);
             if (slope > 0)
                 lower = std::max(lower, -height / slope);
             else if (slope < 0)
                 upper = std::min(upper, -height / slope);
         });
     }
-    [[nodiscard]] Vector3d middle() const { return origin + (lower + (upper - lower) / 2) * direction; }
-
-    /// Calls `visit` with the start of each side and the unit vector across it into the part.
-    template <class Visit>
-    static void for_each_side(const PlacedPart& part, const Visit& visit) {
-        for (std::size_t i = 0; i < part.corners.size(); ++i) {
-            const Vector3d& from = part.corners[i];
-            const Vector3d& to = part.corners[i + 1 == part.corners.size() ? 0 : i + 1];
-            visit(from, part.normal.cross(to - from).stableNormalized());
-        }
-    }
+    [[nodiscard]] Vector middle() const { return origin + scale(direction, lower + (upper - lower) / 2); }
 };
 
 /// The least distance of a point from the sides of a part; negative outside of the part.
-double depth_in(const PlacedPart& part, const Vector3d& point) {
+double depth_in(const ConvexPart<double>& part, const Vector& point) {
     double depth = std::numeric_limits<double>::infinity();
-    Stretch::for_each_side(part, [&](const Vector3d& from, const Vector3d& inwards) {
-        depth = std::min(depth, inwards.dot(point - from));
-    });
+    for_each_side(
+        part, [&](const Vector& from, const Vector& inwards) { depth = std::min(depth, dot(inwards, point - from)); });
     return depth;
 }
 
-bool are_parts_crossing(const PlacedPart& a, const PlacedPart& b, double error) {
-    const Vector3d across = a.normal.cross(b.normal);
-    const double sine = across.norm();
+/// How far corners are from the plane of their face.
+double deviation_of(const FaceShape<double>& face) {
+    return face.deviation / length(face.normal);
+}
+
+bool are_parts_crossing(const ConvexPart<double>& a, const ConvexPart<double>& b, double error) {
+    const Vector normal_of_a = unit(a.face.normal), normal_of_b = unit(b.face.normal);
+    const Vector across = cross(normal_of_a, normal_of_b);
+    const double sine = length(across);
     if (!(sine > no_direction))
         return false;
     // The point of both planes that is nearest to the first corner of `a`.
-    const double height = b.normal.dot(b.corners[0] - a.corners[0]);
-    const Vector3d in_a = across.cross(a.normal) / (sine * sine);
-    Stretch stretch{a.corners[0] + height * in_a, across / sine};
+    const Vector& start = a.face.corners[0];
+    const double height = dot(normal_of_b, b.face.corners[0] - start);
+    Stretch stretch{start + scale(cross(across, normal_of_a), height / (sine * sine)), scale(across, 1 / sine)};
     stretch.clip(a);
     stretch.clip(b);
     if (!(stretch.lower < stretch.upper))
         return false;
-    const Vector3d point = stretch.middle();
-    const double total = error + a.deviation + b.deviation;
+    const Vector point = stretch.middle();
+    const double total = error + deviation_of(a.face) + deviation_of(b.face);
     return std::min(depth_in(a, point), depth_in(b, point)) * sine * sine > 32 * total;
 }
 
@@ -110,12 +95,17 @@ bool are_parts_crossing(const PlacedPart& a, const PlacedPart& b, double error) 
 
 bool are_crossing(const RelativeConfiguration& bodies, std::uint32_t moving_face, std::uint32_t fixed_face,
                   double error) {
-    const auto moving_parts =
-        placed_parts(bodies.moving(), moving_face, [&](const Vector3d& point) { return bodies.moved(point); });
-    const auto fixed_parts = placed_parts(bodies.fixed(), fixed_face, [](const Vector3d& point) { return point; });
-    return std::ranges::any_of(moving_parts, [&](const PlacedPart& a) {
-        return std::ranges::any_of(fixed_parts, [&](const PlacedPart& b) { return are_parts_crossing(a, b, error); });
-    });
+    const Corners moving =
+        placed_corners(bodies.moving(), moving_face, [&](const Eigen::Vector3d& point) { return bodies.moved(point); });
+    const Corners fixed =
+        placed_corners(bodies.fixed(), fixed_face, [](const Eigen::Vector3d& point) { return point; });
+    const auto a = elementary::face_shape<double>(moving, bodies.moving().face_triangles(moving_face));
+    const auto b = elementary::face_shape<double>(fixed, bodies.fixed().face_triangles(fixed_face));
+    for (std::size_t i = 0; i < convex_part_count(a); ++i)
+        for (std::size_t k = 0; k < convex_part_count(b); ++k)
+            if (are_parts_crossing(convex_part(a, i), convex_part(b, k), error))
+                return true;
+    return false;
 }
 
 } // namespace chasles::contact

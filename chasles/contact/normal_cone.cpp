@@ -93,7 +93,7 @@ Eigen::Vector3d normal_between_cones(const RelativeConfiguration& bodies, const 
             best_share = share;
         }
     }
-    return best;
+    return best + Eigen::Vector3d::Zero(); // not -0
 }
 
 bool separates(const Eigen::Vector3d& normal, const RelativeConfiguration& bodies, const FeaturePair& features) {

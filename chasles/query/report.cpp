@@ -90,40 +90,35 @@ void list_contacts(FirstContact& answer, const ContactMoment& moment, const sear
     answer.contacts_cut = cut_to_most(answer.contacts) || answer.contacts_cut || result.overlap;
 }
 
-/// A short search for what touches at the moment, and at the start for an overlap.
-class Surroundings {
-public:
-    Surroundings(const ContactMoment& moment, const search::PieceResult& result, const ReportScope& scope)
-        : moment_(moment), is_searched_(scope.margin == 0 && scope.options.find != Find::any && !result.overlap) {}
-
-    const search::NearFeatures& near() {
-        if (is_searched_ && !near_)
-            near_ = moment_.find(
-                {.most_pairs = 256, .most_visits = 1 << 10, .finds_crossing_faces = moment_.scene().at_start});
-        return near_ ? *near_ : none_;
-    }
-    [[nodiscard]] Work work() const { return near_ ? near_->work : Work(); }
-
-private:
-    const ContactMoment& moment_;
-    bool is_searched_; ///< touches only; a question for yes or no asks for no features
-    std::optional<search::NearFeatures> near_;
-    search::NearFeatures none_;
-};
-
-/// The contact that is reported alone. The pair that decided the time may have a normal along which nothing closes, for
-/// example that of two tops in one plane; then another pair that touches is reported, if the motion closes its gap.
-Contact one_contact(const ContactMoment& moment, const std::vector<Candidate>& candidates, Surroundings& surroundings) {
+/// The first contact that the motion closes, of the pairs that may be the first. The pair that decided the time may
+/// have a normal along which nothing closes, for example that of two tops in one plane.
+std::optional<Contact> closing_contact(const ContactMoment& moment, const std::vector<Candidate>& candidates) {
     const Candidate& first = first_of(candidates);
     std::vector<FeaturePair> pairs{first};
     for (const Candidate& candidate : candidates)
         if (candidate.tau.lower <= first.tau.upper && (candidate.tau.certain || !first.tau.certain))
             pairs.push_back(candidate);
-    if (const auto closing = moment.closing_contact(pairs))
-        return *closing;
-    if (const auto closing = moment.closing_contact(surroundings.near().pairs))
-        return *closing;
-    return moment.contact_of(first);
+    return moment.closing_contact(pairs);
+}
+
+/// Reports one contact for all that touch, and at the start an overlap. A short search finds what else touches at the
+/// moment: at the start, and where the motion closes no candidate.
+void report_touch(FirstContact& answer, const ContactMoment& moment, const search::PieceResult& result,
+                  const ReportScope& scope) {
+    const bool is_listed = lists_contacts(scope.options) || result.candidates.empty();
+    std::optional<Contact> contact = is_listed ? std::nullopt : closing_contact(moment, result.candidates);
+    const bool is_question_of_features = scope.margin == 0 && scope.options.find != Find::any && !result.overlap;
+    const bool at_start = moment.scene().at_start;
+    search::NearFeatures near;
+    if (is_question_of_features && (at_start || !(is_listed || contact)))
+        near = moment.find({.most_pairs = 256, .most_visits = 1 << 10, .finds_crossing_faces = at_start});
+    answer.work += near.work;
+    if (near.overlap)
+        answer.overlap = near.overlap;
+    if (!is_listed && !contact)
+        contact = moment.closing_contact(near.pairs);
+    if (!is_listed)
+        answer.contacts = {contact ? *contact : moment.contact_of(first_of(result.candidates))};
 }
 
 } // namespace
@@ -154,18 +149,14 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
     answer.verdict = at_start ? Verdict::contact_at_start : Verdict::contact;
     answer.pose = piece.pose_at(tau.lower);
     answer.fixed_pose = piece.fixed_pose_at(tau.lower);
-    if (result.overlap)
-        answer.overlap = reported(*result.overlap, answer.fixed_pose, context);
+    answer.overlap = result.overlap;
     const double width = std::min(tau.upper - tau.lower, scope.options.time_tolerance);
     const ContactMoment moment(context, tau.lower, at_start, scope.margin, width);
-    Surroundings surroundings(moment, result, scope);
-    if (at_start && !result.overlap && surroundings.near().overlap)
-        answer.overlap = reported(*surroundings.near().overlap, answer.fixed_pose, context);
+    report_touch(answer, moment, result, scope);
     if (lists_contacts(scope.options))
         list_contacts(answer, moment, result, scope);
-    else if (!result.candidates.empty())
-        answer.contacts = {one_contact(moment, result.candidates, surroundings)};
-    answer.work += surroundings.work();
+    if (answer.overlap)
+        answer.overlap = reported(*answer.overlap, answer.fixed_pose, context);
 }
 
 ContactMoment::ContactMoment(search::PieceContext& context, double tau, bool is_at_start, double margin, double width)
