@@ -16,16 +16,6 @@ struct FaceEdge {
     bool is_upward; ///< whether the face's outline runs from the lower vertex id to the higher one
 };
 
-void add_triangles(const Polyhedron& body, std::size_t face, std::vector<Triangle>& triangles) {
-    const auto outline = body.face(face);
-    const auto corners = body.face_triangles(face);
-    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
-        triangles.push_back({outline[corners[i]], outline[corners[i + 1]], outline[corners[i + 2]]});
-    if (corners.empty()) // a convex face: a fan of triangles covers it
-        for (std::size_t i = 1; i + 1 < outline.size(); ++i)
-            triangles.push_back({outline[0], outline[i], outline[i + 1]});
-}
-
 // Newell's sum over the outline. For a polygon that is only nearly planar, this sum is an average normal.
 Eigen::Vector3d unit_normal(const Polyhedron& body, std::size_t face) {
     const auto outline = body.face(face);
@@ -85,7 +75,8 @@ DrawnMesh drawn_mesh(const Polyhedron& body) {
         drawn.vertices.push_back({about_origin.x(), about_origin.y(), about_origin.z()});
     }
     for (std::size_t face = 0; face < body.face_count(); ++face)
-        add_triangles(body, face, drawn.triangles);
+        for (const Triangle& triangle : body.triangles(face))
+            drawn.triangles.push_back(triangle);
     drawn.creases = creases(body);
     return drawn;
 }

@@ -41,6 +41,17 @@ std::span<const std::uint32_t> Polyhedron::face_triangles(std::size_t face) cons
     return body_->face_triangles(face);
 }
 
+std::vector<std::array<std::uint32_t, 3>> Polyhedron::triangles(std::size_t face) const {
+    const auto outline = body_->face(face);
+    const auto corners = body_->face_triangles(face);
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::size_t i = 0; i + 2 < corners.size(); i += 3)
+        triangles.push_back({outline[corners[i]], outline[corners[i + 1]], outline[corners[i + 2]]});
+    for (std::size_t i = 2; i < outline.size() && corners.empty(); ++i)
+        triangles.push_back({outline[0], outline[i - 1], outline[i]});
+    return triangles;
+}
+
 std::uint32_t Polyhedron::source_face(std::size_t face) const {
     return body_->source_face(face);
 }

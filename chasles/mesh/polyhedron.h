@@ -5,6 +5,7 @@
 #include "chasles/base/export.h"
 
 #include <Eigen/Core>
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <memory>
@@ -93,6 +94,9 @@ public:
     /// Triangles that cover a face that is not convex: positions of corners in the outline, three for each triangle.
     /// Empty for a convex face. The inner diagonals are not edges of the body.
     [[nodiscard]] std::span<const std::uint32_t> face_triangles(std::size_t face) const;
+
+    /// Triangles that cover any face: vertex ids. A convex face is a fan at its first corner.
+    [[nodiscard]] std::vector<std::array<std::uint32_t, 3>> triangles(std::size_t face) const;
 
     /// Counts and dimensions of the mesh.
     [[nodiscard]] MeshReport report() const;

@@ -1,12 +1,13 @@
 #include "chasles/robot/overlap_proof.h"
 
-#include "chasles/mesh/body.h"
+#include "chasles/contact/relative_configuration.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <numeric>
+#include <utility>
 
 namespace chasles::robot {
 
@@ -34,19 +35,13 @@ private:
     std::vector<std::uint32_t> above_;
 };
 
-double distance_to_segment(const Vector3d& point, const Vector3d& a, const Vector3d& b) {
-    const Vector3d way = b - a;
-    const double squared = way.squaredNorm();
-    const double share = squared > 0 ? std::clamp((point - a).dot(way) / squared, 0.0, 1.0) : 0;
-    return (point - a - share * way).norm();
-}
-
 /// Never more than the distance, but for rounding.
 double distance_to(const std::array<Vector3d, 3>& triangle, const Vector3d& point) {
     const auto& [a, b, c] = triangle;
     const Vector3d normal = (b - a).cross(c - a);
-    const double rim = std::min(
-        {distance_to_segment(point, a, b), distance_to_segment(point, b, c), distance_to_segment(point, c, a)});
+    double rim = std::numeric_limits<double>::infinity();
+    for (const auto& [from, to] : {std::pair(a, b), std::pair(b, c), std::pair(c, a)})
+        rim = std::min(rim, (point - contact::foot_on_segment(from, to, point)).norm());
     const bool is_beside = normal.squaredNorm() > 0 && normal.cross(b - a).dot(point - a) >= 0 &&
                            normal.cross(c - b).dot(point - b) >= 0 && normal.cross(a - c).dot(point - c) >= 0;
     return is_beside ? std::min(rim, std::abs(normal.dot(point - a)) / normal.norm()) : rim;
@@ -74,16 +69,6 @@ Crossing crossing_of(const std::array<Vector3d, 3>& triangle, const Vector3d& po
     return least > doubt ? Crossing::one : Crossing::doubtful;
 }
 
-bool has_even_edges(const Polyhedron& shape) {
-    std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
-    for (std::size_t f = 0; f < shape.face_count(); ++f) {
-        const auto face = shape.face(f);
-        for (std::size_t i = 0; i < face.size(); ++i)
-            ++count[std::minmax(face[i], face[(i + 1) % face.size()])];
-    }
-    return std::ranges::all_of(count, [](const auto& edge) { return edge.second % 2 == 0; });
-}
-
 } // namespace
 
 OverlapProof::OverlapProof(const Model& model, const std::vector<const Element*>& first,
@@ -97,7 +82,8 @@ OverlapProof::OverlapProof(const Model& model, const std::vector<const Element*>
 
 OverlapProof::Surface OverlapProof::surface_of(const Polyhedron& shape) {
     Surface surface;
-    surface.is_closed = has_even_edges(shape);
+    const MeshReport report = shape.report();
+    surface.is_closed = report.closed && report.nonmanifold_edges == 0 && report.segments == 0;
     const auto vertices = shape.vertices();
     Parts parts(vertices.size());
     for (std::size_t f = 0; f < shape.face_count(); ++f)
@@ -106,14 +92,9 @@ OverlapProof::Surface OverlapProof::surface_of(const Polyhedron& shape) {
     for (std::size_t f = 0; f < shape.face_count(); ++f) {
         const auto face = shape.face(f);
         const std::uint32_t part = parts.of(face[0]);
-        const auto corners = shape.face_triangles(f);
-        const std::size_t count = corners.empty() ? face.size() - 2 : corners.size() / 3;
-        for (std::size_t i = 0; i < count; ++i) {
-            const auto at = [&](std::size_t k) {
-                return vertices[face[corners.empty() ? (k == 0 ? 0 : i + k) : corners[3 * i + k]]];
-            };
-            surface.triangles.push_back({at(0), at(1), at(2)});
-            surface.points.push_back({(at(0) + at(1) + at(2)) / 3, part});
+        for (const auto& [a, b, c] : shape.triangles(f)) {
+            surface.triangles.push_back({vertices[a], vertices[b], vertices[c]});
+            surface.points.push_back({(vertices[a] + vertices[b] + vertices[c]) / 3, part});
         }
         for (std::size_t i = 0; i < face.size(); ++i) {
             const Vector3d &a = vertices[face[i]], &b = vertices[face[(i + 1) % face.size()]];

@@ -30,7 +30,7 @@ private:
         std::vector<std::array<Eigen::Vector3d, 3>> triangles;
         std::vector<SurfacePoint> points;
         Eigen::AlignedBox3d box;
-        bool is_closed = false; ///< each edge has an even number of faces: a point is inside or outside
+        bool is_closed = false; ///< each edge has two faces: a point is inside or outside
     };
 
     static Surface surface_of(const Polyhedron& shape);

@@ -36,11 +36,8 @@ private:
             faces_.push_back(std::move(corners));
             return;
         }
-        const std::span<const std::uint32_t> triangles = shape.face_triangles(face);
-        for (std::size_t i = 0; i + 2 < triangles.size(); i += 3)
-            faces_.push_back({corners[triangles[i]], corners[triangles[i + 1]], corners[triangles[i + 2]]});
-        for (std::size_t i = 1; triangles.empty() && i + 1 < corners.size(); ++i)
-            faces_.push_back({corners[0], corners[i], corners[i + 1]});
+        for (const auto& [a, b, c] : shape.triangles(face))
+            faces_.push_back({a + first, b + first, c + first});
     }
 
     [[nodiscard]] bool is_planar(const CornerIds& corners) const {

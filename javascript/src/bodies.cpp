@@ -111,13 +111,9 @@ FlatLists<std::uint32_t> outlines_of(const Polyhedron& shape) {
 
 /// Triangles that cover the faces: three vertex ids each.
 void write_triangles(Numbers& out, const Polyhedron& shape) {
-    for (std::size_t face = 0; face < shape.face_count(); ++face) {
-        const auto outline = shape.face(face);
-        for (const std::uint32_t corner : shape.face_triangles(face))
-            out.push_back(outline[corner]);
-        for (std::size_t i = 2; i < outline.size() && shape.face_triangles(face).empty(); ++i)
-            out.insert(out.end(), {double(outline[0]), double(outline[i - 1]), double(outline[i])});
-    }
+    for (std::size_t face = 0; face < shape.face_count(); ++face)
+        for (const auto& triangle : shape.triangles(face))
+            out.insert(out.end(), triangle.begin(), triangle.end());
 }
 
 enum class Part : std::uint8_t { report, vertices, faces, triangles, source_faces, given };

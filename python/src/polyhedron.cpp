@@ -95,20 +95,11 @@ nb::object index_array(const std::vector<std::uint32_t>& indices, std::initializ
     return nb::cast(nb::ndarray<nb::numpy, std::uint32_t>(copy->data(), shape.size(), shape.begin(), owner));
 }
 
-void add_triangles(const Polyhedron& body, std::size_t face, std::vector<std::uint32_t>& triangles) {
-    const auto outline = body.face(face);
-    for (const std::uint32_t corner : body.face_triangles(face))
-        triangles.push_back(outline[corner]);
-    if (!body.face_triangles(face).empty())
-        return;
-    for (std::size_t i = 2; i < outline.size(); ++i)
-        triangles.insert(triangles.end(), {outline[0], outline[i - 1], outline[i]});
-}
-
 nb::object triangles(const Body& body) {
     std::vector<std::uint32_t> corners;
     for (std::size_t face = 0; face < body.polyhedron.face_count(); ++face)
-        add_triangles(body.polyhedron, face, corners);
+        for (const auto& triangle : body.polyhedron.triangles(face))
+            corners.insert(corners.end(), triangle.begin(), triangle.end());
     return index_array(corners, {corners.size() / 3, 3});
 }
 
