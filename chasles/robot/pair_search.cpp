@@ -246,36 +246,16 @@ std::vector<char> PairSearch::flags_of(const std::deque<Cell>& cells,
     return flags;
 }
 
-/// Examines the first cells, and replaces them by the halves of those that are not proven clear. True once the pair is
-/// known to touch, and at the deadline.
-bool PairSearch::examine_never(std::deque<Cell>& cells, PairProof& proof) {
-    const std::vector<char> are_near =
-        flags_of(cells, [&](const Cell& cell) { return come_near(cell.middle, margin_of(cell)); });
-    if (is_over())
-        return true;
-    proof.cells += are_near.size();
-    for (const char is_near : are_near) {
-        if (is_near) {
-            note(cells.front().middle, proof);
-            if (decide(proof) || is_over())
-                return true;
-            split(axes_, cells.front(), cells);
-        }
-        cells.pop_front();
-    }
-    return false;
-}
-
-/// Likewise for cells in which the links are not proven to overlap everywhere. True once the pair was clear.
-bool PairSearch::examine_always(std::deque<Cell>& cells, PairProof& proof, const OverlapProof& overlaps) {
-    const std::vector<char> are_open = flags_of(
-        cells, [&](const Cell& cell) { return !overlaps.touch_within(margin_of(cell), configuration(cell.middle)); });
+/// Examines the first cells, and replaces the open ones by their halves. True once the pair is decided, and at the
+/// deadline.
+bool PairSearch::examine(std::deque<Cell>& cells, PairProof& proof, const Claim& claim) {
+    const std::vector<char> are_open = flags_of(cells, claim.is_open);
     if (is_over())
         return true;
     proof.cells += are_open.size();
     for (const char is_open : are_open) {
         if (is_open) {
-            try_clear(configuration(cells.front().middle), proof);
+            claim.look_at(cells.front());
             if (decide(proof) || is_over())
                 return true;
             split(axes_, cells.front(), cells);
@@ -285,13 +265,31 @@ bool PairSearch::examine_always(std::deque<Cell>& cells, PairProof& proof, const
     return false;
 }
 
-/// Proves the reason by boxes of so many axes.
-void PairSearch::branch(PairProof& proof, std::size_t axes, PairReason reason, const Examine& examine) {
+/// Proves a claim by boxes of so many axes.
+void PairSearch::branch(PairProof& proof, std::size_t axes, const Claim& claim) {
     std::deque<Cell> cells{whole(axes)};
     while (!cells.empty())
-        if (examine(cells, proof))
+        if (examine(cells, proof, claim))
             return;
-    proof.reason = reason;
+    proof.reason = claim.reason;
+}
+
+/// The links are apart wherever no line of a cell comes near; a line that does may touch.
+void PairSearch::prove_never(PairProof& proof) {
+    branch(proof, axes_.size() - 1,
+           {.reason = PairReason::never,
+            .is_open = [&](const Cell& cell) { return come_near(cell.middle, margin_of(cell)); },
+            .look_at = [&](const Cell& cell) { note(cell.middle, proof); }});
+}
+
+/// The links touch wherever a cell is proven to overlap; in the middle of another cell they may be apart.
+void PairSearch::prove_always(PairProof& proof) {
+    const OverlapProof overlaps(model_, first_, second_);
+    branch(proof, axes_.size(),
+           {.reason = PairReason::always,
+            .is_open =
+                [&](const Cell& cell) { return !overlaps.touch_within(margin_of(cell), configuration(cell.middle)); },
+            .look_at = [&](const Cell& cell) { try_clear(configuration(cell.middle), proof); }});
 }
 
 void PairSearch::run(PairProof& proof, double seconds, const std::function<bool()>& goes_on) {
@@ -301,13 +299,9 @@ void PairSearch::run(PairProof& proof, double seconds, const std::function<bool(
         start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, 1e8)));
     if (has_limits_ && !sample(proof) && !is_over()) {
         if (!may_touch_)
-            branch(proof, axes_.size() - 1, PairReason::never,
-                   [&](std::deque<Cell>& cells, PairProof& of) { return examine_never(cells, of); });
-        else if (may_be_always()) {
-            const OverlapProof overlaps(model_, first_, second_);
-            branch(proof, axes_.size(), PairReason::always,
-                   [&](std::deque<Cell>& cells, PairProof& of) { return examine_always(cells, of, overlaps); });
-        }
+            prove_never(proof);
+        else if (may_be_always())
+            prove_always(proof);
     }
     proof.seconds += seconds_since(start);
 }

@@ -65,13 +65,19 @@ private:
     void try_clear(const Configuration& values, PairProof& proof);
     bool sample(PairProof& proof);
     bool decide(PairProof& proof) const;
-    using Examine = std::function<bool(std::deque<Cell>& cells, PairProof& proof)>;
-    void branch(PairProof& proof, std::size_t axes, PairReason reason, const Examine& examine);
+    /// What holds in all configurations, if no cell stays open.
+    struct Claim {
+        PairReason reason;
+        std::function<bool(const Cell&)> is_open; ///< not proven in the cell; called from several threads
+        std::function<void(const Cell&)> look_at; ///< may find in an open cell that the claim is wrong
+    };
+    void prove_never(PairProof& proof);
+    void prove_always(PairProof& proof);
+    void branch(PairProof& proof, std::size_t axes, const Claim& claim);
+    bool examine(std::deque<Cell>& cells, PairProof& proof, const Claim& claim);
     [[nodiscard]] Cell whole(std::size_t axes) const;
     [[nodiscard]] std::vector<char> flags_of(const std::deque<Cell>& cells,
                                              const std::function<bool(const Cell&)>& is_flagged) const;
-    bool examine_never(std::deque<Cell>& cells, PairProof& proof);
-    bool examine_always(std::deque<Cell>& cells, PairProof& proof, const OverlapProof& overlaps);
     [[nodiscard]] double margin_of(const Cell& cell) const;
     static void split(const std::vector<Axis>& axes, const Cell& cell, std::deque<Cell>& cells);
 
