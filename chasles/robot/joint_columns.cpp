@@ -56,14 +56,14 @@ bool differ_in_one_letter(std::string_view a, std::string_view b) {
     return a.size() == b.size() + 1 && a.substr(after + 1) == b.substr(after);
 }
 
+} // namespace
+
 std::string names_of_variables(const Robot& robot) {
     std::vector<std::string> names;
     for (const RobotVariable& variable : robot.variables())
         names.push_back(variable.name);
     return io::shown_names(names);
 }
-
-} // namespace
 
 JointColumns::JointColumns(std::span<const std::string> names, const Robot& robot, JointUnits units) : robot_(robot) {
     io::require_different(names);

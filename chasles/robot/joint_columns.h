@@ -17,12 +17,15 @@ enum class JointUnits {
     radians, ///< no name means degrees
 };
 
+/// The names of all variables, for messages.
+std::string names_of_variables(const Robot& robot);
+
 /// Maps rows of numbers to configurations.
 class JointColumns {
 public:
     /// `names` are those of variables of the robot, in any order. Capitals count as small letters where only one
-    /// variable has the name. Throws InvalidInput if no name is that of a variable, if two are those of the same one,
-    /// if a name can be read in two ways, and if it differs in one letter from a variable that is left out.
+    /// variable has the name. Throws InvalidInput if no column is a variable, if two columns are one variable, if a
+    /// column may be two variables, and if the name of a column differs in one letter from a variable without a column.
     JointColumns(std::span<const std::string> names, const Robot& robot, JointUnits units);
 
     /// Variables that are left out have the values of Robot::neutral(). The row has a number for each name; numbers of

@@ -62,10 +62,7 @@ auto at_line(std::size_t line, const Read& read) {
 }
 
 [[noreturn]] void refuse_no_names(const io::ColumnTable& text, const Robot& robot) {
-    std::vector<std::string> names;
-    for (const RobotVariable& variable : robot.variables())
-        names.push_back(variable.name);
-    const std::string needed = "the first line has to name variables of the robot, of " + io::shown_names(names);
+    const std::string needed = "the first line has to name variables of the robot, of " + names_of_variables(robot);
     if (text.columns() == 0)
         throw InvalidInput("has no header; " + needed);
     io::fail_at_line(text.line(), "there is no header, but " + std::to_string(text.columns()) +
