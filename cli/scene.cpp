@@ -142,15 +142,15 @@ int run_scene(const SceneOptions& options) {
         return !Interruption::is_requested();
     };
     try {
-        const SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
+        SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
+        answer.untested = file.scene.untested(query); // with names
         bar.reset();
         page.write(file.scene, answer, query.options.margin);
         print(report_of(options, file, answer, query.options));
         return answer.contacts.empty() ? is_clear : is_contact;
     } catch (const SceneCancelled&) {
         bar.reset();
-        std::fputs("chasles: interrupted: the scene is not answered\n", stderr);
-        return is_interrupted;
+        return report_interruption("the scene is not answered");
     }
 }
 

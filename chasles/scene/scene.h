@@ -69,8 +69,8 @@ struct [[nodiscard]] SceneAnswer {
     /// Before this time all pairs are proven to stay apart, or farther apart than the margin. Held pairs stay farther
     /// apart than `hold`, or than at the start where that is less.
     double clear_until = 0;
-    std::size_t pairs = 0; ///< whose swept boxes overlap
-    UntestedPairs untested;
+    std::size_t pairs = 0;  ///< whose swept boxes overlap
+    UntestedPairs untested; ///< the numbers; Scene::untested gives the names, too
     Work work;
 };
 
@@ -97,7 +97,7 @@ public:
     /// do, whether they move or not. Returns these pairs in the order of their names. Throws InvalidInput for a margin
     /// that is not in [0, 1e30].
     std::vector<std::pair<std::string, std::string>> ignore_touching_at_start(double margin = 0);
-    /// What a question leaves out.
+    /// What a question leaves out, with the names of pairs.
     [[nodiscard]] UntestedPairs untested(const SceneQuery& query = {}) const;
 
     /// The margin of two bodies in all questions, in the place of that of the question. Throws InvalidInput for an
@@ -139,6 +139,7 @@ private:
         bool rests = false;
     };
     class UntestedCount;
+    [[nodiscard]] UntestedPairs numbers_of_untested(const SceneQuery& query) const;
 
     /// A number for some pairs and for some groups.
     struct Rules {

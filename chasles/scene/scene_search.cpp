@@ -200,7 +200,7 @@ SceneAnswer Scene::first_contact(const SceneQuery& query) const {
     check(*this, query);
     SceneSearch search(*this, query);
     SceneAnswer answer = query.options.find == Find::any ? search.any() : search.earliest();
-    answer.untested = untested(query);
+    answer.untested = numbers_of_untested(query);
     return answer;
 }
 
@@ -208,7 +208,7 @@ SceneAnswer Scene::all_contacts(const SceneQuery& query) const {
     check(*this, query);
     query::require(query.options.find != Find::any, "find", "is a question of yes or no");
     SceneAnswer answer = SceneSearch(*this, query).all();
-    answer.untested = untested(query);
+    answer.untested = numbers_of_untested(query);
     return answer;
 }
 

@@ -12,7 +12,8 @@ namespace chasles {
 /// The bodies of one scene. Ignored pairs are counted as such, whether they move or not.
 class Scene::UntestedCount {
 public:
-    UntestedCount(const Scene& scene, double until) : scene_(scene), tests_bodies_at_rest_(until == 0) {}
+    UntestedCount(const Scene& scene, double until, bool names)
+        : scene_(scene), tests_bodies_at_rest_(until == 0), names_(names) {}
 
     UntestedPairs run();
 
@@ -31,12 +32,15 @@ private:
     void name_groups(const Members& a, const Members& b);
     void name(Reason reason, std::size_t a, std::size_t b);
     [[nodiscard]] std::size_t& count(Reason reason) { return found_.counts[std::size_t(reason)]; }
-    [[nodiscard]] bool is_full(Reason reason) const { return named_[std::size_t(reason)] == UntestedPairs::most_named; }
+    [[nodiscard]] bool is_full(Reason reason) const {
+        return !names_ || named_[std::size_t(reason)] == UntestedPairs::most_named;
+    }
     /// Of n bodies among themselves.
     static std::size_t pairs_of(std::size_t n) { return n == 0 ? 0 : n * (n - 1) / 2; }
 
     const Scene& scene_;
     bool tests_bodies_at_rest_;
+    bool names_; ///< names take longer than numbers
     UntestedPairs found_;
     std::array<std::size_t, UntestedPairs::reasons> named_{};
     std::size_t ignored_at_rest_ = 0; ///< pairs
@@ -112,7 +116,7 @@ void Scene::UntestedCount::count_at_rest() {
             resting.push_back(i);
     const std::size_t pairs = pairs_of(resting.size()) - ignored_at_rest_;
     count(Reason::at_rest) = pairs;
-    std::size_t left = std::min<std::size_t>(pairs, UntestedPairs::most_named);
+    std::size_t left = names_ ? std::min<std::size_t>(pairs, UntestedPairs::most_named) : 0;
     std::size_t steps = 10'000; // where most pairs are ignored, fewer are named
     for (std::size_t i = 0; i < resting.size(); ++i)
         for (std::size_t k = i + 1; k < resting.size(); ++k) {
@@ -138,7 +142,11 @@ UntestedPairs Scene::UntestedCount::run() {
 }
 
 UntestedPairs Scene::untested(const SceneQuery& query) const {
-    return UntestedCount(*this, query.until).run();
+    return UntestedCount(*this, query.until, true).run();
+}
+
+UntestedPairs Scene::numbers_of_untested(const SceneQuery& query) const {
+    return UntestedCount(*this, query.until, false).run();
 }
 
 std::vector<std::pair<std::string, std::string>> Scene::ignore_touching_at_start(double margin) {

@@ -154,6 +154,8 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
     SceneAnswer found;
     run({margin, hold, until, time_tolerance, find, threads},
         [&](const SceneQuery& query) { found = scene.scene.first_contact(query); });
+    if (found.untested.total() > 0)
+        found.untested = scene.scene.untested({.until = until}); // with names
     if (found.contacts.empty()) {
         FirstContact clear;
         clear.verdict = Verdict::clear;
