@@ -58,10 +58,10 @@ std::string counts(const std::vector<PairProof>& proofs) {
 
 int run_acm(const AcmOptions& options) {
     PairProofOptions search{.seconds = number_of("--seconds", options.seconds), .threads = options.threads};
+    const Robot robot = load_robot(options.robot);
     std::optional<OutputFile> file;
     if (!options.out.empty())
         file.emplace(options.out);
-    const Robot robot = load_robot(options.robot);
     const Interruption interruption;
     std::optional<ProgressBar> bar;
     search.progress = [&](std::size_t done, std::size_t pairs) {

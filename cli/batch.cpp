@@ -1,5 +1,6 @@
 // chasles batch: many motions of one pair of bodies, on all cores. The rows of a chunk are written as soon as all its
-// motions are answered. After Ctrl-C the current chunk is finished and written.
+// motions are answered. After Ctrl-C the current chunk is finished and written; --resume goes on from there.
+#include "chasles/io/csv_table.h"
 #include "chasles/io/motion_files.h"
 #include "chasles/io/text_scan.h"
 #include "cli/batch_rows.h"
@@ -11,14 +12,15 @@
 #include "cli/progress_bar.h"
 #include "cli/report.h"
 #include "cli/warnings.h"
+#include "view/names.h"
 
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <filesystem>
 #include <fmt/format.h>
 #include <memory>
 #include <span>
+#include <string_view>
 
 namespace chasles::cli {
 namespace {
@@ -45,6 +47,7 @@ struct BatchOptions {
     MotionOptions motion;
     std::string motions;
     std::string out;
+    bool resume = false;
 };
 
 /// The number of rows with each outcome.
@@ -92,13 +95,30 @@ std::string table_of(Rows rows, std::span<const FirstContact> answers, view::Mot
     return table;
 }
 
-// Writing replaces the content of the output file, which therefore must not be an input.
-void check_out_is_no_input(const BatchOptions& options) {
-    for (const std::string& input : {options.motions, options.bodies.moving, options.bodies.fixed}) {
-        std::error_code ignored;
-        if (std::filesystem::equivalent(options.out, input, ignored))
-            throw InvalidInput("--out: " + options.out + ": is an input of this command");
+/// Counts a row that was answered before. False if the line is no answer to the motion of the row.
+bool count_kept(const io::MotionRow& row, std::string_view line, Tally& tally) {
+    const std::string start = io::csv_cell(row.id) + ",";
+    if (!line.starts_with(start))
+        return false;
+    line.remove_prefix(start.size());
+    const std::string_view name = line.substr(0, line.find(','));
+    for (const Verdict verdict : {Verdict::clear, Verdict::contact, Verdict::contact_at_start})
+        if (row.error.empty() && name == view::name_of(verdict))
+            return ++tally.verdicts[static_cast<std::size_t>(verdict)] > 0;
+    if (row.error.empty() || name != "error")
+        return false;
+    count(tally, row, nullptr);
+    return true;
+}
+
+/// The lines of a text that end, with their ends.
+std::vector<std::string_view> whole_lines(std::string_view text) {
+    std::vector<std::string_view> lines;
+    for (std::size_t end = text.find('\n'); end != std::string_view::npos; end = text.find('\n')) {
+        lines.push_back(text.substr(0, end + 1));
+        text.remove_prefix(end + 1);
     }
+    return lines;
 }
 
 /// Answers the motions in chunks and writes each chunk at once.
@@ -107,36 +127,60 @@ public:
     BatchRun(const BatchOptions& options, Rows rows)
         : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
           rule_(rule_of(options.motion, options.query)), threads_(options.bodies.polyhedron.threads),
-          out_(options.out) {}
+          out_(options.out, options.resume ? Leftover::continued : Leftover::refused) {}
 
     /// All rows, or those before an interruption.
     Tally run() {
-        Tally tally;
         ProgressBar bar("motions", rows_.size());
         ChunkSize size;
-        std::string table = batch_header();
+        Tally tally = keep_rows();
+        out_.write(tally.rows() == 0 ? batch_header() : "");
+        out_.keep_rows();
         while (tally.rows() < rows_.size() && !Interruption::is_requested()) {
             const auto start = std::chrono::steady_clock::now();
             const std::size_t done = tally.rows();
             const Rows chunk = rows_.subspan(done, std::min(size.get(), rows_.size() - done));
-            const auto answers = answer(readable_motions(chunk, rule_), [&](std::size_t n) { bar.show(done + n); });
-            out_.write(table + table_of(chunk, answers, rule_.kind, tally));
-            table.clear();
+            out_.write(table_of(chunk, tally, [&](std::size_t n) { bar.show(done + n); }));
             size.adapt(std::chrono::steady_clock::now() - start);
         }
-        out_.write(table); // the header alone, if there was no row
-        out_.close();
+        if (tally.rows() == rows_.size())
+            out_.close();
         return tally;
     }
+    [[nodiscard]] std::string rows_name() const { return out_.rows_name(); }
 
 private:
-    std::vector<FirstContact> answer(const std::vector<Motion>& motions,
-                                     std::function<void(std::size_t)> progress) const {
-        return first_contact_batch({.moving = bodies_.moving,
-                                    .fixed = bodies_.fixed,
-                                    .motions = motions,
-                                    .options = query_,
-                                    .batch = {.threads = threads_, .progress = std::move(progress)}});
+    /// The rows of one chunk.
+    std::string table_of(Rows chunk, Tally& tally, std::function<void(std::size_t)> progress = {}) const {
+        const auto answers = first_contact_batch({.moving = bodies_.moving,
+                                                  .fixed = bodies_.fixed,
+                                                  .motions = readable_motions(chunk, rule_),
+                                                  .options = query_,
+                                                  .batch = {.threads = threads_, .progress = std::move(progress)}});
+        return cli::table_of(chunk, answers, rule_.kind, tally);
+    }
+
+    /// Counts the rows that a run before has left, and goes on after the last whole one. The first and the last are
+    /// answered once more: the same text shows that they belong to this question.
+    Tally keep_rows() {
+        const std::string text = out_.kept_rows();
+        const std::vector<std::string_view> lines = whole_lines(text);
+        Tally tally;
+        std::size_t bytes = 0;
+        for (std::size_t i = 0; i < lines.size(); ++i) {
+            if (i == 0 ? lines[i] != batch_header() : i > rows_.size() || !count_kept(rows_[i - 1], lines[i], tally))
+                refuse_rows(i);
+            bytes += lines[i].size();
+        }
+        for (const std::size_t i : {std::size_t{1}, lines.size() - 1})
+            if (Tally again; lines.size() > 1 && table_of(rows_.subspan(i - 1, 1), again) != lines[i])
+                refuse_rows(i);
+        out_.continue_after(tally.rows() == 0 ? 0 : bytes);
+        return tally;
+    }
+    [[noreturn]] void refuse_rows(std::size_t line) const {
+        throw InvalidInput(fmt::format("{}: line {}: answers another question than this; remove the file to begin anew",
+                                       io::one_line(out_.rows_name()), line + 1));
     }
 
     Rows rows_;
@@ -147,26 +191,21 @@ private:
     OutputFile out_; // last: opened only after all other input has been read
 };
 
-int report_interruption(const std::string& out, std::size_t answered, std::size_t rows) {
-    const std::string message = fmt::format("chasles: interrupted: {} of {} are answered, in {}\n", answered,
-                                            counted(rows, "motion"), io::one_line(out));
-    std::fputs(message.c_str(), stderr);
-    return is_interrupted;
-}
-
 int run_batch(const BatchOptions& options) {
-    check_out_is_no_input(options);
     const io::MotionList motions = io::load_motions(options.motions);
     print_warnings(motions.warnings);
     const std::vector<io::MotionRow>& rows = motions.rows;
     const Interruption interruption;
-    const Tally tally = BatchRun(options, rows).run();
+    BatchRun batch(options, rows);
+    const Tally tally = batch.run();
+    if (tally.rows() < rows.size())
+        return report_interruption(fmt::format("{} of {} are answered, in {}; --resume goes on from there",
+                                               tally.rows(), counted(rows.size(), "motion"),
+                                               io::one_line(batch.rows_name())));
     if (!is_standard_output(options.out))
         print(fmt::format("{}: {} clear, {} in contact, {} in contact at the start, {}\n",
                           counted(tally.rows(), "motion"), tally.of(Verdict::clear), tally.of(Verdict::contact),
                           tally.of(Verdict::contact_at_start), counted(tally.errors, "error")));
-    if (tally.rows() < rows.size())
-        return report_interruption(options.out, tally.rows(), rows.size());
     if (tally.errors > 0)
         throw InvalidInput(fmt::format("{}: {} of {} rows cannot be read; the first: {}", options.motions, tally.errors,
                                        rows.size(), tally.first_error));
@@ -185,6 +224,7 @@ void add_batch(CLI::App& app, Task& task) {
         ->required()
         ->type_name("FILE");
     command.add_option("--out", options->out, "CSV file to write, one answer a row")->required()->type_name("FILE");
+    command.add_flag("--resume", options->resume, "go on from the rows that a run that was cut has left in FILE.part");
     command.add_option("--threads", options->bodies.polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();
     add_motion_rule_options(command, options->motion);

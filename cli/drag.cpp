@@ -11,6 +11,7 @@
 #include "view/sampled_track.h"
 
 #include "chasles/io/motion_files.h"
+#include "chasles/io/text_scan.h"
 
 #include <algorithm>
 #include <filesystem>
@@ -94,6 +95,7 @@ public:
         record.margin = margin;
         return record;
     }
+    [[nodiscard]] std::size_t updates() const { return record_.times.size(); }
     [[nodiscard]] bool has_contact() const { return in_contact_ > 0; }
     [[nodiscard]] nlohmann::ordered_json json(double margin) const {
         return {{"updates", record_.times.size()},
@@ -206,6 +208,7 @@ int run_drag(const DragCommand& options) {
     const Interruption interruption;
     Hand hand(file.scene, file.scene.index_of(options.body));
     ProgressBar bar("updates", goals.poses.size());
+    out.keep_rows();
     out.write("t,x,y,z,qw,qx,qy,qz,contacts,fx,fy,fz,tx,ty,tz,distance\n");
     for (std::size_t i = 0; i < goals.poses.size() && !Interruption::is_requested(); ++i) {
         const double time = goals.stamps.empty() ? double(i) : goals.stamps[i];
@@ -214,9 +217,10 @@ int run_drag(const DragCommand& options) {
         hand.add(time, step);
         bar.show(i + 1);
     }
-    out.close();
     if (Interruption::is_requested())
-        return is_interrupted;
+        return report_interruption(fmt::format("{} of {} are done, in {}", hand.updates(),
+                                               counted(goals.poses.size(), "update"), io::one_line(out.rows_name())));
+    out.close();
     if (page) {
         page->write(view::scene_page(hand.record(options, body.margin())));
         page->close();

@@ -1,7 +1,10 @@
 #include "cli/interruption.h"
 
+#include "cli/commands.h"
+
 #include <atomic>
 #include <csignal>
+#include <cstdio>
 
 namespace chasles::cli {
 namespace {
@@ -33,6 +36,11 @@ Interruption::~Interruption() {
 
 bool Interruption::is_requested() {
     return requested;
+}
+
+int report_interruption(const std::string& what) {
+    std::fputs(("chasles: interrupted: " + what + "\n").c_str(), stderr);
+    return is_interrupted;
 }
 
 } // namespace chasles::cli

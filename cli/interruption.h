@@ -1,6 +1,8 @@
 // Lets a long command end in order when the user presses Ctrl-C.
 #pragma once
 
+#include <string>
+
 namespace chasles::cli {
 
 /// While one exists, the first SIGINT or SIGTERM only sets a flag, and the next one ends the program as usual. At most
@@ -14,5 +16,8 @@ public:
 
     [[nodiscard]] static bool is_requested();
 };
+
+/// Says on standard error what is kept of an interrupted command. Returns the exit status.
+int report_interruption(const std::string& what);
 
 } // namespace chasles::cli

@@ -1,13 +1,13 @@
 // The command line of Chasles. Exit status: 0 clear, 1 contact, 2 wrong input or usage, with one line that gives the
 // reason.
 #include "chasles/base/invalid_input.h"
+#include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
 #include "cli/output.h"
 
 #include <algorithm>
-#include <csignal>
 #include <cstdio>
 #include <new>
 #include <sstream>
@@ -85,6 +85,7 @@ int run(const std::vector<std::string>& arguments) {
     CLI::App app("Exact continuous collision detection of rigid polyhedra.", "chasles");
     Task task;
     add_commands(app, task);
+    const io::ReadLog files_read;
     try {
         return parse_and_work(app, task, arguments);
     } catch (const InvalidInput& error) {
@@ -98,7 +99,7 @@ int run(const std::vector<std::string>& arguments) {
 } // namespace chasles::cli
 
 int main(int argc, char** argv) {
-    std::signal(SIGPIPE, SIG_IGN); // a closed pipe is then a write error, which is reported
+    chasles::cli::prepare_output();
     try {
         return chasles::cli::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     } catch (...) { // not even the message of an error could be made

@@ -2,16 +2,22 @@
 #include "cli/output.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 
 #include <cerrno>
+#include <csignal>
 #include <cstring>
-#include <filesystem>
+#include <fcntl.h>
+#include <set>
+#include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 namespace chasles::cli {
 namespace {
+
+namespace fs = std::filesystem;
 
 // Returns 0 on success, otherwise the system's error number.
 int write_all(std::FILE* file, const std::string& text) {
@@ -24,12 +30,39 @@ std::string why_not(int error) {
     return std::string(": cannot be written: ") + std::strerror(error);
 }
 
-// The output goes through a descriptor of its own to where standard output goes, at the same position.
-std::FILE* open(const std::string& name) {
-    return is_standard_output(name) ? fdopen(dup(STDOUT_FILENO), "w") : std::fopen(name.c_str(), "a");
+/// The files that this program is about to write.
+std::set<fs::path>& targets() {
+    static std::set<fs::path> files;
+    return files;
+}
+
+/// The file behind links.
+fs::path target_of(const std::string& name) {
+    std::error_code ignored;
+    return fs::is_symlink(name, ignored) ? fs::weakly_canonical(name, ignored) : fs::path(name);
+}
+
+/// Pipes and devices cannot be replaced.
+bool is_replaceable(const std::string& name) {
+    std::error_code ignored;
+    const fs::file_status status = fs::status(name, ignored);
+    return !is_standard_output(name) && (!fs::exists(status) || fs::is_regular_file(status));
+}
+
+/// A descriptor for writing, or -1. The file is created if it is missing, and never emptied.
+int open_for_writing(const fs::path& file) {
+    return open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
 }
 
 } // namespace
+
+void prepare_output() {
+    std::signal(SIGPIPE, SIG_IGN);
+    std::signal(SIGXFSZ, SIG_IGN);
+    for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO})
+        if (fcntl(stream, F_GETFD) < 0) // reading from it, or writing to it, goes on failing
+            open("/dev/null", stream == STDIN_FILENO ? O_WRONLY : O_RDONLY);
+}
 
 bool is_standard_output(const std::string& name) {
     struct stat file = {}, output = {};
@@ -42,30 +75,84 @@ void print(const std::string& text) {
         throw InvalidInput("standard output" + why_not(error));
 }
 
-OutputFile::OutputFile(const std::string& name)
-    : name_(name), file_(open(name)), is_emptied_(is_standard_output(name)) {
-    if (!file_)
+OutputFile::OutputFile(const std::string& name, Leftover leftover)
+    : name_(name), target_(target_of(name)), leftover_(leftover) {
+    if (io::ReadLog::has(name))
+        throw InvalidInput(io::one_line(name) + ": is an input of this command; give the output another name");
+    if (!is_replaceable(name)) {
+        // through a descriptor of its own to where standard output goes, at the same position
+        file_.reset(is_standard_output(name) ? fdopen(dup(STDOUT_FILENO), "w") : std::fopen(name.c_str(), "a"));
+        if (!file_)
+            fail(errno);
+        return;
+    }
+    part_ = target_;
+    part_ += ".part";
+    check_part();
+    if (!targets().insert(fs::weakly_canonical(target_)).second)
+        throw InvalidInput(io::one_line(name) + ": is named by two options; give each output a name of its own");
+}
+
+OutputFile::~OutputFile() {
+    if (part_.empty())
+        return;
+    targets().erase(fs::weakly_canonical(target_));
+    if (file_ && !keeps_rows_)
+        unlink(part_.c_str());
+}
+
+/// Finds errors before the work. Leaves no file behind, in case the program is interrupted before the first write.
+void OutputFile::check_part() const {
+    std::error_code ignored;
+    const bool is_left = fs::exists(part_, ignored);
+    if (is_left && leftover_ == Leftover::refused)
+        throw InvalidInput(io::shown_name(part_) +
+                           ": is left by a run that was cut; go on from it with --resume, or remove it");
+    if (fs::exists(target_, ignored) && access(target_.c_str(), W_OK) != 0)
+        fail(errno);
+    const int descriptor = open_for_writing(part_);
+    if (descriptor < 0)
+        fail(errno);
+    ::close(descriptor);
+    if (!is_left)
+        unlink(part_.c_str());
+}
+
+/// Opens FILE.part for the first write. Another program that writes it holds a lock.
+void OutputFile::open_part() {
+    const int descriptor = open_for_writing(part_);
+    if (descriptor < 0)
+        fail(errno);
+    file_.reset(fdopen(descriptor, "w"));
+    if (flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK) {
+        keeps_rows_ = true; // they are the other program's
+        throw InvalidInput(io::one_line(name_) + ": is being written by another program");
+    }
+    struct stat former = {};
+    if (stat(target_.c_str(), &former) == 0)
+        static_cast<void>(fchmod(descriptor, former.st_mode & 07777U));
+    if (ftruncate(descriptor, off_t(kept_bytes_)) != 0 || lseek(descriptor, 0, SEEK_END) < 0)
         fail(errno);
 }
 
-// The file is open for appending, so writing continues at the new end. A pipe or a device cannot be truncated.
-void OutputFile::empty() {
-    std::error_code error;
-    if (std::filesystem::is_regular_file(name_))
-        std::filesystem::resize_file(name_, 0, error);
-    if (error)
-        fail(error.value());
-    is_emptied_ = true;
+std::string OutputFile::kept_rows() const {
+    std::error_code ignored;
+    const bool is_left = leftover_ == Leftover::continued && fs::file_size(part_, ignored) > 0 && !ignored;
+    return is_left ? io::read_file(part_) : "";
 }
 
 void OutputFile::write(const std::string& text) {
-    if (!is_emptied_)
-        empty();
+    if (!file_)
+        open_part();
     if (const int error = write_all(file_.get(), text); error != 0)
         fail(error);
 }
 
 void OutputFile::close() {
+    if (!file_)
+        write("");
+    if (!part_.empty() && (fsync(fileno(file_.get())) != 0 || std::rename(part_.c_str(), target_.c_str()) != 0))
+        fail(errno);
     if (std::fclose(file_.release()) != 0)
         fail(errno);
 }

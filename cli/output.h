@@ -1,11 +1,17 @@
-// Output with a check of every write: a full disk or a closed pipe is an error.
+// Output with a check of every write: a full disk or a closed pipe is an error, and no file that is read is
+// overwritten.
 #pragma once
 
 #include <cstdio>
+#include <filesystem>
 #include <memory>
 #include <string>
 
 namespace chasles::cli {
+
+/// Makes output fail with an error where it would end the program (a closed pipe, a limit of file sizes), and keeps
+/// files from getting the descriptor of a standard stream that is closed. To be called first.
+void prepare_output();
 
 /// Writes to standard output. Throws InvalidInput if the write fails.
 void print(const std::string& text);
@@ -13,30 +19,57 @@ void print(const std::string& text);
 /// Whether the name is that of the file, pipe or device that standard output goes to.
 bool is_standard_output(const std::string& name);
 
-/// A file for output. If it is where standard output goes, writing continues there and replaces nothing. The
-/// constructor checks that the file can be written. The first write replaces the former content:
-/// an error that is found before the first write leaves the file unchanged. Throws InvalidInput "FILE: REASON" if the
-/// file cannot be opened or written.
+/// What becomes of FILE.part if a run that was cut has left it.
+enum class Leftover {
+    replaced,
+    refused,  ///< it holds rows that may have taken long
+    continued ///< the first write comes after `kept_rows`
+};
+
+/// A file for output. It grows as FILE.part beside FILE and gets its name in `close`: whatever happens before, a former
+/// FILE stays whole. Pipes, devices and the file that standard output goes to are written directly.
+///
+/// The constructor checks that the file can be written, that the program has not read it (so it comes after all
+/// reading) and that no other output has the same name. Throws InvalidInput "FILE: REASON" for each of these, and for a
+/// write that fails.
 class OutputFile {
 public:
-    explicit OutputFile(const std::string& name);
+    explicit OutputFile(const std::string& name, Leftover leftover = Leftover::replaced);
+    /// Removes FILE.part unless it was closed or its rows are kept.
+    ~OutputFile();
+    OutputFile(const OutputFile&) = delete;
+    OutputFile& operator=(const OutputFile&) = delete;
 
-    /// Writes and flushes, so that the text survives an interruption of the program.
+    /// Writes and flushes, so that the text survives the end of the program.
     void write(const std::string& text);
 
-    /// Closes the file. Some write errors are reported only here.
+    /// Gives the file its name. Some write errors are reported only here.
     void close();
+
+    /// From now on FILE.part stays if the file is not closed.
+    void keep_rows() { keeps_rows_ = true; }
+    /// The content of FILE.part that is continued; empty if there is none.
+    [[nodiscard]] std::string kept_rows() const;
+    /// Continues after so many bytes of `kept_rows`. Before the first write only.
+    void continue_after(std::size_t bytes) { kept_bytes_ = bytes; }
+    /// Where rows are until `close`: FILE.part, or FILE where output goes directly.
+    [[nodiscard]] std::string rows_name() const { return part_.empty() ? name_ : part_.string(); }
 
 private:
     struct Close {
         void operator()(std::FILE* file) const { std::fclose(file); }
     };
-    void empty();
+    void check_part() const;
+    void open_part();
     [[noreturn]] void fail(int error) const;
 
     std::string name_;
-    std::unique_ptr<std::FILE, Close> file_;
-    bool is_emptied_ = false;
+    std::filesystem::path target_; ///< the file behind links
+    std::filesystem::path part_;   ///< empty where output goes directly
+    Leftover leftover_;
+    std::size_t kept_bytes_ = 0;
+    std::unique_ptr<std::FILE, Close> file_; ///< FILE.part is opened by the first write
+    bool keeps_rows_ = false;
 };
 
 } // namespace chasles::cli

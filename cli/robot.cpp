@@ -157,12 +157,12 @@ int run_clearance(const RobotCommand& options) {
 }
 
 int run_robot(const RobotCommand& options) {
+    const RobotQuestion question = read_question(options);
     std::optional<OutputFile> page;
     if (!options.page.empty()) {
         view::require_page_template();
         page.emplace(options.page);
     }
-    const RobotQuestion question = read_question(options);
     const RobotChecker checker(question.robot, question.world(), {question.options});
     const JointPath path = path_of(question);
     RobotAnswer found = checker.first_contact(path);

@@ -10,6 +10,9 @@
 #include <cstdio>
 #include <cstring>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
 
 #if __has_include(<poll.h>)
 #include <fcntl.h>
@@ -110,7 +113,43 @@ std::string read_to_end(const std::filesystem::path& file, FileType type) {
     return bytes;
 }
 
+/// The files that were read while a log exists.
+struct Log {
+    std::mutex mutex;
+    std::optional<std::set<std::filesystem::path>> files;
+};
+
+Log& log() {
+    static Log log;
+    return log;
+}
+
+void note_as_read(const std::filesystem::path& file) {
+    const std::lock_guard lock(log().mutex);
+    std::error_code error;
+    if (log().files)
+        log().files->insert(std::filesystem::canonical(file, error));
+}
+
 } // namespace
+
+ReadLog::ReadLog() {
+    const std::lock_guard lock(log().mutex);
+    log().files.emplace();
+}
+
+ReadLog::~ReadLog() {
+    const std::lock_guard lock(log().mutex);
+    log().files.reset();
+}
+
+bool ReadLog::has(const std::filesystem::path& file) {
+    const std::lock_guard lock(log().mutex);
+    return log().files && std::ranges::any_of(*log().files, [&](const std::filesystem::path& read) {
+               std::error_code ignored;
+               return std::filesystem::equivalent(read, file, ignored);
+           });
+}
 
 // The system would not refuse the memory.
 bool fits_into_memory(std::size_t bytes) {
@@ -131,6 +170,7 @@ void fail_in_file(const std::filesystem::path& file, const std::string& why) {
 
 std::string read_file(const std::filesystem::path& file) {
     std::string bytes = read_to_end(file, type_of(file));
+    note_as_read(file);
     if (bytes.empty())
         fail_in_file(file, "is empty");
     return bytes;

@@ -12,6 +12,19 @@ namespace chasles::io {
 /// for a pipe that stays silent for 30 seconds after it is opened. Links are followed.
 std::string read_file(const std::filesystem::path& file);
 
+/// While one exists, it lists the files that `read_file` reads, on all threads: a program must not write what it reads.
+/// At most one may exist at a time.
+class ReadLog {
+public:
+    ReadLog();
+    ~ReadLog();
+    ReadLog(const ReadLog&) = delete;
+    ReadLog& operator=(const ReadLog&) = delete;
+
+    /// Whether the file was read, under this name or another one. False if no log exists.
+    [[nodiscard]] static bool has(const std::filesystem::path& file);
+};
+
 /// Whether half of the memory holds the bytes; a mesh needs the other half.
 bool fits_into_memory(std::size_t bytes);
 

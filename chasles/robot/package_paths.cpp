@@ -2,6 +2,7 @@
 #include "chasles/robot/package_paths.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 
 #include <algorithm>
@@ -26,10 +27,11 @@ bool is_file(const fs::path& path) {
 std::string package_name(const fs::path& folder) {
     std::error_code error;
     const fs::path file = folder / "package.xml";
-    if (!fs::is_regular_file(file, error) || fs::file_size(file, error) > 1'000'000)
+    if (!fs::is_regular_file(file, error) || fs::file_size(file, error) == 0 || fs::file_size(file, error) > 1'000'000)
         return {};
+    const std::string content = io::read_file(file);
     tinyxml2::XMLDocument document;
-    if (document.LoadFile(file.c_str()) != tinyxml2::XML_SUCCESS || !document.RootElement())
+    if (document.Parse(content.data(), content.size()) != tinyxml2::XML_SUCCESS || !document.RootElement())
         return {};
     const tinyxml2::XMLElement* const name = document.RootElement()->FirstChildElement("name");
     const char* const text = name ? name->GetText() : nullptr;

@@ -120,8 +120,6 @@ TEST_F(Batch, FindsOutBeforeTheWorkThatItCannotWrite) {
     const std::string batch = "batch cube.obj cube.obj --motions motions.csv --out ";
     EXPECT_EQ(error_line(batch + "no/out.csv"), "chasles: no/out.csv: cannot be written: No such file or directory");
     EXPECT_TRUE(error_line(batch + ".").starts_with("chasles: .: cannot be written: "));
-    EXPECT_EQ(error_line(batch + "motions.csv"), "chasles: --out: motions.csv: is an input of this command");
-    EXPECT_EQ(error_line(batch + "./cube.obj"), "chasles: --out: ./cube.obj: is an input of this command");
     if (std::filesystem::exists("/dev/full")) {
         EXPECT_EQ(error_line(batch + "/dev/full"), "chasles: /dev/full: cannot be written: No space left on device");
     }
@@ -148,14 +146,16 @@ TEST_F(Batch, WritesWhatIsAnsweredWhenItIsInterrupted) {
     write("motions.csv", motions);
     const auto finished =
         run("batch cube.obj cube.obj --motions motions.csv --out out.csv --max-turn-deg .05 & pid=$!; "
-            "while ! grep -q clear out.csv; do sleep .02; done; kill $pid; wait $pid");
+            "while ! grep -qs clear out.csv.part; do sleep .02; done; kill $pid; wait $pid");
     EXPECT_EQ(finished.status, 130);
+    EXPECT_FALSE(std::filesystem::exists(path("out.csv")));
+    std::filesystem::rename(path("out.csv.part"), path("out.csv"));
     const std::size_t answered = rows().size() - 1;
     EXPECT_GT(answered, 0U);
     EXPECT_LT(answered, 4000U);
     EXPECT_EQ(rows().back().size(), 16U);
     EXPECT_TRUE(finished.err.ends_with("chasles: interrupted: " + std::to_string(answered) +
-                                       " of 4000 motions are answered, in out.csv\n"))
+                                       " of 4000 motions are answered, in out.csv.part; --resume goes on from there\n"))
         << finished.err;
 }
 
