@@ -30,8 +30,8 @@ Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& answer, b
 /// The answer of `robot --clearance`: distance, distance_upper, time, time_upper, certain, pair, segment, contacts,
 /// configuration and work. Without a pair: distance and distance_upper, which are null, and work.
 Json robot_clearance_json(const chasles::Robot& robot, const RobotClearance& found, bool in_stamps);
-/// What an answer does not look at: `tested` and `pairs`, the numbers of pairs that are tested and that are not, and
-/// `reasons`, each with reason, count, and the first pairs by name; links without shapes are `links`.
+/// The pairs that an answer leaves out. `tested` and `pairs` are the numbers of tested and untested pairs. `reasons`
+/// has reason, count and the first pairs by name for each reason. Links without shapes are in `links`.
 Json untested_json(const UntestedPairs& untested);
 /// The variables of a robot by name.
 Json configuration_json(const chasles::Robot& robot, const Configuration& configuration);

@@ -16,7 +16,7 @@ Pose pose_of(const Isometry3d& placed) {
     return {placed.translation(), Eigen::Quaterniond(placed.linear())};
 }
 
-/// Both turn about an axis of their own near a tooth, so that they hardly move against each other.
+/// Each turns about its own axis near a tooth. The distance of the two bodies barely changes.
 TEST(RealSlivers, ASliverAndATriangleOnTheirOwnTwists) {
     CHASLES_REQUIRE_DATA("field/16-sliver-on-a-twist");
     const Polyhedron sliver = Polyhedron::load(shared_data("field/16-sliver-on-a-twist/sliver.obj"));
