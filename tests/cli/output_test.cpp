@@ -20,7 +20,7 @@ protected:
         write("motions.csv", std::string(columns) + hits);
         write("scene.json", R"({"bodies": [{"name": "table", "mesh": "in_scene.obj", "scale": 4, "pose": [-2, -2, -4]},
                                            {"name": "box", "mesh": "cube.obj", "pose": [0, 0, 1]}]})");
-        write("goals.csv", "t,x,y,z\n0,0,0,1\n1,0,0,2\n");
+        write("goals.csv", "t,x,y,z,qw,qx,qy,qz\n0,0,0,1,1,0,0,0\n1,0,0,2,1,0,0,0\n");
         write("path.csv", "turn\n0\n1\n");
         write("arm.urdf", R"(<robot name="arm">
           <link name="base"><collision><geometry><mesh filename="in_robot.obj"/></geometry></collision></link>
@@ -129,7 +129,10 @@ TEST_F(Output, AKillLeavesTheFileOfBefore) {
     const std::string batch = "batch cube.obj cube.obj --motions motions.csv --max-turn-deg .05 --out ";
     ASSERT_EQ(run(batch + "whole.csv").status, 1);
     write("out.csv", "precious");
-    run(batch + "out.csv & pid=$!; while ! grep -qs clear out.csv.part; do sleep .02; done; kill -9 $pid; wait $pid");
+    EXPECT_EQ(run(batch +
+                  "out.csv & pid=$!; while ! grep -qs clear out.csv.part; do sleep .02; done; kill -9 $pid; wait $pid")
+                  .status,
+              137);
     EXPECT_EQ(content("out.csv"), "precious");
     EXPECT_EQ(error_line(batch + "out.csv"),
               "chasles: out.csv.part: is left by a run that was cut; go on from it with --resume, or remove it");
