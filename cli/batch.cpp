@@ -1,5 +1,5 @@
 // chasles batch: many motions of one pair of bodies, on all cores. The rows of a chunk are written as soon as all its
-// motions are answered. After Ctrl-C the current chunk is finished and written; --resume goes on from there.
+// motions are answered. After Ctrl-C, or when the time is over, --resume goes on from there.
 #include "chasles/io/csv_table.h"
 #include "chasles/io/motion_files.h"
 #include "chasles/io/text_scan.h"
@@ -21,12 +21,13 @@
 #include <memory>
 #include <span>
 #include <string_view>
+#include <thread>
 
 namespace chasles::cli {
 namespace {
 
-/// Motions per write to the file. A chunk takes a fraction of a second where motions take less than that: enough to
-/// keep all cores busy, and little to wait for after Ctrl-C.
+/// Motions per write to the file. A chunk takes a fraction of a second where motions take less than that, and is enough
+/// to keep all cores busy: slow rows are written as soon as they are answered.
 class ChunkSize {
 public:
     [[nodiscard]] std::size_t get() const { return size_; }
@@ -34,7 +35,7 @@ public:
         if (last.count() < 0.1)
             size_ = std::min<std::size_t>(2 * size_, 1024);
         else if (last.count() > 0.4)
-            size_ = std::max<std::size_t>(size_ / 2, 16);
+            size_ = std::max<std::size_t>(size_ / 2, std::max(1U, std::thread::hardware_concurrency()));
     }
 
 private:
@@ -82,11 +83,14 @@ void count(Tally& tally, const io::MotionRow& row, const FirstContact* found) {
     ++tally.errors;
 }
 
-// The rows of one chunk. `answers` belong to its readable motions, in order.
+// The rows of one chunk, up to the first that was not answered in time. `answers` belong to its readable motions, in
+// order.
 std::string table_of(Rows rows, std::span<const FirstContact> answers, view::MotionKind kind, Tally& tally) {
     std::string table;
     for (const io::MotionRow& row : rows) {
         const FirstContact* const found = row.error.empty() ? &answers.front() : nullptr;
+        if (found && found->verdict == Verdict::unknown)
+            break;
         table += found ? batch_row(row.id, *found, kind) : batch_error_row(row.id, row.error);
         count(tally, row, found);
         if (found)
@@ -126,17 +130,19 @@ class BatchRun {
 public:
     BatchRun(const BatchOptions& options, Rows rows)
         : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
-          rule_(rule_of(options.motion, options.query)), threads_(options.bodies.polyhedron.threads),
+          rule_(rule_of(options.motion, options.query)), seconds_(seconds_of(options.query.seconds)),
+          threads_(options.bodies.polyhedron.threads),
           out_(options.out, options.resume ? Leftover::continued : Leftover::refused) {}
 
     /// All rows, or those before an interruption.
     Tally run() {
+        const Limit limit(seconds_, [] { return !Interruption::is_requested(); });
         ProgressBar bar("motions", rows_.size());
         ChunkSize size;
         Tally tally = keep_rows();
         out_.write(tally.rows() == 0 ? batch_header() : "");
         out_.keep_rows();
-        while (tally.rows() < rows_.size() && !Interruption::is_requested()) {
+        while (tally.rows() < rows_.size() && !limit.is_over()) {
             const auto start = std::chrono::steady_clock::now();
             const std::size_t done = tally.rows();
             const Rows chunk = rows_.subspan(done, std::min(size.get(), rows_.size() - done));
@@ -187,9 +193,18 @@ private:
     Bodies bodies_;
     QueryOptions query_;
     MotionRule rule_;
+    double seconds_; ///< for all motions
     unsigned threads_;
     OutputFile out_; // last: opened only after all other input has been read
 };
+
+/// Interrupted, or out of time.
+int report_unfinished(const std::string& what) {
+    if (Interruption::is_requested())
+        return report_interruption(what);
+    std::fputs(("chasles: the time was over: " + what + "\n").c_str(), stderr);
+    return is_unknown;
+}
 
 int run_batch(const BatchOptions& options) {
     const io::MotionList motions = io::load_motions(options.motions);
@@ -199,9 +214,8 @@ int run_batch(const BatchOptions& options) {
     BatchRun batch(options, rows);
     const Tally tally = batch.run();
     if (tally.rows() < rows.size())
-        return report_interruption(fmt::format("{} of {} are answered, in {}; --resume goes on from there",
-                                               tally.rows(), counted(rows.size(), "motion"),
-                                               io::one_line(batch.rows_name())));
+        return report_unfinished(fmt::format("{} of {} are answered, in {}; --resume goes on from there", tally.rows(),
+                                             counted(rows.size(), "motion"), io::one_line(batch.rows_name())));
     if (!is_standard_output(options.out))
         print(fmt::format("{}: {} clear, {} in contact, {} in contact at the start, {}\n",
                           counted(tally.rows(), "motion"), tally.of(Verdict::clear), tally.of(Verdict::contact),

@@ -20,7 +20,7 @@ int run_check(const CheckOptions& options) {
     const FirstContact found = first_contact(question);
     print(options.json ? view::answer_json(found, question.numbers).dump() + "\n"
                        : report(found, question.numbers, question.options.margin));
-    return found.verdict == Verdict::clear ? is_clear : is_contact;
+    return status_of(found.verdict);
 }
 
 } // namespace

@@ -31,6 +31,7 @@ void refuse_flag(CLI::App& command, const std::string& flag, const std::string& 
 int run_clearance(const ClearanceOptions& options) {
     const double tolerance = number_of("--tolerance", options.tolerance);
     const OneMotion question = read_one_motion(options.question);
+    const Limit limit(question.seconds);
     const LeastDistance found = least_distance({.moving = question.bodies.moving,
                                                 .fixed = question.bodies.fixed,
                                                 .motion = question.motion,
@@ -38,7 +39,10 @@ int run_clearance(const ClearanceOptions& options) {
                                                             .time_tolerance = question.options.time_tolerance,
                                                             .find = question.options.find}});
     print(options.json ? view::answer_json(found, question.numbers).dump() + "\n" : report(found, question.numbers));
-    return view::proven_verdict(found) == Verdict::clear ? is_clear : is_contact;
+    const Verdict verdict = view::proven_verdict(found);
+    if (verdict == Verdict::unknown && limit.is_over())
+        return is_unknown;
+    return verdict == Verdict::clear ? is_clear : is_contact;
 }
 
 } // namespace

@@ -11,6 +11,7 @@ enum ExitStatus : int {
     is_clear = 0,
     is_contact = 1, ///< also at the start
     is_wrong = 2,   ///< wrong input or usage; one line on standard error names the input, the place and the reason
+    is_unknown = 3, ///< the time of --seconds was over
     is_interrupted = 130, ///< by SIGINT or SIGTERM; what was answered before is written
 };
 

@@ -88,10 +88,12 @@ void add_one_motion_options(CLI::App& command, OneMotionOptions& options) {
 OneMotion read_one_motion(const OneMotionOptions& options) {
     const view::NumberedMotion motion = read_motion(options);
     const QueryOptions query = options_of(options.query);
-    return {motion.motion, motion.numbers, query, load_bodies(options.bodies)};
+    const double seconds = seconds_of(options.query.seconds);
+    return {motion.motion, motion.numbers, query, seconds, load_bodies(options.bodies)};
 }
 
 FirstContact first_contact(const OneMotion& question) {
+    const Limit limit(question.seconds);
     return chasles::first_contact({.moving = question.bodies.moving,
                                    .fixed = question.bodies.fixed,
                                    .motion = question.motion,

@@ -24,6 +24,7 @@ struct OneMotion {
     Motion motion;
     view::MotionNumbers numbers; ///< of the motion
     QueryOptions options;
+    double seconds; ///< limit of the answer
     Bodies bodies;
 };
 

@@ -3,10 +3,19 @@
 
 #include "chasles/io/pose_text.h"
 
+#include <limits>
 #include <numbers>
 
 namespace chasles::cli {
+
+CLI::Option* add_seconds_option(CLI::App& command, std::string& seconds) {
+    return command
+        .add_option("--seconds", seconds, "answer after this time at the latest, with what is proven until then")
+        ->type_name("T");
+}
+
 void add_search_options(CLI::App& command, QuestionOptions& options) {
+    add_seconds_option(command, options.seconds);
     command
         .add_option("--max-turn-deg", options.max_turn_degrees,
                     "a screw that turns by more is cut into equal turns; 180: one screw in one piece")
@@ -76,6 +85,15 @@ QueryOptions options_of(const QuestionOptions& options) {
             .find = options.any            ? Find::any
                     : options.all_contacts ? Find::first_with_all_contacts
                                            : Find::first};
+}
+
+double seconds_of(const std::string& option) {
+    if (option.empty())
+        return std::numeric_limits<double>::infinity();
+    const double seconds = number_of("--seconds", option);
+    if (!(seconds > 0))
+        throw InvalidInput("--seconds: must be positive");
+    return seconds;
 }
 
 // Dividing first makes 180 degrees exactly the double nearest to pi.

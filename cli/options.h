@@ -13,7 +13,8 @@ struct QuestionOptions {
     std::string margin = "0";
     std::string max_turn_degrees = "10";
     std::string time_tolerance = "1e-12";
-    std::string hold; ///< empty: none
+    std::string hold;    ///< empty: none
+    std::string seconds; ///< empty: no limit
     bool any = false;
     bool all_contacts = false;
 };
@@ -29,6 +30,7 @@ struct Bodies {
     Polyhedron fixed;
 };
 
+CLI::Option* add_seconds_option(CLI::App& command, std::string& seconds);
 /// The options of every search; with those for contacts, but for --hold; and with all.
 void add_search_options(CLI::App& command, QuestionOptions& options);
 void add_batch_query_options(CLI::App& command, QuestionOptions& options);
@@ -56,5 +58,7 @@ Eigen::Vector3d point_of(const std::string& option, const std::string& text);
 
 QueryOptions options_of(const QuestionOptions& options);
 double max_turn_of(const QuestionOptions& options); ///< radians
+/// Infinite without a limit.
+double seconds_of(const std::string& option);
 
 } // namespace chasles::cli

@@ -9,6 +9,7 @@
 #include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/names.h"
+#include "view/proven_verdict.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -68,7 +69,10 @@ PathContact answer_track(const PathQuestion& question) {
                                             .fixed = question.bodies.fixed,
                                             .motion = track,
                                             .options = question.options});
-    found.segment = found.contact.verdict == Verdict::clear ? segments - 1 : track.segment_of(found.contact.time.lower);
+    found.segment = found.contact.verdict == Verdict::clear
+                        ? segments - 1
+                        : track.segment_of(view::is_contact(found.contact.verdict) ? found.contact.time.lower
+                                                                                   : found.contact.clear_until);
     count_in_stamps(found.contact, track);
     return found;
 }
@@ -118,7 +122,7 @@ std::string segment_text(const PathQuestion& question, std::size_t segment) {
 std::string path_report(const PathContact& found, const view::MotionNumbers& motion, const PathQuestion& question) {
     const double margin = question.options.margin;
     const std::string first_line = headline(found.contact, margin, view::name_of(question.rule.kind));
-    if (found.contact.verdict == Verdict::clear)
+    if (!view::is_contact(found.contact.verdict))
         return first_line + labelled("path", counted(question.path.poses.size() - 1, "segment")) +
                report(found.contact.work);
     return first_line + labelled("segment", segment_text(question, found.segment)) +
@@ -128,11 +132,12 @@ std::string path_report(const PathContact& found, const view::MotionNumbers& mot
 int run_path(const PathOptions& options) {
     const PathQuestion question = read_path_question(options);
     print_warnings(question.path.warnings);
+    const Limit limit(seconds_of(options.query.seconds));
     const bool is_one_motion = question.has_stamps() && !view::has_tau(question.rule.kind);
     const PathContact found = is_one_motion ? answer_track(question) : answer_segments(question);
     const view::MotionNumbers motion = numbers_of_segment(question, found.segment);
     print(options.json ? path_json(found, motion, question).dump() + "\n" : path_report(found, motion, question));
-    return found.contact.verdict == Verdict::clear ? is_clear : is_contact;
+    return status_of(found.contact.verdict);
 }
 
 } // namespace

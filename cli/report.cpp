@@ -107,8 +107,9 @@ std::string verdict_text(const FirstContact& found, double margin) {
                            margin > 0 ? "comes" + within : "touches");
     case Verdict::contact:
         return fmt::format("CONTACT{} at time {:.12g}", within, found.time.lower);
+    case Verdict::unknown:
+        return unknown_headline(found.clear_until, margin);
     case Verdict::contact_at_start:
-    case Verdict::unknown: // no query returns it
         break;
     }
     return fmt::format("CONTACT{} AT THE START{}", within,
@@ -131,6 +132,26 @@ std::string verdict_text(const LeastDistance& found) {
 }
 
 } // namespace
+
+std::string unknown_headline(double clear_until, double margin) {
+    const std::string what = margin > 0 ? fmt::format("comes within {:.9g}", margin) : "touches";
+    return "UNKNOWN: the time was over; " +
+           (clear_until > 0 ? fmt::format("proven that nothing {} before time {:.12g}", what, clear_until)
+                            : std::string("nothing is proven"));
+}
+
+ExitStatus status_of(Verdict verdict) {
+    switch (verdict) {
+    case Verdict::clear:
+        return is_clear;
+    case Verdict::unknown:
+        return is_unknown;
+    case Verdict::contact:
+    case Verdict::contact_at_start:
+        break;
+    }
+    return is_contact;
+}
 
 std::string headline(const FirstContact& found, double margin, std::string_view motion) {
     return naming_motion(verdict_text(found, margin), motion);
@@ -161,7 +182,7 @@ std::string report(const Work& work) {
 
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
     std::string text = motion_line(motion);
-    if (found.verdict != Verdict::clear)
+    if (view::is_contact(found.verdict))
         text += report_time(found, motion) + report_contact_features(found, margin);
     if (!found.held.empty())
         text += contact_lines(found.held, "held", true) +

@@ -1,6 +1,7 @@
 // Answers for people: the verdict first, then the motion, the time and the contacts.
 #pragma once
 
+#include "cli/commands.h"
 #include "view/motion_numbers.h"
 
 #include <string>
@@ -31,6 +32,12 @@ std::string labelled(const std::string& label, const std::string& text);
 
 /// `text` and the motion that it is about, in one line: "TEXT; motion: MOTION".
 std::string naming_motion(const std::string& text, std::string_view motion);
+
+/// "UNKNOWN: the time was over; ...", where a question about the margin has proven this much.
+std::string unknown_headline(double clear_until, double margin);
+
+/// The exit status for an answer.
+ExitStatus status_of(Verdict verdict);
 
 /// The line of work counters.
 std::string report(const Work& work);

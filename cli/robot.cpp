@@ -101,10 +101,13 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     const double margin = question.options.margin;
     FirstContact shown = found.contact;
     shown.verdict = found.verdict;
-    if (question.has_stamps())
+    if (question.has_stamps()) {
         shown.time = found.time;
-    std::string text = found.pair ? headline(shown, margin, motion_name)
-                                  : naming_motion(clear_headline(*found.untested, question.options), motion_name);
+        shown.clear_until = found.clear_until;
+    }
+    std::string text = found.pair || found.verdict == Verdict::unknown
+                           ? headline(shown, margin, motion_name)
+                           : naming_motion(clear_headline(*found.untested, question.options), motion_name);
     text += report(*found.untested);
     if (found.pair)
         text += pair_report(*found.pair, found.segment) + report_contact(shown, margin);
@@ -165,6 +168,7 @@ int run_robot(const RobotCommand& options) {
     }
     const RobotChecker checker(question.robot, question.world(), {question.options});
     const JointPath path = path_of(question);
+    const Limit limit(seconds_of(options.query.seconds));
     RobotAnswer found = checker.first_contact(path);
     if (page) {
         view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found);
@@ -178,7 +182,7 @@ int run_robot(const RobotCommand& options) {
     print(options.json ? with_motion(view::robot_answer_json(question.robot, found, question.has_stamps()), question)
                        : robot_report(question, found) + (options.page.empty() ? "" : labelled("page", options.page)));
     print_warnings(question.warnings);
-    return found.verdict == Verdict::clear ? is_clear : is_contact;
+    return status_of(found.verdict);
 }
 
 } // namespace
@@ -211,6 +215,7 @@ void add_robot(CLI::App& app, Task& task) {
             "what is within the margin where a segment begins may move on, but never comes within this distance")
         ->excludes(clearance)
         ->type_name("H");
+    add_seconds_option(command, options->query.seconds)->excludes(clearance);
     command.add_option("--time-tolerance", options->query.time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();

@@ -26,7 +26,8 @@ struct SceneOptions {
     std::string hold;   ///< likewise
     std::string until = "1";
     std::string time_tolerance = "1e-12";
-    std::string page; ///< empty: none
+    std::string seconds; ///< empty: no limit
+    std::string page;    ///< empty: none
     std::string title;
     bool all = false;
     bool any = false;
@@ -60,12 +61,17 @@ std::string untested_lines(const SceneAnswer& answer) {
     return report(answer.untested) + (all_rest ? labelled("", "--until 0 tests bodies at rest, too") : "");
 }
 
+std::string headline_without_contact(const SceneAnswer& answer, const QueryOptions& options) {
+    return answer.verdict == Verdict::unknown ? unknown_headline(answer.clear_until, options.margin)
+                                              : clear_headline(answer.untested, options);
+}
+
 /// The first contact in full, and a line for each that may be at the same time.
 std::string report_first(const SceneFile& file, const SceneAnswer& answer, const QueryOptions& options) {
     const Scene& scene = file.scene;
     const double margin = options.margin;
     if (answer.contacts.empty())
-        return naming_motion(clear_headline(answer.untested, options), file.motion) + untested_lines(answer) +
+        return naming_motion(headline_without_contact(answer, options), file.motion) + untested_lines(answer) +
                summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
     std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
@@ -76,8 +82,10 @@ std::string report_first(const SceneFile& file, const SceneAnswer& answer, const
 }
 
 /// A line for each pair that touches.
-std::string report_all(const SceneFile& file, const SceneAnswer& answer) {
+std::string report_all(const SceneFile& file, const SceneAnswer& answer, const QueryOptions& options) {
     const Scene& scene = file.scene;
+    if (answer.verdict == Verdict::unknown)
+        return report_first(file, answer, options);
     const std::string verb = answer.contacts.size() == 1 ? " touches" : " touch";
     std::string text =
         naming_motion(counted(answer.contacts.size(), "pair") + verb, file.motion) + untested_lines(answer);
@@ -120,7 +128,7 @@ std::string report_of(const SceneOptions& options, const SceneFile& file, const 
         json["motion"] = {{"kind", file.motion}};
         return json.dump() + "\n";
     }
-    const std::string text = options.all ? report_all(file, answer) : report_first(file, answer, asked);
+    const std::string text = options.all ? report_all(file, answer, asked) : report_first(file, answer, asked);
     return text + (options.page.empty() ? "" : labelled("page", options.page));
 }
 
@@ -131,6 +139,7 @@ int run_scene(const SceneOptions& options) {
     const SceneFile file = load_scene(options.file, options.polyhedron, margin);
     PageFile page(options);
     const Interruption interruption;
+    const Limit limit(seconds_of(options.seconds), [] { return !Interruption::is_requested(); });
     std::optional<ProgressBar> bar;
     SceneQuery query{.options = query_options(options, file),
                      .until = number_of("--until", options.until),
@@ -139,19 +148,16 @@ int run_scene(const SceneOptions& options) {
         if (!bar)
             bar.emplace("pairs", pairs);
         bar->show(done);
-        return !Interruption::is_requested();
+        return true;
     };
-    try {
-        SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
-        answer.untested = file.scene.untested(query); // with names
-        bar.reset();
-        page.write(file.scene, answer, query.options.margin);
-        print(report_of(options, file, answer, query.options));
-        return answer.contacts.empty() ? is_clear : is_contact;
-    } catch (const SceneCancelled&) {
-        bar.reset();
+    SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
+    answer.untested = file.scene.untested(query); // with names
+    bar.reset();
+    if (Interruption::is_requested() && answer.verdict == Verdict::unknown)
         return report_interruption("the scene is not answered");
-    }
+    page.write(file.scene, answer, query.options.margin);
+    print(report_of(options, file, answer, query.options));
+    return status_of(answer.verdict);
 }
 
 } // namespace
@@ -186,6 +192,7 @@ void add_scene(CLI::App& app, Task& task) {
         ->excludes(any);
     command.add_option("--threads", options->polyhedron.threads, "number of threads; 0 for all cores")
         ->capture_default_str();
+    add_seconds_option(command, options->seconds);
     command.add_flag("--json", options->json, "print one JSON object");
     auto* const page =
         command.add_option("--page", options->page, "write a page (HTML) that shows the scene and its contacts too")

@@ -41,7 +41,7 @@ int run_view(const ViewOptions& options) {
     file.close();
     print(headline(found, question.options.margin, view::name_of(question.numbers.kind)) +
           labelled("page", options.out));
-    return found.verdict == Verdict::clear ? is_clear : is_contact;
+    return status_of(found.verdict);
 }
 
 } // namespace

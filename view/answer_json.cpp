@@ -2,6 +2,7 @@
 #include "view/answer_json.h"
 
 #include "view/names.h"
+#include "view/proven_verdict.h"
 
 namespace chasles::view {
 namespace {
@@ -101,6 +102,10 @@ Json scene_answer_json(const chasles::Scene& scene, const SceneAnswer& found, bo
     };
     Json answer;
     if (all) {
+        if (found.verdict == Verdict::unknown) {
+            answer["verdict"] = name_of(found.verdict);
+            answer["clear_until"] = found.clear_until;
+        }
         answer["events"] = Json::array();
         for (const SceneContact& event : found.contacts)
             answer["events"].push_back({{"time", event.contact.time.lower},
@@ -139,7 +144,7 @@ Json robot_answer_json(const chasles::Robot& robot, const RobotAnswer& found, bo
     Json answer;
     answer["verdict"] = name_of(found.verdict);
     answer["segment"] = found.segment;
-    if (found.verdict != Verdict::clear) {
+    if (found.pair) {
         const Bracket& time = in_stamps ? found.time : found.contact.time;
         answer["time"] = time.lower;
         answer["time_upper"] = time.upper;
@@ -229,7 +234,7 @@ Json pose_json(const Pose& pose) {
 Json answer_json(const FirstContact& found, const MotionNumbers& motion) {
     Json answer;
     answer["verdict"] = name_of(found.verdict);
-    if (found.verdict != Verdict::clear)
+    if (is_contact(found.verdict))
         add_contacts(answer, found, motion.kind);
     if (found.contacts_cut)
         answer["contacts_cut"] = true;

@@ -1,9 +1,14 @@
-// The verdict that an answer about the least distance proves.
+// What verdicts say.
 #pragma once
 
 #include "chasles/query/least_distance.h"
 
 namespace chasles::view {
+
+/// Also at the start.
+inline bool is_contact(Verdict verdict) {
+    return verdict == Verdict::contact || verdict == Verdict::contact_at_start;
+}
 
 /// `clear` if the bodies are proven to stay apart, `contact` or `contact_at_start` if they are proven to touch, and
 /// `unknown` if neither is proven.

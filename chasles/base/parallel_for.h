@@ -8,6 +8,8 @@
 #include <vector>
 
 #if !defined(CHASLES_ONE_THREAD)
+#include "chasles/base/limit_of_thread.h"
+
 #include <mutex>
 #include <oneapi/tbb/blocked_range.h>
 #include <oneapi/tbb/info.h>
@@ -39,7 +41,7 @@ using Mutex = std::mutex;
 using Lock = std::lock_guard<std::mutex>;
 
 /// Calls work(begin, end) for ranges that together make up [0, count), concurrently on at most `threads` threads (0:
-/// all cores). The calling thread does the work if `threads` or count is 1.
+/// all cores), within the limit of this thread. The calling thread does the work if `threads` or count is 1.
 template <typename Work>
 void parallel_for(unsigned threads, std::size_t count, const Work& work) {
     if (threads == 1 || count < 2) {
@@ -52,7 +54,10 @@ void parallel_for(unsigned threads, std::size_t count, const Work& work) {
     oneapi::tbb::task_arena arena(int(threads == 0 ? cores : std::min(threads, cores)));
     arena.execute([&] {
         using Range = oneapi::tbb::blocked_range<std::size_t>;
-        oneapi::tbb::parallel_for(Range(0, count, 1), [&](const Range& range) { work(range.begin(), range.end()); });
+        oneapi::tbb::parallel_for(Range(0, count, 1), [&, limit = LimitOfThread::get()](const Range& range) {
+            const LimitOfThread same_limit(limit);
+            work(range.begin(), range.end());
+        });
     });
 }
 

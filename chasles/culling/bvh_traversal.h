@@ -61,6 +61,9 @@ public:
         return run_queue(range);
     }
 
+    /// Before this tau all pairs have been visited.
+    [[nodiscard]] double visited_until() const { return halvings_.empty() ? 0 : halvings_.back().range.lower; }
+
 private:
     std::uint64_t run_queue(TimeRange range) {
         do {

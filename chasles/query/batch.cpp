@@ -10,7 +10,7 @@ std::vector<FirstContact> first_contact_batch(const BatchQuery& query) {
     const Body& moving = query.moving.body();
     const Body& fixed = query.fixed.body();
     return query::all_answers<FirstContact>(query.motions.size(), query.batch, [&](std::size_t i) {
-        return query::answer({moving, fixed, query.motions[i].trajectory(), query.options});
+        return query::answer_or_unknown({moving, fixed, query.motions[i].trajectory(), query.options});
     });
 }
 
@@ -19,7 +19,8 @@ std::vector<FirstContact> first_contact_batch(std::span<const FirstContactQuery>
         query::check_options(query.options);
     return query::all_answers<FirstContact>(queries.size(), options, [&](std::size_t i) {
         const FirstContactQuery& query = queries[i];
-        return query::answer({query.moving.body(), query.fixed.body(), query.motion.trajectory(), query.options});
+        return query::answer_or_unknown(
+            {query.moving.body(), query.fixed.body(), query.motion.trajectory(), query.options});
     });
 }
 

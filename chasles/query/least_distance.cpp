@@ -42,8 +42,9 @@ private:
         return lower_ > 0 && upper() - lower_ <= question_.options.tolerance * upper();
     }
     [[nodiscard]] double next_level() const;
+    void narrow();
     bool is_clear_of(double level);
-    FirstContact first_touch();
+    std::optional<FirstContact> first_touch();
     std::optional<PieceResult> first_within(double level);
     [[nodiscard]] LeastDistance of_touch(const FirstContact& touch) const;
     [[nodiscard]] LeastDistance of_nearest();
@@ -71,20 +72,31 @@ LeastDistanceSearch::LeastDistanceSearch(const query::LeastPairQuery& question) 
     nearest_.at.near.distance = std::numeric_limits<double>::infinity();
 }
 
+/// At the limit of the thread, what is known so far.
 LeastDistance LeastDistanceSearch::run() {
-    constexpr int most_searches = 64;
-    const FirstContact touch = first_touch();
-    if (touch.verdict != Verdict::clear && touch.certain)
-        return of_touch(touch);
+    const std::optional<FirstContact> touch = first_touch();
+    const bool touches = touch && touch->verdict != Verdict::clear;
+    if (touches && touch->certain)
+        return of_touch(*touch);
     descend_from_samples();
-    if (touch.verdict != Verdict::clear)
-        return of_touch(touch);
-    for (int searches = 0; !is_narrow() && next_level() > 0 && searches < most_searches; ++searches) {
-        const double level = next_level();
-        if (is_clear_of(level))
-            lower_ = std::max(lower_, level);
-    }
+    if (touches)
+        return of_touch(*touch);
+    if (touch)
+        narrow();
     return of_nearest();
+}
+
+/// The bracket of the distance, until it is narrow or the limit is reached.
+void LeastDistanceSearch::narrow() {
+    constexpr int most_searches = 64;
+    try {
+        for (int searches = 0; !is_narrow() && next_level() > 0 && searches < most_searches; ++searches) {
+            const double level = next_level();
+            if (is_clear_of(level))
+                lower_ = std::max(lower_, level);
+        }
+    } catch (const search::Stopped&) {
+    }
 }
 
 void LeastDistanceSearch::descend_from_samples() {
@@ -122,12 +134,12 @@ bool LeastDistanceSearch::is_clear_of(double level) {
     return false;
 }
 
-FirstContact LeastDistanceSearch::first_touch() {
-    FirstContact touch = query::answer(
-        {question_.moving, question_.fixed, question_.trajectory,
-         QueryOptions{.time_tolerance = question_.options.time_tolerance, .find = question_.options.find}});
+/// Empty at the limit.
+std::optional<FirstContact> LeastDistanceSearch::first_touch() {
+    const QueryOptions options{.time_tolerance = question_.options.time_tolerance, .find = question_.options.find};
+    FirstContact touch = query::answer_or_unknown({question_.moving, question_.fixed, question_.trajectory, options});
     work_ += touch.work;
-    return touch;
+    return touch.verdict == Verdict::unknown ? std::nullopt : std::optional(std::move(touch));
 }
 
 /// What comes within the level first, from where larger levels are not yet excluded.
@@ -224,9 +236,14 @@ std::vector<LeastDistance> least_distance_batch(const LeastDistanceBatchQuery& q
     query::check_options(query.options);
     const Body& moving = query.moving.body();
     const Body& fixed = query.fixed.body();
-    return query::all_answers<LeastDistance>(query.motions.size(), query.batch, [&](std::size_t i) {
-        return query::answer({moving, fixed, query.motions[i].trajectory(), query.options});
-    });
+    LeastDistance unanswered;
+    unanswered.distance.upper = std::numeric_limits<double>::infinity();
+    return query::all_answers<LeastDistance>(
+        query.motions.size(), query.batch,
+        [&](std::size_t i) {
+            return query::answer({moving, fixed, query.motions[i].trajectory(), query.options});
+        },
+        unanswered);
 }
 
 LeastDistance LeastDistance::swapped() const {

@@ -2,6 +2,7 @@
 
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/limit.h"
 #include "chasles/contact/relative_configuration.h"
 #include "chasles/culling/clearly_apart.h"
 #include "chasles/culling/far_apart.h"
@@ -58,6 +59,15 @@ double tau_after(const motion::AnyPiece& piece, double time) {
         return 1;
     const double tau = std::clamp((time - start) / (end - start), 0.0, 1.0);
     return piece.time_of({tau, tau}).lower >= time ? tau : 1;
+}
+
+/// The answer of a search of a piece. Throws Cancelled with the time that is proven.
+PieceResult search_within_limit(PieceContext& context, const search::SearchOptions& options) {
+    try {
+        return search_piece(context, options);
+    } catch (const search::Stopped& stopped) {
+        throw Cancelled(context.piece().time_of({stopped.clear_until, stopped.clear_until}).lower);
+    }
 }
 
 /// One question, piece by piece.
@@ -134,7 +144,7 @@ FirstContact PieceByPiece::run_within(double margin) {
         search::SearchOptions search = search_of(context, margin);
         search.check_start = i == 0;
         search.until = tau_after(context.piece(), query_.until);
-        const PieceResult result = search_piece(context, search);
+        const PieceResult result = search_within_limit(context, search);
         found.work += result.work;
         if (has_contact(result)) {
             report(found, context, result, {options_, i == 0, search.margin});
@@ -232,7 +242,7 @@ bool PieceByPiece::search_holding_part(FirstContact& found, const HeldPiece& pie
     near.pairs = complete(piece.pairs);
     near.from = piece.pairs.part().lower;
     near.until = std::min(piece.until, piece.pairs.part().upper);
-    const PieceResult at_level = search_piece(piece.context, near);
+    const PieceResult at_level = search_within_limit(piece.context, near);
     found.work += piece.pairs.take_work();
     found.work += at_level.work;
     if (found.verdict == Verdict::unknown)
@@ -252,7 +262,7 @@ void PieceByPiece::search_new(FirstContact& found, const HeldPiece& piece, const
     if (has_contact(at_level))
         far.until = enclosing(at_level).upper;
     const bool tells_new = !piece.context.is_enclosed();
-    const PieceResult new_contacts = tells_new ? search_piece(piece.context, far) : PieceResult();
+    const PieceResult new_contacts = tells_new ? search_within_limit(piece.context, far) : PieceResult();
     found.work += new_contacts.work;
     const bool is_new = has_contact(new_contacts) &&
                         (!has_contact(at_level) || enclosing(new_contacts).upper < enclosing(at_level).upper);
@@ -304,6 +314,18 @@ FirstContact answer(const PairQuery& query) {
     }
     PieceByPiece pieces(query);
     return query.options.hold ? pieces.run_holding() : pieces.run_within(query.options.margin);
+}
+
+FirstContact answer_or_unknown(const PairQuery& query) {
+    try {
+        return answer(query);
+    } catch (const Cancelled& cancelled) {
+        FirstContact found;
+        found.clear_until = std::min(cancelled.clear_until, query.until);
+        found.pose = query.trajectory.pose_at(found.clear_until);
+        found.fixed_pose = query.trajectory.fixed_pose_at(found.clear_until);
+        return found;
+    }
 }
 
 } // namespace chasles::query

@@ -42,8 +42,12 @@ void require_hold(double hold);
 void check_options(const QueryOptions& options);
 void check_options(const LeastDistanceOptions& options);
 
-/// The answer, for options that have been checked.
+/// The answer, for options that have been checked. Throws Cancelled at the limit of the thread: what asks about many
+/// pairs must not take `unknown` for a contact.
 FirstContact answer(const PairQuery& query);
+/// Likewise, but for `unknown` at the limit.
+FirstContact answer_or_unknown(const PairQuery& query);
+/// The answer, for options that have been checked: at the limit of the thread the bracket so far.
 LeastDistance answer(const LeastPairQuery& query);
 
 } // namespace chasles::query

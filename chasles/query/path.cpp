@@ -15,8 +15,9 @@ PathContact first_contact_on_path(const PathQuery& query) {
     search::OrbitFilter orbits(query.moving.body(), query.fixed.body());
     for (std::size_t segment = 0; segment < query.motions.size(); ++segment) {
         result.segment = segment;
-        result.contact = query::answer({query.moving.body(), query.fixed.body(), query.motions[segment].trajectory(),
-                                        query.options, 1, nullptr, &orbits});
+        result.contact =
+            query::answer_or_unknown({query.moving.body(), query.fixed.body(), query.motions[segment].trajectory(),
+                                      query.options, 1, nullptr, &orbits});
         work += result.contact.work;
         if (query.progress)
             query.progress(segment + 1);

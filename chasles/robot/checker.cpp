@@ -1,6 +1,7 @@
 // Asks the pairs of a robot and its world that come near each other, in order of time.
 // Source: docs/derivations/29-robots.md, "Answers".
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/base/parallel_for.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/robot/segment_pairs.h"
@@ -28,6 +29,8 @@ public:
     };
     /// The first contact, or some contact with Find::any; null if the segment is clear.
     std::optional<Found> run();
+    /// While `run` goes on: nothing touches before, in the time of the segment.
+    [[nodiscard]] double clear_until() const { return clear_until_; }
     [[nodiscard]] bool is_clear() const;
 
     [[nodiscard]] std::size_t pairs() const { return pairs_; }
@@ -39,6 +42,7 @@ private:
     const Prepared& prepared_;
     SegmentPairs segment_;
     std::size_t pairs_ = 0;
+    double clear_until_ = 0;
     Work work_;
 };
 
@@ -82,6 +86,7 @@ std::optional<SegmentSearch::Found> SegmentSearch::run() {
             break;
         }
         ++pairs_;
+        clear_until_ = std::min(clear_until, task.part.lower);
         FirstContact contact = ask(task, best, prepared_.options.find);
         work_ += contact.work;
         if (contact.verdict == Verdict::clear)
@@ -135,6 +140,15 @@ void set_contact(RobotAnswer& answer, const JointPath& path, SegmentSearch::Foun
     answer.contact = std::move(contact);
 }
 
+/// Cancelled in a segment, at this time of it.
+void set_unknown(RobotAnswer& answer, const JointPath& path, double clear_until) {
+    answer.clear_until = robot::stamps_of(path.segments()[answer.segment], {clear_until, clear_until}).lower;
+    answer.time = {answer.clear_until, answer.clear_until};
+    answer.contact.clear_until = clear_until;
+    answer.contact.time = {clear_until, clear_until};
+    answer.configuration = answer.clear_configuration = path.at(answer.clear_until);
+}
+
 } // namespace
 
 RobotAnswer RobotChecker::first_contact(const JointPath& path) const {
@@ -143,7 +157,13 @@ RobotAnswer RobotChecker::first_contact(const JointPath& path) const {
     const std::vector<JointPath::Segment>& segments = path.segments();
     for (answer.segment = 0; answer.segment < segments.size(); ++answer.segment) {
         SegmentSearch search(*prepared_, path, answer.segment);
-        std::optional<SegmentSearch::Found> found = search.run();
+        std::optional<SegmentSearch::Found> found;
+        try {
+            found = search.run();
+        } catch (const Cancelled&) {
+            set_unknown(answer, path, search.clear_until());
+            return answer;
+        }
         answer.pairs += search.pairs();
         answer.work += search.work();
         if (found) {
@@ -188,7 +208,7 @@ std::vector<RobotAnswer> RobotChecker::first_contacts(const Eigen::MatrixXd& sta
         }
     std::vector<RobotAnswer> answers(paths.size());
     parallel_for(threads, answers.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end; ++i)
+        for (std::size_t i = begin; i < end && !is_cancelled(); ++i)
             answers[i] = first_contact(paths[i]);
     });
     return answers;

@@ -1,6 +1,7 @@
 // Shares the time among all pairs of links. Source: docs/derivations/29-robots.md, "Pairs that never touch".
 #include "chasles/robot/pair_proof.h"
 
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/robot/pair_search.h"
 
@@ -54,7 +55,7 @@ bool examine_in_turn(std::vector<Examined>& pairs, const std::vector<std::size_t
         auto& [proof, search] = pairs[order[k]];
         const std::size_t done = pairs.size() - (order.size() - k);
         const auto goes_on = [&] { return !options.progress || options.progress(done, pairs.size()); };
-        if (!goes_on())
+        if (!goes_on() || is_cancelled())
             return false;
         const double left = options.seconds - seconds_since(start);
         search->run(proof, std::max(0.0, left / double(order.size() - k)), goes_on);

@@ -37,8 +37,8 @@ struct PairProof {
 struct PairProofOptions {
     double seconds = 600; ///< for all pairs; what is not decided then is open
     unsigned threads = 0; ///< at most so many; 0: all cores
-    /// Called now and then with the number of pairs that are done, from the calling thread; where it returns false, the
-    /// rest stays open.
+    /// Called now and then with the number of pairs that are done, from any one thread at a time; where it returns
+    /// false, the rest stays open.
     std::function<bool(std::size_t done, std::size_t pairs)> progress = {};
 };
 

@@ -1,5 +1,6 @@
 #include "chasles/robot/pair_search.h"
 
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/base/parallel_for.h"
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/motion/smooth_trajectory.h"
@@ -32,11 +33,6 @@ PairSearch::PairSearch(const Robot& given, std::size_t first, std::size_t second
     const PairAxes found = axes_between(model_, first_, second_);
     axes_ = found.axes;
     has_limits_ = found.have_limits;
-}
-
-bool PairSearch::is_over() {
-    is_ended_ = is_ended_ || (goes_on_ && !goes_on_());
-    return is_time_up();
 }
 
 /// `values` are those of all axes.
@@ -78,7 +74,7 @@ void PairSearch::for_each_answer(const JointPath::Segment& segment, const QueryO
         for (const Element* fixed : second_) {
             const motion::SharedFrame frame = motion::chain_frame(model_.chain_between(motion, *fixed, *moving));
             const motion::ErasedTrajectory trajectory{motion::SmoothTrajectory(motion::SmoothMotion::of_one(frame))};
-            if (is_time_up() || !use(query::answer({moving->shape.body(), fixed->shape.body(), trajectory, options})))
+            if (!use(query::answer({moving->shape.body(), fixed->shape.body(), trajectory, options})))
                 return;
         }
 }
@@ -131,8 +127,6 @@ bool PairSearch::are_clear(const Configuration& values) const {
 
 void PairSearch::try_clear(const Configuration& values, PairProof& proof) {
     const bool is_clear = are_clear(values);
-    if (is_time_up())
-        return;
     was_clear_ = was_clear_ || is_clear;
     ++proof.tried;
     proof.touching += is_clear ? 0 : 1;
@@ -144,7 +138,7 @@ void PairSearch::look_for_clear(const std::vector<double>& values, PairProof& pr
         return;
     const double lower = axes_.back().lower, way = axes_.back().upper - lower;
     for (const double share : {1.0, 0.5, 0.25, 0.75, 0.125, 0.375, 0.625, 0.875})
-        if (!was_clear_ && !is_time_up())
+        if (!was_clear_)
             try_clear(configuration(values, lower + share * way), proof);
 }
 
@@ -165,8 +159,6 @@ void PairSearch::find_witness(const std::vector<double>& values, const LineConta
 /// Searches a line. It may show a configuration in which the links touch, and another one in which they are apart.
 void PairSearch::note(const std::vector<double>& values, PairProof& proof) {
     const LineContact contact = first_contact_on(values);
-    if (is_time_up())
-        return;
     was_clear_ = was_clear_ || contact.starts_clear;
     may_touch_ = may_touch_ || contact.when;
     ++proof.tried; // its start
@@ -182,7 +174,8 @@ bool PairSearch::sample(PairProof& proof) {
     std::mt19937_64 random(1);
     std::vector<double> values(axes_.empty() ? 0 : axes_.size() - 1);
     const int lines = axes_.size() < 2 ? 1 : random_lines;
-    for (int i = 0; i < lines && !(was_clear_ && proof.witness) && !is_over(); ++i, ++proof.cells) {
+    for (int i = 0; i < lines && !(was_clear_ && proof.witness); ++i, ++proof.cells) {
+        throw_if_cancelled();
         for (std::size_t k = 0; k < values.size(); ++k) {
             const double share = i == 0 ? 0.5 : std::ldexp(double(random() >> 11), -53);
             values[k] = axes_[k].lower + share * (axes_[k].upper - axes_[k].lower);
@@ -235,28 +228,26 @@ PairSearch::Cell PairSearch::whole(std::size_t axes) const {
     return cell;
 }
 
-/// Of the first cells, several at a time. After the deadline all others are flagged, which decides nothing.
+/// Of the first cells, several at a time.
 std::vector<char> PairSearch::flags_of(const std::deque<Cell>& cells,
                                        const std::function<bool(const Cell&)>& is_flagged) const {
     std::vector<char> flags(std::min(cells.size(), cells_together));
     parallel_for(options_.threads, flags.size(), [&](std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i)
-            flags[i] = is_time_up() || is_flagged(cells[i]) ? 1 : 0;
+            flags[i] = is_flagged(cells[i]) ? 1 : 0;
     });
     return flags;
 }
 
-/// Examines the first cells, and replaces the open ones by their halves. True once the pair is decided, and at the
-/// deadline.
+/// Examines the first cells, and replaces the open ones by their halves. True once the pair is decided.
 bool PairSearch::examine(std::deque<Cell>& cells, PairProof& proof, const Claim& claim) {
     const std::vector<char> are_open = flags_of(cells, claim.is_open);
-    if (is_over())
-        return true;
     proof.cells += are_open.size();
     for (const char is_open : are_open) {
+        throw_if_cancelled();
         if (is_open) {
             claim.look_at(cells.front());
-            if (decide(proof) || is_over())
+            if (decide(proof))
                 return true;
             split(axes_, cells.front(), cells);
         }
@@ -292,16 +283,21 @@ void PairSearch::prove_always(PairProof& proof) {
             .look_at = [&](const Cell& cell) { try_clear(configuration(cell.middle), proof); }});
 }
 
+void PairSearch::search(PairProof& proof) {
+    if (!has_limits_ || sample(proof))
+        return;
+    if (!may_touch_)
+        prove_never(proof);
+    else if (may_be_always())
+        prove_always(proof);
+}
+
 void PairSearch::run(PairProof& proof, double seconds, const std::function<bool()>& goes_on) {
-    goes_on_ = goes_on;
     const Clock::time_point start = Clock::now();
-    deadline_ =
-        start + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(std::min(seconds, 1e8)));
-    if (has_limits_ && !sample(proof) && !is_over()) {
-        if (!may_touch_)
-            prove_never(proof);
-        else if (may_be_always())
-            prove_always(proof);
+    const Limit limit(seconds, goes_on);
+    try {
+        search(proof);
+    } catch (const Cancelled&) { // what is known so far stays
     }
     proof.seconds += seconds_since(start);
 }

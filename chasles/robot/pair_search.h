@@ -30,7 +30,7 @@ public:
     [[nodiscard]] std::size_t dimension() const { return axes_.size(); }
     /// Whether more time may decide an open pair.
     [[nodiscard]] bool is_unfinished() const { return has_limits_ && (!may_touch_ || may_be_always()); }
-    /// Ends soon after `goes_on` has returned false, which the calling thread asks now and then; it may be empty.
+    /// Ends soon after `goes_on` has returned false, which any one thread asks now and then; it may be empty.
     void run(PairProof& proof, double seconds, const std::function<bool()>& goes_on);
 
 private:
@@ -45,10 +45,6 @@ private:
         bool starts_clear = true;
     };
 
-    /// What was computed around this time may be incomplete, and is not used.
-    [[nodiscard]] bool is_time_up() const { return is_ended_ || Clock::now() >= deadline_; }
-    /// Likewise, and asks the user.
-    [[nodiscard]] bool is_over();
     [[nodiscard]] bool may_be_always() const { return has_witness_ && !was_clear_; }
     [[nodiscard]] Configuration configuration(const std::vector<double>& values, double swept) const;
     [[nodiscard]] Configuration configuration(const std::vector<double>& values) const;
@@ -71,6 +67,7 @@ private:
         std::function<bool(const Cell&)> is_open; ///< not proven in the cell; called from several threads
         std::function<void(const Cell&)> look_at; ///< may find in an open cell that the claim is wrong
     };
+    void search(PairProof& proof);
     void prove_never(PairProof& proof);
     void prove_always(PairProof& proof);
     void branch(PairProof& proof, std::size_t axes, const Claim& claim);
@@ -86,9 +83,6 @@ private:
     Configuration neutral_;
     std::vector<const Element*> first_, second_;
     std::vector<Axis> axes_; ///< the swept one last
-    Clock::time_point deadline_;
-    std::function<bool()> goes_on_;
-    bool is_ended_ = false; ///< by the user
     bool has_limits_ = true;
     bool was_clear_ = false;   ///< in some configuration
     bool may_touch_ = false;   ///< in some configuration, if only by rounding

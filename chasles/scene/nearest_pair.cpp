@@ -1,5 +1,7 @@
 #include "chasles/scene/nearest_pair.h"
 
+#include "chasles/base/limit_of_thread.h"
+
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/scene/curve_order.h"
@@ -149,8 +151,7 @@ void NearestPairSearch::compare(const NodePair& leaves) {
         std::swap(moving, fixed);
     if (moving == fixed || scene_.is_ignored(moving, fixed))
         return;
-    if (query_.may_go_on && !query_.may_go_on())
-        throw SceneCancelled();
+    throw_if_cancelled();
     const auto mover = [&](std::size_t i) { return Mover{scene_.bodies()[i].shape, scene_.motion_of(i)}; };
     const Mover a = mover(moving), b = mover(fixed);
     ++best_.searched;

@@ -5,7 +5,6 @@
 #include "chasles/query/least_distance.h"
 #include "chasles/scene/scene.h"
 
-#include <functional>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -18,8 +17,6 @@ struct NearestPairQuery {
     /// Without it, all pairs of bodies of the first list are tested.
     std::optional<std::vector<std::size_t>> second = {};
     LeastDistanceOptions options = {};
-    /// Called before each pair is tested; may be empty. Where it returns false, the search ends with SceneCancelled.
-    std::function<bool()> may_go_on = {};
 };
 
 struct NearestPair {
@@ -32,7 +29,7 @@ struct NearestPair {
 
 /// The nearest pair, over the whole time [0, 1]. Where several are equally near, the answer is one of them. Throws
 /// InvalidInput for an option out of its range, for an unknown index, and if all pairs are farther apart than
-/// Pose::largest_length.
+/// Pose::largest_length; Cancelled at a Limit.
 NearestPair nearest_pair(const Scene& scene, const NearestPairQuery& query);
 
 } // namespace chasles::scene

@@ -43,13 +43,8 @@ struct SceneQuery {
     double until = 1;
     unsigned threads = 0; ///< at most so many; 0: all cores
     /// Called now and then, from any one thread at a time, with the number of pairs done and of all pairs; may be
-    /// empty. Where it returns false, the question ends with SceneCancelled.
+    /// empty. Where it returns false, the question ends as at a Limit.
     std::function<bool(std::size_t done, std::size_t pairs)> progress = {};
-};
-
-/// Thrown by a question whose progress function has returned false.
-struct SceneCancelled : std::exception {
-    [[nodiscard]] const char* what() const noexcept override { return "scene: cancelled"; }
 };
 
 /// A contact of two bodies of a scene.
@@ -61,7 +56,7 @@ struct SceneContact {
 
 /// The answer for a whole scene.
 struct [[nodiscard]] SceneAnswer {
-    Verdict verdict = Verdict::unknown;
+    Verdict verdict = Verdict::unknown; ///< also at a Limit; then there are no contacts
     /// In order of time: by lower ends of brackets, then by names. Empty if the scene is clear. For the earliest
     /// contact: the first pair, and all pairs whose brackets overlap with its bracket, as they may touch at the same
     /// time. Where pairs touch at the start, Find::first gives some of them, and Find::first_with_all_contacts all.

@@ -1,6 +1,7 @@
 // Asks the pairs of a scene, several at a time. Answers do not depend on the number of threads: pairs are taken in
 // rounds whose sizes are fixed, and what one pair is asked depends on earlier rounds only. Source:
 // docs/derivations/27-scenes.md, "Order".
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/base/parallel_for.h"
 #include "chasles/base/sort.h"
 #include "chasles/query/pair_query.h"
@@ -58,6 +59,9 @@ public:
     SceneAnswer earliest();
     SceneAnswer any();
     SceneAnswer all();
+    /// What `ask` returns, or that nothing is known but for how long the scene is proven clear.
+    template <class Ask>
+    SceneAnswer within_limit(const Ask& ask);
 
 private:
     [[nodiscard]] FirstContact ask(const scene::IndexPair& pair, double until) const;
@@ -74,6 +78,8 @@ private:
     Mutex reporting_;
     std::size_t done_ = 0;
     std::atomic<bool> is_cancelled_ = false;
+    double clear_until_ = 0; ///< proven while rounds go on
+    double first_contact_ = 1;
     Work work_;
 };
 
@@ -85,6 +91,7 @@ FirstContact SceneSearch::ask(const scene::IndexPair& pair, double until) const 
 
 std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double until) {
     std::vector<SceneContact> answers(rounds.end() - rounds.begin());
+    clear_until_ = std::min(first_contact_, tasks_[rounds.begin()].earliest);
     parallel_for(query_.threads, answers.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !is_cancelled_; ++i) {
             const PairTask& task = tasks_[rounds.begin() + i];
@@ -94,10 +101,12 @@ std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double unti
         }
     });
     if (is_cancelled_)
-        throw SceneCancelled();
+        throw Cancelled();
     for (const SceneContact& answer : answers)
         work_ += answer.contact.work;
     std::erase_if(answers, [](const SceneContact& c) { return c.contact.verdict == Verdict::clear; });
+    for (const SceneContact& answer : answers)
+        first_contact_ = std::min(first_contact_, answer.contact.clear_until);
     return answers;
 }
 
@@ -194,12 +203,26 @@ SceneAnswer SceneSearch::all() {
     return answer(std::move(found));
 }
 
+template <class Ask>
+SceneAnswer SceneSearch::within_limit(const Ask& ask) {
+    try {
+        return ask();
+    } catch (const Cancelled&) {
+        SceneAnswer unknown;
+        unknown.clear_until = std::min(clear_until_, query_.until);
+        unknown.pairs = tasks_.size();
+        unknown.work = work_;
+        return unknown;
+    }
+}
+
 } // namespace
 
 SceneAnswer Scene::first_contact(const SceneQuery& query) const {
     check(*this, query);
     SceneSearch search(*this, query);
-    SceneAnswer answer = query.options.find == Find::any ? search.any() : search.earliest();
+    SceneAnswer answer =
+        search.within_limit([&] { return query.options.find == Find::any ? search.any() : search.earliest(); });
     answer.untested = numbers_of_untested(query);
     return answer;
 }
@@ -207,14 +230,16 @@ SceneAnswer Scene::first_contact(const SceneQuery& query) const {
 SceneAnswer Scene::all_contacts(const SceneQuery& query) const {
     check(*this, query);
     query::require(query.options.find != Find::any, "find", "is a question of yes or no");
-    SceneAnswer answer = SceneSearch(*this, query).all();
+    SceneSearch search(*this, query);
+    SceneAnswer answer = search.within_limit([&] { return search.all(); });
     answer.untested = numbers_of_untested(query);
     return answer;
 }
 
 std::vector<double> Scene::clear_until(const SceneQuery& query) const {
-    std::vector<double> clear(bodies_.size(), query.until);
-    for (const SceneContact& contact : all_contacts(query).contacts)
+    const SceneAnswer found = all_contacts(query);
+    std::vector<double> clear(bodies_.size(), found.verdict == Verdict::unknown ? found.clear_until : query.until);
+    for (const SceneContact& contact : found.contacts)
         for (const std::size_t body : {contact.moving, contact.fixed})
             clear[body] = std::min(clear[body], contact.contact.clear_until);
     return clear;

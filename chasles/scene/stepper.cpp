@@ -2,6 +2,7 @@
 // which no other pair may touch makes the event. Source: docs/derivations/28-stepping.md.
 #include "chasles/scene/stepper.h"
 
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/base/parallel_for.h"
 #include "chasles/base/sort.h"
 #include "chasles/scene/pair_question.h"
@@ -74,6 +75,7 @@ private:
     void foresee(const IndexPair& pair, double earliest);
     void foresee_neighbours(std::uint32_t index);
     void foresee_changes();
+    void ask_all(std::vector<Prospect>& batch);
     void ask_what_may_be_first();
     [[nodiscard]] std::vector<IndexPair> take_first_contacts();
     void sort_by_names(std::vector<IndexPair>& pairs) const;
@@ -191,6 +193,20 @@ void Stepper::Implementation::foresee_changes() {
     last_.clear();
 }
 
+/// Where an answer fails, all of them are asked again by the next step.
+void Stepper::Implementation::ask_all(std::vector<Prospect>& batch) {
+    try {
+        parallel_for(options_.threads, batch.size(), [&](std::size_t first, std::size_t last) {
+            for (std::size_t i = first; i < last; ++i)
+                batch[i] = asked(batch[i]);
+        });
+    } catch (...) {
+        for (const Prospect& prospect : batch)
+            unasked_.push(prospect);
+        throw;
+    }
+}
+
 /// Until no pair that was not asked may touch before the first contact ends.
 void Stepper::Implementation::ask_what_may_be_first() {
     constexpr std::size_t most = 16; // at once, for any number of threads
@@ -203,10 +219,7 @@ void Stepper::Implementation::ask_what_may_be_first() {
                 batch.push_back(unasked_.top());
         if (batch.empty())
             return;
-        parallel_for(options_.threads, batch.size(), [&](std::size_t first, std::size_t last) {
-            for (std::size_t i = first; i < last; ++i)
-                batch[i] = asked(batch[i]);
-        });
+        ask_all(batch);
         for (const Prospect& prospect : batch)
             if (prospect.time.lower < 1)
                 contacts_.push(prospect);
@@ -292,6 +305,7 @@ std::optional<StepEvent> Stepper::Implementation::advance() {
         return std::nullopt;
     }
     last_ = take_first_contacts();
+    const LimitOfThread without(nullptr); // what is left takes little time, and the contacts are taken
     return StepEvent{time_, contact_sets(last_), connected_with(last_)};
 }
 

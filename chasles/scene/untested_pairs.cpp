@@ -1,6 +1,7 @@
 // Counts what a scene leaves out by the sizes of groups, so that a large scene costs no time for each pair.
 #include "chasles/scene/untested_pairs.h"
 
+#include "chasles/base/limit.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/scene/scene.h"
 
@@ -151,6 +152,8 @@ UntestedPairs Scene::numbers_of_untested(const SceneQuery& query) const {
 
 std::vector<std::pair<std::string, std::string>> Scene::ignore_touching_at_start(double margin) {
     const SceneAnswer found = all_contacts({.options = {.margin = margin}, .until = 0});
+    if (found.verdict == Verdict::unknown)
+        throw Cancelled();
     std::vector<std::pair<std::string, std::string>> pairs;
     for (const SceneContact& contact : found.contacts) {
         const auto ids = std::minmax(placed_[contact.moving].id, placed_[contact.fixed].id);

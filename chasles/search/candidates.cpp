@@ -17,6 +17,14 @@ void Candidates::stop_search_at(double tau) {
     std::erase_if(postponed_, is_later);
 }
 
+double Candidates::first() const {
+    double first = searched_until_;
+    for (const auto* const candidates : {&kept_, &postponed_})
+        for (const Candidate& candidate : *candidates)
+            first = std::min(first, candidate.tau.lower);
+    return first;
+}
+
 void Candidates::end_at_start() {
     state_.shorten(0);
     state_.stop();

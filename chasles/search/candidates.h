@@ -48,6 +48,8 @@ public:
     void stop_search_at(double tau);
     [[nodiscard]] double best() const { return std::min(state_.best(), searched_until_); }
     [[nodiscard]] double searched_until() const { return searched_until_; }
+    /// No candidate starts before this tau.
+    [[nodiscard]] double first() const;
 
     /// An overlap at the start: nothing is earlier.
     void end_at_start();

@@ -24,6 +24,7 @@ public:
         return options_.margin + elementary::parallel_slack * parts_.scale().length;
     }
     [[nodiscard]] double best() const { return candidates_.best(); }
+    [[nodiscard]] double first_candidate() const { return candidates_.first(); }
     [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
 
     void use(const culling::TimeRange& part);

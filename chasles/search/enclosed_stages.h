@@ -26,6 +26,7 @@ public:
     [[nodiscard]] const culling::PieceParts& parts() const { return parts_; }
     [[nodiscard]] double culling_margin() const;
     [[nodiscard]] double best() const { return candidates_.best(); }
+    [[nodiscard]] double first_candidate() const { return candidates_.first(); }
     [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
 
     void use(const culling::TimeRange& part);

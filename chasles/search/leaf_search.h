@@ -2,6 +2,7 @@
 // Source: docs/derivations/13-face-sides.md and 15-flat-on-flat.md.
 #pragma once
 
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_culler.h"
 #include "chasles/culling/separating_plane.h"
@@ -32,6 +33,7 @@ public:
     /// By the plane that was found, if there is one, from `first` on. The traversal asks this once for each pair that
     /// it visits.
     bool is_kept_apart(const culling::NodePair& pair, double first) {
+        work_on(1);
         if constexpr (Stages::tests_all_kinds)
             if (++visits_ == visits_of_a_long_search)
                 test_nearest_at_start();
@@ -40,6 +42,7 @@ public:
     /// Tests every pair of features that the two faces own and that may come to each other's planes.
     void test(const culling::FacePair& pair) {
         ++work_.face_pairs;
+        work_on(work_of_faces);
         if (births_ && !births_->may_be_in(pair))
             return;
         const auto faces = culler_.cull(pair, stages_.best());
@@ -57,6 +60,8 @@ public:
             search_plane(pair, *until);
     }
 
+    /// No candidate starts before this tau.
+    [[nodiscard]] double first_candidate() const { return stages_.first_candidate(); }
     /// Once, and last.
     PieceResult take() {
         PieceResult result = stages_.take();
@@ -65,6 +70,13 @@ public:
     }
 
 private:
+    /// Of a limit, two faces take as much as so many pairs of nodes.
+    static constexpr int work_of_faces = 32;
+    void work_on(int work) {
+        if (watch_.is_over(work))
+            throw Stopped{options_.from};
+    }
+
     /// A search visits pairs that may be near at the start in no order of distance.
     static constexpr std::uint64_t visits_of_a_long_search = 1 << 13;
 
@@ -99,6 +111,7 @@ private:
     std::optional<BirthFilter> births_; ///< only with held contacts
     std::optional<culling::SeparatingPlane> plane_;
     Work work_;
+    Watch watch_;
     std::uint64_t visits_ = 0; ///< of pairs of nodes, with a margin
 };
 

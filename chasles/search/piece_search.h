@@ -39,6 +39,12 @@ struct PieceResult {
     Work work;
 };
 
+/// Thrown by a search that reaches the limit of its thread.
+struct Stopped {
+    double clear_until; ///< tau up to which nothing is within the margin
+};
+
+/// Throws Stopped.
 PieceResult search_piece(PieceContext& context, const SearchOptions& options);
 
 } // namespace chasles::search

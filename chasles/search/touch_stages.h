@@ -41,6 +41,7 @@ public:
     [[nodiscard]] double culling_margin() const { return 0; }
     /// No candidate after this time matters; nothing matters at all any more.
     [[nodiscard]] double best() const { return candidates_.best(); }
+    [[nodiscard]] double first_candidate() const { return candidates_.first(); }
     [[nodiscard]] bool is_over() const { return candidates_.state().is_over(); }
 
     /// Sets the part of the piece that the filter tests next.

@@ -16,7 +16,11 @@ PieceResult traverse(PieceContext& context, const SearchOptions& options) {
     culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, options.margin,
                                     !options.finds_any, leaves);
     const culling::TimeRange range{options.from, 1};
-    work.node_pairs += pairs ? traversal.run_among(*pairs, range) : traversal.run(range);
+    try {
+        work.node_pairs += pairs ? traversal.run_among(*pairs, range) : traversal.run(range);
+    } catch (const Stopped&) {
+        throw Stopped{std::min(traversal.visited_until(), leaves.first_candidate())};
+    }
     PieceResult result = leaves.take();
     result.work += work;
     if (options.orbits && !pairs)

@@ -13,6 +13,7 @@ Lengths are in the meshes' own unit, angles in radians, times in [0, 1]. The gui
 from typing import Any
 
 from ._core import (
+    Cancelled,
     ConstantTwist,
     ConstantVelocity,
     Contact,
@@ -25,6 +26,7 @@ from ._core import (
     InvalidInput,
     JointPath,
     LeastDistance,
+    Limit,
     MassProperties,
     MeshReport,
     Motion,
@@ -70,6 +72,7 @@ from .view import view, write_page
 
 __all__ = [
     "BatchInterrupted",
+    "Cancelled",
     "CollisionManager",
     "ConstantTwist",
     "ConstantVelocity",
@@ -85,6 +88,7 @@ __all__ = [
     "InvalidInput",
     "JointPath",
     "LeastDistance",
+    "Limit",
     "MassProperties",
     "MeshReport",
     "Motion",

@@ -10,6 +10,8 @@
 namespace chasles::python {
 
 std::string summary(const FirstContact& found, const std::string& bodies) {
+    if (found.verdict == Verdict::unknown)
+        return fmt::format("unknown: the limit was reached; proven clear until {}", found.clear_until);
     if (found.verdict == Verdict::clear)
         return found.clear_until < 1 ? fmt::format("clear until {}", found.clear_until) : "clear";
     std::string text = found.verdict == Verdict::contact ? fmt::format("contact at time {:.12g}", found.time.lower)

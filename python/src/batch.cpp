@@ -16,6 +16,12 @@ namespace {
 
 using namespace nb::literals;
 
+/// A row that was not answered in time stays as it is.
+void write_answer(const FirstContact& found, Row& row) {
+    if (found.verdict != Verdict::unknown)
+        write(found, row);
+}
+
 void first_contact_rows(const BodyPair& bodies, const RowMotions& motions, nb::handle array, const QueryOptions& query,
                         const RowOptions& options, nb::handle report) {
     motion_rows<Row>(
@@ -24,7 +30,7 @@ void first_contact_rows(const BodyPair& bodies, const RowMotions& motions, nb::h
             static_cast<void>(first_contact({triangle, triangle, rest, query}));
         },
         [&](const Motion& motion, Row& row) {
-            write(first_contact({bodies.moving, bodies.fixed, motion, query}), row);
+            write_answer(first_contact({bodies.moving, bodies.fixed, motion, query}), row);
         });
 }
 
@@ -33,9 +39,6 @@ std::string name_in_paths(std::span<const std::int64_t> offsets, std::size_t pos
     const auto end = std::ranges::upper_bound(offsets, std::int64_t(pose));
     return fmt::format("paths[{}][{}]", end - offsets.begin() - 1, std::int64_t(pose) - end[-1]);
 }
-
-/// Thrown to end the query of a path.
-struct Stopped {};
 
 /// The poses of path i are those from offsets[i] to offsets[i + 1].
 void path_rows(const BodyPair& bodies, nb::handle poses, nb::handle offset_array, nb::handle array,
@@ -49,19 +52,13 @@ void path_rows(const BodyPair& bodies, nb::handle poses, nb::handle offset_array
     const auto work = [&](Progress& progress) {
         const ReadPoses path(pose_array, options, progress,
                              [&](std::size_t i) { return name_in_paths(offsets.numbers(), i); });
-        const auto stop_if_interrupted = [&](std::size_t) {
-            if (progress.is_stopping)
-                throw Stopped();
-        };
         answer_rows(table, options, progress, [&](std::size_t i) {
             const auto begin = std::size_t(offsets.numbers()[i]), end = std::size_t(offsets.numbers()[i + 1]);
             const PathQuery path_query{bodies.moving, bodies.fixed,
-                                       screws_along(path.range(begin, end), options.max_turn), query,
-                                       stop_if_interrupted};
-            try {
-                write(first_contact_on_path(path_query), table[i]);
-            } catch (const Stopped&) {
-            }
+                                       screws_along(path.range(begin, end), options.max_turn), query};
+            const PathContact found = first_contact_on_path(path_query);
+            if (found.contact.verdict != Verdict::unknown)
+                write(found, table[i]);
         });
     };
     run_interruptibly(work, report);

@@ -19,6 +19,7 @@ void bind_scene(nanobind::module_& module);
 void bind_nearest_pair(nanobind::module_& module);
 void bind_stepper(nanobind::module_& module);
 void bind_drag(nanobind::module_& module);
+void bind_limit(nanobind::module_& module);
 void bind_robot(nanobind::module_& module);
 void bind_robot_answers(nanobind::module_& module);
 void bind_joint_path(nanobind::module_& module);

@@ -6,6 +6,7 @@
 #include "python/src/interruptible.h"
 #include "python/src/poses.h"
 #include "python/src/scene.h"
+#include "python/src/signals.h"
 
 #include <algorithm>
 #include <array>
@@ -83,6 +84,7 @@ public:
         const Pose wanted = pose_from(goal, "goal");
         DragStep step = [&] {
             const nb::gil_scoped_release released; // other threads may ask for forces
+            const EndsBySignals ends_by_signals;
             return body_.update(wanted, seconds);
         }();
         return {std::move(step), names_of(scene_)};

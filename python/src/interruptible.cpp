@@ -1,21 +1,27 @@
 #include "python/src/interruptible.h"
 
+#include "chasles/base/limit_of_thread.h"
 #include "python/src/signals.h"
 
 #include <condition_variable>
 #include <exception>
+#include <limits>
 #include <mutex>
 #include <thread>
 
 namespace chasles::python {
 namespace {
 
+constexpr double forever = std::numeric_limits<double>::infinity();
+
 /// Work on another thread, which the destructor joins.
 class Background {
 public:
     Background(const std::function<void(Progress&)>& work, Progress& progress)
-        : thread_([this, &work, &progress] {
+        : thread_([this, &work, &progress, limit_of_caller = LimitOfThread::get()] {
+              const LimitOfThread same_limit(limit_of_caller);
               try {
+                  const Limit limit(forever, [&progress] { return !progress.is_stopping; });
                   work(progress);
               } catch (...) {
                   error_ = std::current_exception();

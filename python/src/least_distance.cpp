@@ -6,6 +6,7 @@
 #include "python/src/names.h"
 #include "python/src/query_options.h"
 #include "python/src/rows.h"
+#include "python/src/signals.h"
 
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
@@ -26,6 +27,7 @@ LeastAnswer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handl
                        motion_from({start, goal, motion, fixed_start, fixed_goal, max_turn})};
     const LeastDistanceOptions options{tolerance, time_tolerance, find_from(find)};
     const nb::gil_scoped_release release;
+    const EndsBySignals ends_by_signals;
     answer.found = least_distance({moving_body, fixed_body, plain(answer.motion), options});
     return answer;
 }
@@ -91,7 +93,11 @@ void answer_batch(nb::handle moving, nb::handle fixed, const RowMotions& motions
     motion_rows<LeastRow>(
         motions, array, rows, report,
         [&](const Polyhedron& triangle, const Motion& rest) { static_cast<void>(ask_about(triangle, triangle, rest)); },
-        [&](const Motion& motion, LeastRow& row) { write(ask_about(moving_body, fixed_body, motion), row); });
+        [&](const Motion& motion, LeastRow& row) {
+            const LeastDistance found = ask_about(moving_body, fixed_body, motion);
+            throw_if_cancelled(); // then the bracket may be wide
+            write(found, row);
+        });
 }
 
 } // namespace

@@ -29,6 +29,7 @@ NB_MODULE(_core, module) {
     auto invalid_input = nanobind::exception<chasles::InvalidInput>(module, "InvalidInput", PyExc_ValueError);
     invalid_input.attr("__doc__") = python::doc("InvalidInput");
     nanobind::register_exception_translator(raise_invalid_input, invalid_input.ptr());
+    python::bind_limit(module);
     python::bind_polyhedron(module);
     python::bind_motions(module);
     python::bind_trajectories(module);

@@ -28,12 +28,7 @@ nb::object nearest_pair(const PythonScene& given, const std::vector<std::string>
     if (second)
         query.second = indices_of(scene, *second);
     scene::NearestPair found;
-    run_interruptibly(
-        [&](Progress& progress) {
-            query.may_go_on = [&] { return !progress.is_stopping; };
-            found = scene::nearest_pair(scene, query);
-        },
-        nb::none());
+    run_interruptibly([&](Progress&) { found = scene::nearest_pair(scene, query); }, nb::none());
     if (!found.pair)
         return nb::none();
     const SceneBody& moving = scene.bodies()[found.pair->first];

@@ -35,6 +35,7 @@ Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goa
                   margin};
     const QueryOptions options{margin, hold, time_tolerance, find_from(find)};
     const nb::gil_scoped_release release;
+    const EndsBySignals ends_by_signals;
     const auto lock = memory ? std::unique_lock(memory->in_use) : std::unique_lock<std::mutex>();
     answer.found =
         first_contact({moving_body, fixed_body, plain(answer.motion), options, memory ? &memory->memory : nullptr});
@@ -46,15 +47,14 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
     const Polyhedron& moving_body = polyhedron_of(moving, "moving");
     const Polyhedron& fixed_body = polyhedron_of(fixed, "fixed");
     const std::vector<Pose> path = poses_from(poses, "poses");
-    PathQuery query{.moving = moving_body,
-                    .fixed = fixed_body,
-                    .motions = screws_along(path, max_turn),
-                    .options = {margin, hold, time_tolerance, find_from(find)}};
+    const PathQuery query{.moving = moving_body,
+                          .fixed = fixed_body,
+                          .motions = screws_along(path, max_turn),
+                          .options = {margin, hold, time_tolerance, find_from(find)}};
     PathContact answer;
     {
         const nb::gil_scoped_release release;
-        SignalCheck signals;
-        query.progress = [&](std::size_t) { signals.raise_if_due(); };
+        const EndsBySignals ends_by_signals;
         answer = first_contact_on_path(query);
     }
     const auto segment = ScrewMotion::between(path[answer.segment], path[answer.segment + 1], max_turn);

@@ -85,7 +85,7 @@ nb::list proofs_of(const Robot& robot, double seconds, unsigned threads, nb::han
             PairProofOptions options{seconds, threads};
             options.progress = [&](std::size_t done, std::size_t) {
                 progress.done = done;
-                return !progress.is_stopping;
+                return true;
             };
             proofs = prove_pairs(robot, options);
         },
@@ -103,8 +103,10 @@ std::string page_of(const Robot& robot, nb::handle configurations, nb::handle sc
     const nb::str find("first");
     const RobotChecker checker = checker_of(robot, {scene, margin, std::nullopt, default_time_tolerance, find});
     const Scene* world = scene.is_none() ? nullptr : &nb::cast<const PythonScene&>(scene).scene;
+    const RobotAnswer found = asked([&] { return checker.first_contact(path); });
+    throw_if_unknown(found.verdict, found.clear_until);
     const nb::gil_scoped_release release;
-    view::SceneRecord record = view::robot_record(robot, world, path, checker.first_contact(path));
+    view::SceneRecord record = view::robot_record(robot, world, path, found);
     record.margin = margin;
     record.title = title;
     return view::scene_page(record);

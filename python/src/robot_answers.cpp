@@ -96,6 +96,9 @@ JointPath path_from(const Robot& robot, const PathArguments& arguments) {
 namespace {
 
 std::string text_of(const PythonRobotAnswer& answer) {
+    if (answer.found.verdict == Verdict::unknown)
+        return fmt::format("<chasles.RobotContact: segment {}, unknown: the limit was reached; proven clear until {}>",
+                           answer.found.segment, answer.clear_until());
     if (!answer.found.pair)
         return fmt::format("<chasles.RobotContact: clear; {} pairs are tested, and {} are not>",
                            answer.found.untested->tested, answer.found.untested->total());

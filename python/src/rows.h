@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/base/parallel_for.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
@@ -36,14 +37,15 @@ void check(const RowOptions& options, const Ask& ask) {
     ask(Polyhedron::from_polygons(corners, face), Motion(ScrewMotion::between(beside, beside, options.max_turn)));
 }
 
-/// Calls answer(i) for each unanswered row until the batch ends or is stopped.
+/// Calls answer(i) for each unanswered row until the batch ends or reaches the limit of its thread.
 template <typename AnyRow, typename AnswerRow>
 void answer_rows(const Table<AnyRow>& table, const RowOptions& options, Progress& progress, const AnswerRow& answer) {
     parallel_for(options.threads, table.size(), [&](std::size_t begin, std::size_t end) {
-        for (std::size_t i = begin; i < end && !progress.is_stopping; ++i) {
+        for (std::size_t i = begin; i < end && !is_cancelled(); ++i) {
             if (!is_answered(table[i]))
                 try {
                     answer(i);
+                } catch (const Cancelled&) { // stays unanswered
                 } catch (const InvalidInput&) {
                     if (!options.marks_errors)
                         throw;

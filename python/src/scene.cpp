@@ -142,7 +142,7 @@ void run(const SceneArguments& arguments, const Ask& ask) {
         [&](Progress& progress) {
             query.progress = [&](std::size_t done, std::size_t) {
                 progress.done = done;
-                return !progress.is_stopping;
+                return true;
             };
             ask(query);
         },
@@ -158,8 +158,8 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
         found.untested = scene.scene.untested({.until = until}); // with names
     if (found.contacts.empty()) {
         FirstContact clear;
-        clear.verdict = Verdict::clear;
-        clear.certain = true;
+        clear.verdict = found.verdict;
+        clear.certain = found.verdict == Verdict::clear;
         clear.clear_until = found.clear_until;
         clear.work = found.work;
         return {{clear, nb::none(), nb::none(), PlainMotion{Motion::at_rest(Pose())}, margin},
@@ -183,6 +183,7 @@ nb::list all_contacts(const PythonScene& scene, double margin, std::optional<dou
     SceneAnswer found;
     run({margin, hold, until, time_tolerance, find, threads},
         [&](const SceneQuery& query) { found = scene.scene.all_contacts(query); });
+    throw_if_unknown(found.verdict, found.clear_until);
     nb::list contacts;
     for (const SceneContact& contact : found.contacts)
         contacts.append(nb::cast(answer_of(scene, contact, margin)));

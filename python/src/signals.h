@@ -1,7 +1,10 @@
 // Ctrl-C during a query.
 #pragma once
 
+#include "chasles/base/limit.h"
+
 #include <chrono>
+#include <limits>
 #include <nanobind/nanobind.h>
 
 namespace chasles::python {
@@ -26,6 +29,15 @@ public:
 
 private:
     std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + interval;
+};
+
+/// While it exists, Ctrl-C ends the questions of this thread. For work without the GIL.
+class EndsBySignals {
+    SignalCheck signals_;
+    Limit limit_{std::numeric_limits<double>::infinity(), [this] {
+                     signals_.raise_if_due();
+                     return true;
+                 }};
 };
 
 } // namespace chasles::python

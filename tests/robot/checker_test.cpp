@@ -2,9 +2,11 @@
 #include "chasles/robot/robot.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/limit.h"
 #include "tests/robot/all_pairs.h"
 #include "tests/support/refusal.h"
 
+#include <chrono>
 #include <gtest/gtest.h>
 
 namespace chasles::test {
@@ -71,6 +73,43 @@ TEST(RobotChecker, AnswersAsAllPairsByThemselves) {
               << " not certain\n";
     EXPECT_GT(clear, 50U);
     EXPECT_GT(later, 60U);
+}
+
+TEST(RobotChecker, WhatIsProvenUntilALimitIsTrue) {
+    Random random(2003);
+    int unknown = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        const Robot robot(random_robot(random, 8, false));
+        const Scene scene = random_world(random, 60);
+        const RobotChecker checker(robot, &scene);
+        std::vector<Configuration> way;
+        for (int i = 0; i < 4; ++i)
+            way.push_back(random_configuration(random, robot, 3));
+        const JointPath path = JointPath::straight(robot, way);
+        const auto start = std::chrono::steady_clock::now();
+        const RobotAnswer whole = checker.first_contact(path);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        const Limit limit(random.uniform(0.01, 0.9) * took.count());
+        const RobotAnswer found = checker.first_contact(path);
+        if (found.verdict != Verdict::unknown)
+            continue;
+        ++unknown;
+        EXPECT_FALSE(found.pair);
+        EXPECT_LE(found.clear_until, whole.clear_until);
+        EXPECT_LE(found.segment, whole.segment);
+        EXPECT_EQ(found.time.lower, found.clear_until);
+    }
+    EXPECT_GT(unknown, 50);
+    const Robot robot(random_robot(random, 8, false));
+    const Scene scene = random_world(random, 200);
+    const RobotChecker checker(robot, &scene);
+    const Configuration a = random_configuration(random, robot, 3), b = random_configuration(random, robot, 3);
+    const bool is_clear = checker.is_clear(a, b);
+    const Limit limit(1e-9);
+    try {
+        EXPECT_EQ(checker.is_clear(a, b), is_clear);
+    } catch (const Cancelled&) { // the only other answer
+    }
 }
 
 TEST(RobotChecker, AnswersManyEdgesTheSameForAnyNumberOfThreads) {

@@ -1,0 +1,55 @@
+// A limit for questions: of time, or until the caller has enough. Every layer may include this file.
+#pragma once
+
+#include "chasles/base/export.h"
+
+#include <atomic>
+#include <chrono>
+#include <exception>
+#include <functional>
+#include <limits>
+
+namespace chasles {
+
+/// Thrown by a question that a Limit ends and that has no answer "unknown".
+struct CHASLES_EXPORT Cancelled : std::exception {
+    explicit Cancelled(double proven_until = 0) : clear_until(proven_until) {}
+    [[nodiscard]] const char* what() const noexcept override { return "cancelled"; }
+
+    double clear_until; ///< what the question has proven, where it is one about a motion: a time in [0, 1]
+};
+
+/// While it exists, it limits all questions of its thread, with the threads that they start. A question that reaches
+/// the limit ends within milliseconds: first contacts of pairs, paths, batches, scenes and robots answer with the
+/// verdict `unknown`, and `clear_until` says what is proven; least distances of pairs answer with the bracket so far;
+/// proofs of pairs of links stay open; all other functions throw Cancelled. A limit inside another one shortens it.
+///
+///     const Limit limit(2.0); // seconds
+///     const FirstContact found = first_contact({peg, hole, motion});
+class CHASLES_EXPORT Limit {
+public:
+    /// The time counts from now. `goes_on` is called some fifty times a second, from any one of the threads; where it
+    /// returns false, the limit is reached. It may throw; then the question ends with this exception. May be empty.
+    explicit Limit(double seconds = std::numeric_limits<double>::infinity(), std::function<bool()> goes_on = {});
+    ~Limit();
+    Limit(const Limit&) = delete;
+    Limit& operator=(const Limit&) = delete;
+
+    /// Whether the limit is reached. For any thread.
+    [[nodiscard]] bool is_over() const;
+
+private:
+    friend class LimitOfThread;
+    using Clock = std::chrono::steady_clock;
+    using Ticks = Clock::duration::rep;
+
+    [[nodiscard]] bool asks_to_end(Clock::time_point now) const;
+
+    const Limit* outer_; ///< of the same thread; null if there is none
+    Clock::time_point end_;
+    std::function<bool()> goes_on_;
+    mutable std::atomic<bool> is_over_ = false;
+    mutable std::atomic<Ticks> next_look_ = 0; ///< when `goes_on` is to be called again
+};
+
+} // namespace chasles

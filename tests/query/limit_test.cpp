@@ -1,0 +1,111 @@
+// Questions that end at a limit: what they have proven until then is true.
+#include "chasles/base/limit.h"
+
+#include "chasles/chasles.h"
+#include "tests/support/grid.h"
+
+#include <chrono>
+#include <gtest/gtest.h>
+#include <random>
+
+namespace chasles::test {
+namespace {
+
+using Seconds = std::chrono::duration<double>;
+
+/// A square sheet of side 1 in the plane z = 0, of 2 n n triangles.
+Polyhedron sheet(std::uint32_t n) {
+    std::vector<Eigen::Vector3d> corners;
+    for (std::uint32_t i = 0; i <= n; ++i)
+        for (std::uint32_t j = 0; j <= n; ++j)
+            corners.emplace_back(double(i) / n, double(j) / n, 0);
+    return Polyhedron::from_polygons(corners, grid_triangles(n, n));
+}
+
+Pose pose(double x, double z, double turn) {
+    return {{x, 0.1, z}, Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()))};
+}
+
+/// Slides and turns at a height, then comes down: touches at a time of about 0.8.
+Motion landing(double height) {
+    return TimedPoses::through({0, 0.8, 1}, {pose(0, height, 0), pose(0.3, height, 0.6), pose(0.4, -0.5, 0.8)});
+}
+
+TEST(QueryLimit, APairIsProvenClearUntilThen) {
+    const Polyhedron lower = sheet(24), upper = sheet(24);
+    const FirstContactQuery query{upper, lower, landing(1e-7)};
+    const auto start = std::chrono::steady_clock::now();
+    const FirstContact whole = first_contact(query);
+    const double seconds = Seconds(std::chrono::steady_clock::now() - start).count();
+    ASSERT_EQ(whole.verdict, Verdict::contact);
+    std::mt19937_64 random(42);
+    int unknown = 0, later_than_start = 0;
+    for (int i = 0; i < 60; ++i) {
+        const Limit limit(std::uniform_real_distribution(0.01, 1.1)(random) * seconds);
+        const FirstContact found = first_contact(query);
+        if (found.verdict == Verdict::unknown) {
+            ++unknown;
+            later_than_start += found.clear_until > 0;
+            EXPECT_GE(found.clear_until, 0);
+            EXPECT_LE(found.clear_until, whole.time.lower);
+            EXPECT_TRUE(found.contacts.empty());
+            EXPECT_FALSE(found.certain);
+        } else {
+            EXPECT_EQ(found.time.lower, whole.time.lower);
+            EXPECT_EQ(found.time.upper, whole.time.upper);
+        }
+    }
+    EXPECT_GT(unknown, 20);
+    EXPECT_GT(later_than_start, 10);
+}
+
+TEST(QueryLimit, EndsWithinMilliseconds) {
+    const Polyhedron lower = sheet(32), upper = sheet(32);
+    const Motion slide = Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8));
+    for (const double seconds : {0.02, 0.1}) {
+        const Limit limit(seconds);
+        const auto start = std::chrono::steady_clock::now();
+        EXPECT_EQ(first_contact({upper, lower, slide}).verdict, Verdict::unknown);
+        EXPECT_LT(Seconds(std::chrono::steady_clock::now() - start).count(), seconds + 0.2);
+    }
+}
+
+TEST(QueryLimit, ALeastDistanceIsInTheBracketSoFar) {
+    const Polyhedron lower = sheet(16), upper = sheet(16);
+    const LeastDistanceQuery query{upper, lower, Motion::velocity(pose(0, 1e-3, 0), pose(0.4, 1e-3, 0.8))};
+    int wide = 0;
+    for (const double seconds : {1e-9, 0.001, 0.01, 0.05, 0.1}) {
+        const Limit limit(seconds);
+        const LeastDistance found = least_distance(query);
+        EXPECT_LE(found.distance.lower, 1e-3);
+        EXPECT_GE(found.distance.upper, 1e-3);
+        wide += found.certain ? 0 : 1;
+    }
+    EXPECT_GE(wide, 2);
+}
+
+TEST(QueryLimit, BatchesAndPathsSayWhatTheyDoNotKnow) {
+    const Polyhedron lower = sheet(24), upper = sheet(24);
+    const std::vector<Motion> motions(8, landing(1e-7));
+    const Limit limit(1e-9);
+    for (const FirstContact& found : first_contact_batch({.moving = upper, .fixed = lower, .motions = motions}))
+        EXPECT_EQ(found.verdict, Verdict::unknown);
+    for (const LeastDistance& found : least_distance_batch({.moving = upper, .fixed = lower, .motions = motions})) {
+        EXPECT_EQ(found.distance.lower, 0);
+        EXPECT_GT(found.distance.upper, 0);
+        EXPECT_FALSE(found.certain);
+    }
+    const PathContact path = first_contact_on_path({upper, lower, motions});
+    EXPECT_EQ(path.contact.verdict, Verdict::unknown);
+    EXPECT_EQ(path.segment, 0U);
+}
+
+TEST(QueryLimit, AnExceptionOfTheFunctionComesOut) {
+    const Polyhedron lower = sheet(32), upper = sheet(32);
+    const Motion slide = Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8));
+    const Limit limit(1e9, []() -> bool { throw std::runtime_error("enough"); });
+    EXPECT_THROW((void)first_contact({upper, lower, slide}), std::runtime_error);
+}
+
+} // namespace
+} // namespace chasles::test
