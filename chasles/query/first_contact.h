@@ -48,7 +48,9 @@ struct [[nodiscard]] FirstContact {
     /// How far it is safe to go: before this time the bodies are proven to stay farther apart than the margin. With
     /// `hold`: farther than `hold`, or than at the start where that is less. 1 if they do all along, 0 at the start.
     double clear_until = 0;
-    std::optional<Overlap> overlap; ///< only with contact_at_start, when surfaces pass through each other
+    /// Only with contact_at_start, when surfaces pass through each other. One that is not certain is named only where
+    /// no features touch.
+    std::optional<Overlap> overlap;
     Pose pose;                      ///< of the moving body in the world at time.lower; at time 1 if clear
     Pose fixed_pose;                ///< likewise of the fixed body
     Work work;

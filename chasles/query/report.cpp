@@ -70,11 +70,16 @@ void put_closing_first(std::vector<Contact>& contacts) {
         contacts, [&](const Contact& contact) { return contact.approach_speed > contact::no_direction * fastest; });
 }
 
-/// All contacts of the moment; with an overlap those that were found before it, as it ends the search.
+/// An edge that may just miss the rim of a face is no overlap that an answer names, if there is another thing to name.
+bool is_proven(const std::optional<Overlap>& overlap) {
+    return overlap && overlap->certain;
+}
+
+/// All contacts of the moment; with a proven overlap those that were found before it, as it ends the search.
 void list_contacts(FirstContact& answer, const ContactMoment& moment, const search::PieceResult& result,
                    const ReportScope& scope) {
     std::vector<FeaturePair> pairs;
-    if (!result.overlap) {
+    if (!is_proven(result.overlap)) {
         search::NearFeatures near = moment.find({.pairs = scope.pairs});
         answer.work += near.work;
         answer.contacts_cut = near.is_cut;
@@ -87,7 +92,7 @@ void list_contacts(FirstContact& answer, const ContactMoment& moment, const sear
     if (!pairs.empty())
         answer.contacts = moment.contacts_of(pairs);
     put_closing_first(answer.contacts);
-    answer.contacts_cut = cut_to_most(answer.contacts) || answer.contacts_cut || result.overlap;
+    answer.contacts_cut = cut_to_most(answer.contacts) || answer.contacts_cut || is_proven(result.overlap);
 }
 
 /// The first contact that the motion closes, of the pairs that may be the first. The pair that decided the time may
@@ -105,9 +110,11 @@ std::optional<Contact> closing_contact(const ContactMoment& moment, const std::v
 /// moment: at the start, and where the motion closes no candidate.
 void report_touch(FirstContact& answer, const ContactMoment& moment, const search::PieceResult& result,
                   const ReportScope& scope) {
-    const bool is_listed = lists_contacts(scope.options) || result.candidates.empty();
-    std::optional<Contact> contact = is_listed ? std::nullopt : closing_contact(moment, result.candidates);
-    const bool is_question_of_features = scope.margin == 0 && scope.options.find != Find::any && !result.overlap;
+    const bool is_listed = lists_contacts(scope.options) || (result.candidates.empty() && !result.overlap);
+    std::optional<Contact> contact =
+        is_listed || result.candidates.empty() ? std::nullopt : closing_contact(moment, result.candidates);
+    const bool is_question_of_features =
+        scope.margin == 0 && scope.options.find != Find::any && !is_proven(result.overlap);
     const bool at_start = moment.scene().at_start;
     search::NearFeatures near;
     if (is_question_of_features && (at_start || !(is_listed || contact)))
@@ -115,10 +122,16 @@ void report_touch(FirstContact& answer, const ContactMoment& moment, const searc
     answer.work += near.work;
     if (near.overlap)
         answer.overlap = near.overlap;
-    if (!is_listed && !contact)
+    if (is_listed)
+        return;
+    if (!contact)
         contact = moment.closing_contact(near.pairs);
-    if (!is_listed)
-        answer.contacts = {contact ? *contact : moment.contact_of(first_of(result.candidates))};
+    if (!contact && !result.candidates.empty())
+        contact = moment.contact_of(first_of(result.candidates));
+    if (!contact && !near.pairs.empty())
+        contact = moment.contact_of(near.pairs.front());
+    if (contact)
+        answer.contacts = {*contact};
 }
 
 } // namespace
@@ -155,6 +168,8 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
     report_touch(answer, moment, result, scope);
     if (lists_contacts(scope.options))
         list_contacts(answer, moment, result, scope);
+    if (!is_proven(answer.overlap) && !answer.contacts.empty())
+        answer.overlap.reset();
     if (answer.overlap)
         answer.overlap = reported(*answer.overlap, answer.fixed_pose, context);
 }

@@ -133,6 +133,20 @@ std::string judged(const TrajectoryCase& posed, const FirstContact& found, Tally
     return "";
 }
 
+/// How much longer than high the thinnest face of a shape is. Its normal, from corners in double, has an error that is
+/// larger by this factor, and what lies along the normal, too.
+double thinness(const Shape& shape) {
+    double most = 1;
+    for (const std::vector<std::uint32_t>& face : shape.faces)
+        for (std::size_t i = 0; i + 2 < face.size(); ++i) {
+            const Eigen::Vector3d a = shape.vertices[face[0]], b = shape.vertices[face[i + 1]] - a,
+                                  c = shape.vertices[face[i + 2]] - a;
+            const double longest = std::max({b.squaredNorm(), c.squaredNorm(), (b - c).squaredNorm()});
+            most = std::max(most, longest / b.cross(c).norm());
+        }
+    return most;
+}
+
 /// Compares poses and contacts in double. Both are rounded by the library, which proves none of their digits. Where the
 /// body is very fast, the rounding of times counts, too.
 std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& query, const FirstContact& found) {
@@ -157,7 +171,9 @@ std::string misplaced_in(const TrajectoryCase& posed, const FirstContactQuery& q
     // Contacts are placed on a sweep that is made in double: with some ten times the rounding of a pose. A set has
     // contacts that are in doubt, too.
     const bool is_placed = found.certain && found.verdict == Verdict::contact && way <= 1e-14 * size;
-    return is_placed ? misplaced(query, found, 16 * size * motion.elements) : "";
+    constexpr double of_usual_shapes = 0x1p10;
+    const double thin = std::max(1.0, std::max(thinness(posed.moving), thinness(posed.fixed)) / of_usual_shapes);
+    return is_placed ? misplaced(query, found, 16 * size * motion.elements * thin) : "";
 }
 
 std::string text_of(const FirstContact& found) {

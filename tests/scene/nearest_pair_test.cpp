@@ -2,6 +2,7 @@
 #include "chasles/scene/nearest_pair.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/limit.h"
 #include "tests/query/bodies.h"
 #include "tests/support/random_poses.h"
 
