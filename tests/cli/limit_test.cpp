@@ -1,0 +1,76 @@
+// --seconds: an answer in time, with what is proven.
+#include "tests/cli/cli_test_files.h"
+
+#include "tests/support/grid.h"
+
+#include <chrono>
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+namespace chasles {
+namespace {
+
+using Json = nlohmann::json;
+
+/// Two sheets of triangles that slide past each other at a billionth of their size: takes many seconds.
+class Seconds : public tests::CommandLine {
+protected:
+    Seconds() {
+        constexpr std::uint32_t n = 40;
+        std::string mesh;
+        for (std::uint32_t i = 0; i <= n; ++i)
+            for (std::uint32_t j = 0; j <= n; ++j)
+                mesh += fmt::format("v {} {} 0\n", double(i) / n, double(j) / n);
+        for (const auto& face : test::grid_triangles(n, n))
+            mesh += fmt::format("f {} {} {}\n", face[0] + 1, face[1] + 1, face[2] + 1);
+        write("sheet.obj", mesh);
+        write("scene.json", R"({"bodies": [{"name": "lower", "mesh": "sheet.obj"},
+            {"name": "upper", "mesh": "sheet.obj", "pose": [0, 0.1, 1e-9], "goal": [0.4, 0.1, 1e-9, 0.92, 0, 0, 0.39]}]})");
+        write("motions.csv", "id,x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1\n"
+                             "quick,0,0,9,1,0,0,0,0,0,8,1,0,0,0\nslow,0,.1,1e-9,1,0,0,0,.4,.1,1e-9,.92,0,0,.39\n");
+    }
+    /// Expects exit status 3 in time.
+    [[nodiscard]] tests::Finished stopped(const std::string& arguments) const {
+        const auto start = std::chrono::steady_clock::now();
+        tests::Finished finished = run(arguments + " --seconds 0.3");
+        EXPECT_EQ(finished.status, 3) << arguments << finished.out << finished.err;
+        EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 3) << arguments;
+        return finished;
+    }
+};
+
+const std::string bodies = "sheet.obj sheet.obj ";
+const std::string motion = "--start 0,.1,1e-9 --goal \"0.4 .1 1e-9 .92 0 0 .39\" --motion velocity";
+
+TEST_F(Seconds, AnswersSayWhatIsProven) {
+    for (const std::string& question : {"check " + bodies + motion, std::string("scene scene.json")}) {
+        EXPECT_TRUE(stopped(question).out.starts_with("UNKNOWN: the time was over; ")) << question;
+        const Json answer = Json::parse(stopped(question + " --json").out);
+        EXPECT_EQ(answer["verdict"], "unknown");
+        EXPECT_FALSE(answer.contains("contacts"));
+        EXPECT_LT(answer["clear_until"].get<double>(), 1);
+    }
+    EXPECT_EQ(Json::parse(stopped("scene scene.json --all --json").out)["verdict"], "unknown");
+    const Json bracket = Json::parse(stopped("clearance " + bodies + motion + " --json").out);
+    EXPECT_EQ(bracket["distance"], 0);
+    EXPECT_GE(bracket["distance_upper"].get<double>(), 1e-9);
+}
+
+TEST_F(Seconds, RowsOfABatchStay) {
+    const std::string batch = "batch " + bodies + "--motions motions.csv --motion velocity --out out.csv";
+    EXPECT_EQ(
+        stopped(batch).err,
+        "chasles: the time was over: 1 of 2 motions are answered, in out.csv.part; --resume goes on from there\n");
+    std::ifstream rows(path("out.csv.part"));
+    std::string text{std::istreambuf_iterator<char>(rows), {}};
+    EXPECT_TRUE(text.ends_with("\nquick,clear,,,,,,,,,,,,,,\n")) << text;
+}
+
+TEST_F(Seconds, ChangesNoAnswerThatComesInTime) {
+    const std::string question = "check cube.obj cube.obj --start 3,0,0 --goal 0.5,0,0 --json";
+    EXPECT_EQ(run(question + " --seconds 100").out, run(question).out);
+    EXPECT_EQ(error_line(question + " --seconds 0"), "chasles: --seconds: must be positive");
+}
+
+} // namespace
+} // namespace chasles
