@@ -7,10 +7,10 @@
 #include "chasles/base/sort.h"
 #include "chasles/scene/pair_question.h"
 #include "chasles/scene/pair_tasks.h"
+#include "chasles/scene/prospect.h"
 #include "chasles/scene/step_margins.h"
 
 #include <algorithm>
-#include <queue>
 #include <set>
 
 namespace chasles {
@@ -18,6 +18,8 @@ namespace chasles {
 namespace {
 
 using scene::IndexPair;
+using scene::Prospect;
+using scene::Prospects;
 using scene::WorldMotion;
 
 /// Bodies nearer than this share of the margin have no way to go on.
@@ -50,19 +52,6 @@ private:
         [[nodiscard]] double share_at(double time) const { return (time - since) / (1 - since); }
     };
 
-    /// A pair of bodies, as long as both keep their courses.
-    struct Prospect {
-        Bracket time;      ///< of the first contact, or, if it was not asked for, a time before which there is none
-        IndexPair pair;    ///< the moving and the fixed body
-        double from = 0;   ///< the question is about the time from there on
-        IndexPair changes; ///< of both courses
-    };
-
-    struct IsLater {
-        bool operator()(const Prospect& a, const Prospect& b) const { return a.time.lower > b.time.lower; }
-    };
-    using Queue = std::priority_queue<Prospect, std::vector<Prospect>, IsLater>;
-
     [[nodiscard]] const std::string& name(std::size_t index) const { return scene_.bodies()[index].name; }
     [[nodiscard]] WorldMotion rest(std::size_t index, double from) const;
     [[nodiscard]] FirstContact ask(const IndexPair& pair, double from, const QueryOptions& options,
@@ -70,7 +59,7 @@ private:
     [[nodiscard]] bool are_within(double distance, const IndexPair& pair, double time) const;
     [[nodiscard]] Prospect asked(Prospect prospect) const;
     [[nodiscard]] bool is_valid(const Prospect& prospect) const;
-    void drop_invalid(Queue& queue) const;
+    void drop_invalid(Prospects& queue) const;
 
     void foresee(const IndexPair& pair, double earliest);
     void foresee_neighbours(std::uint32_t index);
@@ -90,8 +79,8 @@ private:
     double time_ = 0;
     std::vector<Course> courses_;
     scene::BoxTree tree_;
-    Queue unasked_;
-    Queue contacts_;
+    Prospects unasked_;
+    Prospects contacts_;
     std::vector<std::uint32_t> changed_; ///< bodies since the last event
     std::vector<IndexPair> last_;        ///< pairs of the last event
 };
@@ -122,7 +111,7 @@ FirstContact Stepper::Implementation::ask(const IndexPair& pair, double from, co
 
 /// With the time of the first contact, at the margin or at the first half, quarter, and so on of it that is less than
 /// the distance now; later than 1 if there is none.
-Stepper::Implementation::Prospect Stepper::Implementation::asked(Prospect prospect) const {
+Prospect Stepper::Implementation::asked(Prospect prospect) const {
     const double margin = margins_.of(prospect.pair);
     QueryOptions options{.margin = margin, .time_tolerance = options_.time_tolerance};
     for (; options.margin >= least_level * margin; options.margin /= 2) {
@@ -150,7 +139,7 @@ bool Stepper::Implementation::is_valid(const Prospect& prospect) const {
            courses_[prospect.pair.second].changes == prospect.changes.second;
 }
 
-void Stepper::Implementation::drop_invalid(Queue& queue) const {
+void Stepper::Implementation::drop_invalid(Prospects& queue) const {
     while (!queue.empty() && !is_valid(queue.top()))
         queue.pop();
 }
