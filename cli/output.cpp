@@ -30,6 +30,19 @@ std::string why_not(int error) {
     return std::string(": cannot be written: ") + std::strerror(error);
 }
 
+/// Names from files must not steer a terminal: control characters of ASCII and of Latin 1 become "?".
+std::string without_controls(std::string text) {
+    constexpr unsigned char first_byte = 0xc2; // of U+0080 to U+00BF in UTF-8
+    for (std::size_t i = 0; i < text.size(); ++i) {
+        const auto byte = static_cast<unsigned char>(text[i]), next = static_cast<unsigned char>(text[i + 1]);
+        if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f)
+            text[i] = '?';
+        else if (byte == first_byte && next >= 0x80 && next < 0xa0)
+            text.replace(i, 2, "?");
+    }
+    return text;
+}
+
 /// The files that this program is about to write.
 std::set<fs::path>& targets() {
     static std::set<fs::path> files;
@@ -71,7 +84,7 @@ bool is_standard_output(const std::string& name) {
 }
 
 void print(const std::string& text) {
-    if (const int error = write_all(stdout, text); error != 0)
+    if (const int error = write_all(stdout, without_controls(text)); error != 0)
         throw InvalidInput("standard output" + why_not(error));
 }
 

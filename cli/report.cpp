@@ -1,6 +1,7 @@
 // Answers for people. The bracket of the time is printed with all its digits, other numbers with nine.
 #include "cli/report.h"
 
+#include "chasles/io/text_scan.h"
 #include "cli/contact_table.h"
 #include "view/names.h"
 #include "view/proven_verdict.h"
@@ -162,11 +163,11 @@ std::string headline(const LeastDistance& found, std::string_view motion) {
 }
 
 std::string naming_motion(const std::string& text, std::string_view motion) {
-    return fmt::format("{}; motion: {}\n", text, motion);
+    return fmt::format("{}; motion: {}\n", io::one_line(text), motion);
 }
 
 std::string labelled(const std::string& label, const std::string& text) {
-    return fmt::format("  {:<10}{}\n", label, text);
+    return fmt::format("  {:<10}{}\n", label, io::one_line(text));
 }
 
 std::string counted(std::size_t count, const std::string& noun) {

@@ -217,5 +217,14 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     EXPECT_EQ(refused(R"({"bodies": [], "hold": "1"})"), "hold: must be a number");
 }
 
+TEST_F(SceneCommand, NamesDoNotSteerTheTerminal) {
+    write("names.json", R"({"bodies": [{"name": "a\u001b[31m\nb", "mesh": "cube.obj"},
+                                       {"name": "c\u009b2J\u007f", "mesh": "cube.obj", "pose": [3, 0, 0], "goal": [0.5, 0, 0]}]})");
+    const std::string text = run("scene names.json").out;
+    EXPECT_NE(text.find("  pair      c?2J? on a?[31m b\n"), std::string::npos) << text;
+    const std::string line = run("scene names.json --json").out;
+    EXPECT_NE(line.find(R"(a\u001b[31m\nb)"), std::string::npos) << line;
+}
+
 } // namespace
 } // namespace chasles
