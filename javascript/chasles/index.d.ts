@@ -57,6 +57,7 @@ export interface Contact {
   approach_speed: number;
 }
 
+/** An edge of one body that passes through a face of the other one at time 0. */
 export interface Overlap {
   moving_feature: Feature;
   fixed_feature: Feature;
@@ -96,8 +97,11 @@ export interface ContactParts {
   /** The moving body in the world, and the fixed body, at `time`. */
   pose: PoseNumbers;
   fixed_pose: PoseNumbers;
+  /** Not empty, except with `overlap`: bodies that pass through each other at time 0 may have no contacts. Write `contacts[0]?.`. */
   contacts: Contact[];
+  /** There are more contacts than the list has. */
   contacts_cut?: true;
+  /** Where the bodies pass through each other at time 0. */
   overlap?: Overlap;
 }
 
@@ -242,6 +246,7 @@ export type SceneContact =
     });
 
 export interface SceneEvents {
+  /** `contacts` may be empty for a pair that overlaps at time 0. */
   events: { time: number; time_upper: number; certain: boolean; pair: [string, string]; contacts: Contact[] }[];
   work: Work;
 }

@@ -6,7 +6,7 @@ import { test } from "node:test";
 import * as plain from "chasles";
 import * as inline from "chasles/inline";
 import { BoxGeometry, IcosahedronGeometry, Matrix4, Object3D } from "three";
-import { box, potato, randomNumbers } from "./shapes.mjs";
+import { box, potato, randomNumbers, randomPose } from "./shapes.mjs";
 
 const { InvalidInput, InstanceStopped, load } = plain;
 const chasles = await load();
@@ -233,6 +233,22 @@ test("a trap stops the instance, and nothing else", async () => {
   const border = await Border.open(new WebAssembly.Module(bytes));
   for (let i = 0; i < 2; ++i) assert.throws(() => border.call("go"), (error) => error instanceof InstanceStopped && /unreachable/.test(error.message));
   border.free("body", 1); // a finalizer may come later: no effect
+});
+
+test("contacts are empty only with an overlap at the start", () => {
+  const random = randomNumbers(5);
+  const seen = { overlaps: 0, empty: 0, contacts: 0 };
+  for (let i = 0; i < 600; ++i) {
+    const options = { find: ["first", "any", "first_with_all_contacts"][i % 3], margin: i % 2 === 0 ? 0 : 0.3 };
+    const found = chasles.firstContact(cube, cube, randomPose(random, 2.5), randomPose(random, 2.5), options);
+    if (found.verdict === "clear") continue;
+    seen.overlaps += found.overlap ? 1 : 0;
+    seen.empty += found.contacts.length === 0 ? 1 : 0;
+    seen.contacts += found.verdict === "contact" ? 1 : 0;
+    assert.ok(found.contacts.length > 0 || found.overlap, `${i}`);
+    assert.ok(!found.overlap || found.verdict === "contact_at_start");
+  }
+  assert.ok(Object.values(seen).every((count) => count > 50), JSON.stringify(seen));
 });
 
 test("scenes: adding, moving, removing, rules", () => {
