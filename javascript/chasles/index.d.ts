@@ -256,9 +256,11 @@ export interface Scene extends Held {}
 export declare class Scene {
   private constructor();
   readonly names: string[];
+  /** Without a pose the body is at the origin of the world. */
   add(name: string, shape: Polyhedron, options?: BodyMotion & { group?: string }): string;
   remove(name: string): void;
-  move(name: string, options?: BodyMotion): void;
+  /** Another motion, from `pose` or through `poses`: the body keeps no place. `poseAt(name, 0)` is where it started. */
+  move(name: string, options: BodyMotion & ({ pose: Pose } | { poses: readonly Pose[] })): void;
   /** All bodies at once, in the order of `names`. If an argument is refused, nothing has moved. */
   moveAll(starts: readonly Pose[], goals: readonly Pose[], options?: { motion?: "velocity" | "twist" }): void;
   /** Where a body is at a time in [0, 1]. */

@@ -30,7 +30,7 @@ export class Scene extends Held {
     checkOptions(options, [...motionKeys, "group"]);
     const body = Held.handle(shape, border, Polyhedron, "shape");
     const nameBytes = encode(name, "name");
-    border.giveNumbers(addWorldMotion([], options));
+    border.giveNumbers(addWorldMotion([], options, [0, 0, 0]));
     border.giveBytes(nameBytes, encode(options.group ?? "", "group"));
     border.call("scene_add", handle, body, nameBytes.length);
     this.#names.push(name);

@@ -286,6 +286,16 @@ test("scenes: adding, moving, removing, rules", () => {
   assert.deepEqual(scene.names, ["c", "b"]);
 });
 
+test("scenes: a body is moved from a pose that is given, never from the origin by default", () => {
+  const scene = chasles.scene();
+  scene.add("a", cube, { pose: far });
+  for (const ask of [() => scene.move("a"), () => scene.move("a", { goal: near }), () => scene.move("a", { motion: "twist", goal: near }), () => scene.move("a", { pose: undefined })])
+    assert.match(refusal(ask), /^pose: is missing, .* scene\.poseAt\(name, 0\)/);
+  assert.deepEqual(scene.poseAt("a", 1).slice(0, 3), far, "nothing has moved");
+  scene.move("a", { pose: scene.poseAt("a", 0), goal: [0, 5, 0] });
+  assert.deepEqual([scene.poseAt("a", 0).slice(0, 3), scene.poseAt("a", 1).slice(0, 3)], [far, [0, 5, 0]]);
+});
+
 test("scenes: what rests on a table may slide", () => {
   const scene = chasles.scene();
   scene.add("table", cube);
