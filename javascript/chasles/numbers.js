@@ -143,12 +143,13 @@ function addMass(numbers, given) {
   return numbers;
 }
 
+const mostRounds = 2 ** 30; // of javascript/src/hands.cpp
 export const dragOptions = ["margin", "reach", "stiffness", "rounds", "friction", "mass", "lock"];
 
 /** How a body is dragged. */
 export function addDrag(numbers, options) {
   const { margin, reach, stiffness, rounds, friction } = options;
-  if (!Number.isInteger(rounds ?? 8)) throw new InvalidInput("rounds: must be a whole number");
+  if (!Number.isInteger(rounds ?? 8) || rounds > mostRounds) throw new InvalidInput(`rounds: must be a whole number up to ${mostRounds}`);
   numbers.push(
     number(margin, "margin", 0),
     number(reach, "reach", 0),
