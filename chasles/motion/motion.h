@@ -103,7 +103,7 @@ public:
     static ScrewMotion between(const Pose& start, const Pose& goal, double max_turn = default_max_turn);
 
     /// The paper's motion for two moving bodies: the screw of the moving body as seen from the fixed body. All four
-    /// poses are in the world. The fixed body itself follows its own screw in the world.
+    /// poses are in the world, in which the fixed body itself follows the constant twist between its poses.
     static ScrewMotion relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                 const Pose& fixed_goal, double max_turn = default_max_turn);
 
@@ -155,7 +155,7 @@ public:
     static SweepMotion between(const Pose& start, const Pose& goal,
                                const Eigen::Vector3d& centre = Eigen::Vector3d::Zero());
 
-    /// For two moving bodies: the sweep of the moving body as seen from the fixed body. Poses are in the world.
+    /// For two moving bodies: the sweep of the moving body as seen from the fixed one, which follows a constant twist.
     static SweepMotion relative(const Pose& moving_start, const Pose& moving_goal, const Pose& fixed_start,
                                 const Pose& fixed_goal);
 

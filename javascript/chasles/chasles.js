@@ -19,6 +19,8 @@ export class Chasles {
   constructor(border, newWorker) {
     this.#border = border;
     this.#newWorker = newWorker;
+    for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(Chasles.prototype))) // const { firstContact } = chasles
+      if (name !== "constructor" && value) Object.defineProperty(this, name, { value: value.bind(this) });
   }
 
   /** `newWorker` makes the workers of a build. */

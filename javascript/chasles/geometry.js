@@ -11,6 +11,15 @@ function refuse(what) {
   throw new InvalidInput(what);
 }
 
+const ofLines = /^(Edges|Wireframe|Line|LineSegments)Geometry2?$/;
+const article = (name) => (/^[AEIOU]/.test(name) ? "an" : "a");
+
+/** Corners by threes would be triangles that nobody draws. A BufferGeometry by itself does not say what it is for. */
+function refuseLines(geometry) {
+  const { type } = geometry ?? {};
+  if (ofLines.test(type)) refuse(`geometry: is ${article(type)} ${type}, which is lines and no surface: give the geometry that it was made from`);
+}
+
 /** The places of a geometry's vertices. Accessors know interleaved and normalised arrays. */
 function positions(geometry) {
   const position = geometry?.attributes?.position;
@@ -63,6 +72,8 @@ const cornerCount = ({ index, attributes }) => (index ?? attributes.position).co
 
 /** Vertices at equal places, which normals and texture need, count as one. */
 export function fromBufferGeometry(border, geometry, options) {
+  if (geometry?.isMesh) refuse("geometry: is a Mesh: fromObject3D(mesh) takes it as it is drawn, fromBufferGeometry(mesh.geometry) without its scale");
+  refuseLines(geometry);
   const vertices = positions(geometry);
   refuseDeformed(geometry);
   const part = drawnPart(geometry, cornerCount(geometry));
@@ -86,10 +97,12 @@ function deformed(mesh, vertices) {
 }
 
 function refuseOtherThanMesh(object) {
+  if (object?.isBufferGeometry) refuse("object: is no Mesh, but a geometry: fromBufferGeometry(geometry) takes it");
   if (!object?.matrixWorld || !object.isMesh)
     refuse(`object: is no Mesh${object?.children?.length > 0 ? ", but holds others: object.traverse() reaches each, for a body of its own" : ""}`);
   if (object.isInstancedMesh || object.isBatchedMesh)
     refuse(`object: is ${object.isInstancedMesh ? "an InstancedMesh" : "a BatchedMesh"}, which is many bodies: make one body of the geometry, and give each a pose`);
+  refuseLines(object.geometry);
   if (object.geometry?.isInstancedBufferGeometry) refuseDeformed({ isInstancedBufferGeometry: true });
 }
 

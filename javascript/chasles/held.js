@@ -36,7 +36,7 @@ export class Held {
     return held.#own.border;
   }
   static handle(held, border, type, name) {
-    if (!(held instanceof type)) throw new InvalidInput(`${name}: is no ${type.title}`);
+    if (!(held instanceof type)) throw new InvalidInput(`${name}: is no ${type.title}${held?.body instanceof type ? ", but has one: give its body" : ""}`);
     if (held.#own.handle === 0) throw new InvalidInput(`${name}: has been freed`);
     if (held.#own.border !== border) throw new InvalidInput(`${name}: belongs to another instance`);
     return held.#own.handle;

@@ -1,3 +1,4 @@
+/// <reference lib="esnext.disposable" />
 // The types of the package `chasles`, of `chasles/inline`, and of the global `chasles` of script.js, which have the same names.
 export as namespace chasles;
 
@@ -27,9 +28,9 @@ export interface PointLike {
 export interface ObjectLike {
   readonly position: PointLike;
   readonly quaternion: PointLike & { readonly w: number };
-  readonly scale?: PointLike;
-  readonly matrixWorld?: MatrixLike;
-  updateWorldMatrix?(updateParents: boolean, updateChildren: boolean): void;
+  readonly scale?: PointLike | undefined;
+  readonly matrixWorld?: MatrixLike | undefined;
+  updateWorldMatrix?: ((updateParents: boolean, updateChildren: boolean) => void) | undefined;
 }
 
 /** An array of numbers that says nothing else: x y z qw qx qy qz, with a quaternion of length one. */
@@ -57,6 +58,7 @@ export interface Contact {
   approach_speed: number;
 }
 
+/** An edge of one body that passes through a face of the other one at time 0. */
 export interface Overlap {
   moving_feature: Feature;
   fixed_feature: Feature;
@@ -96,8 +98,11 @@ export interface ContactParts {
   /** The moving body in the world, and the fixed body, at `time`. */
   pose: PoseNumbers;
   fixed_pose: PoseNumbers;
+  /** Not empty, except with `overlap`: bodies that pass through each other at time 0 may have no contacts. Write `contacts[0]?.`. */
   contacts: Contact[];
+  /** There are more contacts than the list has. */
   contacts_cut?: true;
+  /** Where the bodies pass through each other at time 0. */
   overlap?: Overlap;
 }
 
@@ -133,32 +138,37 @@ export interface LeastDistance extends ContactParts {
 
 export interface MotionOptions {
   /** "screw" by default: the paper's motion. "velocity" and "twist" are even in time. */
-  motion?: "screw" | "sweep" | "velocity" | "twist";
+  motion?: "screw" | "sweep" | "velocity" | "twist" | undefined;
   /** The body point that a sweep or a constant velocity carries along a line; the body's origin by default. */
-  centre?: Numbers;
+  centre?: Numbers | undefined;
   /** Largest turn of one piece of a screw, radians; 10 degrees by default. */
-  maxTurn?: number;
+  maxTurn?: number | undefined;
 }
 
 export interface FixedOptions {
-  /** Poses of the fixed body, if it moves too. */
-  fixedStart?: Pose;
-  fixedGoal?: Pose;
-  fixedCentre?: Numbers;
+  /**
+   * Poses of the fixed body in the world, if it moves too. With "velocity" and "twist" each body follows that motion in the world. With
+   * "screw" and "sweep" that is the motion of the moving body as seen from the fixed one, and the fixed body follows the constant
+   * twist between its poses: `poseAt(fixedStart, fixedGoal, time, { motion: "twist" })` says where it is.
+   */
+  fixedStart?: Pose | undefined;
+  fixedGoal?: Pose | undefined;
+  /** For "velocity" only: the point of the fixed body that goes along a line; its origin by default. */
+  fixedCentre?: Numbers | undefined;
 }
 
 export interface QueryOptions {
   /** Distance of the surfaces that counts as contact, mesh unit; in [0, 1e30]. */
-  margin?: number;
+  margin?: number | undefined;
   /** Less than the margin: bodies that start within the margin may move on until they come within this distance. */
-  hold?: number;
+  hold?: number | undefined;
   /** Width of the bracket to aim for, as a part of the motion; in [1e-15, 1]. */
-  timeTolerance?: number;
-  find?: Find;
+  timeTolerance?: number | undefined;
+  find?: Find | undefined;
 }
 
 export type FirstContactOptions = QueryOptions & MotionOptions & FixedOptions;
-export type LeastDistanceOptions = { tolerance?: number; timeTolerance?: number; find?: Find } & MotionOptions & FixedOptions;
+export type LeastDistanceOptions = { tolerance?: number | undefined; timeTolerance?: number | undefined; find?: Find | undefined } & MotionOptions & FixedOptions;
 
 /** An object that holds memory of the instance, until it is freed or nothing refers to it any more. */
 export interface Held {
@@ -199,31 +209,31 @@ export declare class Polyhedron {
 
 /** How a body of a scene moves: from a pose to a goal, or along several poses. Without a goal it stands still. */
 export interface BodyMotion {
-  pose?: Pose;
-  goal?: Pose;
+  pose?: Pose | undefined;
+  goal?: Pose | undefined;
   /**
    * "velocity" by default. It and "twist" are even from pose to pose. "spline": the body's origin follows the natural cubic
    * spline through all poses, with slerp from turn to turn. "b_spline": smooth in velocity and acceleration, near its poses
    * but not through them.
    */
-  motion?: "velocity" | "twist" | "spline" | "b_spline";
+  motion?: "velocity" | "twist" | "spline" | "b_spline" | undefined;
   /** The body point that "velocity" carries along a line; the body's origin by default. */
-  centre?: Numbers;
+  centre?: Numbers | undefined;
   /** Two or more poses, instead of pose and goal. */
-  poses?: readonly Pose[];
+  poses?: readonly Pose[] | undefined;
   /** One for each pose, ascending from 0 to 1; a "b_spline" has none. */
-  times?: Numbers;
+  times?: Numbers | undefined;
 }
 
 export interface SceneOptions {
   /** Distance of the surfaces that counts as contact, mesh unit; pairs may have their own (`setMargin`). */
-  margin?: number;
+  margin?: number | undefined;
   /** Less than the margin: bodies that start within it may move on until they come within this distance. */
-  hold?: number;
-  timeTolerance?: number;
-  find?: Find;
+  hold?: number | undefined;
+  timeTolerance?: number | undefined;
+  find?: Find | undefined;
   /** Contacts that begin later are left out. Two bodies that both stand still are tested with 0 only, a question about the start. */
-  until?: number;
+  until?: number | undefined;
 }
 
 /** The keys of `chasles scene --json`. */
@@ -242,6 +252,7 @@ export type SceneContact =
     });
 
 export interface SceneEvents {
+  /** `contacts` may be empty for a pair that overlaps at time 0. */
   events: { time: number; time_upper: number; certain: boolean; pair: [string, string]; contacts: Contact[] }[];
   work: Work;
 }
@@ -251,11 +262,13 @@ export interface Scene extends Held {}
 export declare class Scene {
   private constructor();
   readonly names: string[];
-  add(name: string, shape: Polyhedron, options?: BodyMotion & { group?: string }): string;
+  /** Without a pose the body is at the origin of the world. */
+  add(name: string, shape: Polyhedron, options?: BodyMotion & { group?: string | undefined }): string;
   remove(name: string): void;
-  move(name: string, options?: BodyMotion): void;
+  /** Another motion, from `pose` or through `poses`: the body keeps no place. `poseAt(name, 0)` is where it started. */
+  move(name: string, options: BodyMotion & ({ pose: Pose } | { poses: readonly Pose[] })): void;
   /** All bodies at once, in the order of `names`. If an argument is refused, nothing has moved. */
-  moveAll(starts: readonly Pose[], goals: readonly Pose[], options?: { motion?: "velocity" | "twist" }): void;
+  moveAll(starts: readonly Pose[], goals: readonly Pose[], options?: { motion?: "velocity" | "twist" | undefined }): void;
   /** Where a body is at a time in [0, 1]. */
   poseAt(name: string, time: number): PoseNumbers;
   ignore(a: string, b: string): void;
@@ -275,25 +288,25 @@ export declare class Scene {
 
 export interface DragOptions {
   /** The gap that contacts keep, mesh unit; 0: a ten-thousandth of the diagonal of the body's box. */
-  margin?: number;
+  margin?: number | undefined;
   /** Contacts within it are foreseen, mesh unit; at least 1.25 times the margin, and 0: just that. */
-  reach?: number;
+  reach?: number | undefined;
   /** Force of the hand for a distance of 1. */
-  stiffness?: number;
+  stiffness?: number | undefined;
   /** Certified steps of one update at most. */
-  rounds?: number;
+  rounds?: number | undefined;
   /** Of Coulomb: the greatest friction force of a contact, as a share of its normal force. The body rests where friction can hold it. */
-  friction?: number;
+  friction?: number | undefined;
   /** How hard turning is against shifting; by default that of the solid box around the body. */
-  mass?: MassProperties;
+  mass?: MassProperties | undefined;
   /** The body moves only as the lock lets it. */
-  lock?: DragLock;
+  lock?: DragLock | undefined;
 }
 
 /** The mass of a body, as a share of its whole mass. */
 export interface MassProperties {
   /** Of mass, in the body's frame, mesh unit; the body's origin by default. */
-  centre?: Numbers;
+  centre?: Numbers | undefined;
   /** Moments about the centre in the body's frame, per mass: 9 numbers or 3 rows, symmetric and positive definite. */
   inertia: Numbers | readonly Numbers[];
 }
@@ -303,9 +316,9 @@ export interface DragLock {
   /** To turn about a line; to slide along a direction; both; to slide in a plane and to turn about its normal. */
   kind: "free" | "hinge" | "slider" | "cylinder" | "plane";
   /** Of the line, or the normal of the plane; 0 0 1 by default. */
-  direction?: Numbers;
+  direction?: Numbers | undefined;
   /** On the line of a hinge or a cylinder; 0 0 0 by default. */
-  point?: Numbers;
+  point?: Numbers | undefined;
 }
 
 /** A force, and a torque about the body's origin, in the world. */
@@ -347,16 +360,18 @@ export declare class DraggedBody {
 /** What a BufferGeometry of three.js has, and this package needs. Draw range and index are followed. */
 export interface GeometryLike {
   readonly attributes: {
-    readonly position?: { readonly count: number; getX(i: number): number; getY(i: number): number; getZ(i: number): number };
+    readonly position?: undefined | { readonly count: number; getX(i: number): number; getY(i: number): number; getZ(i: number): number };
   };
-  readonly index?: { readonly count: number; getX(i: number): number } | null;
-  readonly drawRange?: { readonly start: number; readonly count: number };
-  readonly groups?: readonly { readonly start: number; readonly count: number; readonly materialIndex?: number }[];
+  readonly index?: { readonly count: number; getX(i: number): number } | null | undefined;
+  readonly drawRange?: { readonly start: number; readonly count: number } | undefined;
+  readonly groups?: readonly { readonly start: number; readonly count: number; readonly materialIndex?: number | undefined }[] | undefined;
 }
 
 /** What a Mesh of three.js has, and this package needs. */
 export interface MeshLike extends ObjectLike {
   readonly isMesh: true;
+  readonly isInstancedMesh?: undefined;
+  readonly isBatchedMesh?: undefined;
   readonly geometry: GeometryLike;
   readonly material: unknown;
   readonly matrixWorld: MatrixLike;
@@ -399,17 +414,17 @@ export declare class Chasles {
   polyhedron(
     vertices: Numbers | readonly Numbers[],
     faces: readonly number[] | Uint32Array | Uint16Array | Int32Array | readonly (readonly number[] | Uint32Array)[],
-    options?: { triangulate?: boolean },
+    options?: { triangulate?: boolean | undefined },
   ): Polyhedron;
   /** A body of the content of an OBJ, OFF, PLY or STL file; the extension of the name says which. */
-  fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: { triangulate?: boolean }): Polyhedron;
+  fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: { triangulate?: boolean | undefined }): Polyhedron;
   /** A body of a geometry of three.js. Vertices at equal places count as one. */
-  fromBufferGeometry(geometry: GeometryLike, options?: { triangulate?: boolean }): Polyhedron;
+  fromBufferGeometry(geometry: GeometryLike, options?: { triangulate?: boolean | undefined }): Polyhedron;
   /**
    * A body of a Mesh of three.js as it is drawn in the world, and its pose: scale, shear and mirroring are in the body, and so are
    * morph targets and bones as they are now. Of a mesh with a list of materials, the triangles of its groups are taken.
    */
-  fromObject3D(mesh: MeshLike, options?: { triangulate?: boolean }): MeshBody;
+  fromObject3D(mesh: MeshLike, options?: { triangulate?: boolean | undefined }): MeshBody;
   scene(): Scene;
   draggedBody(scene: Scene, name: string, options?: DragOptions): DraggedBody;
 
@@ -423,14 +438,17 @@ export declare class Chasles {
   ): PathContact;
   /** How near do two bodies come, when, and where? */
   leastDistance(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: LeastDistanceOptions): LeastDistance;
-  /** Where the moving body is at a time in [0, 1] of the motion that the questions are asked about. */
+  /** Where the moving body is at a time in [0, 1] of the motion that the questions are asked about. For the fixed body see FixedOptions. */
   poseAt(start: Pose, goal: Pose, time: number, options?: MotionOptions & FixedOptions): PoseNumbers;
   /** One answer a motion, in order. */
   firstContactBatch(
     moving: Polyhedron, fixed: Polyhedron, starts: readonly Pose[], goals: readonly Pose[], options?: FirstContactOptions,
   ): FirstContact[];
-  /** Workers for batches; `worker` makes one of them where the package's own script cannot be found. */
-  workers(options?: { count?: number; worker?: () => WorkerLike | Promise<WorkerLike> }): Promise<Workers>;
+  /**
+   * Workers for batches: as many as there are cores, or `count`, at most 1024. `worker` makes one of them where the package's own
+   * script cannot be found; its script has to run `chasles/worker`, or the promise is rejected after 30 seconds without an answer.
+   */
+  workers(options?: { count?: number | undefined; worker?: (() => WorkerLike | Promise<WorkerLike>) | undefined }): Promise<Workers>;
   /** How many objects are not freed. */
   readonly held: { polyhedra: number; scenes: number; draggedBodies: number };
 }
@@ -446,4 +464,4 @@ export type WasmSource = string | URL | Response | ArrayBuffer | Uint8Array | We
  * Makes an instance. `wasm` stands for chasles.wasm if that lies elsewhere: a URL, a Response, bytes, or a module. In Node.js a
  * path alone is no URL.
  */
-export declare function load(options?: { wasm?: WasmSource | Promise<WasmSource> }): Promise<Chasles>;
+export declare function load(options?: { wasm?: WasmSource | Promise<WasmSource> | undefined }): Promise<Chasles>;

@@ -76,8 +76,8 @@ export function addWorldRule(numbers, kind, centre) {
   return addRule(numbers, { motion: kind, centre });
 }
 
-/** The motion of a body in a scene. */
-export function addWorldMotion(numbers, options) {
+/** The motion of a body in a scene. `place` is where it starts if the options do not say so. */
+export function addWorldMotion(numbers, options, place) {
   const kind = options.motion ?? "velocity";
   if (kind === "spline" || kind === "b_spline") return addSpline(numbers, kind, options);
   addWorldRule(numbers, kind, options.centre);
@@ -87,8 +87,10 @@ export function addWorldMotion(numbers, options) {
     return addTimes(numbers, options);
   }
   if (options.times !== undefined) throw new InvalidInput("times: are for poses, and there are none");
+  const pose = options.pose ?? place;
+  if (pose === undefined) throw new InvalidInput("pose: is missing, and a body that moves anew keeps no place: scene.poseAt(name, 0) gives where it started");
   numbers.push(worldForms.poses);
-  addPose(numbers, options.pose ?? [0, 0, 0], "pose");
+  addPose(numbers, pose, "pose");
   return addOptional(numbers, options.goal, addPose, "goal");
 }
 
@@ -141,12 +143,13 @@ function addMass(numbers, given) {
   return numbers;
 }
 
+const mostRounds = 2 ** 30; // of javascript/src/hands.cpp
 export const dragOptions = ["margin", "reach", "stiffness", "rounds", "friction", "mass", "lock"];
 
 /** How a body is dragged. */
 export function addDrag(numbers, options) {
   const { margin, reach, stiffness, rounds, friction } = options;
-  if (!Number.isInteger(rounds ?? 8)) throw new InvalidInput("rounds: must be a whole number");
+  if (!Number.isInteger(rounds ?? 8) || rounds > mostRounds) throw new InvalidInput(`rounds: must be a whole number up to ${mostRounds}`);
   numbers.push(
     number(margin, "margin", 0),
     number(reach, "reach", 0),

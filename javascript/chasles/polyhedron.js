@@ -2,7 +2,7 @@
 import { meshReport, Reader } from "./answers.js";
 import { InvalidInput } from "./errors.js";
 import { Held } from "./held.js";
-import { checkOptions, isList, number, text } from "./values.js";
+import { checkOptions, isList, number, text, wayOut } from "./values.js";
 
 const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
 const largestIndex = 2 ** 32 - 1;
@@ -69,7 +69,7 @@ function flatPoints(vertices) {
   const numbers = new Float64Array(3 * vertices.length);
   for (let i = 0; i < vertices.length; ++i) {
     const point = vertices[i]; // by index: forEach leaves out the holes of an array
-    if (!isList(point) || point.length !== 3) throw new InvalidInput(`vertices[${i}]: is no point of 3 numbers`);
+    if (!isList(point) || point.length !== 3) throw new InvalidInput(`vertices[${i}]: is no point of 3 numbers${wayOut(point)}`);
     for (let k = 0; k < 3; ++k) numbers[3 * i + k] = number(point[k], `vertices[${i}][${k}]`);
   }
   return numbers;

@@ -22,7 +22,13 @@ export class Scene extends Held {
   }
 
   get names() {
-    return [...this.#names];
+    this.#own(); // a freed scene is refused
+    return Scene.namesOf(this);
+  }
+
+  /** Also of a freed scene, which a dragged body keeps. */
+  static namesOf(scene) {
+    return [...scene.#names];
   }
 
   add(name, shape, options = {}) {
@@ -30,7 +36,7 @@ export class Scene extends Held {
     checkOptions(options, [...motionKeys, "group"]);
     const body = Held.handle(shape, border, Polyhedron, "shape");
     const nameBytes = encode(name, "name");
-    border.giveNumbers(addWorldMotion([], options));
+    border.giveNumbers(addWorldMotion([], options, [0, 0, 0]));
     border.giveBytes(nameBytes, encode(options.group ?? "", "group"));
     border.call("scene_add", handle, body, nameBytes.length);
     this.#names.push(name);
@@ -125,6 +131,7 @@ export class Scene extends Held {
 export class DraggedBody extends Held {
   static title = "DraggedBody";
   #scene;
+  #name;
 
   constructor(border, scene, name, options = {}) {
     checkOptions(options, dragOptions);
@@ -133,13 +140,18 @@ export class DraggedBody extends Held {
     border.giveBytes(encode(name, "name"));
     super(border, "hand", border.call("hand", handle));
     this.#scene = scene;
-    this.name = name;
+    this.#name = name;
+  }
+
+  get name() {
+    this.#own();
+    return this.#name;
   }
 
   update(goal, seconds = 0) {
     const { border, handle } = this.#own();
     border.giveNumbers(addPose([], goal, "goal"));
-    return dragStep(border.read("hand_update", handle, number(seconds, "seconds")), this.#scene.names);
+    return dragStep(border.read("hand_update", handle, number(seconds, "seconds")), Scene.namesOf(this.#scene));
   }
 
   /** Force and torque on the hand for another goal, from the contacts that the last update ended with. */

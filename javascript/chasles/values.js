@@ -22,13 +22,16 @@ export function text(value, name) {
 
 export const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 
+/** What a point of three.js, or of another library, is to be given as. */
+export const wayOut = (value) => (typeof value?.x === "number" && typeof value.y === "number" ? ": a Vector3 is given as v.toArray()" : "");
+
 export function shown(value) {
   return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value);
 }
 
 /** A list of numbers, behind their count. */
 export function addCounted(numbers, list, name) {
-  if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of numbers`);
+  if (!isList(list)) throw new InvalidInput(`${name}: ${shown(list)} is no array of numbers${wayOut(list)}`);
   numbers.push(list.length);
   for (let i = 0; i < list.length; ++i) {
     if (typeof list[i] !== "number") number(list[i], `${name}[${i}]`); // throws

@@ -55,6 +55,27 @@ function webWorker(worker) {
   };
 }
 
+const most = 1024; // a page with more workers than any machine has cores would freeze
+const patience = 30; // seconds
+
+/**
+ * The answers, or an Error if a worker whose script is another one stays silent. An interval counts the seconds, and any answer begins
+ * anew: a machine that sleeps, is slow, or has many workers to start loses no time.
+ */
+function answeredInTime(answers) {
+  let clock;
+  const silence = new Promise((_, reject) => {
+    let silent = 0;
+    for (const answer of answers) answer.then(() => (silent = 0), reject);
+    const count = () => ++silent < patience || reject(new Error(notAnswered));
+    clock = setInterval(count, 1000);
+    clock.unref?.();
+  });
+  return Promise.race([Promise.all(answers), silence]).finally(() => clearInterval(clock));
+}
+
+const notAnswered = `chasles: a worker has not answered for ${patience} seconds: the script that workers({ worker }) starts must run chasles/worker`;
+
 const cores = () => globalThis.navigator?.hardwareConcurrency ?? 4;
 
 /** A worker with the jobs that it has not answered yet. */
@@ -156,11 +177,11 @@ export class Workers {
   static async start(border, newWorker, options) {
     checkOptions(options, ["count", "worker"]);
     const { count = cores(), worker } = options;
-    if (!Number.isInteger(count) || count < 1) throw new InvalidInput("count: must be a whole number from 1");
+    if (!Number.isInteger(count) || count < 1 || count > most) throw new InvalidInput(`count: must be a whole number from 1 to ${most}`);
     const workers = new Workers(border);
     try {
       for (let i = 0; i < count; ++i) workers.#mates.push(new Mate(await startWorker(worker, newWorker)));
-      await Promise.all(workers.#mates.map((mate) => mate.ask({ task: "open", module: border.module })));
+      await answeredInTime(workers.#mates.map((mate) => mate.ask({ task: "open", module: border.module })));
     } catch (error) {
       workers.stop();
       throw error;

@@ -15,6 +15,7 @@ import { type PlaygroundScene, readyScenes, sceneNamed, usualFriction, withArm }
 import { View } from "./view";
 import { list } from "./words";
 
+const unusable = (error: unknown) => `This link cannot be used: ${messageOf(error).replace(/\.$/, "")}.`;
 const messageOf = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 /** A scene as a link has it. */
@@ -70,19 +71,19 @@ export class App implements Shown {
   }
 
   /** Opens a scene; says so if that is not possible, and leaves the scene before. A part of the same scene is shown from the same side. */
-  open(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false): Promise<boolean> {
-    const opened = this.opening.then(() => this.openNext(scene, start, pose, isSame)); // one after another
+  open(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false, wordsFor = messageOf): Promise<boolean> {
+    const opened = this.opening.then(() => this.openNext(scene, start, pose, isSame, wordsFor)); // one after another
     this.opening = opened.catch(() => false);
     return opened;
   }
 
-  private async openNext(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false): Promise<boolean> {
+  private async openNext(scene: PlaygroundScene, start?: Pose, pose?: Pose, isSame = false, wordsFor = messageOf): Promise<boolean> {
     this.stopProof();
     const { isLoose } = this.hand;
     try {
       await this.hand.open(scene, start, pose);
     } catch (error) {
-      showTrouble(messageOf(error));
+      showTrouble(wordsFor(error));
       return false;
     }
     if (isSame) this.hand.isLoose = isLoose;
@@ -107,9 +108,9 @@ export class App implements Shown {
       const scene = shared && sceneNamed(shared.scene);
       if (shared && !scene) throw new Error(`there is no scene "${shared.scene}"`);
       const [start, pose] = scene?.arm ? [] : [shared?.start, shared?.pose]; // an arm stands where its joints are
-      if (shared && scene && (await this.open(sharedScene(scene, shared), start, pose))) return;
+      if (shared && scene && (await this.open(sharedScene(scene, shared), start, pose, false, unusable))) return;
     } catch (error) {
-      showTrouble(`This link cannot be used: ${messageOf(error)}.`);
+      showTrouble(unusable(error));
     }
     if (!this.hand.scene) await this.open(readyScenes[0]);
   }
@@ -210,7 +211,7 @@ export class App implements Shown {
     const scene = this.present;
     const { start, friction } = scene.spec;
     if (scene.id === "own") {
-      byId("kept").textContent = "A link cannot hold your files. Save the hand instead.";
+      byId("kept").textContent = "No link is copied: it cannot hold your files. Save the hand instead.";
       return;
     }
     const where = scene.arm ? { arm: scene.arm } : { start, pose };

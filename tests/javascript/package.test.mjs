@@ -5,8 +5,8 @@ import { createRequire } from "node:module";
 import { test } from "node:test";
 import * as plain from "chasles";
 import * as inline from "chasles/inline";
-import { BoxGeometry, IcosahedronGeometry, Matrix4, Object3D } from "three";
-import { box, potato, randomNumbers } from "./shapes.mjs";
+import { BoxGeometry, IcosahedronGeometry, Matrix4, Mesh, Object3D, Vector3 } from "three";
+import { box, potato, randomNumbers, randomPose } from "./shapes.mjs";
 
 const { InvalidInput, InstanceStopped, load } = plain;
 const chasles = await load();
@@ -194,10 +194,58 @@ test("freed bodies are refused, and what uses them goes on", () => {
   assert.equal(scene.firstContact().verdict, "clear");
   scene[Symbol.dispose ?? Symbol.for("Symbol.dispose")]();
   assert.match(refusal(() => scene.firstContact()), /^scene: has been freed/);
+  assert.match(refusal(() => scene.names), /^scene: has been freed/);
   assert.equal(hand.update([0, 0, 0]).state, "resting");
   hand.free();
+  for (const name of ["name", "pose", "margin", "reach"]) assert.match(refusal(() => hand[name]), /^dragged body: has been freed/, name);
+  for (const name of ["report", "vertices", "faces", "triangles", "sourceFaces"]) assert.match(refusal(() => body[name]), /^polyhedron: has been freed/, name);
   assert.match(refusal(() => hand.update(far)), /^dragged body: has been freed/);
   assert.deepEqual(chasles.held, before);
+});
+
+test("functions of an instance may be taken out of it", () => {
+  const { firstContact, isClear, scene } = chasles;
+  assert.equal(firstContact(cube, cube, far, near).verdict, "contact");
+  assert.equal(isClear(cube, cube, far, near), false);
+  assert.deepEqual(scene().names, []);
+  assert.deepEqual(Object.keys(chasles), [], "they are not listed");
+});
+
+test("what stands beside the right argument is refused with the way out", () => {
+  const part = chasles.fromObject3D(new Mesh(new BoxGeometry(1, 1, 1)));
+  const point = new Vector3(5, 0, 0);
+  assert.match(refusal(() => chasles.firstContact(part, cube, far, near)), /^moving: is no Polyhedron, but has one: give its body$/);
+  assert.match(refusal(() => chasles.scene().add("a", part)), /^shape: is no Polyhedron, but has one: give its body$/);
+  assert.match(refusal(() => chasles.firstContact(cube, cube, point, near)), /^start: .* is no array of numbers: a Vector3 is given as v\.toArray\(\)$/);
+  assert.match(refusal(() => chasles.poseAt(far, near, 0, { motion: "sweep", centre: point })), /^centre: .* v\.toArray\(\)$/);
+  assert.match(refusal(() => chasles.polyhedron([point, point, point], [[0, 1, 2]])), /^vertices\[0\]: is no point of 3 numbers: .* v\.toArray\(\)$/);
+  const scene = chasles.scene();
+  scene.add("a", cube);
+  for (const rounds of [1e10, 2 ** 30 + 1, 1.5, Infinity])
+    assert.match(refusal(() => chasles.draggedBody(scene, "a", { rounds })), /^rounds: must be a whole number up to 1073741824$/);
+});
+
+test("the fixed body of a screw or a sweep follows the constant twist between its poses", () => {
+  const random = randomNumbers(8);
+  const distance = (a, b) => Math.hypot(...a.map((x, k) => x - b[k]));
+  let found = 0, apart = 0;
+  for (let i = 0; i < 60; ++i) {
+    const [fixedStart, fixedGoal] = [randomPose(random, 2), randomPose(random, 2)];
+    for (const motion of ["screw", "sweep"]) {
+      const options = { motion, fixedStart, fixedGoal };
+      const answer = chasles.firstContact(cube, cube, [9, 0, 0], randomPose(random, 1), options);
+      if (answer.verdict === "clear" || answer.time === 0) continue;
+      const twist = chasles.poseAt(fixedStart, fixedGoal, answer.time, { motion: "twist" });
+      const sign = twist[3] * answer.fixed_pose[3] < 0 ? -1 : 1; // q and -q are one turn
+      assert.ok(distance(twist.map((x, k) => (k > 2 ? sign * x : x)), answer.fixed_pose) < 1e-12, `${motion} ${i}`);
+      ++found;
+      apart += distance(chasles.poseAt(fixedStart, fixedGoal, answer.time, { motion }).slice(0, 3), answer.fixed_pose.slice(0, 3)) > 1e-9 ? 1 : 0;
+    }
+  }
+  assert.ok(found > 50 && apart > 25, `${found} contacts, ${apart} where the fixed body is not on a motion of the same kind`);
+  const fixed = { fixedStart: far, fixedGoal: near, fixedCentre: [1, 0, 0] };
+  for (const motion of ["screw", "sweep", "twist"]) assert.match(refusal(() => chasles.firstContact(cube, cube, far, near, { ...fixed, motion })), /centre.* velocity/i);
+  chasles.firstContact(cube, cube, far, near, { ...fixed, motion: "velocity" });
 });
 
 test("bodies that nothing refers to are freed", { skip: globalThis.gc ? false : "skipped: no --expose-gc" }, async () => {
@@ -235,6 +283,22 @@ test("a trap stops the instance, and nothing else", async () => {
   border.free("body", 1); // a finalizer may come later: no effect
 });
 
+test("contacts are empty only with an overlap at the start", () => {
+  const random = randomNumbers(5);
+  const seen = { overlaps: 0, empty: 0, contacts: 0 };
+  for (let i = 0; i < 600; ++i) {
+    const options = { find: ["first", "any", "first_with_all_contacts"][i % 3], margin: i % 2 === 0 ? 0 : 0.3 };
+    const found = chasles.firstContact(cube, cube, randomPose(random, 2.5), randomPose(random, 2.5), options);
+    if (found.verdict === "clear") continue;
+    seen.overlaps += found.overlap ? 1 : 0;
+    seen.empty += found.contacts.length === 0 ? 1 : 0;
+    seen.contacts += found.verdict === "contact" ? 1 : 0;
+    assert.ok(found.contacts.length > 0 || found.overlap, `${i}`);
+    assert.ok(!found.overlap || found.verdict === "contact_at_start");
+  }
+  assert.ok(Object.values(seen).every((count) => count > 50), JSON.stringify(seen));
+});
+
 test("scenes: adding, moving, removing, rules", () => {
   const scene = chasles.scene();
   scene.add("a", cube, { pose: far, goal: [-5, 0, 0] });
@@ -268,6 +332,16 @@ test("scenes: adding, moving, removing, rules", () => {
   assert.match(refusal(() => scene.remove("x")), /^scene: x: is not in the scene/);
   assert.match(refusal(() => scene.firstContact({ hold: 9 })), /^query: hold: must be less than some margin/);
   assert.deepEqual(scene.names, ["c", "b"]);
+});
+
+test("scenes: a body is moved from a pose that is given, never from the origin by default", () => {
+  const scene = chasles.scene();
+  scene.add("a", cube, { pose: far });
+  for (const ask of [() => scene.move("a"), () => scene.move("a", { goal: near }), () => scene.move("a", { motion: "twist", goal: near }), () => scene.move("a", { pose: undefined })])
+    assert.match(refusal(ask), /^pose: is missing, .* scene\.poseAt\(name, 0\)/);
+  assert.deepEqual(scene.poseAt("a", 1).slice(0, 3), far, "nothing has moved");
+  scene.move("a", { pose: scene.poseAt("a", 0), goal: [0, 5, 0] });
+  assert.deepEqual([scene.poseAt("a", 0).slice(0, 3), scene.poseAt("a", 1).slice(0, 3)], [far, [0, 5, 0]]);
 });
 
 test("scenes: what rests on a table may slide", () => {

@@ -20,4 +20,15 @@ for (const [name, document, fewest] of [["README", readme, 9], ["guide", guide, 
     assert.equal(status, 0, stderr);
     assert.deepEqual(stdout.trimEnd().split("\n"), expected);
   });
+
+  test(`the first code of the ${name} takes bodies that overlap at the start, too`, () => {
+    const [, first] = /```js\n(.*?)```/s.exec(readFileSync(document, "utf8"));
+    const code = first.replace(/(firstContact\(\w+, \w+), \[.*?\]/, "$1, [0.3, 0.2, 0.1]");
+    assert.notEqual(code, first);
+    const file = new URL(`./${name}_overlap.mjs`, import.meta.url);
+    writeFileSync(file, code);
+    const { stdout, stderr, status } = spawnSync(process.execPath, [fileURLToPath(file)], { encoding: "utf8" });
+    assert.equal(status, 0, stderr);
+    assert.match(stdout, /^contact_at_start /);
+  });
 }

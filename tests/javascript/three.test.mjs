@@ -3,9 +3,10 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load } from "chasles";
 import {
-  Bone, BoxGeometry, BufferAttribute, BufferGeometry, Float32BufferAttribute, Group, InstancedMesh, InterleavedBuffer, InterleavedBufferAttribute,
-  LineSegments, Matrix4, Mesh, MeshBasicMaterial, Object3D, Points, Quaternion, Skeleton, SkinnedMesh, Vector3,
+  Bone, BoxGeometry, BufferAttribute, BufferGeometry, EdgesGeometry, Float32BufferAttribute, Group, InstancedMesh, InterleavedBuffer, InterleavedBufferAttribute,
+  LineSegments, Matrix4, Mesh, MeshBasicMaterial, Object3D, Points, Quaternion, Skeleton, SkinnedMesh, Vector3, WireframeGeometry,
 } from "three";
+import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { box, randomNumbers, refusal } from "./shapes.mjs";
 
 const chasles = await load();
@@ -230,4 +231,21 @@ test("what is no surface, or many, is refused by name", () => {
     assert.match(body(object), /^object: is no Mesh/);
   assert.match(body(new InstancedMesh(new BoxGeometry(1, 1, 1), new MeshBasicMaterial(), 3)), /^object: is an InstancedMesh/);
   assert.match(refusal(() => chasles.fromObject3D(new Mesh(new BoxGeometry(1, 1, 1)), { triangulat: true })), /^triangulat: is no option/);
+});
+
+test("geometries of lines are refused by their type, also in a mesh", () => {
+  const solid = new BoxGeometry(2, 2, 2);
+  for (const lines of [new EdgesGeometry(solid), new WireframeGeometry(solid), new EdgesGeometry(solid).clone()]) {
+    const { type } = lines;
+    assert.equal(lines.attributes.position.count % 3, 0, "the count of corners does not tell them from triangles");
+    assert.match(refusal(() => chasles.fromBufferGeometry(lines)), new RegExp(`^geometry: is an? ${type}, which is lines and no surface: `));
+    assert.match(refusal(() => chasles.fromObject3D(new Mesh(lines))), new RegExp(`^geometry: is an? ${type}, `));
+  }
+  assert.match(refusal(() => chasles.fromObject3D(new LineSegments2())), /^geometry: is a LineSegmentsGeometry, which is lines/);
+});
+
+test("a mesh in the place of a geometry, and a geometry in that of a mesh: the refusal names the sibling", () => {
+  const solid = new BoxGeometry(2, 2, 2);
+  assert.match(refusal(() => chasles.fromBufferGeometry(new Mesh(solid))), /^geometry: is a Mesh: fromObject3D\(mesh\)/);
+  assert.match(refusal(() => chasles.fromObject3D(solid)), /^object: is no Mesh, but a geometry: fromBufferGeometry\(geometry\) takes it/);
 });

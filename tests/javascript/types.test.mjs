@@ -92,6 +92,22 @@ test("options are those of the types", async () => {
   assert.equal(complaints("options", head + program.join("")), "");
 });
 
+test("options that are undefined are taken, as the types say", async () => {
+  const none = (...names) => Object.fromEntries(names.map((name) => [name, undefined]));
+  const motion = ["motion", "centre", "maxTurn", "fixedStart", "fixedGoal", "fixedCentre"];
+  const query = ["margin", "hold", "timeTolerance", "find"];
+  const expected = chasles.firstContact(cube, cube, far, [0, 0, 0]);
+  assert.deepEqual(chasles.firstContact(cube, cube, far, [0, 0, 0], none(...query, ...motion)), expected);
+  chasles.leastDistance(cube, cube, far, far, none("tolerance", "timeTolerance", "find", ...motion));
+  const world = chasles.scene();
+  world.add("a", cube, none("pose", "goal", "motion", "centre", "poses", "times", "group"));
+  world.firstContact(none(...query, "until"));
+  world.moveAll([far], [far], none("motion"));
+  chasles.draggedBody(world, "a", none("margin", "reach", "stiffness", "rounds", "friction", "mass", "lock"));
+  chasles.polyhedron(vertices, faces, none("triangulate"));
+  assert.ok(await load(none("wasm")));
+});
+
 test("answers have the keys of the types", () => {
   const near = [0.5, 0, 0, 1, 0.2, 0.1, 0];
   const held = { margin: 0.1, hold: 0.02 };

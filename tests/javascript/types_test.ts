@@ -1,7 +1,7 @@
 // Compiled, not run: the types accept what the README shows, and refuse what is wrong.
 import { load, InvalidInput, Polyhedron, type FirstContact } from "chasles";
 import { load as loadInline } from "chasles/inline";
-import { BoxGeometry, Matrix4, Object3D } from "three";
+import { BoxGeometry, InstancedMesh, Matrix4, Mesh, Object3D, SkinnedMesh } from "three";
 
 const chasles = await load();
 const other = await loadInline({ wasm: new Uint8Array(8) });
@@ -30,6 +30,21 @@ const locked = chasles.draggedBody(scene, "cube", {
 const across: number = locked.update([0, 0, 0]).contacts[0]?.friction[2] ?? locked.force([0, 0, 1])[5];
 // @ts-expect-error: there is no such lock
 chasles.draggedBody(scene, "cube", { lock: { kind: "screw" } });
+for (const mesh of [new Mesh(new BoxGeometry()), new SkinnedMesh()]) console.log(chasles.fromObject3D(mesh, { triangulate: undefined }).pose);
+// @ts-expect-error: many bodies
+chasles.fromObject3D(new InstancedMesh(new BoxGeometry(), [], 3));
+// @ts-expect-error: from where?
+scene.move("cube", { goal: [0, 0, 0] });
+// All options may be undefined, also under exactOptionalPropertyTypes.
+type Undefined<T> = { [Key in keyof Required<T>]: undefined };
+const accepts = <T>(_: Undefined<T> extends T ? true : false) => undefined;
+accepts<NonNullable<Parameters<typeof chasles.firstContact>[4]>>(true);
+accepts<NonNullable<Parameters<typeof chasles.leastDistance>[4]>>(true);
+accepts<NonNullable<Parameters<typeof chasles.workers>[0]>>(true);
+accepts<NonNullable<Parameters<typeof chasles.draggedBody>[2]>>(true);
+accepts<NonNullable<Parameters<typeof scene.add>[2]>>(true);
+accepts<NonNullable<Parameters<typeof scene.firstContact>[0]>>(true);
+accepts<NonNullable<Parameters<typeof load>[0]>>(true);
 scene.move("cube", { motion: "spline", poses: [[0, 0, 0], [1, 0, 0]], times: [0, 1] });
 scene.moveAll([[0, 0, 0]], [[1, 0, 0]], { motion: "twist" });
 const middle: number = scene.poseAt("cube", 0.5)[0] + chasles.poseAt([0, 0, 0], [1, 0, 0], 0.5, { motion: "sweep" })[6];

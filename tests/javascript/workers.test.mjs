@@ -104,6 +104,42 @@ function run(lines) {
   return spawnSync(process.execPath, ["--input-type=module", "-e", program], { encoding: "utf8", timeout: 30_000, cwd: import.meta.dirname });
 }
 
+test("a count of workers is bounded, in words", async () => {
+  for (const count of [1e9, 1025, Infinity, 0, -1, 1.5, "2", null])
+    assert.match(await refusal(chasles.workers({ count })), /^count: must be a whole number from 1 to 1024$/);
+});
+
+test("workers whose script never answers are given up after 30 seconds without any answer, and stopped", async (t) => {
+  t.mock.timers.enable({ apis: ["setInterval"] });
+  const settled = async () => {
+    for (let i = 0; i < 20; ++i) await Promise.resolve();
+  };
+  const made = [];
+  const worker = () => made[made.push({ postMessage: (message) => (made.at(-1).asked = message), terminate: () => (made.isStopped = true) }) - 1];
+  let message = null;
+  const waiting = chasles.workers({ count: 2, worker }).catch((error) => (message = error.message));
+  await settled();
+  const wait = async (seconds) => {
+    t.mock.timers.tick(1000 * seconds);
+    await settled();
+  };
+  await wait(29);
+  assert.equal(message, null);
+  made[0].onmessage({ data: { job: 1 } }); // a slow machine: one of them has come up
+  await settled();
+  await wait(29);
+  assert.equal(message, null, "its answer begins anew");
+  await wait(1);
+  await waiting;
+  assert.match(message, /^chasles: a worker has not answered for 30 seconds: .* must run chasles\/worker$/);
+  assert.ok(made.isStopped);
+  const quick = chasles.workers({ count: 1, worker });
+  await settled();
+  made.at(-1).onmessage({ data: { job: 1 } });
+  assert.equal((await quick).count, 1);
+  await wait(100);
+});
+
 test("a process ends without stop(), and not before its answers are there", () => {
   const ask = "console.log((await workers.firstContactBatch(cube, cube, [[5, 0, 0]], [[0, 0, 0]])).length);";
   const factory = 'worker: () => new Worker(new URL(import.meta.resolve("chasles/worker")), { execArgv: [] })';

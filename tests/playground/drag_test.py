@@ -231,6 +231,7 @@ class Links(PlaygroundTest):
         ]:
             self.open(fragment)
             self.assertIn(why, self.text("#trouble-text"), fragment)
+            self.assertTrue(self.text("#trouble-text").startswith("This link cannot be used: "), fragment)
             self.assertEqual(self.evaluate("playground.app.hand.scene.id"), "nut")
             self.click("#dismiss")
             self.assertTrue(self.is_hidden("#trouble"))
