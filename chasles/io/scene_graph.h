@@ -46,8 +46,9 @@ void add_triangle_strip(PolygonSoup& mesh, const std::vector<std::uint32_t>& cor
 void add_triangle_fan(PolygonSoup& mesh, const std::vector<std::uint32_t>& corners);
 
 /// The faces of each node in the coordinates of the scene, for each path from a root to the node. A mirrored mesh has
-/// its faces the other way round. Names are made unique by "_2", "_3" and so on. Throws InvalidInput for a node that
-/// contains itself, for a transform that flattens a mesh, and for more than 1,000,000 nodes on all paths together.
+/// its faces the other way round. Names are made unique by "_2", "_3" and so on, without the names of other nodes.
+/// Throws InvalidInput for a node that contains itself, for a transform that flattens a mesh, and for more than
+/// 1,000,000 nodes on all paths together.
 std::vector<MeshPart> parts_of(const SceneGraph& scene);
 
 } // namespace chasles::io

@@ -1,5 +1,6 @@
 """Bodies from the meshes of other packages."""
 
+import itertools
 from typing import Any
 
 import numpy as np
@@ -38,17 +39,29 @@ def parts_from_trimesh(
     """
     if not hasattr(scene, "graph") or not hasattr(scene, "geometry"):
         raise InvalidInput(f"scene: a {type(scene).__name__} is no trimesh.Scene; from_trimesh takes a Trimesh")
-    parts = {}
+    parts, names = {}, _names_of(scene.graph.nodes_geometry)
     for node in scene.graph.nodes_geometry:
         matrix, name = scene.graph[node]
         try:
             mesh = _placed(scene.geometry[name], np.asarray(matrix, np.float64))
-            parts[str(node)] = Polyhedron(
+            parts[names[node]] = Polyhedron(
                 *mesh, triangulate=triangulate, drop_degenerate=drop_degenerate, threads=threads
             )
         except InvalidInput as error:
             raise InvalidInput(f"{node}: {error}") from None
     return parts
+
+
+def _names_of(nodes: Any) -> dict[Any, str]:
+    """A text for each node. Nodes that are no texts, as 1 beside "1", take no name of another node."""
+    names = {node: node for node in nodes if isinstance(node, str)}
+    used = set(names.values())
+    for node in nodes:
+        if node not in names:
+            endings = itertools.chain([""], (f"_{number}" for number in itertools.count(2)))
+            names[node] = next(name for name in (f"{node}{ending}" for ending in endings) if name not in used)
+            used.add(names[node])
+    return names
 
 
 def _placed(mesh: Any, matrix: Any) -> tuple[Any, Any]:

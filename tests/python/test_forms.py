@@ -213,6 +213,17 @@ def test_parts_of_a_scene_of_trimesh_keep_scale_mirror_and_shear():
         assert volume == pytest.approx(mesh.volume) and volume > 0, name
 
 
+def test_nodes_of_trimesh_keep_their_names_and_none_is_lost():
+    trimesh = pytest.importorskip("trimesh")
+    scene = trimesh.Scene()
+    nodes = {1: (2, 1, 1), "1": (1, 1, 1), "1_2": (3, 1, 1)}  # a number and a text that reads alike
+    for node, size in nodes.items():
+        scene.add_geometry(trimesh.creation.box(size), node_name=node)
+    parts = chasles.parts_from_trimesh(scene)
+    lengths = {name: np.ptp(body.vertices[:, 0]) for name, body in parts.items()}
+    assert lengths == {"1": 1, "1_2": 3, "1_3": 2}
+
+
 def test_scenes_of_trimesh_are_not_lost_in_silence(cube):
     trimesh = pytest.importorskip("trimesh")
     scene = trimesh.Scene([trimesh.creation.box((1, 1, 1))])
