@@ -72,4 +72,14 @@ def _placed(mesh: Any, matrix: Any) -> tuple[Any, Any]:
         raise InvalidInput("transform: is no affine map: finite numbers (4, 4) with the last row 0 0 0 1 are needed")
     vertices = np.asarray(mesh.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
     faces = np.asarray(mesh.faces)
-    return vertices, faces[:, ::-1] if np.linalg.det(matrix[:3, :3]) < 0 else faces
+    return vertices, faces[:, ::-1] if _orientation(matrix[:3, :3]) < 0 else faces
+
+
+def _orientation(matrix: Any) -> float:
+    """The sign of the determinant, at any scale. A matrix that flattens the mesh is refused, as in files."""
+    largest = np.abs(matrix).max()
+    rows = matrix / largest if largest > 0 else matrix
+    orientation = float(np.sign(np.dot(rows[0], np.cross(rows[1], rows[2]))))
+    if orientation == 0:
+        raise InvalidInput("its transform flattens the mesh (a scale of 0); remove the node or scale it")
+    return orientation
