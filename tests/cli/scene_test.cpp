@@ -211,9 +211,11 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     const auto body = [](const std::string& more) {
         return R"({"bodies": [{"name": "a", "mesh": "cube.obj")" + more + "}]}";
     };
-    EXPECT_EQ(refused(body(R"(, "colour": 1)")), "body 1: unknown key 'colour'");
+    EXPECT_EQ(refused(body(R"(, "colour": 1)")), "body 1: unknown key 'colour'; the keys are name, mesh, part, urdf, "
+                                                 "scale, pose, goal, motion, centre, poses, group");
     EXPECT_EQ(refused(body(R"(, "pose": [1, 2])")).substr(0, 29), "body 1: 'a': pose: 2 numbers ");
-    EXPECT_EQ(refused(body(R"(, "scale": -1)")), "body 1: 'a': scale: must be positive");
+    EXPECT_EQ(refused(body(R"(, "scale": -1)")),
+              "body 1: 'a': scale: must be one positive number; mirror the mesh or scale its axes in the mesh file");
     EXPECT_EQ(refused(body(R"(, "goal": [1, 2, 3], "motion": "screw")")),
               "body 1: 'a': motion: screw is the motion of one body as seen from another one; a scene takes velocity "
               "and twist");
