@@ -216,11 +216,12 @@ void SizeBudget::spend(std::size_t count) {
 }
 
 std::vector<MeshPart> parts_of(const SceneGraph& scene) {
+    const std::string unit = one_line(valid_utf8(scene.unit));
     std::vector<MeshPart> parts;
     std::vector<bool> is_own_name;
     for (const PlacedNode& place : ScenePaths(scene).places()) {
         is_own_name.push_back(place.name == &scene.nodes[place.node].name);
-        MeshPart part{*place.name, {}};
+        MeshPart part{*place.name, {}, unit};
         for (const std::size_t mesh : scene.nodes[place.node].meshes)
             if (!scene.meshes[mesh].faces.empty())
                 add_mesh(part, scene.meshes[mesh], place.to_scene);

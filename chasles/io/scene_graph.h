@@ -24,6 +24,7 @@ struct SceneGraph {
     std::vector<SceneNode> nodes;
     std::vector<std::size_t> roots; ///< indices of nodes
     std::size_t file_size = 0;      ///< bytes, of all files together
+    std::string unit = "meter";     ///< of the coordinates of the scene
 };
 
 /// Counts vertices and corners of faces. A short file can refer to the same numbers again and again.

@@ -122,6 +122,8 @@ public:
     SceneGraph read() {
         const std::string name = model_name();
         const XmlElement& model = *part(name).document.RootElement();
+        const std::string_view unit = attribute_of(model, "unit");
+        scene_.unit = unit.empty() ? "millimeter" : unit; // the default of the specification
         for (const XmlElement* const item : children_of(required_child_of(model, "build"), "item"))
             scene_.roots.push_back(place(*item, name));
         while (!waiting_.empty()) {

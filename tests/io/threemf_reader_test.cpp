@@ -80,6 +80,13 @@ TEST(Read3mf, RefusesWhatWouldBeLostByName) {
               "part '3D/3dmodel.model': line 1: <booleanshape>: is not read; export as a plain mesh");
 }
 
+TEST(Read3mf, TellsTheUnit) {
+    EXPECT_EQ(read_3mf(threemf(model(object, item))).at(0).unit, "inch");
+    std::string without = model(object, item);
+    without.erase(without.find(" unit=\"inch\""), 12);
+    EXPECT_EQ(read_3mf(threemf(without)).at(0).unit, "millimeter") << "the default of the specification";
+}
+
 TEST(Read3mf, RefusesUnknownElementsOfMeshes) {
     const auto with = [](const std::string& place, const std::string& text) {
         std::string changed = object;
