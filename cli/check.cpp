@@ -18,8 +18,9 @@ struct CheckOptions {
 int run_check(const CheckOptions& options) {
     const OneMotion question = read_one_motion(options.question);
     const FirstContact found = first_contact(question);
-    print(options.json ? view::answer_json(found, question.numbers).dump() + "\n"
-                       : report(found, question.numbers, question.options.margin));
+    print(options.json
+              ? view::answer_json(found, question.numbers).dump() + "\n"
+              : report(found, question.numbers, question.options.margin) + hold_line(found, question.options.hold));
     return status_of(found.verdict);
 }
 

@@ -89,12 +89,17 @@ int run_info(const InfoOptions& options) {
         throw InvalidInput("--srdf, --packages: are for robots, and " + io::in_quotes(options.mesh) +
                            " does not end in .urdf");
     std::vector<io::MeshPart> parts = io::load_mesh_parts(options.mesh);
+    const std::string unit = parts.front().unit; // all parts of a file have the same
     std::vector<PartSummary> summaries;
     for (const io::MeshPart& part : parts)
         summaries.push_back({part.name, part.polygons.faces.size()});
     const Polyhedron body = io::body_of(options.mesh, io::merged(std::move(parts)), options.polyhedron);
     view::Json json = body_json(body);
     std::string report = body_report(options.mesh, body);
+    if (!unit.empty()) {
+        json["unit"] = unit;
+        report += labelled("unit", unit);
+    }
     if (summaries.size() > 1) {
         json["parts"] = parts_json(summaries);
         report += parts_report(summaries);

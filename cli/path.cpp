@@ -126,7 +126,7 @@ std::string path_report(const PathContact& found, const view::MotionNumbers& mot
         return first_line + labelled("path", counted(question.path.poses.size() - 1, "segment")) +
                report(found.contact.work);
     return first_line + labelled("segment", segment_text(question, found.segment)) +
-           details(found.contact, motion, margin);
+           details(found.contact, motion, margin) + hold_line(found.contact, question.options.hold);
 }
 
 int run_path(const PathOptions& options) {

@@ -166,6 +166,14 @@ std::string naming_motion(const std::string& text, std::string_view motion) {
     return fmt::format("{}; motion: {}\n", io::one_line(text), motion);
 }
 
+std::string hold_line(const FirstContact& found, const std::optional<double>& hold) {
+    if (!hold || found.verdict != Verdict::contact_at_start)
+        return {};
+    return labelled("hold", fmt::format("needs a gap above 0 at the start; move the bodies apart by a little more than "
+                                        "{:.9g}",
+                                        *hold));
+}
+
 std::string labelled(const std::string& label, const std::string& text) {
     return fmt::format("  {:<10}{}\n", label, io::one_line(text));
 }

@@ -4,6 +4,7 @@
 #include "cli/commands.h"
 #include "view/motion_numbers.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -26,6 +27,9 @@ std::string report(const LeastDistance& found, const view::MotionNumbers& motion
 std::string headline(const FirstContact& found, double margin, std::string_view motion);
 std::string headline(const LeastDistance& found, std::string_view motion);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin);
+
+/// The line after a contact at the start in spite of `hold`, which acts on bodies with a gap. Empty for other answers.
+std::string hold_line(const FirstContact& found, const std::optional<double>& hold);
 
 /// One line "  label     text". All lines are aligned.
 std::string labelled(const std::string& label, const std::string& text);

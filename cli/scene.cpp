@@ -75,7 +75,8 @@ std::string report_first(const SceneFile& file, const SceneAnswer& answer, const
                summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
     std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
-                       labelled("pair", pair_of(scene, first)) + report_contact(first.contact, margin);
+                       labelled("pair", pair_of(scene, first)) + report_contact(first.contact, margin) +
+                       hold_line(first.contact, options.hold);
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
     return text + summary(scene, answer);

@@ -14,17 +14,31 @@
 #include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <tuple>
 
 namespace chasles::cli {
 namespace {
 
 using Json = nlohmann::json;
 
-constexpr std::initializer_list<const char*> body_keys = {"name", "mesh",   "urdf",   "scale", "pose",
+constexpr std::initializer_list<const char*> body_keys = {"name", "mesh",   "part",   "urdf",  "scale", "pose",
                                                           "goal", "motion", "centre", "poses", "group"};
 
 [[noreturn]] void refuse(const std::string& why) {
     throw InvalidInput(why);
+}
+
+constexpr std::size_t most_listed = 12;
+
+/// "a, b, c and 4 more"
+template <class Texts>
+std::string in_a_row(const Texts& texts) {
+    std::string row;
+    std::size_t count = 0;
+    for (const auto& text : texts)
+        if (++count <= most_listed)
+            row += (count > 1 ? ", " : "") + std::string(text);
+    return count > most_listed ? row + " and " + std::to_string(count - most_listed) + " more" : row;
 }
 
 /// The members of an object, which may have no other keys than these.
@@ -35,7 +49,7 @@ public:
             refuse("must be an object");
         for (const auto& [key, value] : object.items())
             if (std::ranges::find(keys, key) == keys.end())
-                refuse("unknown key " + io::in_quotes(key));
+                refuse("unknown key " + io::in_quotes(key) + "; the keys are " + in_a_row(keys));
     }
 
     /// Null if it is missing or null.
@@ -70,6 +84,12 @@ std::string text_in(const Json& json) {
 double number_in(const Json& json) {
     if (!json.is_number())
         refuse("must be a number");
+    return json.get<double>();
+}
+
+double scale_in(const Json& json) {
+    if (!json.is_number() || !(json.get<double>() > 0))
+        refuse("must be one positive number; mirror the mesh or scale its axes in the mesh file");
     return json.get<double>();
 }
 
@@ -154,17 +174,39 @@ Motion motion_in(const Members& body) {
     return goal ? motion_between(rule, start, *goal) : Motion::at_rest(start);
 }
 
-/// Meshes by file and scale, each loaded once.
+/// The part of this name.
+const io::MeshPart& part_named(const std::string& name, const std::vector<io::MeshPart>& parts) {
+    const auto found = std::ranges::find(parts, name, &io::MeshPart::name);
+    if (found != parts.end())
+        return *found;
+    std::vector<std::string> names;
+    for (const io::MeshPart& part : parts)
+        names.push_back(io::in_quotes(part.name));
+    refuse("the file has no part " + io::in_quotes(name) + "; its parts are " + in_a_row(names));
+}
+
+/// What a body takes from a file.
+struct MeshChoice {
+    std::string file;
+    std::optional<std::string> part; ///< all parts as one body if there is none
+    double scale = 1;
+
+    bool operator<(const MeshChoice& other) const {
+        return std::tie(file, part, scale) < std::tie(other.file, other.part, other.scale);
+    }
+};
+
+/// Meshes by file, part and scale, each loaded once.
 class Shapes {
 public:
     Shapes(std::filesystem::path folder, const PolyhedronOptions& options)
         : folder_(std::move(folder)), options_(options) {}
 
-    Polyhedron get(const std::string& name, double scale) {
-        const auto key = std::pair(name, scale);
-        if (const auto found = shapes_.find(key); found != shapes_.end())
+    Polyhedron get(const MeshChoice& choice) {
+        if (const auto found = shapes_.find(choice); found != shapes_.end())
             return found->second;
-        return shapes_.emplace(key, load(folder_ / name, scale)).first->second;
+        const std::filesystem::path file = folder_ / choice.file;
+        return shapes_.emplace(choice, choice.part ? load_part(file, choice) : load(file, choice.scale)).first->second;
     }
     /// All links of a robot whose joints do not move, as one body.
     Polyhedron get_urdf(const std::string& name) {
@@ -184,8 +226,6 @@ private:
     [[nodiscard]] Polyhedron load(const std::filesystem::path& file, double scale) const {
         if (scale == 1)
             return Polyhedron::load(file, options_);
-        if (!(scale > 0))
-            refuse("scale: must be positive");
         io::PolygonSoup soup = io::load_polygons(file);
         for (Eigen::Vector3d& vertex : soup.vertices)
             vertex *= scale;
@@ -193,9 +233,22 @@ private:
                         [&] { return Polyhedron::from_polygons(soup.vertices, soup.faces, options_); });
     }
 
+    /// The part lies where the scene of its file places it.
+    Polyhedron load_part(const std::filesystem::path& file, const MeshChoice& choice) {
+        const auto known = parts_.find(choice.file);
+        const auto& parts = known != parts_.end()
+                                ? known->second
+                                : parts_.emplace(choice.file, io::load_mesh_parts(file)).first->second;
+        io::MeshPart part = at_place("part", [&]() -> const io::MeshPart& { return part_named(*choice.part, parts); });
+        for (Eigen::Vector3d& vertex : part.polygons.vertices)
+            vertex *= choice.scale;
+        return io::body_of(file, part, options_);
+    }
+
     std::filesystem::path folder_;
     PolyhedronOptions options_;
-    std::map<std::pair<std::string, double>, Polyhedron> shapes_;
+    std::map<std::string, std::vector<io::MeshPart>> parts_; ///< many bodies are parts of one file
+    std::map<MeshChoice, Polyhedron> shapes_;
     std::map<std::string, Polyhedron> robots_;
 };
 
@@ -204,9 +257,9 @@ Polyhedron shape_in(const Members& body, Shapes& shapes) {
     const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name)); });
     if (!urdf) {
         const std::string mesh = at_place("mesh", [&] { return text_in(body.get("mesh")); });
-        return shapes.get(mesh, body.read("scale", number_in).value_or(1));
+        return shapes.get({mesh, body.read("part", text_in), body.read("scale", scale_in).value_or(1)});
     }
-    for (const char* other : {"mesh", "scale"})
+    for (const char* other : {"mesh", "part", "scale"})
         if (body.find(other))
             refuse(std::string(other) + ": goes with a mesh, and the body has a urdf");
     return *urdf;

@@ -40,7 +40,7 @@ int run_view(const ViewOptions& options) {
                            .fixed_name = fixed_name}));
     file.close();
     print(headline(found, question.options.margin, view::name_of(question.numbers.kind)) +
-          labelled("page", options.out));
+          hold_line(found, question.options.hold) + labelled("page", options.out));
     return status_of(found.verdict);
 }
 

@@ -1,5 +1,6 @@
 // Reads COLLADA 1.4 and 1.5. Coordinates stay as the file states them, times its <unit>; <up_axis> turns nothing.
 // Materials, cameras, lights and animations are ignored, and lines are left out. Source: COLLADA 1.4.1 specification.
+#include "chasles/algebra/sine_cosine.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/collada_primitives.h"
 #include "chasles/io/mesh_files.h"
@@ -12,6 +13,22 @@
 
 namespace chasles::io {
 namespace {
+
+// The turn about a direction of length one, by Rodrigues' formula. Eigen's own calls the C library, and then a file has
+// other bits on another machine.
+Eigen::Matrix3d turn_matrix(const Eigen::Vector3d& direction, double angle) {
+    const auto [sine, cosine] = algebra::sine_cosine(angle);
+    const Eigen::Vector3d along = (1 - cosine) * direction, across = sine * direction;
+    Eigen::Matrix3d turn = along * direction.transpose();
+    turn.diagonal().array() += cosine;
+    turn(0, 1) -= across.z();
+    turn(1, 0) += across.z();
+    turn(0, 2) += across.y();
+    turn(2, 0) -= across.y();
+    turn(1, 2) -= across.x();
+    turn(2, 1) += across.x();
+    return turn;
+}
 
 // A transform of a node: <matrix>, <translate>, <rotate>, <scale> or <lookat>. Other elements are the identity.
 class ColladaTransform {
@@ -61,7 +78,7 @@ private:
             return Eigen::Affine3d::Identity();
         if (!(axis.norm() > 0))
             fail_at(element_, "the axis of a rotation must not be 0");
-        Eigen::Affine3d turn(Eigen::AngleAxisd(degrees * (std::numbers::pi / 180), axis.stableNormalized()));
+        Eigen::Affine3d turn(turn_matrix(axis.stableNormalized(), degrees * (std::numbers::pi / 180)));
         const bool is_along_axis = (axis.array() != 0).count() == 1;
         if (is_along_axis && std::fmod(degrees, 90.0) == 0)
             turn.linear() = turn.linear().array().round().matrix().eval();

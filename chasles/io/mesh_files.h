@@ -26,6 +26,7 @@ struct PolygonSoup {
 struct MeshPart {
     std::string name; ///< no other part of the file has this name
     PolygonSoup polygons;
+    std::string unit = {}; ///< of the coordinates, as "meter" or "inch"; empty if the format states none
 };
 
 /// Reads OBJ, OFF, PLY, STL, glTF, COLLADA and 3MF in double precision (docs/files.md). Throws InvalidInput with the

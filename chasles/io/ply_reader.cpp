@@ -14,13 +14,25 @@
 namespace chasles::io {
 namespace {
 
+/// An item of an element, for messages.
+struct PlyItem {
+    std::string_view element;
+    std::size_t number = 0; ///< from 0
+    std::size_t count = 0;  ///< items of the element, as the header announces them
+};
+
+[[noreturn]] void fail_truncated(const PlyItem& item, const std::string& and_more) {
+    throw InvalidInput("is truncated: the header announces " + std::to_string(item.count) + " of the element '" +
+                       one_line(item.element) + "', but there are " + std::to_string(item.number) + and_more);
+}
+
 /// The numbers of ASCII data, with one item per line.
 class AsciiNumbers {
 public:
     AsciiNumbers(std::string_view data, std::size_t header_lines) : lines_(data), header_lines_(header_lines) {}
 
     // Moves to the next item. Returns false at the end of the data.
-    bool begin_item() {
+    bool begin_item(const PlyItem& /*item*/) {
         do {
             if (!lines_.next())
                 return false;
@@ -61,7 +73,10 @@ class BinaryNumbers {
 public:
     BinaryNumbers(std::string_view data, std::endian order) : data_(data), order_(order) {}
 
-    [[nodiscard]] bool begin_item() const { return !data_.empty(); }
+    bool begin_item(const PlyItem& item) {
+        item_ = item;
+        return !data_.empty();
+    }
 
     // Reads the next number. Every PLY number fits a double exactly.
     double read(PlyType type) {
@@ -97,7 +112,7 @@ private:
     template <typename Number>
     Number take() {
         if (data_.size() < sizeof(Number))
-            fail("the file is truncated");
+            fail_truncated(item_, " and a part of the next one");
         const auto number = load<Number>(data_, order_);
         data_.remove_prefix(sizeof(Number));
         return number;
@@ -105,6 +120,7 @@ private:
 
     std::string_view data_;
     std::endian order_;
+    PlyItem item_{};
 };
 
 /// The properties of an element that the reader uses.
@@ -123,7 +139,7 @@ public:
     PolygonSoup read() {
         for (const PlyElement& element : header_.elements)
             read_element(element);
-        if (numbers_.begin_item())
+        if (numbers_.begin_item({}))
             numbers_.fail("more data than the header announces");
         check_indices();
         return std::move(soup_);
@@ -133,7 +149,7 @@ private:
     // Reads all items of an element.
     void read_element(const PlyElement& element) {
         if (element.name == "tristrips")
-            throw InvalidInput("triangle strips cannot be read, only faces");
+            throw InvalidInput("triangle strips (the element 'tristrips') are not read; save the mesh with faces");
         // An element without properties takes no bytes: a huge count would loop without end.
         if (element.properties.empty() && element.count > 0)
             throw InvalidInput("the element '" + one_line(element.name) + "' has no properties");
@@ -141,20 +157,15 @@ private:
         const bool is_face = element.name == "face";
         const Wanted wanted = is_vertex ? find_coordinates(element) : is_face ? find_indices(element) : Wanted{};
         for (std::size_t i = 0; i < element.count; ++i) {
-            if (!numbers_.begin_item())
-                fail_short(element, i);
+            const PlyItem item{element.name, i, element.count};
+            if (!numbers_.begin_item(item))
+                fail_truncated(item, "");
             if (is_vertex)
                 read_vertex(element, wanted);
             else
                 read_item(element, wanted);
             numbers_.end_item();
         }
-    }
-
-    // Fails with the number of items that the file has.
-    [[noreturn]] void fail_short(const PlyElement& element, std::size_t found) const {
-        throw InvalidInput("is truncated: the header announces " + std::to_string(element.count) + " of the element '" +
-                           one_line(element.name) + "', but there are " + std::to_string(found));
     }
 
     // Finds x, y and z. Each must occur once and not as a list.

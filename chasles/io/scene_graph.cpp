@@ -141,17 +141,38 @@ void add_mesh(MeshPart& part, const PolygonSoup& mesh, const Eigen::Affine3d& to
     }
 }
 
-// The second "bolt" becomes "bolt_2". The counters keep many equal names from being tried again and again.
-void make_names_unique(std::vector<MeshPart>& parts) {
-    std::unordered_set<std::string> used;
-    std::unordered_map<std::string, std::size_t> last_number;
-    for (MeshPart& part : parts) {
-        const std::string given = part.name = one_line(valid_utf8(part.name));
-        std::size_t& number = last_number.try_emplace(given, 1).first->second;
-        while (!used.insert(part.name).second)
-            part.name = given + "_" + std::to_string(++number);
+// Makes names unique: the second "bolt" becomes "bolt_2", or the next number that no node of the file has as its name.
+class UniqueNames {
+public:
+    explicit UniqueNames(std::vector<MeshPart>& parts) : parts_(parts) {
+        for (MeshPart& part : parts_)
+            given_.insert(part.name = one_line(valid_utf8(part.name)));
     }
-}
+
+    // In order: those parts whose node has this name itself, or those that have it from elsewhere.
+    void settle(const std::vector<bool>& is_own, bool own) {
+        for (std::size_t i = 0; i < parts_.size(); ++i)
+            if (is_own[i] == own)
+                settle(parts_[i].name);
+    }
+
+private:
+    // The counters keep many equal names from being tried again and again.
+    void settle(std::string& name) {
+        if (used_.insert(name).second)
+            return;
+        const std::string given = name;
+        std::size_t& number = last_number_.try_emplace(given, 1).first->second;
+        do {
+            name = given + "_" + std::to_string(++number);
+        } while (given_.contains(name) || !used_.insert(name).second);
+    }
+
+    std::vector<MeshPart>& parts_;
+    std::unordered_set<std::string> given_; ///< a name of the file stays with its owner
+    std::unordered_set<std::string> used_;
+    std::unordered_map<std::string, std::size_t> last_number_;
+};
 
 // Appends the polygons of a part.
 void append_part(PolygonSoup& soup, PolygonSoup part) {
@@ -195,15 +216,20 @@ void SizeBudget::spend(std::size_t count) {
 }
 
 std::vector<MeshPart> parts_of(const SceneGraph& scene) {
+    const std::string unit = one_line(valid_utf8(scene.unit));
     std::vector<MeshPart> parts;
+    std::vector<bool> is_own_name;
     for (const PlacedNode& place : ScenePaths(scene).places()) {
-        MeshPart part{*place.name, {}};
+        is_own_name.push_back(place.name == &scene.nodes[place.node].name);
+        MeshPart part{*place.name, {}, unit};
         for (const std::size_t mesh : scene.nodes[place.node].meshes)
             if (!scene.meshes[mesh].faces.empty())
                 add_mesh(part, scene.meshes[mesh], place.to_scene);
         parts.push_back(std::move(part));
     }
-    make_names_unique(parts);
+    UniqueNames names(parts);
+    names.settle(is_own_name, true);
+    names.settle(is_own_name, false);
     return parts;
 }
 

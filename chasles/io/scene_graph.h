@@ -24,6 +24,7 @@ struct SceneGraph {
     std::vector<SceneNode> nodes;
     std::vector<std::size_t> roots; ///< indices of nodes
     std::size_t file_size = 0;      ///< bytes, of all files together
+    std::string unit = "meter";     ///< of the coordinates of the scene
 };
 
 /// Counts vertices and corners of faces. A short file can refer to the same numbers again and again.
@@ -46,8 +47,9 @@ void add_triangle_strip(PolygonSoup& mesh, const std::vector<std::uint32_t>& cor
 void add_triangle_fan(PolygonSoup& mesh, const std::vector<std::uint32_t>& corners);
 
 /// The faces of each node in the coordinates of the scene, for each path from a root to the node. A mirrored mesh has
-/// its faces the other way round. Names are made unique by "_2", "_3" and so on. Throws InvalidInput for a node that
-/// contains itself, for a transform that flattens a mesh, and for more than 1,000,000 nodes on all paths together.
+/// its faces the other way round. Names are made unique by "_2", "_3" and so on, without the names of other nodes.
+/// Throws InvalidInput for a node that contains itself, for a transform that flattens a mesh, and for more than
+/// 1,000,000 nodes on all paths together.
 std::vector<MeshPart> parts_of(const SceneGraph& scene);
 
 } // namespace chasles::io

@@ -64,6 +64,14 @@ double coordinate_of(const XmlElement& vertex, std::string_view axis) {
     return *number;
 }
 
+// The children of an element that may have only these. Anything else would be lost in silence.
+std::vector<const XmlElement*> only_children_of(const XmlElement& element, std::string_view name) {
+    for (const XmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+        if (local_name(*child) != name)
+            fail_at(*child, "is not read; export as a plain mesh");
+    return children_of(element, name);
+}
+
 // The children of this name below a child that may be missing.
 std::vector<const XmlElement*> grandchildren_of(const XmlElement& element, std::string_view child,
                                                 std::string_view name) {
@@ -85,15 +93,25 @@ std::vector<std::uint32_t> corners_of(const XmlElement& triangle, std::size_t ve
     return face;
 }
 
+// Sets of triangles only name triangles.
+void refuse_other_lists(const XmlElement& mesh) {
+    for (const XmlElement* child = mesh.FirstChildElement(); child; child = child->NextSiblingElement())
+        if (const auto name = local_name(*child); name != "vertices" && name != "triangles" && name != "trianglesets")
+            fail_at(*child, "is not read; export as a plain mesh");
+}
+
 PolygonSoup threemf_mesh(const XmlElement& element) {
     if (child_of(element, "beamlattice"))
         fail_at(element, "beam lattices are not read; export as a plain mesh");
+    refuse_other_lists(element);
     PolygonSoup mesh;
-    for (const XmlElement* const vertex : grandchildren_of(element, "vertices", "vertex"))
-        mesh.vertices.emplace_back(coordinate_of(*vertex, "x"), coordinate_of(*vertex, "y"),
-                                   coordinate_of(*vertex, "z"));
-    for (const XmlElement* const triangle : grandchildren_of(element, "triangles", "triangle"))
-        mesh.faces.push_back(corners_of(*triangle, mesh.vertices.size()));
+    for (const XmlElement* const list : children_of(element, "vertices"))
+        for (const XmlElement* const vertex : only_children_of(*list, "vertex"))
+            mesh.vertices.emplace_back(coordinate_of(*vertex, "x"), coordinate_of(*vertex, "y"),
+                                       coordinate_of(*vertex, "z"));
+    for (const XmlElement* const list : children_of(element, "triangles"))
+        for (const XmlElement* const triangle : only_children_of(*list, "triangle"))
+            mesh.faces.push_back(corners_of(*triangle, mesh.vertices.size()));
     return mesh;
 }
 
@@ -104,6 +122,8 @@ public:
     SceneGraph read() {
         const std::string name = model_name();
         const XmlElement& model = *part(name).document.RootElement();
+        const std::string_view unit = attribute_of(model, "unit");
+        scene_.unit = unit.empty() ? "millimeter" : unit; // the default of the specification
         for (const XmlElement* const item : children_of(required_child_of(model, "build"), "item"))
             scene_.roots.push_back(place(*item, name));
         while (!waiting_.empty()) {
@@ -194,7 +214,7 @@ private:
                 node.meshes.push_back(scene_.meshes.size());
                 scene_.meshes.push_back(threemf_mesh(*child));
             } else if (name == "components") {
-                for (const XmlElement* const component : children_of(*child, "component"))
+                for (const XmlElement* const component : only_children_of(*child, "component"))
                     node.children.push_back(place(*component, home));
             } else if (name != "metadatagroup") {
                 fail_at(*child, "is not read; export as a plain mesh");

@@ -1,6 +1,7 @@
 // Motions that are made of frames: joints, polynomials, splines, the user's own, and products.
 // Source: docs/derivations/26-frames.md.
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/motion/even_trajectory.h"
 #include "chasles/motion/frames.h"
 #include "chasles/motion/motion.h"
@@ -29,13 +30,14 @@ void require(bool holds, const std::string& what) {
         throw InvalidInput("motion: " + what);
 }
 
-/// Numbers that are finite and sum up to at most `most`.
-void require_usable(std::span<const double> numbers, const char* name, double most) {
+/// Numbers that are finite, and whose sizes sum up to at most `most`.
+void require_usable(std::span<const double> numbers, const char* name, double most, const char* way_out = "") {
     double sum = 0;
     for (const double number : numbers)
         sum += std::abs(number);
     require(std::isfinite(sum), std::string(name) + ": a number is NaN or infinite");
-    require(sum <= most, std::string(name) + ": the numbers are too large");
+    require(sum <= most, std::string(name) + ": the numbers are too large; their sizes may sum up to " +
+                             number_text(most) + way_out);
 }
 
 void require_usable(const Eigen::Vector3d& vector, const char* name) {
@@ -66,7 +68,8 @@ Motion Motion::hinge(const Eigen::Vector3d& point, const Eigen::Vector3d& direct
     require_usable(point, "point");
     require_usable(direction, "direction");
     require(direction.cwiseAbs().maxCoeff() > 0, "direction: is zero");
-    require_usable(angle, "angle", largest_angle);
+    require_usable(angle, "angle", largest_angle,
+                   " radians: ask about the turns one after another, each from the angle where the last one ended");
     return motion_of(SmoothMotion::of_one(motion::hinge_frame(point, direction, TimePolynomial(angle))));
 }
 

@@ -5,6 +5,7 @@
 #include "chasles/motion/path_ends.h"
 
 #include <algorithm>
+#include <numbers>
 
 namespace chasles::motion {
 
@@ -85,8 +86,12 @@ Pose ScrewTrajectory::pose_at(double time) const {
     return pieces[index].pose_at_time(place - double(index));
 }
 
+/// Near a half turn there is no uncut one: its two halves.
 Pose ScrewTrajectory::uncut_pose_at(double time) const {
-    return time <= 0 || time >= 1 ? ends_.pose_at_end(time) : ScrewPiece(ends_).pose_at_time(time);
+    if (time <= 0 || time >= 1)
+        return ends_.pose_at_end(time);
+    return clock().is_short() ? ScrewPiece(ends_).pose_at_time(time)
+                              : ScrewTrajectory(ends_, std::numbers::pi).pose_at(time);
 }
 
 ScrewNumbers ScrewTrajectory::numbers() const {

@@ -1,5 +1,6 @@
 """Bodies from the meshes of other packages."""
 
+import itertools
 from typing import Any
 
 import numpy as np
@@ -38,17 +39,29 @@ def parts_from_trimesh(
     """
     if not hasattr(scene, "graph") or not hasattr(scene, "geometry"):
         raise InvalidInput(f"scene: a {type(scene).__name__} is no trimesh.Scene; from_trimesh takes a Trimesh")
-    parts = {}
+    parts, names = {}, _names_of(scene.graph.nodes_geometry)
     for node in scene.graph.nodes_geometry:
         matrix, name = scene.graph[node]
         try:
             mesh = _placed(scene.geometry[name], np.asarray(matrix, np.float64))
-            parts[str(node)] = Polyhedron(
+            parts[names[node]] = Polyhedron(
                 *mesh, triangulate=triangulate, drop_degenerate=drop_degenerate, threads=threads
             )
         except InvalidInput as error:
             raise InvalidInput(f"{node}: {error}") from None
     return parts
+
+
+def _names_of(nodes: Any) -> dict[Any, str]:
+    """A text for each node. Nodes that are no texts, as 1 beside "1", take no name of another node."""
+    names = {node: node for node in nodes if isinstance(node, str)}
+    used = set(names.values())
+    for node in nodes:
+        if node not in names:
+            endings = itertools.chain([""], (f"_{number}" for number in itertools.count(2)))
+            names[node] = next(name for name in (f"{node}{ending}" for ending in endings) if name not in used)
+            used.add(names[node])
+    return names
 
 
 def _placed(mesh: Any, matrix: Any) -> tuple[Any, Any]:
@@ -59,4 +72,14 @@ def _placed(mesh: Any, matrix: Any) -> tuple[Any, Any]:
         raise InvalidInput("transform: is no affine map: finite numbers (4, 4) with the last row 0 0 0 1 are needed")
     vertices = np.asarray(mesh.vertices) @ matrix[:3, :3].T + matrix[:3, 3]
     faces = np.asarray(mesh.faces)
-    return vertices, faces[:, ::-1] if np.linalg.det(matrix[:3, :3]) < 0 else faces
+    return vertices, faces[:, ::-1] if _orientation(matrix[:3, :3]) < 0 else faces
+
+
+def _orientation(matrix: Any) -> float:
+    """The sign of the determinant, at any scale. A matrix that flattens the mesh is refused, as in files."""
+    largest = np.abs(matrix).max()
+    rows = matrix / largest if largest > 0 else matrix
+    orientation = float(np.sign(np.dot(rows[0], np.cross(rows[1], rows[2]))))
+    if orientation == 0:
+        raise InvalidInput("its transform flattens the mesh (a scale of 0); remove the node or scale it")
+    return orientation

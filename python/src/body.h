@@ -25,11 +25,22 @@ struct BodyPair {
     const Polyhedron& fixed;
 };
 
+/// "moving: must be a chasles.Polyhedron", with the way to one from a mesh of another package.
+inline std::string no_polyhedron(nanobind::handle argument, const char* name) {
+    const std::string text = std::string(name) + ": must be a chasles.Polyhedron";
+    const std::string type = nanobind::inst_name(argument).c_str();
+    if (nanobind::hasattr(argument, "vertices") && nanobind::hasattr(argument, "faces"))
+        return text + ", not a " + type + "; chasles.from_trimesh makes one of a trimesh.Trimesh";
+    if (nanobind::hasattr(argument, "graph") && nanobind::hasattr(argument, "geometry"))
+        return text + ", not a " + type + "; chasles.parts_from_trimesh makes one of each part of a trimesh.Scene";
+    return text;
+}
+
 /// The polyhedron of an argument. Throws Python's TypeError if the argument is not a chasles.Polyhedron.
 inline const Polyhedron& polyhedron_of(nanobind::handle argument, const char* name) {
     const Body* body = nullptr;
     if (!nanobind::try_cast(argument, body) || !body)
-        throw nanobind::type_error((std::string(name) + ": must be a chasles.Polyhedron").c_str());
+        throw nanobind::type_error(no_polyhedron(argument, name).c_str());
     return body->polyhedron;
 }
 

@@ -249,6 +249,12 @@ auto rule(const char* name, void (Scene::*function)(Name, Name, double)) {
     };
 }
 
+/// A clear answer is about tested pairs only, and says so.
+std::string untested_note(const UntestedPairs& untested) {
+    const std::size_t count = untested.total();
+    return count == 0 ? "" : fmt::format(", {} {} not tested", count, count == 1 ? "pair" : "pairs");
+}
+
 void bind_contact(nb::module_& module) {
     nb::class_<SceneContactAnswer, Answer>(module, "SceneContact", doc("SceneContact"), collected<SceneContactAnswer>())
         .def_prop_ro(
@@ -271,9 +277,9 @@ void bind_contact(nb::module_& module) {
             "untested", [](const SceneContactAnswer& a) { return a.untested; },
             "What the answer of first_contact does not look at; `Scene.untested` tells it for other questions.")
         .def("__repr__", [](const SceneContactAnswer& a) {
-            if (!a.pair)
-                return fmt::format("<chasles.SceneContact: clear until {}>", a.found.clear_until);
-            return fmt::format("<chasles.SceneContact: {}>", summary(a.found, a.pair->first + " on " + a.pair->second));
+            const std::string text = a.pair ? summary(a.found, a.pair->first + " on " + a.pair->second)
+                                            : fmt::format("clear until {}", a.found.clear_until);
+            return "<chasles.SceneContact: " + text + untested_note(a.untested) + ">";
         });
 }
 

@@ -96,6 +96,51 @@ TEST_F(FileFormats, MeanTheSameInInfoAndTheLibrary) {
     }
 }
 
+/// A cube meets the second post, which stands at x = 2, and passes beside the first one.
+TEST_F(FileFormats, ABodyOfASceneMayBeOnePart) {
+    std::string gltf = tests::post_gltf_json("");
+    gltf.replace(gltf.find(R"("nodes": [0])"), 12, R"("nodes": [0, 1])");
+    const std::string node = R"([{"name": "post", "mesh": 0}])";
+    gltf.replace(gltf.find(node), node.size(),
+                 R"([{"name": "post", "mesh": 0}, {"name": "post", "mesh": 0, "translation": [2, 0, 0]}])");
+    write("two.glb", tests::glb(gltf, tests::post_buffer()));
+    const auto scene = [&](const std::string& keys, double from) {
+        write("scene.json", fmt::format(R"({{"bodies": [{{"name": "post", "mesh": "two.glb"{}}},
+            {{"name": "cube", "mesh": "small.obj", "pose": [{}, 0, 0.5], "goal": [{}, 0, 0.5]}}]}})",
+                                        keys, from, from + 2));
+        return run("scene scene.json --json");
+    };
+    expect_touch(Json::parse(scene(R"(, "part": "post")", -1).out), "the first");
+    expect_touch(Json::parse(scene(R"(, "part": "post_2")", 1).out), "the second lies where the file places it");
+    EXPECT_EQ(Json::parse(scene(R"(, "part": "post_2")", -1).out)["verdict"], "clear");
+    expect_touch(Json::parse(scene(R"(, "part": "post_2", "pose": [-2, 0, 0])", -1).out),
+                 "the pose moves it from there");
+    EXPECT_EQ(
+        scene(R"(, "part": "wheel")", 0).err,
+        "chasles: scene.json: body 1: 'post': part: the file has no part 'wheel'; its parts are 'post', 'post_2'\n");
+    EXPECT_EQ(scene(R"(, "scale": -1)", 0).err,
+              "chasles: scene.json: body 1: 'post': scale: must be one positive number; "
+              "mirror the mesh or scale its axes in the mesh file\n");
+    EXPECT_EQ(scene(R"(, "scale": [1, 1, 2])", 0).err, scene(R"(, "scale": 0)", 0).err);
+    EXPECT_EQ(
+        scene(R"(, "colour": 1)", 0).err,
+        "chasles: scene.json: body 1: unknown key 'colour'; the keys are name, mesh, part, urdf, scale, pose, goal, "
+        "motion, centre, poses, group\n");
+}
+
+TEST_F(FileFormats, InfoTellsTheUnit) {
+    for (const tests::PostFile& file : tests::post_files()) {
+        const Json found = json("info " + file.name);
+        const std::string text = run("info " + file.name).out;
+        if (file.name.ends_with(".dae") || file.name.ends_with(".glb") || file.name.ends_with(".gltf"))
+            EXPECT_EQ(found["unit"], "meter") << file.name;
+        EXPECT_EQ(found.contains("unit"), text.find("  unit      ") != std::string::npos) << file.name;
+        EXPECT_EQ(found.contains("unit"), !file.name.ends_with("obj") && !file.name.ends_with("off") &&
+                                              !file.name.ends_with("ply") && !file.name.ends_with("stl"))
+            << file.name;
+    }
+}
+
 TEST_F(FileFormats, InfoListsTheParts) {
     std::string json = tests::post_gltf_json("");
     json.replace(json.find(R"("nodes": [0])"), 12, R"("nodes": [0, 1])");

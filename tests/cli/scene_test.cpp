@@ -114,6 +114,19 @@ TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
     EXPECT_EQ(error_line("scene scene.json --hold 0.1"), "chasles: query: hold: must be less than some margin");
 }
 
+TEST_F(SceneCommand, WhatTouchesATableExactlyIsAContactAtTheStart) {
+    const std::string bodies = R"("margin": 0.1, "hold": 0.02, "bodies": [{"name": "table", "mesh": "cube.obj"},
+        {"name": "box", "mesh": "cube.obj", "pose": [0, 0, 1], "goal": [0.5, 0, 1]}]})";
+    write("scene.json", "{" + bodies);
+    EXPECT_EQ(json("")["verdict"], "contact_at_start");
+    EXPECT_NE(run("scene scene.json")
+                  .out.find("  hold      needs a gap above 0 at the start; move the bodies apart by a "
+                            "little more than 0.02\n"),
+              std::string::npos);
+    write("scene.json", R"({"ignore_touching_at_start": true, )" + bodies);
+    EXPECT_EQ(json("")["verdict"], "clear") << "the other way out leaves out the pair";
+}
+
 TEST_F(SceneCommand, SaysWhatItDoesNotTest) {
     write("tiles.json",
           R"({"bodies": [{"name": "t0", "mesh": "cube.obj"}, {"name": "t1", "mesh": "cube.obj", "pose": [1, 0, 0]},
@@ -198,9 +211,11 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     const auto body = [](const std::string& more) {
         return R"({"bodies": [{"name": "a", "mesh": "cube.obj")" + more + "}]}";
     };
-    EXPECT_EQ(refused(body(R"(, "colour": 1)")), "body 1: unknown key 'colour'");
+    EXPECT_EQ(refused(body(R"(, "colour": 1)")), "body 1: unknown key 'colour'; the keys are name, mesh, part, urdf, "
+                                                 "scale, pose, goal, motion, centre, poses, group");
     EXPECT_EQ(refused(body(R"(, "pose": [1, 2])")).substr(0, 29), "body 1: 'a': pose: 2 numbers ");
-    EXPECT_EQ(refused(body(R"(, "scale": -1)")), "body 1: 'a': scale: must be positive");
+    EXPECT_EQ(refused(body(R"(, "scale": -1)")),
+              "body 1: 'a': scale: must be one positive number; mirror the mesh or scale its axes in the mesh file");
     EXPECT_EQ(refused(body(R"(, "goal": [1, 2, 3], "motion": "screw")")),
               "body 1: 'a': motion: screw is the motion of one body as seen from another one; a scene takes velocity "
               "and twist");

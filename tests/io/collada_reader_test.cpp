@@ -3,7 +3,9 @@
 #include "tests/io/message_of.h"
 #include "tests/io/post_files.h"
 
+#include <Eigen/Geometry>
 #include <gtest/gtest.h>
+#include <numbers>
 
 namespace chasles::io {
 namespace {
@@ -82,6 +84,23 @@ TEST(ReadCollada, AppliesUnitsAndTransformsInOrder) {
     EXPECT_EQ(read(document).at(0).polygons.vertices[2], Eigen::Vector3d(1, 18, 0)) << "metres without a unit";
     document.unit = R"(<unit meter="0"/>)";
     EXPECT_EQ(message(document), "line 1: <unit>: meter: must be one positive number, not '0'");
+}
+
+TEST(ReadCollada, TurnsAboutAnyAxis) {
+    Document document;
+    document.unit = "";
+    const Eigen::Vector3d axis(1, 2, 3);
+    for (const double degrees : {120.0, -30.0, 0.1, 179.0, 540.0, 725.0}) {
+        document.nodes = "<node name=\"n\"><rotate>1 2 3 " + std::to_string(degrees) +
+                         "</rotate><instance_geometry url=\"#g\"/></node>";
+        Document plain;
+        plain.unit = "";
+        plain.nodes = R"(<node name="n"><instance_geometry url="#g"/></node>)";
+        const PolygonSoup turned = read(document).at(0).polygons, mesh = read(plain).at(0).polygons;
+        const Eigen::AngleAxisd expected(degrees * std::numbers::pi / 180, axis.normalized());
+        for (std::size_t i = 0; i < mesh.vertices.size(); ++i)
+            EXPECT_NEAR((turned.vertices[i] - expected * mesh.vertices[i]).norm(), 0, 1e-14) << degrees;
+    }
 }
 
 TEST(ReadCollada, PlacesInstancesOfNodesAndNamesThem) {

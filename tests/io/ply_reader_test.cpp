@@ -96,7 +96,13 @@ TEST(ReadPly, RefusesTruncatedAndOverlongData) {
               "line 15: more data than the header announces");
     const std::string binary = header("binary_little_endian", "double", "uchar", "int") +
                                binary_data<double, std::uint8_t, std::int32_t>(std::endian::little);
-    EXPECT_EQ(message(binary.substr(0, binary.size() - 1)), "the file is truncated");
+    EXPECT_EQ(message(binary.substr(0, binary.size() - 1)),
+              "is truncated: the header announces 1 of the element 'face', but there are 0 and a part of the next one");
+    EXPECT_EQ(
+        message(binary.substr(0, binary.size() - 14)),
+        "is truncated: the header announces 3 of the element 'vertex', but there are 2 and a part of the next one");
+    EXPECT_EQ(message(binary.substr(0, binary.size() - 13)),
+              "is truncated: the header announces 1 of the element 'face', but there are 0");
     EXPECT_EQ(message(binary + "x"), "more data than the header announces");
 }
 
@@ -146,7 +152,7 @@ TEST(ReadPly, RefusesBadHeaders) {
     EXPECT_EQ(message("ply\nformat ascii 1.0\nelement face 1\nproperty float area\nend_header\n0\n"),
               "the element 'face' needs the list vertex_indices");
     EXPECT_EQ(message("ply\nformat ascii 1.0\nelement tristrips 1\nproperty list int int vertex_indices\nend_header\n"),
-              "triangle strips cannot be read, only faces");
+              "triangle strips (the element 'tristrips') are not read; save the mesh with faces");
 }
 
 } // namespace

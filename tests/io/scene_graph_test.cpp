@@ -74,7 +74,38 @@ TEST(SceneGraph, NamesComeFromTheNearestNodeAndAreUnique) {
     std::vector<std::string> names;
     for (const MeshPart& part : parts_of(scene))
         names.push_back(part.name);
-    EXPECT_EQ(names, (std::vector<std::string>{"bolt", "bolt_2", "bolt_3", "bolt_2_2", "part"}));
+    EXPECT_EQ(names, (std::vector<std::string>{"bolt", "bolt_3", "bolt_4", "bolt_2", "part"}));
+}
+
+std::vector<std::string> names_of_triangles(const std::vector<std::string>& given) {
+    SceneGraph scene;
+    scene.meshes = {triangle()};
+    for (const std::string& name : given) {
+        scene.roots.push_back(scene.nodes.size());
+        scene.nodes.push_back({name, Eigen::Affine3d::Identity(), {0}, {}});
+    }
+    std::vector<std::string> names;
+    for (const MeshPart& part : parts_of(scene))
+        names.push_back(part.name);
+    return names;
+}
+
+TEST(SceneGraph, ANameOfTheFileStaysWithItsOwner) {
+    using Names = std::vector<std::string>;
+    EXPECT_EQ(names_of_triangles({"wheel", "wheel", "wheel_2"}), (Names{"wheel", "wheel_3", "wheel_2"}));
+    EXPECT_EQ(names_of_triangles({"wheel_2", "wheel", "wheel"}), (Names{"wheel_2", "wheel", "wheel_3"}));
+    EXPECT_EQ(names_of_triangles({"a", "a", "a_2", "a_2", "a_2_2"}), (Names{"a", "a_3", "a_2", "a_2_3", "a_2_2"}));
+    EXPECT_EQ(names_of_triangles({"", "part"}), (Names{"part_2", "part"})) << "a node without a name takes none";
+}
+
+TEST(SceneGraph, ANodeWithoutANameLeavesThatOfItsParentToOtherNodes) {
+    SceneGraph scene = chain(2, 1);
+    scene.nodes[0].name = "bolt";
+    scene.nodes.push_back({"bolt", Eigen::Affine3d::Identity(), {0}, {}});
+    scene.roots = {0, 2};
+    const std::vector<MeshPart> parts = parts_of(scene);
+    EXPECT_EQ(parts.at(0).name, "bolt_2");
+    EXPECT_EQ(parts.at(1).name, "bolt");
 }
 
 TEST(SceneGraph, NamesAreTextInOneLine) {

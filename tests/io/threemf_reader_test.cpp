@@ -80,6 +80,29 @@ TEST(Read3mf, RefusesWhatWouldBeLostByName) {
               "part '3D/3dmodel.model': line 1: <booleanshape>: is not read; export as a plain mesh");
 }
 
+TEST(Read3mf, TellsTheUnit) {
+    EXPECT_EQ(read_3mf(threemf(model(object, item))).at(0).unit, "inch");
+    std::string without = model(object, item);
+    without.erase(without.find(" unit=\"inch\""), 12);
+    EXPECT_EQ(read_3mf(threemf(without)).at(0).unit, "millimeter") << "the default of the specification";
+}
+
+TEST(Read3mf, RefusesUnknownElementsOfMeshes) {
+    const auto with = [](const std::string& place, const std::string& text) {
+        std::string changed = object;
+        const std::size_t at = changed.find(place);
+        EXPECT_NE(at, std::string::npos) << place;
+        return message(threemf(model(changed.insert(std::min(at, changed.size()), text), item)));
+    };
+    EXPECT_EQ(with("</triangles>", R"(<quad v1="0" v2="1" v3="2" v4="3"/>)"),
+              "part '3D/3dmodel.model': line 3: <quad>: is not read; export as a plain mesh");
+    EXPECT_EQ(with("</vertices>", "<point/>"),
+              "part '3D/3dmodel.model': line 2: <point>: is not read; export as a plain mesh");
+    EXPECT_EQ(with("</mesh>", "<curves/>"),
+              "part '3D/3dmodel.model': line 3: <curves>: is not read; export as a plain mesh");
+    EXPECT_EQ(with("</mesh>", R"(<t:trianglesets xmlns:t="x"><t:triangleset/></t:trianglesets>)"), "");
+}
+
 TEST(Read3mf, RefusesWhatIsMissingOrOutOfRange) {
     EXPECT_EQ(message(threemf(model(object, R"(<item objectid="2"/>)"))), "line 3: <item>: there is no object '2'");
     std::string wrong = object;

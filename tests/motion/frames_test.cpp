@@ -6,6 +6,7 @@
 #include "chasles/motion/motion.h"
 #include "tests/motion/frame_bounds.h"
 #include "tests/support/random_poses.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 #include <numbers>
@@ -67,7 +68,12 @@ TEST(Hinge, TurnsAboutItsLineByThePolynomial) {
     }
     EXPECT_THROW((void)Motion::hinge(point, Vector3d::Zero(), {1}), InvalidInput);
     EXPECT_THROW((void)Motion::hinge(point, direction, {1, NAN}), InvalidInput);
-    EXPECT_THROW((void)Motion::hinge(point, direction, {1, 1000}), InvalidInput);
+    EXPECT_EQ(
+        test::refusal([&] {
+            (void)Motion::hinge(point, direction, {1, 1000});
+        }),
+        "motion: angle: the numbers are too large; their sizes may sum up to 1000 radians: ask about the turns one "
+        "after another, each from the angle where the last one ended");
 }
 
 TEST(Slider, GoesAlongItsDirection) {

@@ -161,5 +161,21 @@ TEST(ScrewMotion, QuaternionsOfAnyPositiveLengthGiveTheSameMotion) {
     }
 }
 
+TEST(ScrewMotionPoses, AHalfTurnIsItsTwoHalves) {
+    const Pose start, goal({0, 0, 1}, Eigen::Quaterniond(0, 0, 0, 1));
+    const ScrewMotion screw = ScrewMotion::between(start, goal, std::numbers::pi);
+    double last = 0;
+    for (const double time : {0.0, 0.01, 0.25, 0.5, 0.75, 0.99, 1.0}) {
+        const Pose pose = screw.pose_at(time);
+        const Eigen::Quaterniond turn = pose.rotation.normalized();
+        EXPECT_NEAR(2 * std::atan2(turn.z(), turn.w()), time * std::numbers::pi, 1e-14);
+        EXPECT_GE(pose.translation.z(), last);
+        last = pose.translation.z();
+        EXPECT_NEAR((pose.translation - Motion(screw).pose_at(time).translation).norm(), 0, 1e-15)
+            << "along its pieces";
+    }
+    EXPECT_NEAR(screw.pose_at(0.5).translation.z(), 0.5, 1e-15);
+}
+
 } // namespace
 } // namespace chasles

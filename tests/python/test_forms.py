@@ -213,6 +213,17 @@ def test_parts_of_a_scene_of_trimesh_keep_scale_mirror_and_shear():
         assert volume == pytest.approx(mesh.volume) and volume > 0, name
 
 
+def test_nodes_of_trimesh_keep_their_names_and_none_is_lost():
+    trimesh = pytest.importorskip("trimesh")
+    scene = trimesh.Scene()
+    nodes = {1: (2, 1, 1), "1": (1, 1, 1), "1_2": (3, 1, 1)}  # a number and a text that reads alike
+    for node, size in nodes.items():
+        scene.add_geometry(trimesh.creation.box(size), node_name=node)
+    parts = chasles.parts_from_trimesh(scene)
+    lengths = {name: np.ptp(body.vertices[:, 0]) for name, body in parts.items()}
+    assert lengths == {"1": 1, "1_2": 3, "1_3": 2}
+
+
 def test_scenes_of_trimesh_are_not_lost_in_silence(cube):
     trimesh = pytest.importorskip("trimesh")
     scene = trimesh.Scene([trimesh.creation.box((1, 1, 1))])
@@ -223,3 +234,32 @@ def test_scenes_of_trimesh_are_not_lost_in_silence(cube):
     scene.add_geometry(trimesh.PointCloud([[0, 0, 0]]), node_name="cloud")
     with pytest.raises(chasles.InvalidInput, match="cloud: a PointCloud has no faces; delete it from the scene"):
         chasles.parts_from_trimesh(scene)
+
+
+def test_meshes_of_trimesh_in_the_place_of_a_polyhedron_name_the_way_out(cube):
+    trimesh = pytest.importorskip("trimesh")
+    box = trimesh.creation.box((1, 1, 1))
+    needed = r"must be a chasles\.Polyhedron, not a"
+    with pytest.raises(TypeError, match=rf"moving: {needed} .*Trimesh; chasles\.from_trimesh"):
+        chasles.first_contact(box, cube, [3, 0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0, 0])
+    with pytest.raises(TypeError, match=rf"shape: {needed} .*Scene; chasles\.parts_from_trimesh"):
+        chasles.Scene().add("a", trimesh.Scene([box]))
+
+
+@pytest.mark.parametrize("scales", [(0, 1, 1), (0, 0, 0), (1, 1, 0)])
+def test_flat_parts_of_trimesh_are_refused(scales):
+    trimesh = pytest.importorskip("trimesh")
+    scene = trimesh.Scene()
+    scene.add_geometry(trimesh.creation.box((1, 1, 1)), node_name="flat", transform=np.diag([*scales, 1.0]))
+    with pytest.raises(chasles.InvalidInput, match=r"flat: its transform flattens the mesh \(a scale of 0\)"):
+        chasles.parts_from_trimesh(scene)
+
+
+def test_mirrors_of_any_scale_turn_outwards():
+    trimesh = pytest.importorskip("trimesh")
+    scene = trimesh.Scene()
+    box = trimesh.creation.box((1, 1, 1))
+    box.vertices *= 1e120
+    scene.add_geometry(box, node_name="small", transform=np.diag([-1e-120, 1e-120, 1e-120, 1]))
+    body = chasles.parts_from_trimesh(scene)["small"]
+    assert np.linalg.det(body.vertices[np.array(body.faces)]).sum() > 0  # the determinant of the scale rounds to 0

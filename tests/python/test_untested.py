@@ -102,3 +102,16 @@ def test_proofs_tell_their_progress(arm):
     proofs = arm.prove_pairs(progress=done.append)
     assert [proof.reason for proof in proofs] == ["adjacent"]
     assert all(isinstance(count, int) for count in done)
+
+
+def test_the_text_of_an_answer_counts_untested_pairs(cube):
+    scene = chasles.Scene()
+    scene.add("a", cube)
+    scene.add("b", cube, [0, 0, 9, 1, 0, 0, 0])
+    scene.add("high", cube, [0, 0, 5, 1, 0, 0, 0], [1, 0, 5, 1, 0, 0, 0])
+    assert repr(scene.first_contact()) == "<chasles.SceneContact: clear until 1, 1 pair not tested>"
+    scene.ignore("a", "high")
+    assert repr(scene.first_contact()) == "<chasles.SceneContact: clear until 1, 2 pairs not tested>"
+    scene.remove("b")
+    scene.add("low", cube, [0, 0, 0.5, 1, 0, 0, 0], [1, 0, 0.5, 1, 0, 0, 0])
+    assert repr(scene.first_contact()).endswith(", 1 pair not tested>")
