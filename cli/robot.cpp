@@ -13,6 +13,7 @@
 #include "view/page.h"
 #include "view/proven_verdict.h"
 #include "view/robot_record.h"
+#include "view/why_uncertain.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -101,13 +102,14 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     const double margin = question.options.margin;
     FirstContact shown = found.contact;
     shown.verdict = found.verdict;
+    const std::string why = view::why_uncertain(shown, found.segment + 2 == question.rows.configurations.size());
     if (question.has_stamps())
         shown.time = found.time;
     std::string text = found.pair ? headline(shown, margin, motion_name)
                                   : naming_motion(clear_headline(*found.untested, question.options), motion_name);
     text += report(*found.untested);
     if (found.pair)
-        text += pair_report(*found.pair, found.segment) + report_contact(shown, margin);
+        text += pair_report(*found.pair, found.segment) + report_contact(shown, margin, why);
     return text + joints_line(question.robot, found.configuration) + report_path(question, found);
 }
 

@@ -8,6 +8,7 @@
 #include "cli/untested_text.h"
 #include "view/answer_json.h"
 #include "view/page.h"
+#include "view/why_uncertain.h"
 
 #include "cli/options.h"
 
@@ -69,7 +70,8 @@ std::string report_first(const SceneFile& file, const SceneAnswer& answer, const
                summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
     std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
-                       labelled("pair", pair_of(scene, first)) + report_contact(first.contact, margin);
+                       labelled("pair", pair_of(scene, first)) +
+                       report_contact(first.contact, margin, view::why_uncertain(first.contact));
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
     return text + summary(scene, answer);
