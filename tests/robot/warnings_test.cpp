@@ -67,6 +67,23 @@ TEST_F(RobotWarnings, AJointThatFollowsNoneIsNamed) {
               "robot.urdf:7: <joint turn>: mimic: there is no joint 'knee': the joint follows none");
 }
 
+TEST_F(RobotWarnings, AFileOfAMissingPackageIsNamed) {
+    std::filesystem::create_directories(path("meshes"));
+    std::filesystem::copy_file(path("cube.obj"), path("meshes/a.obj"));
+    std::filesystem::copy_file(path("cube.obj"), path("meshes/b.obj"));
+    const std::string collision = "</geometry></collision><collision><geometry>";
+    const std::string a = R"(<mesh filename="package://other/meshes/a.obj"/>)",
+                      b = R"(<mesh filename="package://other/meshes/b.obj"/>)";
+    const RobotDescription robot = read("<box size=\"1 2 3\"/>", a + collision + a + collision + b);
+    ASSERT_EQ(robot.warnings.size(), 1U);
+    EXPECT_EQ(
+        without_folder(robot.warnings[0]),
+        "robot.urdf:5: <mesh>: there is no package 'other': took the file meshes/a.obj, and 1 more; say where the "
+        "package is by --packages other=FOLDER (in Python: packages={'other': FOLDER})");
+    const RobotFiles files = {.packages = {{"other", path("")}}};
+    EXPECT_EQ(read("<box size=\"1 2 3\"/>", a, files).warnings, Texts());
+}
+
 TEST_F(RobotWarnings, ConfigurationsBeyondLimitsAndInDegrees) {
     const auto about = [](const RobotDescription& robot, const std::vector<double>& values) {
         std::vector<Configuration> rows;
