@@ -71,6 +71,15 @@ TEST_F(RobotCommand, AnswersAsTheLibrary) {
     EXPECT_EQ(run("robot arm.urdf --path path.csv").status, 0);
 }
 
+TEST_F(RobotCommand, TheStampOfTheStartIsExact) {
+    write("start.csv", "t,shoulder\n0,0\n2,1\n");
+    write("around.json", R"({"bodies": [{"name": "cube", "mesh": "cube.obj", "pose": [-0.5, -0.5, -0.5]}]})");
+    const Json answer = json("robot arm.urdf --path start.csv --scene around.json");
+    EXPECT_EQ(answer["verdict"], "contact_at_start");
+    EXPECT_EQ(answer["time"], 0);
+    EXPECT_EQ(answer["time_upper"], 0);
+}
+
 /// Stamps are no shares of the motion: 10 is not its end.
 TEST_F(RobotCommand, SaysWhyAnAnswerIsUncertain) {
     write("cart.urdf", R"(<robot name="cart"><link name="base"/>

@@ -49,6 +49,15 @@ TEST_F(RobotWarnings, NameWhatTheRobotHasNot) {
         Texts({by + "group_state home>: there is no group 'none'", by + "joint knee>: there is no joint 'knee'"}));
 }
 
+/// Its root has the same name, and it has no pair.
+TEST_F(RobotWarnings, AURDFFileIsNoSRDFFile) {
+    EXPECT_EQ(without_folder(refusal([&] { (void)of_srdf("<link name=\"a\"><visual/></link>"); })),
+              "robot.srdf:2: <link a>: is a link of a URDF file, and the SRDF file is needed");
+    const std::string joint = R"(<joint name="j"><parent link="a"/><child link="b"/></joint>)";
+    EXPECT_EQ(without_folder(refusal([&] { (void)of_srdf("<link name=\"a\"/>" + joint); })),
+              "robot.srdf:2: <joint j>: is a joint of a URDF file, and the SRDF file is needed");
+}
+
 TEST_F(RobotWarnings, LimitsInTheWrongOrderAreNone) {
     const RobotDescription robot = read("lower=\"-1\"", "lower=\"3\"");
     EXPECT_EQ(robot.joints[0].lower, -std::numeric_limits<double>::infinity());
