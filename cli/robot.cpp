@@ -70,6 +70,8 @@ RobotQuestion read_question(const RobotCommand& options) {
     change(robot, scene ? &scene->scene : nullptr, options.changes);
     robot::ConfigurationRows rows = read_path(robot, options.path);
     std::vector<std::string> warnings = robot.warnings();
+    if (scene)
+        warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());
     warnings.insert(warnings.end(), rows.warnings.begin(), rows.warnings.end());
     for (std::string& warning : robot.warnings_about(rows.configurations))
         warnings.push_back("path: " + std::move(warning));

@@ -6,6 +6,7 @@
 #include "cli/report.h"
 #include "cli/scene_file.h"
 #include "cli/untested_text.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/page.h"
 #include "view/why_uncertain.h"
@@ -120,6 +121,7 @@ std::string report_of(const SceneOptions& options, const SceneFile& file, const 
     if (options.json) {
         view::Json json = view::scene_answer_json(file.scene, answer, options.all);
         json["motion"] = {{"kind", file.motion}};
+        add_warnings(json, file.warnings);
         return json.dump() + "\n";
     }
     const std::string text = options.all ? report_all(file, answer) : report_first(file, answer, asked);
@@ -149,6 +151,7 @@ int run_scene(const SceneOptions& options) {
         bar.reset();
         page.write(file.scene, answer, query.options.margin);
         print(report_of(options, file, answer, query.options));
+        print_warnings(file.warnings);
         return answer.contacts.empty() ? is_clear : is_contact;
     } catch (const SceneCancelled&) {
         bar.reset();
