@@ -9,6 +9,7 @@
 #include "cli/yaml_text.h"
 
 #include <algorithm>
+#include <optional>
 
 namespace chasles::cli {
 namespace {
@@ -93,17 +94,28 @@ std::vector<std::string> joint_names_in(const Json& trajectory) {
     });
 }
 
+/// Writers leave out a part that is 0, or write a list whose second number is 0 in any unit.
+double seconds_in_list(const Json& list) {
+    if (list.size() == 2 && finite_in(list[1]) == 0)
+        return finite_in(list[0]);
+    throw InvalidInput(
+        "a list is read only as [SECONDS, 0]; write {sec: SECONDS, nanosec: NANOSECONDS}, or the seconds");
+}
+
 /// ROS 2 has sec and nanosec, ROS 1 secs and nsecs; others write the seconds.
 double seconds_in(const Json& json) {
+    if (json.is_array())
+        return seconds_in_list(json);
     if (!json.is_object())
         return finite_in(json);
     const auto part = [&](const char* key, const char* other) {
         const Json* value = find_in(json, key) ? find_in(json, key) : find_in(json, other);
-        if (!value)
-            throw InvalidInput("has no " + std::string(key) + " and no " + other);
-        return at_place(key, [&] { return finite_in(*value); });
+        return value ? std::optional(at_place(key, [&] { return finite_in(*value); })) : std::nullopt;
     };
-    return part("sec", "secs") + 1e-9 * part("nanosec", "nsecs");
+    const std::optional<double> seconds = part("sec", "secs"), nanoseconds = part("nanosec", "nsecs");
+    if (!seconds && !nanoseconds)
+        throw InvalidInput("has no sec, no secs, no nanosec and no nsecs");
+    return seconds.value_or(0) + 1e-9 * nanoseconds.value_or(0);
 }
 
 std::vector<double> positions_in(const Json& point, std::size_t joints) {
@@ -140,8 +152,10 @@ public:
                 "velocities and accelerations are not used: the path is straight in joint space "
                 "from point to point");
         if (rows_.configurations.size() < 2)
-            throw InvalidInput("points: a path needs at least two, and there are " +
-                               std::to_string(rows_.configurations.size()));
+            throw InvalidInput(
+                "points: a path needs at least two, and there are " + std::to_string(rows_.configurations.size()) +
+                (rows_.configurations.size() == 1 ? "; the state before it is missing: write it as the first point"
+                                                  : ""));
         return std::move(rows_);
     }
 

@@ -10,6 +10,7 @@
 #include "view/answer_json.h"
 #include "view/names.h"
 #include "view/proven_verdict.h"
+#include "view/why_uncertain.h"
 
 #include <fmt/format.h>
 #include <memory>
@@ -50,6 +51,12 @@ TimedPoses track_of(const PathQuestion& question, std::size_t first, std::size_t
                          {poses.begin() + begin, poses.begin() + end});
 }
 
+/// The times of `found` may be stamps, and `why_uncertain` was asked before they were.
+struct StampedContact {
+    PathContact found;
+    std::string why_uncertain;
+};
+
 // The ends keep their stamps exactly. Speeds become lengths per unit of the stamps.
 void count_in_stamps(FirstContact& found, const TimedPoses& track) {
     const double first = track.stamps().front(), last = track.stamps().back();
@@ -61,7 +68,7 @@ void count_in_stamps(FirstContact& found, const TimedPoses& track) {
 }
 
 /// The whole path as one motion.
-PathContact answer_track(const PathQuestion& question) {
+StampedContact answer_track(const PathQuestion& question) {
     const std::size_t segments = question.path.poses.size() - 1;
     const TimedPoses track = track_of(question, 0, segments);
     PathContact found;
@@ -73,12 +80,13 @@ PathContact answer_track(const PathQuestion& question) {
                         ? segments - 1
                         : track.segment_of(view::is_contact(found.contact.verdict) ? found.contact.time.lower
                                                                                    : found.contact.clear_until);
+    std::string why = view::why_uncertain(found.contact);
     count_in_stamps(found.contact, track);
-    return found;
+    return {std::move(found), std::move(why)};
 }
 
 /// The path segment by segment.
-PathContact answer_segments(const PathQuestion& question) {
+StampedContact answer_segments(const PathQuestion& question) {
     const std::vector<Pose>& poses = question.path.poses;
     std::vector<Motion> motions;
     for (std::size_t i = 0; i + 1 < poses.size(); ++i)
@@ -89,9 +97,10 @@ PathContact answer_segments(const PathQuestion& question) {
                                                .motions = std::move(motions),
                                                .options = question.options,
                                                .progress = [&](std::size_t done) { bar.show(done); }});
+    std::string why = view::why_uncertain(found.contact, found.segment + 2 == poses.size());
     if (question.has_stamps())
         count_in_stamps(found.contact, track_of(question, found.segment, found.segment + 1));
-    return found;
+    return {std::move(found), std::move(why)};
 }
 
 view::MotionNumbers numbers_of_segment(const PathQuestion& question, std::size_t segment) {
@@ -119,14 +128,16 @@ std::string segment_text(const PathQuestion& question, std::size_t segment) {
     return fmt::format("{}; the time counts from pose {} to pose {}", place, segment, segment + 1);
 }
 
-std::string path_report(const PathContact& found, const view::MotionNumbers& motion, const PathQuestion& question) {
+std::string path_report(const StampedContact& answer, const view::MotionNumbers& motion, const PathQuestion& question) {
+    const PathContact& found = answer.found;
     const double margin = question.options.margin;
     const std::string first_line = headline(found.contact, margin, view::name_of(question.rule.kind));
     if (!view::is_contact(found.contact.verdict))
         return first_line + labelled("path", counted(question.path.poses.size() - 1, "segment")) +
                report(found.contact.work);
     return first_line + labelled("segment", segment_text(question, found.segment)) +
-           details(found.contact, motion, margin) + hold_line(found.contact, question.options.hold);
+           details(found.contact, motion, margin, answer.why_uncertain) +
+           hold_line(found.contact, question.options.hold);
 }
 
 int run_path(const PathOptions& options) {
@@ -134,9 +145,10 @@ int run_path(const PathOptions& options) {
     print_warnings(question.path.warnings);
     const Limit limit(seconds_of(options.query.seconds));
     const bool is_one_motion = question.has_stamps() && !view::has_tau(question.rule.kind);
-    const PathContact found = is_one_motion ? answer_track(question) : answer_segments(question);
+    const StampedContact answer = is_one_motion ? answer_track(question) : answer_segments(question);
+    const PathContact& found = answer.found;
     const view::MotionNumbers motion = numbers_of_segment(question, found.segment);
-    print(options.json ? path_json(found, motion, question).dump() + "\n" : path_report(found, motion, question));
+    print(options.json ? path_json(found, motion, question).dump() + "\n" : path_report(answer, motion, question));
     return status_of(found.contact.verdict);
 }
 

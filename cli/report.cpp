@@ -83,8 +83,8 @@ std::string report_features(const Found& found, const std::string& label, bool s
     return text;
 }
 
-std::string report_contact_features(const FirstContact& found, double margin) {
-    return report_certainty(found, view::why_uncertain(found)) +
+std::string report_contact_features(const FirstContact& found, double margin, const std::string& why_uncertain) {
+    return report_certainty(found, why_uncertain) +
            report_features(found, margin > 0 ? "within" : "touching", margin > 0);
 }
 
@@ -189,22 +189,24 @@ std::string report(const Work& work) {
                                         work.refined, work.exact));
 }
 
-std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
+std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin,
+                    const std::string& why_uncertain) {
     std::string text = motion_line(motion);
     if (view::is_contact(found.verdict))
-        text += report_time(found, motion) + report_contact_features(found, margin);
+        text += report_time(found, motion) + report_contact_features(found, margin, why_uncertain);
     if (!found.held.empty())
         text += contact_lines(found.held, "held", true) +
                 labelled("clear to", fmt::format("time {:.12g}", found.clear_until));
     return text + report(found.work);
 }
 
-std::string report_contact(const FirstContact& found, double margin) {
-    return labelled("time", text_of(found.time)) + report_contact_features(found, margin);
+std::string report_contact(const FirstContact& found, double margin, const std::string& why_uncertain) {
+    return labelled("time", text_of(found.time)) + report_contact_features(found, margin, why_uncertain);
 }
 
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
-    return headline(found, margin, view::name_of(motion.kind)) + details(found, motion, margin);
+    return headline(found, margin, view::name_of(motion.kind)) +
+           details(found, motion, margin, view::why_uncertain(found));
 }
 
 std::string report_least(const LeastDistance& found) {

@@ -14,8 +14,9 @@ namespace chasles::cli {
 /// report shows the gaps.
 std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin);
 
-/// The lines about the contact: time, certainty and features.
-std::string report_contact(const FirstContact& found, double margin);
+/// The lines about the contact: time, certainty and features. `why_uncertain` is that of view/why_uncertain.h: the
+/// times of `found` may be stamps, which do not tell it.
+std::string report_contact(const FirstContact& found, double margin, const std::string& why_uncertain);
 
 /// The lines about the least distance: distance, time, certainty and features.
 std::string report_least(const LeastDistance& found);
@@ -26,7 +27,8 @@ std::string report(const LeastDistance& found, const view::MotionNumbers& motion
 /// The two parts of report(): the verdict and the motion in one line, and the details.
 std::string headline(const FirstContact& found, double margin, std::string_view motion);
 std::string headline(const LeastDistance& found, std::string_view motion);
-std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin);
+std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin,
+                    const std::string& why_uncertain);
 
 /// The line after a contact at the start in spite of `hold`, which acts on bodies with a gap. Empty for other answers.
 std::string hold_line(const FirstContact& found, const std::optional<double>& hold);

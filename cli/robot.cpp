@@ -13,6 +13,7 @@
 #include "view/page.h"
 #include "view/proven_verdict.h"
 #include "view/robot_record.h"
+#include "view/why_uncertain.h"
 
 #include <filesystem>
 #include <fmt/format.h>
@@ -69,6 +70,8 @@ RobotQuestion read_question(const RobotCommand& options) {
     change(robot, scene ? &scene->scene : nullptr, options.changes);
     robot::ConfigurationRows rows = read_path(robot, options.path);
     std::vector<std::string> warnings = robot.warnings();
+    if (scene)
+        warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());
     warnings.insert(warnings.end(), rows.warnings.begin(), rows.warnings.end());
     for (std::string& warning : robot.warnings_about(rows.configurations))
         warnings.push_back("path: " + std::move(warning));
@@ -101,6 +104,7 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     const double margin = question.options.margin;
     FirstContact shown = found.contact;
     shown.verdict = found.verdict;
+    const std::string why = view::why_uncertain(shown, found.segment + 2 == question.rows.configurations.size());
     if (question.has_stamps()) {
         shown.time = found.time;
         shown.clear_until = found.clear_until;
@@ -110,7 +114,7 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
                            : naming_motion(clear_headline(*found.untested, question.options), motion_name);
     text += report(*found.untested);
     if (found.pair)
-        text += pair_report(*found.pair, found.segment) + report_contact(shown, margin);
+        text += pair_report(*found.pair, found.segment) + report_contact(shown, margin, why);
     return text + joints_line(question.robot, found.configuration) + report_path(question, found);
 }
 

@@ -6,8 +6,10 @@
 #include "cli/report.h"
 #include "cli/scene_file.h"
 #include "cli/untested_text.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/page.h"
+#include "view/why_uncertain.h"
 
 #include "cli/options.h"
 
@@ -75,7 +77,8 @@ std::string report_first(const SceneFile& file, const SceneAnswer& answer, const
                summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
     std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
-                       labelled("pair", pair_of(scene, first)) + report_contact(first.contact, margin) +
+                       labelled("pair", pair_of(scene, first)) +
+                       report_contact(first.contact, margin, view::why_uncertain(first.contact)) +
                        hold_line(first.contact, options.hold);
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
@@ -127,6 +130,7 @@ std::string report_of(const SceneOptions& options, const SceneFile& file, const 
     if (options.json) {
         view::Json json = view::scene_answer_json(file.scene, answer, options.all);
         json["motion"] = {{"kind", file.motion}};
+        add_warnings(json, file.warnings);
         return json.dump() + "\n";
     }
     const std::string text = options.all ? report_all(file, answer, asked) : report_first(file, answer, asked);
@@ -158,6 +162,7 @@ int run_scene(const SceneOptions& options) {
         return report_interruption("the scene is not answered");
     page.write(file.scene, answer, query.options.margin);
     print(report_of(options, file, answer, query.options));
+    print_warnings(file.warnings);
     return status_of(answer.verdict);
 }
 

@@ -213,6 +213,7 @@ public:
         if (const auto found = robots_.find(name); found != robots_.end())
             return found->second;
         const Robot robot = Robot::load(folder_ / name);
+        warnings_.insert(warnings_.end(), robot.warnings().begin(), robot.warnings().end());
         std::string joints;
         for (const RobotVariable& variable : robot.variables())
             joints += (joints.empty() ? "" : ", ") + variable.name;
@@ -221,6 +222,8 @@ public:
                    "), and a body of a scene is rigid; `chasles robot` moves joints");
         return robots_.emplace(name, robot.shape(robot.neutral())).first->second;
     }
+
+    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
 
 private:
     [[nodiscard]] Polyhedron load(const std::filesystem::path& file, double scale) const {
@@ -249,6 +252,7 @@ private:
     PolyhedronOptions options_;
     std::map<std::string, std::vector<io::MeshPart>> parts_; ///< many bodies are parts of one file
     std::map<MeshChoice, Polyhedron> shapes_;
+    std::vector<std::string> warnings_;
     std::map<std::string, Polyhedron> robots_;
 };
 
@@ -316,6 +320,7 @@ SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const 
     std::size_t count = 0;
     for (const Json& body : at_place("bodies", [&]() -> const Json& { return list_in(members.get("bodies")); }))
         at_place("body " + std::to_string(++count), [&] { add_body(file.scene, body, shapes); });
+    file.warnings = shapes.warnings();
     file.motion = motion_of(members.get("bodies"));
     for_each_pair(members, "ignore", [&](const auto& a, const auto& b) { file.scene.ignore(a, b); });
     for_each_pair(members, "ignore_groups", [&](const auto& a, const auto& b) { file.scene.ignore_groups(a, b); });

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace chasles::cli {
 
@@ -14,6 +15,7 @@ struct SceneFile {
     double margin = 0;
     std::optional<double> hold;
     std::string motion; ///< how the bodies move: "velocity", "twist", "velocity and twist", or "rest"
+    std::vector<std::string> warnings = {}; ///< of the robots that are bodies
 };
 
 /// Reads a scene and its meshes, whose paths are relative to the file. Each mesh is loaded once. `margin` counts

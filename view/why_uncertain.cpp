@@ -16,12 +16,12 @@ bool closes_nowhere(const FirstContact& found) {
 
 } // namespace
 
-std::string why_uncertain(const FirstContact& found) {
+std::string why_uncertain(const FirstContact& found, bool ends_there) {
     if (found.overlap)
         return "an edge may just miss the rim of a face that it seems to pass through";
     if (found.verdict == Verdict::contact && found.time.upper - found.time.lower > width_by_rounding)
         return "the bounds of the motion do not tell contact from a miss within this bracket";
-    if (found.verdict == Verdict::contact && found.time.upper >= 1)
+    if (ends_there && found.verdict == Verdict::contact && found.time.upper >= 1)
         return "the bodies just reach each other at the end of the motion, and may miss by a rounding error";
     if (closes_nowhere(found))
         return "the bodies slide along or graze each other there, and may miss each other by a rounding error";

@@ -178,6 +178,17 @@ NamedColumns find_columns(std::span<const std::string> names, std::span<const st
     return columns;
 }
 
+NameWithUnit split_unit(std::string_view name) {
+    const char open = name.ends_with(']') ? '[' : name.ends_with(')') ? '(' : '\0';
+    const std::size_t begin = open == '\0' ? std::string_view::npos : name.rfind(open);
+    if (begin == std::string_view::npos)
+        return {name, std::nullopt};
+    const std::string_view inside = name.substr(begin + 1, name.size() - begin - 2);
+    const std::size_t first = std::min(inside.find_first_not_of(' '), inside.size());
+    return {name.substr(0, name.substr(0, begin).find_last_not_of(' ') + 1),
+            lower_case(inside.substr(first, inside.find_last_not_of(' ') + 1 - first))};
+}
+
 std::string shown_names(std::span<const std::string> names) {
     std::string text = one_line(list_of(names));
     for (char& c : text)

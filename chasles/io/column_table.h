@@ -77,6 +77,15 @@ struct NamedColumns {
 NamedColumns find_columns(std::span<const std::string> names, std::span<const std::string> wanted,
                           std::size_t optional_from, const std::function<std::string(std::string_view)>& meaning);
 
+/// The name of a column and the unit at its end: "spin [rad]" and "Spin(rad)" have the unit "rad".
+struct NameWithUnit {
+    std::string_view name;           ///< without the unit and without blanks at its end
+    std::optional<std::string> unit; ///< in small letters; empty without brackets
+};
+
+/// Takes a unit in brackets off the name of a column.
+NameWithUnit split_unit(std::string_view name);
+
 /// The names for a message, in quotes and in one line.
 std::string shown_names(std::span<const std::string> names);
 

@@ -29,6 +29,7 @@ std::string_view extension_of(std::string_view name) {
 
 PolygonSoup read_without_name(std::string_view bytes, std::string_view extension) {
     refuse_step(bytes, lower_case(extension));
+    refuse_robot(lower_case(extension));
     const Reader reader = reader_for(extension);
     if (!reader)
         throw InvalidInput("the extension is none of .obj, .off, .ply and .stl");
@@ -62,6 +63,22 @@ Reader reader_for(std::string_view extension) {
     if (lower == ".stl")
         return read_stl;
     return nullptr;
+}
+
+void refuse_robot(std::string_view extension) {
+    const std::string door = "`chasles robot` or, in Python, `Robot.load`";
+    if (extension == ".urdf")
+        throw InvalidInput("is a robot, not a mesh; " + door + " reads it");
+    if (extension == ".xacro")
+        throw InvalidInput("is source of a robot, not a mesh; expand it first (xacro FILE > robot.urdf), then " + door +
+                           " reads it");
+    if (extension == ".srdf")
+        throw InvalidInput("has the pairs and groups of a robot, not a mesh; it goes with a URDF file: " +
+                           std::string("chasles robot ROBOT.urdf --srdf FILE or, in Python, Robot.load(urdf, srdf)"));
+    if (extension == ".sdf")
+        throw InvalidInput("is no mesh; files of SDF (SDFormat) are not read: write the robot as URDF for " + door);
+    if (extension == ".yaml" || extension == ".yml")
+        throw InvalidInput("is no mesh; `chasles robot ROBOT.urdf --path FILE` reads a JointTrajectory of ROS as YAML");
 }
 
 void refuse_step(std::string_view bytes, std::string_view extension) {

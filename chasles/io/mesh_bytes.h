@@ -16,6 +16,9 @@ using Reader = PolygonSoup (*)(std::string_view);
 /// The reader for the extension of a format with one mesh, for example ".obj", in capitals or not; null for others.
 Reader reader_for(std::string_view extension);
 
+/// Throws InvalidInput for an extension of files of robots (in small letters), and says what reads them.
+void refuse_robot(std::string_view extension);
+
 /// Throws InvalidInput for STEP and IFC files, by their first bytes, and for the extensions of STEP.
 void refuse_step(std::string_view bytes, std::string_view extension);
 

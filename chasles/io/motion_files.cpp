@@ -36,10 +36,12 @@ std::vector<std::string> motion_columns() {
 std::string motion_column(std::string_view name) {
     if (lower_case(name) == "id")
         return "id";
-    if (!name.ends_with('0') && !name.ends_with('1'))
+    const auto [with_end, unit] = split_unit(name);
+    if (!with_end.ends_with('0') && !with_end.ends_with('1'))
         return "";
-    const std::string column = pose_column(name.substr(0, name.size() - 1));
-    return column.empty() || column == "t" ? "" : column + name.back();
+    const std::string without_end(with_end.substr(0, with_end.size() - 1));
+    const std::string column = pose_column(unit ? without_end + '[' + *unit + ']' : without_end);
+    return column.empty() || column == "t" ? "" : column + with_end.back();
 }
 
 bool is_motion_column(std::string_view name) {

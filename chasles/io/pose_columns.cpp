@@ -1,6 +1,7 @@
 // Names as in TUM and EuRoC trajectories, in tables made from ROS messages, and in ours.
 #include "chasles/io/pose_columns.h"
 
+#include "chasles/io/column_table.h"
 #include "chasles/io/text_scan.h"
 
 #include <algorithm>
@@ -11,7 +12,8 @@ namespace chasles::io {
 namespace {
 
 // Units that leave the meaning of a name as it is: lengths have the unit of the meshes, stamps any unit.
-constexpr auto units_to_drop = std::to_array<std::string_view>({"[]", "[m]", "[s]", "[ns]"});
+constexpr auto units_to_drop = std::to_array<std::string_view>({"", "m", "s", "ns"});
+constexpr auto more_units_of_time = std::to_array<std::string_view>({"sec", "secs", "seconds", "ms", "us"});
 // What stands before the axis.
 constexpr auto of_position =
     std::to_array<std::string_view>({"", "t", "p_", "pos_", "position_", "translation_", "p_rs_r_"});
@@ -24,11 +26,9 @@ bool is_one_of(const Names& names, std::string_view name) {
     return std::ranges::find(names, name) != names.end();
 }
 
-std::string without_unit(std::string name) {
-    for (const std::string_view unit : units_to_drop)
-        if (name.ends_with(unit))
-            name.resize(name.size() - unit.size());
-    return name.substr(0, name.find_last_not_of(' ') + 1);
+std::string without_unit(const std::string& text) {
+    const auto [name, unit] = split_unit(text);
+    return std::string(unit && is_one_of(units_to_drop, *unit) ? name : text);
 }
 
 // "Pose.Orientation.W" becomes "orientation_w".
@@ -48,9 +48,16 @@ std::vector<std::string> pose_columns() {
     return {"x", "y", "z", "qw", "qx", "qy", "qz", "t"};
 }
 
+bool is_time_column(std::string_view text) {
+    const std::string small = lower_case(text);
+    const auto [name, unit] = split_unit(small);
+    return is_one_of(of_time, name) &&
+           (!unit || is_one_of(units_to_drop, *unit) || is_one_of(more_units_of_time, *unit));
+}
+
 std::string pose_column(std::string_view text) {
     const std::string name = plain(text);
-    if (is_one_of(of_time, name))
+    if (is_one_of(of_time, name) || is_time_column(text))
         return "t";
     if (name.empty())
         return "";

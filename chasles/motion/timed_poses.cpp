@@ -53,8 +53,10 @@ Bracket TimedPoses::stamp_of(const Bracket& time) const {
     constexpr double rounding = 0x1p-51;
     const double first = stamps_.front(), last = stamps_.back();
     const double slack = rounding * (std::abs(first) + std::abs(last));
-    const auto at = [&](double t) { return first + t * (last - first); };
-    return {std::clamp(at(time.lower) - slack, first, last), std::clamp(at(time.upper) + slack, first, last)};
+    const auto at = [&](double t, double outwards) { // the ends are exact
+        return t == 0 ? first : t == 1 ? last : std::clamp(first + t * (last - first) + outwards, first, last);
+    };
+    return {at(time.lower, -slack), at(time.upper, slack)};
 }
 
 double TimedPoses::time_of(double stamp) const {

@@ -5,12 +5,23 @@
 #include "chasles/io/column_table.h"
 
 #include <algorithm>
+#include <array>
 #include <numbers>
 
 namespace chasles::robot {
 namespace {
 
 constexpr std::string_view degrees_ending = "_deg";
+constexpr auto names_of_degrees = std::to_array<std::string_view>({"deg", "degree", "degrees"});
+constexpr auto names_of_radians = std::to_array<std::string_view>({"rad", "radian", "radians"});
+/// What writers of files put after the name of a joint whose position they mean.
+constexpr auto other_endings = std::to_array<std::string_view>(
+    {"", "m", "mm", "cm", "meter", "meters", "metre", "metres", "pos", "position", "positions", "value", "values"});
+
+template <typename Names>
+bool is_among(const Names& names, std::string_view name) {
+    return std::ranges::find(names, name) != names.end();
+}
 
 // The variable of this name. Throws InvalidInput where capitals would decide between two.
 std::optional<std::size_t> variable_named(const Robot& robot, std::string_view name) {
@@ -40,9 +51,31 @@ bool is_angle(const Robot& robot, const std::string& variable) {
     });
 }
 
+/// Whether the variable is a length.
+bool is_length(const Robot& robot, const std::string& variable) {
+    return std::ranges::any_of(robot.description().joints, [&](const JointDescription& joint) {
+        return (joint.type == JointType::prismatic && variable == joint.name) ||
+               (joint.type == JointType::planar && variable.starts_with(joint.name + '/') &&
+                !is_angle(robot, variable)) ||
+               (joint.type == JointType::floating && variable.starts_with(joint.name + "/trans_"));
+    });
+}
+
 std::string_view without_degrees(std::string_view name) {
     const bool has_ending = io::lower_case(name).ends_with(degrees_ending);
     return has_ending ? name.substr(0, name.size() - degrees_ending.size()) : std::string_view();
+}
+
+/// Whether a name is that of the variable and an ending which says that its value is meant: "spin_rad", "Spin.pos".
+bool is_with_ending(const std::string& name, const std::string& variable) {
+    if (!name.starts_with(variable) || name.size() == variable.size())
+        return false;
+    constexpr std::string_view marks = " _.-/:[]()";
+    const std::string_view rest = std::string_view(name).substr(variable.size());
+    const std::size_t begin = std::min(rest.find_first_not_of(marks), rest.size());
+    const std::string_view ending = rest.substr(begin, rest.find_last_not_of(marks) + 1 - begin);
+    return begin > 0 && (is_among(names_of_degrees, ending) || is_among(names_of_radians, ending) ||
+                         is_among(other_endings, ending));
 }
 
 // Whether one letter more, less or other makes the same name.
@@ -79,8 +112,32 @@ JointColumns::JointColumns(std::span<const std::string> names, const Robot& robo
     require_no_misspelt_name();
 }
 
+/// The column of a name with a unit in brackets, where `column` is that of the name without it.
+JointColumns::Column JointColumns::with_unit(const Column& column, const std::string& name,
+                                             const std::string& unit) const {
+    const std::string& variable = robot_.variables()[*column.variable].name;
+    const bool turns = is_angle(robot_, variable);
+    if (is_among(names_of_degrees, unit) && !turns)
+        throw InvalidInput("the column " + io::in_quotes(name) + " has degrees, but the variable " +
+                           io::in_quotes(variable) + " is no angle");
+    if (turns && is_among(names_of_degrees, unit))
+        return {column.variable, true};
+    const bool is_unit = turns ? is_among(names_of_radians, unit) : is_length(robot_, variable) && unit == "m";
+    if (unit.empty() || (is_unit && !column.is_in_degrees))
+        return column;
+    throw InvalidInput("the column " + io::in_quotes(name) + " has a unit that is not read; the variable " +
+                       io::in_quotes(variable) + " may have " +
+                       (turns                         ? "[rad] or [deg]"
+                        : is_length(robot_, variable) ? "[m]"
+                                                      : "[]") +
+                       ", or no unit: convert the numbers");
+}
+
 JointColumns::Column JointColumns::column_of(const std::string& name, JointUnits units) const {
     const std::optional<std::size_t> plain = variable_named(robot_, name);
+    if (const auto [base, unit] = io::split_unit(name); unit && !base.empty() && !plain && units == JointUnits::by_name)
+        if (const Column column = column_of(std::string(base), units); column.variable)
+            return with_unit(column, name, *unit);
     const std::string_view before = without_degrees(name);
     if (units == JointUnits::radians || before.empty())
         return {plain};
@@ -115,7 +172,8 @@ void JointColumns::require_no_misspelt_name() const {
         if (std::ranges::any_of(columns_, reads_it))
             continue;
         for (const std::string& name : ignored_)
-            if (differ_in_one_letter(io::lower_case(name), io::lower_case(variables[i].name)))
+            if (differ_in_one_letter(io::lower_case(name), io::lower_case(variables[i].name)) ||
+                is_with_ending(io::lower_case(name), io::lower_case(variables[i].name)))
                 throw InvalidInput(
                     "the column " + io::in_quotes(name) + " is no variable of the robot; it may be a misspelt " +
                     io::in_quotes(variables[i].name) + ", which has no column, or one to leave out of the file");
@@ -136,7 +194,8 @@ bool JointColumns::is_name(const Robot& robot, std::string_view name) {
             return io::lower_case(variable.name) == io::lower_case(text);
         });
     };
-    return is_variable(name) || is_variable(without_degrees(name));
+    const std::string_view base = io::split_unit(name).name;
+    return is_variable(name) || is_variable(base) || is_variable(without_degrees(base));
 }
 
 } // namespace chasles::robot

@@ -13,7 +13,7 @@ namespace chasles::robot {
 
 /// What the numbers of a path are.
 enum class JointUnits {
-    by_name, ///< a column NAME_deg has degrees, every other one radians or the length unit
+    by_name, ///< columns NAME_deg and NAME[deg] have degrees, every other one radians or the length unit
     radians, ///< no name means degrees
 };
 
@@ -25,7 +25,8 @@ class JointColumns {
 public:
     /// `names` are those of variables of the robot, in any order. Capitals count as small letters where only one
     /// variable has the name. Throws InvalidInput if no column is a variable, if two columns are one variable, if a
-    /// column may be two variables, and if the name of a column differs in one letter from a variable without a column.
+    /// column may be two variables, if the unit of a column is not read, and if the name of a column differs in one
+    /// letter or by a unit from a variable without a column.
     JointColumns(std::span<const std::string> names, const Robot& robot, JointUnits units);
 
     /// Variables that are left out have the values of Robot::neutral(). The row has a number for each name; numbers of
@@ -45,6 +46,7 @@ private:
     };
 
     [[nodiscard]] Column column_of(const std::string& name, JointUnits units) const;
+    [[nodiscard]] Column with_unit(const Column& column, const std::string& name, const std::string& unit) const;
     void require_one_each(std::span<const std::string> names) const;
     void require_no_misspelt_name() const;
 

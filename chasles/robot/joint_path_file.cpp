@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/column_table.h"
+#include "chasles/io/pose_columns.h"
 #include "chasles/robot/joint_columns.h"
 
 #include <optional>
@@ -10,14 +11,9 @@
 namespace chasles::robot {
 namespace {
 
-bool is_stamp(std::string_view name) {
-    const std::string small = io::lower_case(name);
-    return small == "t" || small == "time" || small == "timestamp";
-}
-
 // A variable of the robot may be called "t".
 bool is_stamp_of(const Robot& robot, std::string_view name) {
-    return is_stamp(name) && !JointColumns::is_name(robot, name);
+    return io::is_time_column(name) && !JointColumns::is_name(robot, name);
 }
 
 /// The columns of a table: the stamp, and the names of all others.
@@ -73,7 +69,7 @@ auto at_line(std::size_t line, const Read& read) {
 
 ConfigurationRows read_configurations(std::string_view text, const Robot& robot) {
     const auto may_be_name = [&](std::string_view name) {
-        return is_stamp(name) || JointColumns::is_name(robot, name);
+        return io::is_time_column(name) || JointColumns::is_name(robot, name);
     };
     io::ColumnTable rows_of_text(text, may_be_name);
     const std::vector<std::string>& names = rows_of_text.names();

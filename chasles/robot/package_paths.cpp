@@ -66,20 +66,20 @@ std::optional<fs::path> given_place(const fs::path& path, const RobotFiles& file
 
 /// Where NAME/REST of a package may be, the most likely first: in a folder NAME or in a folder whose package.xml says
 /// NAME, and at last where folders above lack the first parts of the path, for robots that were copied without them.
-std::vector<fs::path> places(const fs::path& path, const fs::path& urdf, const RobotFiles& files) {
+std::vector<FoundFile> places(const fs::path& path, const fs::path& urdf, const RobotFiles& files) {
     if (const auto given = given_place(path, files))
-        return {*given};
+        return {{*given}};
     const std::vector<fs::path> folders = folders_above(urdf);
     const std::string name = path.begin()->string();
-    std::vector<fs::path> all;
+    std::vector<FoundFile> all;
     for (const fs::path& folder : folders) {
-        all.push_back(folder / path);
+        all.push_back({folder / path});
         if (folder.filename() == name || package_name(folder) == name)
-            all.push_back(folder / without_first(path));
+            all.push_back({folder / without_first(path)});
     }
     for (fs::path rest = without_first(path); rest.has_parent_path(); rest = without_first(rest))
         for (const fs::path& folder : folders)
-            all.push_back(folder / rest);
+            all.push_back({folder / rest, name});
     return all;
 }
 
@@ -88,12 +88,12 @@ std::string quoted(const std::string& uri) {
     return '\'' + io::one_line(uri) + '\'';
 }
 
-std::string listed(const std::vector<fs::path>& paths) {
+std::string listed(const std::vector<FoundFile>& files) {
     constexpr std::size_t most = 4;
     std::string list;
-    for (std::size_t i = 0; i < std::min(most, paths.size()); ++i)
-        list += (i > 0 ? ", " : "") + io::one_line(paths[i].string());
-    return list + (paths.size() > most ? ", and the folders above" : "");
+    for (std::size_t i = 0; i < std::min(most, files.size()); ++i)
+        list += (i > 0 ? ", " : "") + io::one_line(files[i].path.string());
+    return list + (files.size() > most ? ", and the folders above" : "");
 }
 
 /// The value of a hexadecimal digit; empty for other characters.
@@ -123,17 +123,22 @@ std::vector<std::string> spellings(const std::string& uri) {
     return all;
 }
 
+/// NAME/REST of package://NAME/REST, and of model://NAME/REST.
+fs::path path_in_packages(const std::string& uri) {
+    std::string path = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
+    std::ranges::replace(path, '\\', '/');
+    return path;
+}
+
 /// The places of a file that a URI means.
-std::vector<fs::path> places_of(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
+std::vector<FoundFile> places_of(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
     if (uri.starts_with("file:/"))
-        return {uri.substr(uri.starts_with("file://localhost/") ? 16 : uri.starts_with("file://") ? 7 : 5)};
+        return {{uri.substr(uri.starts_with("file://localhost/") ? 16 : uri.starts_with("file://") ? 7 : 5)}};
     if (uri.find("://") == std::string::npos)
-        return {urdf.parent_path() / uri};
+        return {{urdf.parent_path() / uri}};
     if (!uri.starts_with("package://") && !uri.starts_with("model://"))
         throw InvalidInput(quoted(uri) + " is no package://, no file:// and no path");
-    std::string in_package = uri.substr(std::min(uri.find_first_not_of('/', uri.find("//")), uri.size()));
-    std::ranges::replace(in_package, '\\', '/');
-    const fs::path path = in_package;
+    const fs::path path = path_in_packages(uri);
     if (!path.has_parent_path() || !path.has_filename())
         throw InvalidInput(quoted(uri) + " names no file in a package");
     return places(path, urdf, files);
@@ -141,18 +146,45 @@ std::vector<fs::path> places_of(const std::string& uri, const fs::path& urdf, co
 
 } // namespace
 
-fs::path resolved(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
-    std::vector<fs::path> tried;
+FoundFile found_file(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
+    std::vector<FoundFile> tried;
     for (const std::string& spelling : spellings(uri)) {
-        const std::vector<fs::path> more = places_of(spelling, urdf, files);
-        if (const auto found = std::ranges::find_if(more, is_file); found != more.end())
+        const std::vector<FoundFile> more = places_of(spelling, urdf, files);
+        if (const auto found = std::ranges::find_if(more, is_file, &FoundFile::path); found != more.end())
             return *found;
         tried.insert(tried.end(), more.begin(), more.end());
     }
-    throw InvalidInput("there is no file " + quoted(uri) + "; tried " + listed(tried) +
-                       (uri.starts_with("file:") || uri.find("://") == std::string::npos
-                            ? ""
-                            : "; say where the package is, by the map of packages"));
+    throw InvalidInput(
+        "there is no file " + quoted(uri) + "; tried " + listed(tried) +
+        (uri.starts_with("file:") || uri.find("://") == std::string::npos
+             ? ""
+             : "; say where the package is " + way_to_name_package(path_in_packages(decoded(uri)).begin()->string())));
+}
+
+fs::path resolved(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
+    return found_file(uri, urdf, files).path;
+}
+
+void MissingPackages::add(const FoundFile& file, const std::string& place) {
+    if (file.missing_package.empty())
+        return;
+    Taken& taken = packages_.try_emplace(file.missing_package, Taken{place, file.path, {}}).first->second;
+    taken.files.insert(file.path);
+}
+
+void MissingPackages::add_warnings(std::vector<std::string>& warnings) const {
+    for (const auto& [package, taken] : packages_) {
+        const std::size_t more = taken.files.size() - 1;
+        warnings.push_back(taken.place + "there is no package " + io::in_quotes(package) + ": took the file " +
+                           io::one_line(taken.first.string()) +
+                           (more > 0 ? ", and " + std::to_string(more) + " more" : std::string()) +
+                           "; say where the package is " + way_to_name_package(package));
+    }
+}
+
+std::string way_to_name_package(const std::string& package) {
+    const std::string name = io::one_line(package);
+    return "by --packages " + name + "=FOLDER (in Python: packages={'" + name + "': FOLDER})";
 }
 
 } // namespace chasles::robot

@@ -4,12 +4,45 @@
 #include "chasles/robot/robot.h"
 
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string>
+#include <vector>
 
 namespace chasles::robot {
 
+struct FoundFile {
+    std::filesystem::path path;
+    /// The name of a package that was not found: the file was found by the rest of its path, and may be of another
+    /// package. Empty if there is no doubt.
+    std::string missing_package = {};
+};
+
 /// The file that a URI of a URDF file means: package://NAME/REST, file://PATH, or a path, which is relative to the URDF
 /// file. Throws InvalidInput with all places where the file was looked for.
+FoundFile found_file(const std::string& uri, const std::filesystem::path& urdf, const RobotFiles& files);
+
+/// Its path alone.
 std::filesystem::path resolved(const std::string& uri, const std::filesystem::path& urdf, const RobotFiles& files);
+
+/// Collects the packages that were not found. Robots that were copied without theirs have many meshes: each package
+/// makes one warning.
+class MissingPackages {
+public:
+    /// `place` is that of the element which names the file.
+    void add(const FoundFile& file, const std::string& place);
+    void add_warnings(std::vector<std::string>& warnings) const;
+
+private:
+    struct Taken {
+        std::string place;
+        std::filesystem::path first;
+        std::set<std::filesystem::path> files;
+    };
+    std::map<std::string, Taken> packages_; ///< by name
+};
+
+/// How users say where a package is, for messages: by --packages NAME=FOLDER, or in Python.
+std::string way_to_name_package(const std::string& package);
 
 } // namespace chasles::robot

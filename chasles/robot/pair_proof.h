@@ -16,7 +16,7 @@ namespace chasles {
 enum class PairReason : std::uint8_t {
     never,     ///< they touch in no configuration
     always,    ///< they touch in every configuration
-    adjacent,  ///< a joint connects them; nothing is proven
+    adjacent,  ///< a link and the next one above it that has shapes; nothing is proven
     sometimes, ///< they touch in some configurations and in others not
     open,      ///< time was up, or a joint has no limits
 };

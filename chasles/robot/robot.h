@@ -117,10 +117,12 @@ public:
     void detach(std::string_view name);
     [[nodiscard]] std::span<const AttachedPart> attached() const;
 
-    /// Two links or parts are not tested against each other, or are again. At first these are not: a link and the next
-    /// one above it that has shapes, and pairs that the description disables. Links that no joint moves against each
-    /// other never are. Throws InvalidInput for an unknown name.
+    /// Two links or parts are not tested against each other, until `test` is called. At first these are not: a link and
+    /// the next one above it that has shapes, and pairs that the description disables. Links that no joint moves
+    /// against each other never are. Throws InvalidInput for an unknown name.
     void ignore(std::string_view first, std::string_view second);
+    /// Two links or parts are tested against each other, also if they were not at first. Throws InvalidInput for an
+    /// unknown name.
     void test(std::string_view first, std::string_view second);
     [[nodiscard]] bool is_tested(std::string_view first, std::string_view second) const;
     /// A link or part is not tested against this body of a scene. The names need not exist yet.

@@ -14,7 +14,7 @@ namespace {
 
 /// The stamp at a time of a segment, and the end of the segment at its end.
 double stamp_at(const JointPath::Segment& segment, double time) {
-    return time == 1 ? segment.end : segment.begin + time * (segment.end - segment.begin);
+    return time == 0 ? segment.begin : time == 1 ? segment.end : segment.begin + time * (segment.end - segment.begin);
 }
 
 /// A segment as a part of the whole path, which is not empty however short the segment is.
@@ -49,9 +49,12 @@ Bracket in_segment(const Bracket& local, const Bracket& part) {
 
 Bracket stamps_of(const JointPath::Segment& segment, const Bracket& time) {
     const double infinity = std::numeric_limits<double>::infinity();
-    const double lower = stamp_at(segment, time.lower), upper = stamp_at(segment, time.upper);
-    return {time.lower == 0 ? segment.begin : std::max(segment.begin, std::nextafter(lower, -infinity)),
-            time.upper == 1 ? segment.end : std::min(segment.end, std::nextafter(upper, infinity))};
+    const auto rounded = [&](double share, double direction) {
+        const bool is_exact = share == 0 || share == 1; // both ends are
+        const double stamp = stamp_at(segment, share);
+        return is_exact ? stamp : std::clamp(std::nextafter(stamp, direction), segment.begin, segment.end);
+    };
+    return {rounded(time.lower, -infinity), rounded(time.upper, infinity)};
 }
 
 void slow_down(std::span<Contact> contacts, const Bracket& part) {

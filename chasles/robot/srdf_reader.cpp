@@ -35,6 +35,7 @@ private:
     [[nodiscard]] Names names_of(const XmlElement& pair) const;
     [[nodiscard]] bool has_link(const XmlElement& element, const std::string& name);
     void warn(const XmlElement& element, const std::string& what, const std::string& name);
+    void refuse_urdf() const;
     void add_warnings();
     void add_disabled_pairs();
     void add_enabled_pairs();
@@ -246,7 +247,19 @@ void SrdfReader::add_states() {
     }
 }
 
+/// A URDF file has the same root, and would be read as one without any pair.
+void SrdfReader::refuse_urdf() const {
+    for (const XmlElement* link : XmlFile::children(file_.root(), "link"))
+        for (const char* const part : {"collision", "visual", "inertial"})
+            if (link->FirstChildElement(part))
+                file_.fail(*link, "is a link of a URDF file, and the SRDF file is needed");
+    for (const XmlElement* joint : XmlFile::children(file_.root(), "joint"))
+        if (joint->FirstChildElement("parent") && joint->FirstChildElement("child"))
+            file_.fail(*joint, "is a joint of a URDF file, and the SRDF file is needed");
+}
+
 void SrdfReader::read() {
+    refuse_urdf();
     for (const XmlElement* joint : XmlFile::children(file_.root(), "virtual_joint"))
         if (const auto name = file_.optional_text(*joint, "name"))
             virtual_joints_.insert(*name);

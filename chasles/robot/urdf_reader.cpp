@@ -21,7 +21,6 @@
 #include <utility>
 
 namespace chasles::robot {
-
 namespace {
 
 using Eigen::Vector3d;
@@ -63,6 +62,7 @@ private:
     std::map<MeshKey, Polyhedron> meshes_;                    ///< by file and scale
     std::map<RoundBody, EnclosingPolyhedron> round_bodies_;
     std::vector<std::string> warnings_;
+    MissingPackages missing_packages_;
 };
 
 Vector3d UrdfReader::vector(const XmlElement& element, const char* attribute) const {
@@ -109,11 +109,12 @@ LinkDescription UrdfReader::link(const XmlElement& element) {
 
 CollisionDescription UrdfReader::collision(const XmlElement& element) {
     const XmlElement& geometry = file_.required_child(element, "geometry");
-    const XmlElement* const shape = geometry.FirstChildElement();
-    if (!shape)
+    const std::vector<const XmlElement*> shapes = XmlFile::plain_children(geometry);
+    if (shapes.empty())
         file_.fail(geometry, "has no shape");
-    if (const XmlElement* const second = shape->NextSiblingElement())
-        file_.fail(*second, "<geometry> has another shape already; write a second <collision>");
+    if (shapes.size() > 1)
+        file_.fail(*shapes[1], "<geometry> has another shape already; write a second <collision>");
+    const XmlElement* const shape = shapes[0];
     const std::string_view kind = shape->Name();
     const Pose place = origin(element);
     try {
@@ -166,21 +167,22 @@ EnclosingPolyhedron UrdfReader::made_round_body(const RoundBody& given) const {
 EnclosingPolyhedron UrdfReader::round_body(const XmlElement& element) {
     const std::string kind = element.Name();
     const RoundBody body{kind, file_.number(element, "radius"), kind == "sphere" ? 0 : file_.number(element, "length")};
-    if (const auto known = round_bodies_.find(body); known != round_bodies_.end())
-        return known->second;
-    return round_bodies_.emplace(body, made_round_body(body)).first->second;
+    const auto known = round_bodies_.find(body);
+    return known != round_bodies_.end() ? known->second
+                                        : round_bodies_.emplace(body, made_round_body(body)).first->second;
 }
 
 /// A mirrored mesh has its faces the other way round.
 Polyhedron UrdfReader::mesh(const XmlElement& element) {
-    const std::filesystem::path path = resolved(file_.text(element, "filename"), file_.path(), files_);
+    const FoundFile found = found_file(file_.text(element, "filename"), file_.path(), files_);
+    missing_packages_.add(found, file_.place_of(element));
     const Vector3d scale = element.Attribute("scale") ? vector(element, "scale") : Vector3d(Vector3d::Ones());
-    const MeshKey key{path, {scale.x(), scale.y(), scale.z()}};
+    const MeshKey key{found.path, {scale.x(), scale.y(), scale.z()}};
     if (const auto known = meshes_.find(key); known != meshes_.end())
         return known->second;
     if (scale.prod() == 0)
         file_.fail(element, "scale: must not be zero");
-    io::PolygonSoup soup = io::load_polygons(path);
+    io::PolygonSoup soup = io::load_polygons(found.path);
     for (Vector3d& vertex : soup.vertices)
         vertex = vertex.cwiseProduct(scale);
     if (scale.prod() < 0)
@@ -216,8 +218,7 @@ JointDescription UrdfReader::joint(const XmlElement& element) {
     joint.origin = origin(element);
     if (const XmlElement* const axis = file_.child(element, "axis"))
         joint.axis = vector(*axis, "xyz");
-    const bool has_axis = joint.type != JointType::fixed && joint.type != JointType::floating;
-    if (has_axis && joint.axis.isZero(0))
+    if (joint.type != JointType::fixed && joint.type != JointType::floating && joint.axis.isZero(0))
         file_.fail(element, "axis: is zero");
     add_limits(element, joint);
     const XmlElement* const mimic = file_.child(element, "mimic");
@@ -331,6 +332,7 @@ RobotDescription UrdfReader::read() {
     for (JointDescription& joint : robot.joints)
         mend_mimic(joint, robot);
     check_one_root();
+    missing_packages_.add_warnings(warnings_);
     robot.warnings = std::move(warnings_);
     try {
         (void)Robot(robot);
@@ -341,7 +343,6 @@ RobotDescription UrdfReader::read() {
 }
 
 } // namespace
-
 RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& files) {
     return UrdfReader(file, files).read();
 }

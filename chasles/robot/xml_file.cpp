@@ -93,6 +93,14 @@ std::vector<const XmlFile::Element*> XmlFile::children(const Element& element, c
     return all;
 }
 
+std::vector<const XmlFile::Element*> XmlFile::plain_children(const Element& element) {
+    std::vector<const Element*> all;
+    for (const Element* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
+        if (std::string_view(child->Name()).find(':') == std::string_view::npos)
+            all.push_back(child);
+    return all;
+}
+
 const XmlFile::Element* XmlFile::child(const Element& element, const char* name) const {
     const Element* const first = element.FirstChildElement(name);
     for (const Element* other = first; other; other = other->NextSiblingElement(name))

@@ -39,6 +39,8 @@ public:
 
     /// The children of this name, in order.
     static std::vector<const Element*> children(const Element& element, const char* name);
+    /// All children whose names have no namespace, in order: programs add elements of their own (<drake:...>).
+    static std::vector<const Element*> plain_children(const Element& element);
     /// Null if there is none; fails if there are several that differ.
     [[nodiscard]] const Element* child(const Element& element, const char* name) const;
     [[nodiscard]] const Element& required_child(const Element& element, const char* name) const;

@@ -43,8 +43,10 @@ void for_each_reference(AnyAnswer& answer, const Visit& visit) {
 }
 
 /// "contact at time 0.25 (uncertain: ...), bolt on nut, overlapping, 1 contact: edge 0-3 on edge 2-6". `bodies` is
-/// empty or "bolt on nut".
+/// empty or "bolt on nut". Times are in [0, 1].
 std::string summary(const FirstContact& found, const std::string& bodies = "");
+/// The same with times that may be stamps: `why_uncertain` was asked before.
+std::string summary(const FirstContact& found, const std::string& bodies, const std::string& why_uncertain);
 
 /// "edge 0-3 on edge 2-6"
 std::string text_of(const Contact& contact);

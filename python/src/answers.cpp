@@ -10,6 +10,10 @@
 namespace chasles::python {
 
 std::string summary(const FirstContact& found, const std::string& bodies) {
+    return summary(found, bodies, view::why_uncertain(found));
+}
+
+std::string summary(const FirstContact& found, const std::string& bodies, const std::string& why_uncertain) {
     if (found.verdict == Verdict::unknown)
         return fmt::format("unknown: the limit was reached; proven clear until {}", found.clear_until);
     if (found.verdict == Verdict::clear)
@@ -17,7 +21,7 @@ std::string summary(const FirstContact& found, const std::string& bodies) {
     std::string text = found.verdict == Verdict::contact ? fmt::format("contact at time {:.12g}", found.time.lower)
                                                          : "contact at the start";
     if (!found.certain)
-        text += " (uncertain: " + view::why_uncertain(found) + ")";
+        text += " (uncertain: " + why_uncertain + ")";
     if (!bodies.empty())
         text += ", " + bodies;
     if (found.overlap && found.overlap->certain)

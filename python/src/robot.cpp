@@ -252,7 +252,7 @@ void bind_robot(nb::module_& module) {
         .def(
             "detach", [](Robot& r, const std::string& name) { r.detach(name); }, "name"_a, doc("Robot.detach"))
         .def("ignore", of_pair(&Robot::ignore), "first"_a, "second"_a, doc("Robot.ignore"))
-        .def("test", of_pair(&Robot::test), "first"_a, "second"_a, "Two links or parts are tested again.")
+        .def("test", of_pair(&Robot::test), "first"_a, "second"_a, doc("Robot.test"))
         .def(
             "is_tested", [](const Robot& r, const std::string& a, const std::string& b) { return r.is_tested(a, b); },
             "first"_a, "second"_a, "Whether two links or parts are tested against each other.")

@@ -17,6 +17,7 @@ namespace chasles::python {
 struct PythonRobotAnswer {
     RobotAnswer found;
     bool in_stamps = false;
+    bool is_in_last_segment = true;
 
     [[nodiscard]] Bracket time() const { return in_stamps ? found.time : found.contact.time; }
     [[nodiscard]] double clear_until() const {

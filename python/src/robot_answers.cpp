@@ -8,6 +8,7 @@
 #include "python/src/query_options.h"
 #include "python/src/scene.h"
 #include "view/names.h"
+#include "view/why_uncertain.h"
 
 #include <array>
 #include <fmt/format.h>
@@ -105,9 +106,10 @@ std::string text_of(const PythonRobotAnswer& answer) {
     FirstContact found = answer.found.contact;
     found.verdict = answer.found.verdict;
     found.certain = answer.found.certain;
+    const std::string why = view::why_uncertain(found, answer.is_in_last_segment);
     found.time = answer.time();
     return fmt::format("<chasles.RobotContact: segment {}, {}>", answer.found.segment,
-                       summary(found, answer.found.pair->first + " on " + answer.found.pair->second));
+                       summary(found, answer.found.pair->first + " on " + answer.found.pair->second, why));
 }
 
 void bind_contact(nb::module_& module) {
@@ -169,7 +171,9 @@ PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, 
 
 PythonRobotAnswer answer_on_path(const RobotChecker& checker, const PathArguments& arguments) {
     const JointPath path = path_from(checker.robot(), arguments);
-    return {asked([&] { return checker.first_contact(path); }), has_stamps(arguments)};
+    RobotAnswer found = asked([&] { return checker.first_contact(path); });
+    const bool is_last = found.segment + 1 == path.segments().size();
+    return {std::move(found), has_stamps(arguments), is_last};
 }
 
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads) {

@@ -71,6 +71,29 @@ TEST_F(RobotCommand, AnswersAsTheLibrary) {
     EXPECT_EQ(run("robot arm.urdf --path path.csv").status, 0);
 }
 
+TEST_F(RobotCommand, TheStampOfTheStartIsExact) {
+    write("start.csv", "t,shoulder\n0,0\n2,1\n");
+    write("around.json", R"({"bodies": [{"name": "cube", "mesh": "cube.obj", "pose": [-0.5, -0.5, -0.5]}]})");
+    const Json answer = json("robot arm.urdf --path start.csv --scene around.json");
+    EXPECT_EQ(answer["verdict"], "contact_at_start");
+    EXPECT_EQ(answer["time"], 0);
+    EXPECT_EQ(answer["time_upper"], 0);
+}
+
+/// Stamps are no shares of the motion: 10 is not its end.
+TEST_F(RobotCommand, SaysWhyAnAnswerIsUncertain) {
+    write("cart.urdf", R"(<robot name="cart"><link name="base"/>
+  <link name="cart"><collision><geometry><box size="1 1 1"/></geometry></collision></link>
+  <joint name="x" type="prismatic"><parent link="base"/><child link="cart"/><limit lower="-9" upper="9"/></joint></robot>)");
+    write("wall.json", R"({"bodies": [{"name": "wall", "mesh": "cube.obj", "pose": [0.5000000001, -0.5, -0.5]}]})");
+    for (const char* const rows : {"t,x\n10,0\n18,8\n", "x\n0\n8\n"}) {
+        write("cart.csv", rows);
+        const std::string text = run("robot cart.urdf --path cart.csv --scene wall.json").out;
+        EXPECT_NE(text.find("certain   no: the bodies may miss each other by a rounding error"), std::string::npos)
+            << text;
+    }
+}
+
 TEST_F(RobotCommand, CountsInStamps) {
     const Json answer = json("robot arm.urdf --path timed.csv --scene cell.json");
     const Robot robot = Robot::load(path_of("arm.urdf"));

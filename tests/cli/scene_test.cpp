@@ -241,5 +241,16 @@ TEST_F(SceneCommand, NamesDoNotSteerTheTerminal) {
     EXPECT_NE(line.find(R"(a\u001b[31m\nb)"), std::string::npos) << line;
 }
 
+/// The warnings of a robot that is a body are not lost.
+TEST_F(SceneCommand, NamesThePackageThatARobotLacks) {
+    write("table.urdf", R"(<robot name="table"><link name="top"><collision><geometry>
+  <mesh filename="package://table/cubes/cube.obj"/></geometry></collision></link></robot>)");
+    std::filesystem::create_directories(path("cubes"));
+    std::filesystem::copy_file(path("cube.obj"), path("cubes/cube.obj"));
+    write("table.json", R"({"bodies": [{"name": "table", "urdf": "table.urdf"}]})");
+    EXPECT_NE(run("scene table.json").err.find("there is no package 'table'"), std::string::npos);
+    EXPECT_NE(run("scene table.json --json").out.find("there is no package 'table'"), std::string::npos);
+}
+
 } // namespace
 } // namespace chasles

@@ -203,6 +203,11 @@ TEST_F(TrajectoryFiles, JointPathsOfEveryFormatAreTheSamePath) {
         {"goal.json", R"({"trajectory": {"joint_names": ["shoulder", "elbow"], "points": [
                           {"positions": [0, 0], "time_from_start": {"sec": 10, "nanosec": 0}},
                           {"positions": [1.5, 0.5], "time_from_start": {"sec": 14, "nanosec": 0}}]}})"},
+        {"one_part.yaml",
+         "joint_names: [shoulder, elbow]\npoints:\n- {positions: [0, 0], time_from_start: {secs: 10}}\n"
+         "- {positions: [1.5, 0.5], time_from_start: {sec: 14}}\n"},
+        {"lists.yaml", "joint_names: [shoulder, elbow]\npoints:\n- {positions: [0, 0], time_from_start: [10.0, 0.0]}\n"
+                       "- {positions: [1.5, 0.5], time_from_start: [14, 0]}\n"},
         {"lone_cr.yaml", "joint_names: [shoulder, elbow]\rpoints:\r- {positions: [0, 0], time_from_start: 10}\r"
                          "- {positions: [1.5, 0.5], time_from_start: 14}\r"},
         {"aliases.yaml",
@@ -244,7 +249,11 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
         {"joint_names: [shoulder, elbow]\npoints: 3\n", "points: must be a list"},
         {"joint_names: shoulder\npoints: []\n", "joint_names: must be a list"},
         {"joint_names: [shoulder, elbow]\npoints: [" + point + "]\n",
-         "points: a path needs at least two, and there are 1"},
+         "points: a path needs at least two, and there are 1; the state before it is missing: write it as the first "
+         "point"},
+        {"joint_names: [shoulder, elbow]\npoints: [{positions: [0, 0], time_from_start: [1, 5]}]\n",
+         "points: point 1: time_from_start: a list is read only as [SECONDS, 0]; write {sec: SECONDS, nanosec: "
+         "NANOSECONDS}, or the seconds"},
         {"joint_names: [shoulder, elbow]\npoints: [{positions: [0]}, {positions: [0, 1]}]\n",
          "points: point 1: positions: 1 found, and joint_names has 2"},
         {"joint_names: [shoulder, elbow]\npoints: [{positions: [0, .nan]}]\n",
@@ -252,8 +261,8 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
         {"joint_names: [shoulder, elbow]\npoints: [{}]\n", "points: point 1: positions: is missing"},
         {"joint_names: [shoulder, elbow]\npoints: [" + point + ", " + point + "," + point +
              ", {positions: [0, 1], "
-             "time_from_start: {sec: 1}}]\n",
-         "points: point 4: time_from_start: has no nanosec and no nsecs"},
+             "time_from_start: {seconds: 1}}]\n",
+         "points: point 4: time_from_start: has no sec, no secs, no nanosec and no nsecs"},
         {"joint_names: [shoulder, elbow]\npoints: [{positions: [0, 0], time_from_start: 1}, {positions: [0, 1], "
          "time_from_start: 1}]\n",
          "points: point 2: time_from_start: must increase, but is 1 after 1"},

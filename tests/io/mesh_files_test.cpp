@@ -61,6 +61,24 @@ TEST_F(MeshFiles, PutsLineBreaksInNamesOnOneLine) {
     EXPECT_EQ(text, "no such file.obj: no such file");
 }
 
+/// Newcomers give the file of a robot to the commands for meshes.
+TEST_F(MeshFiles, NameWhatReadsFilesOfRobots) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"a.urdf", "`chasles robot` or, in Python, `Robot.load` reads it"},
+        {"a.URDF", "`chasles robot`"},
+        {"a.xacro", "xacro FILE > robot.urdf"},
+        {"a.urdf.xacro", "xacro FILE > robot.urdf"},
+        {"a.srdf", "--srdf FILE"},
+        {"a.sdf", "files of SDF (SDFormat) are not read"},
+        {"a.yaml", "--path FILE"},
+        {"a.yml", "--path FILE"},
+    };
+    for (const auto& [name, way_out] : cases) {
+        EXPECT_TRUE(message(name, "<robot/>").starts_with(name + ": ")) << message(path(name));
+        EXPECT_NE(message(name, "<robot/>").find(way_out), std::string::npos) << message(path(name));
+    }
+}
+
 TEST_F(MeshFiles, NamesWhatIsReadForOtherFormats) {
     for (const char* const name : {"a.fbx", "a.3ds", "a.x"})
         EXPECT_EQ(message(name, "x"), std::string(name) + ": no reader for the extension '" + (name + 1) +

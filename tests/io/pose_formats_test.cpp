@@ -147,6 +147,24 @@ TEST(PoseFormats, ReadEuroc) {
     EXPECT_EQ(path.warnings.size(), 1U);
 }
 
+TEST(PoseFormats, StampsMayHaveAnyUnitOfTime) {
+    for (const char* const time : {"t[s]", "Time [ns]", "timestamp (s)", "time[ms]", "t [us]", "time [seconds]"}) {
+        const Path path = read_path(std::string(time) + ",x[m],y (m),z,qw [],qx,qy,qz\n1,1,2,3,1,0,0,0\n"
+                                                        "3,1,2,4,1,0,0,0\n");
+        EXPECT_EQ(path.stamps, (std::vector<double>{1, 3})) << time;
+        EXPECT_TRUE(path.warnings.empty()) << time;
+    }
+    EXPECT_EQ(pose_column("t(x)"), "") << "no unit of time";
+}
+
+TEST(PoseFormats, ListsOfMotionsMayHaveUnits) {
+    const MotionList motions = read_motions("x0 [m],y0 [m],z0 [m],qw0,qx0,qy0,qz0,x1[m],y1[m],z1[m],qw1[],qx1,qy1,qz1\n"
+                                            "1,2,3,1,0,0,0,4,5,6,1,0,0,0\n");
+    ASSERT_EQ(motions.rows.size(), 1U);
+    EXPECT_EQ(motions.rows[0].error, "");
+    EXPECT_EQ(motions.rows[0].goal.translation, Eigen::Vector3d(4, 5, 6));
+}
+
 /// Where two readings are possible, both are named; and every refusal of a header shows it.
 TEST(PoseFormats, AreRefusedWithTheirHeader) {
     const auto refused = [](const std::string& text, WithoutHeader without = WithoutHeader::refused) {

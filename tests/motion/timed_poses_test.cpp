@@ -45,6 +45,8 @@ TEST(TimedPoses, TellsStampsAndSegments) {
     EXPECT_GE(stamp.upper, 6.75);
     EXPECT_LE(stamp.upper, 6.75 + 1e-14);
     EXPECT_EQ(track.stamp_of({0, 1}).lower, -3);
+    EXPECT_EQ(track.stamp_of({0, 0}).upper, -3) << "the ends are exact";
+    EXPECT_EQ(track.stamp_of({1, 1}).lower, 10);
     EXPECT_EQ(track.stamp_of({0, 1}).upper, 10);
     EXPECT_EQ(track.segment_of(0), 0u);
     EXPECT_EQ(track.segment_of(track.time_of(1.5)), 0u);

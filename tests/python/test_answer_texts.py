@@ -56,6 +56,22 @@ def test_an_uncertain_answer_says_why(accelerations, cube):
         assert not found.certain and "(uncertain: the bodies may miss each other by a rounding error)" in repr(found)
 
 
+CART = """<robot name="cart"><link name="base"/>
+<link name="cart"><collision><geometry><box size="1 1 1"/></geometry></collision></link>
+<joint name="x" type="prismatic"><parent link="base"/><child link="cart"/><limit lower="-9" upper="9"/></joint></robot>"""
+
+
+def test_an_uncertain_answer_in_stamps_says_why(cube, tmp_path):
+    """Stamps are no shares of the motion: 10 is not its end."""
+    (tmp_path / "cart.urdf").write_text(CART)
+    robot = chasles.Robot.load(tmp_path / "cart.urdf")
+    scene = chasles.Scene()
+    scene.add("wall", cube, [0.5000000001, -0.5, -0.5, 1, 0, 0, 0])
+    for times in (None, [10, 18]):
+        found = robot.first_contact_on_path([[0], [8]], times, scene=scene)
+        assert not found.certain and "(uncertain: the bodies may miss each other by a rounding error)" in repr(found)
+
+
 SPIN = chasles.Motion.hinge([0.5, 0.5, 0], [0, 0, 1], [0, 3])
 SLIDE = chasles.Motion.slider([1, 0, 0], [0, 0.5])
 DIP = chasles.Motion.polynomial([[0.1, 0.2, 0.25], [0, 0, -1], [0, 0, 1]])  # lowest, without a speed, at time 0.5

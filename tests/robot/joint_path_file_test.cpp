@@ -88,6 +88,68 @@ TEST(JointPathFile, ReadsDegreesByTheEndingDeg) {
     EXPECT_NE(refused("base/x_deg\n180\n0\n", planar).find("is no angle"), std::string::npos);
 }
 
+/// A column that was left out would leave the joint where it is, and the answer would be about another motion.
+TEST(JointPathFile, ReadsUnitsInBrackets) {
+    for (const char* const header : {"waist[rad],slide[m]", "Waist [RAD] , SLIDE [ m ]", "waist[],slide",
+                                     "waist (rad);slide (m)", "waist[radians],slide[]"}) {
+        const ConfigurationRows rows =
+            read_configurations(std::string(header) + "\n0.5" +
+                                    (std::string(header).find(';') == std::string::npos ? ",2\n1,3\n" : ";2\n1;3\n"),
+                                arm());
+        EXPECT_EQ(rows.configurations[0], Eigen::Vector3d(0.5, 0, 2)) << header;
+        EXPECT_EQ(rows.configurations[1], Eigen::Vector3d(1, 0, 3)) << header;
+        EXPECT_TRUE(rows.warnings.empty()) << header;
+    }
+    for (const char* const header : {"waist[deg]", "WAIST [Degrees]", "waist(deg)", "waist_deg[deg]", "waist_deg[]"})
+        EXPECT_EQ(read_configurations(std::string(header) + "\n180\n90\n", arm()).configurations[0][0],
+                  std::numbers::pi)
+            << header;
+    const Robot named = chain_of({{"waist[deg]", JointType::revolute}});
+    EXPECT_EQ(read_configurations("waist[deg]\n1\n2\n", named).configurations[0][0], 1) << "its name, not its unit";
+    const ConfigurationRows comment = read_configurations("# slide[m]\n7\n8\n", arm());
+    EXPECT_EQ(comment.configurations[1], Eigen::Vector3d(0, 0, 8));
+}
+
+TEST(JointPathFile, ReadsStampsWithAUnit) {
+    for (const char* const time : {"t[s]", "Time [s]", "timestamp [ns]", "time(ms)", "t[]"}) {
+        const ConfigurationRows rows = read_configurations(std::string(time) + ",waist\n1,0\n3,1\n", arm());
+        EXPECT_EQ(rows.stamps, (std::vector<double>{1, 3})) << time;
+        EXPECT_TRUE(rows.warnings.empty()) << time;
+    }
+}
+
+TEST(JointPathFile, RefusesUnitsThatItDoesNotRead) {
+    const std::string is_not_read = " has a unit that is not read; the variable ";
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"slide[mm]", "'slide[mm]'" + is_not_read + "'slide' may have [m], or no unit: convert the numbers"},
+        {"slide[rad]", "'slide[rad]'" + is_not_read + "'slide' may have [m], or no unit: convert the numbers"},
+        {"Waist [m]", "'Waist [m]'" + is_not_read + "'waist' may have [rad] or [deg], or no unit: convert the numbers"},
+        {"waist_deg[rad]",
+         "'waist_deg[rad]'" + is_not_read + "'waist' may have [rad] or [deg], or no unit: convert the numbers"},
+        {"slide (deg)", "'slide (deg)' has degrees, but the variable 'slide' is no angle"},
+    };
+    for (const auto& [header, message] : cases)
+        EXPECT_EQ(refused(header + ",elbow\n0,0\n1,1\n", arm()), "line 1: the column " + message);
+    EXPECT_EQ(refused("waist,waist[deg]\n0,0\n1,1\n", arm()),
+              "line 1: the header 'waist, waist[deg]' has two columns for one variable: 'waist' and 'waist[deg]'");
+}
+
+/// Other ways to write a unit are not read, and never left out either.
+TEST(JointPathFile, LeavesNoColumnOfAJointOut) {
+    for (const char* const name : {"slide_m", "slide_mm", "Slide.pos", "slide/position", "SLIDE_value"})
+        EXPECT_EQ(refused("waist," + std::string(name) + "\n0,0\n1,1\n", arm()),
+                  "line 1: the column '" + std::string(name) +
+                      "' is no variable of the robot; it may be a misspelt 'slide', which has no column, or one to "
+                      "leave out of the file");
+    EXPECT_NE(refused("waist_rad,slide\n0,0\n1,1\n", arm()).find("misspelt 'waist'"), std::string::npos);
+    EXPECT_EQ(read_configurations("waist,waist_rad\n0,0\n1,1\n", arm()).warnings.size(), 1U) << "it has a column";
+    EXPECT_EQ(read_configurations("waist,slide_effort\n0,0\n1,1\n", arm()).warnings.size(), 1U) << "no position";
+    const std::vector<std::string> names = {"waist", "slide[m]"};
+    const Robot robot = arm();
+    EXPECT_NE(message_of([&] { (void)JointColumns(names, robot, JointUnits::radians); }).find("misspelt 'slide'"),
+              std::string::npos);
+}
+
 TEST(JointPathFile, NamesWhatItDoesNotRead) {
     const ConfigurationRows rows = read_configurations("effort,waist,mount,\nnone,0,x\n?,1,y\n", arm());
     EXPECT_EQ(rows.configurations[1], Eigen::Vector3d(1, 0, 0));

@@ -44,10 +44,29 @@ TEST_F(PackagePaths, TryTheNameAsItIsFirst) {
 TEST_F(PackagePaths, SayWhereTheyLooked) {
     const std::string far = "package://leg/a/quite/long/name/of/a/folder/with/meshes/of/the/robot/part.obj";
     EXPECT_EQ(fault(far).find("there is no file '" + far + "'; tried "), 0U);
-    EXPECT_NE(fault(far).find("; say where the package is, by the map of packages"), std::string::npos);
+    const std::string way_out =
+        "; say where the package is by --packages leg=FOLDER (in Python: packages={'leg': FOLDER})";
+    EXPECT_TRUE(fault(far).ends_with(way_out)) << fault(far);
+    const RobotFiles others = {.packages = {{"arm", path("arm")}}};
+    const std::string with_others = message_of([&] { (void)robot::resolved(far, path("robot.urdf"), others); });
+    EXPECT_TRUE(with_others.ends_with(way_out)) << with_others;
+    const RobotFiles wrong = {.packages = {{"leg", path("arm")}}};
+    const std::string with_wrong = message_of([&] { (void)robot::resolved(far, path("robot.urdf"), wrong); });
+    EXPECT_TRUE(with_wrong.ends_with(way_out)) << with_wrong;
     EXPECT_EQ(fault("part%.obj"), "there is no file 'part%.obj'; tried part%.obj");
     EXPECT_EQ(fault("package://arm"), "'package://arm' names no file in a package");
     EXPECT_EQ(fault("http://host/part.obj"), "'http://host/part.obj' is no package://, no file:// and no path");
+}
+
+/// The file may be one of another package.
+TEST_F(PackagePaths, SayWhichPackageIsMissing) {
+    const auto missing = [&](const std::string& uri, const RobotFiles& files = {}) {
+        return robot::found_file(uri, path("robot.urdf"), files).missing_package;
+    };
+    EXPECT_EQ(missing("package://arm/new meshes/part.obj"), "");
+    EXPECT_EQ(missing("arm/new meshes/part.obj"), "");
+    EXPECT_EQ(missing("package://leg/arm/new%20meshes/part.obj"), "leg");
+    EXPECT_EQ(missing("package://leg/new%20meshes/part.obj", {.packages = {{"leg", path("arm")}}}), "");
 }
 
 } // namespace

@@ -126,6 +126,15 @@ TEST_F(UrdfFile, ReadsMeshesWithScales) {
     EXPECT_LT((corner(1) - corner(0)).cross(corner(2) - corner(0)).z(), 0) << "outwards is down";
 }
 
+/// Programs add elements of their own.
+TEST_F(UrdfFile, IgnoresElementsOfNamespacesInGeometry) {
+    const std::string mesh = "<mesh filename=\"cube.obj\"/>", extra = "<drake:declare_convex/>";
+    EXPECT_EQ(shape_of(mesh + extra).face_count(), 6U);
+    EXPECT_EQ(shape_of(extra + mesh).face_count(), 6U);
+    EXPECT_NE(refused("<box size=\"1 2 3\"/>", extra).find("<geometry>: has no shape"), std::string::npos);
+    EXPECT_NE(refused("<box size=\"1 2 3\"/>", mesh + mesh).find("has another shape already"), std::string::npos);
+}
+
 TEST_F(UrdfFile, FindsPackages) {
     std::filesystem::create_directories(path("vendor/arm/meshes"));
     std::filesystem::copy_file(path("cube.obj"), path("vendor/arm/meshes/part.obj"));

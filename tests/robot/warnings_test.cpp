@@ -49,6 +49,15 @@ TEST_F(RobotWarnings, NameWhatTheRobotHasNot) {
         Texts({by + "group_state home>: there is no group 'none'", by + "joint knee>: there is no joint 'knee'"}));
 }
 
+/// Its root has the same name, and it has no pair.
+TEST_F(RobotWarnings, AURDFFileIsNoSRDFFile) {
+    EXPECT_EQ(without_folder(refusal([&] { (void)of_srdf("<link name=\"a\"><visual/></link>"); })),
+              "robot.srdf:2: <link a>: is a link of a URDF file, and the SRDF file is needed");
+    const std::string joint = R"(<joint name="j"><parent link="a"/><child link="b"/></joint>)";
+    EXPECT_EQ(without_folder(refusal([&] { (void)of_srdf("<link name=\"a\"/>" + joint); })),
+              "robot.srdf:2: <joint j>: is a joint of a URDF file, and the SRDF file is needed");
+}
+
 TEST_F(RobotWarnings, LimitsInTheWrongOrderAreNone) {
     const RobotDescription robot = read("lower=\"-1\"", "lower=\"3\"");
     EXPECT_EQ(robot.joints[0].lower, -std::numeric_limits<double>::infinity());
@@ -65,6 +74,23 @@ TEST_F(RobotWarnings, AJointThatFollowsNoneIsNamed) {
     ASSERT_EQ(robot.warnings.size(), 1U);
     EXPECT_EQ(without_folder(robot.warnings[0]),
               "robot.urdf:7: <joint turn>: mimic: there is no joint 'knee': the joint follows none");
+}
+
+TEST_F(RobotWarnings, AFileOfAMissingPackageIsNamed) {
+    std::filesystem::create_directories(path("meshes"));
+    std::filesystem::copy_file(path("cube.obj"), path("meshes/a.obj"));
+    std::filesystem::copy_file(path("cube.obj"), path("meshes/b.obj"));
+    const std::string collision = "</geometry></collision><collision><geometry>";
+    const std::string a = R"(<mesh filename="package://other/meshes/a.obj"/>)",
+                      b = R"(<mesh filename="package://other/meshes/b.obj"/>)";
+    const RobotDescription robot = read("<box size=\"1 2 3\"/>", a + collision + a + collision + b);
+    ASSERT_EQ(robot.warnings.size(), 1U);
+    EXPECT_EQ(
+        without_folder(robot.warnings[0]),
+        "robot.urdf:5: <mesh>: there is no package 'other': took the file meshes/a.obj, and 1 more; say where the "
+        "package is by --packages other=FOLDER (in Python: packages={'other': FOLDER})");
+    const RobotFiles files = {.packages = {{"other", path("")}}};
+    EXPECT_EQ(read("<box size=\"1 2 3\"/>", a, files).warnings, Texts());
 }
 
 TEST_F(RobotWarnings, ConfigurationsBeyondLimitsAndInDegrees) {
