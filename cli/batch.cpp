@@ -136,10 +136,10 @@ public:
 
     /// All rows, or those before an interruption.
     Tally run() {
-        const Limit limit(seconds_, [] { return !Interruption::is_requested(); });
         ProgressBar bar("motions", rows_.size());
         ChunkSize size;
         Tally tally = keep_rows();
+        const Limit limit(seconds_, [] { return !Interruption::is_requested(); });
         out_.write(tally.rows() == 0 ? batch_header() : "");
         out_.keep_rows();
         while (tally.rows() < rows_.size() && !limit.is_over()) {
@@ -214,8 +214,9 @@ int run_batch(const BatchOptions& options) {
     BatchRun batch(options, rows);
     const Tally tally = batch.run();
     if (tally.rows() < rows.size())
-        return report_unfinished(fmt::format("{} of {} are answered, in {}; --resume goes on from there", tally.rows(),
-                                             counted(rows.size(), "motion"), io::one_line(batch.rows_name())));
+        return report_unfinished(fmt::format("{} of {} are answered, in {}{}", tally.rows(),
+                                             counted(rows.size(), "motion"), io::one_line(batch.rows_name()),
+                                             batch.rows_name() == options.out ? "" : "; --resume goes on from there"));
     if (!is_standard_output(options.out))
         print(fmt::format("{}: {} clear, {} in contact, {} in contact at the start, {}\n",
                           counted(tally.rows(), "motion"), tally.of(Verdict::clear), tally.of(Verdict::contact),
