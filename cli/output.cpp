@@ -62,9 +62,14 @@ bool is_replaceable(const std::string& name) {
     return !is_standard_output(name) && (!fs::exists(status) || fs::is_regular_file(status));
 }
 
-/// A descriptor for writing, or -1. The file is created if it is missing, and never emptied.
+/// A descriptor for writing, or -1. The file is created if it is missing, and never emptied. A link is not followed.
 int open_for_writing(const fs::path& file) {
-    return open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC, 0666);
+    return open(file.c_str(), O_WRONLY | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
+}
+
+void require_unread(const fs::path& file) {
+    if (io::ReadLog::has(file))
+        throw InvalidInput(io::shown_name(file) + ": is an input of this command; give the output another name");
 }
 
 } // namespace
@@ -90,8 +95,7 @@ void print(const std::string& text) {
 
 OutputFile::OutputFile(const std::string& name, Leftover leftover)
     : name_(name), target_(target_of(name)), leftover_(leftover) {
-    if (io::ReadLog::has(name))
-        throw InvalidInput(io::one_line(name) + ": is an input of this command; give the output another name");
+    require_unread(name);
     if (!is_replaceable(name)) {
         // through a descriptor of its own to where standard output goes, at the same position
         file_.reset(is_standard_output(name) ? fdopen(dup(STDOUT_FILENO), "w") : std::fopen(name.c_str(), "a"));
@@ -101,6 +105,7 @@ OutputFile::OutputFile(const std::string& name, Leftover leftover)
     }
     part_ = target_;
     part_ += ".part";
+    require_unread(part_);
     check_part();
     if (!targets().insert(fs::weakly_canonical(target_)).second)
         throw InvalidInput(io::one_line(name) + ": is named by two options; give each output a name of its own");

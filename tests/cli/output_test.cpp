@@ -78,6 +78,21 @@ TEST_F(Output, NeverReplacesAnInput) {
         }
 }
 
+TEST_F(Output, NeverReplacesAnInputThatIsNamedLikeAPart) {
+    for (const auto& [command, inputs] : writers)
+        for (const std::string& input : inputs) {
+            std::filesystem::create_symlink(path(input), path("out.part"));
+            EXPECT_EQ(error_line(command + "out"),
+                      "chasles: out.part: is an input of this command; give the output another name")
+                << command;
+            std::filesystem::remove(path("out.part"));
+        }
+    const std::string mesh = content("in_robot.obj");
+    std::filesystem::create_symlink(path("in_robot.obj"), path("out.part"));
+    EXPECT_EQ(run("scene scene.json --page out").status, 2) << "no link is followed";
+    EXPECT_EQ(content("in_robot.obj"), mesh);
+}
+
 TEST_F(Output, EachHasANameOfItsOwn) {
     write("rows.csv", "precious");
     std::filesystem::create_symlink(path("rows.csv"), path("link"));
