@@ -132,8 +132,9 @@ TEST_F(FileFormats, InfoTellsTheUnit) {
     for (const tests::PostFile& file : tests::post_files()) {
         const Json found = json("info " + file.name);
         const std::string text = run("info " + file.name).out;
-        if (file.name.ends_with(".dae") || file.name.ends_with(".glb") || file.name.ends_with(".gltf"))
+        if (file.name.ends_with(".dae") || file.name.ends_with(".glb") || file.name.ends_with(".gltf")) {
             EXPECT_EQ(found["unit"], "meter") << file.name;
+        }
         EXPECT_EQ(found.contains("unit"), text.find("  unit      ") != std::string::npos) << file.name;
         EXPECT_EQ(found.contains("unit"), !file.name.ends_with("obj") && !file.name.ends_with("off") &&
                                               !file.name.ends_with("ply") && !file.name.ends_with("stl"))

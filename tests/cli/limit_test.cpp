@@ -16,7 +16,7 @@ using Json = nlohmann::json;
 class Seconds : public tests::CommandLine {
 protected:
     Seconds() {
-        constexpr std::uint32_t n = 40;
+        constexpr std::uint32_t n = 100;
         std::string mesh;
         for (std::uint32_t i = 0; i <= n; ++i)
             for (std::uint32_t j = 0; j <= n; ++j)
@@ -32,7 +32,7 @@ protected:
     /// Expects exit status 3 in time.
     [[nodiscard]] tests::Finished stopped(const std::string& arguments) const {
         const auto start = std::chrono::steady_clock::now();
-        tests::Finished finished = run(arguments + " --seconds 0.3");
+        tests::Finished finished = run(arguments + " --seconds 0.1");
         EXPECT_EQ(finished.status, 3) << arguments << finished.out << finished.err;
         EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count(), 3) << arguments;
         return finished;

@@ -115,15 +115,15 @@ TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
 }
 
 TEST_F(SceneCommand, WhatTouchesATableExactlyIsAContactAtTheStart) {
-    const std::string bodies = R"("margin": 0.1, "hold": 0.02, "bodies": [{"name": "table", "mesh": "cube.obj"},
+    const std::string rest = R"("margin": 0.1, "hold": 0.02, "bodies": [{"name": "table", "mesh": "cube.obj"},
         {"name": "box", "mesh": "cube.obj", "pose": [0, 0, 1], "goal": [0.5, 0, 1]}]})";
-    write("scene.json", "{" + bodies);
+    write("scene.json", "{" + rest);
     EXPECT_EQ(json("")["verdict"], "contact_at_start");
     EXPECT_NE(run("scene scene.json")
                   .out.find("  hold      needs a gap above 0 at the start; move the bodies apart by a "
                             "little more than 0.02\n"),
               std::string::npos);
-    write("scene.json", R"({"ignore_touching_at_start": true, )" + bodies);
+    write("scene.json", R"({"ignore_touching_at_start": true, )" + rest);
     EXPECT_EQ(json("")["verdict"], "clear") << "the other way out leaves out the pair";
 }
 
