@@ -22,7 +22,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
         ["query/first_contact.h", "search/find.h", "algebra/bracket.h", "contact/contact.h", "contact/constraint_rows.h",
          "query/pair_memory.h"],
     ),
-    "paths-and-batches": ("Paths and batches", ["query/path.h", "query/batch.h"]),
+    "paths-and-batches": ("Paths, batches and limits", ["query/path.h", "query/batch.h", "base/limit.h"]),
     "least-distance": ("The least distance", ["query/least_distance.h"]),
     "scenes": ("Scenes", ["scene/scene.h", "scene/untested_pairs.h", "scene/stepper.h"]),
     "dragged-bodies": (

@@ -23,9 +23,9 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
          "Overlap", "Work", "PairMemory", "constraint_rows"],
     ),
     "batches": (
-        "Batches and tables",
+        "Batches, tables and limits",
         ["first_contact_batch", "least_distance_batch", "path_is_clear_batch", "BatchInterrupted", "empty_table",
-         "motion_dtype", "path_dtype", "least_dtype"],
+         "motion_dtype", "path_dtype", "least_dtype", "Limit", "Cancelled"],
     ),
     "least-distance": ("The least distance", ["least_distance", "LeastDistance"]),
     "scenes": ("Scenes", ["Scene", "SceneContact", "UntestedPairs", "Stepper", "StepEvent", "CollisionManager"]),

@@ -78,6 +78,17 @@ void require_places(std::span<const std::string> names, const NamedColumns& colu
                            " in any order, and may have " + list_of(wanted.subspan(optional_from)));
 }
 
+/// A unit in brackets belongs to the name before it, also after a blank.
+void join_units(std::vector<std::string>& names) {
+    for (std::size_t i = 1; i < names.size();)
+        if (names[i].starts_with('[') || names[i].starts_with('(')) {
+            names[i - 1] += " " + names[i];
+            names.erase(names.begin() + std::ptrdiff_t(i));
+        } else {
+            ++i;
+        }
+}
+
 } // namespace
 
 ColumnTable::ColumnTable(std::string_view text, std::function<bool(std::string_view)> is_name,
@@ -102,6 +113,7 @@ void ColumnTable::read_first_line(const std::vector<Comment>& comments) {
         fail_at_line(line_, "the header " + in_quotes(line) + " " + error.what());
     }
     std::vector<std::string> cells = split_cells(line, separator_);
+    join_units(cells);
     drop_empty_cells_at_end(cells, 1);
     columns_ = cells.size();
     is_at_row_ = std::ranges::all_of(cells, [](const std::string& cell) { return parse_number(cell).has_value(); }) &&

@@ -51,8 +51,8 @@ struct [[nodiscard]] FirstContact {
     /// Only with contact_at_start, when surfaces pass through each other. One that is not certain is named only where
     /// no features touch.
     std::optional<Overlap> overlap;
-    Pose pose;                      ///< of the moving body in the world at time.lower; at time 1 if clear
-    Pose fixed_pose;                ///< likewise of the fixed body
+    Pose pose;       ///< of the moving body in the world at time.lower; at time 1 if clear
+    Pose fixed_pose; ///< likewise of the fixed body
     Work work;
 
     /// The same answer after the bodies have swapped their roles.

@@ -106,13 +106,14 @@ PairSearch::LineContact PairSearch::first_contact_on(const std::vector<double>& 
     return contact;
 }
 
-bool PairSearch::overlap(const Configuration& values) const {
-    bool overlaps = false;
+/// Up to rounding.
+bool PairSearch::meet(const Configuration& values) const {
+    bool they_meet = false;
     for_each_answer({0, 1, values.transpose()}, {}, [&](const FirstContact& found) {
-        overlaps = found.verdict == Verdict::contact_at_start && found.overlap;
-        return !overlaps;
+        they_meet = found.verdict == Verdict::contact_at_start;
+        return !they_meet;
     });
-    return overlaps;
+    return they_meet;
 }
 
 /// Whether the links are proven apart.
@@ -149,7 +150,7 @@ void PairSearch::find_witness(const std::vector<double>& values, const LineConta
     if (contact.is_certain)
         proof.witness = at(*contact.when);
     for (const double deeper : {1e-9, 1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 1e-2})
-        if (overlap(at(*contact.when + deeper))) {
+        if (meet(at(*contact.when + deeper))) {
             proof.witness = at(*contact.when + deeper);
             break;
         }

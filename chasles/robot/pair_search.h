@@ -53,7 +53,7 @@ private:
     void for_each_answer(const JointPath::Segment& segment, const QueryOptions& options, const Use& use) const;
     [[nodiscard]] bool come_near(const std::vector<double>& values, double margin) const;
     [[nodiscard]] LineContact first_contact_on(const std::vector<double>& values) const;
-    [[nodiscard]] bool overlap(const Configuration& values) const;
+    [[nodiscard]] bool meet(const Configuration& values) const;
     [[nodiscard]] bool are_clear(const Configuration& values) const;
     void note(const std::vector<double>& values, PairProof& proof);
     void find_witness(const std::vector<double>& values, const LineContact& contact, PairProof& proof);
