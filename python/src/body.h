@@ -28,6 +28,8 @@ struct BodyPair {
 /// "moving: must be a chasles.Polyhedron", with the way to one from a mesh of another package.
 inline std::string no_polyhedron(nanobind::handle argument, const char* name) {
     const std::string text = std::string(name) + ": must be a chasles.Polyhedron";
+    if (nanobind::isinstance<Body>(argument)) // its attributes come here, too
+        return text + "; nothing was put into this one";
     const std::string type = nanobind::inst_name(argument).c_str();
     if (nanobind::hasattr(argument, "vertices") && nanobind::hasattr(argument, "faces"))
         return text + ", not a " + type + "; chasles.from_trimesh makes one of a trimesh.Trimesh";
