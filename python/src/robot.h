@@ -6,6 +6,7 @@
 #include "python/src/arrays.h"
 #include "python/src/bind.h"
 #include "python/src/interruptible.h"
+#include "python/src/signals.h"
 
 #include <optional>
 #include <string>
@@ -66,12 +67,20 @@ inline bool has_stamps(const PathArguments& arguments) {
     return !arguments.times.is_none() || nb::isinstance<JointPath>(arguments.configurations);
 }
 
-/// On another thread, so that Ctrl-C is seen; a question itself is short.
+/// For many questions or long ones: on another thread, while this one waits for Ctrl-C.
 template <class Ask>
 auto asked(const Ask& ask) {
     std::optional<decltype(ask())> answer;
     run_interruptibly([&](Progress&) { answer.emplace(ask()); }, nb::none());
     return std::move(*answer);
+}
+
+/// For questions of microseconds: on this thread.
+template <class Ask>
+auto asked_here(const Ask& ask) {
+    const nb::gil_scoped_release release;
+    const EndsBySignals ends_by_signals;
+    return ask();
 }
 
 /// The two names, or None.

@@ -166,7 +166,7 @@ void bind_contact(nb::module_& module) {
 
 PythonRobotAnswer answer_on_edge(const RobotChecker& checker, nb::handle start, nb::handle goal) {
     const Configuration from = configuration_from(start, "start"), to = configuration_from(goal, "goal");
-    return {checker.first_contact(from, to)};
+    return {asked_here([&] { return checker.first_contact(from, to); })};
 }
 
 PythonRobotAnswer answer_on_path(const RobotChecker& checker, const PathArguments& arguments) {
@@ -230,8 +230,8 @@ void bind_robot_answers(nb::module_& module) {
             "is_clear",
             [](const RobotChecker& checker, nb::handle start, nb::handle goal) {
                 const Configuration from = configuration_from(start, "start");
-                return goal.is_none() ? checker.is_clear(from)
-                                      : checker.is_clear(from, configuration_from(goal, "goal"));
+                const Configuration to = goal.is_none() ? from : configuration_from(goal, "goal");
+                return asked_here([&] { return checker.is_clear(from, to); });
             },
             "start"_a.none(), "goal"_a = nb::none(),
             nb::sig("def is_clear(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike | None = None) -> "

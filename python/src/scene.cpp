@@ -192,7 +192,8 @@ nb::list all_contacts(const PythonScene& scene, double margin, std::optional<dou
 
 /// The pairs are remembered as ignored ones.
 std::vector<Names> ignore_touching_at_start(PythonScene& scene, double margin) {
-    std::vector<Names> pairs = scene.scene.ignore_touching_at_start(margin);
+    std::vector<Names> pairs;
+    run_interruptibly([&](Progress&) { pairs = scene.scene.ignore_touching_at_start(margin); }, nb::none());
     for (const auto& [a, b] : pairs)
         scene.rules[{"ignore", a, b}] = 0;
     return pairs;
