@@ -79,14 +79,14 @@ void require_places(std::span<const std::string> names, const NamedColumns& colu
 }
 
 /// A unit in brackets belongs to the name before it, also after a blank.
-void join_units(std::vector<std::string>& names) {
-    for (std::size_t i = 1; i < names.size();)
-        if (names[i].starts_with('[') || names[i].starts_with('(')) {
-            names[i - 1] += " " + names[i];
-            names.erase(names.begin() + std::ptrdiff_t(i));
-        } else {
-            ++i;
-        }
+std::vector<std::string> with_their_units(std::vector<std::string> cells) {
+    std::vector<std::string> names;
+    for (std::string& cell : cells)
+        if (!names.empty() && (cell.starts_with('[') || cell.starts_with('(')))
+            names.back() += " " + cell;
+        else
+            names.push_back(std::move(cell));
+    return names;
 }
 
 } // namespace
@@ -112,8 +112,7 @@ void ColumnTable::read_first_line(const std::vector<Comment>& comments) {
     } catch (const InvalidInput& error) {
         fail_at_line(line_, "the header " + in_quotes(line) + " " + error.what());
     }
-    std::vector<std::string> cells = split_cells(line, separator_);
-    join_units(cells);
+    std::vector<std::string> cells = with_their_units(split_cells(line, separator_));
     drop_empty_cells_at_end(cells, 1);
     columns_ = cells.size();
     is_at_row_ = std::ranges::all_of(cells, [](const std::string& cell) { return parse_number(cell).has_value(); }) &&

@@ -66,14 +66,16 @@ std::string_view without_degrees(std::string_view name) {
     return has_ending ? name.substr(0, name.size() - degrees_ending.size()) : std::string_view();
 }
 
-/// Whether a name is that of the variable and an ending which says that its value is meant: "spin_rad", "Spin.pos".
+/// Whether a name is that of the variable and an ending which says that its value is meant: "spin_rad", "Spin.pos",
+/// "spin[a][b]".
 bool is_with_ending(const std::string& name, const std::string& variable) {
     if (!name.starts_with(variable) || name.size() == variable.size())
         return false;
-    constexpr std::string_view marks = " _.-/:[]()";
     const std::string_view rest = std::string_view(name).substr(variable.size());
-    const std::size_t begin = std::min(rest.find_first_not_of(marks), rest.size());
-    const std::string_view ending = rest.substr(begin, rest.find_last_not_of(marks) + 1 - begin);
+    const std::size_t begin = std::min(rest.find_first_not_of(" _.-/:"), rest.size());
+    const std::string_view ending = rest.substr(begin);
+    if (ending.starts_with('[') || ending.starts_with('('))
+        return true;
     return begin > 0 && (is_among(names_of_degrees, ending) || is_among(names_of_radians, ending) ||
                          is_among(other_endings, ending));
 }
@@ -113,8 +115,7 @@ JointColumns::JointColumns(std::span<const std::string> names, const Robot& robo
 }
 
 /// The column of a name with a unit in brackets, where `column` is that of the name without it.
-JointColumns::Column JointColumns::with_unit(const Column& column, const std::string& name,
-                                             const std::string& unit) const {
+JointColumns::Column JointColumns::with_unit(const Column& column, std::string_view name, std::string_view unit) const {
     const std::string& variable = robot_.variables()[*column.variable].name;
     const bool turns = is_angle(robot_, variable);
     if (is_among(names_of_degrees, unit) && !turns)
@@ -133,11 +134,18 @@ JointColumns::Column JointColumns::with_unit(const Column& column, const std::st
                        ", or no unit: convert the numbers");
 }
 
-JointColumns::Column JointColumns::column_of(const std::string& name, JointUnits units) const {
+JointColumns::Column JointColumns::column_of(std::string_view name, JointUnits units) const {
+    const Column column = column_without_unit(name, units);
+    const auto [base, unit] = io::split_unit(name);
+    if (column.variable || !unit || base.empty() || units == JointUnits::radians)
+        return column;
+    const Column without = column_without_unit(base, units);
+    return without.variable ? with_unit(without, name, *unit) : column;
+}
+
+/// The column of a name that may end in "_deg".
+JointColumns::Column JointColumns::column_without_unit(std::string_view name, JointUnits units) const {
     const std::optional<std::size_t> plain = variable_named(robot_, name);
-    if (const auto [base, unit] = io::split_unit(name); unit && !base.empty() && !plain && units == JointUnits::by_name)
-        if (const Column column = column_of(std::string(base), units); column.variable)
-            return with_unit(column, name, *unit);
     const std::string_view before = without_degrees(name);
     if (units == JointUnits::radians || before.empty())
         return {plain};

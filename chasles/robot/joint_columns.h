@@ -45,8 +45,9 @@ private:
         bool is_in_degrees = false;
     };
 
-    [[nodiscard]] Column column_of(const std::string& name, JointUnits units) const;
-    [[nodiscard]] Column with_unit(const Column& column, const std::string& name, const std::string& unit) const;
+    [[nodiscard]] Column column_of(std::string_view name, JointUnits units) const;
+    [[nodiscard]] Column column_without_unit(std::string_view name, JointUnits units) const;
+    [[nodiscard]] Column with_unit(const Column& column, std::string_view name, std::string_view unit) const;
     void require_one_each(std::span<const std::string> names) const;
     void require_no_misspelt_name() const;
 

@@ -110,6 +110,17 @@ TEST(JointPathFile, ReadsUnitsInBrackets) {
     EXPECT_EQ(comment.configurations[1], Eigen::Vector3d(0, 0, 8));
 }
 
+/// Each pair of brackets is no unit of its own, which took gigabytes for some kilobytes.
+TEST(JointPathFile, ManyBracketsTakeNoTime) {
+    for (const char* const brackets : {"[]", " [", "()", " [a] "}) {
+        std::string header = "slide";
+        for (int i = 0; i < 100'000; ++i)
+            header += brackets;
+        EXPECT_THROW(static_cast<void>(read_configurations(header + ",waist\n1,2\n3,4\n", arm())), InvalidInput);
+        EXPECT_THROW(static_cast<void>(read_configurations(header + " waist\n1 2\n3 4\n", arm())), InvalidInput);
+    }
+}
+
 TEST(JointPathFile, ReadsStampsWithAUnit) {
     for (const char* const time : {"t[s]", "Time [s]", "timestamp [ns]", "time(ms)", "t[]"}) {
         const ConfigurationRows rows = read_configurations(std::string(time) + ",waist\n1,0\n3,1\n", arm());
