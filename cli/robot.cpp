@@ -174,7 +174,8 @@ int run_robot(const RobotCommand& options) {
     const JointPath path = path_of(question);
     const Limit limit(seconds_of(options.query.seconds));
     RobotAnswer found = checker.first_contact(path);
-    if (page) {
+    const bool shows_page = page && found.verdict != Verdict::unknown;
+    if (shows_page) {
         view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found);
         record.margin = question.options.margin;
         record.title = std::filesystem::path(options.robot.urdf).filename().string();
@@ -184,7 +185,7 @@ int run_robot(const RobotCommand& options) {
     if (question.has_stamps())
         count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
     print(options.json ? with_motion(view::robot_answer_json(question.robot, found, question.has_stamps()), question)
-                       : robot_report(question, found) + (options.page.empty() ? "" : labelled("page", options.page)));
+                       : robot_report(question, found) + (shows_page ? labelled("page", options.page) : ""));
     print_warnings(question.warnings);
     return status_of(found.verdict);
 }

@@ -109,7 +109,7 @@ public:
         file_.emplace(options.page);
     }
     void write(const Scene& scene, const SceneAnswer& answer, double margin) {
-        if (!file_)
+        if (!file_ || answer.verdict == Verdict::unknown)
             return;
         using enum view::RecordSource;
         view::SceneRecord record = view::scene_record(scene, answer, options_.all ? all_contacts : first_contact);
@@ -134,7 +134,8 @@ std::string report_of(const SceneOptions& options, const SceneFile& file, const 
         return json.dump() + "\n";
     }
     const std::string text = options.all ? report_all(file, answer, asked) : report_first(file, answer, asked);
-    return text + (options.page.empty() ? "" : labelled("page", options.page));
+    const bool has_page = !options.page.empty() && answer.verdict != Verdict::unknown;
+    return text + (has_page ? labelled("page", options.page) : "");
 }
 
 int run_scene(const SceneOptions& options) {

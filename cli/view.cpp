@@ -27,6 +27,10 @@ int run_view(const ViewOptions& options) {
     const OneMotion question = read_one_motion(options.question);
     OutputFile file(options.out);
     const FirstContact found = first_contact(question);
+    if (found.verdict == Verdict::unknown) {
+        print(headline(found, question.options.margin, view::name_of(question.numbers.kind)));
+        return is_unknown;
+    }
     const std::string moving_name = file_name(options.question.bodies.moving);
     const std::string fixed_name = file_name(options.question.bodies.fixed);
     file.write(view::page({.moving = question.bodies.moving,

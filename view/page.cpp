@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "view/page_template.h"
+#include "view/proven_verdict.h"
 #include "view/record_json.h"
 
 namespace chasles::view {
@@ -27,6 +28,7 @@ void require_page_template() {
 }
 
 std::string page(const Scene& scene) {
+    require_answer(scene.found.verdict);
     return page_with(scene_json(scene));
 }
 

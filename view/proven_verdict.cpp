@@ -1,6 +1,13 @@
 #include "view/proven_verdict.h"
 
+#include "chasles/base/invalid_input.h"
+
 namespace chasles::view {
+
+void require_answer(Verdict verdict) {
+    if (verdict == Verdict::unknown)
+        throw InvalidInput("view: the limit was reached before the answer, so there is nothing to show");
+}
 
 Verdict proven_verdict(const LeastDistance& found) {
     if (found.distance.lower > 0)

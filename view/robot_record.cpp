@@ -1,5 +1,6 @@
 #include "view/robot_record.h"
 
+#include "view/proven_verdict.h"
 #include "view/sampled_track.h"
 
 #include <algorithm>
@@ -132,6 +133,7 @@ std::size_t index_of(const SceneRecord& record, const std::string& name, std::si
 
 SceneRecord robot_record(const chasles::Robot& robot, const chasles::Scene* scene, const JointPath& path,
                          const RobotAnswer& answer) {
+    require_answer(answer.verdict);
     const std::vector<JointPath::Segment>& segments = path.segments();
     const double begin = segments.front().begin, whole = segments.back().end - begin;
     const double end = answer.verdict == Verdict::clear ? segments.back().end : answer.time.lower;

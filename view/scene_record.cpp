@@ -1,5 +1,6 @@
 #include "view/scene_record.h"
 
+#include "view/proven_verdict.h"
 #include "view/sampled_track.h"
 
 #include <algorithm>
@@ -89,6 +90,7 @@ RecordedContact recorded_contact(const SceneContact& event) {
 } // namespace
 
 SceneRecord scene_record(const chasles::Scene& scene, const SceneAnswer& found, RecordSource source) {
+    require_answer(found.verdict);
     SceneRecord record{.source = source, .clear_until = found.clear_until, .times = {0, 1}};
     const std::vector<std::vector<double>> times = contact_times(scene, found);
     for (std::size_t i = 0; i < times.size(); ++i)

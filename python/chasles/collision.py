@@ -7,7 +7,7 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from ._core import InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair
+from ._core import Cancelled, InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair
 from .collision_data import ContactData, DistanceData
 from .enums import Verdict
 from .meshes import from_trimesh
@@ -284,6 +284,8 @@ def _contacts(scene: Scene, return_names: bool, return_data: bool) -> list[Scene
     if return_names or return_data:
         return scene.all_contacts(until=0, find="first_with_all_contacts" if return_data else "first")
     found = scene.first_contact(until=0, find="any")
+    if found.verdict == Verdict.unknown:
+        raise Cancelled("cancelled")
     return [] if found.verdict == Verdict.clear else [found]
 
 

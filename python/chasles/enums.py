@@ -11,7 +11,7 @@ class _Word(str, Enum):
 class Verdict(_Word):
     """The proven result. A verdict has no truth value, so that no verdict can be mistaken for "clear"."""
 
-    unknown = "unknown"  #: no answer yet; no query returns this
+    unknown = "unknown"  #: no answer: a `Limit` was reached before
     clear = "clear"  #: no contact on [0, 1]
     contact = "contact"  #: first contact inside the bracket of time, none before its lower end
     contact_at_start = "contact_at_start"  #: already touching or overlapping at time 0

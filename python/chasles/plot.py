@@ -50,8 +50,10 @@ def plot(
     Raises
     ------
     InvalidInput
-        For the answer of a clear scene, which names no bodies.
+        For the answer of a clear scene, which names no bodies, and for an unknown one.
     """
+    if found.verdict == Verdict.unknown:
+        raise InvalidInput("plot: the limit was reached before the answer, so there is nothing to show")
     if found.moving is None:
         raise InvalidInput("plot: the scene is clear, so the answer has no pair of bodies; scene.view(found) shows all")
     axes = axes or _new_axes()

@@ -21,6 +21,7 @@ struct Answer {
 
 struct PathAnswer : Answer {
     std::size_t segment = 0;
+    bool is_last_segment = true;
 };
 
 struct LeastAnswer {

@@ -72,7 +72,7 @@ void bind_answers(nb::module_& module) {
         .def("__repr__", [](const PathAnswer& a) {
             const bool is_clear = a.found.verdict == Verdict::clear;
             return "<chasles.PathContact: " + (is_clear ? "" : fmt::format("segment {}, ", a.segment)) +
-                   summary(a.found) + ">";
+                   summary(a.found, "", view::why_uncertain(a.found, a.is_last_segment)) + ">";
         });
 }
 

@@ -58,7 +58,9 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
         answer = first_contact_on_path(query);
     }
     const auto segment = ScrewMotion::between(path[answer.segment], path[answer.segment + 1], max_turn);
-    return {{std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin}, answer.segment};
+    const bool is_last = answer.segment + 2 == path.size();
+    return {
+        {std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin}, answer.segment, is_last};
 }
 
 std::string first_contact_doc() {

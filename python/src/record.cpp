@@ -52,12 +52,14 @@ std::string scene_page(const PythonScene& scene, nb::handle found, const std::st
     auto source = view::RecordSource::all_contacts;
     if (nb::isinstance<SceneContactAnswer>(found)) {
         const SceneContactAnswer only = add(found);
+        answer.verdict = only.found.verdict;
         if (only.is_first) {
             source = view::RecordSource::first_contact;
             clear_until = only.found.clear_until;
             answer.untested = only.untested;
         }
     } else if (nb::isinstance<nb::list>(found) || nb::isinstance<nb::tuple>(found)) {
+        answer.verdict = Verdict::clear; // of all pairs that are not listed
         for (const nb::handle entry : found)
             add(entry);
     } else {

@@ -104,7 +104,6 @@ std::string page_of(const Robot& robot, nb::handle configurations, nb::handle sc
     const RobotChecker checker = checker_of(robot, {scene, margin, std::nullopt, default_time_tolerance, find});
     const Scene* world = scene.is_none() ? nullptr : &nb::cast<const PythonScene&>(scene).scene;
     const RobotAnswer found = asked([&] { return checker.first_contact(path); });
-    throw_if_unknown(found.verdict, found.clear_until);
     const nb::gil_scoped_release release;
     view::SceneRecord record = view::robot_record(robot, world, path, found);
     record.margin = margin;

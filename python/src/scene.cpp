@@ -278,8 +278,10 @@ void bind_contact(nb::module_& module) {
             "untested", [](const SceneContactAnswer& a) { return a.untested; },
             "What the answer of first_contact does not look at; `Scene.untested` tells it for other questions.")
         .def("__repr__", [](const SceneContactAnswer& a) {
-            const std::string text = a.pair ? summary(a.found, a.pair->first + " on " + a.pair->second)
-                                            : fmt::format("clear until {}", a.found.clear_until);
+            const std::string pair = a.pair ? a.pair->first + " on " + a.pair->second : "";
+            const bool is_clear = a.found.verdict == Verdict::clear;
+            const std::string text =
+                is_clear ? fmt::format("clear until {}", a.found.clear_until) : summary(a.found, pair);
             return "<chasles.SceneContact: " + text + untested_note(a.untested) + ">";
         });
 }

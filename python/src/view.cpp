@@ -5,6 +5,7 @@
 #include "python/src/bind.h"
 #include "python/src/query_options.h"
 #include "view/page.h"
+#include "view/proven_verdict.h"
 
 #include <algorithm>
 #include <nanobind/stl/string.h>
@@ -71,6 +72,7 @@ view::SceneRecord record_of(const Answer& answer, const Polyhedron& moving, cons
 
 std::string view_page(const Answer& answer, const std::string& title, const std::string& moving_name,
                       const std::string& fixed_name) {
+    view::require_answer(answer.found.verdict);
     if (answer.moving.is_none())
         throw InvalidInput(
             "view: the scene is clear, so the answer has no pair of bodies; scene.view(found) shows all");

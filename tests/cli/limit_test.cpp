@@ -56,6 +56,19 @@ TEST_F(Seconds, AnswersSayWhatIsProven) {
     EXPECT_GE(bracket["distance_upper"].get<double>(), 1e-9);
 }
 
+/// A page without an answer would look like that of a clear one.
+TEST_F(Seconds, NoPageShowsWhatIsUnknown) {
+    write("page.html", "precious");
+    for (const std::string& question :
+         {"view " + bodies + motion + " --out page.html", std::string("scene scene.json --page page.html")}) {
+        const tests::Finished finished = stopped(question);
+        EXPECT_TRUE(finished.out.starts_with("UNKNOWN: the time was over; ")) << finished.out;
+        EXPECT_EQ(finished.out.find("page.html"), std::string::npos) << finished.out;
+        std::ifstream page(path("page.html"));
+        EXPECT_EQ(std::string(std::istreambuf_iterator<char>(page), {}), "precious");
+    }
+}
+
 TEST_F(Seconds, RowsOfABatchStay) {
     const std::string batch = "batch " + bodies + "--motions motions.csv --motion velocity --out out.csv";
     EXPECT_EQ(

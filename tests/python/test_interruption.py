@@ -208,6 +208,9 @@ def test_a_limit_of_time():
     found, took = limited(0.1, lambda: chasles.first_contact(upper, lower, motion=slide))
     assert took < 1 and found.verdict == "unknown" and 0 <= found.clear_until < 1 and not found.certain
     assert "unknown: the limit was reached" in repr(found)
+    for show in (found.view, found.plot):
+        with pytest.raises(chasles.InvalidInput, match="nothing to show"):
+            show()
     near, took = limited(0.1, lambda: chasles.least_distance(upper, lower, motion=slide))
     assert took < 2 and near.distance <= 1e-9 <= near.distance_upper
     table, took = limited(0.1, lambda: chasles.first_contact_batch(upper, lower, motions=[slide] * 3))
@@ -217,6 +220,9 @@ def test_a_limit_of_time():
     scene.add("upper", upper, motion=slide)
     found, took = limited(0.1, scene.first_contact)
     assert took < 1 and found.verdict == "unknown"
+    assert "unknown: the limit was reached" in repr(found)
+    with pytest.raises(chasles.InvalidInput, match="nothing to show"):
+        scene.view(found)
     with pytest.raises(chasles.Cancelled):
         limited(0.1, scene.all_contacts)
 
