@@ -161,10 +161,6 @@ FoundFile found_file(const std::string& uri, const fs::path& urdf, const RobotFi
              : "; say where the package is " + way_to_name_package(path_in_packages(decoded(uri)).begin()->string())));
 }
 
-fs::path resolved(const std::string& uri, const fs::path& urdf, const RobotFiles& files) {
-    return found_file(uri, urdf, files).path;
-}
-
 void MissingPackages::add(const FoundFile& file, const std::string& place) {
     if (file.missing_package.empty())
         return;

@@ -22,9 +22,6 @@ struct FoundFile {
 /// file. Throws InvalidInput with all places where the file was looked for.
 FoundFile found_file(const std::string& uri, const std::filesystem::path& urdf, const RobotFiles& files);
 
-/// Its path alone.
-std::filesystem::path resolved(const std::string& uri, const std::filesystem::path& urdf, const RobotFiles& files);
-
 /// Collects the packages that were not found. Robots that were copied without theirs have many meshes: each package
 /// makes one warning.
 class MissingPackages {

@@ -6,9 +6,9 @@
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
-#include "chasles/mesh/primitives.h"
 #include "chasles/motion/turn_about.h"
 #include "chasles/robot/package_paths.h"
+#include "chasles/robot/primitive_shapes.h"
 #include "chasles/robot/xml_file.h"
 
 #include <algorithm>
@@ -17,10 +17,10 @@
 #include <limits>
 #include <map>
 #include <set>
-#include <tuple>
 #include <utility>
 
 namespace chasles::robot {
+
 namespace {
 
 using Eigen::Vector3d;
@@ -28,7 +28,8 @@ using XmlElement = XmlFile::Element;
 
 class UrdfReader {
 public:
-    UrdfReader(const std::filesystem::path& path, const RobotFiles& files) : file_(path, "robot"), files_(files) {}
+    UrdfReader(const std::filesystem::path& path, const RobotFiles& files)
+        : file_(path, "robot"), files_(files), shapes_(files.primitive_deviation) {}
 
     RobotDescription read();
 
@@ -38,10 +39,7 @@ private:
     [[nodiscard]] LinkDescription link(const XmlElement& element);
     [[nodiscard]] CollisionDescription collision(const XmlElement& element);
     [[nodiscard]] Polyhedron mesh(const XmlElement& element);
-    [[nodiscard]] CollisionDescription box(const XmlElement& element, const Pose& place) const;
-    using RoundBody = std::tuple<std::string, double, double>; ///< kind, radius, length
     [[nodiscard]] EnclosingPolyhedron round_body(const XmlElement& element);
-    [[nodiscard]] EnclosingPolyhedron made_round_body(const RoundBody& given) const;
     [[nodiscard]] JointDescription joint(const XmlElement& element);
     void add_limits(const XmlElement& element, JointDescription& joint);
     [[nodiscard]] double limit(const XmlElement& element, const char* attribute) const;
@@ -60,7 +58,7 @@ private:
     std::map<std::string, const XmlElement*> joint_elements_; ///< by name
     std::map<std::string, std::string> parents_;              ///< of each link that is the child of a joint
     std::map<MeshKey, Polyhedron> meshes_;                    ///< by file and scale
-    std::map<RoundBody, EnclosingPolyhedron> round_bodies_;
+    PrimitiveShapes shapes_;
     std::vector<std::string> warnings_;
     MissingPackages missing_packages_;
 };
@@ -120,8 +118,10 @@ CollisionDescription UrdfReader::collision(const XmlElement& element) {
     try {
         if (kind == "mesh")
             return {mesh(*shape), place};
-        if (kind == "box")
-            return box(*shape, place);
+        if (kind == "box") {
+            const EnclosingPolyhedron body = PrimitiveShapes::box(vector(*shape, "size"));
+            return {body.shape, place, body.deviation};
+        }
         if (kind == "cylinder" || kind == "sphere" || kind == "capsule") {
             const EnclosingPolyhedron body = round_body(*shape);
             return {body.shape, place, body.deviation};
@@ -134,42 +134,11 @@ CollisionDescription UrdfReader::collision(const XmlElement& element) {
     file_.fail(*shape, "is no mesh, box, cylinder, sphere or capsule");
 }
 
-/// Files have shapes without extent, as placeholders. A polyhedron needs some, so they become this thick, in the length
-/// unit of the file.
-constexpr double least_size = 1e-6;
-
-double with_extent(double size) {
-    return size == 0 ? least_size : size;
-}
-
-CollisionDescription UrdfReader::box(const XmlElement& element, const Pose& place) const {
-    const Vector3d given = vector(element, "size");
-    const Vector3d sides = given.unaryExpr(&with_extent);
-    return {make_box(sides), place, 0.5 * (sides - given).norm()};
-}
-
-EnclosingPolyhedron UrdfReader::made_round_body(const RoundBody& given) const {
-    const auto& [kind, given_radius, given_length] = given;
-    const double radius = with_extent(given_radius), added = radius - given_radius;
-    const double deviation = files_.primitive_deviation * radius;
-    if (kind == "cylinder") {
-        const double length = with_extent(given_length);
-        const EnclosingPolyhedron body = enclosing_cylinder(radius, length, deviation);
-        return {body.shape, body.deviation + added + 0.5 * (length - given_length)};
-    }
-    const EnclosingPolyhedron body = given_length == 0 // a capsule without length is a sphere
-                                         ? enclosing_sphere(radius, deviation)
-                                         : enclosing_capsule(radius, given_length, deviation);
-    return {body.shape, body.deviation + added};
-}
-
-/// Equal bodies share their polyhedron.
 EnclosingPolyhedron UrdfReader::round_body(const XmlElement& element) {
     const std::string kind = element.Name();
-    const RoundBody body{kind, file_.number(element, "radius"), kind == "sphere" ? 0 : file_.number(element, "length")};
-    const auto known = round_bodies_.find(body);
-    return known != round_bodies_.end() ? known->second
-                                        : round_bodies_.emplace(body, made_round_body(body)).first->second;
+    const double radius = file_.number(element, "radius"),
+                 length = kind == "sphere" ? 0 : file_.number(element, "length");
+    return shapes_.round_body(kind, radius, length);
 }
 
 /// A mirrored mesh has its faces the other way round.
@@ -218,7 +187,8 @@ JointDescription UrdfReader::joint(const XmlElement& element) {
     joint.origin = origin(element);
     if (const XmlElement* const axis = file_.child(element, "axis"))
         joint.axis = vector(*axis, "xyz");
-    if (joint.type != JointType::fixed && joint.type != JointType::floating && joint.axis.isZero(0))
+    const bool has_axis = joint.type != JointType::fixed && joint.type != JointType::floating;
+    if (has_axis && joint.axis.isZero(0))
         file_.fail(element, "axis: is zero");
     add_limits(element, joint);
     const XmlElement* const mimic = file_.child(element, "mimic");
@@ -343,6 +313,7 @@ RobotDescription UrdfReader::read() {
 }
 
 } // namespace
+
 RobotDescription read_urdf(const std::filesystem::path& file, const RobotFiles& files) {
     return UrdfReader(file, files).read();
 }

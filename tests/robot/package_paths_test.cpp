@@ -14,11 +14,11 @@ protected:
         write("robot.urdf", "");
     }
     [[nodiscard]] bool finds(const std::string& uri) const {
-        return std::filesystem::equivalent(robot::resolved(uri, path("robot.urdf"), {}),
+        return std::filesystem::equivalent(robot::found_file(uri, path("robot.urdf"), {}).path,
                                            path("arm/new meshes/part.obj"));
     }
     [[nodiscard]] std::string fault(const std::string& uri) const {
-        return without_folder(message_of([&] { (void)robot::resolved(uri, path("robot.urdf"), {}); }));
+        return without_folder(message_of([&] { (void)robot::found_file(uri, path("robot.urdf"), {}); }));
     }
 };
 
@@ -38,7 +38,7 @@ TEST_F(PackagePaths, ReadNamesOfOtherSystems) {
 TEST_F(PackagePaths, TryTheNameAsItIsFirst) {
     write("50%20.obj", "");
     write("50 .obj", "");
-    EXPECT_EQ(robot::resolved("50%20.obj", path("robot.urdf"), {}), path("50%20.obj"));
+    EXPECT_EQ(robot::found_file("50%20.obj", path("robot.urdf"), {}).path, path("50%20.obj"));
 }
 
 TEST_F(PackagePaths, SayWhereTheyLooked) {
@@ -48,10 +48,10 @@ TEST_F(PackagePaths, SayWhereTheyLooked) {
         "; say where the package is by --packages leg=FOLDER (in Python: packages={'leg': FOLDER})";
     EXPECT_TRUE(fault(far).ends_with(way_out)) << fault(far);
     const RobotFiles others = {.packages = {{"arm", path("arm")}}};
-    const std::string with_others = message_of([&] { (void)robot::resolved(far, path("robot.urdf"), others); });
+    const std::string with_others = message_of([&] { (void)robot::found_file(far, path("robot.urdf"), others); });
     EXPECT_TRUE(with_others.ends_with(way_out)) << with_others;
     const RobotFiles wrong = {.packages = {{"leg", path("arm")}}};
-    const std::string with_wrong = message_of([&] { (void)robot::resolved(far, path("robot.urdf"), wrong); });
+    const std::string with_wrong = message_of([&] { (void)robot::found_file(far, path("robot.urdf"), wrong); });
     EXPECT_TRUE(with_wrong.ends_with(way_out)) << with_wrong;
     EXPECT_EQ(fault("part%.obj"), "there is no file 'part%.obj'; tried part%.obj");
     EXPECT_EQ(fault("package://arm"), "'package://arm' names no file in a package");
