@@ -197,7 +197,9 @@ int run_drag(const DragCommand& options) {
     SceneFile file = load_scene(options.scene, options.polyhedron);
     require_rest(options.scene, file.scene);
     const io::Path goals = io::load_path(options.goals);
-    print_warnings(goals.warnings);
+    std::vector<std::string> warnings = file.warnings;
+    warnings.insert(warnings.end(), goals.warnings.begin(), goals.warnings.end());
+    print_warnings(warnings);
     DraggedBody body(file.scene, options.body, drag_options(options));
     OutputFile out(options.out);
     std::optional<OutputFile> page;
@@ -226,7 +228,7 @@ int run_drag(const DragCommand& options) {
         page->close();
     }
     if (!is_standard_output(options.out))
-        print(options.json ? json_of(hand, body.margin(), goals.warnings).dump() + "\n" : hand.text());
+        print(options.json ? json_of(hand, body.margin(), warnings).dump() + "\n" : hand.text());
     return hand.has_contact() ? is_contact : is_clear;
 }
 

@@ -9,6 +9,7 @@
 #include <csignal>
 #include <cstring>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <set>
 #include <sys/file.h>
 #include <sys/stat.h>
@@ -30,17 +31,21 @@ std::string why_not(int error) {
     return std::string(": cannot be written: ") + std::strerror(error);
 }
 
-/// Names from files must not steer a terminal: control characters of ASCII and of Latin 1 become "?".
-std::string without_controls(std::string text) {
+/// Names from files must not steer a terminal. Control characters of ASCII and of Latin 1 become escapes like \u009b,
+/// which mean the same characters where the text is JSON.
+std::string with_escapes(const std::string& text) {
     constexpr unsigned char first_byte = 0xc2; // of U+0080 to U+00BF in UTF-8
+    std::string shown;
     for (std::size_t i = 0; i < text.size(); ++i) {
         const auto byte = static_cast<unsigned char>(text[i]), next = static_cast<unsigned char>(text[i + 1]);
-        if ((byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f)
-            text[i] = '?';
-        else if (byte == first_byte && next >= 0x80 && next < 0xa0)
-            text.replace(i, 2, "?");
+        const bool is_latin = byte == first_byte && next >= 0x80 && next < 0xa0;
+        if (is_latin || (byte < 0x20 && byte != '\n' && byte != '\t') || byte == 0x7f)
+            shown += fmt::format("\\u{:04x}", is_latin ? next : byte);
+        else
+            shown += text[i];
+        i += is_latin ? 1 : 0;
     }
-    return text;
+    return shown;
 }
 
 /// The files that this program is about to write.
@@ -89,7 +94,7 @@ bool is_standard_output(const std::string& name) {
 }
 
 void print(const std::string& text) {
-    if (const int error = write_all(stdout, without_controls(text)); error != 0)
+    if (const int error = write_all(stdout, with_escapes(text)); error != 0)
         throw InvalidInput("standard output" + why_not(error));
 }
 

@@ -29,9 +29,8 @@ enum class Leftover {
 /// A file for output. It grows as FILE.part beside FILE and gets its name in `close`: whatever happens before, a former
 /// FILE stays whole. Pipes, devices and the file that standard output goes to are written directly.
 ///
-/// The constructor checks that the file can be written, that the program has not read it (so it comes after all
-/// reading) and that no other output has the same name. Throws InvalidInput "FILE: REASON" for each of these, and for a
-/// write that fails.
+/// Make it after all reading: the constructor refuses a file that the program has read, a file that cannot be written,
+/// and the name of another output. Throws InvalidInput "FILE: REASON" for these, and for a write that fails.
 class OutputFile {
 public:
     explicit OutputFile(const std::string& name, Leftover leftover = Leftover::replaced);

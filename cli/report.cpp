@@ -7,6 +7,7 @@
 #include "view/proven_verdict.h"
 #include "view/why_uncertain.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <numbers>
 
@@ -176,6 +177,14 @@ std::string hold_line(const FirstContact& found, const std::optional<double>& ho
 
 std::string labelled(const std::string& label, const std::string& text) {
     return fmt::format("  {:<10}{}\n", label, io::one_line(text));
+}
+
+std::string shortened(const std::vector<std::string>& names, std::size_t most, std::size_t count) {
+    std::string text;
+    const std::size_t shown = std::min(names.size(), most);
+    for (std::size_t i = 0; i < shown; ++i)
+        text += (i > 0 ? ", " : "") + names[i];
+    return count > shown ? fmt::format("{}{}{} more", text, shown > 0 ? ", and " : "", count - shown) : text;
 }
 
 std::string counted(std::size_t count, const std::string& noun) {

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace chasles::cli {
 
@@ -47,6 +48,9 @@ ExitStatus status_of(Verdict verdict);
 
 /// The line of work counters.
 std::string report(const Work& work);
+
+/// "a, b, and 4 more": of `count` names at most so many of those that are given.
+std::string shortened(const std::vector<std::string>& names, std::size_t most, std::size_t count);
 
 /// "1 segment", "2 segments".
 std::string counted(std::size_t count, const std::string& noun);

@@ -6,6 +6,7 @@
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "cli/motion_rule.h"
+#include "cli/report.h"
 #include "cli/strict_json.h"
 #include "view/names.h"
 
@@ -30,17 +31,6 @@ constexpr std::initializer_list<const char*> body_keys = {"name", "mesh",   "par
 
 constexpr std::size_t most_listed = 12;
 
-/// "a, b, c and 4 more"
-template <class Texts>
-std::string in_a_row(const Texts& texts) {
-    std::string row;
-    std::size_t count = 0;
-    for (const auto& text : texts)
-        if (++count <= most_listed)
-            row += (count > 1 ? ", " : "") + std::string(text);
-    return count > most_listed ? row + " and " + std::to_string(count - most_listed) + " more" : row;
-}
-
 /// The members of an object, which may have no other keys than these.
 class Members {
 public:
@@ -49,7 +39,8 @@ public:
             refuse("must be an object");
         for (const auto& [key, value] : object.items())
             if (std::ranges::find(keys, key) == keys.end())
-                refuse("unknown key " + io::in_quotes(key) + "; the keys are " + in_a_row(keys));
+                refuse("unknown key " + io::in_quotes(key) + "; the keys are " +
+                       shortened({keys.begin(), keys.end()}, most_listed, keys.size()));
     }
 
     /// Null if it is missing or null.
@@ -182,7 +173,8 @@ const io::MeshPart& part_named(const std::string& name, const std::vector<io::Me
     std::vector<std::string> names;
     for (const io::MeshPart& part : parts)
         names.push_back(io::in_quotes(part.name));
-    refuse("the file has no part " + io::in_quotes(name) + "; its parts are " + in_a_row(names));
+    refuse("the file has no part " + io::in_quotes(name) + "; its parts are " +
+           shortened(names, most_listed, names.size()));
 }
 
 /// What a body takes from a file.

@@ -28,23 +28,14 @@ std::string why(UntestedReason reason) {
     return "touching at the start";
 }
 
-/// "a, b, c and 4 more"
-std::string shortened(const std::vector<std::string>& names, std::size_t count) {
-    std::string text;
-    const std::size_t shown = std::min(names.size(), most_shown);
-    for (std::size_t i = 0; i < shown; ++i)
-        text += (i > 0 ? ", " : "") + names[i];
-    return count > shown ? fmt::format("{}{}{} more", text, shown > 0 ? ", and " : "", count - shown) : text;
-}
-
 std::string names_of(const UntestedPairs& untested, UntestedReason reason) {
     if (reason == UntestedReason::no_shapes)
-        return shortened(untested.without_shapes, untested.without_shapes.size());
+        return shortened(untested.without_shapes, most_shown, untested.without_shapes.size());
     std::vector<std::string> names;
     for (const UntestedPair& pair : untested.named)
         if (pair.reason == reason)
             names.push_back(pair.first + " and " + pair.second + (pair.is_with_scene ? " (scene)" : ""));
-    return shortened(names, untested.count(reason));
+    return shortened(names, most_shown, untested.count(reason));
 }
 
 } // namespace

@@ -96,14 +96,19 @@ TEST_F(FileFormats, MeanTheSameInInfoAndTheLibrary) {
     }
 }
 
-/// A cube meets the second post, which stands at x = 2, and passes beside the first one.
-TEST_F(FileFormats, ABodyOfASceneMayBeOnePart) {
+/// The post at the origin, and once more at x = 2.
+std::string two_posts() {
     std::string gltf = tests::post_gltf_json("");
     gltf.replace(gltf.find(R"("nodes": [0])"), 12, R"("nodes": [0, 1])");
     const std::string node = R"([{"name": "post", "mesh": 0}])";
     gltf.replace(gltf.find(node), node.size(),
                  R"([{"name": "post", "mesh": 0}, {"name": "post", "mesh": 0, "translation": [2, 0, 0]}])");
-    write("two.glb", tests::glb(gltf, tests::post_buffer()));
+    return tests::glb(gltf, tests::post_buffer());
+}
+
+/// A cube meets the second post, which stands at x = 2, and passes beside the first one.
+TEST_F(FileFormats, ABodyOfASceneMayBeOnePart) {
+    write("two.glb", two_posts());
     const auto scene = [&](const std::string& keys, double from) {
         write("scene.json", fmt::format(R"({{"bodies": [{{"name": "post", "mesh": "two.glb"{}}},
             {{"name": "cube", "mesh": "small.obj", "pose": [{}, 0, 0.5], "goal": [{}, 0, 0.5]}}]}})",
@@ -143,13 +148,8 @@ TEST_F(FileFormats, InfoTellsTheUnit) {
 }
 
 TEST_F(FileFormats, InfoListsTheParts) {
-    std::string json = tests::post_gltf_json("");
-    json.replace(json.find(R"("nodes": [0])"), 12, R"("nodes": [0, 1])");
-    const std::string node = R"([{"name": "post", "mesh": 0}])";
-    json.replace(json.find(node), node.size(),
-                 R"([{"name": "post", "mesh": 0}, {"name": "post", "mesh": 0, "translation": [2, 0, 0]}])");
-    write("two.glb", tests::glb(json, tests::post_buffer()));
-    EXPECT_EQ(this->json("info two.glb")["parts"],
+    write("two.glb", two_posts());
+    EXPECT_EQ(json("info two.glb")["parts"],
               Json::parse(R"([{"name": "post", "faces": 12}, {"name": "post_2", "faces": 12}])"));
     const std::string text = run("info two.glb").out;
     EXPECT_NE(text.find("  parts     2, merged into one body: post (12 faces), post_2 (12)"), std::string::npos)

@@ -43,7 +43,7 @@ protected:
     }
 };
 
-/// A command with one option that writes, without its value, and the files that it reads.
+/// A command that ends with an option for an output, and the files that it reads.
 struct Writer {
     std::string command;
     std::vector<std::string> inputs;

@@ -236,8 +236,10 @@ TEST_F(SceneCommand, NamesDoNotSteerTheTerminal) {
     write("names.json", R"({"bodies": [{"name": "a\u001b[31m\nb", "mesh": "cube.obj"},
                                        {"name": "c\u009b2J\u007f", "mesh": "cube.obj", "pose": [3, 0, 0], "goal": [0.5, 0, 0]}]})");
     const std::string text = run("scene names.json").out;
-    EXPECT_NE(text.find("  pair      c?2J? on a?[31m b\n"), std::string::npos) << text;
+    EXPECT_NE(text.find("  pair      c\\u009b2J? on a?[31m b\n"), std::string::npos) << text;
     const std::string line = run("scene names.json --json").out;
+    EXPECT_EQ(Json::parse(line)["pair"], Json({"c\u009b2J\u007f", "a\u001b[31m\nb"})) << "the names as they are";
+    EXPECT_TRUE(std::ranges::none_of(line, [](char c) { return c == '\x7f' || c == '\x9b' || c == '\x1b'; }));
     EXPECT_NE(line.find(R"(a\u001b[31m\nb)"), std::string::npos) << line;
 }
 
