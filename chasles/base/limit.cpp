@@ -9,7 +9,7 @@ thread_local const Limit* limit_of_thread = nullptr;
 
 std::chrono::steady_clock::duration ticks_of(double seconds) {
     constexpr double a_century = 3e9;
-    const std::chrono::duration<double> time(std::clamp(seconds, 0.0, a_century));
+    const std::chrono::duration<double> time(seconds > 0 ? std::min(seconds, a_century) : 0);
     return std::chrono::duration_cast<std::chrono::steady_clock::duration>(time);
 }
 
@@ -17,7 +17,7 @@ std::chrono::steady_clock::duration ticks_of(double seconds) {
 
 Limit::Limit(double seconds, std::function<bool()> goes_on)
     : outer_(limit_of_thread), end_(Clock::time_point::max()), goes_on_(std::move(goes_on)) {
-    if (seconds < std::numeric_limits<double>::infinity())
+    if (seconds != std::numeric_limits<double>::infinity())
         end_ = Clock::now() + ticks_of(seconds);
     limit_of_thread = this;
 }

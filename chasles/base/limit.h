@@ -20,16 +20,17 @@ struct CHASLES_EXPORT Cancelled : std::exception {
 };
 
 /// While it exists, it limits all questions of its thread, with the threads that they start. A question that reaches
-/// the limit ends within milliseconds: first contacts of pairs, paths, batches, scenes and robots answer with the
-/// verdict `unknown`, and `clear_until` says what is proven; least distances of pairs answer with the bracket so far;
-/// proofs of pairs of links stay open; all other functions throw Cancelled. A limit inside another one shortens it.
+/// the limit ends soon, mostly within milliseconds. First contacts of pairs, paths, batches, scenes and robots then
+/// have the verdict `unknown`, and `clear_until` says what is proven. Least distances of pairs have the bracket so far.
+/// Proofs of pairs of links stay open. All other functions throw Cancelled. A limit inside another one shortens it.
 ///
 ///     const Limit limit(2.0); // seconds
 ///     const FirstContact found = first_contact({peg, hole, motion});
 class CHASLES_EXPORT Limit {
 public:
-    /// The time counts from now. `goes_on` is called some fifty times a second, from any one of the threads; where it
-    /// returns false, the limit is reached. It may throw; then the question ends with this exception. May be empty.
+    /// The time counts from now; one that is not positive, or NaN, is over at once. `goes_on` is called some fifty
+    /// times a second, from any one of the threads. The limit is reached where it returns false. If it throws, the
+    /// question ends with this exception. It may be empty.
     explicit Limit(double seconds = std::numeric_limits<double>::infinity(), std::function<bool()> goes_on = {});
     ~Limit();
     Limit(const Limit&) = delete;
@@ -39,7 +40,6 @@ public:
     [[nodiscard]] bool is_over() const;
 
 private:
-    friend class LimitOfThread;
     using Clock = std::chrono::steady_clock;
     using Ticks = Clock::duration::rep;
 

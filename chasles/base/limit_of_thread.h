@@ -17,7 +17,6 @@ public:
     LimitOfThread& operator=(const LimitOfThread&) = delete;
 
 private:
-    friend class Limit;
     const Limit* former_;
 };
 

@@ -64,11 +64,16 @@ double coordinate_of(const XmlElement& vertex, std::string_view axis) {
     return *number;
 }
 
-// The children of an element that may have only these. Anything else would be lost in silence.
-std::vector<const XmlElement*> only_children_of(const XmlElement& element, std::string_view name) {
+// Anything else would be lost in silence.
+void require_children_among(const XmlElement& element, std::initializer_list<std::string_view> names) {
     for (const XmlElement* child = element.FirstChildElement(); child; child = child->NextSiblingElement())
-        if (local_name(*child) != name)
+        if (std::ranges::find(names, local_name(*child)) == names.end())
             fail_at(*child, "is not read; export as a plain mesh");
+}
+
+// The children of an element that may have only these.
+std::vector<const XmlElement*> only_children_of(const XmlElement& element, std::string_view name) {
+    require_children_among(element, {name});
     return children_of(element, name);
 }
 
@@ -93,17 +98,10 @@ std::vector<std::uint32_t> corners_of(const XmlElement& triangle, std::size_t ve
     return face;
 }
 
-// Sets of triangles only name triangles.
-void refuse_other_lists(const XmlElement& mesh) {
-    for (const XmlElement* child = mesh.FirstChildElement(); child; child = child->NextSiblingElement())
-        if (const auto name = local_name(*child); name != "vertices" && name != "triangles" && name != "trianglesets")
-            fail_at(*child, "is not read; export as a plain mesh");
-}
-
 PolygonSoup threemf_mesh(const XmlElement& element) {
     if (child_of(element, "beamlattice"))
         fail_at(element, "beam lattices are not read; export as a plain mesh");
-    refuse_other_lists(element);
+    require_children_among(element, {"vertices", "triangles", "trianglesets"}); // sets only name triangles
     PolygonSoup mesh;
     for (const XmlElement* const list : children_of(element, "vertices"))
         for (const XmlElement* const vertex : only_children_of(*list, "vertex"))

@@ -18,7 +18,7 @@ inline constexpr std::size_t most_contacts = 1000;
 
 /// What is proven. There is no conversion to bool: an uncertain answer must not be mistaken for "clear".
 enum class Verdict : std::uint8_t {
-    unknown,          ///< no answer yet: a default-constructed answer claims nothing
+    unknown,          ///< no answer: a Limit was reached, or a default-constructed answer, which claims nothing
     clear,            ///< no contact on [0, 1]
     contact,          ///< first contact inside FirstContact::time, none before its lower end
     contact_at_start, ///< touching or overlapping at time 0

@@ -29,6 +29,13 @@ TEST(Limit, LongTimesDoNotWrapAround) {
     }
 }
 
+TEST(Limit, OfNoTimeIsOverAtOnce) {
+    for (const double seconds : {0.0, -1.0, -forever, std::numeric_limits<double>::quiet_NaN()}) {
+        const Limit limit(seconds);
+        EXPECT_TRUE(limit.is_over()) << seconds;
+    }
+}
+
 TEST(Limit, EndsWithItsScope) {
     {
         const Limit limit(1e-9);
