@@ -91,7 +91,6 @@ public:
     /// The least double >= this number, for magnitudes up to 1.
     [[nodiscard]] double rounded_up() const { return -(-*this).rounded_down(); }
 
-private:
     /// The next double towards zero; the nearest double if the result is subnormal.
     [[nodiscard]] double truncated() const {
         if (sign() == 0)
@@ -102,6 +101,7 @@ private:
         return std::ldexp(sign() < 0 ? -digits : digits, exponent_ + excess);
     }
 
+private:
     Integer mantissa_{};
     int exponent_ = 0;
 };

@@ -48,6 +48,8 @@ public:
     [[nodiscard]] virtual Pose fixed_pose_at(double time) const = 0;
     /// The moving body in the world as a frame, for products; null if it is none.
     [[nodiscard]] virtual SharedFrame frame() const = 0;
+    /// Whether motions of this kind are enclosed, though this one may go about or along one axis.
+    [[nodiscard]] virtual bool is_of_enclosed_kind() const = 0;
     /// The ends of a motion in the world that is straight and even, without a turn; null for others.
     [[nodiscard]] virtual const MotionEnds* straight_ends() const = 0;
 };
@@ -93,6 +95,9 @@ public:
     [[nodiscard]] const T& get() const { return trajectory_; }
 
     [[nodiscard]] std::unique_ptr<const AnyPieces> pieces() const override {
+        if constexpr (requires { trajectory_.axis_pieces(); })
+            if (std::unique_ptr<const AnyPieces> pieces = trajectory_.axis_pieces())
+                return pieces;
         return std::make_unique<Pieces>(trajectory_);
     }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const override {
@@ -109,6 +114,9 @@ public:
             return trajectory_.frame();
         else
             return nullptr;
+    }
+    [[nodiscard]] bool is_of_enclosed_kind() const override {
+        return requires { trajectory_.axis_pieces(); };
     }
     [[nodiscard]] const MotionEnds* straight_ends() const override {
         if constexpr (requires { trajectory_.straight_ends(); })

@@ -1,4 +1,5 @@
 // Frames that are made of other frames. Source: docs/derivations/26-frames.md.
+#include "chasles/motion/axis_motion.h"
 #include "chasles/motion/frame_in_both.h"
 #include "chasles/motion/frames.h"
 #include "chasles/motion/screw_path.h"
@@ -15,6 +16,30 @@ template <class S>
 GeneralPose<S> relative(const GeneralPose<S>& frame, const GeneralPose<S>& pose) {
     const Quaternion<S> back = frame.rotation.conjugate();
     return {rotated(back, pose.translation - frame.translation), back * pose.rotation};
+}
+
+/// Two frames of which one is at rest, or both of which have one axis.
+std::vector<AxisSection> product_of(const std::vector<AxisSection>& outer, const std::vector<AxisSection>& inner) {
+    const std::vector<AxisSection>& longer = outer.size() > 1 ? outer : inner;
+    std::vector<AxisSection> sections;
+    if (outer.empty() || inner.empty() || (outer.size() > 1 && inner.size() > 1))
+        return sections;
+    for (std::size_t i = 0; i < longer.size(); ++i) {
+        const AxisMotion& carrying = outer[outer.size() > 1 ? i : 0].motion;
+        const AxisMotion& carried = inner[inner.size() > 1 ? i : 0].motion;
+        const bool has_rest = carrying.kind == AxisMotion::Kind::rest || carried.kind == AxisMotion::Kind::rest;
+        std::optional<AxisMotion> motion = longer.size() == 1 || has_rest ? product(carrying, carried) : std::nullopt;
+        if (!motion)
+            return {};
+        sections.push_back({longer[i].times, *std::move(motion)});
+    }
+    return sections;
+}
+
+std::vector<AxisSection> inverse_of(std::vector<AxisSection> sections) {
+    for (AxisSection& section : sections)
+        section.motion = section.motion.inverse();
+    return sections;
 }
 
 /// Two frames that make a third one.
@@ -61,6 +86,10 @@ public:
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
         return carried(first().expansion(times), second().expansion(times), half_of(times), size());
     }
+    [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
+        std::vector<AxisSection> outer = first().axis_sections();
+        return outer.empty() ? outer : product_of(outer, second().axis_sections());
+    }
 };
 
 class RelativeFrame final : public FrameOfTwo<RelativeFrame> {
@@ -76,6 +105,10 @@ public:
 
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
         return seen_from(first().expansion(times), second().expansion(times), half_of(times), size());
+    }
+    [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
+        std::vector<AxisSection> moving = first().axis_sections();
+        return moving.empty() ? moving : product_of(inverse_of(second().axis_sections()), moving);
     }
 };
 
@@ -111,6 +144,16 @@ public:
     [[nodiscard]] double size() const override { return size_; }
     [[nodiscard]] double rounding() const override { return rounding_; }
     void add_cuts(std::vector<double>& cuts) const override { cuts.insert(cuts.end(), ends_.begin(), ends_.end()); }
+    [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
+        std::vector<AxisSection> all;
+        for (std::size_t i = 0; i < frames_.size(); ++i) {
+            std::vector<AxisSection> sections = frames_[i]->axis_sections();
+            if (sections.size() != 1)
+                return {};
+            all.push_back({{ends_[i], ends_[i + 1]}, std::move(sections.front().motion)});
+        }
+        return all;
+    }
 
 private:
     struct Segment {
@@ -164,6 +207,20 @@ public:
         for (const double cut : all)
             if (part_.lower < cut && cut < part_.upper)
                 cuts.push_back(std::min((cut - part_.lower) / duration_, 1.0));
+    }
+    [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
+        std::vector<AxisSection> parts;
+        for (const auto& [times, motion] : frame_->axis_sections()) {
+            const double lower = std::max(times.lower, part_.lower), upper = std::min(times.upper, part_.upper);
+            if (!(lower < upper))
+                continue;
+            const auto within = [](double time, const Bracket& whole) {
+                return time == whole.upper ? 1 : (time - whole.lower) / (whole.upper - whole.lower);
+            };
+            parts.push_back({{within(lower, part_), within(upper, part_)},
+                             motion.part({within(lower, times), within(upper, times)})});
+        }
+        return parts;
     }
 
 private:

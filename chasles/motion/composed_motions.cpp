@@ -76,12 +76,8 @@ Motion Motion::hinge(const Eigen::Vector3d& point, const Eigen::Vector3d& direct
 Motion Motion::slider(const Eigen::Vector3d& direction, const std::vector<double>& way) {
     require_usable(direction, "direction");
     require(direction.cwiseAbs().maxCoeff() > 0, "direction: is zero");
-    const Eigen::Vector3d unit = direction.stableNormalized();
-    std::vector<Eigen::Vector3d> places;
-    places.reserve(way.size());
-    for (const double part : way)
-        places.emplace_back(part * unit);
-    return polynomial(places);
+    require_usable(way, "way", Pose::largest_length);
+    return motion_of(SmoothMotion::of_one(motion::slide_frame(direction.stableNormalized(), TimePolynomial(way))));
 }
 
 Motion Motion::polynomial(const std::vector<Eigen::Vector3d>& places) {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include "chasles/algebra/sine_cosine.h"
+#include "chasles/motion/axis_motion.h"
 #include "chasles/motion/motion_ends.h"
 #include "chasles/motion/smooth_trajectory.h"
 
@@ -63,9 +64,17 @@ public:
     [[nodiscard]] RateBounds rates(const Bracket& /*times*/) const override { return rates_; }
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override;
     [[nodiscard]] double size() const override { return motion_.size; }
+    [[nodiscard]] std::vector<AxisSection> axis_sections() const override;
 
 private:
+    /// The turn and the displacement of the body's origin from the start to the goal, without rounding.
+    struct ExactTurn {
+        Quaternion<algebra::ExactNumber> rotation;
+        Vector3<algebra::ExactNumber> shift;
+    };
+
     [[nodiscard]] const EvenMotion<Wide>& refined() const;
+    [[nodiscard]] std::optional<ExactVector> resting_point(const ExactTurn& turn) const;
     /// An end as it was given. Ends are asked for most often, and need no sine.
     [[nodiscard]] GeneralPose<double> at_end(bool is_goal) const;
 
@@ -97,6 +106,7 @@ public:
 
     [[nodiscard]] SharedFrame frame() const;
     [[nodiscard]] SmoothPieces pieces() const;
+    [[nodiscard]] std::unique_ptr<const AnyPieces> axis_pieces() const;
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
     [[nodiscard]] static std::size_t coarse_count() { return 1; }
     [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part = 0) const;
@@ -105,6 +115,7 @@ public:
 
 private:
     [[nodiscard]] EvenMotion<double> numbers() const;
+    [[nodiscard]] bool may_have_one_axis() const;
 
     MotionEnds ends_;
     Eigen::Vector3d centre_;

@@ -1,6 +1,7 @@
 // The elementary frames: at rest, a hinge, a path. Source: docs/derivations/26-frames.md.
 #include "chasles/motion/frames.h"
 #include "chasles/algebra/sine_cosine.h"
+#include "chasles/motion/axis_motion.h"
 #include "chasles/motion/fixed_pose.h"
 #include "chasles/motion/frame_in_both.h"
 #include "chasles/motion/screw_path.h"
@@ -21,7 +22,7 @@ Vector3<Wide> origin() {
 
 class RestFrame final : public FrameInBoth<RestFrame> {
 public:
-    explicit RestFrame(const Pose& pose) : pose_(pose) {}
+    explicit RestFrame(const Pose& pose) : given_(pose), pose_(pose) {}
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& /*time*/) const {
         return in<S>(pose_);
@@ -34,16 +35,23 @@ public:
         return expansion;
     }
     [[nodiscard]] double size() const override { return norm1(pose_.in_double.translation); }
+    [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
+        AxisMotion motion;
+        motion.base = ExactPose(given_);
+        return {{{0, 1}, motion}};
+    }
 
 private:
+    Pose given_;
     FixedPose pose_;
 };
 
 class HingeFrame final : public FrameInBoth<HingeFrame> {
 public:
-    /// The direction has unit length.
-    HingeFrame(const Vector3<Wide>& point, const Vector3<Wide>& direction, TimePolynomial angle)
-        : point_(point), direction_(direction), point_in_double_(in_double(point)),
+    /// `direction` is `given_direction` with unit length.
+    HingeFrame(const Vector3<Wide>& point, const Vector3<Wide>& given_direction, const Vector3<Wide>& direction,
+               TimePolynomial angle)
+        : point_(point), given_direction_(given_direction), direction_(direction), point_in_double_(in_double(point)),
           direction_in_double_(in_double(direction)), angle_(std::move(angle)) {}
 
     template <class S>
@@ -66,6 +74,14 @@ public:
         return expansion;
     }
     [[nodiscard]] double size() const override { return 2 * norm1(point_in_double_); }
+    [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
+        AxisMotion motion;
+        motion.kind = angle_.is_zero() ? AxisMotion::Kind::rest : AxisMotion::Kind::turn;
+        motion.direction = exact_vector(given_direction_);
+        motion.point = exact_vector(point_);
+        motion.value = angle_;
+        return {{{0, 1}, motion}};
+    }
     /// The rounding of the angle, too, which may be many turns.
     [[nodiscard]] double rounding() const override { return 1 + angle_.rounding() * angle_.size(); }
 
@@ -79,6 +95,7 @@ private:
     }
 
     Vector3<Wide> point_;
+    Vector3<Wide> given_direction_;
     Vector3<Wide> direction_;
     Vector3<double> point_in_double_;
     Vector3<double> direction_in_double_;
@@ -88,6 +105,13 @@ private:
 class PathFrame final : public FrameInBoth<PathFrame> {
 public:
     explicit PathFrame(std::array<TimePolynomial, 3> place) : place_(std::move(place)) {}
+    /// Along a direction.
+    PathFrame(const Vector3<Wide>& direction, const TimePolynomial& way)
+        : place_{scaled(way, direction.x), scaled(way, direction.y), scaled(way, direction.z)} {
+        line_.kind = way.is_zero() ? AxisMotion::Kind::rest : AxisMotion::Kind::slide;
+        line_.direction = exact_vector(direction);
+        line_.value = way;
+    }
 
     template <class S>
     [[nodiscard]] GeneralPose<S> place(const S& time) const {
@@ -113,9 +137,35 @@ public:
     [[nodiscard]] double rounding() const override {
         return std::max({place_[0].rounding(), place_[1].rounding(), place_[2].rounding()});
     }
+    [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
+        if (line_.kind == AxisMotion::Kind::slide)
+            return {{{0, 1}, line_}};
+        if (!std::ranges::all_of(place_, &TimePolynomial::is_straight))
+            return {};
+        AxisMotion motion;
+        motion.base.translation = exact_vector(coefficient(0));
+        motion.direction = exact_vector(coefficient(1));
+        motion.goal = {1.0, 1.0};
+        motion.kind = motion.direction.is_zero() ? AxisMotion::Kind::rest : AxisMotion::Kind::slide;
+        return {{{0, 1}, motion}};
+    }
 
 private:
+    static TimePolynomial scaled(const TimePolynomial& way, const Wide& factor) {
+        std::vector<Wide> coefficients;
+        for (const Wide& c : way.coefficients())
+            coefficients.push_back(c * factor);
+        return TimePolynomial(std::move(coefficients));
+    }
+    [[nodiscard]] Vector3<Wide> coefficient(std::size_t power) const {
+        const auto of = [&](const TimePolynomial& p) {
+            return power < p.coefficients().size() ? p.coefficients()[power] : Wide(0.0);
+        };
+        return {of(place_[0]), of(place_[1]), of(place_[2])};
+    }
+
     std::array<TimePolynomial, 3> place_;
+    AxisMotion line_; ///< at rest where no direction was given
 };
 
 } // namespace
@@ -125,11 +175,18 @@ SharedFrame frame_at_rest(const Pose& pose) {
 }
 
 SharedFrame hinge_frame(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, TimePolynomial angle) {
-    return std::make_shared<const HingeFrame>(vector_in<Wide>(point), FixedAxis(direction).refined, std::move(angle));
+    const double factor = std::ldexp(1.0, -std::ilogb(direction.cwiseAbs().maxCoeff())); // nothing underflows
+    const Vector3<Wide> given = vector_in<Wide>(factor * direction);
+    return std::make_shared<const HingeFrame>(vector_in<Wide>(point), given, FixedAxis(direction).refined,
+                                              std::move(angle));
 }
 
 SharedFrame hinge_frame(const Vector3<Wide>& direction, TimePolynomial angle) {
-    return std::make_shared<const HingeFrame>(origin(), direction, std::move(angle));
+    return std::make_shared<const HingeFrame>(origin(), direction, direction, std::move(angle));
+}
+
+SharedFrame slide_frame(const Eigen::Vector3d& direction, const TimePolynomial& way) {
+    return std::make_shared<const PathFrame>(vector_in<Wide>(direction), way);
 }
 
 SharedFrame path_frame(std::array<TimePolynomial, 3> place) {

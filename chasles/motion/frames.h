@@ -18,6 +18,9 @@ SharedFrame hinge_frame(const Eigen::Vector3d& point, const Eigen::Vector3d& dir
 /// Likewise about a line through the origin, whose direction has unit length.
 SharedFrame hinge_frame(const Vector3<algebra::DoubleDouble>& direction, TimePolynomial angle);
 
+/// A translation by a polynomial times a direction.
+SharedFrame slide_frame(const Eigen::Vector3d& direction, const TimePolynomial& way);
+
 /// A translation by three polynomials, mesh unit.
 SharedFrame path_frame(std::array<TimePolynomial, 3> place);
 

@@ -210,7 +210,8 @@ private:
 
 /// Constant twist: even turn about the axis of the screw between two poses, the shorter way round, and even slide along
 /// it, so that every point runs on a uniform helix. The paper's screw between the same poses has the same paths, but
-/// slides unevenly. Keeps both end poses. Enclosed like ConstantVelocity. Source: docs/derivations/25-even-motions.md.
+/// slides unevenly. Keeps both end poses. Without a slide it is that screw (docs/derivations/35-one-axis.md), otherwise
+/// enclosed like ConstantVelocity. Source: docs/derivations/25-even-motions.md.
 class CHASLES_EXPORT ConstantTwist {
 public:
     /// The motion of one body from `start` to `goal`, both in the frame of the fixed body, which is the world. Throws

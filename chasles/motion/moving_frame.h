@@ -11,6 +11,8 @@
 
 namespace chasles::motion {
 
+struct AxisSection;
+
 /// Poses at any time in [0, 1], and bounds of their rates. A base class, because frames are composed at run time.
 class MovingFrame {
 public:
@@ -38,6 +40,9 @@ public:
     [[nodiscard]] virtual double rounding() const { return 1; }
     /// Adds the times in (0, 1) at which rates jump.
     virtual void add_cuts(std::vector<double>& /*cuts*/) const {}
+    /// The frame as motions about or along one axis each, in order of time from 0 to 1. Empty if it is no such motion,
+    /// or is not known to be one.
+    [[nodiscard]] virtual std::vector<AxisSection> axis_sections() const;
 };
 
 /// The middle of an interval, and half of its duration.

@@ -36,8 +36,8 @@ double ScrewClock::tau_rate(double tau) const {
     return turn_.angle < uniform_turn ? 1 : turn_.angle / 2 / tangent * (1 + tau * tau * tangent * tangent);
 }
 
-std::size_t ScrewClock::piece_count(double max_turn) const {
-    const double count = std::ceil(turn_.angle / std::min(max_turn, largest_turn) * (1 - turn_slack));
+std::size_t equal_turns(double angle, double max_turn) {
+    const double count = std::ceil(angle / std::min(max_turn, largest_turn) * (1 - turn_slack));
     return std::max<std::size_t>(1, static_cast<std::size_t>(count));
 }
 

@@ -8,6 +8,10 @@
 
 namespace chasles::motion {
 
+/// The number of equal turns of at most `max_turn` radians each, up to rounding. Every one also stays far enough below
+/// a half turn for a half-angle tangent of at most 1000.
+std::size_t equal_turns(double angle, double max_turn);
+
 /// tau(time) = tan(angle * time / 2) / tan(angle / 2). For a translation tau equals time.
 class ScrewClock {
 public:
@@ -22,9 +26,8 @@ public:
     [[nodiscard]] double time_at(double tau) const;  ///< the inverse of tau_at
     [[nodiscard]] double tau_rate(double tau) const; ///< dtau/dtime at this tau
 
-    /// The number of equal pieces with a rotation of at most `max_turn` radians each. Every piece also stays far enough
-    /// below a half turn for a half-angle tangent of at most 1000.
-    [[nodiscard]] std::size_t piece_count(double max_turn) const;
+    /// The number of equal pieces with a rotation of at most `max_turn` radians each.
+    [[nodiscard]] std::size_t piece_count(double max_turn) const { return equal_turns(turn_.angle, max_turn); }
     /// Whether one piece suffices without a limit by `max_turn`, up to rounding.
     [[nodiscard]] bool is_short() const;
 

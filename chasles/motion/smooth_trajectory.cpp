@@ -4,6 +4,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/sort.h"
+#include "chasles/motion/axis_piece.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
@@ -138,6 +139,13 @@ const std::vector<Section>& Sections::all() const {
     return sections_;
 }
 
+std::shared_ptr<const std::vector<AxisSpan>> Sections::axis_spans() const {
+    std::call_once(axis_is_known_, [this] {
+        axis_spans_ = std::make_shared<const std::vector<AxisSpan>>(motion::axis_spans(frame_->axis_sections()));
+    });
+    return axis_spans_;
+}
+
 void Sections::make() const {
     std::vector<double> cuts;
     frame_->add_cuts(cuts);
@@ -154,6 +162,10 @@ void Sections::make() const {
         poses = {poses.goal, frame_->at(cut)};
         append_sections(*frame_, times, poses, sections_);
     }
+}
+
+std::unique_ptr<const AnyPieces> SmoothTrajectory::axis_pieces() const {
+    return motion::axis_pieces(motion_, sections_->axis_spans());
 }
 
 /// From any place, the point is never farther than half of the way of a section and half of the way to its ends. Nor is

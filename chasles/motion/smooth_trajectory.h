@@ -3,6 +3,7 @@
 #pragma once
 
 #include "chasles/motion/any_trajectory.h"
+#include "chasles/motion/axis_way.h"
 #include "chasles/motion/moving_frame.h"
 
 #include <array>
@@ -96,11 +97,15 @@ public:
     /// In order of time; the body turns little in each. Throws InvalidInput where the motion turns so fast, by its
     /// bounds, that they would be too many.
     [[nodiscard]] const std::vector<Section>& all() const;
+    /// In order of time, where the frame goes about or along one axis after another; none otherwise.
+    [[nodiscard]] std::shared_ptr<const std::vector<AxisSpan>> axis_spans() const;
 
 private:
     void make() const;
 
     SharedFrame frame_;
+    mutable std::once_flag axis_is_known_;
+    mutable std::shared_ptr<const std::vector<AxisSpan>> axis_spans_;
     mutable std::once_flag is_made_;
     mutable std::vector<Section> sections_;
 };
@@ -126,6 +131,8 @@ public:
         : motion_(std::move(motion)), sections_(std::make_shared<const Sections>(motion_.relative)) {}
 
     [[nodiscard]] SmoothPieces pieces() const { return {motion_, sections_}; }
+    /// The pieces without enclosures of a motion that goes about or along one axis after another; null for others.
+    [[nodiscard]] std::unique_ptr<const AnyPieces> axis_pieces() const;
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
     [[nodiscard]] std::size_t coarse_count() const;
     [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part) const;

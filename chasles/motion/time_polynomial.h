@@ -29,7 +29,17 @@ public:
 
     [[nodiscard]] double at(double time) const { return value(in_double_, time); }
     [[nodiscard]] Wide at(const Wide& time) const { return value(coefficients_, time); }
-    [[nodiscard]] bool is_straight() const { return coefficients_.size() <= 2; }
+    [[nodiscard]] bool is_straight() const { return sizes_[2] == 0; }
+    [[nodiscard]] bool is_constant() const { return sizes_[1] == 0; }
+    [[nodiscard]] bool is_zero() const { return sizes_[0] == 0; }
+    [[nodiscard]] TimePolynomial derivative() const;
+    /// The coefficients of the Bernstein form on [0, 1].
+    [[nodiscard]] std::vector<Wide> bernstein() const;
+    /// As a polynomial of the share of an interval within [0, 1].
+    [[nodiscard]] TimePolynomial part(const Bracket& times) const;
+    friend TimePolynomial operator+(const TimePolynomial& a, const TimePolynomial& b);
+    friend TimePolynomial operator-(const TimePolynomial& a, const TimePolynomial& b);
+    [[nodiscard]] const std::vector<Wide>& coefficients() const { return coefficients_; }
     /// The sum of the sizes of all coefficients: no value in [0, 1] is larger.
     [[nodiscard]] double size() const { return sizes_[0]; }
     /// The rounding of values, in units of a few roundings of `size()`.

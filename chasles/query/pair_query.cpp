@@ -261,7 +261,7 @@ void PieceByPiece::search_new(FirstContact& found, const HeldPiece& piece, const
     far.held = &held;
     if (has_contact(at_level))
         far.until = enclosing(at_level).upper;
-    const bool tells_new = !piece.context.is_enclosed();
+    const bool tells_new = !query_.trajectory.is_of_enclosed_kind();
     const PieceResult new_contacts = tells_new ? search_within_limit(piece.context, far) : PieceResult();
     found.work += new_contacts.work;
     const bool is_new = has_contact(new_contacts) &&

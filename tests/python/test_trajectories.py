@@ -27,6 +27,17 @@ def test_constant_velocity_moves_its_centre_straight():
     assert "turns 0.6 rad" in repr(velocity)
 
 
+def test_a_turn_about_one_axis_is_certain_although_the_upper_faces_share_a_plane():
+    fixed = chasles.Motion.at_rest(pose(1.5, 1.2, 0))
+    hinge = chasles.Motion.hinge([0, 0, 0], [0, 0, 1], [0, 0, 0.5]) * chasles.Motion.at_rest(pose(1.5, 0, 0))
+    found = chasles.first_contact(cube(), cube(), chasles.relative(hinge, fixed))
+    assert found.verdict == "contact"
+    assert found.certain
+    angle = math.asin(1.2 / math.hypot(2.5, 1)) - math.atan2(1, 2.5)
+    assert found.time <= math.sqrt(angle / 0.5) + 1e-14
+    assert found.time_upper >= math.sqrt(angle / 0.5) - 1e-14
+
+
 def test_constant_twist_slides_evenly():
     twist = chasles.ConstantTwist.between(pose(0, 0, 0), TURNED)
     assert twist.pose_at(0.25)[2, 3] == pytest.approx(0.75)
