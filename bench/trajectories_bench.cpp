@@ -1,6 +1,6 @@
-// The cost of motions that are no screws: constant velocity, constant twist, both bodies moving, a chain of seven
-// hinges. Each is measured beside the screw between the same relative poses, in one run. Times include making the
-// motion, except for chains. Each time is the least of several calls.
+// The cost of motions that are no screws: constant velocity, constant twist, both bodies moving, one hinge and a chain
+// of seven, and the least distance of two rings on one pin. Each is measured beside the screw between the same relative
+// poses, in one run. Times include making the motion, except for chains. Each time is the least of several calls.
 #include "bench/bodies.h"
 #include "bench/draw.h"
 #include "bench/generated_bodies.h"
@@ -133,23 +133,23 @@ void print_case(const NamedBody& body, double turn) {
     }
 }
 
-/// A body at the end of seven hinges, as far apart as the body is long; each turns by `turn` / 7.
-Motion chain(Draw& draw, double length, double turn, const Pose& mounted) {
+/// A body at the end of hinges, as far apart as the body is long; each turns by the same part of `turn`.
+Motion chain(Draw& draw, int hinges, double length, double turn, const Pose& mounted) {
     Motion arm = Motion::at_rest(Pose());
-    for (int i = 0; i < 7; ++i)
-        arm = arm * Motion::hinge(Vector3d::Zero(), draw.direction(), {0, turn / 7}) *
+    for (int i = 0; i < hinges; ++i)
+        arm = arm * Motion::hinge(Vector3d::Zero(), draw.direction(), {0, turn / hinges}) *
               Motion::at_rest(Pose(length * draw.direction(), Quaterniond::Identity()));
     return arm * Motion::at_rest(mounted);
 }
 
 /// The fixed body is placed beside the goal of the body on the chain, or beyond it.
-void print_chain(const NamedBody& body, double turn) {
+void print_chain(const NamedBody& body, int hinges, double turn) {
     Draw draw(58);
     const double length = (body.body.vertices()[0] - body.body.vertices()[body.body.vertices().size() / 2]).norm();
     std::array<std::vector<double>, 2> screws, ratios;
     for (int i = 0; i < 200; ++i) {
         const Pose mounted(Vector3d::Zero(), draw.turn(0, std::numbers::pi));
-        const Motion free = chain(draw, length, turn, mounted);
+        const Motion free = chain(draw, hinges, length, turn, mounted);
         const Vector3d away = draw.between(0.2, 1.2) * length * draw.direction();
         const Pose place(free.pose_at(1).translation + away, Quaterniond::Identity());
         const Motion motion = relative(free, Motion::at_rest(place));
@@ -174,9 +174,48 @@ void print_chain(const NamedBody& body, double turn) {
         ratios[touches].push_back(time_of([&] { return motion; }) / screw);
     }
     for (const std::size_t touches : {0, 1})
-        std::printf("%-15s %3.0f degrees  %-8s %4zu chains   screw %7.2f us  seven hinges %5.2f\n", body.name.c_str(),
+        std::printf("%-15s %3.0f degrees  %-8s %4zu chains   screw %7.2f us  %d hinges %5.2f\n", body.name.c_str(),
                     turn / degree, touches ? "contact" : "clear", screws[touches].size(), median(screws[touches]),
-                    median(ratios[touches]));
+                    hinges, median(ratios[touches]));
+}
+
+/// A flat ring about z.
+Polyhedron washer(std::uint32_t corners, double height) {
+    std::vector<Vector3d> vertices;
+    std::vector<std::vector<std::uint32_t>> faces;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+        const double angle = 2 * std::numbers::pi * i / corners;
+        for (const double radius : {0.5, 1.0})
+            for (const double z : {height, height + 0.25})
+                vertices.emplace_back(radius * std::cos(angle), radius * std::sin(angle), z);
+        const std::uint32_t here = 4 * i, next = 4 * ((i + 1) % corners);
+        for (const auto& [a, b] : {std::pair{2, 3}, {1, 0}, {3, 1}, {0, 2}}) {
+            const auto first = std::uint32_t(a), second = std::uint32_t(b);
+            faces.push_back({here + first, next + first, next + second});
+            faces.push_back({here + first, next + second, here + second});
+        }
+    }
+    return Polyhedron::from_polygons(vertices, faces);
+}
+
+/// Two rings with a gap of 0.2 make half a turn: by a hinge beside the screw.
+void print_rings() {
+    for (const std::uint32_t corners : {24U, 48U, 96U}) {
+        const Polyhedron lower = washer(corners, 0), upper = washer(corners, 0.45);
+        const auto milliseconds = [&](const Motion& motion) {
+            return least_microseconds(
+                       3,
+                       [&] {
+                           if (!least_distance({.moving = lower, .fixed = upper, .motion = motion}).certain)
+                               std::abort();
+                       }) /
+                   1e3;
+        };
+        const double screw = milliseconds(Motion::screw({}, Pose({0, 0, 0}, Quaterniond(0, 0, 0, 1))));
+        const double hinge = milliseconds(Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, std::numbers::pi}));
+        std::printf("rings of %u triangles, least distance: screw %.1f ms  hinge %.2f\n", 8 * corners, screw,
+                    hinge / screw);
+    }
 }
 
 int run() {
@@ -189,9 +228,11 @@ int run() {
     for (const NamedBody& body : bodies)
         for (const double turn : {10 * degree, 90 * degree})
             print_case(body, turn);
-    for (const NamedBody& body : bodies)
-        for (const double turn : {10 * degree, 90 * degree})
-            print_chain(body, turn);
+    for (const int hinges : {1, 7})
+        for (const NamedBody& body : bodies)
+            for (const double turn : {10 * degree, 90 * degree})
+                print_chain(body, hinges, turn);
+    print_rings();
     return 0;
 }
 
