@@ -16,7 +16,7 @@ using Eigen::Vector3d;
 /// Speeds up on a straight way, turns faster and faster, flies past a spinning body, turns evenly.
 std::vector<Motion> motions() {
     const Motion spin = Motion::hinge({0.3, 0, 0}, {1, 2, 3}, {0, 0.5, 1});
-    return {Motion::slider({1, 2, 2}, {0, 0, 3}), spin,
+    return {Motion::polynomial({{0, 0, 0}, {1, 0, 0}, {1, 2, 2}}), spin * Motion::hinge({1, 0, 0}, {0, 1, 0}, {0, 1}),
             relative(Motion::polynomial({{1, 2, 3}, {2, 0, 1}, {-3, 1, 2}}) * spin,
                      Motion::hinge({-1, 0, 2}, {0, 0, 1}, {0, 1})),
             Motion::velocity(shifted(1, 2, 3), turned({3, 1, 0}, {1, 1, 0}, 1))};
