@@ -76,7 +76,7 @@ TEST(NeighbourList, GivesUpOnLongWaysAndOnEnclosedMotions) {
     const Motion far = ScrewMotion::between(Pose(), test::shifted(3, 0, 0));
     EXPECT_FALSE(list.within(bodies.context(far), 0.01, work));
     const Motion enclosed =
-        ConstantTwist::between(Wanderer::home(), test::turned({1.393, 0, 0}, Eigen::Vector3d::UnitX(), 1.51));
+        ConstantTwist::between(Wanderer::home(), test::turned({1.393, 0.1, 0.1}, {1, 0.1, 0}, 1.51));
     EXPECT_FALSE(list.within(bodies.context(enclosed), 0.01, work));
 }
 
