@@ -95,10 +95,11 @@ public:
     [[nodiscard]] const T& get() const { return trajectory_; }
 
     [[nodiscard]] std::unique_ptr<const AnyPieces> pieces() const override {
-        if constexpr (requires { trajectory_.axis_pieces(); })
-            if (std::unique_ptr<const AnyPieces> pieces = trajectory_.axis_pieces())
-                return pieces;
-        return std::make_unique<Pieces>(trajectory_);
+        TypedPieces pieces = trajectory_.pieces();
+        if constexpr (may_be_enclosed)
+            if (std::unique_ptr<const AnyPieces> axis_pieces = pieces.axis_pieces())
+                return axis_pieces;
+        return std::make_unique<Pieces>(std::move(pieces));
     }
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const override {
         return trajectory_.ball_around_path(point);
@@ -115,9 +116,7 @@ public:
         else
             return nullptr;
     }
-    [[nodiscard]] bool is_of_enclosed_kind() const override {
-        return requires { trajectory_.axis_pieces(); };
-    }
+    [[nodiscard]] bool is_of_enclosed_kind() const override { return may_be_enclosed; }
     [[nodiscard]] const MotionEnds* straight_ends() const override {
         if constexpr (requires { trajectory_.straight_ends(); })
             return trajectory_.straight_ends();
@@ -128,10 +127,11 @@ public:
 private:
     using TypedPieces = decltype(std::declval<const T&>().pieces());
     using TypedPiece = std::remove_cvref_t<decltype(std::declval<const TypedPieces&>()[0])>;
+    static constexpr bool may_be_enclosed = requires(const TypedPieces& pieces) { pieces.axis_pieces(); };
 
     class Pieces final : public AnyPieces {
     public:
-        explicit Pieces(const T& trajectory) : pieces_(trajectory.pieces()) {}
+        explicit Pieces(TypedPieces pieces) : pieces_(std::move(pieces)) {}
         [[nodiscard]] std::size_t size() const override { return pieces_.size(); }
         [[nodiscard]] std::unique_ptr<const AnyPiece> at(std::size_t index) const override {
             return std::make_unique<ErasedPiece<TypedPiece>>(pieces_, index);

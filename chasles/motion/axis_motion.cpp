@@ -19,10 +19,6 @@ Vector3<Exact> negated(const Vector3<Exact>& v) {
     return Vector3<Exact>() - v;
 }
 
-ExactVector sum(const ExactVector& a, const ExactVector& b) {
-    return {scale(a.numerators, b.unit) + scale(b.numerators, a.unit), a.unit * b.unit};
-}
-
 /// A number of size about one, rounded.
 Wide wide(const algebra::Dyadic& x) {
     const double high = x.truncated();
@@ -42,7 +38,7 @@ void reduce(std::initializer_list<Exact*> numbers) {
     }
 }
 
-ExactVector reduced(ExactVector vector) {
+ScaledVector reduced(ScaledVector vector) {
     auto& [x, y, z] = vector.numerators;
     reduce({&x, &y, &z, &vector.unit});
     return vector;
@@ -51,8 +47,8 @@ ExactVector reduced(ExactVector vector) {
 /// 1 or -1 if both lines are one, 0 if not.
 int same_line(const AxisMotion& a, const AxisMotion& b) {
     const Vector3<Exact>& direction = a.direction.numerators;
-    const Vector3<Exact> apart = scale(b.point.numerators, a.point.unit) - scale(a.point.numerators, b.point.unit);
-    if (!is_zero(cross(direction, b.direction.numerators)) || !is_zero(cross(direction, apart)))
+    const ScaledVector apart = b.point - a.point;
+    if (!is_zero(cross(direction, b.direction.numerators)) || !is_zero(cross(direction, apart.numerators)))
         return 0;
     return dot(direction, b.direction.numerators).sign();
 }
@@ -71,16 +67,20 @@ std::vector<AxisSection> MovingFrame::axis_sections() const {
     return {};
 }
 
-bool ExactVector::is_zero() const {
+bool ScaledVector::is_zero() const {
     return motion::is_zero(numerators);
+}
+
+ScaledVector operator+(const ScaledVector& a, const ScaledVector& b) {
+    return {scale(a.numerators, b.unit) + scale(b.numerators, a.unit), a.unit * b.unit};
+}
+
+ScaledVector operator-(const ScaledVector& a, const ScaledVector& b) {
+    return a + ScaledVector{negated(b.numerators), b.unit};
 }
 
 Exact exact_number(const Wide& x) {
     return Exact(x.high()) + Exact(x.low());
-}
-
-ExactVector exact_vector(const Vector3<Wide>& v) {
-    return {{exact_number(v.x), exact_number(v.y), exact_number(v.z)}};
 }
 
 Wide quotient(const Exact& a, const Exact& b) {
@@ -89,27 +89,28 @@ Wide quotient(const Exact& a, const Exact& b) {
     return wide(a.rational().times_power_of_two(power)) / wide(divisor.times_power_of_two(power));
 }
 
+Vector3<Wide> quotients(const ScaledVector& v) {
+    const auto& [x, y, z] = v.numerators;
+    return {quotient(x, v.unit), quotient(y, v.unit), quotient(z, v.unit)};
+}
+
 ExactPose::ExactPose(const Pose& pose) {
     const auto given = pose_in<Exact>(pose);
     rotation = given.rotation;
     translation.numerators = given.translation;
 }
 
-ExactPose::ExactPose(const GeneralPose<Wide>& pose)
-    : rotation{exact_number(pose.rotation.w), exact_vector(pose.rotation.v).numerators},
-      translation(exact_vector(pose.translation)) {}
-
 /// Without a turn, numbers do not become longer.
-ExactVector ExactPose::turned(const ExactVector& vector) const {
+ScaledVector ExactPose::turned(const ScaledVector& vector) const {
     if (motion::is_zero(rotation.v) || vector.is_zero())
         return vector;
     return reduced({scaled_rotation_matrix(rotation) * vector.numerators, vector.unit * rotation.squared_norm()});
 }
 
-ExactVector ExactPose::placed(const ExactVector& point) const {
+ScaledVector ExactPose::placed(const ScaledVector& point) const {
     if (point.is_zero())
         return translation;
-    return translation.is_zero() ? turned(point) : reduced(sum(turned(point), translation));
+    return translation.is_zero() ? turned(point) : reduced(turned(point) + translation);
 }
 
 ExactPose ExactPose::inverse() const {
@@ -147,22 +148,17 @@ AxisMotion AxisMotion::part(const Bracket& times) const {
 
 /// (X A) (Y B) is X Y' A B, where A carries Y to Y'.
 std::optional<AxisMotion> product(const AxisMotion& outer, const AxisMotion& inner) {
-    AxisMotion result = carried(outer.base, inner);
+    const AxisMotion moved = carried(outer.base, inner);
     if (outer.kind == AxisMotion::Kind::rest)
+        return moved;
+    AxisMotion result = outer;
+    result.base = moved.base;
+    if (inner.kind == AxisMotion::Kind::rest)
         return result;
-    if (inner.kind == AxisMotion::Kind::rest) {
-        const ExactPose base = result.base;
-        result = outer;
-        result.base = base;
-        return result;
-    }
     const bool turn = outer.kind == AxisMotion::Kind::turn && inner.kind == AxisMotion::Kind::turn;
-    const int way = turn ? same_line(outer, result) : 0;
+    const int way = turn ? same_line(outer, moved) : 0;
     if (way == 0)
         return std::nullopt;
-    const ExactPose base = result.base;
-    result = outer;
-    result.base = base;
     result.value = way > 0 ? outer.value + inner.value : outer.value - inner.value;
     result.goal.reset();
     if (result.value.is_zero())

@@ -12,25 +12,26 @@
 namespace chasles::motion {
 
 /// A vector over a positive unit: the exact scalars have no division.
-struct ExactVector {
+struct ScaledVector {
     Vector3<algebra::ExactNumber> numerators{};
     algebra::ExactNumber unit = 1.0;
 
     [[nodiscard]] bool is_zero() const;
+    friend ScaledVector operator+(const ScaledVector& a, const ScaledVector& b);
+    friend ScaledVector operator-(const ScaledVector& a, const ScaledVector& b);
 };
 
 /// A pose without rounding. The quaternion has any length.
 struct ExactPose {
     Quaternion<algebra::ExactNumber> rotation{1.0, {}};
-    ExactVector translation;
+    ScaledVector translation;
 
     ExactPose() = default;
     explicit ExactPose(const Pose& pose);
-    explicit ExactPose(const GeneralPose<algebra::DoubleDouble>& pose);
 
     [[nodiscard]] ExactPose inverse() const;
-    [[nodiscard]] ExactVector turned(const ExactVector& vector) const;
-    [[nodiscard]] ExactVector placed(const ExactVector& point) const;
+    [[nodiscard]] ScaledVector turned(const ScaledVector& vector) const;
+    [[nodiscard]] ScaledVector placed(const ScaledVector& point) const;
     friend ExactPose operator*(const ExactPose& outer, const ExactPose& inner);
 };
 
@@ -46,8 +47,8 @@ struct AxisMotion {
     enum class Kind : std::uint8_t { rest, turn, slide };
 
     Kind kind = Kind::rest;
-    ExactVector direction; ///< of any length; zero at rest
-    ExactVector point;     ///< of the line, for a turn
+    ScaledVector direction; ///< of any length; zero at rest
+    ScaledVector point;     ///< of the line, for a turn
     ExactPose base;
     TimePolynomial value = TimePolynomial(std::vector<double>{0, 1});
     std::optional<HalfTurn> goal; ///< at time 1, where it is known without rounding; the sine is the value for a slide
@@ -70,8 +71,9 @@ struct AxisSection {
 /// The quotient of two exact numbers, of which the second is positive, with a relative error of at most 2^-100.
 algebra::DoubleDouble quotient(const algebra::ExactNumber& a, const algebra::ExactNumber& b);
 
-/// Numbers in double-double as exact ones.
+Vector3<algebra::DoubleDouble> quotients(const ScaledVector& v);
+
+/// A number in double-double as an exact one.
 algebra::ExactNumber exact_number(const algebra::DoubleDouble& x);
-ExactVector exact_vector(const Vector3<algebra::DoubleDouble>& v);
 
 } // namespace chasles::motion

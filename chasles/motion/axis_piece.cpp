@@ -1,8 +1,6 @@
 // Turns from one rational half turn to another are screws without a slide. Source: docs/derivations/35-one-axis.md.
 #include "chasles/motion/axis_piece.h"
 
-#include "chasles/algebra/arc_tangent.h"
-
 #include <algorithm>
 #include <cmath>
 
@@ -19,11 +17,8 @@ using Wide = algebra::DoubleDouble;
 constexpr double rounding_outwards = 0x1p-49;
 /// Within this time of an end the value may not rise or fall as it does elsewhere, as its rate is nearly zero.
 constexpr double stop_duration = 0x1p-43;
-/// Below this half-angle tangent the share of the turn and tau differ by less than half an ulp.
-constexpr double uniform_tangent = 1e-9;
-
 /// The turn about the axis by a half turn.
-Quaternion<Exact> quaternion(const HalfTurn& turn, const ExactVector& direction) {
+Quaternion<Exact> quaternion(const HalfTurn& turn, const ScaledVector& direction) {
     return {turn.cosine * direction.unit, scale(direction.numerators, turn.sine)};
 }
 
@@ -31,17 +26,14 @@ Quaternion<Exact> quaternion(const HalfTurn& turn, const ExactVector& direction)
 RationalMotion<Exact> exact_turn(const AxisMotion& motion, const HalfTurn& from, const HalfTurn& to) {
     const Quaternion<Exact> start = quaternion(from, motion.direction);
     const Quaternion<Exact> turn = quaternion(to, motion.direction) * start.conjugate();
-    const ExactVector& point = motion.point;
-    const ExactVector& place = motion.base.translation;
     const Exact square = start.squared_norm();
-    const Vector3<Exact> arm =
-        scaled_rotation_matrix(start) *
-        (scale(place.numerators, point.unit) - scale(point.numerators, place.unit)); // over point, place and square
+    const ScaledVector apart = motion.base.translation - motion.point;
+    const Vector3<Exact> arm = scaled_rotation_matrix(start) * apart.numerators; // over the unit of `apart` and square
     RationalMotion<Exact> result;
     result.turn_unit = result.end_cosine = turn.w;
     result.axis = turn.v;
-    result.length_unit = place.unit * point.unit * square;
-    result.origin = arm + scale(point.numerators, Exact(place.unit * square));
+    result.length_unit = apart.unit * square;
+    result.origin = arm + scale(motion.point.numerators, Exact(motion.base.translation.unit * square));
     result.moment = cross(turn.v, arm);
     const Quaternion<Exact> orientation = start * motion.base.rotation;
     result.orientation = scaled_rotation_matrix(orientation);
@@ -51,7 +43,7 @@ RationalMotion<Exact> exact_turn(const AxisMotion& motion, const HalfTurn& from,
 
 /// The slide from one multiple of the direction to another. At rest the direction is zero.
 RationalMotion<Exact> exact_slide(const AxisMotion& motion, const Exact& from, const Exact& to) {
-    const ExactVector& place = motion.base.translation;
+    const ScaledVector& place = motion.base.translation;
     const Vector3<Exact> direction = scale(motion.direction.numerators, place.unit);
     RationalMotion<Exact> result;
     result.end_cosine = 1.0;
@@ -70,20 +62,16 @@ RationalMotion<Exact> exact_motion(const AxisSpan& span) {
                                                  : exact_slide(motion, from.sine, to.sine);
 }
 
-Vector3<Wide> quotients(const Vector3<Exact>& v, const Exact& unit) {
-    return {quotient(v.x, unit), quotient(v.y, unit), quotient(v.z, unit)};
-}
-
 RationalMotion<Wide> rounded(const RationalMotion<Exact>& motion) {
     const Matrix3<Exact>& turn = motion.orientation;
-    const Exact& unit = motion.orientation_unit;
+    const auto row = [&](int i) { return quotients({turn.row[i], motion.orientation_unit}); };
     RationalMotion<Wide> result;
     result.end_cosine = 1.0;
-    result.axis = quotients(motion.axis, motion.turn_unit);
-    result.moment = quotients(motion.moment, motion.turn_unit * motion.length_unit);
-    result.displacement = quotients(motion.displacement, motion.length_unit);
-    result.origin = quotients(motion.origin, motion.length_unit);
-    result.orientation = {{quotients(turn.row[0], unit), quotients(turn.row[1], unit), quotients(turn.row[2], unit)}};
+    result.axis = quotients({motion.axis, motion.turn_unit});
+    result.moment = quotients({motion.moment, motion.turn_unit * motion.length_unit});
+    result.displacement = quotients({motion.displacement, motion.length_unit});
+    result.origin = quotients({motion.origin, motion.length_unit});
+    result.orientation = {{row(0), row(1), row(2)}};
     return result;
 }
 
@@ -135,7 +123,8 @@ public:
         : motion_(std::move(motion)), spans_(std::move(spans)) {}
     [[nodiscard]] std::size_t size() const override { return spans_->size(); }
     [[nodiscard]] std::unique_ptr<const AnyPiece> at(std::size_t index) const override {
-        return std::make_unique<ErasedPiece<AxisPiece>>(AxisPiece(motion_, (*spans_)[index]));
+        return std::make_unique<ErasedPiece<AxisPiece>>(
+            AxisPiece(motion_, std::shared_ptr<const AxisSpan>(spans_, &(*spans_)[index])));
     }
 
 private:
@@ -145,47 +134,54 @@ private:
 
 } // namespace
 
-AxisPiece::AxisPiece(SmoothMotion motion, const AxisSpan& span)
-    : motion_(std::move(motion)), span_(span), times_{span.start.time, span.goal.time}, cubic_(refined_motion(span)),
-      half_tangent_(length(in_double(cubic_.axis))) {}
+AxisPiece::AxisPiece(SmoothMotion motion, std::shared_ptr<const AxisSpan> span)
+    : motion_(std::move(motion)), span_(std::move(span)), times_{span_->start.time, span_->goal.time},
+      cubic_(refined_motion(*span_)), clock_(Quaternion<Wide>{1.0, cubic_.axis}) {}
 
 std::optional<ExactMotion> AxisPiece::exact() const {
-    return ExactMotion{nullptr, control_maps(exact_motion(span_))};
+    return ExactMotion{nullptr, control_maps(exact_motion(*span_))};
 }
 
-/// The share of the piece's way, in [0, 1].
-double AxisPiece::share_at(double tau) const {
-    if (tau <= 0 || tau >= 1 || half_tangent_ < uniform_tangent)
-        return std::clamp(tau, 0.0, 1.0);
-    return algebra::arc_tangent(tau * half_tangent_) / algebra::arc_tangent(half_tangent_);
+/// Whether the share of the way is that of the time. Where there is no way, it may be.
+bool AxisPiece::runs_evenly() const {
+    const AxisMotion& motion = section().motion;
+    return motion.kind == AxisMotion::Kind::rest || motion.value.is_straight() ||
+           span_->start.value == span_->goal.value;
+}
+
+/// The section's own time.
+double AxisPiece::local(double time) const {
+    const auto& [lower, upper] = section().times;
+    return std::clamp((time - lower) / (upper - lower), 0.0, 1.0);
+}
+
+double AxisPiece::global(double time) const {
+    const auto& [lower, upper] = section().times;
+    return lower + time * (upper - lower);
 }
 
 /// Rounded outward.
 Bracket AxisPiece::times_of_shares(const Bracket& shares) const {
     const double duration = times_.upper - times_.lower;
-    const TimePolynomial& value = span_.way->section.motion.value;
-    if (span_.way->section.motion.kind == AxisMotion::Kind::rest || value.is_straight())
+    if (runs_evenly())
         return {times_.lower + shares.lower * duration, times_.lower + shares.upper * duration};
-    const Wide &start = span_.start.value, way = span_.goal.value - start;
-    const Bracket& whole = span_.way->section.times;
-    const auto local = [&](double time) { return (time - whole.lower) / (whole.upper - whole.lower); };
+    const Wide &start = span_->start.value, way = span_->goal.value - start;
     const Bracket within{local(times_.lower), local(times_.upper)};
-    Bracket times = times_at(value, start + way * Wide(shares.lower * (1 - rounding_outwards)),
+    Bracket times = times_at(section().motion.value, start + way * Wide(shares.lower * (1 - rounding_outwards)),
                              start + way * Wide(shares.upper * (1 + rounding_outwards)), within);
     const auto is_at_stop = [&](double time) {
-        return (span_.start.is_slow && time < within.lower + stop_duration) ||
-               (span_.goal.is_slow && time > within.upper - stop_duration);
+        return (span_->start.is_slow && time < within.lower + stop_duration) ||
+               (span_->goal.is_slow && time > within.upper - stop_duration);
     };
     if (is_at_stop(times.lower))
         times.lower -= stop_duration;
     if (is_at_stop(times.upper))
         times.upper += stop_duration;
-    const auto global = [&](double time) { return whole.lower + time * (whole.upper - whole.lower); };
     return {global(times.lower), global(times.upper)};
 }
 
 Bracket AxisPiece::time_of(const Bracket& tau) const {
-    const Bracket times = times_of_shares({share_at(tau.lower), share_at(tau.upper)});
+    const Bracket times = times_of_shares({clock_.time_at(tau.lower), clock_.time_at(tau.upper)});
     const auto at = [&](double place, double time) { // the ends are exact
         return place <= 0 ? times_.lower : place >= 1 ? times_.upper : std::clamp(time, times_.lower, times_.upper);
     };
@@ -196,47 +192,37 @@ double AxisPiece::time_at(double tau) const {
     return middle_of(time_of({tau, tau}));
 }
 
-/// Radians, or lengths of the direction, per unit of the motion's time.
-double AxisPiece::rate_of_value(double time) const {
-    const Bracket& whole = span_.way->section.times;
-    const double duration = whole.upper - whole.lower;
-    const double local = std::clamp((time - whole.lower) / duration, 0.0, 1.0);
-    return std::abs(span_.way->section.motion.value.rates({local, local}).first) / duration;
+/// The share of the piece's way per unit of time, at a time.
+double AxisPiece::share_rate(double time) const {
+    if (runs_evenly())
+        return 1 / (times_.upper - times_.lower);
+    const double way = std::abs(double(span_->goal.value - span_->start.value));
+    const double rate = std::abs(section().motion.value.rates({local(time), local(time)}).first);
+    return rate / way / (section().times.upper - section().times.lower);
 }
 
 /// A lower bound during the piece.
-double AxisPiece::least_rate_of_value() const {
-    const Bracket& whole = span_.way->section.times;
-    const double duration = whole.upper - whole.lower;
-    const Bracket local{(times_.lower - whole.lower) / duration, (times_.upper - whole.lower) / duration};
-    const PolynomialRates rates = span_.way->section.motion.value.rates(local);
-    return std::max(0.0, std::abs(rates.first) - rates.bounds[1] * half_of(local)) / duration;
+double AxisPiece::least_share_rate() const {
+    if (runs_evenly())
+        return 1 / (times_.upper - times_.lower);
+    const double way = std::abs(double(span_->goal.value - span_->start.value));
+    const Bracket times{local(times_.lower), local(times_.upper)};
+    const PolynomialRates rates = section().motion.value.rates(times);
+    const double rate = std::max(0.0, std::abs(rates.first) - rates.bounds[1] * half_of(times));
+    return rate / way / (section().times.upper - section().times.lower);
 }
 
 double AxisPiece::tau_rate(double tau) const {
-    const double duration = times_.upper - times_.lower;
-    if (span_.way->section.motion.kind == AxisMotion::Kind::rest)
-        return 1 / duration;
-    const double way = std::abs(double(span_.goal.value - span_.start.value));
-    const double share_rate =
-        span_.way->section.motion.value.is_straight() ? 1 / duration : rate_of_value(time_at(tau)) / way;
-    if (half_tangent_ < uniform_tangent)
-        return share_rate;
-    const double half_turn = algebra::arc_tangent(half_tangent_);
-    return share_rate * half_turn / half_tangent_ * (1 + tau * tau * half_tangent_ * half_tangent_);
+    return clock_.tau_rate(tau) * share_rate(time_at(tau));
 }
 
 /// Where the value all but stops, no width of tau is narrow enough: a bracket of time is as wide as that of the value
 /// makes it.
 double AxisPiece::tau_tolerance(double time_tolerance) const {
     constexpr double least_rate = 0x1p-12; // of the mean rate
-    const double duration = times_.upper - times_.lower;
-    double rate = half_tangent_ < uniform_tangent ? 1 : algebra::arc_tangent(half_tangent_) / half_tangent_;
-    if (!span_.way->section.motion.value.is_straight()) {
-        const double mean = std::abs(double(span_.goal.value - span_.start.value)) / duration;
-        rate *= std::clamp(least_rate_of_value() / mean, least_rate, 1.0);
-    }
-    return std::min(1.0, time_tolerance / duration * rate);
+    const double mean_rate = 1 / (times_.upper - times_.lower);
+    const double rate = std::max(least_share_rate(), least_rate * mean_rate);
+    return std::min(1.0, time_tolerance * rate * std::min(1.0, clock_.tau_rate(0)));
 }
 
 Pose AxisPiece::pose_at(double tau) const {

@@ -3,22 +3,17 @@
 #pragma once
 
 #include "chasles/motion/axis_way.h"
+#include "chasles/motion/screw_clock.h"
 #include "chasles/motion/smooth_trajectory.h"
 
 namespace chasles::motion {
 
-class AxisPiece {
+class AxisPiece : public NotEnclosed {
 public:
-    /// Keeps the span by reference.
-    AxisPiece(SmoothMotion motion, const AxisSpan& span);
+    AxisPiece(SmoothMotion motion, std::shared_ptr<const AxisSpan> span);
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const { return cubic_; }
     [[nodiscard]] std::optional<ExactMotion> exact() const;
-    [[nodiscard]] static std::optional<Enclosure<double>> enclosure(const Bracket&) { return std::nullopt; }
-    [[nodiscard]] static std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
-        return std::nullopt;
-    }
-    [[nodiscard]] static bool is_refined() { return false; }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const;
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return time_of(tau); }
@@ -28,17 +23,20 @@ public:
     [[nodiscard]] Pose fixed_pose_at(double tau) const;
 
 private:
-    [[nodiscard]] double share_at(double tau) const;
-    [[nodiscard]] double rate_of_value(double time) const;
-    [[nodiscard]] double least_rate_of_value() const;
+    [[nodiscard]] const AxisSection& section() const { return span_->way->section; }
+    [[nodiscard]] bool runs_evenly() const;
     [[nodiscard]] Bracket times_of_shares(const Bracket& shares) const;
     [[nodiscard]] double time_at(double tau) const;
+    [[nodiscard]] double local(double time) const;
+    [[nodiscard]] double global(double time) const;
+    [[nodiscard]] double share_rate(double time) const;
+    [[nodiscard]] double least_share_rate() const;
 
     SmoothMotion motion_;
-    const AxisSpan& span_;
+    std::shared_ptr<const AxisSpan> span_;
     Bracket times_; ///< of the motion
     RationalMotion<algebra::DoubleDouble> cubic_;
-    double half_tangent_ = 0; ///< of the turn; 0 for a slide
+    ScrewClock clock_; ///< of the share of the way
 };
 
 /// The pieces of a motion that goes about or along one axis after another; null for another one.

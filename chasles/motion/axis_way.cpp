@@ -1,4 +1,4 @@
-// Finds the times at which a polynomial turns back by bounds of its rates, and where it has a value by bisection.
+// Finds the times at which a polynomial turns back by the signs of its rate, and where it has a value by bisection.
 // Source: docs/derivations/35-one-axis.md, "Stops".
 #include "chasles/motion/axis_way.h"
 
@@ -23,8 +23,8 @@ constexpr double least_interval = 0x1p-45;
 constexpr std::size_t most_turning_points = 200;
 /// The next turning point is at least so much later, and the first and the last are so far from the ends.
 constexpr double least_distance = 4 * least_interval;
-/// How far a way goes on beyond an end that is rounded, relative to the sizes of the value: more than the error of a
-/// value and of its sine.
+/// How far a way goes on beyond an end that is rounded, relative to the sizes of the value and its rate: more than the
+/// error of a value and of its sine, and than a way that counts as none.
 constexpr double reserve = 0x1p-90;
 
 /// Finds the times at which a polynomial turns back, up to rounding.
@@ -75,18 +75,13 @@ bool is_turn(const AxisMotion& motion) {
     return motion.kind == AxisMotion::Kind::turn;
 }
 
-Vector3<Wide> quotients(const ExactVector& v) {
-    const auto& [x, y, z] = v.numerators;
-    return {quotient(x, v.unit), quotient(y, v.unit), quotient(z, v.unit)};
-}
-
 /// From the nearest point of the line to the body's origin.
-ExactVector arm_of(const AxisMotion& motion) {
-    const ExactVector &place = motion.base.translation, &point = motion.point;
+ScaledVector arm_of(const AxisMotion& motion) {
+    const ScaledVector apart = motion.base.translation - motion.point;
     const Vector3<Exact>& direction = motion.direction.numerators;
-    const Vector3<Exact> apart = scale(place.numerators, point.unit) - scale(point.numerators, place.unit);
     const Exact square = dot(direction, direction);
-    return {scale(apart, square) - scale(direction, dot(direction, apart)), place.unit * point.unit * square};
+    const Exact along = dot(direction, apart.numerators);
+    return {scale(apart.numerators, square) - scale(direction, along), apart.unit * square};
 }
 
 Quaternion<Wide> unit_quaternion(const Quaternion<Exact>& q) {
@@ -101,7 +96,9 @@ Quaternion<Wide> unit_quaternion(const Quaternion<Exact>& q) {
 /// Makes the stops of one section.
 class Stops {
 public:
-    explicit Stops(const AxisSection& section) : times_(section.times), motion_(section.motion) {
+    explicit Stops(const AxisSection& section)
+        : times_(section.times), motion_(section.motion),
+          reserve_(reserve * (1 + motion_.value.size() + motion_.value.derivative().size())) {
         if (is_turn(motion_))
             length_ = length(quotients(motion_.direction));
     }
@@ -117,6 +114,7 @@ private:
 
     Bracket times_;
     const AxisMotion& motion_;
+    double reserve_;    ///< in values
     Wide length_ = 1.0; ///< of the axis of a turn
 };
 
@@ -155,15 +153,11 @@ AxisStop Stops::end(double time, double outwards) const {
     const double near = 2 * least_distance; // the rate may be zero so near
     const double curvature = motion_.value.rates({std::max(0.0, time - near), std::min(1.0, time + near)}).bounds[1];
     const double rate = std::abs(motion_.value.rates({time, time}).first);
-    const bool goes_no_further = (time == 0 || time == 1) && (rate == 0 || rate > curvature * near);
-    if (value == Wide(0.0) && goes_no_further) {
-        AxisStop stop = this->stop(time, value);
-        stop.is_slow = rate == 0;
-        return stop;
-    }
-    const double beyond = reserve * (1 + motion_.value.size()) + curvature * near * near;
+    const bool is_slow = rate <= curvature * near;
+    const bool is_exact = value == Wide(0.0) && (time == 0 || time == 1) && (rate == 0 || !is_slow);
+    const double beyond = is_exact ? 0 : reserve_ + curvature * near * near;
     AxisStop stop = this->stop(time, value + Wide(outwards * beyond));
-    stop.is_slow = rate <= curvature * near;
+    stop.is_slow = is_slow;
     return stop;
 }
 
@@ -195,8 +189,9 @@ std::vector<AxisStop> Stops::all() const {
     ends.push_back(1);
     std::vector<AxisStop> stops;
     for (std::size_t i = 0; i < ends.size(); ++i) {
-        const auto falls_to = [&](std::size_t other) { // from this end
-            return value_at(ends[i]) < value_at(ends[other]) ? -1.0 : 1.0;
+        const auto falls_to = [&](std::size_t other) { // from this end; 0 where it stays
+            const double fall = double(value_at(ends[i]) - value_at(ends[other]));
+            return std::abs(fall) <= reserve_ ? 0.0 : std::copysign(1.0, fall);
         };
         const double before = falls_to(i == 0 ? 1 : i - 1), after = falls_to(i + 1 == ends.size() ? i - 1 : i + 1);
         stops.push_back(end(ends[i], before == after ? before : 0));
@@ -231,7 +226,10 @@ std::vector<AxisSpan> axis_spans(std::vector<AxisSection> sections) {
 }
 
 Bracket times_at(const TimePolynomial& polynomial, const Wide& first, const Wide& last, const Bracket& times) {
-    const bool rises = polynomial.at(Wide(times.lower)) < polynomial.at(Wide(times.upper));
+    constexpr double rounding = 0x1p-96;
+    const Wide start = polynomial.at(Wide(times.lower)), goal = polynomial.at(Wide(times.upper));
+    const bool rises = start == goal ? !(last < first) : start < goal;
+    const Wide slack((rises ? rounding : -rounding) * (1 + polynomial.size()));
     // The last time at which the polynomial is before a value, and the next one.
     const auto around = [&](const Wide& value) {
         Bracket found = times;
@@ -242,7 +240,7 @@ Bracket times_at(const TimePolynomial& polynomial, const Wide& first, const Wide
         }
         return found;
     };
-    return {around(first).lower, around(last).upper};
+    return {around(first - slack).lower, around(last + slack).upper};
 }
 
 } // namespace chasles::motion

@@ -182,19 +182,18 @@ RateExpansion EvenFrame::expansion(const Bracket& times) const {
 }
 
 /// A point that the motion does not move; empty where it moves all, or slides along its axis.
-std::optional<ExactVector> EvenFrame::resting_point(const ExactTurn& turn) const {
+std::optional<ScaledVector> EvenFrame::resting_point(const ExactTurn& turn) const {
     const auto& [w, v] = turn.rotation;
     const Vector3<Exact> start = pose_in<Exact>(start_).translation;
     if (kind_ == EvenKind::velocity) {
         const Vector3<Exact> centre = vector_in<Exact>(centre_);
-        const ExactVector before = ExactPose(start_).placed({centre}), after = ExactPose(goal_).placed({centre});
-        const ExactVector way{scale(after.numerators, before.unit) - scale(before.numerators, after.unit)};
-        return way.is_zero() ? std::optional(before) : std::nullopt;
+        const ScaledVector before = ExactPose(start_).placed({centre}), after = ExactPose(goal_).placed({centre});
+        return (after - before).is_zero() ? std::optional(before) : std::nullopt;
     }
     if (dot(v, turn.shift).sign() != 0)
         return std::nullopt;
     const Exact square = dot(v, v), twice = square + square;
-    return ExactVector{scale(start, twice) + scale(turn.shift, square) + scale(cross(v, turn.shift), w), twice};
+    return ScaledVector{scale(start, twice) + scale(turn.shift, square) + scale(cross(v, turn.shift), w), twice};
 }
 
 /// A turn about an axis without a slide, or a slide without a turn. Most motions are neither, as a look at the numbers
@@ -217,13 +216,13 @@ std::vector<AxisSection> EvenFrame::axis_sections() const {
     motion.kind = turns ? AxisMotion::Kind::turn : AxisMotion::Kind::slide;
     motion.goal = {1.0, 1.0};
     if (turns) {
-        const std::optional<ExactVector> point = resting_point(turn);
+        const std::optional<ScaledVector> point = resting_point(turn);
         if (!point)
             return {};
         motion.point = *point;
         motion.value = TimePolynomial(std::vector<Wide>{Wide(0.0), refined().angle});
         motion.goal->cosine = turn.rotation.w;
-    } else if (!ExactVector{turn.rotation.v}.is_zero()) {
+    } else if (!ScaledVector{turn.rotation.v}.is_zero()) {
         return {};
     } else if (motion.direction.is_zero()) {
         motion.kind = AxisMotion::Kind::rest;
@@ -279,28 +278,6 @@ std::optional<CoarseMotion> EvenTrajectory::coarse(std::size_t /*part*/) const {
 SmoothPieces EvenTrajectory::pieces() const {
     const SharedFrame moving = frame();
     return {SmoothMotion::of_one(moving), std::make_shared<const Sections>(moving)};
-}
-
-/// Up to rounding: most motions slide along their axis, or their centre moves while they turn.
-bool EvenTrajectory::may_have_one_axis() const {
-    constexpr double rounding = 1e-10;
-    const auto from = pose_in<double>(ends_.start), to = pose_in<double>(ends_.goal);
-    const Quaternion<double> turn = to.rotation * from.rotation.conjugate();
-    if (length(turn.v) <= rounding * std::abs(turn.w))
-        return true;
-    if (kind_ == Kind::twist) {
-        const Vector3<double> shift = to.translation - from.translation;
-        return std::abs(dot(turn.v, shift)) <= rounding * length(turn.v) * length(shift);
-    }
-    const Vector3<double> centre = vector_in<double>(centre_);
-    const double size = norm1(from.translation) + norm1(to.translation) + norm1(centre);
-    return length(placed(to, centre) - placed(from, centre)) <= rounding * size;
-}
-
-std::unique_ptr<const AnyPieces> EvenTrajectory::axis_pieces() const {
-    if (!may_have_one_axis())
-        return nullptr;
-    return SmoothTrajectory(SmoothMotion::of_one(frame())).axis_pieces();
 }
 
 Pose EvenTrajectory::pose_at(double time) const {

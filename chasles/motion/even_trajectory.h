@@ -74,7 +74,7 @@ private:
     };
 
     [[nodiscard]] const EvenMotion<Wide>& refined() const;
-    [[nodiscard]] std::optional<ExactVector> resting_point(const ExactTurn& turn) const;
+    [[nodiscard]] std::optional<ScaledVector> resting_point(const ExactTurn& turn) const;
     /// An end as it was given. Ends are asked for most often, and need no sine.
     [[nodiscard]] GeneralPose<double> at_end(bool is_goal) const;
 
@@ -106,7 +106,6 @@ public:
 
     [[nodiscard]] SharedFrame frame() const;
     [[nodiscard]] SmoothPieces pieces() const;
-    [[nodiscard]] std::unique_ptr<const AnyPieces> axis_pieces() const;
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
     [[nodiscard]] static std::size_t coarse_count() { return 1; }
     [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part = 0) const;
@@ -115,7 +114,6 @@ public:
 
 private:
     [[nodiscard]] EvenMotion<double> numbers() const;
-    [[nodiscard]] bool may_have_one_axis() const;
 
     MotionEnds ends_;
     Eigen::Vector3d centre_;

@@ -1,5 +1,6 @@
 #include "chasles/motion/exact_motion.h"
 
+#include "chasles/motion/axis_motion.h"
 #include "chasles/motion/screw_path.h"
 
 namespace chasles::motion {
@@ -8,12 +9,6 @@ namespace {
 
 using Exact = algebra::ExactNumber;
 using ExactVector = Vector3<Exact>;
-
-/// A pose whose translation is a multiple of 1 / unit.
-struct ScaledPose {
-    GeneralPose<Exact> pose;
-    Exact unit;
-};
 
 /// Both poses over one unit.
 struct Ends {
@@ -24,22 +19,17 @@ struct Ends {
     [[nodiscard]] ExactVector shift() const { return goal.translation - start.translation; }
 };
 
-ScaledPose in_fixed_frame(const Pose& given, const Pose* seen_from) {
-    const GeneralPose<Exact> pose = pose_in<Exact>(given);
-    if (!seen_from)
-        return {pose, Exact(1)};
-    const GeneralPose<Exact> frame = pose_in<Exact>(*seen_from);
-    const Quaternion<Exact> back = frame.rotation.conjugate();
-    return {{scaled_rotation_matrix(back) * (pose.translation - frame.translation), back * pose.rotation},
-            back.squared_norm()};
+ExactPose in_fixed_frame(const Pose& given, const Pose* seen_from) {
+    const ExactPose pose(given);
+    return seen_from ? ExactPose(*seen_from).inverse() * pose : pose;
 }
 
 Ends exact_ends(const MotionEnds& ends) {
-    const ScaledPose start = in_fixed_frame(ends.start, ends.start_seen_from());
-    const ScaledPose goal = in_fixed_frame(ends.goal, ends.goal_seen_from());
-    return {{scale(start.pose.translation, goal.unit), start.pose.rotation},
-            {scale(goal.pose.translation, start.unit), goal.pose.rotation},
-            start.unit * goal.unit};
+    const ExactPose start = in_fixed_frame(ends.start, ends.start_seen_from());
+    const ExactPose goal = in_fixed_frame(ends.goal, ends.goal_seen_from());
+    const auto& [from, start_unit] = start.translation;
+    const auto& [to, goal_unit] = goal.translation;
+    return {{scale(from, goal_unit), start.rotation}, {scale(to, start_unit), goal.rotation}, start_unit * goal_unit};
 }
 
 RationalMotion<Exact> started(const GeneralPose<Exact>& start) {

@@ -32,10 +32,12 @@ FixedPose operator*(const FixedPose& outer, const FixedPose& inner) {
                       outer.refined.rotation * inner.refined.rotation});
 }
 
-/// The largest component is brought to the order of one first, by a power of two: nothing underflows or is rounded.
+Eigen::Vector3d of_order_one(const Eigen::Vector3d& direction) {
+    return std::ldexp(1.0, -std::ilogb(direction.cwiseAbs().maxCoeff())) * direction;
+}
+
 FixedAxis::FixedAxis(const Eigen::Vector3d& direction) {
-    const double factor = std::ldexp(1.0, -std::ilogb(direction.cwiseAbs().maxCoeff()));
-    const Vector3<Wide> scaled = vector_in<Wide>(direction * factor);
+    const Vector3<Wide> scaled = vector_in<Wide>(of_order_one(direction));
     *this = FixedAxis(scale(scaled, Wide(1.0) / length(scaled)));
 }
 

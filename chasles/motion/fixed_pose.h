@@ -22,6 +22,10 @@ struct FixedPose {
     friend FixedPose operator*(const FixedPose& outer, const FixedPose& inner);
 };
 
+/// The direction, times the power of two that brings its largest component to the order of one: no square underflows,
+/// and nothing is rounded.
+Eigen::Vector3d of_order_one(const Eigen::Vector3d& direction);
+
 /// An axis of unit length, in double-double and rounded to double.
 struct FixedAxis {
     Vector3<algebra::DoubleDouble> refined;

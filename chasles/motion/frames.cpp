@@ -20,6 +20,10 @@ Vector3<Wide> origin() {
     return {Wide(0.0), Wide(0.0), Wide(0.0)};
 }
 
+ScaledVector exact_vector(const Eigen::Vector3d& v) {
+    return {vector_in<algebra::ExactNumber>(v)};
+}
+
 class RestFrame final : public FrameInBoth<RestFrame> {
 public:
     explicit RestFrame(const Pose& pose) : given_(pose), pose_(pose) {}
@@ -48,10 +52,10 @@ private:
 
 class HingeFrame final : public FrameInBoth<HingeFrame> {
 public:
-    /// `direction` is `given_direction` with unit length.
-    HingeFrame(const Vector3<Wide>& point, const Vector3<Wide>& given_direction, const Vector3<Wide>& direction,
-               TimePolynomial angle)
-        : point_(point), given_direction_(given_direction), direction_(direction), point_in_double_(in_double(point)),
+    /// The direction has unit length. `given` is the direction as it was given, if it has no unit length.
+    HingeFrame(const Vector3<Wide>& point, const Vector3<Wide>& direction, TimePolynomial angle,
+               std::optional<Eigen::Vector3d> given = std::nullopt)
+        : given_(std::move(given)), point_(point), direction_(direction), point_in_double_(in_double(point)),
           direction_in_double_(in_double(direction)), angle_(std::move(angle)) {}
 
     template <class S>
@@ -74,11 +78,14 @@ public:
         return expansion;
     }
     [[nodiscard]] double size() const override { return 2 * norm1(point_in_double_); }
+    /// None of a direction that was rounded.
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
+        if (!given_)
+            return {};
         AxisMotion motion;
         motion.kind = angle_.is_zero() ? AxisMotion::Kind::rest : AxisMotion::Kind::turn;
-        motion.direction = exact_vector(given_direction_);
-        motion.point = exact_vector(point_);
+        motion.direction = exact_vector(*given_);
+        motion.point = {{point_in_double_.x, point_in_double_.y, point_in_double_.z}};
         motion.value = angle_;
         return {{{0, 1}, motion}};
     }
@@ -94,8 +101,8 @@ private:
             return {point_, direction_};
     }
 
+    std::optional<Eigen::Vector3d> given_;
     Vector3<Wide> point_;
-    Vector3<Wide> given_direction_;
     Vector3<Wide> direction_;
     Vector3<double> point_in_double_;
     Vector3<double> direction_in_double_;
@@ -106,8 +113,8 @@ class PathFrame final : public FrameInBoth<PathFrame> {
 public:
     explicit PathFrame(std::array<TimePolynomial, 3> place) : place_(std::move(place)) {}
     /// Along a direction.
-    PathFrame(const Vector3<Wide>& direction, const TimePolynomial& way)
-        : place_{scaled(way, direction.x), scaled(way, direction.y), scaled(way, direction.z)} {
+    PathFrame(const Eigen::Vector3d& direction, const TimePolynomial& way)
+        : place_{scaled(way, direction.x()), scaled(way, direction.y()), scaled(way, direction.z())} {
         line_.kind = way.is_zero() ? AxisMotion::Kind::rest : AxisMotion::Kind::slide;
         line_.direction = exact_vector(direction);
         line_.value = way;
@@ -140,28 +147,36 @@ public:
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
         if (line_.kind == AxisMotion::Kind::slide)
             return {{{0, 1}, line_}};
-        if (!std::ranges::all_of(place_, &TimePolynomial::is_straight))
+        const std::optional<Eigen::Vector3d> place = coefficient(0), way = coefficient(1);
+        if (!std::ranges::all_of(place_, &TimePolynomial::is_straight) || !place || !way)
             return {};
         AxisMotion motion;
-        motion.base.translation = exact_vector(coefficient(0));
-        motion.direction = exact_vector(coefficient(1));
+        motion.base.translation = exact_vector(*place);
+        motion.direction = exact_vector(*way);
         motion.goal = {1.0, 1.0};
         motion.kind = motion.direction.is_zero() ? AxisMotion::Kind::rest : AxisMotion::Kind::slide;
         return {{{0, 1}, motion}};
     }
 
 private:
-    static TimePolynomial scaled(const TimePolynomial& way, const Wide& factor) {
+    static TimePolynomial scaled(const TimePolynomial& way, double factor) {
         std::vector<Wide> coefficients;
         for (const Wide& c : way.coefficients())
-            coefficients.push_back(c * factor);
+            coefficients.push_back(c * Wide(factor));
         return TimePolynomial(std::move(coefficients));
     }
-    [[nodiscard]] Vector3<Wide> coefficient(std::size_t power) const {
-        const auto of = [&](const TimePolynomial& p) {
-            return power < p.coefficients().size() ? p.coefficients()[power] : Wide(0.0);
-        };
-        return {of(place_[0]), of(place_[1]), of(place_[2])};
+    /// Empty if it is no double: then the way was rounded, and may not meet the next one.
+    [[nodiscard]] std::optional<Eigen::Vector3d> coefficient(std::size_t power) const {
+        Eigen::Vector3d result = Eigen::Vector3d::Zero();
+        for (std::size_t i = 0; i < 3; ++i) {
+            const std::vector<Wide>& coefficients = place_[i].coefficients();
+            if (power >= coefficients.size())
+                continue;
+            if (coefficients[power].low() != 0)
+                return std::nullopt;
+            result[Eigen::Index(i)] = coefficients[power].high();
+        }
+        return result;
     }
 
     std::array<TimePolynomial, 3> place_;
@@ -175,18 +190,16 @@ SharedFrame frame_at_rest(const Pose& pose) {
 }
 
 SharedFrame hinge_frame(const Eigen::Vector3d& point, const Eigen::Vector3d& direction, TimePolynomial angle) {
-    const double factor = std::ldexp(1.0, -std::ilogb(direction.cwiseAbs().maxCoeff())); // nothing underflows
-    const Vector3<Wide> given = vector_in<Wide>(factor * direction);
-    return std::make_shared<const HingeFrame>(vector_in<Wide>(point), given, FixedAxis(direction).refined,
-                                              std::move(angle));
+    return std::make_shared<const HingeFrame>(vector_in<Wide>(point), FixedAxis(direction).refined, std::move(angle),
+                                              of_order_one(direction));
 }
 
 SharedFrame hinge_frame(const Vector3<Wide>& direction, TimePolynomial angle) {
-    return std::make_shared<const HingeFrame>(origin(), direction, direction, std::move(angle));
+    return std::make_shared<const HingeFrame>(origin(), direction, std::move(angle));
 }
 
 SharedFrame slide_frame(const Eigen::Vector3d& direction, const TimePolynomial& way) {
-    return std::make_shared<const PathFrame>(vector_in<Wide>(direction), way);
+    return std::make_shared<const PathFrame>(direction, way);
 }
 
 SharedFrame path_frame(std::array<TimePolynomial, 3> place) {

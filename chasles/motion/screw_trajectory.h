@@ -21,7 +21,7 @@ struct RelativeScrew {
 
 /// The screw between two poses. Where it turns too far for the paper's parameter (ScrewClock::is_short), only its clock
 /// and its poses are defined.
-class ScrewPiece {
+class ScrewPiece : public NotEnclosed {
 public:
     explicit ScrewPiece(const MotionEnds& ends, const PieceClock& clock = {})
         : ScrewPiece(ends, RelativeScrew(ends), clock) {}
@@ -29,11 +29,6 @@ public:
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const { return cubic_; }
     [[nodiscard]] std::optional<ExactMotion> exact() const { return exact_screw(ends_); }
-    [[nodiscard]] static std::optional<Enclosure<double>> enclosure(const Bracket&) { return std::nullopt; }
-    [[nodiscard]] static std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
-        return std::nullopt;
-    }
-    [[nodiscard]] static bool is_refined() { return false; }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const;
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return clock_.whole(tau); }

@@ -164,7 +164,7 @@ void Sections::make() const {
     }
 }
 
-std::unique_ptr<const AnyPieces> SmoothTrajectory::axis_pieces() const {
+std::unique_ptr<const AnyPieces> SmoothPieces::axis_pieces() const {
     return motion::axis_pieces(motion_, sections_->axis_spans());
 }
 

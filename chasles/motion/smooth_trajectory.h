@@ -118,6 +118,9 @@ public:
 
     [[nodiscard]] std::size_t size() const { return sections_->all().size(); }
     [[nodiscard]] SmoothPiece operator[](std::size_t index) const { return {motion_, sections_->all()[index]}; }
+    /// Pieces without enclosures in the place of these, where the motion goes about or along one axis after another;
+    /// null for others.
+    [[nodiscard]] std::unique_ptr<const AnyPieces> axis_pieces() const;
 
 private:
     SmoothMotion motion_;
@@ -131,8 +134,6 @@ public:
         : motion_(std::move(motion)), sections_(std::make_shared<const Sections>(motion_.relative)) {}
 
     [[nodiscard]] SmoothPieces pieces() const { return {motion_, sections_}; }
-    /// The pieces without enclosures of a motion that goes about or along one axis after another; null for others.
-    [[nodiscard]] std::unique_ptr<const AnyPieces> axis_pieces() const;
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
     [[nodiscard]] std::size_t coarse_count() const;
     [[nodiscard]] std::optional<CoarseMotion> coarse(std::size_t part) const;

@@ -8,17 +8,12 @@
 namespace chasles::motion {
 
 /// The only piece of a sweep.
-class SweepPiece {
+class SweepPiece : public NotEnclosed {
 public:
     SweepPiece(const MotionEnds& ends, const Eigen::Vector3d& centre);
 
     [[nodiscard]] const RationalMotion<algebra::DoubleDouble>& cubic() const { return cubic_; }
     [[nodiscard]] std::optional<ExactMotion> exact() const { return exact_sweep(ends_, centre_); }
-    [[nodiscard]] static std::optional<Enclosure<double>> enclosure(const Bracket&) { return std::nullopt; }
-    [[nodiscard]] static std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
-        return std::nullopt;
-    }
-    [[nodiscard]] static bool is_refined() { return false; }
 
     [[nodiscard]] Bracket time_of(const Bracket& tau) const;
     [[nodiscard]] Bracket tau_of(const Bracket& tau) const { return time_of(tau); }

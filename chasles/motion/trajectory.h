@@ -22,6 +22,15 @@ struct PathBall {
                      ///< (1e-13 of it)
 };
 
+/// What a piece states whose cubic motion is the true one: there is nothing to enclose.
+struct NotEnclosed {
+    [[nodiscard]] static std::optional<Enclosure<double>> enclosure(const Bracket&) { return std::nullopt; }
+    [[nodiscard]] static std::optional<Enclosure<algebra::DoubleDouble>> refined_enclosure(const Bracket&) {
+        return std::nullopt;
+    }
+    [[nodiscard]] static bool is_refined() { return false; }
+};
+
 /// One piece of a trajectory: a cubic motion over tau in [0, 1] with the true ends, and enclosures of the true motion
 /// if that is another one.
 template <class P>

@@ -225,6 +225,21 @@ TEST(AxisPiece, MotionsWithTwoAxesAreEnclosed) {
     EXPECT_TRUE(is_enclosed(Motion::velocity(flat_pose(random, 0), flat_pose(random, 0))));
 }
 
+/// Its value does not change in double-double.
+TEST(AxisPiece, AWayOfNothingTellsNoTimeAndNoNaN) {
+    for (const std::vector<double>& law : {std::vector<double>{1, 0, 1e-60}, {1}, {1, 1e-60}, {0, 0, 1e-300}}) {
+        const auto pieces = Motion::hinge({0, 0, 0}, {0, 0, 1}, law).trajectory().pieces();
+        for (std::size_t i = 0; i < pieces->size(); ++i) {
+            const auto piece = pieces->at(i);
+            const Bracket time = piece->time_of({0.25, 0.5});
+            EXPECT_LE(time.lower, 0.25 + 1e-12);
+            EXPECT_GE(time.upper, 0.5 - 1e-12);
+            EXPECT_TRUE(std::isfinite(piece->tau_rate(0.5)));
+            EXPECT_GT(piece->tau_tolerance(1e-12), 0);
+        }
+    }
+}
+
 /// A law may turn back often, stop in between, and stay.
 TEST(AxisPiece, LawsTurnBack) {
     const auto count = [](const std::vector<double>& law) {

@@ -156,7 +156,7 @@ TEST(OneAxis, AnyFrameLawAndPairOfLinks) {
         const Motion frame = Motion::at_rest(random_pose(random, 3));
         const Motion back = Motion::at_rest(random_pose(random, 3));
         const Vector3d axis(0, 0, 2);
-        // turn t^2 in all
+        // in all turn t^2
         const Motion first = frame * Motion::hinge({0, 0, 0}, axis, {0.3, 0.5, turn + 0.25});
         const Motion second = frame * Motion::hinge({0, 0, 1}, -axis, {-0.3, -0.5, -0.25});
         EXPECT_EQ(first_contact({moving, fixed, relative(first, second), {}}).verdict,
@@ -172,19 +172,44 @@ TEST(OneAxis, AnyFrameLawAndPairOfLinks) {
     }
 }
 
-/// Swings to and fro: the way out is clear, and the way back, beyond the start, is not.
-TEST(OneAxis, ASwingMeetsOnItsWayBack) {
+/// By a hinge, by a motion that is given by its ends, and by the screw.
+TEST(OneAxis, MarginsAndLeastDistancesAreThoseOfTheScrew) {
+    Random random(3514);
+    int contacts = 0;
+    for (int trial = 0; trial < 40; ++trial) {
+        SCOPED_TRACE(trial);
+        const auto& [moving, fixed, turn, time] = random_question(random);
+        const Pose start, goal({0, 0, 0}, {std::cos(turn / 2), 0, 0, std::sin(turn / 2)});
+        const Motion screw = Motion::screw(start, goal);
+        const QueryOptions options{.margin = random.uniform(0.01, 0.3)};
+        const FirstContact expected = first_contact({moving, fixed, screw, options});
+        const LeastDistance least = least_distance({moving, fixed, screw, {}});
+        contacts += expected.verdict == Verdict::contact;
+        for (const Motion& motion : {Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, turn}), Motion::twist(start, goal)}) {
+            const FirstContact found = first_contact({moving, fixed, motion, options});
+            EXPECT_EQ(found.verdict, expected.verdict);
+            EXPECT_NEAR(found.clear_until, expected.clear_until, 1e-11);
+            const LeastDistance distance = least_distance({moving, fixed, motion, {}});
+            EXPECT_TRUE(distance.certain);
+            EXPECT_LE(distance.distance.lower, least.distance.upper + 1e-13);
+            EXPECT_GE(distance.distance.upper, least.distance.lower - 1e-13);
+        }
+    }
+    EXPECT_GT(contacts, 10);
+}
+
+/// Swings out and back on the same way: contacts are on the way out.
+TEST(OneAxis, ASwingMeetsOnItsWayOut) {
     Random random(3512);
     int contacts = 0;
     for (int trial = 0; trial < 100; ++trial) {
         SCOPED_TRACE(trial);
         const auto& [moving, fixed, turn, time] = random_question(random);
-        // 4 turn (t^2 - t) / 4 goes to -turn / 16 at 1/2, back to 0 at 1, and on
-        const double out = turn / 16;
+        const double out = turn / 16; // at 1/2; at 1 it is back
         const Motion swing = Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, -4 * out, 4 * out});
         const FirstContact found = first_contact({moving, fixed, swing, {}});
         const FirstContact there = first_contact({moving, fixed, Motion::hinge({0, 0, 0}, {0, 0, 1}, {0, -out}), {}});
-        EXPECT_EQ(found.verdict, there.verdict) << "back on the same way";
+        EXPECT_EQ(found.verdict, there.verdict);
         if (found.verdict == Verdict::contact) {
             EXPECT_TRUE(found.certain);
             EXPECT_LT(found.time.upper, 0.5 + 1e-7);
