@@ -19,8 +19,8 @@ struct CHASLES_EXPORT Cancelled : std::exception {
     double clear_until; ///< what the question has proven, where it is one about a motion: a time in [0, 1]
 };
 
-/// While it exists, it limits all questions of its thread, with the threads that they start. A question that reaches
-/// the limit ends soon, mostly within milliseconds. First contacts of pairs, paths, batches, scenes and robots then
+/// Limits all questions of the thread that makes it, while it exists. It limits the threads that they start, too. A
+/// question that reaches the limit ends soon, mostly within milliseconds. First contacts of pairs, paths, batches, scenes and robots then
 /// have the verdict `unknown`, and `clear_until` says what is proven. Least distances of pairs have the bracket so far.
 /// Proofs of pairs of links stay open. All other functions throw Cancelled. A limit inside another one shortens it.
 ///

@@ -59,7 +59,7 @@ public:
     SceneAnswer earliest();
     SceneAnswer any();
     SceneAnswer all();
-    /// What `ask` returns; at the limit an answer `unknown`, with the time until which the scene is proven clear.
+    /// What `ask` returns. At the limit it is `unknown`, with the time until which the scene is proven clear.
     template <class Ask>
     SceneAnswer within_limit(const Ask& ask);
 
