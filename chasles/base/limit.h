@@ -20,9 +20,10 @@ struct CHASLES_EXPORT Cancelled : std::exception {
 };
 
 /// Limits all questions of the thread that makes it, while it exists. It limits the threads that they start, too. A
-/// question that reaches the limit ends soon, mostly within milliseconds. First contacts of pairs, paths, batches, scenes and robots then
-/// have the verdict `unknown`, and `clear_until` says what is proven. Least distances of pairs have the bracket so far.
-/// Proofs of pairs of links stay open. All other functions throw Cancelled. A limit inside another one shortens it.
+/// question that reaches the limit ends soon, mostly within milliseconds. First contacts of pairs, paths, batches,
+/// scenes and robots then have the verdict `unknown`, and `clear_until` says what is proven. Least distances of pairs
+/// have the bracket so far. Proofs of pairs of links stay open. All others throw Cancelled. A limit inside another one
+/// shortens it.
 ///
 ///     const Limit limit(2.0); // seconds
 ///     const FirstContact found = first_contact({peg, hole, motion});
