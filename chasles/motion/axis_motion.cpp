@@ -4,6 +4,8 @@
 #include "chasles/motion/moving_frame.h"
 #include "chasles/motion/screw_path.h"
 
+#include <algorithm>
+
 namespace chasles::motion {
 
 namespace {
@@ -18,6 +20,10 @@ bool is_zero(const Vector3<Exact>& v) {
 Vector3<Exact> negated(const Vector3<Exact>& v) {
     return Vector3<Exact>() - v;
 }
+
+/// Longer numbers make coefficients that the exact stage gives up, and products of many poses would double them again
+/// and again.
+constexpr unsigned most_digits = 1024;
 
 /// A number of size about one, rounded.
 Wide wide(const algebra::Dyadic& x) {
@@ -51,6 +57,16 @@ int same_line(const AxisMotion& a, const AxisMotion& b) {
     if (!is_zero(cross(direction, b.direction.numerators)) || !is_zero(cross(direction, apart.numerators)))
         return 0;
     return dot(direction, b.direction.numerators).sign();
+}
+
+bool is_long(const ScaledVector& v) {
+    const auto& [x, y, z] = v.numerators;
+    return std::max({x.digits(), y.digits(), z.digits(), v.unit.digits()}) > most_digits;
+}
+
+bool is_long(const AxisMotion& motion) {
+    return is_long(motion.direction) || is_long(motion.point) || is_long(motion.base.translation) ||
+           is_long(ScaledVector{motion.base.rotation.v, motion.base.rotation.w});
 }
 
 /// A motion, seen from outside of a pose that carries it.
@@ -149,6 +165,8 @@ AxisMotion AxisMotion::part(const Bracket& times) const {
 /// (X A) (Y B) is X Y' A B, where A carries Y to Y'.
 std::optional<AxisMotion> product(const AxisMotion& outer, const AxisMotion& inner) {
     const AxisMotion moved = carried(outer.base, inner);
+    if (is_long(moved))
+        return std::nullopt;
     if (outer.kind == AxisMotion::Kind::rest)
         return moved;
     AxisMotion result = outer;

@@ -59,7 +59,7 @@ struct AxisMotion {
     [[nodiscard]] AxisMotion part(const Bracket& times) const;
 };
 
-/// `inner`, carried by `outer`. Empty if it takes more than one axis.
+/// `inner`, carried by `outer`. Empty if it takes more than one axis, or numbers of more than 1,024 binary digits.
 std::optional<AxisMotion> product(const AxisMotion& outer, const AxisMotion& inner);
 
 /// A part of a frame's time during which it moves about or along one axis; the motion's own time is [0, 1].

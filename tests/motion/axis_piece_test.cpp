@@ -221,6 +221,10 @@ TEST(AxisPiece, MotionsWithTwoAxesAreEnclosed) {
     EXPECT_TRUE(is_enclosed(hinge * Motion::hinge({0, 1, 0}, {0, 0, 1}, {0, 1})));
     EXPECT_TRUE(is_enclosed(hinge * Motion::hinge({0, 0, 0}, {0, 1e-9, 1}, {0, 1})));
     EXPECT_TRUE(is_enclosed(hinge * Motion::slider({0, 0, 1}, {0, 1}))) << "a helix";
+    Motion long_product = hinge;
+    for (int i = 0; i < 500; ++i)
+        long_product = long_product * Motion::at_rest(random_pose(random, 1));
+    EXPECT_TRUE(is_enclosed(long_product)) << "whose numbers would be long";
     EXPECT_TRUE(is_enclosed(Motion::twist(flat_pose(random, 0), flat_pose(random, 1e-9))));
     EXPECT_TRUE(is_enclosed(Motion::velocity(flat_pose(random, 0), flat_pose(random, 0))));
 }
