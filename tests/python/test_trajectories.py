@@ -9,6 +9,7 @@ from cubes import CUBE_FACES, CUBE_VERTICES, matrix, pose
 
 import chasles
 
+
 def cube():
     return chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES)
 
@@ -30,7 +31,7 @@ def test_constant_velocity_moves_its_centre_straight():
 def test_a_turn_about_one_axis_is_certain_although_the_upper_faces_share_a_plane():
     fixed = chasles.Motion.at_rest(pose(1.5, 1.2, 0))
     hinge = chasles.Motion.hinge([0, 0, 0], [0, 0, 1], [0, 0, 0.5]) * chasles.Motion.at_rest(pose(1.5, 0, 0))
-    found = chasles.first_contact(cube(), cube(), chasles.relative(hinge, fixed))
+    found = chasles.first_contact(cube(), cube(), motion=chasles.relative(hinge, fixed))
     assert found.verdict == "contact"
     assert found.certain
     angle = math.asin(1.2 / math.hypot(2.5, 1)) - math.atan2(1, 2.5)
