@@ -151,7 +151,7 @@ void DraggedBody::Implementation::meet(const Other& other, DragStep& step) const
     if (other.is_ignored || motion.rests)
         return; // where it stands is looked at in any case
     const scene::WorldMotion here = scene::world_motion(Motion::at_rest(pose_), name_);
-    FirstContact found = scene::first_contact_of({shape_, here}, {other.shape, motion}, {}, 1);
+    FirstContact found = scene::first_contact_of({name_, shape_, here}, {other.name, other.shape, motion}, {}, 1);
     step.work += found.work;
     if (found.verdict != Verdict::clear)
         step.intrusions.push_back({other.index, std::move(found)});

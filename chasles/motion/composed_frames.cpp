@@ -49,12 +49,13 @@ public:
     FrameOfTwo(SharedFrame first, SharedFrame second)
         : first_(std::move(first)), second_(std::move(second)),
           size_(first_->size() + second_->size() + norm1(first_->reference()) + norm1(second_->reference())),
-          rounding_(first_->rounding() + second_->rounding() + 1),
+          rounding_(first_->rounding() + second_->rounding() + 1), factors_(first_->factors() + second_->factors()),
           is_refined_(first_->is_refined() && second_->is_refined()) {}
 
     [[nodiscard]] bool is_refined() const final { return is_refined_; }
     [[nodiscard]] double size() const final { return size_; }
     [[nodiscard]] double rounding() const final { return rounding_; }
+    [[nodiscard]] int factors() const final { return factors_; }
     void add_cuts(std::vector<double>& cuts) const final {
         first_->add_cuts(cuts);
         second_->add_cuts(cuts);
@@ -69,6 +70,7 @@ private:
     SharedFrame second_;
     double size_;
     double rounding_;
+    int factors_;
     bool is_refined_;
 };
 
@@ -119,6 +121,7 @@ public:
         for (const SharedFrame& frame : frames_) {
             size_ = std::max(size_, frame->size());
             rounding_ = std::max(rounding_, frame->rounding());
+            factors_ = std::max(factors_, 1 + frame->factors());
             is_refined_ = is_refined_ && frame->is_refined();
         }
     }
@@ -143,6 +146,7 @@ public:
     }
     [[nodiscard]] double size() const override { return size_; }
     [[nodiscard]] double rounding() const override { return rounding_; }
+    [[nodiscard]] int factors() const override { return factors_; }
     void add_cuts(std::vector<double>& cuts) const override { cuts.insert(cuts.end(), ends_.begin(), ends_.end()); }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
         std::vector<AxisSection> all;
@@ -178,6 +182,7 @@ private:
     std::vector<SharedFrame> frames_;
     double size_ = 0;
     double rounding_ = 1;
+    int factors_ = 1;
     bool is_refined_ = true;
 };
 
@@ -201,6 +206,7 @@ public:
     }
     [[nodiscard]] double size() const override { return frame_->size(); }
     [[nodiscard]] double rounding() const override { return frame_->rounding() + 1; }
+    [[nodiscard]] int factors() const override { return frame_->factors() + 1; }
     void add_cuts(std::vector<double>& cuts) const override {
         std::vector<double> all;
         frame_->add_cuts(all);

@@ -20,14 +20,18 @@ using motion::SharedFrame;
 using motion::SmoothMotion;
 using motion::TimePolynomial;
 
-Motion motion_of(SmoothMotion motion) {
-    return Motion(std::make_shared<const motion::ErasedTrajectory<motion::SmoothTrajectory>>(
-        motion::SmoothTrajectory(std::move(motion))));
-}
-
 void require(bool holds, const std::string& what) {
     if (!holds)
         throw InvalidInput("motion: " + what);
+}
+
+Motion motion_of(SmoothMotion motion) {
+    constexpr int most_factors = 1000; // the depth of calls, and the cost of one pose
+    require(motion.relative->factors() <= most_factors,
+            "is made of more than 1000 motions, which are all evaluated for every pose: multiply the poses of factors "
+            "that stand still, or ask about a path of poses");
+    return Motion(std::make_shared<const motion::ErasedTrajectory<motion::SmoothTrajectory>>(
+        motion::SmoothTrajectory(std::move(motion))));
 }
 
 /// Numbers that are finite, and whose sizes sum up to at most `most`.

@@ -38,6 +38,8 @@ public:
     [[nodiscard]] virtual double size() const = 0;
     /// The error of poses, in units of `pose_rounding`: the number of elementary motions in the frame.
     [[nodiscard]] virtual double rounding() const { return 1; }
+    /// The number of frames that are evaluated for one pose.
+    [[nodiscard]] virtual int factors() const { return 1; }
     /// Adds the times in (0, 1) at which rates jump.
     virtual void add_cuts(std::vector<double>& /*cuts*/) const {}
     /// The frame as motions about or along one axis each, in order of time from 0 to 1. Empty if it is no such motion,

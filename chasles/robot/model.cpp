@@ -99,7 +99,6 @@ void refuse(std::string_view what, std::string_view why) {
 Model::Model(RobotDescription given) : description(std::move(given)) {
     add_variables();
     add_links();
-    find_neighbours();
     apply_pairs();
 }
 
@@ -206,17 +205,28 @@ void Model::add_links() {
     }
 }
 
-/// Places the links from the root outwards.
+/// Places the links from the root outwards, and finds their neighbours.
 void Model::add_below(std::size_t root) {
+    constexpr std::size_t none = std::size_t(-1);
+    std::vector<std::vector<const JointDescription*>> joints_below(owners.size());
+    for (const JointDescription& joint : description.joints)
+        joints_below[owner_of.at(joint.parent)].push_back(&joint);
     std::vector<std::size_t> order{root};
+    std::vector<std::size_t> last_with_shapes(owners.size(), none); // on the way from the root to each link
     owners[root] = {description.links[root].name, 0, FixedPose()};
     for (std::size_t i = 0; i < order.size(); ++i) {
-        const Owner parent = owners[order[i]];
-        for (const JointDescription& joint : description.joints)
-            if (joint.parent == parent.name) {
-                order.push_back(owner_of.at(joint.child));
-                owners[order.back()] = child_of(parent, joint);
-            }
+        const std::size_t link = order[i];
+        if (!description.links[link].collisions.empty())
+            last_with_shapes[link] = link;
+        for (const JointDescription* const joint : joints_below[link]) {
+            const std::size_t child = owner_of.at(joint->child);
+            owners[child] = child_of(owners[link], *joint);
+            last_with_shapes[child] = last_with_shapes[link];
+            neighbours.insert(std::minmax(child, link));
+            if (last_with_shapes[link] != none)
+                neighbours.insert(std::minmax(child, last_with_shapes[link]));
+            order.push_back(child);
+        }
     }
 }
 
@@ -233,22 +243,6 @@ Owner Model::child_of(const Owner& parent, const JointDescription& joint) {
     group.origin = origin;
     groups.push_back(std::move(group));
     return {joint.child, groups.size() - 1, FixedPose()};
-}
-
-/// The link above, and the one above that as long as there are no shapes between.
-void Model::find_neighbours() {
-    std::map<std::string_view, std::string_view> above;
-    for (const JointDescription& joint : description.joints)
-        above.emplace(joint.child, joint.parent);
-    for (const auto& [child, parent] : above)
-        for (auto link = parent;;) {
-            const std::size_t index = owner(link);
-            neighbours.insert(std::minmax(owner(child), index));
-            const auto next = above.find(link);
-            if (next == above.end() || !description.links[index].collisions.empty())
-                break;
-            link = next->second;
-        }
 }
 
 void Model::apply_pairs() {

@@ -76,7 +76,7 @@ public:
     std::map<std::string, std::size_t, std::less<>> owner_of;    ///< by name
     using OwnerPair = std::pair<std::size_t, std::size_t>;       ///< the smaller one first
     using NamePair = std::pair<std::string, std::string>;
-    std::set<OwnerPair> neighbours; ///< a link and the next one above it that has shapes
+    std::set<OwnerPair> neighbours; ///< a link with its parent, and with the next one above that has shapes
     std::set<OwnerPair> ignored;
     std::map<OwnerPair, double> margins;
     std::set<NamePair> ignored_in_scene;
@@ -110,7 +110,6 @@ private:
     void add_below(std::size_t root);
     Owner child_of(const Owner& parent, const JointDescription& joint);
     [[nodiscard]] RigidGroup group_of(const JointDescription& joint) const;
-    void find_neighbours();
     void apply_pairs();
     void add_down(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
     void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;

@@ -152,7 +152,10 @@ void NearestPairSearch::compare(const NodePair& leaves) {
     if (moving == fixed || scene_.is_ignored(moving, fixed))
         return;
     throw_if_cancelled();
-    const auto mover = [&](std::size_t i) { return Mover{scene_.bodies()[i].shape, scene_.motion_of(i)}; };
+    const auto mover = [&](std::size_t i) {
+        const SceneBody& body = scene_.bodies()[i];
+        return Mover{body.name, body.shape, scene_.motion_of(i)};
+    };
     const Mover a = mover(moving), b = mover(fixed);
     ++best_.searched;
     if (best_.pair && searched_distance() <= Pose::largest_length) { // a margin is no larger

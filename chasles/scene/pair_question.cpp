@@ -43,25 +43,29 @@ namespace {
 /// Calls ask(trajectory) for the motion as seen from the fixed body. The frames are those that the bodies hold;
 /// `relative` would make them anew for each pair.
 template <class Ask>
-auto ask_along(const WorldMotion& moving, const WorldMotion& fixed, const Ask& ask) {
-    const Motion& a = moving.motion;
-    const Motion& b = fixed.motion;
-    if (a.trajectory().straight_ends() && b.trajectory().straight_ends())
-        return ask(relative(a, b).trajectory());
-    return ask(motion::ErasedTrajectory(
-        motion::SmoothTrajectory({motion::relative_frame(moving.frame, fixed.frame), moving.frame, fixed.frame})));
+auto ask_along(const Mover& moving, const Mover& fixed, const Ask& ask) {
+    const auto& [a, frame_of_moving, moving_rests] = moving.motion;
+    const auto& [b, frame_of_fixed, fixed_rests] = fixed.motion;
+    try {
+        if (a.trajectory().straight_ends() && b.trajectory().straight_ends())
+            return ask(relative(a, b).trajectory());
+        return ask(motion::ErasedTrajectory(motion::SmoothTrajectory(
+            {motion::relative_frame(frame_of_moving, frame_of_fixed), frame_of_moving, frame_of_fixed})));
+    } catch (const InvalidInput& error) {
+        refuse(std::string(moving.name) + " and " + std::string(fixed.name), error.what());
+    }
 }
 
 } // namespace
 
 FirstContact first_contact_of(const Mover& moving, const Mover& fixed, const QueryOptions& options, double until) {
-    return ask_along(moving.motion, fixed.motion, [&](const motion::AnyTrajectory& trajectory) {
+    return ask_along(moving, fixed, [&](const motion::AnyTrajectory& trajectory) {
         return query::answer({moving.shape.body(), fixed.shape.body(), trajectory, options, until});
     });
 }
 
 LeastDistance least_distance_of(const Mover& moving, const Mover& fixed, const LeastDistanceOptions& options) {
-    return ask_along(moving.motion, fixed.motion, [&](const motion::AnyTrajectory& trajectory) {
+    return ask_along(moving, fixed, [&](const motion::AnyTrajectory& trajectory) {
         return query::answer(query::LeastPairQuery{moving.shape.body(), fixed.shape.body(), trajectory, options});
     });
 }

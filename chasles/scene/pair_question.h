@@ -32,11 +32,13 @@ inline void prefetch(const WorldMotion& motion) {
 }
 
 struct Mover {
+    std::string_view name;
     const Polyhedron& shape;
     const WorldMotion& motion;
 };
 
 /// The first contact of two bodies, with options that have been checked. Contacts after `until` need not be found.
+/// Throws InvalidInput with the names of both bodies where their motion is refused.
 FirstContact first_contact_of(const Mover& moving, const Mover& fixed, const QueryOptions& options, double until);
 /// The least distance of two bodies, with options that have been checked.
 LeastDistance least_distance_of(const Mover& moving, const Mover& fixed, const LeastDistanceOptions& options);

@@ -84,7 +84,10 @@ private:
 };
 
 FirstContact SceneSearch::ask(const scene::IndexPair& pair, double until) const {
-    const auto mover = [&](std::size_t i) { return scene::Mover{scene_.bodies()[i].shape, scene_.motion_of(i)}; };
+    const auto mover = [&](std::size_t i) {
+        const SceneBody& body = scene_.bodies()[i];
+        return scene::Mover{body.name, body.shape, scene_.motion_of(i)};
+    };
     const QueryOptions options = scene_.options_of(pair.first, pair.second, query_.options);
     return scene::first_contact_of(mover(pair.first), mover(pair.second), options, until);
 }

@@ -105,8 +105,8 @@ WorldMotion Stepper::Implementation::rest(std::size_t index, double from) const 
 FirstContact Stepper::Implementation::ask(const IndexPair& pair, double from, const QueryOptions& options,
                                           double until) const {
     const WorldMotion moving = rest(pair.first, from), fixed = rest(pair.second, from);
-    const auto shape = [&](std::size_t i) -> const Polyhedron& { return scene_.bodies()[i].shape; };
-    return scene::first_contact_of({shape(pair.first), moving}, {shape(pair.second), fixed}, options, until);
+    const SceneBody &a = scene_.bodies()[pair.first], &b = scene_.bodies()[pair.second];
+    return scene::first_contact_of({a.name, a.shape, moving}, {b.name, b.shape, fixed}, options, until);
 }
 
 /// With the time of the first contact, at the margin or at the first half, quarter, and so on of it that is less than

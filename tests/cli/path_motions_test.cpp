@@ -175,15 +175,30 @@ TEST_F(PathMotions, RefusesBadStamps) {
     EXPECT_EQ(error(""), "chasles: bad.csv: line 2: the path has 1 pose, but needs at least two");
 }
 
-/// Stamps are no shares of the motion: 11 is not its end.
 TEST_F(PathMotions, StraightWaysAreCertain) {
-    const std::string way = "t," + columns + "\n10,3,.3,0,1,0,0,0\n12,", end = ",.3,0,1,0,0,0\n";
     for (const char* const motion : {" --motion velocity", " --motion twist"})
         for (const char* const goal : {"-1", "1"}) {
-            write("through.csv", way + goal + end);
-            const std::string through = text(std::string("through.csv") + motion);
-            EXPECT_NE(through.find("certain   yes"), std::string::npos) << through;
+            write("way.csv", "t," + columns + "\n10,3,.3,0,1,0,0,0\n12," + goal + ",.3,0,1,0,0,0\n");
+            const std::string way = text(std::string("way.csv") + motion);
+            EXPECT_NE(way.find("certain   yes"), std::string::npos) << way;
         }
+}
+
+/// A quarter turn of a cube that moves; at 2 a side of it reaches the other cube. Stamps are no shares of the motion:
+/// 11 is not its end.
+TEST_F(PathMotions, SayWhyTheyAreUncertain) {
+    const std::string way = "t," + columns + "\n10,3,.3,0,1,0,0,0\n12,";
+    const std::string end = ",.3,0,0.7071067811865476,0,0,0.7071067811865476\n";
+    const std::string at_the_end = "at the end of the motion";
+    write("through.csv", way + "-1" + end);
+    const std::string through = text("through.csv --motion velocity");
+    EXPECT_NE(through.find("certain   no: the bodies may miss each other by a rounding"), std::string::npos) << through;
+    write("up_to.csv", way + "2" + end);
+    const std::string up_to = text("up_to.csv --motion velocity");
+    EXPECT_NE(up_to.find(at_the_end), std::string::npos) << up_to;
+    write("up_to_and_on.csv", way + "2" + end + "13,-3" + end);
+    const std::string on = text("up_to_and_on.csv --motion velocity");
+    EXPECT_EQ(on.find(at_the_end), std::string::npos) << on;
 }
 
 } // namespace

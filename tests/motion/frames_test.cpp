@@ -101,6 +101,33 @@ TEST(Product, CarriesTheInnerMotion) {
     EXPECT_THROW((void)(Motion::screw(Pose(), Pose()) * Motion::at_rest(Pose())), InvalidInput);
 }
 
+/// A loop that multiplies, and one that takes the rest of a rest, would overflow the stack; squares have 2^n factors.
+TEST(Product, OfTooManyMotionsIsRefused) {
+    const Motion step = Motion::slider({1, 0, 0}, {0, 0.01});
+    const std::string refusal =
+        "motion: is made of more than 1000 motions, which are all evaluated for every pose: multiply the poses of "
+        "factors that stand still, or ask about a path of poses";
+    const auto refused = [&](const auto& longer) {
+        Motion motion = step;
+        for (int i = 1; i < 30'000; ++i)
+            try {
+                motion = longer(motion);
+            } catch (const InvalidInput& error) {
+                EXPECT_EQ(error.what(), refusal);
+                return i;
+            }
+        return 0;
+    };
+    EXPECT_EQ(refused([&](const Motion& motion) { return motion * step; }), 1000);
+    EXPECT_EQ(refused([&](const Motion& motion) { return step * motion; }), 1000);
+    EXPECT_EQ(refused([](const Motion& motion) { return motion * motion; }), 10);
+    EXPECT_GT(refused([](const Motion& motion) { return rest_of(motion, 0.01); }), 500);
+    Motion longest = step;
+    for (int i = 1; i < 1000; ++i)
+        longest = step * longest;
+    EXPECT_NEAR(longest.pose_at(0.5).translation.x(), 5, 1e-12);
+}
+
 TEST(Relative, KeepsBothBodiesInTheWorld) {
     Random random(1822);
     for (int trial = 0; trial < 49; ++trial) {

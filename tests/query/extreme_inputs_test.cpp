@@ -5,6 +5,7 @@
 #include "tests/query/exact_answer.h"
 #include "tests/support/exact_reference.h"
 #include "tests/support/posed_motions.h"
+#include "tests/support/refusal.h"
 #include "tests/support/segment_distance.h"
 #include "tests/support/trajectories.h"
 
@@ -336,6 +337,40 @@ TEST(ExtremeInputs, ProductsThatUnderflow) {
     EXPECT_GT(contacts, scenes_met / 20);
     EXPECT_LT(contacts, scenes_met);
     EXPECT_GT(decided_exactly, scenes_met / 20);
+}
+
+/// A cube that comes from far away onto another one, and turns on the way. The goal is inside: a contact is certain.
+TEST(ExtremeInputs, MotionsFromTooFarAwayAreRefusedUnlessTheyAreExact) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    const auto asked = [&](const auto& motion_between, double from) {
+        const Motion motion = motion_between(shifted(0.1, 0.2, from), turned({0.1, 0.2, 0}, {1, 2, 3}, 1.2));
+        return first_contact({.moving = cube, .fixed = cube, .motion = motion});
+    };
+    const auto velocity = [](const Pose& start, const Pose& goal) { return Motion::velocity(start, goal); };
+    const auto twist = [](const Pose& start, const Pose& goal) { return Motion::twist(start, goal); };
+    const auto screw = [](const Pose& start, const Pose& goal) { return Motion::screw(start, goal); };
+    const auto sweep = [](const Pose& start, const Pose& goal) { return Motion::sweep(start, goal); };
+    const auto expect_exact = [&](const auto& motion, double from) {
+        const FirstContact found = asked(motion, from);
+        EXPECT_EQ(found.verdict, Verdict::contact) << from;
+        EXPECT_TRUE(found.certain) << from;
+        EXPECT_LE(found.clear_until, 1 - 0.4 / from) << from; // the corners reach the other cube before
+        EXPECT_GE(found.time.upper, 1 - 1.8 / from) << from;
+    };
+    for (const double from : {1e3, 1e9, 3e9}) {
+        expect_exact(velocity, from);
+        expect_exact(twist, from);
+    }
+    for (const double from : {1e9, 1e12, 1e20}) {
+        expect_exact(screw, from);
+        expect_exact(sweep, from);
+    }
+    for (const double from : {1e11, 1e15, 1e30}) {
+        EXPECT_NE(refusal([&] { (void)asked(velocity, from); }).find("motion: goes 1"), std::string::npos);
+        EXPECT_NE(
+            refusal([&] { (void)asked(twist, from); }).find("than 1e10 times the radius of the larger body, 0.866"),
+            std::string::npos);
+    }
 }
 
 } // namespace

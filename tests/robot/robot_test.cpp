@@ -252,5 +252,26 @@ TEST(Robot, RefusesChainsOfMoreThanAThousandJoints) {
     EXPECT_EQ(refusal([&] { (void)Robot(chain(1001)); }), "robot: to 1001: there are more than 1000 joints above it");
 }
 
+/// Frames without shapes, as exporters write them: each one costs the same, however many there are.
+TEST(Robot, HasTwentyThousandFixedLinks) {
+    constexpr int last = 20'000;
+    RobotDescription robot{"frames"};
+    robot.links.push_back({"0", {{box({0.1, 0.1, 0.1}).polyhedron()}}});
+    for (int i = 1; i <= last; ++i) {
+        JointDescription joint{"to " + std::to_string(i), i == 1 ? JointType::revolute : JointType::fixed,
+                               std::to_string(i - 1), std::to_string(i)};
+        joint.axis = {0, 0, 1};
+        joint.origin = shifted(0.001, 0, 0);
+        robot.links.push_back({std::to_string(i)});
+        robot.joints.push_back(joint);
+    }
+    robot.links.back().collisions = {{box({0.1, 0.1, 0.1}).polyhedron()}};
+    robot.links[7].collisions = {{box({0.1, 0.1, 0.1}).polyhedron()}};
+    const Robot made(robot);
+    EXPECT_NEAR(made.link_pose(std::to_string(last), Configuration::Zero(1)).translation.x(), 0.001 * last, 1e-9);
+    EXPECT_FALSE(made.is_tested("0", "7")); // neighbours
+    EXPECT_TRUE(made.is_tested("0", std::to_string(last)));
+}
+
 } // namespace
 } // namespace chasles::test
