@@ -133,14 +133,15 @@ def counts_of(given: argparse.Namespace) -> Counts:
 
 
 def run_all(given: argparse.Namespace, work: Path) -> dict[str, Tally]:
-    setting = make_setting(str(Path(given.chasles).resolve()), given.seed, work / "worlds")
-    abuse = Abuse(setting, given.keep.resolve(), work)
-    tallies = {}
+    chosen = {}
     for kind in KINDS.values():
-        cases = [case for case in kind.cases(counts_of(given)) if case.is_chosen(given.only)]
-        if cases:
-            tallies[kind.name] = run_kind(kind, cases, abuse, given.jobs)
-    return tallies
+        if cases := [case for case in kind.cases(counts_of(given)) if case.is_chosen(given.only)]:
+            chosen[kind.name] = cases
+    worlds = {world for name in chosen for world in KINDS[name].worlds}
+    asked = {whole for cases in chosen.values() for case in cases for whole in KINDS[case.kind].wholes(case)}
+    setting = make_setting(str(Path(given.chasles).resolve()), given.seed, work / "worlds", worlds, asked)
+    abuse = Abuse(setting, given.keep.resolve(), work)
+    return {name: run_kind(KINDS[name], cases, abuse, given.jobs) for name, cases in chosen.items()}
 
 
 def missing_notes(tallies: dict[str, Tally]) -> list[str]:

@@ -51,6 +51,8 @@ class Kind:
     name: str
     cases: Callable[["Counts"], Iterable[Case]]
     run: Callable[[Setting, Case, Path], Outcome]
+    worlds: tuple[str, ...] = ()  # whose inputs are needed
+    wholes: Callable[[Case], list[tuple[str, str]]] = lambda case: []  # (world, question) of undisturbed runs to compare with
     is_timed: bool = False  # measured alone, without other cases beside it
     needs: tuple[str, ...] = ()  # notes without which the kind would test nothing
 

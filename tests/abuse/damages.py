@@ -15,13 +15,14 @@ Damage = Callable[[random.Random, bytes, bytes], bytes]
 DEEP = 30_000  # brackets
 LONGEST = 2_000_000  # bytes, so that no file is slow for its length alone
 
-NUMBER = re.compile(rb"(?<![\w.#])[+-]?(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?(?![\w.])")
+# The lengths are bounded, so that a search takes no more than linear time.
+NUMBER = re.compile(rb"(?<![\w.#])[+-]?(?:\d{1,30}(?:\.\d{0,30})?|\.\d{1,30})(?:[eE][+-]?\d{1,4})?(?![\w.])")
 NUMBERS = b"""1e308 -1e308 1e309 nan -nan inf -inf -0 -1 0 1e-320 5e-324 0.1e 1e 1e400 2147483647 2147483648 -2147483649 4294967295
 4294967296 9223372036854775807 18446744073709551616 99999999999999999999999999 0x10 1_000 1,5 --1 +1 .5 5. 1e-30 1e30 1e154""".split()
 BRACKETS = [b"[", b'{"a":', b"<a>", b"(", b"<node>", b"- ", b"{", b"[[", b'<link name="a">', b"&a [", b"/*", b"<!--"]
 TOKENS = [b"<", b">", b"{", b"}", b"[", b"]", b'"', b"'", b"\n", b"\r", b" ", b"\t", b",", b";", b"#", b"&", b"\0", b"\xff", b"\\", b":"]
 KEY = re.compile(rb'"[^"\\\n]{1,40}"\s*:\s*')
-ATTRIBUTE = re.compile(rb'\s[\w:]+="[^"]*"')
+ATTRIBUTE = re.compile(rb'\s[\w:]{1,40}="[^"]{0,200}"')
 
 
 def place(rng: random.Random, whole: bytes) -> int:
@@ -92,6 +93,18 @@ def number_replaced(rng: random.Random, whole: bytes, other: bytes) -> bytes:
         return NUMBER.sub(number, whole)
     match = rng.choice(found)
     return put(whole, match.start(), number, match.end() - match.start())
+
+
+def number_nudged(rng: random.Random, whole: bytes, other: bytes) -> bytes:
+    """Another number of about the same size, as a slip of a finger makes it."""
+    found = list(NUMBER.finditer(whole))
+    if not found:
+        return bits_flipped(rng, whole, other)
+    match = rng.choice(found)
+    text = match.group().decode()
+    factor = rng.choice([0.5, 2, -1, 10, 1 + 1e-9, 1 - 2**-52])
+    nudged = repr(float(text) * factor) if "." in text or rng.random() < 0.3 else str(int(float(text)) + rng.choice([-1, 1, 2]))
+    return put(whole, match.start(), nudged.encode(), match.end() - match.start())
 
 
 def binary_number_replaced(rng: random.Random, whole: bytes, other: bytes) -> bytes:
@@ -171,13 +184,14 @@ ANY: list[Damage] = [
 ]
 TEXT: list[Damage] = [
     *(number_replaced, number_replaced, number_replaced),
+    *(number_nudged, number_nudged, number_nudged),
     *(line_repeated, lines_swapped, nested, name_twice, value_replaced, long_line, encoded),
 ]
 
 
 def damaged(rng: random.Random, whole: bytes, other: bytes) -> bytes:
     """One to four damages, one after the other."""
-    for _ in range(rng.choice([1, 1, 1, 2, 4])):
+    for _ in range(rng.choice([1, 1, 1, 1, 2, 4])):
         whole = rng.choice(rng.choice([ANY, TEXT]))(rng, whole, other)[:LONGEST]
     return whole
 

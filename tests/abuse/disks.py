@@ -125,4 +125,5 @@ def check_kept(outcome: Outcome, name: str, after: dict[str, bytes], new: bytes,
 
 WAYS = {"full-disk": on_full_disk, "small-files": with_small_files, "no-place": at_no_place}
 
-KIND = Kind("disks", cases, run_case, needs=("limit of file sizes", "no place"))
+NEEDS = ("limit of file sizes", "no place")
+KIND = Kind("disks", cases, run_case, ("small",), lambda case: [("small", case.name)], needs=NEEDS)

@@ -25,6 +25,7 @@ class Format:
     questions: list[tuple[str, ...]]
     companions: dict[str, bytes]  # further files, beside those of the small world
     damage: Damage = damages.damaged
+    of_options: tuple[str, ...] = ()  # parts of errors that name an option which does not fit to the file, instead of the file
 
 
 def mesh_companions(file: str) -> dict[str, bytes]:
@@ -52,9 +53,8 @@ def mesh_format(ending: str) -> Format:
     return Format(ending, file, wholes, questions, mesh_companions(file), damage.get(ending, damages.damaged))
 
 
-def scene_format() -> Format:
-    names = ("examples/scene/three_cubes.json",)
-    wholes = [(ROOT / name).read_bytes().replace(b"cube.obj", b"moving.obj") for name in names]
+def scene_formats() -> list[Format]:
+    shipped = (ROOT / "examples/scene/three_cubes.json").read_bytes().replace(b"cube.obj", b"moving.obj")
     bodies = [
         {"name": "a", "mesh": "moving.obj", "scale": 2.0, "pose": [0, 0, 0, 1, 0, 0, 0], "group": "still"},
         {"name": "b", "mesh": "part.gltf", "part": "part", "poses": [{"t": 0, "pose": [4, 0, 0]}, {"t": 1, "pose": [0, 0, 0]}]},
@@ -62,16 +62,19 @@ def scene_format() -> Format:
         {"name": "d", "mesh": "fixed.stl", "pose": [9, 9, 9], "goal": [-9, 9, 9], "motion": "twist"},
     ]
     whole = {"bodies": bodies, "ignore": [["a", "c"]], "ignore_groups": [["still", "still"]], "margin": 0.1, "hold": 0.05}
-    wholes.append(json.dumps({**whole, "ignore_touching_at_start": True}).encode())
+    wholes = [shipped, json.dumps({**whole, "ignore_touching_at_start": True}).encode()]
     rest = [{"name": "box", "mesh": "moving.obj", "pose": [0, 0, 3]}, {"name": "table", "mesh": "fixed.stl"}]
-    wholes.append(json.dumps({"bodies": rest}).encode())
+    at_rest = [json.dumps({"bodies": rest}).encode()]
     questions = [
         ("scene", "FILE", "--json"),
         ("scene", "FILE", "--all", "--page", "NEW"),
-        ("drag", "FILE", "--body", "box", "--goals", "goals.csv", "--out", "NEW"),
         ("robot", *ROBOT, "--path", "path.csv", "--scene", "FILE"),
     ]
-    return Format("scene", "damaged.json", wholes, questions, {}, damages.damaged_tree)
+    drag = [("drag", "FILE", "--body", "box", "--goals", "goals.csv", "--out", "NEW")]
+    return [
+        Format("scene", "damaged.json", wholes, questions, {}, damages.damaged_tree),
+        Format("scene-at-rest", "damaged.json", at_rest, drag, {}, damages.damaged_tree, ("scene: box: ", "drag: margin: ")),
+    ]
 
 
 def table_formats() -> list[Format]:
@@ -127,15 +130,16 @@ def trajectory_formats() -> list[Format]:
 def robot_formats() -> list[Format]:
     arm = (ROOT / "examples/robot/arm.urdf").read_bytes()
     still = f'<robot name="s"><link name="a">{shape("fixture.3mf")}</link></robot>'.encode()
-    around = {"around.json": json.dumps({"bodies": [{"name": "a", "urdf": "damaged.urdf"}, {"name": "b", "mesh": "moving.obj"}]}).encode()}
+    around = {"name": "a", "urdf": "damaged.urdf"}, {"name": "b", "mesh": "moving.obj"}
+    turns = b"waist,elbow,joint0,joint1\n0,0,0,0\n0.1,0.1,0,0.01\n"
+    companions = {"around.json": json.dumps({"bodies": around}).encode(), "turns.csv": turns}
     questions = [
         ("info", "FILE", "--packages", "parts=packages/parts"),
         ("info", "FILE", "--packages", "parts=packages/parts", "--json"),
         ("acm", "FILE", "--packages", "parts=packages/parts", "--seconds", "0.2"),
-        ("robot", "FILE", "--packages", "parts=packages/parts", "--path", "path.csv"),
-        ("scene", "around.json", "--until", "0"),
+        ("robot", "FILE", "--packages", "parts=packages/parts", "--path", "turns.csv"),
     ]
-    wholes = [arm, chain(3).encode(), still]
+    in_scene = [("scene", "around.json", "--until", "0"), ("robot", "FILE"), ("info", "FILE")]
     disabled = """<?xml version="1.0"?><robot name="chain"><!-- pairs --><group name="all"><link name="base"/><joint name="joint0"/>
 <chain base_link="base" tip_link="link2"/></group><group_state name="home" group="all"><joint name="joint0" value="0"/></group_state>
 <disable_default_collisions link="link1"/><enable_collisions link1="base" link2="link1"/>
@@ -144,7 +148,8 @@ def robot_formats() -> list[Format]:
     with_srdf = ("arm.urdf", "--srdf", "FILE", "--packages", "parts=packages/parts")
     srdf = [("robot", *with_srdf, "--path", "path.csv"), ("info", *with_srdf), ("acm", *with_srdf, "--seconds", "0.2", "--out", "NEW")]
     return [
-        Format("urdf", "damaged.urdf", wholes, questions, around),
+        Format("urdf", "damaged.urdf", [arm, chain(3).encode()], questions, companions),
+        Format("urdf-at-rest", "damaged.urdf", [still], in_scene, companions),
         Format("srdf", "damaged.srdf", texts(disabled), srdf, {}),
     ]
 
@@ -159,9 +164,9 @@ def rows_format(rows: bytes) -> Format:
 def all_formats(rows: bytes) -> dict[str, Format]:
     """`rows` are those of the batch of the small world."""
     found = [mesh_format(ending) for ending in meshes.WRITERS]
-    found += [scene_format(), *table_formats(), *trajectory_formats(), *robot_formats(), rows_format(rows)]
+    found += [*scene_formats(), *table_formats(), *trajectory_formats(), *robot_formats(), rows_format(rows)]
     return {each.name: each for each in found}
 
 
-NAMES = [*meshes.WRITERS, "scene", "poses", "tum", "motions", "joints", "trajectory-json", "trajectory-yaml", "urdf", "srdf", "rows"]
+NAMES = [*meshes.WRITERS, "scene", "scene-at-rest", "poses", "tum", "motions", "joints", "trajectory-json", "trajectory-yaml", "urdf", "urdf-at-rest", "srdf", "rows"]
 MakeFormats = Callable[[bytes], dict[str, Format]]

@@ -108,8 +108,8 @@ def sliding_arm() -> str:
     box = '<collision><origin xyz="0 0 5"/><geometry><box size="0.1 0.1 0.1"/></geometry></collision>'
     limit = '<limit lower="-1" upper="1" effort="1" velocity="1"/>'
     return (
-        f'<robot name="arm"><link name="lower">{shape("moving.obj")}</link><link name="between">{box}</link>'
-        f'<link name="upper">{shape("moving.obj")}</link><joint name="joint0" type="prismatic"><parent link="lower"/>'
+        f'<robot name="arm"><link name="base">{shape("moving.obj")}</link><link name="between">{box}</link>'
+        f'<link name="upper">{shape("moving.obj")}</link><joint name="joint0" type="prismatic"><parent link="base"/>'
         f'<child link="between"/><origin xyz="0 0.1 1e-9"/><axis xyz="1 0 0"/>{limit}</joint>'
         f'<joint name="joint1" type="revolute"><parent link="between"/><child link="upper"/><axis xyz="0 0 1"/>{limit}</joint></robot>'
     )
@@ -124,7 +124,7 @@ def write_slow(folder: Path) -> None:
     (folder / "rest.json").write_text(json.dumps({"bodies": [table, body("box", "moving.obj", 0, 0.1, 1e-4)]}))
     (folder / "cell.json").write_text(json.dumps({"bodies": [body("table", "fixed.stl", 9, 9, 9)]}))
     (folder / "arm.urdf").write_text(sliding_arm())
-    (folder / "arm.srdf").write_text('<robot name="arm"><enable_collisions link1="lower" link2="upper"/></robot>')
+    (folder / "arm.srdf").write_text('<robot name="arm"><enable_collisions link1="base" link2="upper"/></robot>')
     (folder / "path.csv").write_text("joint0,joint1\n0,0\n0.4,0.8\n")
     slides = [f"{0.1 + 0.01 * (i % 40)},0.1,-0.1,1,0,0,{0.02 * (i % 40)}\n" for i in range(20000)]
     (folder / "goals.csv").write_text(f"{POSE}\n" + "".join(slides))

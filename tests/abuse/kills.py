@@ -97,4 +97,5 @@ def run_again(
     outcome.expect(not parts, f"the next run left {', '.join(parts)}")
 
 
-KIND = Kind("kills", cases, run_case, needs=("killed", "left a part", "resumed"))
+NEEDS = ("killed", "left a part", "resumed")
+KIND = Kind("kills", cases, run_case, ("large",), lambda case: [("large", case.name)], needs=NEEDS)

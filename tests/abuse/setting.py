@@ -40,15 +40,14 @@ class Unusable(Exception):
     """The program does not answer the inputs that all cases start from."""
 
 
-def make_setting(program: str, seed: int, folder: Path) -> Setting:
-    for name, write in inputs.WORLDS.items():
-        (folder / name).mkdir(parents=True)
-        write(folder / name)
+def make_setting(program: str, seed: int, folder: Path, worlds: set[str], asked: set[tuple[str, str]]) -> Setting:
+    """Makes the inputs of these worlds, and answers these questions of them."""
+    folder.mkdir()
+    for name in worlds:
+        (folder / name).mkdir()
+        inputs.WORLDS[name](folder / name)
     starts = sorted(run([program, "--version"], folder).seconds for _ in range(7))
-    wholes = {}
-    for world in ("small", "large"):
-        for question in QUESTIONS.values():
-            wholes[world, question.name] = whole_run(program, question, world, folder)
+    wholes = {(world, name): whole_run(program, QUESTIONS[name], world, folder) for world, name in sorted(asked)}
     return Setting(program, seed, folder, starts[3], wholes, can_mount())
 
 
