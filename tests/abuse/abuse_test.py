@@ -21,6 +21,20 @@ for word; do
 done
 """
 
+# The first run keeps the rows beside the program. Each other run copies them row by row, without another process.
+WRITES_IN_PLACE = """
+[ -n "$output" ] || exec "$chasles" "$@"
+if [ ! -f "$0.rows" ]; then
+    "$chasles" "$@"
+    status=$?
+    cp "$output" "$0.rows"
+    exit $status
+fi
+: > "$output"
+while IFS= read -r row; do echo "$row" >> "$output"; done < "$0.rows"
+exit 1
+"""
+
 
 class StandIn(unittest.TestCase):
     def setUp(self) -> None:
@@ -51,25 +65,20 @@ class StandIn(unittest.TestCase):
         script = NAME_OF_OUTPUT + '[ -z "$output" ] || echo new > "$output"; exec "$chasles" "$@"'
         self.expect_broken("changed ['arm.urdf']", script, "names/acm")
 
-    def test_an_output_is_written_in_place(self) -> None:
-        script = NAME_OF_OUTPUT + '"$chasles" "$@" && [ -n "$output" ] && cp "$output" copy && : > "$output"\n'
-        script += 'sleep 0.2; [ -n "$output" ] && cat copy > "$output" && rm copy; exit 0'
-        self.expect_broken("has neither its former content nor its new one", script, "kills/acm", "--kills", "6")
-
-    def test_a_row_is_torn(self) -> None:
-        script = NAME_OF_OUTPUT + '"$chasles" "$@"; status=$?; [ $status = 1 ] || exit $status\n'
-        script += 'mv "$output" whole; head -c 1000 whole > "$output"; sleep 0.5; mv whole "$output"; exit $status'
-        self.expect_broken("out__out has neither its former content", script, "kills/batch", "--kills", "6")
+    def test_rows_are_written_in_place(self) -> None:
+        script = NAME_OF_OUTPUT + WRITES_IN_PLACE
+        self.expect_broken("out__out has neither its former content nor its new one", script, "kills/batch", "--kills", "8")
 
     def test_a_full_disk_goes_unnoticed(self) -> None:
         self.expect_broken("status 0 instead of 2", '"$chasles" "$@" 2>/dev/null; exit 0', "disks/acm", "--disks", "3")
 
     def test_a_closed_stream_gets_into_a_file(self) -> None:
-        script = NAME_OF_OUTPUT + '"$chasles" "$@"; status=$?; : 2>/dev/null >&1 || echo answer > "$output"; exit $status'
+        script = NAME_OF_OUTPUT + '"$chasles" "$@"; status=$?; echo 2>/dev/null || echo answer > "$output"; exit $status'
         self.expect_broken("has other content than without abuse", script, "streams/acm")
 
     def test_an_interruption_is_ignored(self) -> None:
-        self.expect_broken("seconds after the signal", "trap '' INT TERM; exec \"$chasles\" \"$@\"", "interrupts/demo", "--interrupts", "1")
+        script = 'trap "" INT TERM; [ "$1" = --version ] || sleep 2; exit 0'
+        self.expect_broken("seconds after the signal", script, "interrupts/check", "--interrupts", "1")
 
     def test_an_interruption_is_not_reported(self) -> None:
         script = '"$chasles" "$@" & trap "kill -KILL $!; exit 130" INT TERM; wait $!'

@@ -6,7 +6,6 @@ from pathlib import Path
 
 from cases import Case, Counts, Kind, Outcome
 from formats import NAMES, Format, all_formats
-from questions import QUESTIONS
 from runs import Ended, run
 from setting import Setting
 
@@ -25,7 +24,7 @@ def formats_of(rows: bytes) -> dict[str, Format]:
 
 
 def run_case(setting: Setting, case: Case, folder: Path) -> Outcome:
-    rows = setting.whole("small", QUESTIONS["batch"]).files["out__out"]
+    rows = setting.whole("small", "batch").files["out__out"]
     form = formats_of(rows)[case.name]
     rng = case.random(setting.seed)
     question, whole, other = rng.choice(form.questions), rng.choice(form.wholes), rng.choice(form.wholes)

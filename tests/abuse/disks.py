@@ -42,7 +42,7 @@ def on_full_disk(setting: Setting, question: Question, rng: random.Random, folde
     if not setting.can_mount:
         outcome.notes["no disk could be made"] += 1
         return
-    whole = setting.whole("small", question)
+    whole = setting.whole("small", question.name)
     names = {option: "disk/" + name for option, name in question.own_names().items()}
     former = {name.replace("disk", "former", 1): PRECIOUS for name, _ in question.written(names)}
     (folder / "disk").mkdir()
@@ -64,7 +64,7 @@ def on_full_disk(setting: Setting, question: Question, rng: random.Random, folde
 
 def with_small_files(setting: Setting, question: Question, rng: random.Random, folder: Path, outcome: Outcome) -> None:
     """A limit of file sizes below the size of the largest output."""
-    whole = setting.whole("small", question)
+    whole = setting.whole("small", question.name)
     names = question.own_names()
     make_folders(question, names, folder)
     for name, _ in question.written(names):

@@ -1,7 +1,6 @@
 """The formats that are read: whole files of each, and the questions that read them."""
 
 import json
-from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -85,7 +84,8 @@ def table_formats() -> list[Format]:
     moves = f"{MOTIONS_HEADER}\na,3,0,0,1,0,0,0,0,0,3,1,0,0,0\nb,0,0,3,1,0,0,0,0,0,-3,1,0,0.2,0\n" + '"c, d",' + SLOW_ROW + "\n"
     turns = "t,joint0,joint1\n0,0,0\n1,0.01,-0.01\n2.5,0,0.005\n"
     path_of = ("path", "moving.obj", "fixed.stl", "--poses", "FILE")
-    questions = [path_of, (*path_of, "--motion", "twist", "--json"), ("drag", "rest.json", "--body", "box", "--goals", "FILE", "--out", "NEW")]
+    drag = ("drag", "rest.json", "--body", "box", "--goals", "FILE", "--out", "NEW")
+    questions = [path_of, (*path_of, "--motion", "twist", "--json"), drag]
     batch = [("batch", "moving.obj", "fixed.stl", "--motions", "FILE", "--out", "NEW")]
     robot = [("robot", *ROBOT, "--path", "FILE", "--json")]
     return [
@@ -141,12 +141,14 @@ def robot_formats() -> list[Format]:
     ]
     in_scene = [("scene", "around.json", "--until", "0"), ("robot", "FILE"), ("info", "FILE")]
     disabled = """<?xml version="1.0"?><robot name="chain"><!-- pairs --><group name="all"><link name="base"/><joint name="joint0"/>
-<chain base_link="base" tip_link="link2"/></group><group_state name="home" group="all"><joint name="joint0" value="0"/></group_state>
+<chain base_link="base" tip_link="link2"/></group>
+<group_state name="home" group="all"><joint name="joint0" value="0"/></group_state>
 <disable_default_collisions link="link1"/><enable_collisions link1="base" link2="link1"/>
-<disable_collisions link1="base" link2="link2" reason="Never"/><virtual_joint name="world" type="fixed" parent_frame="world" child_link="base"/>
-</robot>"""
+<disable_collisions link1="base" link2="link2" reason="Never"/>
+<virtual_joint name="world" type="fixed" parent_frame="world" child_link="base"/></robot>"""
     with_srdf = ("arm.urdf", "--srdf", "FILE", "--packages", "parts=packages/parts")
-    srdf = [("robot", *with_srdf, "--path", "path.csv"), ("info", *with_srdf), ("acm", *with_srdf, "--seconds", "0.2", "--out", "NEW")]
+    acm = ("acm", *with_srdf, "--seconds", "0.2", "--out", "NEW")
+    srdf = [("robot", *with_srdf, "--path", "path.csv"), ("info", *with_srdf), acm]
     return [
         Format("urdf", "damaged.urdf", [arm, chain(3).encode()], questions, companions),
         Format("urdf-at-rest", "damaged.urdf", [still], in_scene, companions),
@@ -168,5 +170,4 @@ def all_formats(rows: bytes) -> dict[str, Format]:
     return {each.name: each for each in found}
 
 
-NAMES = [*meshes.WRITERS, "scene", "scene-at-rest", "poses", "tum", "motions", "joints", "trajectory-json", "trajectory-yaml", "urdf", "urdf-at-rest", "srdf", "rows"]
-MakeFormats = Callable[[bytes], dict[str, Format]]
+NAMES = list(all_formats(b"\n\n"))

@@ -111,7 +111,8 @@ def sliding_arm() -> str:
         f'<robot name="arm"><link name="base">{shape("moving.obj")}</link><link name="between">{box}</link>'
         f'<link name="upper">{shape("moving.obj")}</link><joint name="joint0" type="prismatic"><parent link="base"/>'
         f'<child link="between"/><origin xyz="0 0.1 1e-9"/><axis xyz="1 0 0"/>{limit}</joint>'
-        f'<joint name="joint1" type="revolute"><parent link="between"/><child link="upper"/><axis xyz="0 0 1"/>{limit}</joint></robot>'
+        '<joint name="joint1" type="revolute"><parent link="between"/><child link="upper"/>'
+        f'<axis xyz="0 0 1"/>{limit}</joint></robot>'
     )
 
 
@@ -129,7 +130,7 @@ def write_slow(folder: Path) -> None:
     slides = [f"{0.1 + 0.01 * (i % 40)},0.1,-0.1,1,0,0,{0.02 * (i % 40)}\n" for i in range(20000)]
     (folder / "goals.csv").write_text(f"{POSE}\n" + "".join(slides))
     (folder / "motions.csv").write_text(f"{MOTIONS_HEADER}\nquick,0,0,9,1,0,0,0,0,0,8,1,0,0,0\n" + f"slow,{SLOW_ROW}\n" * 40)
-    (folder / "poses.csv").write_text(f"{POSE}\n0,0.1,1e-9,1,0,0,0\n0.4,0.1,1e-9,0.92,0,0,0.39\n" * 1)
+    (folder / "poses.csv").write_text(f"{POSE}\n0,0.1,1e-9,1,0,0,0\n0.4,0.1,1e-9,0.92,0,0,0.39\n")
     (folder / "big.obj").write_bytes(meshes.obj(meshes.sheet(500)))
 
 

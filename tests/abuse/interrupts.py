@@ -66,8 +66,8 @@ def interrupt(setting: Setting, case: Case, folder: Path) -> Outcome:
     else:
         outcome.notes["interrupted"] += 1
         check_end(outcome, ended)
-        # `demo` writes the same files in every world, and at its beginning
-        check_files(outcome, question, names, setting.wholes["small", "demo"].files, folder)
+        new = [setting.whole(*whole).files for whole in wholes(case)]
+        check_files(outcome, question, names, new[0] if new else {}, folder)
     return outcome
 
 
@@ -93,4 +93,11 @@ def check_files(
 
 
 WORLDS = ("small", "slow")
-KIND = Kind("interrupts", cases, run_case, WORLDS, lambda case: [("small", "demo")], is_timed=True, needs=("interrupted",))
+
+
+def wholes(case: Case) -> list[tuple[str, str]]:
+    """`demo` writes the same files in every world, and at its beginning."""
+    return [("small", case.name)] if case.name == "demo" else []
+
+
+KIND = Kind("interrupts", cases, run_case, WORLDS, wholes, is_timed=True, needs=("interrupted",))

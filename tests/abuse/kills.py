@@ -31,7 +31,7 @@ def run_case(setting: Setting, case: Case, folder: Path) -> Outcome:
         for name, _ in question.written(names):
             (folder / name).write_bytes(PRECIOUS)
     before = contents(folder)
-    whole = setting.whole("large", question)
+    whole = setting.whole("large", question.name)
     running = Running(command, folder)
     wait_for_moment(rng, running, question, names, folder, whole)
     running.send(signal.SIGKILL)
@@ -81,7 +81,7 @@ def run_again(
 ) -> None:
     """The next run writes what an undisturbed one does, and clears up."""
     command = question.command(setting.program, "large", names)
-    whole = setting.whole("large", question)
+    whole = setting.whole("large", question.name)
     if question.can_resume and left:
         refused = run(command, folder)
         is_told = refused.status == 2 and len(refused.errors) == 1 and sorted(left)[0] in refused.errors[0]

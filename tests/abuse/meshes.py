@@ -120,7 +120,8 @@ def dae(mesh: Mesh) -> bytes:
     return f"""<?xml version="1.0" encoding="utf-8"?>
 <COLLADA xmlns="http://www.collada.org/2005/11/COLLADASchema" version="1.4.1">
 <asset><unit name="meter" meter="1"/><up_axis>Z_UP</up_axis></asset>
-<library_geometries><geometry id="g"><mesh><source id="p"><float_array id="a" count="{3 * len(mesh.vertices)}">{places}</float_array>
+<library_geometries><geometry id="g"><mesh>
+<source id="p"><float_array id="a" count="{3 * len(mesh.vertices)}">{places}</float_array>
 <technique_common><accessor source="#a" count="{len(mesh.vertices)}" stride="3">{axes}</accessor></technique_common></source>
 <vertices id="v"><input semantic="POSITION" source="#p"/></vertices>
 <triangles count="{len(mesh.triangles)}"><input semantic="VERTEX" source="#v" offset="0"/><p>{corners}</p></triangles>

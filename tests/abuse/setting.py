@@ -27,8 +27,8 @@ class Setting:
     wholes: dict[tuple[str, str], Whole]  # by world and question
     can_mount: bool  # whether a small file system can be made
 
-    def whole(self, world: str, question: Question) -> Whole:
-        return self.wholes[world, question.name]
+    def whole(self, world: str, question: str) -> Whole:
+        return self.wholes[world, question]
 
     def copy_world(self, world: str, folder: Path) -> dict[str, bytes]:
         """The files that are then in the folder."""

@@ -57,7 +57,7 @@ def run_case(setting: Setting, case: Case, folder: Path) -> Outcome:
     outcome.command = f"(stdin {way[0]}, stdout {way[1]}, stderr {way[2]}) " + " ".join(command)
     ended = run_with_streams(command, way, folder)
     outcome.expect(not ended.crash, ended.crash)
-    whole = setting.whole("small", question)
+    whole = setting.whole("small", question.name)
     outcome.notes["stdout " + way[1]] += 1
     if way[1] == OPEN:
         outcome.expect(ended.status == whole.ended.status, f"status {ended.status} instead of {whole.ended.status}")
