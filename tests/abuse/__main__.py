@@ -91,10 +91,14 @@ def run_kind(kind: Kind, cases: Iterable[Case], abuse: Abuse, jobs: int) -> Tall
     tally = Tally()
     begun = time.monotonic()
     with multiprocessing.get_context("fork").Pool(1 if kind.is_timed else jobs) as pool:
+        told = begun
         for case, outcome in pool.imap_unordered(abuse, cases, chunksize=1 if kind.is_timed else 4):
             tally.add(case, outcome)
             if outcome.faults and len(tally.broken) <= MOST_SHOWN:
                 show(case, outcome)
+            if time.monotonic() - told > 60:
+                told = time.monotonic()
+                print(f"{kind.name}: {tally.cases} cases so far", flush=True)
     print(line_of(kind, tally, time.monotonic() - begun), flush=True)
     return tally
 

@@ -48,8 +48,8 @@ def run_case(setting: Setting, case: Case, folder: Path) -> Outcome:
 
 
 def write_files(setting: Setting, form: Format, content: bytes, folder: Path) -> None:
-    for path in (setting.worlds / "small").iterdir():
-        (folder / path.name).symlink_to(path)
+    for name in form.inputs:
+        (folder / name).symlink_to(setting.worlds / "small" / name)
     for name, text in {**form.companions, form.file: content}.items():
         (folder / name).write_bytes(text)
 

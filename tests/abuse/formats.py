@@ -1,17 +1,20 @@
 """The formats that are read: whole files of each, and the questions that read them."""
 
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import damages
 import meshes
 from damages import Damage
 from inputs import MOTIONS_HEADER, POSE, SLOW_ROW, chain, shape
-from questions import ROBOT
+from questions import BODIES, PART, ROBOT
 
 ROOT = Path(__file__).parent.parent.parent  # of the project
 CORPUS = ROOT / "tests/fuzz/corpus"
+
+MESHES = ("in_robot.dae", "packages")  # of the robot
+ARM = ("arm.urdf", "arm.srdf", *MESHES)
 
 
 @dataclass(frozen=True)
@@ -22,7 +25,8 @@ class Format:
     file: str  # its name
     wholes: list[bytes]
     questions: list[tuple[str, ...]]
-    companions: dict[str, bytes]  # further files, beside those of the small world
+    inputs: tuple[str, ...]  # of the small world
+    companions: dict[str, bytes] = field(default_factory=dict)  # further files
     damage: Damage = damages.damaged
     of_options: tuple[str, ...] = ()  # parts of errors that name an option which does not fit to the file, instead of the file
 
@@ -49,7 +53,8 @@ def mesh_format(ending: str) -> Format:
         ("robot", "of_mesh.urdf"),
     ]
     damage = {"3mf": damages.damaged_zip, "glb": damages.damaged_glb, "gltf": damages.damaged_tree}
-    return Format(ending, file, wholes, questions, mesh_companions(file), damage.get(ending, damages.damaged))
+    how = damage.get(ending, damages.damaged)
+    return Format(ending, file, wholes, questions, ("moving.obj",), mesh_companions(file), how)
 
 
 def scene_formats() -> list[Format]:
@@ -70,9 +75,11 @@ def scene_formats() -> list[Format]:
         ("robot", *ROBOT, "--path", "path.csv", "--scene", "FILE"),
     ]
     drag = [("drag", "FILE", "--body", "box", "--goals", "goals.csv", "--out", "NEW")]
+    files = (*BODIES, *PART, "fixture.urdf", "fixture.3mf", *ARM, "path.csv", "goals.csv")
+    of_options = ("scene: box: ", "drag: margin: ")
     return [
-        Format("scene", "damaged.json", wholes, questions, {}, damages.damaged_tree),
-        Format("scene-at-rest", "damaged.json", at_rest, drag, {}, damages.damaged_tree, ("scene: box: ", "drag: margin: ")),
+        Format("scene", "damaged.json", wholes, questions, files, {}, damages.damaged_tree),
+        Format("scene-at-rest", "damaged.json", at_rest, drag, files, {}, damages.damaged_tree, of_options),
     ]
 
 
@@ -88,11 +95,12 @@ def table_formats() -> list[Format]:
     questions = [path_of, (*path_of, "--motion", "twist", "--json"), drag]
     batch = [("batch", "moving.obj", "fixed.stl", "--motions", "FILE", "--out", "NEW")]
     robot = [("robot", *ROBOT, "--path", "FILE", "--json")]
+    files = (*BODIES, *PART, "rest.json")
     return [
-        Format("poses", "damaged.csv", texts(poses, named), questions, {}),
-        Format("tum", "damaged.tum", texts(tum, tum[tum.index("\n") + 1 :]), questions, {}),
-        Format("motions", "damaged.csv", texts(moves), batch, {}),
-        Format("joints", "damaged.csv", texts(turns, turns.replace(",", " ").replace("joint0", "joint0_deg")), robot, {}),
+        Format("poses", "damaged.csv", texts(poses, named), questions, files),
+        Format("tum", "damaged.tum", texts(tum, tum[tum.index("\n") + 1 :]), questions, files),
+        Format("motions", "damaged.csv", texts(moves), batch, BODIES),
+        Format("joints", "damaged.csv", texts(turns, turns.replace(",", " ").replace("joint0", "joint0_deg")), robot, ARM),
     ]
 
 
@@ -122,8 +130,8 @@ def trajectory_formats() -> list[Format]:
     wholes = [json.dumps(message).encode(), json.dumps({"trajectory": message}, indent=1).encode()]
     robot = [("robot", *ROBOT, "--path", "FILE")]
     return [
-        Format("trajectory-json", "damaged.json", wholes, robot, {}, damages.damaged_tree),
-        Format("trajectory-yaml", "damaged.yaml", texts(yaml), robot, {}),
+        Format("trajectory-json", "damaged.json", wholes, robot, ARM, damage=damages.damaged_tree),
+        Format("trajectory-yaml", "damaged.yaml", texts(yaml), robot, ARM),
     ]
 
 
@@ -150,9 +158,9 @@ def robot_formats() -> list[Format]:
     acm = ("acm", *with_srdf, "--seconds", "0.2", "--out", "NEW")
     srdf = [("robot", *with_srdf, "--path", "path.csv"), ("info", *with_srdf), acm]
     return [
-        Format("urdf", "damaged.urdf", [arm, chain(3).encode()], questions, companions),
-        Format("urdf-at-rest", "damaged.urdf", [still], in_scene, companions),
-        Format("srdf", "damaged.srdf", texts(disabled), srdf, {}),
+        Format("urdf", "damaged.urdf", [arm, chain(3).encode()], questions, MESHES, companions),
+        Format("urdf-at-rest", "damaged.urdf", [still], in_scene, ("fixture.3mf", "moving.obj"), companions),
+        Format("srdf", "damaged.srdf", texts(disabled), srdf, ("arm.urdf", *MESHES, "path.csv")),
     ]
 
 
@@ -160,7 +168,7 @@ def rows_format(rows: bytes) -> Format:
     """The rows that a cut batch has left are read by `--resume`."""
     batch = ("batch", "moving.obj", "fixed.stl", "--motions", "motions.csv", "--motion", "velocity", "--out", "damaged", "--resume")
     cut = rows[: rows.rindex(b"\n", 0, -1) + 1]
-    return Format("rows", "damaged.part", [rows, cut], [batch], {})
+    return Format("rows", "damaged.part", [rows, cut], [batch], (*BODIES, "motions.csv"))
 
 
 def all_formats(rows: bytes) -> dict[str, Format]:

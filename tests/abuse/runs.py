@@ -4,8 +4,6 @@ import os
 import resource
 import signal
 import subprocess
-import tempfile
-import threading
 import time
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
@@ -14,6 +12,7 @@ from pathlib import Path
 
 LONGEST = 30.0  # seconds until a run is given up
 GIVEN_UP = -1000  # the status of such a run
+SIGNALS = {number.value: number.name for number in signal.Signals}
 
 
 @dataclass(frozen=True)
@@ -43,15 +42,14 @@ class Ended:
             return f"did not end within {LONGEST:.0f} seconds"
         # a shell ends with 128 and the number of the signal that has ended its command
         number = -self.status if self.status < 0 else self.status - 128
-        named = {member.value: member.name for member in signal.Signals}
-        return f"ended by {named[number]}" if number in named and number != signal.SIGINT else ""
+        return f"ended by {SIGNALS[number]}" if number in SIGNALS and number != signal.SIGINT else ""
 
 
 class Running:
-    """A started run. Its output goes to files without a name, so no pipe can be full."""
+    """A started run. Its output goes to files in memory, so no pipe can be full."""
 
     def __init__(self, command: Sequence[str], folder: Path, **streams: object):
-        self.files = [tempfile.TemporaryFile(), tempfile.TemporaryFile()]
+        self.files = [open(os.memfd_create(name), "w+b") for name in ("out", "err")]
         self.begun = time.monotonic()
         given = {"stdin": subprocess.DEVNULL, "stdout": self.files[0], "stderr": self.files[1], **streams}
         self.process = subprocess.Popen(command, cwd=folder, **given)  # type: ignore[call-overload]
@@ -63,23 +61,22 @@ class Running:
         return os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOHANG | os.WNOWAIT) is not None
 
     def wait(self) -> Ended:
-        given_up = threading.Event()
+        given_up = []
 
-        def give_up() -> None:
-            given_up.set()
+        def give_up(number: int, frame: object) -> None:
+            given_up.append(number)
             self.send(signal.SIGKILL)
 
-        timer = threading.Timer(LONGEST, give_up)
-        timer.start()
+        signal.signal(signal.SIGALRM, give_up)
+        signal.setitimer(signal.ITIMER_REAL, LONGEST)
         # the timer is stopped before the process is reaped, so that the number cannot be another process's
         os.waitid(os.P_PID, self.process.pid, os.WEXITED | os.WNOWAIT)
         seconds = time.monotonic() - self.begun
-        timer.cancel()
-        timer.join()
+        signal.setitimer(signal.ITIMER_REAL, 0)
         _, status, usage = os.wait4(self.process.pid, 0)
         self.process.returncode = os.waitstatus_to_exitcode(status)
         return Ended(
-            GIVEN_UP if given_up.is_set() else self.process.returncode,
+            GIVEN_UP if given_up else self.process.returncode,
             *self._read(),
             seconds,
             usage.ru_utime + usage.ru_stime,
