@@ -72,13 +72,16 @@ int run_acm(const AcmOptions& options) {
     };
     const std::vector<PairProof> proofs = prove_pairs(robot, search);
     bar.reset();
-    if (file) {
+    const bool is_whole = !Interruption::is_requested();
+    if (file && is_whole) {
         file->write(robot::srdf_text(robot, proofs, options.robot.srdf));
         file->close();
     }
     print(options.json ? view::pair_proofs_json(robot, proofs).dump() + "\n" : listed(robot, proofs) + counts(proofs));
     print_warnings(robot.warnings());
-    return Interruption::is_requested() ? is_interrupted : is_clear;
+    return is_whole ? is_clear
+                    : report_interruption(std::string("pairs that are not decided are open") +
+                                          (file ? "; no file is written" : ""));
 }
 
 } // namespace

@@ -16,6 +16,8 @@ constexpr auto takes_numbers =
                                      "--lock-axis", "--lock-point"});
 constexpr auto takes_number = std::to_array<std::string_view>(
     {"--margin", "--hold", "--max-turn-deg", "--time-tolerance", "--tolerance", "--threads", "--friction"});
+constexpr auto takes_file = std::to_array<std::string_view>(
+    {"--out", "--page", "--save", "--poses", "--motions", "--goals", "--path", "--scene", "--srdf"});
 
 template <typename Names>
 bool contains(const Names& names, std::string_view name) {
@@ -35,10 +37,11 @@ bool holds_numbers(std::string argument) {
     return true;
 }
 
-// CLI11 would take the next argument for the value that is missing.
+// CLI11 would take the next argument for the value that is missing, and an empty name for an option that is not given.
 void require_value(std::string_view option, std::string_view value) {
     if (value.empty())
-        throw InvalidInput(std::string(option) + ": is empty, but takes numbers");
+        throw InvalidInput(std::string(option) + ": is empty, but takes " +
+                           (contains(takes_file, option) ? "the name of a file" : "numbers"));
 }
 
 // Checks "--option=" and "--option" followed by an empty argument.
@@ -46,7 +49,7 @@ void check_value(const std::vector<std::string>& arguments, std::size_t i) {
     const std::string_view argument = arguments[i];
     const std::size_t sign = argument.find('=');
     const std::string_view name = argument.substr(0, sign);
-    if (!contains(takes_numbers, name) && !contains(takes_number, name))
+    if (!contains(takes_numbers, name) && !contains(takes_number, name) && !contains(takes_file, name))
         return;
     if (sign != std::string_view::npos)
         require_value(name, argument.substr(sign + 1));

@@ -1,10 +1,13 @@
 #include "cli/interruption.h"
 
 #include "cli/commands.h"
+#include "cli/output.h"
 
 #include <atomic>
 #include <csignal>
 #include <cstdio>
+#include <string_view>
+#include <unistd.h>
 
 namespace chasles::cli {
 namespace {
@@ -12,9 +15,18 @@ namespace {
 std::atomic<bool> requested = false; // any thread may receive the signal
 static_assert(std::atomic<bool>::is_always_lock_free);
 
+constexpr std::string_view interrupted = "chasles: interrupted\n";
+
+/// Calls only what a handler may call.
+extern "C" void end_at_once(int /*signal*/) {
+    remove_unfinished();
+    static_cast<void>(!write(STDERR_FILENO, interrupted.data(), interrupted.size()));
+    _exit(is_interrupted);
+}
+
 void restore() {
-    std::signal(SIGINT, SIG_DFL);
-    std::signal(SIGTERM, SIG_DFL);
+    std::signal(SIGINT, end_at_once);
+    std::signal(SIGTERM, end_at_once);
 }
 
 extern "C" void request(int /*signal*/) {
@@ -23,6 +35,12 @@ extern "C" void request(int /*signal*/) {
 }
 
 } // namespace
+
+void end_when_interrupted() {
+    for (const int signal : {SIGINT, SIGTERM})
+        if (std::signal(signal, end_at_once) == SIG_IGN)
+            std::signal(signal, SIG_IGN);
+}
 
 Interruption::Interruption() {
     requested = false;

@@ -5,7 +5,11 @@
 
 namespace chasles::cli {
 
-/// While one exists, the first SIGINT or SIGTERM only sets a flag, and the next one ends the program as usual. At most
+/// From now on SIGINT and SIGTERM end the program with a line on standard error and the exit status of an interruption.
+/// A signal that is ignored, as in the background of a shell, stays so.
+void end_when_interrupted();
+
+/// While one exists, the first SIGINT or SIGTERM only sets a flag, and the next one ends the program. At most
 /// one may exist at a time.
 class Interruption {
 public:

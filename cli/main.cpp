@@ -5,6 +5,7 @@
 #include "chasles/io/text_scan.h"
 #include "cli/arguments.h"
 #include "cli/commands.h"
+#include "cli/interruption.h"
 #include "cli/output.h"
 
 #include <algorithm>
@@ -40,7 +41,7 @@ int report_error(const std::string& why) {
 
 void add_commands(CLI::App& app, Task& task) {
     app.set_version_flag("--version", "chasles " CHASLES_VERSION);
-    app.footer("Exit status: 0 clear, 1 contact, 2 wrong input or usage.");
+    app.footer("Exit status: 0 clear, 1 contact, 2 wrong input or usage, 3 out of time, 130 interrupted.");
     app.require_subcommand(1);
     add_check(app, task);
     add_clearance(app, task);
@@ -100,6 +101,7 @@ int run(const std::vector<std::string>& arguments) {
 
 int main(int argc, char** argv) {
     chasles::cli::prepare_output();
+    chasles::cli::end_when_interrupted();
     try {
         return chasles::cli::run(std::vector<std::string>(argv + std::min(argc, 1), argv + argc));
     } catch (...) { // not even the message of an error could be made

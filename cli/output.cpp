@@ -5,6 +5,8 @@
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 
+#include <array>
+#include <atomic>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
@@ -48,16 +50,46 @@ std::string with_escapes(const std::string& text) {
     return shown;
 }
 
-/// The files that this program is about to write.
+/// The files that this program is about to write, each with its part.
 std::set<fs::path>& targets() {
     static std::set<fs::path> files;
     return files;
 }
 
-/// The file behind links.
+/// Each name of a file once, also of one that does not exist yet.
+fs::path only_name(const fs::path& file) {
+    return fs::weakly_canonical(fs::absolute(file));
+}
+
+/// The parts that an interruption removes. A handler of a signal reads them, so their names stay in memory.
+std::array<std::atomic<const char*>, 4> unfinished{};
+static_assert(std::atomic<const char*>::is_always_lock_free);
+
+void set_unfinished(const fs::path& part) {
+    static std::set<std::string> names;
+    const char* const name = names.insert(part.string()).first->c_str();
+    for (std::atomic<const char*>& place : unfinished)
+        if (const char* empty = nullptr; place.compare_exchange_strong(empty, name))
+            return;
+}
+
+void set_finished(const fs::path& part) {
+    for (std::atomic<const char*>& place : unfinished)
+        if (const char* const name = place; name != nullptr && part == name)
+            place = nullptr;
+}
+
+/// The file behind links, also where it does not exist yet.
 fs::path target_of(const std::string& name) {
+    constexpr int most_links = 40;
+    fs::path file = name;
     std::error_code ignored;
-    return fs::is_symlink(name, ignored) ? fs::weakly_canonical(name, ignored) : fs::path(name);
+    for (int links = 0; fs::is_symlink(file, ignored); ++links) {
+        if (links == most_links)
+            throw InvalidInput(io::one_line(name) + why_not(ELOOP));
+        file = file.parent_path() / fs::read_symlink(file, ignored);
+    }
+    return file;
 }
 
 /// Pipes and devices cannot be replaced.
@@ -93,6 +125,12 @@ bool is_standard_output(const std::string& name) {
            file.st_ino == output.st_ino;
 }
 
+void remove_unfinished() noexcept {
+    for (const std::atomic<const char*>& place : unfinished)
+        if (const char* const name = place)
+            unlink(name);
+}
+
 void print(const std::string& text) {
     if (const int error = write_all(stdout, with_escapes(text)); error != 0)
         throw InvalidInput("standard output" + why_not(error));
@@ -112,16 +150,19 @@ OutputFile::OutputFile(const std::string& name, Leftover leftover)
     part_ += ".part";
     require_unread(part_);
     check_part();
-    if (!targets().insert(fs::weakly_canonical(target_)).second)
+    if (targets().contains(only_name(target_)) || targets().contains(only_name(part_)))
         throw InvalidInput(io::one_line(name) + ": is named by two options; give each output a name of its own");
+    targets().insert({only_name(target_), only_name(part_)});
 }
 
 OutputFile::~OutputFile() {
     if (part_.empty())
         return;
-    targets().erase(fs::weakly_canonical(target_));
+    targets().erase(only_name(target_));
+    targets().erase(only_name(part_));
     if (file_ && !keeps_rows_)
         unlink(part_.c_str());
+    set_finished(part_);
 }
 
 /// Finds errors before the work. Leaves no file behind, in case the program is interrupted before the first write.
@@ -151,11 +192,18 @@ void OutputFile::open_part() {
         keeps_rows_ = true; // they are the other program's
         throw InvalidInput(io::one_line(name_) + ": is being written by another program");
     }
+    if (!keeps_rows_)
+        set_unfinished(part_);
     struct stat former = {};
     if (stat(target_.c_str(), &former) == 0)
         static_cast<void>(fchmod(descriptor, former.st_mode & 07777U));
     if (ftruncate(descriptor, off_t(kept_bytes_)) != 0 || lseek(descriptor, 0, SEEK_END) < 0)
         fail(errno);
+}
+
+void OutputFile::keep_rows() {
+    keeps_rows_ = true;
+    set_finished(part_);
 }
 
 std::string OutputFile::kept_rows() const {

@@ -13,6 +13,9 @@ namespace chasles::cli {
 /// files from getting the descriptor of a standard stream that is closed. To be called first.
 void prepare_output();
 
+/// Removes FILE.part of outputs that are not closed and whose rows are not kept. A signal handler may call it.
+void remove_unfinished() noexcept;
+
 /// Writes to standard output. Throws InvalidInput if the write fails.
 void print(const std::string& text);
 
@@ -46,7 +49,7 @@ public:
     void close();
 
     /// From now on FILE.part stays if the file is not closed.
-    void keep_rows() { keeps_rows_ = true; }
+    void keep_rows();
     /// The content of FILE.part that is continued; empty if there is none.
     [[nodiscard]] std::string kept_rows() const;
     /// Continues after so many bytes of `kept_rows`. Before the first write only.

@@ -43,6 +43,7 @@ struct RobotQuestion {
     std::optional<SceneFile> scene;
     QueryOptions options;
     std::vector<std::string> warnings;
+    std::string path; ///< the name of the file of the rows
 
     [[nodiscard]] bool has_stamps() const { return !rows.stamps.empty(); }
     [[nodiscard]] const Scene* world() const { return scene ? &scene->scene : nullptr; }
@@ -75,7 +76,7 @@ RobotQuestion read_question(const RobotCommand& options) {
     warnings.insert(warnings.end(), rows.warnings.begin(), rows.warnings.end());
     for (std::string& warning : robot.warnings_about(rows.configurations))
         warnings.push_back("path: " + std::move(warning));
-    return {std::move(robot), std::move(rows), std::move(scene), query, std::move(warnings)};
+    return {std::move(robot), std::move(rows), std::move(scene), query, std::move(warnings), options.path};
 }
 
 /// Empty for a robot without variables.
@@ -144,8 +145,12 @@ void count_in_stamps(std::vector<Contact>& contacts, const JointPath::Segment& s
 
 JointPath path_of(const RobotQuestion& question) {
     const robot::ConfigurationRows& rows = question.rows;
-    return question.has_stamps() ? JointPath::straight(question.robot, rows.configurations, rows.stamps)
-                                 : JointPath::straight(question.robot, rows.configurations);
+    try {
+        return question.has_stamps() ? JointPath::straight(question.robot, rows.configurations, rows.stamps)
+                                     : JointPath::straight(question.robot, rows.configurations);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(io::one_line(question.path) + ": " + error.what());
+    }
 }
 
 int run_clearance(const RobotCommand& options) {

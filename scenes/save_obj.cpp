@@ -8,7 +8,8 @@
 namespace chasles::scenes {
 
 void save_obj(const Polyhedron& body, const std::filesystem::path& file) {
-    std::ofstream out(file);
+    const std::filesystem::path part = file.string() + ".part"; // a former file stays until the new one is whole
+    std::ofstream out(part);
     for (const Eigen::Vector3d& vertex : body.vertices()) {
         out << fmt::format("v {} {} {}\n", vertex.x(), vertex.y(), vertex.z());
     }
@@ -19,8 +20,13 @@ void save_obj(const Polyhedron& body, const std::filesystem::path& file) {
         out << '\n';
     }
     out.close();
-    if (!out)
+    std::error_code error;
+    if (out)
+        std::filesystem::rename(part, std::filesystem::exists(file) ? std::filesystem::canonical(file) : file, error);
+    if (!out || error) {
+        std::filesystem::remove(part, error);
         throw InvalidInput(fmt::format("{}: the file cannot be written", file.string()));
+    }
 }
 
 } // namespace chasles::scenes

@@ -157,8 +157,12 @@ Polyhedron UrdfReader::mesh(const XmlElement& element) {
     if (scale.prod() < 0)
         for (std::vector<std::uint32_t>& face : soup.faces)
             std::ranges::reverse(face);
-    return meshes_.emplace(key, Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true}))
-        .first->second;
+    try {
+        return meshes_.emplace(key, Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true}))
+            .first->second;
+    } catch (const InvalidInput& error) {
+        io::fail_in_file(found.path, error.what());
+    }
 }
 
 std::string UrdfReader::link_named(const XmlElement& joint, const char* child) const {

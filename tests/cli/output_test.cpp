@@ -100,6 +100,10 @@ TEST_F(Output, EachHasANameOfItsOwn) {
         EXPECT_EQ(error_line("drag scene.json --body box --goals goals.csv --out rows.csv --page " + page),
                   "chasles: " + page + ": is named by two options; give each output a name of its own");
     EXPECT_EQ(content("rows.csv"), "precious");
+    for (const std::string page : {"new.csv", "./new.csv", "new.csv.part"})
+        EXPECT_EQ(error_line("drag scene.json --body box --goals goals.csv --out new.csv --page " + page),
+                  "chasles: " + page + ": is named by two options; give each output a name of its own");
+    EXPECT_EQ(error_line("scene scene.json --page ''"), "chasles: --page: is empty, but takes the name of a file");
 }
 
 TEST_F(Output, ReplacesTheFileBehindALinkAndKeepsItsMode) {

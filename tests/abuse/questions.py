@@ -1,0 +1,96 @@
+"""The commands: what each reads and writes."""
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+from inputs import MOTION
+
+
+@dataclass(frozen=True)
+class Output:
+    option: str
+    files: tuple[str, ...]  # what is written, below what the option names
+    has_rows: bool = False  # rows of a run that was cut stay in FILE.part
+
+
+def file(option: str, has_rows: bool = False) -> Output:
+    return Output(option, ("",), has_rows)
+
+
+@dataclass(frozen=True)
+class Question:
+    name: str
+    arguments: tuple[str, ...]  # `MOTION` stands for the motion of the world
+    reads: tuple[str, ...]
+    outputs: tuple[Output, ...] = ()
+    can_resume: bool = False
+
+    def command(self, program: str, world: str, names: dict[str, str]) -> list[str]:
+        """`names` gives the outputs their names, by option."""
+        words = [program]
+        for argument in self.arguments:
+            words += MOTION[world] if argument == "MOTION" else [argument]
+        return words + [word for pair in names.items() for word in pair]
+
+    def own_names(self) -> dict[str, str]:
+        """A name for each output."""
+        return {output.option: "out" + output.option.replace("-", "_") for output in self.outputs}
+
+    def written(self, names: dict[str, str]) -> Iterator[tuple[str, Output]]:
+        """The files that outputs of these names are."""
+        for output in self.outputs:
+            for end in output.files:
+                yield names[output.option] + end, output
+
+
+BODIES = ("moving.obj", "fixed.stl")
+ROBOT = ("arm.urdf", "--srdf", "arm.srdf", "--packages", "parts=packages/parts")
+ROBOT_FILES = ("arm.urdf", "arm.srdf", "in_robot.dae", "packages/parts/meshes/in_package.off")
+CELL = ("--path", "path.csv", "--scene", "cell.json")
+CELL_FILES = ("path.csv", "cell.json", "fixed.stl", "fixture.urdf", "fixture.3mf")
+PART = ("part.gltf", "part.bin")
+
+QUESTIONS = {
+    question.name: question
+    for question in [
+        Question("check", ("check", *BODIES, "MOTION", "--json"), BODIES),
+        Question("clearance", ("clearance", *BODIES, "MOTION"), BODIES),
+        Question("view", ("view", *BODIES, "MOTION"), BODIES, (file("--out"),)),
+        Question("path", ("path", *BODIES, "--poses", "poses.csv", "--motion", "velocity"), (*BODIES, "poses.csv")),
+        Question(
+            "batch",
+            ("batch", *BODIES, "--motions", "motions.csv", "--motion", "velocity"),
+            (*BODIES, "motions.csv"),
+            (file("--out", has_rows=True),),
+            can_resume=True,
+        ),
+        Question(
+            "scene",
+            ("scene", "scene.json", "--all"),
+            ("scene.json", *BODIES, *PART, "fixture.urdf", "fixture.3mf"),
+            (file("--page"),),
+        ),
+        Question(
+            "drag",
+            ("drag", "rest.json", "--body", "box", "--goals", "goals.csv"),
+            ("rest.json", *BODIES, *PART, "goals.csv"),
+            (file("--out", has_rows=True), file("--page")),
+        ),
+        Question(
+            "robot",
+            ("robot", *ROBOT, *CELL, "--attach", "base,attached.ply,0 9 0"),
+            (*ROBOT_FILES, *CELL_FILES, "attached.ply"),
+            (file("--page"),),
+        ),
+        Question("robot-clearance", ("robot", *ROBOT, *CELL, "--clearance"), (*ROBOT_FILES, *CELL_FILES)),
+        Question("acm", ("acm", *ROBOT), ROBOT_FILES, (file("--out"),)),
+        Question("info", ("info", "moving.obj"), ("moving.obj",)),
+        Question("info-robot", ("info", *ROBOT, "--json"), ROBOT_FILES),
+        Question("demo", ("demo",), (), (Output("--save", ("/bolt.obj", "/nut.obj")),)),
+    ]
+}
+
+# What options name that are read. All other options that name a file or a folder are outputs.
+INPUT_OPTIONS = {"--poses", "--motions", "--goals", "--path", "--scene", "--srdf", "--packages", "--attach"}
+
+WRITERS = [question.name for question in QUESTIONS.values() if question.outputs]
