@@ -11,7 +11,7 @@ TIDY = algebra base hierarchy io mesh
 empty :=
 one_of = ^($(subst $(empty) ,|,$(strip $(1))))$$
 
-.PHONY: help demo quick check python-check wasm playground wasm-check site facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core format clean
+.PHONY: help demo quick check python-check wasm playground wasm-check site facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core abuse check-builds format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
@@ -33,6 +33,8 @@ help:
 	@echo "make clang    build the library and the command line by Clang, with warnings as errors"
 	@echo "make tidy     clang-tidy over the library, the scenes and the command line"
 	@echo "make tidy-core     clang-tidy over the layers that have no findings"
+	@echo "make abuse    kill, interrupt and starve every command, and give it damaged files (an hour)"
+	@echo "make check-builds  what takes hours: sanitizers, Clang, clang-tidy, ten minutes of each fuzzer, and abuse"
 	@echo "make format   lay out every source file"
 
 # A build folder that is new is compiled once: then batches of sources take a third of the time.
@@ -128,6 +130,15 @@ tsan:
 	cmake --preset tsan
 	cmake --build --preset tsan --target chasles_query_tests -j $(JOBS)
 	ctest --preset tsan -j $(JOBS)
+
+abuse:
+	@tools/install_dependencies.sh check
+	cmake --preset dev
+	cmake --build --preset dev -j $(JOBS) --target chasles_cli
+	python3 tests/abuse build/dev/bin/chasles --jobs $(JOBS)
+
+check-builds: asan tsan clang tidy abuse
+	@$(MAKE) fuzz FUZZ_SECONDS=600
 
 fuzz:
 	@tools/install_dependencies.sh fuzz
