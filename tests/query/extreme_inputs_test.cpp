@@ -357,7 +357,7 @@ TEST(ExtremeInputs, MotionsFromTooFarAwayAreRefusedUnlessTheyAreExact) {
         EXPECT_LE(found.clear_until, 1 - 0.4 / from) << from; // the corners reach the other cube before
         EXPECT_GE(found.time.upper, 1 - 1.8 / from) << from;
     };
-    for (const double from : {1e3, 1e9, 3e9}) {
+    for (const double from : {1e3, 1e9, 2e9}) {
         expect_exact(velocity, from);
         expect_exact(twist, from);
     }
