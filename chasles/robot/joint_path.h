@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 
 #include <span>
+#include <utility>
 #include <vector>
 
 namespace chasles {
@@ -56,6 +57,12 @@ public:
     [[nodiscard]] const std::vector<Segment>& segments() const { return segments_; }
     /// The configuration at a stamp; outside of the path, at its nearer end.
     [[nodiscard]] Configuration at(double stamp) const;
+
+    /// For the library's own use: what a path consists of, and a path of such parts, which are not checked.
+    [[nodiscard]] const std::vector<std::size_t>& quaternions() const { return quaternions_; }
+    static JointPath of_parts(std::vector<Segment> segments, std::vector<std::size_t> quaternions) {
+        return {std::move(segments), std::move(quaternions)};
+    }
 
 private:
     JointPath(std::vector<Segment> segments, std::vector<std::size_t> quaternions)

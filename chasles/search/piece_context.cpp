@@ -32,7 +32,7 @@ std::optional<motion::EnclosureBounds> bounds_of_start(const motion::AnyPiece& p
 void require_near(double reach, double radius) {
     constexpr double farthest = 1e10;
     if (!(reach <= farthest * radius))
-        throw InvalidInput("motion: goes " + number_text(reach, 3) +
+        throw InvalidInput("motion: goes up to " + number_text(reach, 3) +
                            " far, more than 1e10 times the radius of the larger body, " + number_text(radius, 3) +
                            ", where rounding would decide; a screw or a sweep may, for they are exact");
 }

@@ -62,8 +62,10 @@ from ._core import (
 )
 from .batch import BatchInterrupted, first_contact_batch, least_distance_batch, path_is_clear_batch
 from .collision import CollisionManager
+from .end_of_process import prepare as _prepare_end_of_process
 from .enums import ContactKind, Find, Verdict
 from .meshes import from_trimesh, parts_from_trimesh
+from .not_pickled import prepare as _refuse_pickles
 from .record import recording_page, write_scene_page
 from .robots import edge_dtype, first_contacts_on_edges, write_robot_page
 from .saved_scene import reduce_scene
@@ -154,3 +156,5 @@ FirstContact.plot = _plot  # type: ignore[attr-defined]
 FirstContact.view = write_page  # type: ignore[attr-defined]
 Scene.view = write_scene_page  # type: ignore[attr-defined]
 Scene.__reduce__ = reduce_scene  # type: ignore[assignment, method-assign]
+_prepare_end_of_process()
+_refuse_pickles()

@@ -1,5 +1,6 @@
 """Objects by name at rest: which touch, and how near they are, in the manner of ``trimesh.collision``."""
 
+import copy
 import math
 from collections.abc import Mapping
 from typing import Any, Literal
@@ -7,9 +8,10 @@ from typing import Any, Literal
 import numpy as np
 import numpy.typing as npt
 
-from ._core import Cancelled, InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair
+from ._core import Cancelled, InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair, _Use
 from .collision_data import ContactData, DistanceData
 from .enums import Verdict
+from .in_use import change, question
 from .meshes import from_trimesh
 from .placed import Placed, scene_of
 
@@ -26,17 +28,31 @@ class CollisionManager:
     - `first_contact` tells which objects touch first, and when, while they move from their transforms to goals.
 
     Lengths are in the meshes' own unit. Transforms are arrays (4, 4), or (7,) for x y z qw qx qy qz. Wrong arguments
-    raise InvalidInput, a ValueError, and change nothing. A manager is used by one thread at a time.
+    raise InvalidInput, a ValueError, and change nothing. Threads may ask a manager at the same time. A change while
+    another thread asks it is refused, by InvalidInput. ``copy.copy(manager)`` can be changed by itself.
     """
 
     def __init__(self) -> None:
         self._objects: dict[str, Placed] = {}
-        self._within, self._beside = Scene(), Scene()  # all objects; in the second one they are not tested in pairs
-        self._beside.ignore_groups("", "")
+        self._scene = Scene()
+        self._use = _Use()
+
+    def __copy__(self) -> "CollisionManager":
+        other = CollisionManager()
+        other.__setstate__(self.__getstate__())
+        return other
+
+    @question("manager")
+    def __getstate__(self) -> dict[str, Any]:
+        return {"_objects": dict(self._objects), "_scene": copy.copy(self._scene)}
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        self.__dict__.update(state, _use=_Use())
 
     def __repr__(self) -> str:
         return f"<chasles.CollisionManager: {len(self._objects)} objects>"
 
+    @change("manager")
     def add_object(self, name: str, mesh: Any, transform: npt.ArrayLike | None = None) -> Polyhedron:
         """Add an object, in the place of one with the same name if there is one, and return its Polyhedron.
 
@@ -52,34 +68,38 @@ class CollisionManager:
             raise InvalidInput(f"name: {name!r}: must be a printable text, not empty and not {EXTERNAL!r}")
         placed = _placed(mesh, transform)
         if name in self._objects:
-            self.remove_object(name)
-        for scene in self._scenes():
-            scene.add(name, placed.shape, placed.pose)
+            self._scene.remove(name)
+        self._scene.add(name, placed.shape, placed.pose)
         self._objects[name] = placed
         return placed.shape
 
+    @change("manager")
     def remove_object(self, name: str) -> None:
         """Remove an object. Raises InvalidInput for an unknown name."""
         self._get(name)
-        for scene in self._scenes():
-            scene.remove(name)
+        self._scene.remove(name)
         del self._objects[name]
 
+    @change("manager")
     def set_transform(self, name: str, transform: npt.ArrayLike) -> None:
         """Give an object another transform. Raises InvalidInput for an unknown name, and for no transform."""
         moved = Placed(self._get(name).shape, _pose(transform))
-        for scene in self._scenes():
-            scene.move(name, moved.pose)
+        self._scene.move(name, moved.pose)
         self._objects[name] = moved
 
-    def _scenes(self) -> tuple[Scene, Scene]:
-        return self._within, self._beside
+    def _beside(self, placed: Placed) -> Scene:
+        """A scene with one more object, in which those of the manager are not tested against each other."""
+        scene = copy.copy(self._scene)
+        scene.ignore_groups("", "")
+        scene.add(EXTERNAL, placed.shape, placed.pose, group=EXTERNAL)
+        return scene
 
     def _get(self, name: str) -> Placed:
         if not isinstance(name, str) or name not in self._objects:
             raise InvalidInput(f"{name} not in collision manager")
         return self._objects[name]
 
+    @question("manager")
     def in_collision_single(
         self, mesh: Any, transform: npt.ArrayLike | None = None, return_names: bool = False, return_data: bool = False
     ) -> Any:
@@ -99,15 +119,12 @@ class CollisionManager:
         bool, or a tuple of it and what was asked for
         """
         placed = _placed(mesh, transform)
-        self._beside.add(EXTERNAL, placed.shape, placed.pose, group=EXTERNAL)
-        try:
-            found = _contacts(self._beside, return_names, return_data)
-        finally:
-            self._beside.remove(EXTERNAL)
+        found = _contacts(self._beside(placed), return_names, return_data)
         bodies = {**self._objects, EXTERNAL: placed}
         names = {name for contact in found for name in contact.pair if name != EXTERNAL}  # type: ignore[union-attr]
         return _collisions(found, names, bodies, return_names, return_data)
 
+    @question("manager")
     def in_collision_internal(self, return_names: bool = False, return_data: bool = False) -> Any:
         """Whether any two objects of the manager touch.
 
@@ -122,10 +139,11 @@ class CollisionManager:
         -------
         bool, or a tuple of it and what was asked for
         """
-        found = _contacts(self._within, return_names, return_data)
+        found = _contacts(self._scene, return_names, return_data)
         names = {tuple(sorted(contact.pair)) for contact in found}  # type: ignore[type-var]
         return _collisions(found, names, self._objects, return_names, return_data)
 
+    @question("manager")
     def in_collision_other(
         self, other_manager: "CollisionManager", return_names: bool = False, return_data: bool = False
     ) -> Any:
@@ -148,6 +166,7 @@ class CollisionManager:
         names = {tuple(name[1:] for name in sorted(contact.pair)) for contact in found}  # type: ignore[type-var]
         return _collisions(found, names, bodies, return_names, return_data, first_letter=1)
 
+    @question("manager")
     def min_distance_single(
         self, mesh: Any, transform: npt.ArrayLike | None = None, return_name: bool = False, return_data: bool = False
     ) -> Any:
@@ -167,14 +186,11 @@ class CollisionManager:
         float, or a tuple of it and what was asked for
         """
         placed = _placed(mesh, transform)
-        self._beside.add(EXTERNAL, placed.shape, placed.pose, group=EXTERNAL)
-        try:
-            bodies = {**self._objects, EXTERNAL: placed}
-            distance, names, data = _nearest(self._beside, bodies, list(self._objects), [EXTERNAL])
-        finally:
-            self._beside.remove(EXTERNAL)
+        bodies = {**self._objects, EXTERNAL: placed}
+        distance, names, data = _nearest(self._beside(placed), bodies, list(self._objects), [EXTERNAL])
         return _chosen(distance, (return_name, names and names[0]), (return_data, data))
 
+    @question("manager")
     def min_distance_internal(
         self, name: str | None = None, return_names: bool = False, return_data: bool = False
     ) -> Any:
@@ -197,9 +213,10 @@ class CollisionManager:
             self._get(name)
         first = list(self._objects) if name is None else [name]
         second = None if name is None else [other for other in self._objects if other != name]
-        distance, names, data = _nearest(self._within, self._objects, first, second)
+        distance, names, data = _nearest(self._scene, self._objects, first, second)
         return _chosen(distance, (return_names, names and tuple(sorted(names))), (return_data, data))
 
+    @question("manager")
     def min_distance_other(
         self, other_manager: "CollisionManager", return_names: bool = False, return_data: bool = False
     ) -> Any:
@@ -222,6 +239,7 @@ class CollisionManager:
         distance, names, data = _nearest(scene, bodies, *groups, first_letter=1)
         return _chosen(distance, (return_names, names), (return_data, data))
 
+    @question("manager")
     def first_contact(
         self,
         goals: Mapping[str, npt.ArrayLike],
@@ -276,7 +294,7 @@ def _pose(transform: npt.ArrayLike, name: str = "transform") -> npt.NDArray[np.f
 def _objects_of(manager: Any) -> dict[str, Placed]:
     if not isinstance(manager, CollisionManager):
         raise TypeError(f"other_manager: a {type(manager).__name__} is not a chasles.CollisionManager")
-    return manager._objects
+    return dict(manager._objects)  # another thread may change the manager
 
 
 def _contacts(scene: Scene, return_names: bool, return_data: bool) -> list[SceneContact]:

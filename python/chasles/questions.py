@@ -14,7 +14,7 @@ import numpy as np
 import numpy.typing as npt
 import pyarrow as pa
 
-from ._core import InvalidInput, Polyhedron, Robot, RobotChecker, Scene
+from ._core import InvalidInput, Polyhedron, Robot, RobotChecker, Scene, Trajectory
 from .batch import first_contact_batch
 from .robots import first_contacts_on_edges
 
@@ -112,7 +112,7 @@ class EdgeQuestion:
     def pickled(self) -> bytes:
         try:
             return pickle.dumps(self)
-        except (TypeError, RuntimeError, pickle.PicklingError) as error:
+        except (TypeError, AttributeError, RuntimeError, pickle.PicklingError) as error:
             raise InvalidInput(f"scene: cannot be sent to other processes: {error}") from None
 
     def answer(self, rows: pa.Table, threads: int) -> npt.NDArray[np.void]:
@@ -142,6 +142,11 @@ def _plain(thing: Any) -> Any:
     """Tuples of numbers and texts, with digests of bodies."""
     if isinstance(thing, Polyhedron):
         return digest_of(thing)
+    if isinstance(thing, Trajectory):
+        raise InvalidInput(
+            "scene: cannot be sent to other processes: a body follows a chasles.Trajectory, whose functions may be "
+            "others there; give it chasles.TimedPoses"
+        )
     if isinstance(thing, np.ndarray):
         return thing.tolist()
     if isinstance(thing, dict):

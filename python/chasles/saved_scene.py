@@ -9,8 +9,8 @@ from ._core import Scene
 def scene_from(bodies: list[tuple[Any, ...]], rules: dict[tuple[str, str, str], float]) -> Scene:
     """The scene that has these bodies and rules."""
     scene = Scene()
-    for name, shape, pose, goal, motion, centre, group in bodies:
-        scene.add(name, shape, pose, goal, motion=motion, centre=centre, group=group)
+    for name, shape, motion, group in bodies:
+        scene.add(name, shape, motion=motion, group=group)
     for (function, first, second), margin in rules.items():
         margins = (margin,) if function.startswith("set") else ()
         getattr(scene, function)(first, second, *margins)

@@ -27,5 +27,7 @@ void bind_robot_clearance(nanobind::module_& module);
 void bind_view(nanobind::module_& module);
 void bind_record(nanobind::module_& module);
 void bind_timing(nanobind::module_& module);
+void bind_end_of_process(nanobind::module_& module);
+void bind_use(nanobind::module_& module);
 
 } // namespace chasles::python

@@ -5,6 +5,7 @@
 #include "python/src/docstrings.h"
 #include "python/src/interruptible.h"
 #include "python/src/poses.h"
+#include "python/src/recipe.h"
 #include "python/src/scene.h"
 #include "python/src/signals.h"
 
@@ -82,34 +83,50 @@ public:
 
     PythonStep update(nb::handle goal, double seconds) {
         const Pose wanted = pose_from(goal, "goal");
+        const Changing change(use_, what), of_scene(scene_.use, "scene");
         DragStep step = [&] {
-            const nb::gil_scoped_release released; // other threads may ask for forces
+            const WithoutGil without_gil; // other threads may ask for forces
             const EndsBySignals ends_by_signals;
             return body_.update(wanted, seconds);
         }();
+        keep(step.pose);
         return {std::move(step), names_of(scene_)};
     }
     std::vector<PythonStep> follow(nb::handle goals, double seconds) {
         const PoseArray poses(goals, "goals");
         std::vector<PythonStep> steps;
+        const Changing change(use_, what), of_scene(scene_.use, "scene");
         const std::vector<std::string> names = names_of(scene_);
-        run_interruptibly(
-            [&](Progress& progress) {
-                for (std::size_t i = 0; i < poses.size() && !progress.is_stopping; ++i)
-                    steps.push_back({body_.update(poses[i], seconds), names});
-            },
-            nb::none());
+        const auto keep_last = [&] {
+            if (!steps.empty())
+                keep(steps.back().step.pose);
+        };
+        try {
+            run_interruptibly(
+                [&](Progress& progress) {
+                    for (std::size_t i = 0; i < poses.size() && !progress.is_stopping; ++i)
+                        steps.push_back({body_.update(poses[i], seconds), names});
+                },
+                nb::none());
+        } catch (...) {
+            keep_last();
+            throw;
+        }
+        keep_last();
         return steps;
     }
     [[nodiscard]] nb::object force(nb::handle wanted) const {
         const Pose goal = pose_from(wanted, "goal");
         const DragForce found = [&] {
-            const nb::gil_scoped_release released;
+            const WithoutGil without_gil;
             return body_.force(goal);
         }();
         return wrench_of(found.force, found.torque);
     }
-    [[nodiscard]] nb::object pose() const { return matrix_of(body_.pose()); }
+    [[nodiscard]] nb::object pose() const {
+        const Asking question(use_, what);
+        return matrix_of(body_.pose());
+    }
     [[nodiscard]] const std::string& name() const { return name_; }
     [[nodiscard]] const DraggedBody& body() const { return body_; }
 
@@ -119,10 +136,16 @@ public:
     }
 
 private:
+    static constexpr const char* what = "dragged body";
+
+    /// The body rests in the scene where an update has left it.
+    void keep(const Pose& pose) { scene_.motions.insert_or_assign(name_, made("rest", {listed(pose)})); }
+
     nb::object owner_; ///< of the scene
     PythonScene& scene_;
     std::string name_;
     DraggedBody body_;
+    mutable Use use_;
 };
 
 /// The options that have a name of their own in Python.
@@ -141,6 +164,7 @@ void make(PythonDraggedBody* body, nb::pointer_and_handle<PythonScene> scene, co
     options.rounds = named.rounds;
     options.lock = lock.value_or(DragLock());
     options.mass = mass;
+    const Asking question = scene.p->asking();
     new (body) PythonDraggedBody(scene.h, *scene.p, name, options);
 }
 
@@ -245,6 +269,20 @@ void bind_parts(nb::module_& module) {
         .def_ro("contact", &PythonDragEvent::contact, doc("DragEvent.contact"));
 }
 
+void require_parts(const nb::tuple& state, std::size_t parts) {
+    if (state.size() != parts)
+        throw InvalidInput(fmt::format("state: must have {} parts, not {}", parts, state.size()));
+}
+
+using InertiaRows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+
+MassProperties mass_from(nb::handle inertia, nb::handle centre) {
+    const DoubleArray rows(inertia, "inertia");
+    if (rows.shape_text() != "(3, 3)")
+        throw InvalidInput("inertia: shape " + rows.shape_text() + "; a matrix of inertia has shape (3, 3)");
+    return {vector_from(centre, "centre"), Eigen::Map<const InertiaRows>(rows.numbers().data())};
+}
+
 void bind_lock(nb::module_& module) {
     nb::class_<DragLock>(module, "DragLock", lock_doc)
         .def(
@@ -257,6 +295,17 @@ void bind_lock(nb::module_& module) {
                     "numpy.typing.ArrayLike = (0, 0, 0)) -> None"))
         .def_prop_ro(
             "kind", [](const DragLock& lock) { return lock_kinds.at(std::size_t(lock.kind)); }, "As it was given.")
+        .def("__getstate__",
+             [](const DragLock& lock) {
+                 return nb::make_tuple(lock_kinds.at(std::size_t(lock.kind)), array_of(lock.direction),
+                                       array_of(lock.point));
+             })
+        .def("__setstate__",
+             [](DragLock& lock, const nb::tuple& state) {
+                 require_parts(state, 3);
+                 new (&lock) DragLock{lock_kind(nb::cast<std::string>(state[0])), vector_from(state[1], "direction"),
+                                      vector_from(state[2], "point")};
+             })
         .def("__repr__", [](const DragLock& lock) {
             return fmt::format("<chasles.DragLock: {}>", lock_kinds.at(std::size_t(lock.kind)));
         });
@@ -267,16 +316,20 @@ void bind_mass(nb::module_& module) {
         .def(
             "__init__",
             [](MassProperties* mass, nb::handle inertia, nb::handle centre) {
-                const DoubleArray rows(inertia, "inertia");
-                if (rows.shape_text() != "(3, 3)")
-                    throw InvalidInput("inertia: shape " + rows.shape_text() +
-                                       "; a matrix of inertia has shape (3, 3)");
-                using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-                new (mass) MassProperties{vector_from(centre, "centre"), Eigen::Map<const Rows>(rows.numbers().data())};
+                new (mass) MassProperties(mass_from(inertia, centre));
             },
             "inertia"_a.none(), "centre"_a = nb::make_tuple(0, 0, 0),
             nb::sig("def __init__(self, inertia: numpy.typing.ArrayLike, centre: numpy.typing.ArrayLike = (0, 0, 0)) "
-                    "-> None"));
+                    "-> None"))
+        .def("__getstate__",
+             [](const MassProperties& mass) {
+                 const InertiaRows inertia = mass.inertia;
+                 return nb::make_tuple(array_of(std::span(inertia.data(), 9), {3, 3}), array_of(mass.centre));
+             })
+        .def("__setstate__", [](MassProperties& mass, const nb::tuple& state) {
+            require_parts(state, 2);
+            new (&mass) MassProperties(mass_from(state[0], state[1]));
+        });
 }
 
 void bind_step(nb::module_& module) {

@@ -2,6 +2,7 @@
 
 #include "chasles/base/limit_of_thread.h"
 #include "python/src/signals.h"
+#include "python/src/without_gil.h"
 
 #include <condition_variable>
 #include <exception>
@@ -58,25 +59,30 @@ private:
     std::thread thread_; ///< last: the thread uses the other members
 };
 
-void check_signals_and_report(nanobind::handle report, std::size_t done) {
+/// Checks for signals and reports, unless the process ends: then the work has to stop.
+void look_after(Progress& progress, nanobind::handle report) {
+    if (questions_have_to_end())
+        progress.is_stopping = true;
+    if (progress.is_stopping)
+        return;
     const nanobind::gil_scoped_acquire acquire;
     if (PyErr_CheckSignals() != 0)
         throw nanobind::python_error();
     if (!report.is_none())
-        report(done);
+        report(std::size_t(progress.done));
 }
 
 } // namespace
 
 void run_interruptibly(const std::function<void(Progress&)>& work, nanobind::handle report) {
-    const nanobind::gil_scoped_release release;
+    const WithoutGil without_gil;
     Progress progress;
     Background background(work, progress);
     try {
         while (!background.wait())
-            check_signals_and_report(report, progress.done);
+            look_after(progress, report);
         background.join();
-        check_signals_and_report(report, progress.done);
+        look_after(progress, report);
     } catch (...) {
         progress.is_stopping = true;
         throw; // the destructor of `background` joins its thread first

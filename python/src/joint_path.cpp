@@ -6,6 +6,8 @@
 #include <cmath>
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/string.h>
+#include <nanobind/stl/vector.h>
 
 namespace chasles::python {
 namespace {
@@ -18,17 +20,17 @@ std::vector<double> numbers_from(nb::handle argument, const std::string& name) {
     return {numbers.begin(), numbers.end()};
 }
 
-JointPath straight(const Robot& robot, nb::handle configurations, nb::handle times) {
+JointPath straight(const PythonRobot& robot, nb::handle configurations, nb::handle times) {
     return path_from(robot, {configurations, times, nb::none(), nb::none()});
 }
-JointPath cubic(const Robot& robot, nb::handle times, nb::handle positions, nb::handle velocities) {
+JointPath cubic(const PythonRobot& robot, nb::handle times, nb::handle positions, nb::handle velocities) {
     return path_from(robot, {positions, times, velocities, nb::none()});
 }
-JointPath quintic(const Robot& robot, nb::handle times, nb::handle positions, nb::handle velocities,
+JointPath quintic(const PythonRobot& robot, nb::handle times, nb::handle positions, nb::handle velocities,
                   nb::handle accelerations) {
     return path_from(robot, {positions, times, velocities, accelerations});
 }
-JointPath natural_spline(const Robot& robot, nb::handle times, nb::handle positions) {
+JointPath natural_spline(const PythonRobot& robot, nb::handle times, nb::handle positions) {
     return JointPath::natural_spline(robot, numbers_from(times, "times"), rows_of(positions, "positions"));
 }
 
@@ -45,7 +47,7 @@ std::pair<double, double> scaled(double value, double scale, Eigen::Index k) {
 
 /// The laid-out coefficients of scipy.interpolate.PPoly: `coefficients` has the shape (powers, segments, variables),
 /// the highest power comes first, and times count from the begin of the segment.
-JointPath polynomials(const Robot& robot, nb::handle breaks, nb::handle coefficients) {
+JointPath polynomials(const PythonRobot& robot, nb::handle breaks, nb::handle coefficients) {
     const std::vector<double> times = numbers_from(breaks, "breaks");
     const DoubleArray array(coefficients, "coefficients");
     const auto& shape = array.shape();
@@ -77,6 +79,65 @@ nb::object stamps_of(const JointPath& path) {
     for (const JointPath::Segment& segment : path.segments())
         stamps.push_back(segment.end);
     return array_of(std::span(stamps), {stamps.size()});
+}
+
+// --- Pickle: the polynomials, to the last bit ---
+
+nb::object numbers_of(const Eigen::MatrixXd& matrix) {
+    const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = matrix;
+    return array_of(std::span(rows.data(), std::size_t(rows.size())),
+                    {std::size_t(rows.rows()), std::size_t(rows.cols())});
+}
+
+nb::tuple state_of(const JointPath& path) {
+    nb::list segments;
+    for (const JointPath::Segment& s : path.segments())
+        segments.append(nb::make_tuple(s.begin, s.end, numbers_of(s.coefficients), numbers_of(s.remainders)));
+    return nb::make_tuple(nb::tuple(segments), path.quaternions());
+}
+
+[[noreturn]] void refuse_state(const char* why) {
+    throw InvalidInput(std::string("state: is not that of a path: ") + why);
+}
+
+/// What the library may assume of a segment.
+void check(const JointPath::Segment& segment, Eigen::Index variables) {
+    const Eigen::MatrixXd &c = segment.coefficients, &r = segment.remainders;
+    const bool is_like_coefficients = r.size() == 0 || (r.rows() == c.rows() && r.cols() == c.cols());
+    if (c.rows() == 0 || c.cols() != variables || !is_like_coefficients)
+        refuse_state("a segment has another shape");
+    if (!c.allFinite() || !r.allFinite() || !std::isfinite(segment.end - segment.begin) ||
+        !(segment.begin < segment.end))
+        refuse_state("a number cannot be used");
+}
+
+JointPath::Segment segment_from(const nb::tuple& state) {
+    JointPath::Segment segment;
+    if (state.size() != 4 || !nb::try_cast(state[0], segment.begin) || !nb::try_cast(state[1], segment.end))
+        refuse_state("a segment has a begin, an end and two arrays");
+    segment.coefficients = configurations_from(state[2], "coefficients");
+    segment.remainders = configurations_from(state[3], "remainders");
+    return segment;
+}
+
+void set_state(JointPath& path, const nb::tuple& state) {
+    nb::tuple list;
+    std::vector<std::size_t> quaternions;
+    if (state.size() != 2 || !nb::try_cast(state[0], list) || !nb::try_cast(state[1], quaternions) || list.size() == 0)
+        refuse_state("it has segments and floating joints");
+    std::vector<JointPath::Segment> segments;
+    for (const nb::handle item : list) {
+        nb::tuple segment;
+        if (!nb::try_cast(item, segment))
+            refuse_state("a segment is a tuple");
+        segments.push_back(segment_from(segment));
+        check(segments.back(), segments.front().coefficients.cols());
+    }
+    const auto variables = std::size_t(segments.front().coefficients.cols());
+    for (const std::size_t first : quaternions)
+        if (first >= variables || variables - first < 4)
+            refuse_state("a floating joint has four variables");
+    new (&path) JointPath(JointPath::of_parts(std::move(segments), std::move(quaternions)));
 }
 
 nb::object at(const JointPath& path, double time) {
@@ -121,6 +182,8 @@ void bind_joint_path(nb::module_& module) {
         .def_prop_ro("times", stamps_of, nb::sig("def times(self) -> " CHASLES_ARRAY), "Of the ends of all segments.")
         .def("at", at, "time"_a, nb::sig("def at(self, time: float) -> " CHASLES_ARRAY),
              "The configuration at a time; outside of the path, at its nearer end.")
+        .def("__getstate__", state_of)
+        .def("__setstate__", set_state)
         .def("__repr__", [](const JointPath& path) {
             return fmt::format("<chasles.JointPath: {} segments, {} variables>", path.segments().size(),
                                path.segments().front().coefficients.cols());

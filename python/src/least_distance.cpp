@@ -26,7 +26,7 @@ LeastAnswer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handl
                        nb::borrow(fixed),
                        motion_from({start, goal, motion, fixed_start, fixed_goal, max_turn})};
     const LeastDistanceOptions options{tolerance, time_tolerance, find_from(find)};
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     const EndsBySignals ends_by_signals;
     answer.found = least_distance({moving_body, fixed_body, plain(answer.motion), options});
     return answer;

@@ -51,4 +51,6 @@ NB_MODULE(_core, module) {
     python::bind_view(module);
     python::bind_record(module);
     python::bind_timing(module);
+    python::bind_end_of_process(module);
+    python::bind_use(module);
 }

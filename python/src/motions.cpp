@@ -6,6 +6,7 @@
 #include "chasles/motion/sweep_trajectory.h"
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
+#include "python/src/recipe.h"
 
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
@@ -64,9 +65,9 @@ SweepMotion with_last_part(const SweepMotion& motion, nb::handle centre) {
 }
 
 /// The poses that the motion was made from, and its last part, for pickle. With two moving bodies all poses are in the
-/// world; for inner pieces of a screw they are rounded to double precision.
+/// world.
 template <typename M>
-nb::tuple state(const M& motion) {
+nb::tuple state_of_ends(const M& motion) {
     const motion::MotionEnds& ends = motion.trajectory().ends();
     return nb::make_tuple(numbers_of(ends.start_is_in_world ? ends.start : ends.in_world(ends.start, 0)),
                           numbers_of(ends.goal_is_in_world ? ends.goal : ends.in_world(ends.goal, 1)),
@@ -74,13 +75,57 @@ nb::tuple state(const M& motion) {
                           ends.fixed ? numbers_of(ends.fixed->goal) : nb::none(), last_part(motion));
 }
 
+nb::tuple state_of_motion(const SweepMotion& motion) {
+    return state_of_ends(motion);
+}
+
+/// Of a piece: the whole screw, its index, and its own largest turn.
+nb::tuple state_of_motion(const PythonScrew& motion) {
+    if (motion.whole)
+        return nb::make_tuple(nb::cast(*motion.whole), motion.index, motion.max_turn());
+    return state_of_ends(motion);
+}
+
 template <typename M>
-M made_from(const nb::tuple& state) {
+M made_from_ends(const nb::tuple& state) {
     if (state.size() != 5)
         throw InvalidInput(fmt::format("state: a motion has 5 parts, not {}", state.size()));
     const M motion = state[2].is_none() ? M::between(pose_from(state[0], "start"), pose_from(state[1], "goal"))
                                         : relative<M>(state[0], state[1], state[2], state[3]);
     return with_last_part(motion, state[4]);
+}
+
+void set_state(SweepMotion& motion, const nb::tuple& state) {
+    new (&motion) SweepMotion(made_from_ends<SweepMotion>(state));
+}
+
+std::vector<PythonScrew> pieces_of(const PythonScrew& screw) {
+    const bool is_seen_from_moving_body = bool(screw.trajectory().ends().fixed);
+    const auto whole = is_seen_from_moving_body ? std::make_shared<const PythonScrew>(screw) : nullptr;
+    std::vector<PythonScrew> pieces;
+    for (ScrewMotion& piece : screw.pieces())
+        pieces.push_back({std::move(piece), whole, pieces.size()});
+    return pieces;
+}
+
+PythonScrew with_max_turn(const PythonScrew& screw, double max_turn) {
+    return {screw.with_max_turn(max_turn), screw.whole, screw.index};
+}
+
+void set_state(PythonScrew& motion, const nb::tuple& state) {
+    if (state.size() != 3) {
+        new (&motion) PythonScrew{made_from_ends<ScrewMotion>(state)};
+        return;
+    }
+    const PythonScrew* whole = nullptr;
+    std::size_t index = 0;
+    double max_turn = 0;
+    if (!nb::try_cast(state[0], whole) || !whole || !nb::try_cast(state[1], index) || !nb::try_cast(state[2], max_turn))
+        throw InvalidInput("state: is not that of a piece of a screw");
+    const std::vector<PythonScrew> pieces = pieces_of(*whole);
+    if (index >= pieces.size())
+        throw InvalidInput("state: the screw has no such piece");
+    new (&motion) PythonScrew(with_max_turn(pieces[index], max_turn));
 }
 
 double tau_at(const ScrewMotion& motion, double time) {
@@ -126,8 +171,8 @@ void bind_common(nb::class_<M>& type, const char* pose_text) {
             },
             "tau"_a, "The time that belongs to a tau: the inverse of tau_at().")
         .def_prop_ro("angle", &M::angle, doc("ScrewMotion.angle"))
-        .def("__getstate__", state<M>)
-        .def("__setstate__", [](M& motion, const nb::tuple& state) { new (&motion) M(made_from<M>(state)); });
+        .def("__getstate__", [](const M& motion) { return state_of_motion(motion); })
+        .def("__setstate__", [](M& motion, const nb::tuple& state) { set_state(motion, state); });
 }
 
 std::string repr_of_screw(const ScrewMotion& motion) {
@@ -141,11 +186,11 @@ std::string repr_of_sweep(const SweepMotion& motion) {
 }
 
 void bind_screw(nb::module_& module) {
-    nb::class_<ScrewMotion> type(module, "ScrewMotion", doc("ScrewMotion"));
+    nb::class_<PythonScrew> type(module, "ScrewMotion", doc("ScrewMotion"));
     type.def_static(
             "between",
             [](nb::handle start, nb::handle goal, double max_turn) {
-                return ScrewMotion::between(pose_from(start, "start"), pose_from(goal, "goal"), max_turn);
+                return PythonScrew{ScrewMotion::between(pose_from(start, "start"), pose_from(goal, "goal"), max_turn)};
             },
             "start"_a.none(), "goal"_a.none(), "max_turn"_a = ScrewMotion::default_max_turn,
             nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE CHASLES_MAX_TURN ") -> ScrewMotion"),
@@ -154,26 +199,26 @@ void bind_screw(nb::module_& module) {
             "relative",
             [](nb::handle moving_start, nb::handle moving_goal, nb::handle fixed_start, nb::handle fixed_goal,
                double max_turn) {
-                return relative<ScrewMotion>(moving_start, moving_goal, fixed_start, fixed_goal)
-                    .with_max_turn(max_turn);
+                return PythonScrew{
+                    relative<ScrewMotion>(moving_start, moving_goal, fixed_start, fixed_goal).with_max_turn(max_turn)};
             },
             "moving_start"_a.none(), "moving_goal"_a.none(), "fixed_start"_a.none(), "fixed_goal"_a.none(),
             "max_turn"_a = ScrewMotion::default_max_turn, nb::sig(CHASLES_RELATIVE CHASLES_MAX_TURN ") -> ScrewMotion"),
             relative_text)
         .def_prop_ro("slide", &ScrewMotion::slide, doc("ScrewMotion.slide"))
         .def_prop_ro(
-            "axis_direction", [](const ScrewMotion& m) { return array_of(m.axis_direction()); },
+            "axis_direction", [](const PythonScrew& m) { return array_of(m.axis_direction()); },
             nb::sig("def axis_direction(self) -> " CHASLES_ARRAY), doc("ScrewMotion.axis_direction"))
         .def_prop_ro(
-            "axis_point", [](const ScrewMotion& m) { return array_of(m.axis_point()); },
+            "axis_point", [](const PythonScrew& m) { return array_of(m.axis_point()); },
             nb::sig("def axis_point(self) -> " CHASLES_ARRAY), doc("ScrewMotion.axis_point"))
         .def_prop_ro("max_turn", &ScrewMotion::max_turn, doc("ScrewMotion.max_turn"))
-        .def("with_max_turn", &ScrewMotion::with_max_turn, "max_turn"_a, doc("ScrewMotion.with_max_turn"))
-        .def("pieces", &ScrewMotion::pieces, doc("ScrewMotion.pieces"))
+        .def("with_max_turn", with_max_turn, "max_turn"_a, doc("ScrewMotion.with_max_turn"))
+        .def("pieces", pieces_of, doc("ScrewMotion.pieces"))
         .def(
-            "cut", [](const ScrewMotion& m, double max_turn) { return m.with_max_turn(max_turn).pieces(); },
+            "cut", [](const PythonScrew& m, double max_turn) { return pieces_of(with_max_turn(m, max_turn)); },
             "max_turn"_a, "The same as with_max_turn(max_turn).pieces().")
-        .def("__repr__", repr_of_screw);
+        .def("__repr__", [](const PythonScrew& m) { return repr_of_screw(m); });
     bind_common(type, "The pose (4, 4) of the moving body in the world at a time in [0, 1], along the uncut screw.\n\n"
                       "A query follows `pieces()` one after another: equal turns of at most `max_turn`, by default 10\n"
                       "degrees, with equal slides. So a screw that turns by more and slides is elsewhere between its\n"
@@ -215,14 +260,14 @@ bool none_of(std::initializer_list<nb::handle> arguments) {
 }
 
 /// The screw from start to goal.
-ScrewMotion screw_from(const MotionArguments& a, double max_turn) {
+PythonScrew screw_from(const MotionArguments& a, double max_turn) {
     const Pose start = pose_from(a.start, "start"), goal = pose_from(a.goal, "goal");
     if (none_of({a.fixed_start, a.fixed_goal}))
-        return ScrewMotion::between(start, goal, max_turn);
+        return {ScrewMotion::between(start, goal, max_turn)};
     if (a.fixed_start.is_none() || a.fixed_goal.is_none())
         throw InvalidInput("motion: fixed_start and fixed_goal are needed together");
-    return ScrewMotion::relative(start, goal, pose_from(a.fixed_start, "fixed_start"),
-                                 pose_from(a.fixed_goal, "fixed_goal"), max_turn);
+    return {ScrewMotion::relative(start, goal, pose_from(a.fixed_start, "fixed_start"),
+                                  pose_from(a.fixed_goal, "fixed_goal"), max_turn)};
 }
 
 } // namespace
@@ -252,6 +297,38 @@ TypedMotion given_motion(nb::handle motion) {
 
 Motion plain(const TypedMotion& motion) {
     return std::visit([](const auto& typed) -> Motion { return typed; }, motion);
+}
+
+namespace {
+
+PlainMotion with_recipe(const OwnMotion& motion) {
+    const OwnTrajectory& own = motion.trajectory;
+    const auto recipe =
+        std::make_shared<Recipe>(Recipe::own_maker, Numbers{listed(own.reference), own.knots, {own.rounding}});
+    recipe->functions = motion.owners.front();
+    return {motion.motion, motion.owners, recipe};
+}
+
+PlainMotion with_recipe(const PlainMotion& motion) {
+    return motion;
+}
+PlainMotion with_recipe(const PythonTrack& track) {
+    return {track, {}, track.recipe};
+}
+PlainMotion with_recipe(const PythonVelocity& motion) {
+    return made("velocity", {listed(motion.start), listed(motion.goal), listed(motion.centre())});
+}
+PlainMotion with_recipe(const PythonTwist& motion) {
+    return made("twist", {listed(motion.start), listed(motion.goal)});
+}
+PlainMotion with_recipe(const Motion& screw_or_sweep) {
+    return {screw_or_sweep};
+}
+
+} // namespace
+
+PlainMotion as_plain(const TypedMotion& motion) {
+    return std::visit([](const auto& typed) { return with_recipe(typed); }, motion);
 }
 
 Owners owners_of(const TypedMotion& motion) {

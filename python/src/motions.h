@@ -7,15 +7,19 @@
 #include "python/src/owners.h"
 #include "python/src/poses.h"
 
+#include <memory>
 #include <optional>
 #include <variant>
 
 namespace chasles::python {
 
+struct Recipe;
+
 /// A motion of any kind, with the functions of Python that it follows.
 struct PlainMotion {
     Motion motion;
     Owners owners = {};
+    std::shared_ptr<const Recipe> recipe = {}; ///< how it was made; null for screws and sweeps
 
     operator Motion() const { return motion; } // NOLINT(google-explicit-constructor): like the other motions
 };
@@ -25,21 +29,41 @@ struct OwnMotion : PlainMotion {
     OwnTrajectory trajectory;
 };
 
+/// A screw, which may be a piece of another one. For pickle: the poses of a piece are exact in the frame of the fixed
+/// body only.
+struct PythonScrew : ScrewMotion {
+    std::shared_ptr<const PythonScrew> whole = {};
+    std::size_t index = 0; ///< of the piece
+};
+
+/// An even motion with the poses that it was made of, for pickle.
+template <class Even>
+struct Between : Even {
+    Pose start, goal;
+};
+using PythonVelocity = Between<ConstantVelocity>;
+using PythonTwist = Between<ConstantTwist>;
+
+/// A track that keeps its poses, for pickle.
+struct PythonTrack : TimedPoses {
+    std::shared_ptr<const Recipe> recipe;
+};
+
 /// A motion whose kind Python sees; the library's Motion hides it.
 using TypedMotion =
-    std::variant<ScrewMotion, SweepMotion, ConstantVelocity, ConstantTwist, TimedPoses, OwnMotion, PlainMotion>;
+    std::variant<PythonScrew, SweepMotion, PythonVelocity, PythonTwist, PythonTrack, OwnMotion, PlainMotion>;
 
 /// The motion for a query.
 Motion plain(const TypedMotion& motion);
 
+/// The motion with its functions and its recipe.
+PlainMotion as_plain(const TypedMotion& motion);
+
+/// The trajectory of the user's own that the recipe tells of. Its functions must be one of the owners.
+OwnMotion own_motion(const Recipe& recipe, const Owners& owners);
+
 /// The functions of Python that the motion follows.
 Owners owners_of(const TypedMotion& motion);
-
-/// A motion made of two others.
-template <typename Make>
-PlainMotion made_of(const TypedMotion& first, const TypedMotion& second, const Make& make) {
-    return {make(plain(first), plain(second)), joined(owners_of(first), owners_of(second))};
-}
 
 template <typename Visit>
 void for_each_reference(PlainMotion& motion, const Visit& visit) {

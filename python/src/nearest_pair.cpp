@@ -23,6 +23,7 @@ std::vector<std::size_t> indices_of(const Scene& scene, const std::vector<std::s
 /// The names of the nearest pair and its LeastDistance, or None.
 nb::object nearest_pair(const PythonScene& given, const std::vector<std::string>& first,
                         const std::optional<std::vector<std::string>>& second, double tolerance) {
+    const Asking question = given.asking();
     const Scene& scene = given.scene;
     scene::NearestPairQuery query{.first = indices_of(scene, first), .options = {.tolerance = tolerance}};
     if (second)
@@ -34,8 +35,7 @@ nb::object nearest_pair(const PythonScene& given, const std::vector<std::string>
     const SceneBody& moving = scene.bodies()[found.pair->first];
     const SceneBody& fixed = scene.bodies()[found.pair->second];
     LeastAnswer answer{std::move(found.nearest), given.shapes.at(moving.name), given.shapes.at(fixed.name),
-                       PlainMotion{relative(moving.motion, fixed.motion),
-                                   joined(owners_of(given, moving.name), owners_of(given, fixed.name))}};
+                       relative_motion(given, moving.name, fixed.name)};
     return nb::make_tuple(moving.name, fixed.name, std::move(answer));
 }
 

@@ -4,7 +4,10 @@
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
 #include "python/src/motions.h"
+#include "python/src/recipe.h"
+#include "python/src/without_gil.h"
 
+#include <algorithm>
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
 #include <nanobind/stl/pair.h>
@@ -90,11 +93,11 @@ OwnTrajectory trajectory_from(const std::shared_ptr<const Link>& link, nb::handl
                               double rounding) {
     OwnTrajectory own;
     own.pose_at = [link](double time) {
-        const nb::gil_scoped_acquire acquire;
+        const CallOfPython call;
         return pose_from(function_of(link->pose_at)(time), "trajectory: pose_at");
     };
     own.bounds = [link](double from, double to) {
-        const nb::gil_scoped_acquire acquire;
+        const CallOfPython call;
         return bounds_from(function_of(link->bounds)(from, to));
     };
     if (!reference.is_none())
@@ -104,8 +107,40 @@ OwnTrajectory trajectory_from(const std::shared_ptr<const Link>& link, nb::handl
     return own;
 }
 
+OwnMotion own_motion(const nb::object& functions, nb::handle reference, std::vector<double> knots, double rounding) {
+    const OwnTrajectory own =
+        trajectory_from(nb::inst_ptr<Functions>(functions)->link(), reference, std::move(knots), rounding);
+    return {{Motion::along(own), {functions}}, own};
+}
+
+nb::object functions_of(nb::handle pose_at, nb::handle bounds) {
+    require_function(pose_at, "pose_at", "lambda time: [time, 0, 0, 1, 0, 0, 0]");
+    require_function(bounds, "bounds", "lambda start, end: {\"turn_rate\": 0, \"speed\": 1}");
+    return nb::cast(new Functions(pose_at, bounds), nb::rv_policy::take_ownership);
+}
+
+/// Pickle refuses functions that it cannot find by their names, by a message of its own.
+nb::tuple state_of_trajectory(const OwnMotion& motion) {
+    const nb::object& functions = motion.owners.front();
+    const auto link = functions.is_valid() ? nb::inst_ptr<Functions>(functions)->link() : std::make_shared<Link>();
+    const OwnTrajectory& own = motion.trajectory;
+    return nb::make_tuple(function_of(link->pose_at), function_of(link->bounds), array_of(own.reference), own.knots,
+                          own.rounding);
+}
+
+void set_trajectory_state(OwnMotion& motion, const nb::tuple& state) {
+    std::vector<double> knots;
+    double rounding = 0;
+    if (state.size() != 5 || !nb::try_cast(state[3], knots) || !nb::try_cast(state[4], rounding))
+        throw InvalidInput("state: is not that of a trajectory");
+    new (&motion) OwnMotion(own_motion(functions_of(state[0], state[1]), state[2], std::move(knots), rounding));
+}
+
 nb::object broken_bound(const OwnMotion& own, int intervals, std::uint64_t seed) {
-    const auto broken = find_broken_bound(own.trajectory, intervals, seed);
+    const auto broken = [&] {
+        const WithoutGil without_gil; // the functions take it for each call
+        return find_broken_bound(own.trajectory, intervals, seed);
+    }();
     if (!broken)
         return nb::none();
     nb::dict result;
@@ -143,6 +178,14 @@ constexpr const char* trajectory_text =
 
 } // namespace
 
+OwnMotion own_motion(const Recipe& recipe, const Owners& owners) {
+    const auto found = std::ranges::find_if(owners, [&](const nb::object& o) { return o.is(recipe.functions); });
+    if (found == owners.end())
+        throw InvalidInput("trajectory: its functions are gone");
+    const Numbers& numbers = recipe.numbers;
+    return own_motion(*found, nb::cast(numbers[0]), numbers[1], numbers[2].front());
+}
+
 void bind_own_trajectories(nb::module_& module) {
     nb::class_<Functions>(module, "_Functions", collected<Functions>());
     nb::class_<OwnMotion>(module, "Trajectory", trajectory_text, collected<OwnMotion>())
@@ -150,12 +193,7 @@ void bind_own_trajectories(nb::module_& module) {
             "__init__",
             [](OwnMotion* self, nb::handle pose_at, nb::handle bounds, nb::handle reference, std::vector<double> knots,
                double rounding) {
-                require_function(pose_at, "pose_at", "lambda time: [time, 0, 0, 1, 0, 0, 0]");
-                require_function(bounds, "bounds", "lambda start, end: {\"turn_rate\": 0, \"speed\": 1}");
-                const nb::object owner = nb::cast(new Functions(pose_at, bounds), nb::rv_policy::take_ownership);
-                const OwnTrajectory own =
-                    trajectory_from(nb::inst_ptr<Functions>(owner)->link(), reference, std::move(knots), rounding);
-                new (self) OwnMotion{{Motion::along(own), {owner}}, own};
+                new (self) OwnMotion(own_motion(functions_of(pose_at, bounds), reference, std::move(knots), rounding));
             },
             "pose_at"_a.none(), "bounds"_a.none(), nb::kw_only(), "reference"_a = nb::none(),
             "knots"_a = std::vector<double>(), "rounding"_a = OwnTrajectory().rounding,
@@ -180,10 +218,12 @@ void bind_own_trajectories(nb::module_& module) {
         .def(
             "__mul__",
             [](const OwnMotion& m, nb::handle inner) {
-                return made_of(m, given_motion(inner), [](const Motion& a, const Motion& b) { return a * b; });
+                return made("product", {}, {as_plain(m), as_plain(given_motion(inner))});
             },
             "inner"_a.none(), nb::sig("def __mul__(self, inner: typing.Any) -> Motion"),
             "The motion `inner`, carried by this one.")
+        .def("__getstate__", state_of_trajectory)
+        .def("__setstate__", set_trajectory_state)
         .def("__repr__", [](const OwnMotion&) { return "<chasles.Trajectory>"; });
 }
 

@@ -7,6 +7,7 @@
 #include "python/src/docstrings.h"
 #include "python/src/face_lists.h"
 #include "python/src/query_options.h"
+#include "python/src/without_gil.h"
 
 #include <nanobind/stl/filesystem.h>
 #include <nanobind/stl/string.h>
@@ -37,7 +38,7 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool dro
     const std::span given(reinterpret_cast<const Eigen::Vector3d*>(points.numbers().data()),
                           points.numbers().size() / 3);
     const PolyhedronOptions options{triangulate, drop_degenerate, threads};
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     Body body{Polyhedron::from_outlines(given, outlines.lists(), options), nullptr, options};
     if (!has_given_ids(body.polyhedron))
         body.given_faces = std::make_shared<Faces>(outlines.copies());
@@ -46,7 +47,7 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool dro
 
 Body load(const std::filesystem::path& file, bool triangulate, bool drop_degenerate, unsigned threads) {
     const PolyhedronOptions options{triangulate, drop_degenerate, threads};
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     Body body{Polyhedron::load(file, options), nullptr, options};
     if (!has_given_ids(body.polyhedron))
         body.given_faces = std::make_shared<Faces>(io::load_polygons(file).faces);
@@ -57,7 +58,7 @@ nb::dict load_parts(const std::filesystem::path& file, bool triangulate, bool dr
     const PolyhedronOptions options{triangulate, drop_degenerate, threads};
     std::vector<std::pair<std::string, Body>> bodies;
     {
-        const nb::gil_scoped_release release;
+        const WithoutGil without_gil;
         for (io::MeshPart& part : io::load_mesh_parts(file)) {
             Body body{io::body_of(file, part, options), nullptr, options};
             if (!has_given_ids(body.polyhedron))

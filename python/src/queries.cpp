@@ -1,4 +1,6 @@
 // chasles.first_contact and chasles.first_contact_on_path.
+#include "chasles/base/invalid_input.h"
+#include "chasles/base/limit_of_thread.h"
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/motions.h"
@@ -6,8 +8,10 @@
 #include "python/src/query_options.h"
 #include "python/src/signals.h"
 
+#include <atomic>
 #include <mutex>
 #include <nanobind/stl/optional.h>
+#include <thread>
 
 namespace chasles::python {
 namespace {
@@ -17,10 +21,39 @@ using namespace nb::literals;
 /// A memory that threads of Python may share: a question waits for the one before.
 struct SharedMemory {
     PairMemory memory;
-    std::mutex in_use;
+    std::timed_mutex in_use;
+    std::atomic<std::thread::id> user = {}; ///< the thread whose question has it
 
     SharedMemory(nb::handle moving, nb::handle fixed)
         : memory(polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")) {}
+};
+
+/// The memory for one question. Ctrl-C and limits end the wait for it.
+class MemoryOfQuestion {
+public:
+    /// Throws InvalidInput if the question around this call has the memory: it would wait for itself.
+    explicit MemoryOfQuestion(SharedMemory* shared) : shared_(shared) {
+        if (!shared)
+            return;
+        if (shared->user == std::this_thread::get_id())
+            throw InvalidInput("memory: the question around this call has it; give this question a memory of its own");
+        while (!shared->in_use.try_lock_for(SignalCheck::interval))
+            throw_if_cancelled();
+        shared->user = std::this_thread::get_id();
+    }
+    ~MemoryOfQuestion() {
+        if (!shared_)
+            return;
+        shared_->user = std::thread::id();
+        shared_->in_use.unlock();
+    }
+    MemoryOfQuestion(const MemoryOfQuestion&) = delete;
+    MemoryOfQuestion& operator=(const MemoryOfQuestion&) = delete;
+
+    [[nodiscard]] PairMemory* get() const { return shared_ ? &shared_->memory : nullptr; }
+
+private:
+    SharedMemory* shared_;
 };
 
 Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goal, nb::handle motion,
@@ -34,11 +67,10 @@ Answer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handle goa
                   motion_from({start, goal, motion, fixed_start, fixed_goal, max_turn}),
                   margin};
     const QueryOptions options{margin, hold, time_tolerance, find_from(find)};
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     const EndsBySignals ends_by_signals;
-    const auto lock = memory ? std::unique_lock(memory->in_use) : std::unique_lock<std::mutex>();
-    answer.found =
-        first_contact({moving_body, fixed_body, plain(answer.motion), options, memory ? &memory->memory : nullptr});
+    const MemoryOfQuestion own_memory(memory);
+    answer.found = first_contact({moving_body, fixed_body, plain(answer.motion), options, own_memory.get()});
     return answer;
 }
 
@@ -53,11 +85,11 @@ PathAnswer ask_path(nb::handle moving, nb::handle fixed, nb::handle poses, doubl
                           .options = {margin, hold, time_tolerance, find_from(find)}};
     PathContact answer;
     {
-        const nb::gil_scoped_release release;
+        const WithoutGil without_gil;
         const EndsBySignals ends_by_signals;
         answer = first_contact_on_path(query);
     }
-    const auto segment = ScrewMotion::between(path[answer.segment], path[answer.segment + 1], max_turn);
+    const PythonScrew segment{ScrewMotion::between(path[answer.segment], path[answer.segment + 1], max_turn)};
     const bool is_last = answer.segment + 2 == path.size();
     return {
         {std::move(answer.contact), nb::borrow(moving), nb::borrow(fixed), segment, margin}, answer.segment, is_last};

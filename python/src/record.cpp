@@ -4,6 +4,7 @@
 #include "python/src/bind.h"
 #include "python/src/poses.h"
 #include "python/src/scene.h"
+#include "python/src/without_gil.h"
 #include "view/page.h"
 
 #include <algorithm>
@@ -38,6 +39,7 @@ const SceneContactAnswer& scene_contact(nb::handle argument) {
 
 /// `found` is what first_contact or all_contacts of the scene has returned.
 std::string scene_page(const PythonScene& scene, nb::handle found, const std::string& title) {
+    const Asking question = scene.asking();
     SceneAnswer answer;
     view::SceneRecord record;
     std::optional<double> clear_until;
@@ -65,7 +67,7 @@ std::string scene_page(const PythonScene& scene, nb::handle found, const std::st
     } else {
         scene_contact(found);
     }
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     record = view::scene_record(scene.scene, answer, source);
     record.title = title;
     record.margin = margin;
@@ -160,7 +162,7 @@ std::string recording_page(const std::vector<std::string>& names, nb::list shape
     add_bodies(record, names, shapes, poses);
     for (std::size_t i = 0; i < contacts.size(); ++i)
         record.contacts.push_back(event_from(contacts[i], i));
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     return view::scene_page(record);
 }
 

@@ -26,12 +26,12 @@ namespace {
 
 using namespace nb::literals;
 
-Robot load(const std::filesystem::path& urdf, const std::optional<std::filesystem::path>& srdf,
-           const std::map<std::string, std::filesystem::path>& packages, double primitive_deviation) {
-    return Robot::load(urdf, {srdf.value_or(std::filesystem::path()), packages, primitive_deviation});
+PythonRobot load(const std::filesystem::path& urdf, const std::optional<std::filesystem::path>& srdf,
+                 const std::map<std::string, std::filesystem::path>& packages, double primitive_deviation) {
+    return {Robot::load(urdf, {srdf.value_or(std::filesystem::path()), packages, primitive_deviation})};
 }
 
-nb::object limits_of(const Robot& robot) {
+nb::object limits_of(const PythonRobot& robot) {
     std::vector<double> limits;
     for (const RobotVariable& variable : robot.variables()) {
         limits.push_back(variable.lower);
@@ -40,14 +40,14 @@ nb::object limits_of(const Robot& robot) {
     return array_of(std::span(limits), {limits.size() / 2, 2});
 }
 
-std::vector<std::string> links_of(const Robot& robot) {
+std::vector<std::string> links_of(const PythonRobot& robot) {
     std::vector<std::string> names;
     for (const LinkDescription& link : robot.description().links)
         names.push_back(link.name);
     return names;
 }
 
-nb::list collisions_of(const Robot& robot, const std::string& link) {
+nb::list collisions_of(const PythonRobot& robot, const std::string& link) {
     const std::vector<LinkDescription>& links = robot.description().links;
     const auto found = std::ranges::find(links, link, &LinkDescription::name);
     if (found == links.end())
@@ -59,7 +59,7 @@ nb::list collisions_of(const Robot& robot, const std::string& link) {
     return shapes;
 }
 
-nb::dict link_poses(const Robot& robot, nb::handle configuration) {
+nb::dict link_poses(const PythonRobot& robot, nb::handle configuration) {
     const std::vector<Pose> poses = robot.link_poses(configuration_from(configuration, "configuration"));
     nb::dict by_name;
     for (std::size_t i = 0; i < poses.size(); ++i)
@@ -67,8 +67,9 @@ nb::dict link_poses(const Robot& robot, nb::handle configuration) {
     return by_name;
 }
 
-void attach(Robot& robot, const std::string& name, const std::string& link, nb::handle shape, nb::handle pose,
+void attach(PythonRobot& robot, const std::string& name, const std::string& link, nb::handle shape, nb::handle pose,
             const std::vector<std::string>& touch_links) {
+    const Changing change = robot.changing();
     robot.attach(
         {name, link, polyhedron_of(shape, "shape"), pose.is_none() ? Pose() : pose_from(pose, "pose"), touch_links});
 }
@@ -78,7 +79,8 @@ struct PythonProof {
     [[nodiscard]] std::pair<std::string, std::string> links() const { return {proof.first, proof.second}; }
 };
 
-nb::list proofs_of(const Robot& robot, double seconds, unsigned threads, nb::handle report) {
+nb::list proofs_of(const PythonRobot& robot, double seconds, unsigned threads, nb::handle report) {
+    const Asking question = robot.asking();
     std::vector<PairProof> proofs;
     run_interruptibly(
         [&](Progress& progress) {
@@ -97,15 +99,19 @@ nb::list proofs_of(const Robot& robot, double seconds, unsigned threads, nb::han
 }
 
 /// A page of HTML that shows the robot on a path up to its first contact.
-std::string page_of(const Robot& robot, nb::handle configurations, nb::handle scene, double margin,
+std::string page_of(const PythonRobot& robot, nb::handle configurations, nb::handle scene, double margin,
                     const std::string& title) {
+    const Asking question = robot.asking();
     const JointPath path = path_from(robot, {configurations, nb::none(), nb::none(), nb::none()});
     const nb::str find("first");
     const RobotChecker checker = checker_of(robot, {scene, margin, std::nullopt, default_time_tolerance, find});
-    const Scene* world = scene.is_none() ? nullptr : &nb::cast<const PythonScene&>(scene).scene;
+    const PythonScene* const world = scene.is_none() ? nullptr : &nb::cast<const PythonScene&>(scene);
+    std::optional<Asking> about_world;
+    if (world)
+        about_world.emplace(world->use, "scene");
     const RobotAnswer found = asked([&] { return checker.first_contact(path); });
-    const nb::gil_scoped_release release;
-    view::SceneRecord record = view::robot_record(robot, world, path, found);
+    const WithoutGil without_gil;
+    view::SceneRecord record = view::robot_record(robot, world ? &world->scene : nullptr, path, found);
     record.margin = margin;
     record.title = title;
     return view::scene_page(record);
@@ -113,7 +119,10 @@ std::string page_of(const Robot& robot, nb::handle configurations, nb::handle sc
 
 /// A function of the robot with two names.
 auto of_pair(void (Robot::*function)(std::string_view, std::string_view)) {
-    return [function](Robot& robot, const std::string& a, const std::string& b) { (robot.*function)(a, b); };
+    return [function](PythonRobot& robot, const std::string& a, const std::string& b) {
+        const Changing change = robot.changing();
+        (robot.*function)(a, b);
+    };
 }
 
 void bind_proof(nb::module_& module) {
@@ -168,7 +177,7 @@ void bind_robot(nb::module_& module) {
                     "with a RobotChecker.") +
         question_doc;
     bind_proof(module);
-    nb::class_<Robot> type(module, "Robot", doc("Robot"));
+    nb::class_<PythonRobot> type(module, "Robot", doc("Robot"));
     bind_robot_state(type, module);
     type.def_static("load", load, "urdf"_a, "srdf"_a = nb::none(), "packages"_a = nb::dict(),
                     "primitive_deviation"_a = 0.01,
@@ -176,15 +185,15 @@ void bind_robot(nb::module_& module) {
                             "packages: dict[str, str | os.PathLike] = {}, primitive_deviation: float = 0.01) -> Robot"),
                     doc("Robot.load"))
         .def_prop_ro(
-            "name", [](const Robot& r) { return r.description().name; }, "Of the URDF file.")
+            "name", [](const PythonRobot& r) { return r.description().name; }, "Of the URDF file.")
         .def_prop_ro(
-            "variables", [](const Robot& r) { return names_of(r); },
+            "variables", [](const PythonRobot& r) { return names_of(r); },
             "The names of the numbers of a configuration, in order.")
         .def_prop_ro("limits", limits_of, nb::sig("def limits(self) -> " CHASLES_ARRAY),
                      "Lower and upper limit of each variable, (variables, 2); infinite without a limit.")
         .def_prop_ro(
             "continuous",
-            [](const Robot& r) {
+            [](const PythonRobot& r) {
                 nb::list found;
                 for (const RobotVariable& variable : r.variables())
                     found.append(variable.is_continuous);
@@ -194,10 +203,10 @@ void bind_robot(nb::module_& module) {
             "Of each variable, whether it is an angle without limits: values that differ by 2 pi are the same.")
         .def_prop_ro("links", links_of, "The names of the links.")
         .def_prop_ro(
-            "warnings", [](const Robot& r) { return r.warnings(); }, doc("Robot.warnings"))
+            "warnings", [](const PythonRobot& r) { return r.warnings(); }, doc("Robot.warnings"))
         .def(
             "warnings_about",
-            [](const Robot& r, nb::handle configurations) {
+            [](const PythonRobot& r, nb::handle configurations) {
                 return r.warnings_about(rows_of(configurations, "configurations"));
             },
             "configurations"_a.none(),
@@ -205,7 +214,7 @@ void bind_robot(nb::module_& module) {
             doc("Robot.warnings_about"))
         .def(
             "shape",
-            [](const Robot& r, nb::handle configuration) {
+            [](const PythonRobot& r, nb::handle configuration) {
                 return Body{
                     r.shape(configuration.is_none() ? r.neutral() : configuration_from(configuration, "configuration")),
                     nullptr,
@@ -220,18 +229,18 @@ void bind_robot(nb::module_& module) {
              "which "
              "it\nencloses a round body, mesh unit.\n\nRaises\n------\nInvalidInput\n    For an unknown link.")
         .def(
-            "neutral", [](const Robot& r) { return array_of(r.neutral()); },
+            "neutral", [](const PythonRobot& r) { return array_of(r.neutral()); },
             nb::sig("def neutral(self) -> " CHASLES_ARRAY), doc("Robot.neutral"))
         .def(
             "state",
-            [](const Robot& r, const std::string& name, const std::string& group) {
+            [](const PythonRobot& r, const std::string& name, const std::string& group) {
                 return array_of(r.state(name, group));
             },
             "name"_a, "group"_a = "", nb::sig("def state(self, name: str, group: str = '') -> " CHASLES_ARRAY),
             doc("Robot.state"))
         .def(
             "link_pose",
-            [](const Robot& r, const std::string& link, nb::handle configuration) {
+            [](const PythonRobot& r, const std::string& link, nb::handle configuration) {
                 return matrix_of(r.link_pose(link, configuration_from(configuration, "configuration")));
             },
             "link"_a, "configuration"_a.none(),
@@ -241,29 +250,43 @@ void bind_robot(nb::module_& module) {
              nb::sig("def link_poses(self, configuration: numpy.typing.ArrayLike) -> dict[str, " CHASLES_ARRAY "]"),
              "The poses of all links by name.")
         .def(
-            "set_base", [](Robot& r, nb::handle pose) { r.set_base(pose_from(pose, "pose")); }, "pose"_a.none(),
-            nb::sig("def set_base(self, pose: numpy.typing.ArrayLike) -> None"), doc("Robot.set_base"))
+            "set_base",
+            [](PythonRobot& r, nb::handle pose) {
+                const Changing change = r.changing();
+                r.set_base(pose_from(pose, "pose"));
+            },
+            "pose"_a.none(), nb::sig("def set_base(self, pose: numpy.typing.ArrayLike) -> None"), doc("Robot.set_base"))
         .def("attach", attach, "name"_a, "link"_a, "shape"_a.none(), "pose"_a = nb::none(),
              "touch_links"_a = nb::list(),
              nb::sig("def attach(self, name: str, link: str, shape: Polyhedron, "
                      "pose: numpy.typing.ArrayLike | None = None, touch_links: list[str] = []) -> None"),
              doc("Robot.attach"))
         .def(
-            "detach", [](Robot& r, const std::string& name) { r.detach(name); }, "name"_a, doc("Robot.detach"))
+            "detach",
+            [](PythonRobot& r, const std::string& name) {
+                const Changing change = r.changing();
+                r.detach(name);
+            },
+            "name"_a, doc("Robot.detach"))
         .def("ignore", of_pair(&Robot::ignore), "first"_a, "second"_a, doc("Robot.ignore"))
         .def("test", of_pair(&Robot::test), "first"_a, "second"_a, doc("Robot.test"))
         .def(
-            "is_tested", [](const Robot& r, const std::string& a, const std::string& b) { return r.is_tested(a, b); },
+            "is_tested",
+            [](const PythonRobot& r, const std::string& a, const std::string& b) { return r.is_tested(a, b); },
             "first"_a, "second"_a, "Whether two links or parts are tested against each other.")
         .def("ignore_in_scene", of_pair(&Robot::ignore_in_scene), "link"_a, "body"_a, doc("Robot.ignore_in_scene"))
         .def(
             "set_margin",
-            [](Robot& r, const std::string& a, const std::string& b, double margin) { r.set_margin(a, b, margin); },
+            [](PythonRobot& r, const std::string& a, const std::string& b, double margin) {
+                const Changing change = r.changing();
+                r.set_margin(a, b, margin);
+            },
             "first"_a, "second"_a, "margin"_a, doc("Robot.set_margin"))
         .def(
             "first_contact",
-            [](const Robot& r, nb::handle start, nb::handle goal, nb::handle scene, double margin,
+            [](const PythonRobot& r, nb::handle start, nb::handle goal, nb::handle scene, double margin,
                std::optional<double> hold, double tolerance, nb::handle find) {
+                const Asking question = r.asking();
                 return answer_on_edge(checker_of(r, {scene, margin, hold, tolerance, find}), start, goal);
             },
             "start"_a.none(), "goal"_a.none(), nb::kw_only(), "scene"_a = nb::none(), "margin"_a = 0.0,
@@ -273,9 +296,10 @@ void bind_robot(nb::module_& module) {
             edge_doc.c_str())
         .def(
             "first_contact_on_path",
-            [](const Robot& r, nb::handle configurations, nb::handle times, nb::handle velocities,
+            [](const PythonRobot& r, nb::handle configurations, nb::handle times, nb::handle velocities,
                nb::handle accelerations, nb::handle scene, double margin, std::optional<double> hold, double tolerance,
                nb::handle find) {
+                const Asking question = r.asking();
                 return answer_on_path(checker_of(r, {scene, margin, hold, tolerance, find}),
                                       {configurations, times, velocities, accelerations});
             },
@@ -291,7 +315,8 @@ void bind_robot(nb::module_& module) {
             "stamps, times\nof the answer count in stamps, otherwise within the segment, in [0, 1].")
         .def(
             "least_distance",
-            [](const Robot& r, nb::handle start, nb::handle goal, nb::handle scene, double tolerance) {
+            [](const PythonRobot& r, nb::handle start, nb::handle goal, nb::handle scene, double tolerance) {
+                const Asking question = r.asking();
                 const nb::str find("first");
                 return clearance_on_edge(checker_of(r, {scene, 0, std::nullopt, default_time_tolerance, find}), start,
                                          goal, tolerance);
@@ -304,7 +329,7 @@ void bind_robot(nb::module_& module) {
              nb::sig("def prove_pairs(self, seconds: float = 600.0, threads: int = 0, progress: "
                      "collections.abc.Callable[[int], object] | None = None) -> list[PairProof]"),
              doc("prove_pairs"))
-        .def("__repr__", [](const Robot& r) {
+        .def("__repr__", [](const PythonRobot& r) {
             return fmt::format("<chasles.Robot: {}, {} links, {} variables>", r.description().name,
                                r.description().links.size(), r.variables().size());
         });

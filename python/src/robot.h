@@ -7,12 +7,24 @@
 #include "python/src/bind.h"
 #include "python/src/interruptible.h"
 #include "python/src/signals.h"
+#include "python/src/use.h"
 
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace chasles::python {
+
+/// A robot that knows whether it is in use.
+struct PythonRobot : Robot {
+    PythonRobot(Robot robot) : Robot(std::move(robot)) {} // NOLINT(google-explicit-constructor): it is one
+
+    mutable Use use;
+
+    /// A question or a change of the robot begins. Throws InvalidInput.
+    [[nodiscard]] Asking asking() const { return {use, "robot"}; }
+    [[nodiscard]] Changing changing() { return {use, "robot"}; }
+};
 
 /// An answer whose times count within the segment, in [0, 1], or in stamps.
 struct PythonRobotAnswer {
@@ -78,7 +90,7 @@ auto asked(const Ask& ask) {
 /// For questions of microseconds: on this thread.
 template <class Ask>
 auto asked_here(const Ask& ask) {
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     const EndsBySignals ends_by_signals;
     return ask();
 }
@@ -96,6 +108,6 @@ PythonClearance clearance_on_path(const RobotChecker& checker, const PathArgumen
 nb::tuple answers_on_edges(const RobotChecker& checker, nb::handle starts, nb::handle goals, unsigned threads);
 
 /// Pickle of a robot, and `free_body`.
-void bind_robot_state(nb::class_<Robot>& type, nb::module_& module);
+void bind_robot_state(nb::class_<PythonRobot>& type, nb::module_& module);
 
 } // namespace chasles::python

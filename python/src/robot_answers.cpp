@@ -23,11 +23,13 @@ using namespace nb::literals;
 
 RobotChecker checker_of(const Robot& robot, const RobotArguments& arguments) {
     const Scene* scene = nullptr;
+    std::optional<Asking> about_scene; // its bodies are read here; the checker keeps what it needs
     if (!arguments.scene.is_none()) {
         const PythonScene* given = nullptr;
         if (!nb::try_cast(arguments.scene, given) || !given)
             throw nb::type_error("scene: must be a chasles.Scene");
         scene = &given->scene;
+        about_scene.emplace(given->use, "scene");
     }
     return RobotChecker(robot, scene,
                         {{arguments.margin, arguments.hold, arguments.time_tolerance, find_from(arguments.find)}});
@@ -207,7 +209,7 @@ void bind_robot_answers(nb::module_& module) {
     nb::class_<RobotChecker>(module, "RobotChecker", doc("RobotChecker"), nb::dynamic_attr())
         .def(
             "__init__",
-            [](nb::pointer_and_handle<RobotChecker> checker, const Robot& robot, nb::handle scene, double margin,
+            [](nb::pointer_and_handle<RobotChecker> checker, const PythonRobot& robot, nb::handle scene, double margin,
                std::optional<double> hold, double time_tolerance, nb::handle find) {
                 new (checker.p) RobotChecker(checker_of(robot, {scene, margin, hold, time_tolerance, find}));
                 checker.h.attr("_scene") = scene; // bodies may follow functions of Python, which the scene owns
@@ -220,7 +222,7 @@ void bind_robot_answers(nb::module_& module) {
             "untested", [](const RobotChecker& checker) { return checker.untested(); },
             "What no answer of the checker looks at.")
         .def_prop_ro(
-            "robot", [](const RobotChecker& checker) { return checker.robot(); },
+            "robot", [](const RobotChecker& checker) { return PythonRobot(checker.robot()); },
             "A copy of the robot, as it was when the checker was made.")
         .def("first_contact", answer_on_edge, "start"_a.none(), "goal"_a.none(),
              nb::sig("def first_contact(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike) -> "

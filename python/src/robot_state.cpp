@@ -117,7 +117,7 @@ AttachedPart part_of(const nb::tuple& state) {
             pose_of(state[3]), value_of<Texts>(state[4])};
 }
 
-nb::tuple state_of_robot(const Robot& robot) {
+nb::tuple state_of_robot(const PythonRobot& robot) {
     const RobotDescription& d = robot.description();
     const auto states = [](const auto& items) { return list_of(items, [](const auto& i) { return state_of(i); }); };
     const RobotChanges changes = robot.changes();
@@ -126,7 +126,7 @@ nb::tuple state_of_robot(const Robot& robot) {
                           nb::cast(changes.ignored), nb::cast(changes.ignored_in_scene), nb::cast(changes.margins));
 }
 
-void set_state(Robot& robot, const nb::tuple& state) {
+void set_state(PythonRobot& robot, const nb::tuple& state) {
     if (state.size() != 12)
         throw InvalidInput("state: is not that of a robot");
     RobotDescription d{value_of<std::string>(state[0])};
@@ -140,11 +140,11 @@ void set_state(Robot& robot, const nb::tuple& state) {
     changes.ignored = value_of<std::vector<RobotChanges::Names>>(state[9]);
     changes.ignored_in_scene = value_of<std::vector<RobotChanges::Names>>(state[10]);
     changes.margins = value_of<std::vector<std::pair<RobotChanges::Names, double>>>(state[11]);
-    new (&robot) Robot(std::move(d), changes);
+    new (&robot) PythonRobot(Robot(std::move(d), changes));
 }
 
 /// The robot of chasles/ompl.h: a body on one floating joint.
-Robot free_body(nb::handle shape, const std::string& name) {
+PythonRobot free_body(nb::handle shape, const std::string& name) {
     RobotDescription robot{name};
     robot.links = {{"world"}, {name, {{polyhedron_of(shape, "shape")}}}};
     robot.joints = {{"free", JointType::floating, "world", name}};
@@ -153,8 +153,12 @@ Robot free_body(nb::handle shape, const std::string& name) {
 
 } // namespace
 
-void bind_robot_state(nb::class_<Robot>& type, nb::module_& module) {
-    type.def("__getstate__", state_of_robot).def("__setstate__", set_state);
+void bind_robot_state(nb::class_<PythonRobot>& type, nb::module_& module) {
+    type.def("__getstate__", state_of_robot)
+        .def("__setstate__", set_state)
+        .def(
+            "__copy__", [](const PythonRobot& robot) { return PythonRobot(robot); },
+            nb::sig("def __copy__(self) -> Robot"), "A robot that can be changed by itself. It shares the shapes.");
     module.def("_free_body", free_body, "shape"_a.none(), "name"_a = "body",
                nb::sig("def _free_body(shape: Polyhedron, name: str = 'body') -> Robot"),
                "See `chasles.ompl.free_body`.");

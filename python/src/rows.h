@@ -132,7 +132,7 @@ private:
 
 /// Whether the motion has the paper's parameter.
 inline bool has_tau(const TypedMotion& motion) {
-    return std::holds_alternative<ScrewMotion>(motion) || std::holds_alternative<SweepMotion>(motion);
+    return std::holds_alternative<PythonScrew>(motion) || std::holds_alternative<SweepMotion>(motion);
 }
 
 template <typename AnyRow>

@@ -5,6 +5,7 @@
 #include "python/src/interruptible.h"
 #include "python/src/names.h"
 #include "python/src/query_options.h"
+#include "python/src/recipe.h"
 
 #include <fmt/format.h>
 #include <mutex>
@@ -20,8 +21,10 @@ namespace {
 using namespace nb::literals;
 
 /// The motion of this kind between two poses.
-Motion motion_between(const std::string& kind, const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
-    return kind == "twist" ? Motion::twist(start, goal) : Motion::velocity(start, goal, centre);
+PlainMotion motion_between(const std::string& kind, const Pose& start, const Pose& goal,
+                           const Eigen::Vector3d& centre) {
+    return kind == "twist" ? made("twist", {listed(start), listed(goal)})
+                           : made("velocity", {listed(start), listed(goal), listed(centre)});
 }
 
 void require_kind(const std::string& kind) {
@@ -35,20 +38,20 @@ Names names_of(const Scene& scene, const SceneContact& contact) {
 
 } // namespace
 
-Motion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre) {
+PlainMotion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre) {
     std::string kind = "velocity";
     const bool is_named = motion.is_none() || nb::try_cast(motion, kind);
     if (!is_named) {
         if (!pose.is_none() || !goal.is_none() || !centre.is_none())
             throw InvalidInput("motion: stands instead of pose, goal and centre");
-        return plain(given_motion(motion));
+        return as_plain(given_motion(motion));
     }
     require_kind(kind);
     if (!centre.is_none() && kind == "twist")
         throw InvalidInput("centre: a twist has none");
     const Pose start = pose.is_none() ? Pose() : pose_from(pose, "pose");
     if (goal.is_none())
-        return Motion::at_rest(start);
+        return made("rest", {listed(start)});
     const Eigen::Vector3d middle = centre.is_none() ? Eigen::Vector3d::Zero() : vector_from(centre, "centre");
     return motion_between(kind, start, pose_from(goal, "goal"), middle);
 }
@@ -60,17 +63,14 @@ std::vector<std::string> names_of(const PythonScene& scene) {
     return names;
 }
 
-Owners owners_of(const PythonScene& scene, const std::string& body) {
-    const nb::object& motion = scene.motions.at(body).motion;
-    return nb::isinstance<nb::str>(motion) || motion.is_none() ? Owners() : owners_of(given_motion(motion));
+PlainMotion relative_motion(const PythonScene& scene, const std::string& moving, const std::string& fixed) {
+    return made("relative", {}, {scene.motions.at(moving), scene.motions.at(fixed)});
 }
 
 SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin) {
-    const auto bodies = scene.scene.bodies();
     const Names names = names_of(scene.scene, contact);
     return {{contact.contact, scene.shapes.at(names.first), scene.shapes.at(names.second),
-             PlainMotion{relative(bodies[contact.moving].motion, bodies[contact.fixed].motion),
-                         joined(owners_of(scene, names.first), owners_of(scene, names.second))},
+             relative_motion(scene, names.first, names.second),
              scene.scene.margin_of(contact.moving, contact.fixed, margin)},
             names};
 }
@@ -79,13 +79,16 @@ namespace {
 
 std::string add(PythonScene& scene, const std::string& name, nb::handle shape, nb::handle pose, nb::handle goal,
                 nb::handle motion, nb::handle centre, const std::string& group) {
-    scene.scene.add({name, polyhedron_of(shape, "shape"), motion_of_body(pose, goal, motion, centre), group});
+    const Changing change = scene.changing();
+    const PlainMotion way = motion_of_body(pose, goal, motion, centre);
+    scene.scene.add({name, polyhedron_of(shape, "shape"), way.motion, group});
     scene.shapes.emplace(name, nb::borrow(shape));
-    scene.motions.emplace(name, given_copies(pose, goal, motion, centre));
+    scene.motions.emplace(name, way);
     return name;
 }
 
 void remove(PythonScene& scene, const std::string& name) {
+    const Changing change = scene.changing();
     scene.scene.remove(name);
     scene.shapes.erase(name);
     scene.motions.erase(name);
@@ -97,18 +100,21 @@ void remove(PythonScene& scene, const std::string& name) {
 
 void move(PythonScene& scene, const std::string& name, nb::handle pose, nb::handle goal, nb::handle motion,
           nb::handle centre) {
-    scene.scene.move(scene.scene.index_of(name), motion_of_body(pose, goal, motion, centre));
-    scene.motions[name] = given_copies(pose, goal, motion, centre);
+    const Changing change = scene.changing();
+    const PlainMotion way = motion_of_body(pose, goal, motion, centre);
+    scene.scene.move(scene.scene.index_of(name), way.motion);
+    scene.motions.insert_or_assign(name, way);
 }
 
 /// All bodies at once, in the order of `names`. The scene changes only if all poses can be used.
 void move_all(PythonScene& scene, nb::handle starts, nb::handle goals, const std::string& kind) {
+    const Changing change = scene.changing();
     const PoseArray from(starts, "starts"), to(goals, "goals");
     const std::size_t count = scene.scene.bodies().size();
     if (from.size() != count || to.size() != count)
         throw InvalidInput(fmt::format("starts, goals: {} and {} poses for {} bodies", from.size(), to.size(), count));
     require_kind(kind);
-    std::vector<Motion> motions;
+    std::vector<PlainMotion> motions;
     for (std::size_t i = 0; i < count; ++i)
         try {
             motions.push_back(motion_between(kind, from[i], to[i], Eigen::Vector3d::Zero()));
@@ -116,9 +122,8 @@ void move_all(PythonScene& scene, nb::handle starts, nb::handle goals, const std
             throw InvalidInput(fmt::format("starts[{}], goals[{}]: {}", i, i, error.what()));
         }
     for (std::size_t i = 0; i < count; ++i) {
-        scene.scene.move(i, motions[i]);
-        scene.motions[scene.scene.bodies()[i].name] = {numbers_of(from[i]), numbers_of(to[i]), nb::str(kind.c_str()),
-                                                       nb::none()};
+        scene.scene.move(i, motions[i].motion);
+        scene.motions.insert_or_assign(scene.scene.bodies()[i].name, std::move(motions[i]));
     }
 }
 
@@ -151,6 +156,7 @@ void run(const SceneArguments& arguments, const Ask& ask) {
 
 SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::optional<double> hold, double until,
                                  double time_tolerance, nb::handle find, unsigned threads) {
+    const Asking question = scene.asking();
     SceneAnswer found;
     run({margin, hold, until, time_tolerance, find, threads},
         [&](const SceneQuery& query) { found = scene.scene.first_contact(query); });
@@ -162,7 +168,7 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
         clear.certain = found.verdict == Verdict::clear;
         clear.clear_until = found.clear_until;
         clear.work = found.work;
-        return {{clear, nb::none(), nb::none(), PlainMotion{Motion::at_rest(Pose())}, margin},
+        return {{clear, nb::none(), nb::none(), made("rest", {listed(Pose())}), margin},
                 std::nullopt,
                 true,
                 {},
@@ -180,6 +186,7 @@ SceneContactAnswer first_contact(const PythonScene& scene, double margin, std::o
 
 nb::list all_contacts(const PythonScene& scene, double margin, std::optional<double> hold, double until,
                       double time_tolerance, nb::handle find, unsigned threads) {
+    const Asking question = scene.asking();
     SceneAnswer found;
     run({margin, hold, until, time_tolerance, find, threads},
         [&](const SceneQuery& query) { found = scene.scene.all_contacts(query); });
@@ -192,6 +199,7 @@ nb::list all_contacts(const PythonScene& scene, double margin, std::optional<dou
 
 /// The pairs are remembered as ignored ones.
 std::vector<Names> ignore_touching_at_start(PythonScene& scene, double margin) {
+    const Changing change = scene.changing();
     std::vector<Names> pairs;
     run_interruptibly([&](Progress&) { pairs = scene.scene.ignore_touching_at_start(margin); }, nb::none());
     for (const auto& [a, b] : pairs)
@@ -201,6 +209,7 @@ std::vector<Names> ignore_touching_at_start(PythonScene& scene, double margin) {
 
 nb::dict clear_until(const PythonScene& scene, double margin, std::optional<double> hold, double until,
                      double time_tolerance, unsigned threads) {
+    const Asking question = scene.asking();
     std::vector<double> clear;
     const nb::str find("first");
     run({margin, hold, until, time_tolerance, find, threads},
@@ -236,6 +245,7 @@ constexpr const char* question_doc =
 template <class Name>
 auto rule(const char* name, void (Scene::*function)(Name, Name)) {
     return [name, function](PythonScene& scene, const std::string& a, const std::string& b) {
+        const Changing change = scene.changing();
         (scene.scene.*function)(a, b);
         scene.rules[{name, a, b}] = 0;
     };
@@ -244,6 +254,7 @@ auto rule(const char* name, void (Scene::*function)(Name, Name)) {
 template <class Name>
 auto rule(const char* name, void (Scene::*function)(Name, Name, double)) {
     return [name, function](PythonScene& scene, const std::string& a, const std::string& b, double distance) {
+        const Changing change = scene.changing();
         (scene.scene.*function)(a, b, distance);
         scene.rules.erase({name, b, a}); // the same pair
         scene.rules[{name, a, b}] = distance;
@@ -326,7 +337,11 @@ void bind_scene(nb::module_& module) {
              nb::sig("def ignore_touching_at_start(self, *, margin: float = 0.0) -> list[tuple[str, str]]"),
              doc("Scene.ignore_touching_at_start"))
         .def(
-            "untested", [](const PythonScene& s, double until) { return s.scene.untested({.until = until}); },
+            "untested",
+            [](const PythonScene& s, double until) {
+                const Asking question = s.asking();
+                return s.scene.untested({.until = until});
+            },
             nb::kw_only(), "until"_a = 1.0, nb::sig("def untested(self, *, until: float = 1.0) -> UntestedPairs"),
             doc("Scene.untested"))
         .def("set_margin", rule("set_margin", &Scene::set_margin), "a"_a, "b"_a, "margin"_a, doc("Scene.set_margin"))
@@ -335,7 +350,7 @@ void bind_scene(nb::module_& module) {
         .def("set_hold", rule("set_hold", &Scene::set_hold), "a"_a, "b"_a, "hold"_a, doc("Scene.set_hold"))
         .def("set_group_hold", rule("set_group_hold", &Scene::set_group_hold), "a"_a, "b"_a, "hold"_a,
              doc("Scene.set_group_hold"))
-        .def_prop_ro(
+        .def_prop_ro( // names change with the GIL only
             "names", [](const PythonScene& s) { return names_of(s); }, "The names of the bodies.")
         .def("__len__", [](const PythonScene& s) { return s.scene.bodies().size(); })
         .def("__repr__",

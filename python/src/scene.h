@@ -4,6 +4,7 @@
 #include "chasles/scene/scene.h"
 #include "python/src/answer.h"
 #include "python/src/bind.h"
+#include "python/src/use.h"
 
 #include <map>
 #include <optional>
@@ -14,11 +15,6 @@
 
 namespace chasles::python {
 
-/// What a motion was made of, for pickle: None or numbers of poses, or the Python object of a motion.
-struct GivenMotion {
-    nb::object pose, goal, motion, centre;
-};
-
 /// A call of ignore, ignore_groups, set_margin or set_group_margin: the name of the function and its two names.
 using SceneRule = std::tuple<std::string, std::string, std::string>;
 
@@ -26,8 +22,13 @@ using SceneRule = std::tuple<std::string, std::string, std::string>;
 struct PythonScene {
     Scene scene;
     std::map<std::string, nb::object> shapes;
-    std::map<std::string, GivenMotion> motions; ///< of each body
+    std::map<std::string, PlainMotion> motions; ///< of each body
     std::map<SceneRule, double> rules;          ///< with the margin, or 0
+    mutable Use use = {};
+
+    /// A question or a change of the scene begins. Throws InvalidInput.
+    [[nodiscard]] Asking asking() const { return {use, "scene"}; }
+    [[nodiscard]] Changing changing() { return {use, "scene"}; }
 };
 
 /// Of the moving and of the fixed body.
@@ -41,8 +42,8 @@ struct NamedContact {
 /// The shapes stay when the collector clears the motions.
 template <typename Visit>
 void for_each_reference(PythonScene& scene, const Visit& visit) {
-    for (auto& [name, given] : scene.motions)
-        visit(given.motion);
+    for (auto& [name, motion] : scene.motions)
+        for_each_reference(motion, visit);
 }
 
 /// The first contact of a pair of a scene; of a clear scene without a pair.
@@ -53,8 +54,8 @@ struct SceneContactAnswer : Answer {
     UntestedPairs untested = {}; ///< of the answer of first_contact
 };
 
-/// The functions of Python that a body follows.
-Owners owners_of(const PythonScene& scene, const std::string& body);
+/// The motion of one body as seen from another one.
+PlainMotion relative_motion(const PythonScene& scene, const std::string& moving, const std::string& fixed);
 
 SceneContactAnswer answer_of(const PythonScene& scene, const SceneContact& contact, double margin);
 
@@ -62,10 +63,7 @@ std::vector<std::string> names_of(const PythonScene& scene);
 
 /// A motion by poses in the world. `motion` is None, a motion, or the name of a kind. Without a goal the body stands
 /// still.
-Motion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre);
-
-/// The arguments of `motion_of_body`, with poses as copies of their numbers.
-GivenMotion given_copies(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre);
+PlainMotion motion_of_body(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre);
 
 /// Pickle of scenes.
 void bind_scene_state(nb::class_<PythonScene>& type);

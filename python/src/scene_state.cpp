@@ -9,29 +9,26 @@
 namespace chasles::python {
 namespace {
 
-nb::object numbers_or_none(nb::handle pose, const char* name) {
-    return pose.is_none() ? nb::object(nb::none()) : numbers_of(pose_from(pose, name));
-}
-
 nb::tuple state_of(const PythonScene& scene) {
+    const Asking question = scene.asking();
     nb::list bodies;
-    for (const SceneBody& body : scene.scene.bodies()) {
-        const GivenMotion& given = scene.motions.at(body.name);
-        bodies.append(nb::make_tuple(body.name, scene.shapes.at(body.name), given.pose, given.goal, given.motion,
-                                     given.centre, body.group));
-    }
+    for (const SceneBody& body : scene.scene.bodies())
+        bodies.append(
+            nb::make_tuple(body.name, scene.shapes.at(body.name), nb::cast(scene.motions.at(body.name)), body.group));
     return nb::make_tuple(bodies, nb::cast(scene.rules));
 }
 
 } // namespace
 
-GivenMotion given_copies(nb::handle pose, nb::handle goal, nb::handle motion, nb::handle centre) {
-    return {numbers_or_none(pose, "pose"), numbers_or_none(goal, "goal"), nb::borrow(motion),
-            centre.is_none() ? nb::object(nb::none()) : array_of(vector_from(centre, "centre"))};
-}
-
 void bind_scene_state(nb::class_<PythonScene>& type) {
-    type.def("__getstate__", state_of, nb::sig("def __getstate__(self) -> tuple"));
+    type.def("__getstate__", state_of, nb::sig("def __getstate__(self) -> tuple"))
+        .def(
+            "__copy__",
+            [](const PythonScene& scene) {
+                const Asking question = scene.asking();
+                return PythonScene(scene);
+            },
+            nb::sig("def __copy__(self) -> Scene"), "A scene that can be changed by itself. It shares the shapes.");
 }
 
 } // namespace chasles::python

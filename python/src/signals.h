@@ -1,7 +1,8 @@
-// Ctrl-C during a query.
+// Ctrl-C during a query, and the end of the process.
 #pragma once
 
 #include "chasles/base/limit.h"
+#include "python/src/without_gil.h"
 
 #include <chrono>
 #include <limits>
@@ -31,10 +32,12 @@ private:
     std::chrono::steady_clock::time_point next_ = std::chrono::steady_clock::now() + interval;
 };
 
-/// While it exists, Ctrl-C ends the questions of this thread. For work without the GIL.
+/// While it exists, Ctrl-C and the end of the process end the questions of this thread. For work without the GIL.
 class EndsBySignals {
     SignalCheck signals_;
     Limit limit_{std::numeric_limits<double>::infinity(), [this] {
+                     if (questions_have_to_end())
+                         return false;
                      signals_.raise_if_due();
                      return true;
                  }};

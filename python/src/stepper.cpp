@@ -31,36 +31,55 @@ struct PythonEvent {
 class PythonStepper {
 public:
     PythonStepper(const PythonScene& scene, const StepOptions& options)
-        : scene_(std::make_unique<PythonScene>(scene)), margin_(options.margin), stepper_(scene_->scene, options) {}
+        : scene_(copy_of(scene)), margin_(options.margin), stepper_(scene_->scene, options) {}
 
     std::optional<PythonEvent> advance() {
+        const Changing change(use_, name);
         std::optional<StepEvent> found;
         run_interruptibly([&](Progress&) { found = stepper_.advance(); }, nb::none());
         if (!found)
             return std::nullopt;
         return PythonEvent{found->time, answers_of(found->contacts), answers_of(found->connected)};
     }
-    [[nodiscard]] double time() const { return stepper_.time(); }
-    [[nodiscard]] nb::object pose(const std::string& name) const {
-        return matrix_of(stepper_.pose(scene_->scene.index_of(name)));
+    [[nodiscard]] double time() const {
+        const Asking question(use_, name);
+        return stepper_.time();
+    }
+    [[nodiscard]] nb::object pose(const std::string& body) const {
+        const Asking question(use_, name);
+        return pose_now(body);
     }
     [[nodiscard]] nb::list poses() const {
+        const Asking question(use_, name);
         nb::list poses;
         for (std::size_t i = 0; i < scene_->scene.bodies().size(); ++i)
             poses.append(matrix_of(stepper_.pose(i)));
         return poses;
     }
-    void move(const std::string& name, nb::handle goal, nb::handle motion, nb::handle centre) {
+    void move(const std::string& body, nb::handle goal, nb::handle motion, nb::handle centre) {
+        const Changing change(use_, name);
         std::string kind;
         const bool has_poses = motion.is_none() || nb::try_cast(motion, kind);
-        const nb::object start = has_poses ? pose(name) : nb::object(nb::none());
-        stepper_.move(scene_->scene.index_of(name), motion_of_body(start, goal, motion, centre));
-        if (!has_poses)
-            moved_.push_back(nb::borrow(motion));
+        const nb::object start = has_poses ? pose_now(body) : nb::object(nb::none());
+        const PlainMotion way = motion_of_body(start, goal, motion, centre);
+        stepper_.move(scene_->scene.index_of(body), way.motion);
+        moved_ = joined(std::move(moved_), way.owners);
     }
-    [[nodiscard]] std::size_t size() const { return scene_->scene.bodies().size(); }
+    [[nodiscard]] std::string text() const {
+        const std::string now = use_.is_changing() ? "advancing" : fmt::format("at time {:.12g}", stepper_.time());
+        return fmt::format("<chasles.Stepper: {} bodies {}>", scene_->scene.bodies().size(), now);
+    }
 
 private:
+    static constexpr const char* name = "stepper";
+
+    static std::unique_ptr<PythonScene> copy_of(const PythonScene& scene) {
+        const Asking question = scene.asking();
+        return std::make_unique<PythonScene>(scene);
+    }
+    [[nodiscard]] nb::object pose_now(const std::string& body) const {
+        return matrix_of(stepper_.pose(scene_->scene.index_of(body)));
+    }
     [[nodiscard]] std::vector<SceneContactAnswer> answers_of(const std::vector<SceneContact>& pairs) const {
         std::vector<SceneContactAnswer> answers;
         for (const SceneContact& pair : pairs)
@@ -71,7 +90,8 @@ private:
     std::unique_ptr<PythonScene> scene_; ///< stays where it is: the stepper refers to it
     double margin_;
     Stepper stepper_;
-    Owners moved_; ///< motions that bodies were given on the way
+    Owners moved_; ///< the functions of motions that bodies were given on the way
+    mutable Use use_;
 
     template <typename Visit>
     friend void for_each_reference(PythonStepper& stepper, const Visit& visit) {
@@ -165,9 +185,7 @@ void bind_stepper(nb::module_& module) {
                      "motion: str | ConstantVelocity | ConstantTwist | TimedPoses | Trajectory | Motion | None = None, "
                      "centre: numpy.typing.ArrayLike | None = None) -> None"),
              move_doc)
-        .def("__repr__", [](const PythonStepper& s) {
-            return fmt::format("<chasles.Stepper: {} bodies at time {:.12g}>", s.size(), s.time());
-        });
+        .def("__repr__", &PythonStepper::text);
 }
 
 } // namespace chasles::python

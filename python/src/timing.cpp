@@ -4,6 +4,7 @@
 #include "python/src/body.h"
 #include "python/src/motions.h"
 #include "python/src/names.h"
+#include "python/src/without_gil.h"
 
 #include <chrono>
 
@@ -35,7 +36,7 @@ double batch_seconds(const Body& moving, const Body& fixed, nb::handle starts, n
     std::vector<Motion> motions;
     for (std::size_t i = 0; i < from.size(); ++i)
         motions.emplace_back(ScrewMotion::between(from[i], to[i]));
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     return seconds_of([&] {
         static_cast<void>(first_contact_batch({.moving = moving.polyhedron,
                                                .fixed = fixed.polyhedron,

@@ -4,6 +4,7 @@
 #include "python/src/bind.h"
 #include "python/src/docstrings.h"
 #include "python/src/motions.h"
+#include "python/src/recipe.h"
 
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
@@ -46,7 +47,7 @@ std::vector<Eigen::Vector3d> vectors_from(nb::handle argument, const char* name)
 }
 
 PlainMotion product(const TypedMotion& outer, const TypedMotion& inner) {
-    return made_of(outer, inner, [](const Motion& a, const Motion& b) { return a * b; });
+    return made("product", {}, {as_plain(outer), as_plain(inner)});
 }
 
 double in_unit_interval(double time) {
@@ -76,13 +77,13 @@ void bind_poses(nb::class_<M>& type) {
 void bind_motion(nb::module_& module) {
     nb::class_<PlainMotion> type(module, "Motion", doc("Motion"), collected<PlainMotion>());
     type.def_static(
-            "at_rest", [](nb::handle pose) { return PlainMotion{Motion::at_rest(pose_from(pose, "pose"))}; },
-            "pose"_a.none(), nb::sig("def at_rest(pose: " CHASLES_POSE ") -> Motion"), doc("Motion.at_rest"))
+            "at_rest", [](nb::handle pose) { return made("rest", {listed(pose_from(pose, "pose"))}); }, "pose"_a.none(),
+            nb::sig("def at_rest(pose: " CHASLES_POSE ") -> Motion"), doc("Motion.at_rest"))
         .def_static(
             "hinge",
             [](nb::handle point, nb::handle direction, nb::handle angle) {
-                return PlainMotion{Motion::hinge(vector_from(point, "point"), vector_from(direction, "direction"),
-                                                 numbers_from(angle, "angle", in_time))};
+                return made("hinge", {listed(vector_from(point, "point")), listed(vector_from(direction, "direction")),
+                                      numbers_from(angle, "angle", in_time)});
             },
             "point"_a.none(), "direction"_a.none(), "angle"_a.none(),
             nb::sig("def hinge(point: " CHASLES_POSE ", direction: " CHASLES_POSE
@@ -91,44 +92,54 @@ void bind_motion(nb::module_& module) {
         .def_static(
             "slider",
             [](nb::handle direction, nb::handle way) {
-                return PlainMotion{
-                    Motion::slider(vector_from(direction, "direction"), numbers_from(way, "way", in_time))};
+                return made("slider", {listed(vector_from(direction, "direction")), numbers_from(way, "way", in_time)});
             },
             "direction"_a.none(), "way"_a.none(),
             nb::sig("def slider(direction: " CHASLES_POSE ", way: collections.abc.Sequence[float]) -> Motion"),
             doc("Motion.slider"))
         .def_static(
             "polynomial",
-            [](nb::handle places) { return PlainMotion{Motion::polynomial(vectors_from(places, "places"))}; },
+            [](nb::handle places) { return made("polynomial", {listed(vectors_from(places, "places"))}); },
             "places"_a.none(), nb::sig("def polynomial(places: " CHASLES_POSE ") -> Motion"), doc("Motion.polynomial"))
+        .def("__getstate__", [](const PlainMotion& motion) { return state_of(motion); })
+        .def("__setstate__",
+             [](PlainMotion& motion, const nb::tuple& state) { new (&motion) PlainMotion(motion_of_state(state)); })
         .def("__repr__", [](const PlainMotion&) { return "<chasles.Motion>"; });
     bind_poses(type);
     module.def(
         "rest_of",
-        [](nb::handle motion, double start) {
-            const TypedMotion whole = given_motion(motion);
-            return PlainMotion{rest_of(plain(whole), start), owners_of(whole)};
-        },
+        [](nb::handle motion, double start) { return made("rest of", {{start}}, {as_plain(given_motion(motion))}); },
         "motion"_a.none(), "start"_a, nb::sig("def rest_of(motion: " CHASLES_MOTIONS ", start: float) -> Motion"),
         doc("rest_of"));
     module.def(
         "relative",
         [](nb::handle moving, nb::handle fixed) {
-            return made_of(given_motion(moving), given_motion(fixed),
-                           [](const Motion& a, const Motion& b) { return relative(a, b); });
+            return made("relative", {}, {as_plain(given_motion(moving)), as_plain(given_motion(fixed))});
         },
         "moving"_a.none(), "fixed"_a.none(),
         nb::sig("def relative(moving: " CHASLES_MOTIONS ", fixed: " CHASLES_MOTIONS ") -> Motion"), doc("relative"));
 }
 
+PythonVelocity velocity_between(const Pose& start, const Pose& goal, const Eigen::Vector3d& centre) {
+    return {ConstantVelocity::between(start, goal, centre), start, goal};
+}
+
+PythonTwist twist_between(const Pose& start, const Pose& goal) {
+    return {ConstantTwist::between(start, goal), start, goal};
+}
+
+void require_parts(const nb::tuple& state, std::size_t parts) {
+    if (state.size() != parts)
+        throw InvalidInput(fmt::format("state: this motion has {} parts, not {}", parts, state.size()));
+}
+
 void bind_even(nb::module_& module) {
-    nb::class_<ConstantVelocity> velocity(module, "ConstantVelocity", doc("ConstantVelocity"));
+    nb::class_<PythonVelocity> velocity(module, "ConstantVelocity", doc("ConstantVelocity"));
     velocity
         .def_static(
             "between",
             [](nb::handle start, nb::handle goal, nb::handle centre) {
-                return ConstantVelocity::between(pose_from(start, "start"), pose_from(goal, "goal"),
-                                                 centre_from(centre));
+                return velocity_between(pose_from(start, "start"), pose_from(goal, "goal"), centre_from(centre));
             },
             "start"_a.none(), "goal"_a.none(), "centre"_a = nb::none(),
             nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE ", centre: " CHASLES_POSE
@@ -136,62 +147,78 @@ void bind_even(nb::module_& module) {
             doc("ConstantVelocity.between"))
         .def_prop_ro("angle", &ConstantVelocity::angle, doc("ConstantVelocity.angle"))
         .def_prop_ro(
-            "displacement", [](const ConstantVelocity& m) { return array_of(m.displacement()); },
+            "displacement", [](const PythonVelocity& m) { return array_of(m.displacement()); },
             nb::sig("def displacement(self) -> " CHASLES_ARRAY), doc("ConstantVelocity.displacement"))
         .def_prop_ro(
-            "centre", [](const ConstantVelocity& m) { return array_of(m.centre()); },
+            "centre", [](const PythonVelocity& m) { return array_of(m.centre()); },
             nb::sig("def centre(self) -> " CHASLES_ARRAY), doc("ConstantVelocity.centre"))
         .def("__repr__",
-             [](const ConstantVelocity& m) {
+             [](const PythonVelocity& m) {
                  return fmt::format("<chasles.ConstantVelocity: turns {:.6g} rad, moves by {}>", m.angle(),
                                     text_of(m.displacement()));
              })
         .def("__getstate__",
-             [](const ConstantVelocity& m) {
-                 return nb::make_tuple(numbers_of(m.pose_at(0)), numbers_of(m.pose_at(1)), array_of(m.centre()));
+             [](const PythonVelocity& m) {
+                 return nb::make_tuple(numbers_of(m.start), numbers_of(m.goal), array_of(m.centre()));
              })
-        .def("__setstate__", [](ConstantVelocity& m, const nb::tuple& state) {
-            new (&m) ConstantVelocity(ConstantVelocity::between(
-                pose_from(state[0], "start"), pose_from(state[1], "goal"), vector_from(state[2], "centre")));
+        .def("__setstate__", [](PythonVelocity& m, const nb::tuple& state) {
+            require_parts(state, 3);
+            new (&m) PythonVelocity(velocity_between(pose_from(state[0], "start"), pose_from(state[1], "goal"),
+                                                     vector_from(state[2], "centre")));
         });
     bind_poses(velocity);
 
-    nb::class_<ConstantTwist> twist(module, "ConstantTwist", doc("ConstantTwist"));
+    nb::class_<PythonTwist> twist(module, "ConstantTwist", doc("ConstantTwist"));
     twist
         .def_static(
             "between",
             [](nb::handle start, nb::handle goal) {
-                return ConstantTwist::between(pose_from(start, "start"), pose_from(goal, "goal"));
+                return twist_between(pose_from(start, "start"), pose_from(goal, "goal"));
             },
             "start"_a.none(), "goal"_a.none(),
             nb::sig("def between(start: " CHASLES_POSE ", goal: " CHASLES_POSE ") -> ConstantTwist"),
             doc("ConstantTwist.between"))
-        .def_prop_ro("screw_of_same_poses", &ConstantTwist::screw_of_same_poses,
-                     doc("ConstantTwist.screw_of_same_poses"))
+        .def_prop_ro(
+            "screw_of_same_poses", [](const PythonTwist& m) { return PythonScrew{m.screw_of_same_poses()}; },
+            doc("ConstantTwist.screw_of_same_poses"))
         .def("__repr__",
-             [](const ConstantTwist& m) {
+             [](const PythonTwist& m) {
                  const ScrewMotion screw = m.screw_of_same_poses();
                  return fmt::format("<chasles.ConstantTwist: turns {:.6g} rad about {}, slides {:.6g}>", screw.angle(),
                                     text_of(screw.axis_direction()), screw.slide());
              })
         .def("__getstate__",
-             [](const ConstantTwist& m) { return nb::make_tuple(numbers_of(m.pose_at(0)), numbers_of(m.pose_at(1))); })
-        .def("__setstate__", [](ConstantTwist& m, const nb::tuple& state) {
-            new (&m) ConstantTwist(ConstantTwist::between(pose_from(state[0], "start"), pose_from(state[1], "goal")));
+             [](const PythonTwist& m) { return nb::make_tuple(numbers_of(m.start), numbers_of(m.goal)); })
+        .def("__setstate__", [](PythonTwist& m, const nb::tuple& state) {
+            require_parts(state, 2);
+            new (&m) PythonTwist(twist_between(pose_from(state[0], "start"), pose_from(state[1], "goal")));
         });
     bind_poses(twist);
 }
 
-TimedPoses timed_poses(nb::handle stamps, nb::handle poses, const std::string& between, nb::handle centre) {
+PythonTrack track_from(Numbers numbers) {
+    TimedPoses track = track_of(numbers);
+    return {std::move(track), std::make_shared<const Recipe>("track", std::move(numbers))};
+}
+
+PythonTrack timed_poses(nb::handle stamps, nb::handle poses, const std::string& between, nb::handle centre) {
     if (between != "velocity" && between != "twist")
         throw InvalidInput(fmt::format("between: must be \"velocity\" or \"twist\", not \"{}\"", between));
-    return TimedPoses::through(numbers_from(stamps, "stamps", "[0, 0.5, 1]"), poses_from(poses, "poses"),
-                               between == "twist" ? TimedPoses::Between::twist : TimedPoses::Between::velocity,
-                               centre_from(centre));
+    return track_from({numbers_from(stamps, "stamps", "[0, 0.5, 1]"),
+                       listed(poses_from(poses, "poses")),
+                       {between == "twist" ? 1.0 : 0.0},
+                       listed(centre_from(centre))});
+}
+
+void set_track_state(PythonTrack& track, const nb::tuple& state) {
+    const PlainMotion motion = motion_of_state(state);
+    if (motion.recipe->maker != "track")
+        throw InvalidInput("state: is not that of a track");
+    new (&track) PythonTrack(track_from(motion.recipe->numbers));
 }
 
 void bind_tracks(nb::module_& module) {
-    nb::class_<TimedPoses> track(module, "TimedPoses", doc("TimedPoses"));
+    nb::class_<PythonTrack> track(module, "TimedPoses", doc("TimedPoses"));
     track
         .def_static("through", timed_poses, "stamps"_a.none(), "poses"_a.none(), "between"_a = "velocity",
                     "centre"_a = nb::none(),
@@ -200,16 +227,18 @@ void bind_tracks(nb::module_& module) {
                             " | None = None) -> TimedPoses"),
                     doc("TimedPoses.through"))
         .def_prop_ro("stamps", &TimedPoses::stamps, "The time stamps.")
+        .def("__getstate__", [](const PythonTrack& m) { return state_of(as_plain(m)); })
+        .def("__setstate__", set_track_state)
         .def(
             "stamp_of",
-            [](const TimedPoses& m, double lower, double upper) {
+            [](const PythonTrack& m, double lower, double upper) {
                 const Bracket stamp = m.stamp_of({in_unit_interval(lower), in_unit_interval(upper)});
                 return std::pair(stamp.lower, stamp.upper);
             },
             "time"_a, "time_upper"_a, doc("TimedPoses.stamp_of"))
         .def("time_of", &TimedPoses::time_of, "stamp"_a, doc("TimedPoses.time_of"))
         .def("segment_of", &TimedPoses::segment_of, "time"_a, doc("TimedPoses.segment_of"))
-        .def("__repr__", [](const TimedPoses& m) {
+        .def("__repr__", [](const PythonTrack& m) {
             return fmt::format("<chasles.TimedPoses: {} poses from {:.6g} to {:.6g}>", m.stamps().size(),
                                m.stamps().front(), m.stamps().back());
         });
@@ -220,14 +249,14 @@ void bind_tracks(nb::module_& module) {
         .def_static(
             "through",
             [](nb::handle times, nb::handle poses) {
-                return PlainMotion{
-                    Motion::spline(numbers_from(times, "times", "[0, 0.5, 1]"), poses_from(poses, "poses"))};
+                return made("spline",
+                            {numbers_from(times, "times", "[0, 0.5, 1]"), listed(poses_from(poses, "poses"))});
             },
             "times"_a.none(), "poses"_a.none(),
             nb::sig("def through(times: collections.abc.Sequence[float], poses: " CHASLES_POSE ") -> Motion"),
             doc("Motion.spline"))
         .def_static(
-            "b_spline", [](nb::handle poses) { return PlainMotion{Motion::b_spline(poses_from(poses, "poses"))}; },
+            "b_spline", [](nb::handle poses) { return made("b spline", {listed(poses_from(poses, "poses"))}); },
             "poses"_a.none(), nb::sig("def b_spline(poses: " CHASLES_POSE ") -> Motion"), doc("Motion.b_spline"));
 }
 

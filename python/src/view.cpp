@@ -4,6 +4,7 @@
 #include "python/src/answer.h"
 #include "python/src/bind.h"
 #include "python/src/query_options.h"
+#include "python/src/without_gil.h"
 #include "view/page.h"
 #include "view/proven_verdict.h"
 
@@ -81,7 +82,7 @@ std::string view_page(const Answer& answer, const std::string& title, const std:
     if (!numbers) {
         const Polyhedron& moving = nb::cast<const Body&>(answer.moving).polyhedron;
         const Polyhedron& fixed = nb::cast<const Body&>(answer.fixed).polyhedron;
-        const nb::gil_scoped_release release;
+        const WithoutGil without_gil;
         view::SceneRecord record = record_of(answer, moving, fixed);
         record.title = title;
         record.bodies[0].name = moving_name;
@@ -97,7 +98,7 @@ std::string view_page(const Answer& answer, const std::string& title, const std:
                             .title = title,
                             .moving_name = moving_name,
                             .fixed_name = fixed_name};
-    const nb::gil_scoped_release release;
+    const WithoutGil without_gil;
     return view::page(scene);
 }
 

@@ -33,6 +33,8 @@ def world(cube):
     scene = chasles.Scene()
     scene.add("wall", cube, pose=np.array([0.45, 1.2, -0.5, 1, 0, 0, 0]))
     scene.add("door", cube, [-3, 0, -0.5, 1, 0, 0, 0], [-1.5, 0, -0.5, 1, 0, 0, 0])
+    turn = chasles.Motion.hinge([0, 0, 0], [0, 0, 1], [0, 0.1]) * chasles.Motion.at_rest([9, 9, 9, 1, 0, 0, 0])
+    scene.add("fan", cube, motion=turn)
     return scene
 
 
@@ -115,13 +117,22 @@ def motions_file(folder):
     return folder / "motions.parquet"
 
 
+def pose_at(time):
+    return [3, 0, time, 1, 0, 0, 0]
+
+
+def bounds(start, end):
+    return {"turn_rate": 0, "speed": 1}
+
+
 def test_wrong_arguments_are_refused_before_any_work(arm, cube, tmp_path):
     table = write_edges(tmp_path / "edges.parquet", arm, 3, 3)
     pq.write_table(table.drop_columns(["goal_joint10"]), tmp_path / "less.parquet")
     texts = table.set_column(0, "start_joint1", pa.array(["a", "b", "c"]))
     pq.write_table(texts, tmp_path / "texts.parquet")
-    own = chasles.Scene()
-    own.add("a", cube, motion=chasles.Motion.at_rest([0, 0, 0, 1, 0, 0, 0]))
+    own, local = chasles.Scene(), chasles.Scene()
+    own.add("a", cube, motion=chasles.Trajectory(pose_at, bounds))
+    local.add("a", cube, motion=chasles.Trajectory(lambda time: pose_at(time), bounds))
     for robot, file, options, error, message in [
         (arm, "less.parquet", {}, chasles.InvalidInput, "edges: .*has no column goal_joint10"),
         (arm, "texts.parquet", {}, chasles.InvalidInput, "edges: .*column start_joint1: has the type string"),
@@ -129,7 +140,8 @@ def test_wrong_arguments_are_refused_before_any_work(arm, cube, tmp_path):
         (arm, "edges.parquet", {"find": "last"}, chasles.InvalidInput, "find"),
         (arm, "edges.parquet", {"margin": -1}, chasles.InvalidInput, "margin"),
         (arm, "edges.parquet", {"threads": -1}, chasles.InvalidInput, "threads: -1 is negative"),
-        (arm, "edges.parquet", {"scene": own}, chasles.InvalidInput, "scene: cannot be sent to other processes"),
+        (arm, "edges.parquet", {"scene": own}, chasles.InvalidInput, "scene: cannot be sent .*give it chasles.TimedPoses"),
+        (arm, "edges.parquet", {"scene": local}, chasles.InvalidInput, "scene: cannot be sent to other processes"),
         (arm, "edges.parquet", {"scene": cube}, TypeError, "scene: must be a chasles.Scene"),
         (cube, "edges.parquet", {}, TypeError, "robot: a Polyhedron is not a chasles.Robot"),
     ]:

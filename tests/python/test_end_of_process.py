@@ -1,6 +1,7 @@
 """Nothing is left at the end of a process: for each class that takes functions of Python, as a script and as a module.
 
-nanobind lists on standard error what is still alive at the end.
+nanobind lists on standard error what is still alive at the end. The end is silent while other threads ask, too, and the
+process keeps its exit status.
 """
 
 import gc
@@ -12,6 +13,7 @@ import sys
 import weakref
 
 import pytest
+from test_interruption import QUESTIONS, SLOW
 
 import chasles
 
@@ -158,3 +160,126 @@ def test_a_motion_lives_as_long_as_anything_that_follows_it(cube):
     assert stepper.advance().contacts[0].pair == ("a", "b")
     far = [[0, 0, z, 0, 0, 0, 1] for z in (9, 8)]
     assert checker.first_contact(*far).verdict == "clear"
+
+
+# --- Threads that ask when the process ends ---
+
+DAEMON = """
+import atexit, sys, threading, time
+{before}
+{head}
+started = threading.Event()
+def work():
+    {work}
+def repeat():
+    started.set()
+    while True:
+        work()
+threading.Thread(target=repeat, daemon={daemon}).start()
+started.wait()
+time.sleep({seconds})
+print("main")
+{end}
+"""
+
+WORKS = {
+    "nothing": "time.sleep(100)",
+    "python": "cube.report",
+    "first_contact": "chasles.first_contact(cube, cube, [3, 0.2, 0.3, 1, 0, 0, 0], [0, 0.2, 0.3, 0.9, 0.1, 0, 0])",
+    "trajectory": "chasles.first_contact(cube, cube, motion=trajectory)",
+    "pose_at": "trajectory.pose_at(0.5)",
+    "bounds": "trajectory.find_broken_bound(1_000_000)",
+    "batch": "chasles.first_contact_batch(cube, cube, *poses)",
+    "batch_of_trajectories": "chasles.first_contact_batch(cube, cube, motions=[trajectory] * 10_000)",
+    "progress": "chasles.first_contact_batch(cube, cube, *poses, progress=True)",
+    "least_distances": "chasles.least_distance_batch(cube, cube, *poses)",
+    "scene": "scene_of().all_contacts()",
+    "stepper": "chasles.Stepper(scene_of(), margin=0.01).advance()",
+    "load": "chasles.Polyhedron(np.tile(corners, (20_000, 1)), (np.arange(20_000)[:, None] * 8 + [0, 1, 3, 2]))",
+}
+
+POSES = """
+poses = [np.tile(np.array(pose, float), (200_000, 1)) for pose in ([3, 0.2, 0.3, 1, 0, 0, 0], [0, 0.2, 0.3, 0.9, 0.1, 0, 0])]
+"""
+
+
+def end_of(folder, work, daemon=True, before="", end="sys.exit(3)", seconds=0.3):
+    """The exit status, standard output and standard error of a program whose other thread works when it ends."""
+    (folder / "program.py").write_text(
+        DAEMON.format(before=before, head=HEAD + POSES, work=work, daemon=daemon, end=end, seconds=seconds)
+    )
+    done = subprocess.run([sys.executable, "program.py"], capture_output=True, text=True, timeout=120, cwd=folder)
+    return done.returncode, done.stdout, done.stderr
+
+
+@pytest.mark.parametrize("work", WORKS)
+def test_the_end_is_silent_while_a_thread_asks(work, tmp_path):
+    for seconds in (0.3, 0.31, 0.37):
+        status, printed, errors = end_of(tmp_path, WORKS[work], seconds=seconds)
+        if work == "progress":
+            errors = "" if "Traceback" not in errors and "terminate" not in errors else errors
+        assert (status, printed, errors) == (3, "main\n", "")
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="the programs are those of the tests of signals")
+@pytest.mark.parametrize("question", QUESTIONS)
+def test_the_end_is_silent_during_a_long_question(question, tmp_path):
+    prepare, call = QUESTIONS[question]
+    head = SLOW.replace("{{", "{").replace("}}", "}").split("{prepare}")[0]
+    program = f"""
+import atexit, time
+begin = [0]
+atexit.register(lambda: print(time.monotonic() - begin[0] < 2))  # before the import, so it runs last
+{head}
+import threading
+{prepare}
+def ask():
+    print("asked", flush=True)
+    {call}
+    print("answered")
+threading.Thread(target=ask, daemon=True).start()
+time.sleep(1)
+begin[0] = time.monotonic()
+sys.exit(3)
+"""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert (done.returncode, done.stdout, done.stderr) == (3, "asked\nTrue\n", "")
+
+
+def test_the_end_waits_for_threads_that_are_no_daemons(tmp_path):
+    work = "found = chasles.first_contact_batch(cube, cube, *poses); print(len(found)); sys.exit()"
+    assert end_of(tmp_path, work, daemon=False) == (3, "main\n200000\n", "")
+
+
+def test_an_error_of_the_main_program_is_shown_as_ever(tmp_path):
+    status, printed, errors = end_of(tmp_path, WORKS["trajectory"], end="raise RuntimeError('mine')")
+    assert (status, printed) == (1, "main\n")
+    assert errors.startswith("Traceback") and errors.endswith("RuntimeError: mine\n") and errors.count("Error") == 1 + 1
+
+
+def test_functions_at_exit_may_ask(tmp_path):
+    """Those that were registered before the import run after the questions of other threads have ended."""
+    before = """
+def last():
+    found = chasles.first_contact(cube, cube, motion=trajectory)
+    print(found.verdict, scene_of().first_contact().pair)
+atexit.register(last)
+"""
+    assert end_of(tmp_path, WORKS["trajectory"], before=before) == (3, "main\ncontact ('a', 'b')\n", "")
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+def test_a_forked_process_ends_at_once(tmp_path):
+    end = """
+begin = time.monotonic()
+child = os.fork()
+if child == 0:
+    threading.Thread(target=time.sleep, args=(100,), daemon=True).start()
+    sys.exit(4)
+print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]), time.monotonic() - begin < 3)
+sys.exit(3)
+"""
+    work = "chasles.first_contact_batch(cube, cube, *poses)"
+    before = "import os, warnings; warnings.simplefilter('ignore')"  # Python warns of forks with threads
+    status, printed, errors = end_of(tmp_path, work, before=before, end=end)
+    assert (status, errors) == (3, "") and printed.endswith("4 True\n")
