@@ -14,6 +14,7 @@ from setting import Setting, make_folders
 
 LONGEST = 0.2  # seconds from the signal to the end, beside a start of the program
 LATEST = 1.5  # seconds after the start
+READING = 0.1  # seconds in which most inputs are read
 TRIES = 5  # other programs on the machine may delay one
 INTERRUPTED = 130
 
@@ -48,7 +49,7 @@ def interrupt(setting: Setting, case: Case, folder: Path) -> Outcome:
     make_folders(question, names, folder)
     for name, _ in question.written(names):
         (folder / name).write_bytes(PRECIOUS)
-    moment = rng.uniform(0, LATEST)
+    moment = rng.uniform(0, LATEST if rng.random() < 0.75 else READING)
     number = signal.SIGINT if rng.random() < 0.75 else signal.SIGTERM
     command = question.command(setting.program, "slow", names)
     outcome.command = f"({number.name} after {moment:.3f} s) " + " ".join(command)
@@ -88,7 +89,7 @@ def check_files(
         part = after.get(name + ".part")
         if output.has_rows:
             outcome.expect(part is None or part.endswith(b"\n"), f"the last row of {name}.part is torn")
-        else:
+        elif output.files == ("",):  # the meshes of `demo` may be cut within their milliseconds; the next run replaces them
             outcome.expect(part is None, f"{name}.part stays")
 
 
