@@ -193,6 +193,15 @@ DragOptions drag_options(const DragCommand& options) {
     return drag;
 }
 
+/// The update to a goal of the file.
+DragStep updated(DraggedBody& body, const io::Path& goals, std::size_t i, const std::string& file) {
+    try {
+        return body.update(goals.poses[i]);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(fmt::format("{}: goal {} (from 0): {}", io::one_line(file), i, error.what()));
+    }
+}
+
 int run_drag(const DragCommand& options) {
     SceneFile file = load_scene(options.scene, options.polyhedron);
     require_rest(options.scene, file.scene);
@@ -214,7 +223,7 @@ int run_drag(const DragCommand& options) {
     out.write("t,x,y,z,qw,qx,qy,qz,contacts,fx,fy,fz,tx,ty,tz,distance\n");
     for (std::size_t i = 0; i < goals.poses.size() && !Interruption::is_requested(); ++i) {
         const double time = goals.stamps.empty() ? double(i) : goals.stamps[i];
-        const DragStep step = body.update(goals.poses[i]);
+        const DragStep step = updated(body, goals, i, options.goals);
         out.write(csv_row(time, step));
         hand.add(time, step);
         bar.show(i + 1);

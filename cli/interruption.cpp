@@ -37,9 +37,9 @@ extern "C" void request(int /*signal*/) {
 } // namespace
 
 void end_when_interrupted() {
-    for (const int signal : {SIGINT, SIGTERM})
-        if (std::signal(signal, end_at_once) == SIG_IGN)
-            std::signal(signal, SIG_IGN);
+    for (const int number : {SIGINT, SIGTERM})
+        if (std::signal(number, end_at_once) == SIG_IGN)
+            std::signal(number, SIG_IGN);
 }
 
 Interruption::Interruption() {

@@ -1,4 +1,5 @@
 // chasles robot: a robot along a path of configurations.
+#include "chasles/io/text_scan.h"
 #include "cli/commands.h"
 #include "cli/joint_trajectory.h"
 #include "cli/options.h"

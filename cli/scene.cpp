@@ -1,4 +1,5 @@
 // chasles scene: many bodies in one world.
+#include "chasles/io/text_scan.h"
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/output.h"
@@ -138,6 +139,17 @@ std::string report_of(const SceneOptions& options, const SceneFile& file, const 
     return text + (has_page ? labelled("page", options.page) : "");
 }
 
+/// An error about a hold distance of the file names the file.
+SceneAnswer answer_of(const SceneOptions& options, const SceneFile& file, const SceneQuery& query) {
+    try {
+        return options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
+    } catch (const InvalidInput& error) {
+        if (!file.hold || !options.hold.empty())
+            throw;
+        throw InvalidInput(io::one_line(options.file) + ": " + error.what());
+    }
+}
+
 int run_scene(const SceneOptions& options) {
     std::optional<double> margin;
     if (!options.margin.empty())
@@ -156,7 +168,7 @@ int run_scene(const SceneOptions& options) {
         bar->show(done);
         return true;
     };
-    SceneAnswer answer = options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
+    SceneAnswer answer = answer_of(options, file, query);
     answer.untested = file.scene.untested(query); // with names
     bar.reset();
     if (Interruption::is_requested() && answer.verdict == Verdict::unknown)

@@ -67,7 +67,10 @@ class Abuse:
         folder = self.work / f"case-{os.getpid()}"
         folder.mkdir()
         try:
-            outcome = KINDS[case.kind].run(self.setting, case, folder)
+            try:
+                outcome = KINDS[case.kind].run(self.setting, case, folder)
+            except Exception as error:  # a case that cannot be run is broken, and the others go on
+                outcome = Outcome([f"the case could not be run: {error!r}"])
             if outcome.faults:
                 self.keep(case, outcome, folder)
         finally:
@@ -122,7 +125,7 @@ def arguments() -> argparse.Namespace:
     parser.add_argument("--seed", type=int, default=random.SystemRandom().randrange(10**6), help="default: another each time")
     parser.add_argument("--only", default="", help="KIND, KIND/NAME or KIND/NAME/NUMBER: these cases alone")
     parser.add_argument("--jobs", type=int, default=os.cpu_count() or 1, help="cases at the same time")
-    parser.add_argument("--keep", type=Path, default=Path("abuse-kept"), help="folder for the files of broken cases")
+    parser.add_argument("--keep", type=Path, default=Path("build/abuse"), help="folder for the files of broken cases")
     parser.add_argument("--kills", type=int, help="kills of each command with outputs")
     parser.add_argument("--disks", type=int, help="full disks of each command with outputs")
     parser.add_argument("--interrupts", type=int, help="interruptions of each command")

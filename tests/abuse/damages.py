@@ -103,8 +103,9 @@ def number_nudged(rng: random.Random, whole: bytes, other: bytes) -> bytes:
         return bits_flipped(rng, whole, other)
     match = rng.choice(found)
     text = match.group().decode()
-    factor = rng.choice([0.5, 2, -1, 10, 1 + 1e-9, 1 - 2**-52])
-    nudged = repr(float(text) * factor) if "." in text or rng.random() < 0.3 else str(int(float(text)) + rng.choice([-1, 1, 2]))
+    factor, step = rng.choice([0.5, 2, -1, 10, 1 + 1e-9, 1 - 2**-52]), rng.choice([-1, 1, 2])
+    is_whole = text.isdigit() and rng.random() < 0.7
+    nudged = str(int(text) + step) if is_whole else repr(float(text) * factor)
     return put(whole, match.start(), nudged.encode(), match.end() - match.start())
 
 

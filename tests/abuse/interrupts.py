@@ -14,8 +14,10 @@ from setting import Setting, make_folders
 
 LONGEST = 0.2  # seconds from the signal to the end, beside a start of the program
 LATEST = 1.5  # seconds after the start
+READING = 0.1  # seconds in which most inputs are read
 TRIES = 5  # other programs on the machine may delay one
 INTERRUPTED = 130
+SILENT = "ended by the signal itself"
 
 ASKED = {
     **{name: question for name, question in QUESTIONS.items() if name != "info-robot"},
@@ -28,14 +30,15 @@ def cases(counts: Counts) -> Iterable[Case]:
 
 
 def run_case(setting: Setting, case: Case, folder: Path) -> Outcome:
-    """Tries the same moment again while the end comes late."""
+    """Tries the same moment again while the end comes late, or before the program could say anything."""
     for attempt in range(TRIES):
         shutil.rmtree(folder)
         folder.mkdir()
         outcome = interrupt(setting, case, folder)
-        if outcome.slowest <= LONGEST + setting.start_seconds:
+        is_late = outcome.slowest > LONGEST + setting.start_seconds
+        if not is_late and not outcome.notes[SILENT]:
             return outcome
-    outcome.faults.append(f"ended {outcome.slowest:.3f} seconds after the signal")
+    outcome.expect(not is_late, f"ended {outcome.slowest:.3f} seconds after the signal")
     return outcome
 
 
@@ -48,7 +51,7 @@ def interrupt(setting: Setting, case: Case, folder: Path) -> Outcome:
     make_folders(question, names, folder)
     for name, _ in question.written(names):
         (folder / name).write_bytes(PRECIOUS)
-    moment = rng.uniform(0, LATEST)
+    moment = rng.uniform(0, LATEST if rng.random() < 0.75 else READING)
     number = signal.SIGINT if rng.random() < 0.75 else signal.SIGTERM
     command = question.command(setting.program, "slow", names)
     outcome.command = f"({number.name} after {moment:.3f} s) " + " ".join(command)
@@ -64,7 +67,7 @@ def interrupt(setting: Setting, case: Case, folder: Path) -> Outcome:
     elif moment < 2 * setting.start_seconds and ended.status == -number:
         outcome.notes["interrupted while it started"] += 1
     else:
-        outcome.notes["interrupted"] += 1
+        outcome.notes[SILENT if ended.status == -number else "interrupted"] += 1
         check_end(outcome, ended)
         new = [setting.whole(*whole).files for whole in wholes(case)]
         check_files(outcome, question, names, new[0] if new else {}, folder)
@@ -88,7 +91,7 @@ def check_files(
         part = after.get(name + ".part")
         if output.has_rows:
             outcome.expect(part is None or part.endswith(b"\n"), f"the last row of {name}.part is torn")
-        else:
+        elif output.files == ("",):  # the meshes of `demo` may be cut within their milliseconds; the next run replaces them
             outcome.expect(part is None, f"{name}.part stays")
 
 
