@@ -37,10 +37,15 @@ bool is_json_text(const std::filesystem::path& file, std::string_view text) {
     return extension != ".yaml" && extension != ".yml" && (line.starts_with('{') || line.starts_with('['));
 }
 
+/// The text of a value. YAML may hold bytes that are no UTF-8.
+std::string shown(const Json& json) {
+    return json.dump(-1, ' ', false, Json::error_handler_t::replace);
+}
+
 double finite_in(const Json& json) {
     if (json.is_number())
         return json.get<double>();
-    const std::string text = json.is_string() ? json.get<std::string>() : json.dump();
+    const std::string text = json.is_string() ? json.get<std::string>() : shown(json);
     if (const auto number = io::parse_finite(text); number && json.is_string())
         return *number;
     throw InvalidInput("not a finite number: " + io::in_quotes(text));
@@ -87,7 +92,7 @@ std::vector<std::string> joint_names_in(const Json& trajectory) {
         for (const Json& name : entries_of(trajectory["joint_names"])) {
             if (!name.is_string())
                 throw InvalidInput("not a text: " +
-                                   io::in_quotes(name.is_structured() ? "a list or an object" : name.dump()));
+                                   io::in_quotes(name.is_structured() ? "a list or an object" : shown(name)));
             names.push_back(name.get<std::string>());
         }
         return names;

@@ -158,7 +158,7 @@ def robot_formats() -> list[Format]:
     acm = ("acm", *with_srdf, "--seconds", "0.2", "--out", "NEW")
     srdf = [("robot", *with_srdf, "--path", "path.csv"), ("info", *with_srdf), acm]
     return [
-        Format("urdf", "damaged.urdf", [arm, chain(3).encode()], questions, MESHES, companions),
+        Format("urdf", "damaged.urdf", [arm, chain(3).encode()], questions, MESHES, companions, of_options=("turns.csv: ",)),
         Format("urdf-at-rest", "damaged.urdf", [still], in_scene, ("fixture.3mf", "moving.obj"), companions),
         Format("srdf", "damaged.srdf", texts(disabled), srdf, ("arm.urdf", *MESHES, "path.csv")),
     ]
