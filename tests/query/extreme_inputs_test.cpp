@@ -366,7 +366,7 @@ TEST(ExtremeInputs, MotionsFromTooFarAwayAreRefusedUnlessTheyAreExact) {
         expect_exact(sweep, from);
     }
     for (const double from : {1e11, 1e15, 1e30}) {
-        EXPECT_NE(refusal([&] { (void)asked(velocity, from); }).find("motion: goes up to 1"), std::string::npos);
+        EXPECT_NE(refusal([&] { (void)asked(velocity, from); }).find("motion: goes up to "), std::string::npos);
         EXPECT_NE(
             refusal([&] { (void)asked(twist, from); }).find("than 1e10 times the radius of the larger body, 0.866"),
             std::string::npos);
