@@ -166,7 +166,9 @@ def folder():
 
 
 def robot():
-    result = chasles.Robot.load(folder() / "robot.urdf")
+    (folder() / "robot.srdf").write_text('<robot name="r"><disable_collisions link1="none" link2="arm" reason="no"/></robot>')
+    result = chasles.Robot.load(folder() / "robot.urdf", folder() / "robot.srdf")
+    assert len(result.warnings) == 1
     result.attach("part", "arm", cube(), any_pose(0))
     return result
 
