@@ -123,11 +123,12 @@ nb::tuple state_of_robot(const PythonRobot& robot) {
     const RobotChanges changes = robot.changes();
     return nb::make_tuple(d.name, states(d.links), states(d.joints), states(d.disabled_pairs), states(d.enabled_pairs),
                           states(d.groups), states(d.states), numbers_of(changes.base), states(changes.parts),
-                          nb::cast(changes.ignored), nb::cast(changes.ignored_in_scene), nb::cast(changes.margins));
+                          nb::cast(changes.ignored), nb::cast(changes.ignored_in_scene), nb::cast(changes.margins),
+                          nb::cast(d.warnings));
 }
 
 void set_state(PythonRobot& robot, const nb::tuple& state) {
-    if (state.size() != 12)
+    if (state.size() != 13)
         throw InvalidInput("state: is not that of a robot");
     RobotDescription d{value_of<std::string>(state[0])};
     d.links = items_of<LinkDescription>(state[1], link_of);
@@ -136,6 +137,7 @@ void set_state(PythonRobot& robot, const nb::tuple& state) {
     d.enabled_pairs = items_of<LinkPairDescription>(state[4], pair_of);
     d.groups = items_of<GroupDescription>(state[5], group_of);
     d.states = items_of<StateDescription>(state[6], named_state_of);
+    d.warnings = value_of<Texts>(state[12]);
     RobotChanges changes{pose_of(state[7]), items_of<AttachedPart>(state[8], part_of)};
     changes.ignored = value_of<std::vector<RobotChanges::Names>>(state[9]);
     changes.ignored_in_scene = value_of<std::vector<RobotChanges::Names>>(state[10]);

@@ -180,7 +180,7 @@ def test_wrong_arguments_are_refused(manager, cube):
         (lambda: manager.set_transform("a", None), chasles.InvalidInput, "transform: "),
         (lambda: manager.min_distance_internal("e"), chasles.InvalidInput, "e not in collision manager"),
         (lambda: manager.in_collision_other(None), TypeError, "other_manager: a NoneType is not"),
-        (lambda: manager.min_distance_other(manager._within), TypeError, "other_manager: a Scene is not"),
+        (lambda: manager.min_distance_other(manager._scene), TypeError, "other_manager: a Scene is not"),
         (lambda: manager.first_contact({"e": np.eye(4)}), chasles.InvalidInput, "e not in collision manager"),
         (lambda: manager.first_contact({"a": np.ones((4, 4))}), chasles.InvalidInput, "goals['a']: "),
         (lambda: manager.first_contact(["a"]), chasles.InvalidInput, "goals: a list is not a dict"),

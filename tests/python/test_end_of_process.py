@@ -166,6 +166,8 @@ def test_a_motion_lives_as_long_as_anything_that_follows_it(cube):
 
 DAEMON = """
 import atexit, sys, threading, time
+ended = []
+atexit.register(lambda: print("slow" if time.monotonic() - ended[0] > 3 else "in time"))  # runs last
 {before}
 {head}
 started = threading.Event()
@@ -179,6 +181,7 @@ threading.Thread(target=repeat, daemon={daemon}).start()
 started.wait()
 time.sleep({seconds})
 print("main")
+ended.append(time.monotonic())
 {end}
 """
 
@@ -188,7 +191,7 @@ WORKS = {
     "first_contact": "chasles.first_contact(cube, cube, [3, 0.2, 0.3, 1, 0, 0, 0], [0, 0.2, 0.3, 0.9, 0.1, 0, 0])",
     "trajectory": "chasles.first_contact(cube, cube, motion=trajectory)",
     "pose_at": "trajectory.pose_at(0.5)",
-    "bounds": "trajectory.find_broken_bound(1_000_000)",
+    "bounds": "trajectory.find_broken_bound(100_000_000)",
     "batch": "chasles.first_contact_batch(cube, cube, *poses)",
     "batch_of_trajectories": "chasles.first_contact_batch(cube, cube, motions=[trajectory] * 10_000)",
     "progress": "chasles.first_contact_batch(cube, cube, *poses, progress=True)",
@@ -218,7 +221,7 @@ def test_the_end_is_silent_while_a_thread_asks(work, tmp_path):
         status, printed, errors = end_of(tmp_path, WORKS[work], seconds=seconds)
         if work == "progress":
             errors = "" if "Traceback" not in errors and "terminate" not in errors else errors
-        assert (status, printed, errors) == (3, "main\n", "")
+        assert (status, printed, errors) == (3, "main\nin time\n", "")
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="the programs are those of the tests of signals")
@@ -238,22 +241,27 @@ def ask():
     {call}
     print("answered")
 threading.Thread(target=ask, daemon=True).start()
-time.sleep(1)
+time.sleep({{seconds}})
 begin[0] = time.monotonic()
 sys.exit(3)
 """
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    for seconds in (0.5, 0.1, 0.02):
+        this = program.replace("{seconds}", str(seconds))
+        done = subprocess.run([sys.executable, "-c", this], capture_output=True, text=True, timeout=120)
+        if "answered" not in done.stdout:  # a fast machine may have answered
+            break
     assert (done.returncode, done.stdout, done.stderr) == (3, "asked\nTrue\n", "")
 
 
 def test_the_end_waits_for_threads_that_are_no_daemons(tmp_path):
     work = "found = chasles.first_contact_batch(cube, cube, *poses); print(len(found)); sys.exit()"
-    assert end_of(tmp_path, work, daemon=False) == (3, "main\n200000\n", "")
+    status, printed, errors = end_of(tmp_path, work, daemon=False)
+    assert (status, printed.split()[:2], errors) == (3, ["main", "200000"], "")
 
 
 def test_an_error_of_the_main_program_is_shown_as_ever(tmp_path):
     status, printed, errors = end_of(tmp_path, WORKS["trajectory"], end="raise RuntimeError('mine')")
-    assert (status, printed) == (1, "main\n")
+    assert (status, printed) == (1, "main\nin time\n")
     assert errors.startswith("Traceback") and errors.endswith("RuntimeError: mine\n") and errors.count("Error") == 1 + 1
 
 
@@ -265,7 +273,7 @@ def last():
     print(found.verdict, scene_of().first_contact().pair)
 atexit.register(last)
 """
-    assert end_of(tmp_path, WORKS["trajectory"], before=before) == (3, "main\ncontact ('a', 'b')\n", "")
+    assert end_of(tmp_path, WORKS["trajectory"], before=before) == (3, "main\ncontact ('a', 'b')\nin time\n", "")
 
 
 @pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
@@ -282,4 +290,4 @@ sys.exit(3)
     work = "chasles.first_contact_batch(cube, cube, *poses)"
     before = "import os, warnings; warnings.simplefilter('ignore')"  # Python warns of forks with threads
     status, printed, errors = end_of(tmp_path, work, before=before, end=end)
-    assert (status, errors) == (3, "") and printed.endswith("4 True\n")
+    assert (status, errors) == (3, "") and printed.endswith("4 True\nin time\n")

@@ -166,7 +166,9 @@ def folder():
 
 
 def robot():
-    result = chasles.Robot.load(folder() / "robot.urdf")
+    (folder() / "robot.srdf").write_text('<robot name="r"><disable_collisions link1="none" link2="arm" reason="no"/></robot>')
+    result = chasles.Robot.load(folder() / "robot.urdf", folder() / "robot.srdf")
+    assert len(result.warnings) == 1
     result.attach("part", "arm", cube(), any_pose(0))
     return result
 
@@ -217,7 +219,7 @@ def seen_of_motion(motion):
 
 
 def seen_of_scene(world):
-    contacts = [(c.pair, answer(c)) for c in world.all_contacts(margin=0.01)]
+    contacts = [(c.pair, answer(c)) for until in (0, 1) for c in world.all_contacts(margin=0.01, until=until)]
     return world.names, contacts, world.untested().named, world.clear_until(), answer(world.first_contact(margin=0.01))
 
 
@@ -235,7 +237,8 @@ def seen_of_robot(arm):
 
 def seen_of_path(path):
     begin, end = path.times[0], path.times[-1]
-    return path.times.tobytes(), [path.at(t).tobytes() for t in np.linspace(begin, end, 23)], repr(path)
+    parts = [part.tobytes() for segment in path.__getstate__()[0] for part in segment[2:]]
+    return parts, path.times.tobytes(), [path.at(t).tobytes() for t in np.linspace(begin, end, 23)], repr(path)
 
 
 def seen_of_hand(**options):
@@ -498,6 +501,12 @@ def test_a_spoilt_state_is_refused(kind, state):
     kind = getattr(chasles, kind)
     with pytest.raises(chasles.InvalidInput):
         kind.__new__(kind).__setstate__(state)
+
+
+def test_what_rounding_took_from_coefficients_is_kept():
+    for path in joint_paths()[2:]:
+        segments, _ = path.__getstate__()
+        assert any(np.any(remainders) for _, _, _, remainders in segments)
 
 
 def test_a_spoilt_joint_path_is_refused():
