@@ -12,7 +12,6 @@ from questions import QUESTIONS, Question
 from runs import Ended, Running, contents
 from setting import Setting, make_folders
 
-LONGEST = 0.2  # seconds from the signal to the end, beside a start of the program
 LATEST = 1.5  # seconds after the start
 READING = 0.1  # seconds in which most inputs are read
 TRIES = 5  # other programs on the machine may delay one
@@ -35,7 +34,7 @@ def run_case(setting: Setting, case: Case, folder: Path) -> Outcome:
         shutil.rmtree(folder)
         folder.mkdir()
         outcome = interrupt(setting, case, folder)
-        is_late = outcome.slowest > LONGEST + setting.start_seconds
+        is_late = outcome.slowest > setting.longest_end + setting.start_seconds
         if not is_late and not outcome.notes[SILENT]:
             return outcome
     outcome.expect(not is_late, f"ended {outcome.slowest:.3f} seconds after the signal")
@@ -61,7 +60,7 @@ def interrupt(setting: Setting, case: Case, folder: Path) -> Outcome:
     running.send(number)
     ended = running.wait()
     outcome.slowest = running.begun + ended.seconds - sent
-    if outcome.slowest <= LONGEST and ended.status in (0, 1):
+    if outcome.slowest <= setting.longest_end and ended.status in (0, 1):
         outcome.notes["ended before"] += 1
         outcome.slowest = 0
     elif moment < 2 * setting.start_seconds and ended.status == -number:

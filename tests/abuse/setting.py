@@ -26,6 +26,7 @@ class Setting:
     start_seconds: float  # a start and an end of the program
     wholes: dict[tuple[str, str], Whole]  # by world and question
     can_mount: bool  # whether a small file system can be made
+    longest_end: float  # seconds from Ctrl-C to the end, beside a start of the program
 
     def whole(self, world: str, question: str) -> Whole:
         return self.wholes[world, question]
@@ -40,7 +41,9 @@ class Unusable(Exception):
     """The program does not answer the inputs that all cases start from."""
 
 
-def make_setting(program: str, seed: int, folder: Path, worlds: set[str], asked: set[tuple[str, str]]) -> Setting:
+def make_setting(
+    program: str, seed: int, folder: Path, longest_end: float, worlds: set[str], asked: set[tuple[str, str]]
+) -> Setting:
     """Makes the inputs of these worlds, and answers these questions of them."""
     folder.mkdir()
     for name in worlds:
@@ -48,7 +51,7 @@ def make_setting(program: str, seed: int, folder: Path, worlds: set[str], asked:
         inputs.WORLDS[name](folder / name)
     starts = sorted(run([program, "--version"], folder).seconds for _ in range(7))
     wholes = {(world, name): whole_run(program, QUESTIONS[name], world, folder) for world, name in sorted(asked)}
-    return Setting(program, seed, folder, starts[3], wholes, can_mount())
+    return Setting(program, seed, folder, starts[3], wholes, can_mount(), longest_end)
 
 
 def whole_run(program: str, question: Question, world: str, folder: Path) -> Whole:

@@ -76,7 +76,7 @@ def two_bodies():
 
 def many_factors():
     motion = chasles.Motion.at_rest(any_pose(3))
-    for _ in range(3000):
+    for _ in range(900):
         motion = motion * chasles.Motion.hinge([0, 0, 0], [0, 0, 1], [0, 1e-4])
     return motion
 
