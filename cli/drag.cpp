@@ -10,12 +10,14 @@
 #include "view/page.h"
 #include "view/sampled_track.h"
 
+#include "chasles/base/limit.h"
 #include "chasles/io/motion_files.h"
 #include "chasles/io/text_scan.h"
 
 #include <algorithm>
 #include <filesystem>
 #include <fmt/format.h>
+#include <limits>
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -193,10 +195,13 @@ DragOptions drag_options(const DragCommand& options) {
     return drag;
 }
 
-/// The update to a goal of the file.
-DragStep updated(DraggedBody& body, const io::Path& goals, std::size_t i, const std::string& file) {
+/// The update to a goal of the file; none if an interruption ends it.
+std::optional<DragStep> updated(DraggedBody& body, const io::Path& goals, std::size_t i, const std::string& file) {
+    const Limit limit(std::numeric_limits<double>::infinity(), [] { return !Interruption::is_requested(); });
     try {
         return body.update(goals.poses[i]);
+    } catch (const Cancelled&) {
+        return std::nullopt;
     } catch (const InvalidInput& error) {
         throw InvalidInput(fmt::format("{}: goal {} (from 0): {}", io::one_line(file), i, error.what()));
     }
@@ -223,9 +228,11 @@ int run_drag(const DragCommand& options) {
     out.write("t,x,y,z,qw,qx,qy,qz,contacts,fx,fy,fz,tx,ty,tz,distance\n");
     for (std::size_t i = 0; i < goals.poses.size() && !Interruption::is_requested(); ++i) {
         const double time = goals.stamps.empty() ? double(i) : goals.stamps[i];
-        const DragStep step = updated(body, goals, i, options.goals);
-        out.write(csv_row(time, step));
-        hand.add(time, step);
+        const std::optional<DragStep> step = updated(body, goals, i, options.goals);
+        if (!step)
+            break;
+        out.write(csv_row(time, *step));
+        hand.add(time, *step);
         bar.show(i + 1);
     }
     if (Interruption::is_requested())
