@@ -184,7 +184,7 @@ class PlaygroundTest(unittest.TestCase):
             old.unlink()
         self.click("#save")
         deadline = time.monotonic() + 30
-        while not list(folder.glob("hand-*.zip")):
+        while not any(map(zipfile.is_zipfile, folder.glob("hand-*.zip"))):  # a browser names the file before it is whole
             self.assertLess(time.monotonic(), deadline, "nothing was downloaded")
             time.sleep(0.05)
         (file,) = folder.glob("hand-*.zip")
