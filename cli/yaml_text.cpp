@@ -4,7 +4,9 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/text_scan.h"
 
+#include <sstream>
 #include <yaml-cpp/depthguard.h>
+#include <yaml-cpp/eventhandler.h>
 #include <yaml-cpp/yaml.h>
 
 namespace chasles::cli {
@@ -26,6 +28,39 @@ std::string with_line_feeds(std::string_view text) {
         if (lines[i] == '\r' && (i + 1 == lines.size() || lines[i + 1] != '\n'))
             lines[i] = '\n';
     return lines;
+}
+
+/// Refuses a document that begins where the last one did: yaml-cpp makes such documents without end where one begins
+/// with a comma.
+class ProgressOfDocuments final : public YAML::EventHandler {
+public:
+    void OnDocumentStart(const YAML::Mark& mark) override {
+        if (mark.pos == begin_)
+            throw InvalidInput("is not YAML: line " + std::to_string(mark.line + 1) + ": no value begins here");
+        begin_ = mark.pos;
+    }
+    void OnDocumentEnd() override {}
+    void OnNull(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+    void OnAlias(const YAML::Mark& /*mark*/, YAML::anchor_t /*anchor*/) override {}
+    void OnScalar(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                  const std::string& /*value*/) override {}
+    void OnSequenceStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                         YAML::EmitterStyle::value /*style*/) override {}
+    void OnSequenceEnd() override {}
+    void OnMapStart(const YAML::Mark& /*mark*/, const std::string& /*tag*/, YAML::anchor_t /*anchor*/,
+                    YAML::EmitterStyle::value /*style*/) override {}
+    void OnMapEnd() override {}
+
+private:
+    int begin_ = -1;
+};
+
+void require_end(const std::string& text) {
+    std::istringstream stream(text);
+    YAML::Parser parser(stream);
+    ProgressOfDocuments progress;
+    while (parser.HandleNextDocument(progress)) {
+    }
 }
 
 /// Copies nodes, up to a number.
@@ -73,7 +108,9 @@ nlohmann::json parse_yaml(const std::string& text) {
     try {
         TreeOfNodes tree(text.size());
         Json documents = Json::array();
-        for (const YAML::Node& document : YAML::LoadAll(with_line_feeds(io::without_byte_order_mark(text))))
+        const std::string lines = with_line_feeds(io::without_byte_order_mark(text));
+        require_end(lines);
+        for (const YAML::Node& document : YAML::LoadAll(lines))
             documents.push_back(tree.copy(document));
         return documents;
     } catch (const YAML::DeepRecursion&) { // the parser's own limit, whose message is "bad file"

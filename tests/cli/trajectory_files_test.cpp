@@ -287,6 +287,7 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
         {"a: &a [*a]\n", "is nested more than 32 deep"},
         {deep, "is nested more than 32 deep"},
         {bomb, "has aliases (*NAME) that make much more than the file has"},
+        {", joint_names: [shoulder]\n", "is not YAML: line 1: no value begins here"}, // yaml-cpp alone makes no end
         {"joint_names: [shoulder\n", ""},
         {"joint_names: *unknown\n", ""},
     };
