@@ -2,15 +2,22 @@
 #include "scenes/demo.h"
 #include "chasles/base/invalid_input.h"
 #include "cli/commands.h"
+#include "cli/output.h"
 
+#include <filesystem>
 #include <iostream>
 #include <memory>
 
 namespace chasles::cli {
 namespace {
 
-int run_demo(const std::string& save_to) {
-    const int status = scenes::run_demo(std::cout, save_to);
+int run_demo(const std::string& folder) {
+    const auto save = [&](const std::string& name, const std::string& text) {
+        OutputFile file((std::filesystem::path(folder) / name).string());
+        file.write(text);
+        file.close();
+    };
+    const int status = scenes::run_demo(std::cout, folder.empty() ? scenes::SaveFile() : save);
     if (!std::cout.flush())
         throw InvalidInput("standard output: cannot be written");
     return status;

@@ -212,16 +212,16 @@ bool screw_wrongly(std::ostream& out, const Stage& stage) {
 
 } // namespace
 
-int run_demo(std::ostream& out, const std::filesystem::path& save_to) {
-    return run_demo(out, {}, save_to);
+int run_demo(std::ostream& out, const SaveFile& save) {
+    return run_demo(out, ThreadedFastener{}, save);
 }
 
-int run_demo(std::ostream& out, const ThreadedFastener& fastener, const std::filesystem::path& save_to) {
+int run_demo(std::ostream& out, const ThreadedFastener& fastener, const SaveFile& save) {
     const Stopwatch watch;
     const Stage stage = built(fastener);
-    if (!save_to.empty()) {
-        save_obj(stage.bolt, save_to / "bolt.obj");
-        save_obj(stage.nut, save_to / "nut.obj");
+    if (save) {
+        save("bolt.obj", obj_text(stage.bolt));
+        save("nut.obj", obj_text(stage.nut));
     }
     print_stage(out, stage);
     const bool is_unscrewed = unscrew(out, stage);

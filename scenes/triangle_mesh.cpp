@@ -165,4 +165,17 @@ void flip(TriangleMesh& mesh) {
         std::swap(triangle[1], triangle[2]);
 }
 
+std::string obj_text(const Polyhedron& body) {
+    std::string text;
+    for (const Eigen::Vector3d& vertex : body.vertices())
+        text += fmt::format("v {} {} {}\n", vertex.x(), vertex.y(), vertex.z());
+    for (std::size_t face = 0; face < body.face_count(); ++face) {
+        text += 'f';
+        for (const Index corner : body.face(face))
+            text += fmt::format(" {}", corner + 1);
+        text += '\n';
+    }
+    return text;
+}
+
 } // namespace chasles::scenes

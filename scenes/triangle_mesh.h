@@ -6,7 +6,7 @@
 #include <Eigen/Core>
 #include <array>
 #include <cstdint>
-#include <filesystem>
+#include <string>
 #include <vector>
 
 namespace chasles::scenes {
@@ -47,8 +47,7 @@ void close_with_ring(TriangleMesh& mesh, const std::vector<Index>& rim, const st
 /// Turns the surface inside out.
 void flip(TriangleMesh& mesh);
 
-/// Writes a body as Wavefront OBJ. Each number reads back to the same double.
-/// Throws InvalidInput if the file cannot be written.
-void save_obj(const Polyhedron& body, const std::filesystem::path& file);
+/// A body as Wavefront OBJ. Each number reads back to the same double.
+std::string obj_text(const Polyhedron& body);
 
 } // namespace chasles::scenes

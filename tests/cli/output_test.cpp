@@ -93,6 +93,11 @@ TEST_F(Output, NeverReplacesAnInputThatIsNamedLikeAPart) {
     EXPECT_EQ(content("in_robot.obj"), mesh);
 }
 
+TEST_F(Output, TheMeshesOfTheDemoNeedTheirFolder) {
+    EXPECT_EQ(error_line("demo --save /no/such/folder"),
+              "chasles: /no/such/folder/bolt.obj: cannot be written: No such file or directory");
+}
+
 TEST_F(Output, EachHasANameOfItsOwn) {
     write("rows.csv", "precious");
     std::filesystem::create_symlink(path("rows.csv"), path("link"));
