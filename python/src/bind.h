@@ -29,5 +29,7 @@ void bind_record(nanobind::module_& module);
 void bind_timing(nanobind::module_& module);
 void bind_end_of_process(nanobind::module_& module);
 void bind_use(nanobind::module_& module);
+/// Called by bind_drag.
+void bind_drag_options(nanobind::module_& module);
 
 } // namespace chasles::python

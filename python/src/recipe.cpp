@@ -236,32 +236,21 @@ nb::tuple state_of(const PlainMotion& motion) {
 }
 
 PlainMotion motion_of_state(const nb::tuple& state) {
-    std::vector<Step> steps;
-    std::vector<std::size_t> uses(state.size());
+    Parts motions; // one a step
     for (const nb::handle item : state) {
-        steps.push_back(read_step(item, steps.size()));
-        for (const std::size_t part : steps.back().parts)
-            ++uses[part];
-    }
-    if (steps.empty())
-        refuse("it has no steps");
-    std::vector<std::optional<PlainMotion>> motions;
-    for (Step& step : steps) {
+        Step step = read_step(item, motions.size());
         if (step.own) {
-            motions.push_back(std::move(step.own));
+            motions.push_back(*std::move(step.own));
             continue;
         }
         Parts parts;
-        for (const std::size_t part : step.parts) {
-            if (!motions[part])
-                refuse("a step is used too often");
-            parts.push_back(*motions[part]);
-            if (--uses[part] == 0)
-                motions[part].reset(); // a product of many motions is large
-        }
+        for (const std::size_t part : step.parts)
+            parts.push_back(motions[part]);
         motions.push_back(made(step.maker, std::move(step.numbers), parts));
     }
-    return *motions.back();
+    if (motions.empty())
+        refuse("it has no steps");
+    return motions.back();
 }
 
 } // namespace chasles::python

@@ -24,7 +24,7 @@ struct Recipe {
     static constexpr std::string_view own_maker = "trajectory";
 
     Recipe(std::string_view maker_, Numbers numbers_) : maker(maker_), numbers(std::move(numbers_)) {}
-    /// Without recursion: a product may have many thousand factors.
+    /// Without recursion: the rest of a straight motion may be a rest many thousand times over.
     ~Recipe();
     Recipe(const Recipe&) = delete;
     Recipe& operator=(const Recipe&) = delete;

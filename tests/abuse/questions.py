@@ -90,7 +90,7 @@ QUESTIONS = {
     ]
 }
 
-# What options name that are read. All other options that name a file or a folder are outputs.
+# Options that name files to read. All other options that name a file or a folder are outputs.
 INPUT_OPTIONS = {"--poses", "--motions", "--goals", "--path", "--scene", "--srdf", "--packages", "--attach"}
 
 WRITERS = [question.name for question in QUESTIONS.values() if question.outputs]

@@ -1,70 +1,22 @@
 """An object that one thread changes while another thread asks it: one error, never a crash, and questions stay parallel.
 
-Questions are held by functions of a trajectory or by a progress function, so that no test depends on times.
+Questions are held by functions of a trajectory or by a progress function (gates.py).
 """
 
-import contextlib
 import copy
-import subprocess
-import sys
 import threading
 import time
 
 import numpy as np
 import pytest
 from cubes import pose
+from gates import Gate, both_at_once, held
 
 import chasles
 
 ORIGIN = pose(0, 0, 0)
 QUESTION = "a question about it is still running"
 CHANGE = "a change of it is still running"
-
-
-class Gate:
-    """Holds the threads that come to it until it is opened."""
-
-    def __init__(self):
-        self.came, self.open = threading.Event(), threading.Event()
-
-    def wait(self):
-        self.came.set()
-        assert self.open.wait(60)
-
-    def pose_at(self, time):
-        self.wait()
-        return [3 - 4 * time, 0.2, 0.3, 1, 0, 0, 0]
-
-    def trajectory(self):
-        bounds = {"turn_rate": 0, "turn_acceleration": 0, "speed": 4, "acceleration": 0}
-        closed = self.open.is_set()
-        self.open.set()  # while the motion is made
-        own = chasles.Trajectory(self.pose_at, lambda start, end: bounds)
-        if not closed:
-            self.open.clear()
-            self.came.clear()
-        return own
-
-
-@contextlib.contextmanager
-def held(gate, ask):
-    """While another thread asks, inside of its question. Yields a list, which has the answer afterwards."""
-    answers: list = []
-
-    def run():
-        try:
-            answers.append(ask())
-        except Exception as error:
-            answers.append(error)
-
-    thread = threading.Thread(target=run)
-    thread.start()
-    try:
-        assert gate.came.wait(60), "the question has to come to the gate"
-        yield answers
-    finally:
-        gate.open.set()
-        thread.join()
 
 
 def scene_at(gate, cube):
@@ -160,25 +112,6 @@ def test_a_function_of_a_question_cannot_change_the_scene_that_is_asked(cube):
         scene.first_contact()
     changes_scene[0] = False
     assert scene.first_contact().pair == ("own", "rest")
-
-
-def both_at_once(barrier, ask):
-    """Two threads, each of which waits for the other one inside of its question."""
-    answers: list = []
-
-    def run():
-        try:
-            answers.append(ask())
-        except Exception as error:
-            answers.append(error)
-
-    threads = [threading.Thread(target=run) for _ in range(2)]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-    assert not barrier.broken, "the questions do not run at the same time"
-    return answers
 
 
 def meets(barrier):
@@ -446,182 +379,3 @@ def test_a_refused_change_leaves_a_manager_whole(manager, cube):
         manager.add_object("a", cube, "here")
     assert manager.in_collision_internal() is False
     assert manager.min_distance_internal("a", return_names=True)[1] == ("a", "b")
-
-
-# --- Memories and limits ---
-
-
-def test_a_memory_cannot_be_used_by_the_question_that_has_it(cube):
-    memory = chasles.PairMemory(cube, cube)
-    far = pose(9, 0, 0)
-
-    def pose_at(time):
-        chasles.first_contact(cube, cube, far, far, memory=memory)
-        return [3 - 4 * time, 0.2, 0.3, 1, 0, 0, 0]
-
-    gate = Gate()
-    own = chasles.Trajectory(
-        lambda time: pose_at(time) if gate.open.is_set() else [3 - 4 * time, 0.2, 0.3, 1, 0, 0, 0],
-        lambda start, end: {"turn_rate": 0, "turn_acceleration": 0, "speed": 4, "acceleration": 0},
-    )
-    gate.open.set()
-    has_it = pytest.raises(chasles.InvalidInput, match="memory: the question around this call has it")
-    with has_it, chasles.Limit(20):  # it would wait for itself
-        chasles.first_contact(cube, cube, motion=own, margin=0.1, memory=memory)
-    gate.open.clear()
-    assert chasles.first_contact(cube, cube, motion=own, margin=0.1, memory=memory).verdict == "contact"
-
-
-def test_a_limit_ends_the_wait_for_a_memory(cube):
-    memory = chasles.PairMemory(cube, cube)
-    gate = Gate()
-    own = gate.trajectory()
-    with held(gate, lambda: chasles.first_contact(cube, cube, motion=own, memory=memory)) as answers:
-        with pytest.raises(chasles.Cancelled), chasles.Limit(0.1):
-            chasles.first_contact(cube, cube, ORIGIN, ORIGIN, memory=memory)
-    assert answers[0].verdict == "contact"
-
-
-def is_limited(cube):
-    """Whether questions of this thread reach a limit."""
-    return chasles.first_contact_batch(cube, cube, [ORIGIN], [ORIGIN])["verdict"][0] == "not_done"
-
-
-def test_limits_end_in_the_opposite_order(cube):
-    outer, inner = chasles.Limit(1e-9), chasles.Limit(100)
-    outer.__enter__()
-    inner.__enter__()
-    with pytest.raises(chasles.InvalidInput, match="limit: ends before a limit that began inside of it"):
-        outer.__exit__(None, None, None)
-    inner.__exit__(None, None, None)
-    assert not is_limited(cube)
-
-
-def test_a_limit_of_a_generator_ends_with_it(cube):
-    def limited():
-        with chasles.Limit(1e-9):
-            yield is_limited(cube)
-
-    generator = limited()
-    assert next(generator)
-    with chasles.Limit(100):
-        with pytest.raises(chasles.InvalidInput, match="limit: ends before"):
-            generator.close()
-        assert is_limited(cube)  # as the message says
-    assert not is_limited(cube)
-
-
-def test_a_limit_is_of_one_thread(cube):
-    limit = chasles.Limit(1e-9)
-    limits, step = [limit], [threading.Event(), threading.Event()]
-    seen = []
-
-    def other():
-        limits[0].__enter__()
-        step[0].set()
-        assert step[1].wait(60)
-        seen.append(is_limited(cube))
-        with chasles.Limit(100):
-            seen.append(is_limited(cube))
-
-    thread = threading.Thread(target=other)
-    thread.start()
-    assert step[0].wait(60)
-    assert not limit.is_over and not is_limited(cube)
-    with pytest.raises(chasles.InvalidInput, match="limit: ends in another thread than it began in"):
-        limit.__exit__(None, None, None)
-    limits.clear()
-    del limit
-    step[1].set()
-    thread.join()
-    assert seen == [True, False] and not is_limited(cube)
-
-
-# --- All at once: without the refusals these programs crash within a second ---
-
-HEAD = """
-import sys, threading, time
-sys.path.insert(0, {tests!r})
-import numpy as np
-import chasles
-from cubes import CUBE_FACES, CUBE_VERTICES, pose
-
-cube = chasles.Polyhedron(CUBE_VERTICES, CUBE_FACES)
-end, seen = time.monotonic() + 2, set()
-
-def repeat(*calls):
-    while time.monotonic() < end:
-        for call in calls:
-            try:
-                call()
-                seen.add(("done", call.__name__))
-            except chasles.InvalidInput as error:
-                seen.add(str(error).split(",")[0])
-            time.sleep(0.001)
-
-def run(*threads):
-    threads = [threading.Thread(target=repeat, args=calls) for calls in threads]
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
-"""
-
-STORMS = {
-    "scene": """
-scene = chasles.Scene()
-for i in range(40):
-    scene.add(f"b{i}", cube, pose(2 * i, 0, 0), pose(2 * i, 1, 0, 1, 0.1 * i, 0, 0))
-def add(): scene.add("new", cube, pose(0, 5, 0))
-def remove(): scene.remove("new")
-def move(): scene.move("b3", pose(6, 0, 0), pose(7, 0, 0))
-def ignore(): scene.ignore("b1", "b2")
-run([scene.first_contact, scene.clear_until], [scene.all_contacts], [add, remove], [move, ignore], [scene.ignore_touching_at_start])
-""",
-    "hand": """
-scene = chasles.Scene()
-scene.add("floor", cube)
-scene.add("box", cube, pose(0, 0, 2))
-scene.add("other", cube, pose(5, 0, 0), pose(6, 0, 0))
-hand = chasles.DraggedBody(scene, "box", margin=1e-3)
-def down(): hand.update(pose(0.2, 0, -1))
-def up(): hand.follow([pose(0, 0, 2), pose(0, 0.3, 2)])
-def move(): scene.move("other", pose(5, 1, 0))
-def force(): hand.force(pose(0, 0, 0))
-def where(): hand.pose
-run([down, up], [down], [scene.first_contact], [move], [force, where])
-""",
-    "manager": """
-manager = chasles.CollisionManager()
-for i in range(40):
-    manager.add_object(f"b{i}", cube, pose(2 * i, 0, 0))
-def add(): manager.add_object("new", cube, pose(0, 5, 0))
-def remove(): manager.remove_object("new")
-def single(): manager.in_collision_single(cube, return_names=True, return_data=True)
-def nearest(): manager.min_distance_single(cube, return_name=True, return_data=True)
-def inside(): manager.min_distance_internal(return_names=True, return_data=True)
-def other(): manager.in_collision_other(manager)
-run([single, nearest], [single, inside], [add, remove], [other], [add])
-""",
-    "stepper": """
-scene = chasles.Scene()
-for i in range(40):
-    scene.add(f"b{i}", cube, pose(2 * i, 0, 0), pose(2 * i, 1, 0, 1, 0.1 * i, 0, 0))
-stepper = chasles.Stepper(scene, margin=1e-3)
-def move(): stepper.move("b0", pose(0, 0.1, 0))
-def again():
-    global stepper
-    stepper = chasles.Stepper(scene, margin=1e-3)
-def advance(): stepper.advance()
-def poses(): stepper.poses()
-run([advance], [advance], [move], [poses], [again])
-""",
-}
-
-
-@pytest.mark.parametrize("storm", STORMS)
-def test_many_threads_crash_nothing(storm, request):
-    program = HEAD.format(tests=str(request.path.parent)) + STORMS[storm] + "\nprint(sorted(map(str, seen)))"
-    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=100)
-    assert (done.returncode, done.stderr) == (0, "")
-    assert "still running" in done.stdout and "done" in done.stdout, "the threads have to meet"
