@@ -1,5 +1,6 @@
 // chasles batch: many motions of one pair of bodies, on all cores. The rows of a chunk are written as soon as all its
 // motions are answered. After Ctrl-C, or when the time is over, --resume goes on from there.
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/csv_table.h"
 #include "chasles/io/motion_files.h"
 #include "chasles/io/text_scan.h"
@@ -73,6 +74,17 @@ std::vector<Motion> readable_motions(Rows rows, const MotionRule& rule) {
     return motions;
 }
 
+/// A row whose motion no question takes is in error, as one that cannot be read.
+void mark_refused(std::vector<io::MotionRow>& rows, const Bodies& bodies, const MotionRule& rule) {
+    for (io::MotionRow& row : rows)
+        try {
+            if (row.error.empty())
+                check_motion(bodies.moving, bodies.fixed, motion_between(rule, row.start, row.goal));
+        } catch (const InvalidInput& error) {
+            row.error = fmt::format("row {}: {}", io::one_line(row.id), error.what());
+        }
+}
+
 void count(Tally& tally, const io::MotionRow& row, const FirstContact* found) {
     if (found) {
         ++tally.verdicts[static_cast<std::size_t>(found->verdict)];
@@ -128,11 +140,13 @@ std::vector<std::string_view> whole_lines(std::string_view text) {
 /// Answers the motions in chunks and writes each chunk at once.
 class BatchRun {
 public:
-    BatchRun(const BatchOptions& options, Rows rows)
+    BatchRun(const BatchOptions& options, std::vector<io::MotionRow>& rows)
         : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
           rule_(rule_of(options.motion, options.query)), seconds_(seconds_of(options.query.seconds)),
           threads_(options.bodies.polyhedron.threads),
-          out_(options.out, options.resume ? Leftover::continued : Leftover::refused) {}
+          out_(options.out, options.resume ? Leftover::continued : Leftover::refused) {
+        mark_refused(rows, bodies_, rule_);
+    }
 
     /// All rows, or those before an interruption.
     Tally run() {
@@ -207,9 +221,9 @@ int report_unfinished(const std::string& what) {
 }
 
 int run_batch(const BatchOptions& options) {
-    const io::MotionList motions = io::load_motions(options.motions);
+    io::MotionList motions = io::load_motions(options.motions);
     print_warnings(motions.warnings);
-    const std::vector<io::MotionRow>& rows = motions.rows;
+    std::vector<io::MotionRow>& rows = motions.rows;
     const Interruption interruption;
     BatchRun batch(options, rows);
     const Tally tally = batch.run();

@@ -1,5 +1,7 @@
 // chasles path: the motions through the poses of a file. With time stamps, times count in stamps.
+#include "chasles/base/invalid_input.h"
 #include "chasles/io/motion_files.h"
+#include "chasles/io/text_scan.h"
 #include "cli/commands.h"
 #include "cli/motion_rule.h"
 #include "cli/options.h"
@@ -31,6 +33,7 @@ struct PathQuestion {
     MotionRule rule;
     QueryOptions options;
     Bodies bodies;
+    std::string file; ///< of the poses
 
     [[nodiscard]] bool has_stamps() const { return !path.stamps.empty(); }
 };
@@ -40,7 +43,7 @@ PathQuestion read_path_question(const PathOptions& options) {
     const io::Path path = io::load_path(options.poses);
     const MotionRule rule = rule_of(options.motion, options.query);
     const QueryOptions query = options_of(options.query);
-    return {path, rule, query, load_bodies(options.bodies)};
+    return {path, rule, query, load_bodies(options.bodies), options.poses};
 }
 
 /// The poses `first` to `last` and their stamps as one motion.
@@ -67,10 +70,20 @@ void count_in_stamps(FirstContact& found, const TimedPoses& track) {
             contact.approach_speed /= last - first;
 }
 
+/// Throws InvalidInput with the file for a motion that no question takes.
+void require_motion(const PathQuestion& question, const Motion& motion, const std::string& place = "") {
+    try {
+        check_motion(question.bodies.moving, question.bodies.fixed, motion);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(fmt::format("{}: {}{}", io::one_line(question.file), place, error.what()));
+    }
+}
+
 /// The whole path as one motion.
 StampedContact answer_track(const PathQuestion& question) {
     const std::size_t segments = question.path.poses.size() - 1;
     const TimedPoses track = track_of(question, 0, segments);
+    require_motion(question, track);
     PathContact found;
     found.contact = chasles::first_contact({.moving = question.bodies.moving,
                                             .fixed = question.bodies.fixed,
@@ -89,8 +102,10 @@ StampedContact answer_track(const PathQuestion& question) {
 StampedContact answer_segments(const PathQuestion& question) {
     const std::vector<Pose>& poses = question.path.poses;
     std::vector<Motion> motions;
-    for (std::size_t i = 0; i + 1 < poses.size(); ++i)
+    for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
         motions.push_back(motion_between(question.rule, poses[i], poses[i + 1]));
+        require_motion(question, motions.back(), fmt::format("segment {} (from 0): ", i));
+    }
     ProgressBar bar("segments", motions.size());
     PathContact found = first_contact_on_path({.moving = question.bodies.moving,
                                                .fixed = question.bodies.fixed,

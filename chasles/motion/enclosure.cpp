@@ -51,7 +51,6 @@ EnclosureBounds enclosure_bounds(const Vector3<double>& reference, const RateBou
                                  double rounding, double size) {
     EnclosureBounds bounds;
     bounds.reference = reference;
-    bounds.size = size;
     bounds.turn = rates.turn_rate * duration;
     bounds.travel = rates.speed * duration;
     // Both ends of the part have the rounding of poses, and the sweep is computed with as much.

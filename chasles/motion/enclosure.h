@@ -42,7 +42,6 @@ struct EnclosureBounds {
     double turn_deviation = 0; ///< of the orientation: the norm of the difference of rotation matrices is at most this
     double rounding = 0;       ///< the share of `deviation` that shorter parts do not reduce, mesh unit
     double turn_rounding = 0;  ///< likewise of `turn_deviation`
-    double size = 0;           ///< of all lengths that enter the poses, mesh unit
 
     /// A bound of how far any point of a ball of the moving body is from its true place.
     [[nodiscard]] double deviation_of(const Ball& ball) const;

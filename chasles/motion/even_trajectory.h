@@ -105,6 +105,9 @@ public:
     EvenTrajectory(Kind kind, const MotionEnds& ends, const Eigen::Vector3d& centre);
 
     [[nodiscard]] SharedFrame frame() const;
+    [[nodiscard]] double size() const {
+        return ends_.start.translation.lpNorm<1>() + ends_.goal.translation.lpNorm<1>() + centre_.lpNorm<1>();
+    }
     [[nodiscard]] SmoothPieces pieces() const;
     [[nodiscard]] PathBall ball_around_path(const Vector3<double>& point) const;
     [[nodiscard]] static std::size_t coarse_count() { return 1; }

@@ -140,6 +140,7 @@ public:
     [[nodiscard]] Pose pose_at(double time) const;
     [[nodiscard]] Pose fixed_pose_at(double time) const;
 
+    [[nodiscard]] double size() const { return motion_.relative->size(); }
     [[nodiscard]] SharedFrame frame() const { return motion_.fixed ? nullptr : motion_.moving; }
 
 private:

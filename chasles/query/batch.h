@@ -25,11 +25,11 @@ struct BatchQuery {
 };
 
 /// One answer a motion, in order; the same for any number of threads. Throws InvalidInput for an option out of its
-/// range.
+/// range, and for a motion that check_motion refuses, before any motion is answered.
 CHASLES_EXPORT std::vector<FirstContact> first_contact_batch(const BatchQuery& query);
 
 /// Many questions, each with its own bodies, motion and options. One answer a question, in order; the same for any
-/// number of threads. Throws InvalidInput for an option out of its range, before any question is answered.
+/// number of threads. Throws InvalidInput as first_contact does, before any question is answered.
 CHASLES_EXPORT std::vector<FirstContact> first_contact_batch(std::span<const FirstContactQuery> queries,
                                                              const BatchOptions& options = {});
 

@@ -5,6 +5,10 @@
 
 namespace chasles {
 
+void check_motion(const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion) {
+    query::require_near(moving.body(), fixed.body(), motion.trajectory());
+}
+
 FirstContact first_contact(const FirstContactQuery& query) {
     query::check_options(query.options);
     query::require(!query.memory || query.memory->is_of(query.moving, query.fixed), "memory", "is of other bodies");

@@ -68,8 +68,13 @@ struct FirstContactQuery {
     PairMemory* memory = nullptr; ///< of both bodies: saves time where questions follow each other at nearby places
 };
 
-/// Answers the question. Throws InvalidInput for an option out of its range, and for a memory of other bodies.
-/// Source: paper sections 2, 3, 4 and 5.1; docs/derivations/07-swept-boxes.md proves that the search loses nothing.
+/// Throws InvalidInput "motion: WHY" for a motion that no question about these bodies takes: one that is enclosed, and
+/// goes farther than 1e10 times the radius of the larger body. Source: docs/decisions/0012-range-of-coordinates.md.
+CHASLES_EXPORT void check_motion(const Polyhedron& moving, const Polyhedron& fixed, const Motion& motion);
+
+/// Answers the question. Throws InvalidInput for an option out of its range, for a motion that check_motion refuses,
+/// and for a memory of other bodies. Source: paper sections 2, 3, 4 and 5.1; docs/derivations/07-swept-boxes.md proves
+/// that the search loses nothing.
 CHASLES_EXPORT FirstContact first_contact(const FirstContactQuery& query);
 
 } // namespace chasles

@@ -224,6 +224,7 @@ void query::check_options(const LeastDistanceOptions& options) {
 }
 
 LeastDistance query::answer(const LeastPairQuery& query) {
+    require_near(query.moving, query.fixed, query.trajectory);
     return LeastDistanceSearch(query).run();
 }
 
@@ -236,6 +237,7 @@ std::vector<LeastDistance> least_distance_batch(const LeastDistanceBatchQuery& q
     query::check_options(query.options);
     const Body& moving = query.moving.body();
     const Body& fixed = query.fixed.body();
+    query::require_near(moving, fixed, query.motions);
     LeastDistance unanswered;
     unanswered.distance.upper = std::numeric_limits<double>::infinity();
     return query::all_answers<LeastDistance>(

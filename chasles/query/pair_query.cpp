@@ -3,6 +3,7 @@
 #include "chasles/algebra/rounding_mode.h"
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/limit.h"
+#include "chasles/base/number_text.h"
 #include "chasles/contact/relative_configuration.h"
 #include "chasles/culling/clearly_apart.h"
 #include "chasles/culling/far_apart.h"
@@ -304,8 +305,29 @@ void check_options(const QueryOptions& options) {
     require(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
 }
 
+std::string refusal_of(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory) {
+    constexpr double farthest = 1e10;
+    const double size = trajectory.size(), radius = std::max(moving.bvh().radius(), fixed.bvh().radius());
+    if (size <= farthest * radius || !trajectory.pieces()->at(0)->enclosure({0, 1}))
+        return {};
+    return "goes up to " + number_text(size, 3) + " far, more than 1e10 times the radius of the larger body, " +
+           number_text(radius, 3) + ", where rounding would decide; a screw or a sweep may, for they are exact";
+}
+
+void require_near(const Body& moving, const Body& fixed, std::span<const Motion> motions) {
+    for (std::size_t i = 0; i < motions.size(); ++i)
+        if (const std::string why = refusal_of(moving, fixed, motions[i].trajectory()); !why.empty())
+            throw InvalidInput("motions[" + std::to_string(i) + "]: " + why);
+}
+
+void require_near(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory) {
+    if (const std::string why = refusal_of(moving, fixed, trajectory); !why.empty())
+        throw InvalidInput("motion: " + why);
+}
+
 FirstContact answer(const PairQuery& query) {
     const auto& [moving, fixed, trajectory, options, until, neighbours, orbits] = query;
+    require_near(moving, fixed, trajectory);
     if (culling::are_far_apart(moving, fixed, trajectory, options.margin) ||
         culling::are_clearly_apart(moving, fixed, trajectory, options.margin)) {
         FirstContact clear;

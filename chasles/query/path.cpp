@@ -10,6 +10,7 @@ PathContact first_contact_on_path(const PathQuery& query) {
     if (query.motions.empty())
         throw InvalidInput("path: motions: at least one is needed");
     query::check_options(query.options);
+    query::require_near(query.moving.body(), query.fixed.body(), query.motions);
     PathContact result;
     Work work;
     search::OrbitFilter orbits(query.moving.body(), query.fixed.body());

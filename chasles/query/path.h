@@ -23,7 +23,8 @@ struct PathQuery {
     std::function<void(std::size_t done)> progress = {};
 };
 
-/// Throws InvalidInput for a path without motions and for an option out of its range.
+/// Throws InvalidInput for a path without motions, for an option out of its range, and for a motion that check_motion
+/// refuses.
 CHASLES_EXPORT PathContact first_contact_on_path(const PathQuery& query);
 
 } // namespace chasles

@@ -1,7 +1,5 @@
 #include "chasles/search/piece_context.h"
 
-#include "chasles/base/invalid_input.h"
-#include "chasles/base/number_text.h"
 #include "chasles/culling/body_ball.h"
 
 #include <algorithm>
@@ -27,25 +25,11 @@ std::optional<motion::EnclosureBounds> bounds_of_start(const motion::AnyPiece& p
     return start ? std::optional(start->bounds) : std::nullopt;
 }
 
-/// Poses in double err by 2^-46 of the lengths that enter (docs/decisions/0012-range-of-coordinates.md). Farther away
-/// nothing could be decided by doubles.
-void require_near(double reach, double radius) {
-    constexpr double farthest = 1e10;
-    if (!(reach <= farthest * radius))
-        throw InvalidInput("motion: goes up to " + number_text(reach, 3) +
-                           " far, more than 1e10 times the radius of the larger body, " + number_text(radius, 3) +
-                           ", where rounding would decide; a screw or a sweep may, for they are exact");
-}
-
 } // namespace
 
 PieceContext::PieceContext(const Body& moving, const Body& fixed, std::unique_ptr<const motion::AnyPiece> piece)
     : moving_(moving), fixed_(fixed), piece_(std::move(piece)), start_(bounds_of_start(*piece_)),
-      maps_(motion::double_maps(piece_->cubic())), norms_(maps_) {
-    if (start_)
-        require_near(std::max(error_scale(0).length, start_->size),
-                     std::max(moving.bvh().radius(), fixed.bvh().radius()));
-}
+      maps_(motion::double_maps(piece_->cubic())), norms_(maps_) {}
 
 elementary::ErrorScale PieceContext::error_scale(double margin) const {
     const motion::RationalMotion<algebra::DoubleDouble>& cubic = piece_->cubic();

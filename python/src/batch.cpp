@@ -25,7 +25,7 @@ void write_answer(const FirstContact& found, Row& row) {
 void first_contact_rows(const BodyPair& bodies, const RowMotions& motions, nb::handle array, const QueryOptions& query,
                         const RowOptions& options, nb::handle report) {
     motion_rows<Row>(
-        motions, array, options, report,
+        bodies, motions, array, options, report,
         [&](const Polyhedron& triangle, const Motion& rest) {
             static_cast<void>(first_contact({triangle, triangle, rest, query}));
         },

@@ -91,7 +91,7 @@ void answer_batch(nb::handle moving, nb::handle fixed, const RowMotions& motions
         return least_distance({a, b, motion, options});
     };
     motion_rows<LeastRow>(
-        motions, array, rows, report,
+        {moving_body, fixed_body}, motions, array, rows, report,
         [&](const Polyhedron& triangle, const Motion& rest) { static_cast<void>(ask_about(triangle, triangle, rest)); },
         [&](const Motion& motion, LeastRow& row) {
             const LeastDistance found = ask_about(moving_body, fixed_body, motion);

@@ -6,6 +6,8 @@
 #include "chasles/base/parallel_for.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
+#include "chasles/query/first_contact.h"
+#include "python/src/body.h"
 #include "python/src/interruptible.h"
 #include "python/src/motions.h"
 #include "python/src/names.h"
@@ -159,11 +161,40 @@ inline Motion row_motion(const RowOptions& options, const Pose& start, const Pos
     }
 }
 
+/// Refuses motions that no question about the bodies takes, before any row is answered. Where errors are marked, the
+/// answers of their rows do so.
+template <typename NameOf, typename MotionOf>
+void require_motions(const BodyPair& bodies, std::size_t rows, const RowOptions& options, const NameOf& name_of,
+                     const MotionOf& motion_of) {
+    const auto check_row = [&](std::size_t i) { check_motion(bodies.moving, bodies.fixed, motion_of(i)); };
+    std::vector<std::uint8_t> is_refused(options.marks_errors ? 0 : rows);
+    parallel_for(options.threads, is_refused.size(), [&](std::size_t begin, std::size_t end) {
+        for (std::size_t i = begin; i < end; ++i)
+            try {
+                check_row(i);
+            } catch (const InvalidInput&) {
+                is_refused[i] = true;
+            }
+    });
+    const auto first = std::size_t(std::ranges::find(is_refused, 1) - is_refused.begin());
+    try {
+        if (first < is_refused.size())
+            check_row(first);
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(name_of(first) + ": " + error.what());
+    }
+}
+
 /// The rows of given motions.
 template <typename AnyRow, typename Answer>
-void given_rows(nb::handle motions, const Table<AnyRow>& table, const RowOptions& options, nb::handle report,
-                const Answer& answer) {
+void given_rows(const BodyPair& bodies, nb::handle motions, const Table<AnyRow>& table, const RowOptions& options,
+                nb::handle report, const Answer& answer) {
     const GivenMotions given(motions, options);
+    RowOptions with_gil = options; // in this thread: motions may be functions of Python
+    with_gil.threads = 1;
+    require_motions(
+        bodies, given.size(), with_gil, [](std::size_t i) { return fmt::format("motions[{}]", i); },
+        [&](std::size_t i) { return plain(given[i]); });
     if (table.size() != given.size())
         throw InvalidInput(fmt::format("table: has {} rows for {} motions", table.size(), given.size()));
     const auto work = [&](Progress& progress) {
@@ -179,12 +210,12 @@ void given_rows(nb::handle motions, const Table<AnyRow>& table, const RowOptions
 /// The rows of motions from starts to goals, or of given motions. `try_options(triangle, motion)` refuses invalid
 /// options; `answer(motion, row)` answers one row.
 template <typename AnyRow, typename TryOptions, typename Answer>
-void motion_rows(const RowMotions& motions, nb::handle array, const RowOptions& options, nb::handle report,
-                 const TryOptions& try_options, const Answer& answer) {
+void motion_rows(const BodyPair& bodies, const RowMotions& motions, nb::handle array, const RowOptions& options,
+                 nb::handle report, const TryOptions& try_options, const Answer& answer) {
     const Table<AnyRow> table(array);
     if (!motions.motions.is_none()) {
         check(options, try_options);
-        return given_rows(motions.motions, table, options, report, answer);
+        return given_rows(bodies, motions.motions, table, options, report, answer);
     }
     const PoseArray start_array(motions.starts, "starts"), goal_array(motions.goals, "goals");
     if (goal_array.size() != start_array.size())
@@ -198,6 +229,10 @@ void motion_rows(const RowMotions& motions, nb::handle array, const RowOptions& 
         };
         const ReadPoses from(start_array, options, progress, named("starts")),
             to(goal_array, options, progress, named("goals"));
+        if (!view::has_tau(options.motion))
+            require_motions(
+                bodies, table.size(), options, [](std::size_t i) { return fmt::format("starts[{}], goals[{}]", i, i); },
+                [&](std::size_t i) { return row_motion(options, from[i], to[i]); });
         answer_rows(table, options, progress, [&](std::size_t i) {
             answer(row_motion(options, from[i], to[i]), table[i]);
             if (!view::has_tau(options.motion))

@@ -59,6 +59,22 @@ TEST_F(Batch, AnswersClearWhenAllAre) {
     EXPECT_EQ(rows()[2][0], "1") << "the number of the row, from 0";
 }
 
+/// An enclosed motion that goes too far is refused (docs/decisions/0012-range-of-coordinates.md).
+TEST_F(Batch, AnswersTheOthersWhereAMotionGoesTooFar) {
+    const std::string far = "0,0,1e20,1,0,0,0,0,0,5,0.9,0.3,0,0\n", near = "0,0,9,1,0,0,0,0,0,5,0.9,0.3,0,0\n";
+    const auto finished = batch(columns + near + far + near, "--motion velocity");
+    EXPECT_EQ(finished.status, 2);
+    EXPECT_TRUE(finished.err.starts_with(
+        "chasles: motions.csv: 1 of 3 rows cannot be read; the first: row 1: motion: goes up to 1e+20 far"))
+        << finished.err;
+    const auto table = rows();
+    ASSERT_EQ(table.size(), 4U);
+    EXPECT_EQ(table[1][1], "clear");
+    EXPECT_EQ(table[2][1], "error");
+    EXPECT_EQ(table[3][1], "clear");
+    EXPECT_EQ(batch(columns + near + far + near).status, 0) << "screws are exact";
+}
+
 TEST_F(Batch, AnswersTheOthersWhereRowsAreBad) {
     const auto finished = batch(columns + misses + "1,2\n" + hits + "x" + misses);
     EXPECT_EQ(finished.status, 2);

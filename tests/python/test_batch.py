@@ -106,6 +106,25 @@ def test_a_bad_pose_costs_its_row_alone_if_asked_for(cube):
     assert_same_rows(table[~bad], expected[~bad])
 
 
+def test_a_motion_that_goes_too_far_is_refused_before_any_row_or_costs_its_row_alone(cube):
+    """docs/decisions/0012-range-of-coordinates.md"""
+    starts = [pose(0, 0, 9), pose(0, 0, 1e20), pose(0, 0, 9)]
+    goals = [pose(0, 0, 5, 0.9, 0.3, 0, 0.2)] * 3
+    motions = [chasles.ConstantVelocity.between(*ends) for ends in zip(starts, goals)]
+    for ask in (chasles.first_contact_batch, chasles.least_distance_batch):
+        for kind in ("velocity", "twist"):
+            table = chasles.empty_table(3) if ask is chasles.first_contact_batch else None
+            with pytest.raises(chasles.InvalidInput, match=r"starts\[1\], goals\[1\]: motion: goes up to 1e\+20 far"):
+                ask(cube, cube, starts, goals, motion=kind, table=table)
+            assert table is None or (table["verdict"] == chasles.empty_table(3)["verdict"]).all()
+        with pytest.raises(chasles.InvalidInput, match=r"motions\[1\]: motion: goes up to 1e\+20 far"):
+            ask(cube, cube, motions=motions)
+    for arguments in ({"starts": starts, "goals": goals, "motion": "velocity"}, {"motions": motions}):
+        table = chasles.first_contact_batch(cube, cube, **arguments, errors="mark")
+        assert table["verdict"].tolist() == ["clear", "error", "clear"]
+    assert (chasles.first_contact_batch(cube, cube, starts, goals)["verdict"] == "clear").all(), "screws are exact"
+
+
 @pytest.mark.parametrize(
     "options", [{"margin": -1}, {"max_turn": 0}, {"find": "last"}, {"threads": -1}, {"errors": "x"}]
 )

@@ -1,6 +1,9 @@
 // Whole queries on extreme bodies and motions against exact rationals: no contact is missed, certain answers are true,
 // and false alarms occur only within the bound.
 #include "chasles/base/invalid_input.h"
+#include "chasles/query/batch.h"
+#include "chasles/query/least_distance.h"
+#include "chasles/query/path.h"
 #include "tests/query/bodies.h"
 #include "tests/query/exact_answer.h"
 #include "tests/support/exact_reference.h"
@@ -366,11 +369,39 @@ TEST(ExtremeInputs, MotionsFromTooFarAwayAreRefusedUnlessTheyAreExact) {
         expect_exact(sweep, from);
     }
     for (const double from : {1e11, 1e15, 1e30}) {
-        EXPECT_NE(refusal([&] { (void)asked(velocity, from); }).find("motion: goes up to "), std::string::npos);
-        EXPECT_NE(
-            refusal([&] { (void)asked(twist, from); }).find("than 1e10 times the radius of the larger body, 0.866"),
-            std::string::npos);
+        EXPECT_EQ(refusal([&] { (void)asked(velocity, from); }).substr(0, 20), "motion: goes up to 1");
+        EXPECT_NE(refusal([&] { (void)asked(twist, from); }).find("1e10 times the radius of the larger body, 0.866"),
+                  std::string::npos);
     }
+}
+
+/// Batches and paths refuse them before they answer anything, and name them.
+TEST(ExtremeInputs, AMotionFromTooFarAwayIsNamed) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    const auto towards = [&](double from) {
+        return Motion::velocity(shifted(0, 0, from), turned({0, 0, 3}, {1, 2, 3}, 1.2));
+    };
+    const std::vector<Motion> motions{towards(7), towards(1e20), towards(8)};
+    std::size_t done = 0;
+    const auto count = [&](std::size_t rows) { done = rows; };
+    const std::string why = "motions[1]: goes up to 1e+20 far";
+    EXPECT_EQ(refusal([&] {
+                  (void)first_contact_batch(
+                      {.moving = cube, .fixed = cube, .motions = motions, .batch = {.progress = count}});
+              }).substr(0, why.size()),
+              why);
+    EXPECT_EQ(refusal([&] {
+                  (void)least_distance_batch(
+                      {.moving = cube, .fixed = cube, .motions = motions, .batch = {.progress = count}});
+              }).substr(0, why.size()),
+              why);
+    EXPECT_EQ(refusal([&] {
+                  (void)first_contact_on_path({.moving = cube, .fixed = cube, .motions = motions, .progress = count});
+              }).substr(0, why.size()),
+              why);
+    EXPECT_EQ(done, 0U);
+    EXPECT_EQ(refusal([&] { check_motion(cube, cube, motions[0]); }), "accepted");
+    EXPECT_EQ(refusal([&] { check_motion(cube, cube, motions[1]); }).substr(0, 7), "motion:");
 }
 
 } // namespace
