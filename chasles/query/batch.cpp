@@ -2,6 +2,7 @@
 
 #include "chasles/query/all_answers.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 
 namespace chasles {
 

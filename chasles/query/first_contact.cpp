@@ -1,6 +1,7 @@
 #include "chasles/query/first_contact.h"
 
 #include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/query/swap_roles.h"
 
 namespace chasles {

@@ -3,6 +3,7 @@
 #include "chasles/query/all_answers.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/query/report.h"
+#include "chasles/query/requirements.h"
 #include "chasles/query/swap_roles.h"
 #include "chasles/search/descent.h"
 
@@ -216,12 +217,6 @@ void LeastDistanceSearch::list_contacts(LeastDistance& answer, const ContactMome
 }
 
 } // namespace
-
-void query::check_options(const LeastDistanceOptions& options) {
-    require(options.tolerance >= 1e-12 && options.tolerance <= 1, "tolerance", "must be in [1e-12, 1]");
-    require(options.find != Find::any, "find", "a least distance has no use for `any`");
-    check_options(QueryOptions{.time_tolerance = options.time_tolerance});
-}
 
 LeastDistance query::answer(const LeastPairQuery& query) {
     require_near(query.moving, query.fixed, query.trajectory);

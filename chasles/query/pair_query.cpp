@@ -1,16 +1,13 @@
 #include "chasles/query/pair_query.h"
 
-#include "chasles/algebra/rounding_mode.h"
-#include "chasles/base/invalid_input.h"
 #include "chasles/base/limit.h"
-#include "chasles/base/number_text.h"
 #include "chasles/contact/relative_configuration.h"
 #include "chasles/culling/clearly_apart.h"
 #include "chasles/culling/far_apart.h"
 #include "chasles/query/report.h"
+#include "chasles/query/requirements.h"
 
 #include <algorithm>
-#include <string>
 
 namespace chasles::query {
 
@@ -18,9 +15,6 @@ namespace {
 
 using search::PieceContext;
 using search::PieceResult;
-
-/// The largest coordinate of a scene (docs/decisions/0012-range-of-coordinates.md).
-constexpr double largest_margin = 1e30;
 
 /// The pairs, unless there are too many to list.
 const search::PartPairs* complete(const search::PartPairs& pairs) {
@@ -287,43 +281,6 @@ double PieceByPiece::least_distance(const ContactMoment& start, const search::Ne
 }
 
 } // namespace
-
-void require(bool holds, const char* option, const char* why) {
-    if (!holds)
-        throw InvalidInput(std::string("query: ") + option + ": " + why);
-}
-
-void require_hold(double hold) {
-    require(hold >= 0 && hold <= largest_margin, "hold", "must be in [0, 1e30]");
-}
-
-void check_options(const QueryOptions& options) {
-    require(algebra::rounds_to_nearest(), "floating point", "must round to nearest; it is set to round otherwise");
-    require(options.margin >= 0 && options.margin <= largest_margin, "margin", "must be in [0, 1e30]");
-    require(!options.hold || (*options.hold >= 0 && *options.hold < options.margin), "hold",
-            "must be at least 0 and less than the margin");
-    require(options.time_tolerance >= 1e-15 && options.time_tolerance <= 1, "time_tolerance", "must be in [1e-15, 1]");
-}
-
-std::string refusal_of(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory) {
-    constexpr double farthest = 1e10;
-    const double size = trajectory.size(), radius = std::max(moving.bvh().radius(), fixed.bvh().radius());
-    if (size <= farthest * radius || !trajectory.pieces()->at(0)->enclosure({0, 1}))
-        return {};
-    return "goes up to " + number_text(size, 3) + " far, more than 1e10 times the radius of the larger body, " +
-           number_text(radius, 3) + ", where rounding would decide; a screw or a sweep may, for they are exact";
-}
-
-void require_near(const Body& moving, const Body& fixed, std::span<const Motion> motions) {
-    for (std::size_t i = 0; i < motions.size(); ++i)
-        if (const std::string why = refusal_of(moving, fixed, motions[i].trajectory()); !why.empty())
-            throw InvalidInput("motions[" + std::to_string(i) + "]: " + why);
-}
-
-void require_near(const Body& moving, const Body& fixed, const motion::AnyTrajectory& trajectory) {
-    if (const std::string why = refusal_of(moving, fixed, trajectory); !why.empty())
-        throw InvalidInput("motion: " + why);
-}
 
 FirstContact answer(const PairQuery& query) {
     const auto& [moving, fixed, trajectory, options, until, neighbours, orbits] = query;

@@ -2,6 +2,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/search/orbit_filter.h"
 
 namespace chasles {

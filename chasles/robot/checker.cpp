@@ -4,6 +4,7 @@
 #include "chasles/base/limit_of_thread.h"
 #include "chasles/base/parallel_for.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/robot/segment_pairs.h"
 
 #include <algorithm>

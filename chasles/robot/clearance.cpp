@@ -1,5 +1,6 @@
 // How near does a robot come along a path? Source: docs/derivations/29-robots.md, "Clearance".
 #include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/robot/segment_pairs.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "chasles/robot/pair_proof.h"
 
 #include "chasles/base/limit_of_thread.h"
-#include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/robot/pair_search.h"
 
 #include <algorithm>

@@ -2,7 +2,7 @@
 #include "chasles/robot/prepared.h"
 
 #include "chasles/motion/screw_path.h"
-#include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 
 #include <algorithm>
 

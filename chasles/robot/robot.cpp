@@ -1,7 +1,7 @@
 // The public face of a robot. A changed robot has a changed copy of its model, so checkers keep theirs.
 #include "chasles/robot/robot.h"
 
-#include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/robot/model.h"
 
 #include <algorithm>

@@ -4,6 +4,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/scene/curve_order.h"
 #include "chasles/scene/pair_question.h"
 #include "chasles/scene/swept_body.h"

@@ -2,7 +2,7 @@
 #include "chasles/scene/scene.h"
 
 #include "chasles/base/invalid_input.h"
-#include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/scene/pair_question.h"
 
 #include <algorithm>

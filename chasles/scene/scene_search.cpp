@@ -5,6 +5,7 @@
 #include "chasles/base/parallel_for.h"
 #include "chasles/base/sort.h"
 #include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 #include "chasles/scene/pair_question.h"
 #include "chasles/scene/pair_tasks.h"
 

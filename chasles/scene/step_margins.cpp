@@ -1,6 +1,6 @@
 #include "chasles/scene/step_margins.h"
 
-#include "chasles/query/pair_query.h"
+#include "chasles/query/requirements.h"
 
 #include <algorithm>
 
