@@ -11,12 +11,15 @@ TIDY = algebra base hierarchy io mesh
 empty :=
 one_of = ^($(subst $(empty) ,|,$(strip $(1))))$$
 
-.PHONY: help demo quick check python-check wasm playground wasm-check site facts attack install bench asan asan-core tsan fuzz clang tidy tidy-core abuse check-builds format clean
+.PHONY: help demo quick check check-builds check-night builds python-check wasm playground wasm-check site facts attack install \
+	bench variants asan asan-core tsan fuzz tidy tidy-core abuse format clean
 
 help:
 	@echo "make demo     install what is missing, build, and let Chasles show itself"
 	@echo "make quick    build and run the unit tests of the layers, without the slow ones: a minute where little has changed"
-	@echo "make check    install what is missing, build with checks, and run every test"
+	@echo "make check    install what is missing, build with checks, and test all behaviour"
+	@echo "make check-builds  test other builds: variants, consumers, sanitizers of the core, fuzzers, WebAssembly, clang-tidy"
+	@echo "make check-night   what takes hours: every test under sanitizers, abuse, attack, ten minutes of each fuzzer"
 	@echo "make python-check  install the Python package into a fresh environment and run its tests"
 	@echo "make wasm     build the npm package: the library for WebAssembly, in build/wasm/package"
 	@echo "make playground    build the page to drag bodies in a browser: build/playground/index.html"
@@ -26,15 +29,14 @@ help:
 	@echo "make attack   ten million elementary queries and 100,000 mesh pairs against exact arithmetic (a night)"
 	@echo "make install  install the library and the command line to PREFIX (default $(PREFIX))"
 	@echo "make bench    install what is compared with, build and run the benchmarks, and plot them"
-	@echo "make asan     every test but the largest nuts under the address and undefined-behaviour sanitizers"
-	@echo "make asan-core     the same for the layers that an answer is computed in, without the nuts"
+	@echo "make variants the same bits from other compiler options, consumers of the library, headers alone"
+	@echo "make asan     every test but the largest nuts by Clang under the address and undefined-behaviour sanitizers"
+	@echo "make asan-core     the same for the layers that an answer is computed in, without the nuts, and for a demo"
 	@echo "make tsan     the tests that share bodies between threads, under the thread sanitizer"
 	@echo "make fuzz     run each fuzzer for FUZZ_SECONDS (default $(FUZZ_SECONDS))"
-	@echo "make clang    build the library and the command line by Clang, with warnings as errors"
 	@echo "make tidy     clang-tidy over the library, the scenes and the command line"
 	@echo "make tidy-core     clang-tidy over the layers that have no findings"
 	@echo "make abuse    kill, interrupt and starve every command, and give it damaged files (an hour)"
-	@echo "make check-builds  what takes hours: sanitizers, Clang, clang-tidy, ten minutes of each fuzzer, and abuse"
 	@echo "make format   lay out every source file"
 
 # A build folder that is new is compiled once: then batches of sources take a third of the time.
@@ -47,12 +49,28 @@ demo:
 	build/release/bin/chasles demo
 
 check:
-	@tools/install_dependencies.sh check fuzz python
-	cmake --preset dev $(call in_batches,build/dev)
+	@tools/install_dependencies.sh check python
+	cmake --preset dev -D CHASLES_TEST_BUILDS=OFF $(call in_batches,build/dev)
 	cmake --build --preset dev -j $(JOBS)
 	ctest --preset dev -j $(JOBS)
 	tools/python_check.sh build/dev
-	tools/fuzz.sh $(FUZZ_SECONDS) $(JOBS)
+
+# What the continuous integration runs one by one after `make check`.
+BUILDS = variants asan-core fuzz wasm-check tidy-core
+
+check-builds: $(BUILDS)
+
+builds:
+	@echo $(BUILDS)
+
+check-night: asan tsan tidy abuse attack
+	@$(MAKE) fuzz FUZZ_SECONDS=600
+
+variants:
+	@tools/install_dependencies.sh check
+	cmake --preset dev -D CHASLES_TEST_BUILDS=ON $(call in_batches,build/dev)
+	cmake --build --preset dev -j $(JOBS)
+	ctest --preset variants -j $(JOBS)
 
 quick:
 	@tools/install_dependencies.sh check
@@ -114,16 +132,17 @@ bench:
 	build/bench/bin/chasles_bench
 
 asan:
-	@tools/install_dependencies.sh check
-	cmake --preset asan
+	@tools/install_dependencies.sh check fuzz
+	cmake --preset asan $(call in_batches,build/asan)
 	cmake --build --preset asan -j $(JOBS)
 	ctest --preset asan -j $(JOBS)
 
 asan-core:
-	@tools/install_dependencies.sh check
-	cmake --preset asan
-	cmake --build --preset asan -j $(JOBS) --target $(CORE:%=chasles_%_tests)
+	@tools/install_dependencies.sh check fuzz
+	cmake --preset asan $(call in_batches,build/asan)
+	cmake --build --preset asan -j $(JOBS) --target chasles_cli $(CORE:%=chasles_%_tests)
 	ctest --preset asan -j $(JOBS) -L '$(call one_of,$(CORE))' -E 'Nut'
+	build/asan/bin/chasles demo
 
 tsan:
 	@tools/install_dependencies.sh check
@@ -137,28 +156,21 @@ abuse:
 	cmake --build --preset dev -j $(JOBS) --target chasles_cli
 	python3 tests/abuse build/dev/bin/chasles --jobs $(JOBS)
 
-check-builds: asan tsan clang tidy abuse
-	@$(MAKE) fuzz FUZZ_SECONDS=600
-
 fuzz:
-	@tools/install_dependencies.sh fuzz
-	tools/fuzz.sh $(FUZZ_SECONDS) $(JOBS)
-
-clang:
-	@tools/install_dependencies.sh install fuzz
-	cmake --preset clang
-	cmake --build --preset clang -j $(JOBS)
-	build/clang/bin/chasles demo
+	@tools/install_dependencies.sh check fuzz
+	cmake --preset asan $(call in_batches,build/asan) -D CHASLES_FUZZ_SECONDS=$(FUZZ_SECONDS)
+	cmake --build --preset asan -j $(JOBS) --target chasles_fuzzers
+	ctest --preset asan -j $(JOBS) -L fuzz
 
 tidy:
 	@tools/install_dependencies.sh install fuzz tidy
-	cmake --preset clang
-	tools/tidy.sh build/clang
+	cmake --preset tidy
+	tools/tidy.sh build/tidy
 
 tidy-core:
 	@tools/install_dependencies.sh install fuzz tidy
-	cmake --preset clang
-	tools/tidy.sh build/clang 'chasles/$(patsubst ^%$$,%,$(call one_of,$(TIDY)))/'
+	cmake --preset tidy
+	tools/tidy.sh build/tidy 'chasles/$(patsubst ^%$$,%,$(call one_of,$(TIDY)))/'
 
 format:
 	@tools/install_dependencies.sh format

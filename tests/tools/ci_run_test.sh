@@ -14,29 +14,35 @@ run() {
     last=$(printf '%s\n' "$output" | tail -n 1)
 }
 
-pretend make 'case $1 in
+builds='-s) echo asan-core wasm-check tidy-core ;;'
+pretend make "case \$1 in
+    $builds"'
     check) echo "100% tests passed, 0 tests failed out of 20"; echo "=== 7 passed, 2 skipped in 1.50s ==="
            echo "100% tests passed, 0 tests failed out of 4" ;;
     asan-core) echo "100% tests passed, 0 tests failed out of 100" ;;
 esac'
 run
 expect "the summaries of ctest and pytest are added up, and steps without tests" \
-    '[ $status -eq 0 ] && [ "$last" = "134 passed, 0 failed" ]'
+    '[ $status -eq 0 ] && [ "$last" = "133 passed, 0 failed" ]'
 
 run 3010
 expect "after 50 minutes no step is begun" \
-    '[ $status -eq 0 ] && [ "$last" = "31 passed, 0 failed" ] && [ "$(cat "$folder/log")" = "make check" ]'
+    '[ $status -eq 0 ] && [ "$last" = "31 passed, 0 failed" ] && ! grep -q "asan-core" "$folder/log"'
 
-pretend make 'case $1 in
+pretend make "case \$1 in
+    $builds"'
     check) echo "90% tests passed, 2 tests failed out of 20"; exit 2 ;;
-    clang) echo "error: unused variable"; exit 2 ;;
+    asan-core) echo "error: unused variable"; exit 2 ;;
 esac'
 run
 expect "failed tests and failed steps are counted, and the rest is run all the same" \
-    '[ $status -ne 0 ] && [ "$last" = "21 passed, 3 failed" ]'
+    '[ $status -ne 0 ] && [ "$last" = "20 passed, 3 failed" ]'
 
 pretend timeout 'exit 124'
-pretend make 'echo "100% tests passed, 0 tests failed out of 20"'
+pretend make "case \$1 in
+    $builds
+    *) echo '100% tests passed, 0 tests failed out of 20' ;;
+esac"
 run
 expect "a step that is stopped is skipped, not failed" \
     '[ $status -eq 0 ] && [ "$last" = "20 passed, 0 failed" ] && case $output in *"asan-core was stopped"*) ;; *) false ;; esac'
