@@ -96,8 +96,7 @@ std::string report_nearest(const LeastDistance& found) {
 }
 
 std::string verdict_text(const FirstContact& found, double margin) {
-    const bool is_at_hold_distance = !found.held.empty() && found.clear_until <= found.time.lower;
-    const std::string within = is_at_hold_distance ? " at the hold distance,"
+    const std::string within = !found.held.empty() ? " at the hold distance,"
                                : margin > 0        ? fmt::format(" within {:.9g}", margin)
                                                    : "";
     switch (found.verdict) {

@@ -18,11 +18,9 @@ struct MeetingFaces {
 /// The culler of one search.
 class FaceCuller {
 public:
-    /// Keeps all references. Points within `margin` of a plane count as touching the plane. `looks_for_directions`:
-    /// with a margin, directions between the faces are tried, which pays unless the caller has tried some.
-    FaceCuller(const Body& moving, const Body& fixed, const PieceParts& parts, double margin,
-               bool looks_for_directions = true)
-        : planes_(moving, fixed, margin), maps_(parts), looks_for_directions_(looks_for_directions) {}
+    /// Keeps all references. Points within `margin` of a plane count as touching the plane.
+    FaceCuller(const Body& moving, const Body& fixed, const PieceParts& parts, double margin)
+        : planes_(moving, fixed, margin), maps_(parts) {}
 
     /// The features of two faces that may meet up to `best`; empty if a plane separates the faces until then. The
     /// answer of a search does not depend on what is culled (note 13). Planes are computed once for the interval.
@@ -31,7 +29,7 @@ public:
         if (maps_.set(interval))
             planes_.use(maps_.maps(), maps_.scale());
         Window when = until(pair.when, (best - interval.lower) / interval.width());
-        if (planes_.have_margin() ? looks_for_directions_ : ++pairs_ > pairs_of_a_brief_search) {
+        if (planes_.have_margin() || ++pairs_ > pairs_of_a_brief_search) {
             when = planes_.without_apart_on_chords(pair.moving, pair.fixed, when, pair.deviation);
             if (when.is_empty())
                 return std::nullopt;
@@ -64,7 +62,6 @@ private:
 
     FacePlanes planes_;
     PartMaps maps_;
-    bool looks_for_directions_;
     std::uint64_t pairs_ = 0;
 };
 

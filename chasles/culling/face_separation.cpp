@@ -83,17 +83,17 @@ std::optional<Vector3<double>> FaceSeparation::along(Axis axis, std::uint32_t mo
 
 /// Each step of Gilbert's algorithm is at a point of the difference of both hulls: the faces are no farther apart.
 std::optional<Vector3<double>> FaceSeparation::beyond(std::uint32_t moving_face, std::uint32_t fixed_face, double time,
-                                                      const Distances& distances) {
+                                                      double distance) {
     constexpr int most_steps = 6;
     place_corners(moving_face, fixed_face, time);
     WidestGap widest;
     Vector3<double> nearest = between_means_;
     for (int step = 0; step < most_steps; ++step) {
         const double most = length(nearest);
-        if (!(most > distances.near))
+        if (!(most > distance))
             break;
         const Vector3<double> farthest = try_direction(scale(nearest, 1 / most), widest);
-        if (widest.gap > (most > distances.far ? distances.far : distances.near))
+        if (widest.gap > distance)
             break;
         const Vector3<double> way = farthest - nearest;
         nearest = nearest + scale(way, std::clamp(-dot(nearest, way) / dot(way, way), 0.0, 1.0));

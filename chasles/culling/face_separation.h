@@ -37,15 +37,10 @@ public:
     /// The unit direction of an axis at another time. Empty if there is no gap along it.
     std::optional<Vector3<double>> along(Axis axis, std::uint32_t moving_face, std::uint32_t fixed_face, double time);
 
-    /// Two distances, the smaller one first.
-    struct Distances {
-        double near;
-        double far;
-    };
-    /// A unit direction along which the faces are farther apart than `far` or, if they are not that far apart, than
-    /// `near`. Otherwise the direction with the widest gap that the search finds. Empty if it finds no gap.
+    /// A unit direction along which the faces are farther apart than the distance. If the search finds none: the
+    /// direction with the widest gap that it finds. Empty if it finds no gap.
     std::optional<Vector3<double>> beyond(std::uint32_t moving_face, std::uint32_t fixed_face, double time,
-                                          const Distances& distances);
+                                          double distance);
 
 private:
     struct WidestGap {

@@ -49,11 +49,6 @@ std::span<const NormalCone> Body::normal_cones() const {
     return normal_cones_;
 }
 
-const FeatureWays& Body::feature_ways() const {
-    std::call_once(feature_ways_once_, [&] { feature_ways_ = feature_ways_of(*this); });
-    return feature_ways_;
-}
-
 std::span<const VertexBlock> Body::vertex_blocks() const {
     std::call_once(vertex_blocks_once_, [&] { vertex_blocks_ = vertex_blocks_of(*this); });
     return vertex_blocks_;

@@ -5,7 +5,6 @@
 #include "chasles/base/flat_lists.h"
 #include "chasles/hierarchy/bvh.h"
 #include "chasles/mesh/edge.h"
-#include "chasles/mesh/feature_ways.h"
 #include "chasles/mesh/normal_cones.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/mesh/vertex_blocks.h"
@@ -70,9 +69,6 @@ public:
     /// The cones around the normals below each node of the hierarchy. The first call computes them.
     [[nodiscard]] std::span<const NormalCone> normal_cones() const;
 
-    /// The directions from the vertices and edges that faces own into the surface. The first call computes them.
-    [[nodiscard]] const FeatureWays& feature_ways() const;
-
     /// The vertices in blocks. The first call computes them.
     [[nodiscard]] std::span<const VertexBlock> vertex_blocks() const;
 
@@ -95,8 +91,6 @@ private:
     mutable FlatLists<std::uint32_t> faces_around_;
     mutable std::once_flag normal_cones_once_;
     mutable std::vector<NormalCone> normal_cones_;
-    mutable std::once_flag feature_ways_once_;
-    mutable FeatureWays feature_ways_;
     mutable std::once_flag vertex_blocks_once_;
     mutable std::vector<VertexBlock> vertex_blocks_;
 };

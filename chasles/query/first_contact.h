@@ -27,9 +27,8 @@ enum class Verdict : std::uint8_t {
 /// How to answer a question. The same for one motion, a path and a batch.
 struct QueryOptions {
     double margin = 0; ///< distance of the surfaces that counts as contact, mesh unit; in [0, 1e30]
-    /// Less than the margin: bodies that start within the margin, with a gap above 0, may move on, and their contacts
-    /// are reported only when they come within `hold`. New contacts are reported at the margin, on motions other than
-    /// the screw and the sweep at `hold`.
+    /// Less than the margin: bodies that start within the margin, with a gap above 0, may move on. They are reported
+    /// when they come within `hold`, or nearer than at the start if that is less. Source: docs/derivations/17-hold.md.
     std::optional<double> hold = {};
     double time_tolerance = 1e-12; ///< width of the bracket to aim for, as a part of the motion; in [1e-15, 1]
     Find find = Find::first;

@@ -49,18 +49,6 @@ Overlap reported(Overlap overlap, const Pose& fixed_pose, const search::PieceCon
     return overlap;
 }
 
-/// The pairs that came to the margin, without those that were within it before and move along.
-void remove_held(std::vector<FeaturePair>& pairs, const ContactMoment& moment, const search::HeldContacts& held) {
-    const contact::ContactScene& scene = moment.scene();
-    std::erase_if(pairs, [&](const FeaturePair& features) {
-        const contact::NearestPoints nearest = scene.bodies.nearest(features);
-        const double speed = scene.bodies.velocity_at(nearest.on_moving).norm();
-        return nearest.apart().norm() < scene.margin - scene.slack ||
-               contact::described(scene, features).approach_speed <= contact::no_direction * speed ||
-               held.has(features);
-    });
-}
-
 /// Contacts with a gap that the motion closes come before others, which may be of two faces in one plane.
 void put_closing_first(std::vector<Contact>& contacts) {
     double fastest = 0;
@@ -76,17 +64,14 @@ bool is_proven(const std::optional<Overlap>& overlap) {
 }
 
 /// All contacts of the moment; with a proven overlap those that were found before it, as it ends the search.
-void list_contacts(FirstContact& answer, const ContactMoment& moment, const search::PieceResult& result,
-                   const ReportScope& scope) {
+void list_contacts(FirstContact& answer, const ContactMoment& moment, const search::PieceResult& result) {
     std::vector<FeaturePair> pairs;
     if (!is_proven(result.overlap)) {
-        search::NearFeatures near = moment.find({.pairs = scope.pairs});
+        search::NearFeatures near = moment.find({});
         answer.work += near.work;
         answer.contacts_cut = near.is_cut;
         pairs = std::move(near.pairs);
     }
-    if (scope.held)
-        remove_held(pairs, moment, *scope.held);
     if (!result.candidates.empty())
         pairs.push_back(first_of(result.candidates)); // an uncertain contact may be none
     if (!pairs.empty())
@@ -167,7 +152,7 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
     const ContactMoment moment(context, tau.lower, at_start, scope.margin, width);
     report_touch(answer, moment, result, scope);
     if (lists_contacts(scope.options))
-        list_contacts(answer, moment, result, scope);
+        list_contacts(answer, moment, result);
     if (!is_proven(answer.overlap) && !answer.contacts.empty())
         answer.overlap.reset();
     if (answer.overlap)

@@ -14,9 +14,7 @@ namespace chasles::query {
 struct ReportScope {
     const QueryOptions& options;
     bool is_first_piece = false;
-    double margin = 0;                          ///< of the search
-    const search::HeldContacts* held = nullptr; ///< not null: the search was for new contacts
-    const search::PartPairs* pairs = nullptr;   ///< of the part in which the contacts are; may be null
+    double margin = 0; ///< of the search
 };
 
 /// Whether an answer lists the contacts of the first moment, and not only one of them.

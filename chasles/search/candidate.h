@@ -12,7 +12,6 @@ using contact::FeaturePair;
 /// A feature pair with the tau of its first contact in the piece of motion.
 struct Candidate : FeaturePair {
     FeasibleInterval tau;
-    bool leaves = false; ///< with a margin: the features are proven to be within the margin before, and leave it here
 };
 
 /// An uncertain candidate that starts within this part of the piece before a proven contact, or after it, is postponed.

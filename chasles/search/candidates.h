@@ -124,9 +124,9 @@ void Candidates::keep_narrowed(Stages& stages) {
         if (candidate.tau.lower > state_.best())
             continue;
         if (!is_wide(candidate))
-            keep({candidate, with_proven_end(candidate.tau), candidate.leaves});
+            keep({candidate, with_proven_end(candidate.tau)});
         else if (const auto narrow = stages.narrow(candidate, state_))
-            keep({candidate, *narrow, candidate.leaves});
+            keep({candidate, *narrow});
     }
 }
 

@@ -10,12 +10,6 @@
 
 namespace chasles::search {
 
-/// When features that were farther apart come within the margin, or when they leave it.
-struct Crossing {
-    FeasibleInterval tau;
-    bool leaves = false; ///< proven to be within the margin before
-};
-
 /// Collects the first tau at which the distance is the margin, over all problems of a pair of features.
 class FirstCrossing {
 public:
@@ -24,17 +18,14 @@ public:
     template <int Degree, class S>
     void operator()(const algebra::FeasibilityProblem<Degree, S>& problem) {
         const auto tau = algebra::first_feasible(problem, tolerance_);
-        if (!tau || (first_ && first_->tau.lower <= tau->lower))
-            return;
-        const S lower(tau->lower);
-        const S band = problem.function.error * value_at(problem.weight, lower);
-        first_ = {*tau, value_at(problem.function.polynomial, lower) < S(0) - band};
+        if (tau && (!first_ || tau->lower < first_->lower))
+            first_ = tau;
     }
-    [[nodiscard]] const std::optional<Crossing>& first() const { return first_; }
+    [[nodiscard]] const std::optional<FeasibleInterval>& first() const { return first_; }
 
 private:
     algebra::Tolerance tolerance_;
-    std::optional<Crossing> first_;
+    std::optional<FeasibleInterval> first_;
 };
 
 /// Collects whether the distance is within the margin at the start of the interval.
@@ -76,21 +67,20 @@ public:
     [[nodiscard]] const culling::TimeRange& part() const { return part_; }
 
     /// The first crossing in the part, in terms of the whole piece.
-    std::optional<Crossing> first_crossing(const FeaturePair& features, const algebra::Tolerance& tolerance) {
+    std::optional<FeasibleInterval> first_crossing(const FeaturePair& features, const algebra::Tolerance& tolerance) {
         FirstCrossing collect(tolerance); // NOLINT(misc-const-correctness): changed through the generic lambda
         tests_.distance(features, [&](const auto& problem) { collect(problem); });
         return in_piece(collect.first());
     }
 
     /// A crossing in the part in terms of the whole piece. Ends of brackets are rounded outward.
-    [[nodiscard]] std::optional<Crossing> in_piece(std::optional<Crossing> crossing) const {
+    [[nodiscard]] std::optional<FeasibleInterval> in_piece(std::optional<FeasibleInterval> tau) const {
         constexpr double rounding = 0x1p-51;
-        if (crossing) {
-            FeasibleInterval& tau = crossing->tau;
-            tau.lower = std::max(part_.lower, part_.at(tau.lower) * (1 - rounding));
-            tau.upper = std::min(part_.upper, part_.at(tau.upper) * (1 + rounding));
+        if (tau) {
+            tau->lower = std::max(part_.lower, part_.at(tau->lower) * (1 - rounding));
+            tau->upper = std::min(part_.upper, part_.at(tau->upper) * (1 + rounding));
         }
-        return crossing;
+        return tau;
     }
 
 private:

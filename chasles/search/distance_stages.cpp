@@ -1,6 +1,5 @@
 #include "chasles/search/distance_stages.h"
 
-#include "chasles/search/no_minimum.h"
 #include "chasles/search/touch_stages.h"
 
 #include <algorithm>
@@ -61,8 +60,8 @@ void DistanceStages::test(const FeaturePair& features) {
     });
     test_at_start(features, at_start.answer());
     const auto found = filter_.in_piece(crossing.first());
-    if (found && !(options_.held && options_.held->has(features)))
-        candidates_.add({features, found->tau, found->leaves}, *this);
+    if (found)
+        candidates_.add({features, *found}, *this);
 }
 
 void DistanceStages::test_at_start(const FeaturePair& features, WithinAtStart::Answer answer) {
@@ -95,103 +94,62 @@ PieceResult DistanceStages::take() {
 
 std::optional<FeasibleInterval> DistanceStages::narrow(const Candidate& candidate, const SearchState&) {
     const auto narrow = refined(candidate, part_from(candidate.tau.lower, width_of(candidate.tau)));
-    return narrow && narrow->tau.certain ? narrow->tau : candidate.tau;
+    return narrow && narrow->certain ? narrow : candidate.tau;
 }
 
-/// The time until which a crossing of the refinement does not count; empty if it counts. Without held contacts every
-/// crossing counts. Otherwise a crossing that leaves the margin does not count.
-std::optional<double> DistanceStages::passed_until(const Crossing& crossing, const FeaturePair& features) const {
-    return options_.held && crossing.leaves ? std::optional(crossing.tau.upper) : not_new_until(crossing, features);
-}
-
-/// With held contacts: a crossing that is no local minimum of the distance belongs to a contact that spreads or slides.
-/// It does not count, and no other one counts until directions have had time to change. Empty if they have that time
-/// within the bracket.
-std::optional<double> DistanceStages::not_new_until(const Crossing& crossing, const FeaturePair& features) const {
-    if (!options_.held)
-        return std::nullopt;
-    const auto until = no_minimum_until(context_, features, crossing.tau.lower, options_.margin, parts_.scale().length);
-    return until && *until >= crossing.tau.upper ? until : std::nullopt;
-}
-
-/// The search for the first crossing that counts, from a crossing of the filter on.
-struct DistanceStages::Step {
-    Crossing next;    ///< the crossing to refine
-    double width = 0; ///< of the part in which it is refined
-    double after = 0; ///< no crossing before this time counts
-    bool was_uncertain = false;
-    std::optional<FeasibleInterval> found; ///< the crossing that counts
-};
-
-/// Where double-double finds no crossing in a part, the filter finds the next one, and the part grows. Where
-/// double-double is uncertain, which may last for the length of the part, it starts over with the shortest part.
+/// The filter's crossing may be none. Where double-double finds none in a part, the filter finds the next one, and the
+/// part grows. Where double-double is uncertain, which may last for the length of the part, it starts over with the
+/// shortest part.
 std::optional<FeasibleInterval> DistanceStages::decide(const Candidate& candidate, const SearchState& state) {
-    Step step{
-        {candidate.tau, candidate.leaves}, std::max(4 * options_.tolerance, width_of(candidate.tau)), 0, false, {}};
-    for (int i = 0; i < most_steps; ++i)
-        if (!advance(step, candidate, state))
-            return step.found;
-    return FeasibleInterval{step.next.tau.lower, step.next.tau.upper, false};
-}
-
-/// False when the search is over: with a crossing that counts, or without.
-bool DistanceStages::advance(Step& step, const FeaturePair& features, const SearchState& state) {
-    if (const auto passed = not_new_until(step.next, features)) // decided in double
-        return go_on_after(*passed, step, features, state);
     constexpr double shortest = 4 * rim;
     constexpr double growth = 64;
-    culling::TimeRange where = part_from(step.next.tau.lower, step.width);
-    where.lower = std::max(where.lower, step.after);
-    const auto crossing = state.is_final(step.next.tau) ? std::optional(step.next) : refined(features, where);
-    if (crossing && crossing->tau.lower > state.best())
-        return false;
-    if (crossing && !crossing->tau.certain && step.width > shortest) {
-        step.width = shortest;
-        step.was_uncertain = true;
-        step.next = *crossing;
-        return true;
-    }
-    double passed = where.upper;
-    if (crossing) {
-        const auto until = passed_until(*crossing, features);
-        if (!until) {
-            step.found = crossing->tau;
-            return false;
+    FeasibleInterval next = candidate.tau;
+    double width = std::max(4 * options_.tolerance, width_of(next));
+    double after = 0; // there is no crossing before
+    bool was_uncertain = false;
+    for (int i = 0; i < most_steps; ++i) {
+        culling::TimeRange where = part_from(next.lower, width);
+        where.lower = std::max(where.lower, after);
+        const auto crossing = state.is_final(next) ? next : refined(candidate, where);
+        if (crossing && crossing->lower > state.best())
+            return std::nullopt;
+        if (crossing && (crossing->certain || width <= shortest))
+            return crossing;
+        if (crossing) {
+            width = shortest;
+            was_uncertain = true;
+            next = *crossing;
+            continue;
         }
-        passed = *until;
+        after = std::max(where.upper, next.lower + rim);
+        const auto later = after < state.best() ? next_crossing(candidate, after) : std::nullopt;
+        if (!later || later->lower > state.best())
+            return std::nullopt;
+        next = *later;
+        // Where double-double was uncertain, the filter is uncertain for longer.
+        width = std::max(width * growth, was_uncertain ? 0.0 : width_of(next));
     }
-    step.width *= growth;
-    return go_on_after(passed, step, features, state);
+    return FeasibleInterval{next.lower, next.upper, false};
 }
 
-/// Goes on to the filter's first crossing after a time. False if there is none that matters.
-bool DistanceStages::go_on_after(double passed, Step& step, const FeaturePair& features, const SearchState& state) {
-    step.after = std::max(passed, step.next.tau.lower + rim);
-    if (step.after >= state.best())
-        return false;
-    next_filter_.use({step.after, 1});
-    const auto next =
-        next_filter_.first_crossing(features, filter_tolerance(std::min(1.0, options_.tolerance / (1 - step.after))));
-    if (!next || next->tau.lower > state.best())
-        return false;
-    step.next = *next;
-    // Where double-double was uncertain, the filter is uncertain for longer.
-    step.width = std::max(step.width, step.was_uncertain ? 0.0 : width_of(next->tau));
-    return true;
+/// The filter's first crossing after a time.
+std::optional<FeasibleInterval> DistanceStages::next_crossing(const FeaturePair& features, double after) {
+    next_filter_.use({after, 1});
+    return next_filter_.first_crossing(features, filter_tolerance(std::min(1.0, options_.tolerance / (1 - after))));
 }
 
 /// The first crossing in a part. Bounds follow the sizes of the numbers, so in ever shorter parts double often decides.
-std::optional<Crossing> DistanceStages::refined(const FeaturePair& features, const culling::TimeRange& where) {
+std::optional<FeasibleInterval> DistanceStages::refined(const FeaturePair& features, const culling::TimeRange& where) {
     constexpr double much_shorter = 0.25;
     for (culling::TimeRange part = where;;) {
         const auto crossing = in_double(features, part);
-        if (crossing && candidates_.state().is_final(crossing->tau))
+        if (crossing && candidates_.state().is_final(*crossing))
             return crossing;
         if (!crossing && part == where)
             return std::nullopt;
         const double width = part.width();
         if (crossing)
-            part = common(part, part_from(crossing->tau.lower, width_of(crossing->tau)));
+            part = common(part, part_from(crossing->lower, width_of(*crossing)));
         if (!crossing || part.width() > much_shorter * width)
             return in_double_double(features, where);
     }
@@ -199,14 +157,15 @@ std::optional<Crossing> DistanceStages::refined(const FeaturePair& features, con
 
 /// Much narrower than the tolerance where that costs nothing: over a small margin, the direction of a contact turns
 /// fast.
-std::optional<Crossing> DistanceStages::in_double(const FeaturePair& features, const culling::TimeRange& part) {
+std::optional<FeasibleInterval> DistanceStages::in_double(const FeaturePair& features, const culling::TimeRange& part) {
     constexpr double narrow = 0x1p-6;
     next_filter_.use(part);
     return next_filter_.first_crossing(features,
                                        filter_tolerance(std::min(1.0, narrow * options_.tolerance / part.width())));
 }
 
-std::optional<Crossing> DistanceStages::in_double_double(const FeaturePair& features, const culling::TimeRange& where) {
+std::optional<FeasibleInterval> DistanceStages::in_double_double(const FeaturePair& features,
+                                                                 const culling::TimeRange& where) {
     constexpr double finest = 0x1p-90;
     constexpr int restrictions = 600; // ordinary crossings take ten
     ++work_.refined;

@@ -1,6 +1,6 @@
 // When do features come within a distance? The two stages: a filter in double and a refinement in double-double, each
 // over a part of the piece. Distances have no exact stage (docs/decisions/0050-margin-in-double-double.md).
-// Source: docs/derivations/16-margin.md, "Stages", and 17-hold.md.
+// Source: docs/derivations/16-margin.md, "Stages".
 #pragma once
 
 #include "chasles/search/candidates.h"
@@ -39,29 +39,24 @@ public:
     PieceResult take();
 
     // The functions that Candidates requires of the later stages.
-    [[nodiscard]] bool is_proven(const Candidate& candidate) const { return candidate.tau.certain && !options_.held; }
+    [[nodiscard]] static bool is_proven(const Candidate& candidate) { return candidate.tau.certain; }
     [[nodiscard]] static bool is_settled(const Candidate&) { return false; }
     std::optional<FeasibleInterval> decide(const Candidate& candidate, const SearchState& state);
     std::optional<FeasibleInterval> narrow(const Candidate& candidate, const SearchState& state);
 
 private:
-    struct Step;
-
     void test_at_start(const FeaturePair& features, WithinAtStart::Answer answer);
-    [[nodiscard]] std::optional<double> passed_until(const Crossing& crossing, const FeaturePair& features) const;
-    [[nodiscard]] std::optional<double> not_new_until(const Crossing& crossing, const FeaturePair& features) const;
-    bool advance(Step& step, const FeaturePair& features, const SearchState& state);
-    bool go_on_after(double passed, Step& step, const FeaturePair& features, const SearchState& state);
-    std::optional<Crossing> refined(const FeaturePair& features, const culling::TimeRange& where);
-    std::optional<Crossing> in_double(const FeaturePair& features, const culling::TimeRange& part);
-    std::optional<Crossing> in_double_double(const FeaturePair& features, const culling::TimeRange& where);
+    std::optional<FeasibleInterval> next_crossing(const FeaturePair& features, double after);
+    std::optional<FeasibleInterval> refined(const FeaturePair& features, const culling::TimeRange& where);
+    std::optional<FeasibleInterval> in_double(const FeaturePair& features, const culling::TimeRange& part);
+    std::optional<FeasibleInterval> in_double_double(const FeaturePair& features, const culling::TimeRange& where);
     PartTests<algebra::DoubleDouble>& refinement();
 
     PieceContext& context_;
     const SearchOptions& options_;
     culling::PieceParts parts_;
     PartTests<double> filter_;
-    PartTests<double> next_filter_; ///< for short parts, and the time after a crossing that does not count
+    PartTests<double> next_filter_; ///< for short parts, and the time after a crossing that is none
     FeatureTests<double> start_tests_;
     std::unique_ptr<PartTests<algebra::DoubleDouble>> refinement_; ///< made on the first use
     StartOverlaps overlaps_;

@@ -6,7 +6,6 @@
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_culler.h"
 #include "chasles/culling/separating_plane.h"
-#include "chasles/search/birth_filter.h"
 #include "chasles/search/nearest_at_start.h"
 #include "chasles/search/overlaps.h"
 #include "chasles/search/piece_search.h"
@@ -20,10 +19,7 @@ public:
     /// Both are kept by reference.
     LeafSearch(PieceContext& context, const SearchOptions& options)
         : context_(context), options_(options), stages_(context, options),
-          culler_(context.moving(), context.fixed(), stages_.parts(), stages_.culling_margin(), !options.pairs) {
-        if (options.held)
-            births_.emplace(context, stages_.parts(), options.margin);
-    }
+          culler_(context.moving(), context.fixed(), stages_.parts(), stages_.culling_margin()) {}
 
     [[nodiscard]] const culling::PieceParts& parts() const { return stages_.parts(); }
 
@@ -43,8 +39,6 @@ public:
     void test(const culling::FacePair& pair) {
         ++work_.face_pairs;
         work_on(work_of_faces);
-        if (births_ && !births_->may_be_in(pair))
-            return;
         const auto faces = culler_.cull(pair, stages_.best());
         if (!faces)
             return;
@@ -52,10 +46,8 @@ public:
         stages_.use(faces->part);
         stages_.test_start(two);
         for_each_owned_pair<Stages::tests_all_kinds>(context_.moving(), context_.fixed(), two, faces->moving,
-                                                     faces->fixed, [&](const FeaturePair& features) {
-                                                         if (!births_ || births_->allows(features))
-                                                             stages_.test(features);
-                                                     });
+                                                     faces->fixed,
+                                                     [&](const FeaturePair& features) { stages_.test(features); });
         if (const auto until = stages_.early_enough())
             search_plane(pair, *until);
     }
@@ -83,7 +75,7 @@ private:
     /// Bodies that start within the margin have a contact at the start, which ends the search. A search that has not
     /// found one among many pairs looks for it where the bodies are nearest.
     void test_nearest_at_start() {
-        if (!options_.check_start || options_.held || stages_.is_over())
+        if (!options_.check_start || stages_.is_over())
             return;
         stages_.use(culling::part_around({}, {0, 0}));
         for (const FeaturePair& features : nearest_at_start(context_, options_.margin, work_))
@@ -108,7 +100,6 @@ private:
     const SearchOptions& options_;
     Stages stages_;
     culling::FaceCuller culler_;
-    std::optional<BirthFilter> births_; ///< only with held contacts
     std::optional<culling::SeparatingPlane> plane_;
     Work work_;
     Watch watch_;

@@ -5,7 +5,6 @@
 #include "chasles/contact/near_pair.h"
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_planes.h"
-#include "chasles/search/birth_filter.h"
 #include "chasles/search/owned_pairs.h"
 #include "chasles/search/start_overlaps.h"
 
@@ -77,13 +76,6 @@ public:
             filter_.use(context.maps(), {});
     }
 
-    /// Rejects features at which the distance is no local minimum before they are tested.
-    void use_filter(double tau) {
-        const culling::IntervalEnds ends(motion::restricted(context_.maps(), tau, tau));
-        minima_.emplace(context_.moving(), context_.fixed());
-        minima_->use(ends.start, 8 * scene_.slack + minimum_tolerance(scale_, scene_.margin));
-    }
-
     // The functions that a traversal requires of its leaves.
     [[nodiscard]] static double best() { return 1; }
     [[nodiscard]] bool is_over() const { return found_.is_cut || overlaps_.found(); }
@@ -92,14 +84,9 @@ public:
         found_.is_cut = found_.is_cut || ++visits_ > search_.most_visits;
         return uses_cones_ && cones_.separates(pair);
     }
-    void test(const culling::FacePair& pair) { test(pair, search_.finds_overlaps); }
-
-    /// With or without a search for edges that pass through the faces.
-    void test(const culling::FacePair& pair, bool finds_overlaps) {
+    void test(const culling::FacePair& pair) {
         ++found_.work.face_pairs;
         const TwoFaces faces{pair.moving, pair.fixed};
-        if (minima_ && !minima_->set(faces) && !finds_overlaps)
-            return;
         const CornerSides moving(context_.moving().face(pair.moving), moving_sides_, [&](std::uint32_t corner) {
             return near_test_.side_on_fixed_face(pair.fixed, corner);
         });
@@ -110,7 +97,7 @@ public:
         });
         if (fixed.all_on_one_side())
             return;
-        if (finds_overlaps && overlaps_.collect(filter_, faces))
+        if (search_.finds_overlaps && overlaps_.collect(filter_, faces))
             return;
         if (search_.finds_crossing_faces && moving.some_on_each_side() && fixed.some_on_each_side() &&
             overlaps_.collect_crossing(faces))
@@ -133,7 +120,7 @@ public:
 private:
     void add(const contact::FeaturePair& features) {
         ++found_.work.elementary_tests;
-        if (is_over() || (minima_ && !minima_->allows(features)) || !near_test_.are_in_contact(features))
+        if (is_over() || !near_test_.are_in_contact(features))
             return;
         if (found_.pairs.size() < search_.most_pairs)
             found_.pairs.push_back(features);
@@ -150,7 +137,6 @@ private:
     FeatureTests<double> filter_;
     StartOverlaps overlaps_;
     contact::NearTest near_test_;
-    std::optional<MinimumFilter> minima_; ///< set to the last pair of faces
     std::vector<int> moving_sides_;
     std::vector<int> fixed_sides_;
     std::uint64_t visits_ = 0;
@@ -164,21 +150,9 @@ std::uint64_t visit_all(PieceContext& context, double reach, double tau, NearLea
     return traversal.run({tau, tau});
 }
 
-/// The pairs of a list that may be near at `tau`.
-void test_listed(const NearSearch& search, double tau, double reach, NearLeaves& leaves) {
-    for (const PartPair& pair : search.pairs->all())
-        if (may_be_within(pair, tau, reach) && !leaves.is_over())
-            leaves.test(pair.faces, search.finds_overlaps && !(pair.at_start > 0));
-}
-
 NearFeatures search_once(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     const double reach = scene.margin + scene.slack;
     NearLeaves leaves(context, scene, search);
-    if (search.pairs && scene.margin > 0 && search.pairs->reaches(tau, reach)) {
-        leaves.use_filter(tau);
-        test_listed(search, tau, reach, leaves);
-        return leaves.take();
-    }
     Work work;
     const auto pairs =
         search.neighbours && scene.margin > 0 ? search.neighbours->within(context, reach, work) : std::nullopt;
@@ -242,7 +216,7 @@ private:
 
 NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     NearFeatures near = search_once(context, scene, tau, search);
-    if (search.neighbours || search.pairs) // the order does not tell whether there was a list
+    if (search.neighbours) // the order does not tell whether there was a list
         chasles::sort(near.pairs);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)

@@ -4,7 +4,7 @@
 
 #include "chasles/contact/contact_frame.h"
 #include "chasles/search/find.h"
-#include "chasles/search/part_pairs.h"
+#include "chasles/search/neighbour_list.h"
 #include "chasles/search/piece_context.h"
 
 #include <vector>
@@ -14,8 +14,8 @@ namespace chasles::search {
 /// What is near at one tau of a piece.
 struct NearFeatures {
     std::vector<contact::FeaturePair>
-        pairs;           ///< each once, in the order of the traversal; sorted if neighbours are kept or pairs given
-    bool is_cut = false; ///< there may be more pairs than these
+        pairs;                      ///< each once, in the order of the traversal; sorted if neighbours are kept
+    bool is_cut = false;            ///< there may be more pairs than these
     double complete_within = 0;     ///< every pair within this distance is listed
     std::optional<Overlap> overlap; ///< the point is in the frame of the fixed body
     Work work;
@@ -30,8 +30,6 @@ struct NearSearch {
     bool finds_crossing_faces = false;   ///< also faces that are proven to pass through each other; only at tau = 0
     NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
                                          ///< a margin and for motions that rest
-    const PartPairs* pairs =
-        nullptr; ///< complete: used with a margin, instead of a traversal, if it reaches far enough
 };
 
 /// The feature pairs of a scene that touch or, with a margin, are within it at a local minimum of the distance

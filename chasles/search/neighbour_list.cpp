@@ -153,7 +153,7 @@ double NeighbourList::least_on_way(std::size_t index, const Way& way) {
 bool NeighbourList::finds_direction(Neighbours& pair, double distance) {
     const auto& [moving, fixed] = pair.faces;
     if (!pair.is_known()) {
-        const auto direction = separation_.beyond(moving, fixed, 0.5, {distance, distance});
+        const auto direction = separation_.beyond(moving, fixed, 0.5, distance);
         if (direction && set_direction(pair, {*direction, FaceSeparation::no_axis}) > distance) {
             pair.widest = 0;
             return true;

@@ -16,19 +16,6 @@ PieceResult search_among(std::span<const NeighbourList::Near> pairs, PieceContex
     return leaves.take();
 }
 
-/// Among the pairs of a part.
-PieceResult search_part(PieceContext& context, const SearchOptions& options) {
-    LeafSearch<DistanceStages> leaves(context, options);
-    for (const PartPair& pair : options.pairs->all()) {
-        if (leaves.is_over())
-            break;
-        const double first = pair.faces.interval.at(pair.faces.when.lower);
-        if (!(pair.least > options.margin) && first <= leaves.best())
-            leaves.test(pair.faces);
-    }
-    return leaves.take();
-}
-
 } // namespace
 
 PieceResult search_piece(PieceContext& context, const SearchOptions& options) {
@@ -36,8 +23,6 @@ PieceResult search_piece(PieceContext& context, const SearchOptions& options) {
         return search_enclosed_piece(context, options);
     if (options.margin <= 0)
         return traverse<TouchStages>(context, options);
-    if (options.pairs)
-        return search_part(context, options);
     Work work;
     const auto pairs = options.neighbours ? options.neighbours->within(context, options.margin, work) : std::nullopt;
     PieceResult result = pairs ? search_among(*pairs, context, options) : traverse<DistanceStages>(context, options);

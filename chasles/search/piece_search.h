@@ -1,14 +1,12 @@
 // One search of one piece of a motion: the earliest contacts over tau in [0, 1].
-// Source: paper section 5.1 (hierarchies moved by the same motion); docs/derivations/07-swept-boxes.md, 16-margin.md
-// and 17-hold.md.
+// Source: paper section 5.1 (hierarchies moved by the same motion); docs/derivations/07-swept-boxes.md and
+// 16-margin.md.
 #pragma once
 
 #include "chasles/search/candidate.h"
 #include "chasles/search/find.h"
-#include "chasles/search/held_contacts.h"
 #include "chasles/search/neighbour_list.h"
 #include "chasles/search/orbit_filter.h"
-#include "chasles/search/part_pairs.h"
 #include "chasles/search/piece_context.h"
 
 namespace chasles::search {
@@ -22,13 +20,9 @@ struct SearchOptions {
                               ///< features within it
     double from = 0;  ///< tau at which the search begins: before and at it nothing is within the margin, unless it is 0
     double until = 1; ///< tau after which no contact matters
-    const HeldContacts* held = nullptr;  ///< with a margin: report only new contacts, which are local minima of the
-                                         ///< distance that fall to the margin; null: every contact is new
     NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
                                          ///< a margin only
     OrbitFilter* orbits = nullptr;       ///< likewise, where they turn about one axis
-    const PartPairs* pairs = nullptr; ///< complete, for a part in which alone to search: `from` is its lower end, and
-                                      ///< `until` is not after its upper end
 };
 
 /// The answer for one piece.

@@ -61,13 +61,11 @@ protected:
     static void print(const char* name, const SlideTally& tally) {
         const auto plain = [&](double part) { return SlideTally::milliseconds(tally.seconds, part); };
         const auto kept = [&](double part) { return SlideTally::milliseconds(tally.seconds_with_memory, part); };
-        print_figures(
-            "%s: %d steps, %d clear, %d stopped at the hold, %d new contacts (%d at cracks, %d seen by NewPlaces), "
-            "%d in doubt, %d stuck; least distance %.15g of the hold, FCL off by %.2g; median query %.2f ms, 99 of 100 "
-            "within %.1f ms, slowest %.1f ms; with a memory %.3f, %.2f and %.1f ms",
-            name, tally.steps, tally.clear, tally.held, tally.new_contacts, tally.at_cracks, tally.seen, tally.in_doubt,
-            tally.stuck, tally.lowest, tally.peer_error, plain(0.5), plain(0.99), plain(1), kept(0.5), kept(0.99),
-            kept(1));
+        print_figures("%s: %d steps, %d clear, %d stopped at the hold, %d in doubt, %d stuck; least distance %.15g of "
+                      "the hold, FCL off by %.2g; median query %.2f ms, 99 of 100 "
+                      "within %.1f ms, slowest %.1f ms; with a memory %.3f, %.2f and %.1f ms",
+                      name, tally.steps, tally.clear, tally.held, tally.in_doubt, tally.stuck, tally.lowest,
+                      tally.peer_error, plain(0.5), plain(0.99), plain(1), kept(0.5), kept(0.99), kept(1));
     }
 
     /// Moves the body into the margin from the start of its case, in several attempts.
@@ -129,14 +127,12 @@ TEST_P(Slides, ComeNoNearerThanTheHoldAndAreNotStoppedWithoutACause) {
     const Polyhedron fixed = body_of(asked.fixed, asked.from);
     const FclDistance fcl(moving, fixed);
     const int count = 10 * times_if_long(50); // ten thousand in all
-    const bool is_small = moving.face_count() + fixed.face_count() < 1500;
     SlideTally tally;
     while (tally.steps < count && !HasFailure()) {
         SlidingBody body = body_with(moving, fixed, random, fcl);
         ASSERT_TRUE(approach(body, random));
         for (int i = 0; i < 25 && tally.steps + body.tally.steps < count && !HasFailure(); ++i) {
             SCOPED_TRACE("step " + std::to_string(tally.steps + body.tally.steps));
-            body.new_samples = i % 25 == 0 && is_small ? 4 : 0; // it is slow
             if (!Slide(body, random).step())
                 break;
         }

@@ -61,8 +61,7 @@ TEST(HoldOnAnyMotion, ACubeThatTiltsIsStoppedAtTheDistance) {
         EXPECT_NEAR(contact.gap, hold, 1e-11);
 }
 
-/// What is new is told at the hold distance as well, unlike on a screw.
-TEST(HoldOnAnyMotion, AWallIsToldAtTheHoldDistance) {
+TEST(HoldOnAnyMotion, AWallIsReportedAtTheHoldDistance) {
     Body room = box({9, 9, 0.5});
     add_box(room, {0, 4.5, 2.6}, {9, 0.5, 2});
     const double angle = std::numbers::pi / 2;

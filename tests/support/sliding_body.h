@@ -3,10 +3,11 @@
 #pragma once
 
 #include "chasles/query/first_contact.h"
-#include "tests/support/new_places.h"
+#include "tests/support/triangle_tree.h"
 
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <gtest/gtest.h>
 #include <limits>
 
@@ -16,13 +17,10 @@ namespace chasles::test {
 struct SlideTally {
     int steps = 0;
     int clear = 0;
-    int held = 0; ///< stopped at the hold distance
-    int new_contacts = 0;
-    int at_cracks = 0; ///< new contacts at a rim beyond which the surface continues
-    int seen = 0;      ///< new contacts that NewPlaces finds too
-    int in_doubt = 0;  ///< uncertain contacts
-    int stuck = 0;     ///< stopped at the start
-    int touching = 0;  ///< contact_at_start
+    int held = 0;                                            ///< stopped at the hold distance
+    int in_doubt = 0;                                        ///< uncertain contacts
+    int stuck = 0;                                           ///< stopped at the start
+    int touching = 0;                                        ///< contact_at_start
     double lowest = std::numeric_limits<double>::infinity(); ///< least ratio of distance to hold
     double peer_error = 0;                                   ///< greatest error of the other distance
     std::vector<double> seconds = {};                        ///< of each query
@@ -32,9 +30,6 @@ struct SlideTally {
         steps += other.steps;
         clear += other.clear;
         held += other.held;
-        new_contacts += other.new_contacts;
-        at_cracks += other.at_cracks;
-        seen += other.seen;
         in_doubt += other.in_doubt;
         stuck += other.stuck;
         touching += other.touching;
@@ -64,7 +59,6 @@ struct SlidingBody {
     double hold;
     double slack;          ///< error bound of distances: of their computation, plus 1e-12 of the scene
     int samples = 4;       ///< samples of the distance per step
-    int new_samples = 0;   ///< samples of the search for new places; 0: no search
     DistanceAt peer = {};  ///< another distance (optional)
     double peer_slack = 0; ///< error bound of the other distance
     Pose at = {};
@@ -106,7 +100,6 @@ struct SlidingBody {
             expect_apart(motion.pose_at(end * i / samples), before, i == samples);
         }
         expect_reason(found, motion, before);
-        expect_no_other_place(found, motion);
         at = found.verdict == Verdict::clear ? to : motion.pose_at(end);
         return found;
     }
@@ -171,58 +164,16 @@ private:
             tally.peer_error = std::max(tally.peer_error, std::abs(other - own));
     }
 
-    /// A step that does not reach its goal stops at the hold distance or at a new contact at the margin.
+    /// A step that does not reach its goal stops at the hold distance.
     void expect_reason(const FirstContact& found, const ScrewMotion& motion, double before) {
         if (found.verdict != Verdict::contact)
             return;
-        ASSERT_FALSE(found.contacts.empty());
-        const Contact& contact = found.contacts[0];
-        const Pose there = motion.pose_at(found.time.lower);
-        const bool is_new = contact.gap > 0.5 * (margin + hold);
-        ++(is_new ? tally.new_contacts : tally.held);
+        ++tally.held;
         tally.in_doubt += found.certain ? 0 : 1;
-        const double inexact = slack + 1e-9 * margin;
-        if (is_new) {
-            const double radius = 1e-4 * margin;
-            EXPECT_NEAR(contact.gap, margin, inexact) << "a new contact is at the margin";
-            EXPECT_GT(contact.approach_speed, -slack) << "the new contact approaches";
-            if (distance_beside(surfaces, there, contact, radius) < contact.gap - 1e-3 * radius) {
-                ++tally.at_cracks;
-                EXPECT_TRUE(is_at_rim(contact)) << "no point near the contact is closer";
-            }
-            count_if_seen(found, motion);
-        } else {
-            EXPECT_NEAR(distance(there), contact.gap, inexact) << "a held contact reaches the hold distance";
-            EXPECT_LE(contact.gap, std::min(hold, before) + inexact) << "not above the hold distance";
-        }
-    }
-
-    /// Counts whether NewPlaces finds the new contact of the library. This measures how reliable NewPlaces is.
-    void count_if_seen(const FirstContact& found, const ScrewMotion& motion) {
-        if (new_samples > 0 &&
-            NewPlaces(surfaces, margin - slack, 2 * slack)
-                .first([&](double time) { return motion.pose_at(time); }, 0, std::min(1.0, found.time.upper + 1e-6), 4))
-            ++tally.seen;
-    }
-
-    /// The library follows a surface through common vertices. Where the mesh has a crack, the library treats it as a
-    /// rim.
-    [[nodiscard]] bool is_at_rim(const Contact& contact) const {
-        const auto at_rim = [](const TriangleTree& body, FeatureKind kind, const Feature& feature) {
-            return kind != FeatureKind::face && body.is_at_rim(feature.first, feature.second);
-        };
-        return at_rim(surfaces.moving(), moving_feature_kind(contact.kind), contact.moving) ||
-               at_rim(surfaces.fixed(), fixed_feature_kind(contact.kind), contact.fixed);
-    }
-
-    /// Checks that no unreported contact appears before the stop.
-    void expect_no_other_place(const FirstContact& found, const ScrewMotion& motion) const {
-        const double end = found.verdict == Verdict::clear ? 1 : found.time.lower - 1e-6;
-        if (new_samples == 0 || end <= 0)
-            return;
-        const auto place = NewPlaces(surfaces, margin - slack, 2 * slack)
-                               .first([&](double time) { return motion.pose_at(time); }, 0, end, new_samples);
-        EXPECT_FALSE(place) << "an unreported contact comes within the margin at " << place.value_or(0);
+        ASSERT_FALSE(found.contacts.empty());
+        const double inexact = slack + 1e-9 * margin, gap = found.contacts[0].gap;
+        EXPECT_NEAR(distance(motion.pose_at(found.time.lower)), gap, inexact);
+        EXPECT_LE(gap, std::min(hold, before) + inexact) << "not above the hold distance";
     }
 };
 

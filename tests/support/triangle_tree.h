@@ -7,7 +7,6 @@
 #include "tests/support/surface_distance.h"
 
 #include <limits>
-#include <map>
 #include <memory>
 #include <span>
 #include <vector>
@@ -82,18 +81,6 @@ public:
     [[nodiscard]] const std::array<std::uint32_t, 3>& corners(std::uint32_t i) const { return corners_[i]; }
     [[nodiscard]] std::size_t size() const { return triangles_.size(); }
 
-    /// Whether the edge between two vertices has only one triangle or, if `from` equals `to`, whether any edge at this
-    /// vertex has. Meshes with vertices in the middle of edges have many cracks of this kind.
-    [[nodiscard]] bool is_at_rim(std::uint32_t from, std::uint32_t to) const {
-        std::map<std::pair<std::uint32_t, std::uint32_t>, int> count;
-        for (const auto& c : corners_)
-            for (std::size_t i = 0; i < 3; ++i)
-                if (const auto edge = std::minmax(c[i], c[(i + 1) % 3]);
-                    from == to ? edge.first == from || edge.second == from : edge == std::minmax(from, to))
-                    ++count[edge];
-        return std::ranges::any_of(count, [](const auto& edge) { return edge.second == 1; });
-    }
-
 private:
     void add_face(const Polyhedron& body, std::uint32_t f) {
         const auto face = body.face(f);
@@ -165,18 +152,6 @@ public:
         return last_ = best;
     }
     double distance(const Pose& at, double at_most) { return double(nearest(at, at_most).distance); }
-
-    /// All pairs at most `limit` apart.
-    [[nodiscard]] std::vector<TrianglePair> within(const Pose& at, double limit) const {
-        std::vector<TrianglePair> result;
-        visit(
-            LongPose(at), 0, 0, [&] { return limit; },
-            [&](const TrianglePair& pair) {
-                if (pair.distance <= limit)
-                    result.push_back(pair);
-            });
-        return result;
-    }
 
     [[nodiscard]] const TriangleTree& moving() const { return *moving_; }
     [[nodiscard]] const TriangleTree& fixed() const { return *fixed_; }
