@@ -73,8 +73,7 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::PartTests<S>::fir
     if constexpr (within_margin) {
         FirstCrossing collect(tolerance_); // NOLINT(misc-const-correctness): changed through the generic lambda
         tests_.distance(features, [&](const auto& problem) { collect(problem); });
-        if (collect.first())
-            found = collect.first()->tau;
+        found = collect.first();
     } else {
         found = tests_.touch(features);
     }
