@@ -64,8 +64,7 @@ std::optional<NutAndBolt> m16_nut_and_bolt() {
         std::printf("skipped: the M16 nut and bolt of assembly-factory are missing\n");
         return std::nullopt;
     }
-    const PolyhedronOptions options{.drop_degenerate = true}; // the nut has 32 collapsed faces
-    return NutAndBolt{Polyhedron::load(*nut, options), Polyhedron::load(*bolt, options)};
+    return NutAndBolt{Polyhedron::load(*nut), Polyhedron::load(*bolt)};
 }
 
 std::optional<Polyhedron> small_gear() {
@@ -74,7 +73,7 @@ std::optional<Polyhedron> small_gear() {
         std::printf("skipped: the gear of assembly-factory is missing\n");
         return std::nullopt;
     }
-    return Polyhedron::load(*file, {.drop_degenerate = true});
+    return Polyhedron::load(*file);
 }
 
 } // namespace chasles::bench

@@ -47,7 +47,6 @@ void add_query_options(CLI::App& command, QuestionOptions& options) {
 void add_mesh_options(CLI::App& command, PolyhedronOptions& options) {
     command.add_flag("--triangulate", options.triangulate,
                      "cut polygons that are not planar, cross themselves or turn back into triangles");
-    command.add_flag("--drop-degenerate", options.drop_degenerate, "has no effect: faces without area need no option");
 }
 
 void add_body_options(CLI::App& command, BodyOptions& options) {

@@ -262,8 +262,8 @@ Bvh::Bvh(const FlatLists<std::uint32_t>& outlines, std::span<const Eigen::Vector
     const std::vector<PackedBox> rounded = round_outward(vertices, centre_, threads);
     // The size must be positive and representable, because normals are divided by it.
     const auto size = std::max(static_cast<float>(extent.sizes().maxCoeff()), std::numeric_limits<float>::min());
-    nodes_.resize(2 * outlines.size());
-    build_tree({outlines, rounded}, size, threads, std::span(nodes_).subspan(1));
+    nodes_.resize(2 * outlines.size() - 1);
+    build_tree({outlines, rounded}, size, threads, nodes_);
     radius_ = radius_of(nodes().front());
 }
 

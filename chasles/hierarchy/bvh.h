@@ -3,7 +3,6 @@
 #pragma once
 
 #include "chasles/base/flat_lists.h"
-#include "chasles/hierarchy/cache_line.h"
 #include "chasles/hierarchy/slab.h"
 
 #include <Eigen/Core>
@@ -66,17 +65,15 @@ public:
     /// Marks the nodes of faces without features. `is_bare(face)` tells them.
     template <class IsBare>
     void mark_bare(IsBare is_bare) {
-        for (std::size_t i = nodes_.size(); i-- > 1;) { // children follow their parent
+        for (std::size_t i = nodes_.size(); i-- > 0;) { // children follow their parent
             BvhNode& node = nodes_[i];
             const bool bare = node.is_leaf() ? is_bare(std::uint32_t(node.first))
-                                             : nodes_[node.first + 1].is_bare() && nodes_[node.first + 2].is_bare();
+                                             : nodes_[node.first].is_bare() && nodes_[node.first + 1].is_bare();
             node.bare = bare ? 1 : 0;
         }
     }
 
-    [[nodiscard]] std::span<const BvhNode> nodes() const {
-        return nodes_.empty() ? std::span<const BvhNode>() : std::span(nodes_).subspan(1);
-    }
+    [[nodiscard]] std::span<const BvhNode> nodes() const { return nodes_; }
 
     /// The point of the body's frame that the boxes are relative to: the centre of the body's bounding box. Single
     /// precision then represents the body and not its distance from the origin.
@@ -89,8 +86,7 @@ public:
     [[nodiscard]] std::size_t memory() const { return nodes_.capacity() * sizeof(BvhNode); }
 
 private:
-    /// The first entry is unused. Therefore the two children of each node share a cache line.
-    std::vector<BvhNode, CacheLineAllocator<BvhNode>> nodes_;
+    std::vector<BvhNode> nodes_;
     Eigen::Vector3d centre_ = Eigen::Vector3d::Zero();
     double radius_ = 0;
 };

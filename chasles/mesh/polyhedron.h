@@ -20,8 +20,6 @@ struct PolyhedronOptions {
     /// Cut polygons that are not planar, and outlines that cross themselves or turn back, into triangles. Otherwise
     /// they are refused.
     bool triangulate = false;
-    /// Has no effect: faces without area need no option any more. Kept for programs that set it.
-    bool drop_degenerate = false;
     /// Build the hierarchy on at most this many threads (0: all cores). The body is the same bit by bit for any number
     /// of threads. Bodies with fewer than 32,768 faces use only the calling thread.
     unsigned threads = 0;

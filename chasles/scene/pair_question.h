@@ -23,14 +23,6 @@ WorldMotion world_motion(const Motion& motion, std::string_view name);
 /// The rest of a motion from a time in [0, 1) on.
 WorldMotion rest_of(const WorldMotion& motion, double from);
 
-/// Fetches the numbers of a motion that is needed soon: frames are spread over the memory.
-inline void prefetch(const WorldMotion& motion) {
-    constexpr std::ptrdiff_t line = 64, most_of_frame = 512;
-    const auto* frame = reinterpret_cast<const char*>(motion.frame.get());
-    for (std::ptrdiff_t i = 0; i < most_of_frame; i += line)
-        __builtin_prefetch(frame + i);
-}
-
 struct Mover {
     std::string_view name;
     const Polyhedron& shape;

@@ -11,13 +11,9 @@ namespace chasles::scene {
 std::vector<SweptBody> swept_bodies(const Scene& scene, const SceneQuery& query) {
     std::vector<SweptBody> bodies(scene.bodies().size());
     const double margin = scene.margins(query.options.margin).upper;
-    constexpr std::size_t chunk = 64, ahead = 2;
+    constexpr std::size_t chunk = 64;
     parallel_chunks(query.threads, bodies.size(), chunk, [&](std::size_t, std::size_t begin, std::size_t end) {
         for (std::size_t i = begin; i < end; ++i) {
-            if (i + 2 * ahead < bodies.size())
-                __builtin_prefetch(&scene.motion_of(i + 2 * ahead));
-            if (i + ahead < bodies.size())
-                prefetch(scene.motion_of(i + ahead));
             const WorldMotion& motion = scene.motion_of(i);
             bodies[i] = swept({scene.bodies()[i].shape.body(), *motion.frame, motion.rests}, query.until);
             bodies[i].box = widened(bodies[i].box, margin);

@@ -68,7 +68,6 @@ private:
     [[nodiscard]] FirstContact ask(const scene::IndexPair& pair, double until) const;
     /// Asks the tasks of a round, and returns the contacts in the order of the tasks.
     std::vector<SceneContact> ask_all(const Rounds& rounds, double until);
-    void prefetch(std::size_t task) const;
     void report_progress();
     [[nodiscard]] std::vector<SceneContact> sorted(std::vector<SceneContact> contacts) const;
     [[nodiscard]] SceneAnswer answer(std::vector<SceneContact> contacts) const;
@@ -99,7 +98,6 @@ std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double unti
     parallel_for(query_.threads, answers.size(), [&](std::size_t first, std::size_t last) {
         for (std::size_t i = first; i < last && !is_cancelled_; ++i) {
             const PairTask& task = tasks_[rounds.begin() + i];
-            prefetch(rounds.begin() + i + 1);
             answers[i] = {task.pair.first, task.pair.second, ask(task.pair, until)};
             report_progress();
         }
@@ -112,13 +110,6 @@ std::vector<SceneContact> SceneSearch::ask_all(const Rounds& rounds, double unti
     for (const SceneContact& answer : answers)
         first_contact_ = std::min(first_contact_, answer.contact.clear_until);
     return answers;
-}
-
-/// If there is such a task.
-void SceneSearch::prefetch(std::size_t task) const {
-    if (task < tasks_.size())
-        for (const std::size_t body : {tasks_[task].pair.first, tasks_[task].pair.second})
-            scene::prefetch(scene_.motion_of(body));
 }
 
 void SceneSearch::report_progress() {

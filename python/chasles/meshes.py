@@ -9,7 +9,7 @@ from ._core import InvalidInput, Polyhedron
 
 
 def from_trimesh(
-    mesh: Any, *, triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0
+    mesh: Any, *, triangulate: bool = False, threads: int = 0
 ) -> Polyhedron:
     """A polyhedron from a ``trimesh.Trimesh``. It keeps the ids of the vertices and faces.
 
@@ -20,11 +20,11 @@ def from_trimesh(
     if vertices is None or faces is None:
         way_out = "parts_from_trimesh gives its parts" if hasattr(mesh, "graph") else "a trimesh.Trimesh is needed"
         raise InvalidInput(f"mesh: a {type(mesh).__name__} has no vertices and faces; {way_out}")
-    return Polyhedron(vertices, faces, triangulate=triangulate, drop_degenerate=drop_degenerate, threads=threads)
+    return Polyhedron(vertices, faces, triangulate=triangulate, threads=threads)
 
 
 def parts_from_trimesh(
-    scene: Any, *, triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0
+    scene: Any, *, triangulate: bool = False, threads: int = 0
 ) -> dict[str, Polyhedron]:
     """The parts of a ``trimesh.Scene``: a polyhedron for each node of its graph that has a mesh, by the node's name.
 
@@ -45,7 +45,7 @@ def parts_from_trimesh(
         try:
             mesh = _placed(scene.geometry[name], np.asarray(matrix, np.float64))
             parts[names[node]] = Polyhedron(
-                *mesh, triangulate=triangulate, drop_degenerate=drop_degenerate, threads=threads
+                *mesh, triangulate=triangulate, threads=threads
             )
         except InvalidInput as error:
             raise InvalidInput(f"{node}: {error}") from None

@@ -29,7 +29,7 @@ bool has_given_ids(const Polyhedron& polyhedron) {
     return polyhedron.report().dropped_faces == 0;
 }
 
-Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool drop_degenerate, unsigned threads) {
+Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, unsigned threads) {
     const DoubleArray points(vertices, "vertices");
     if (points.shape().size() != 2 || points.shape()[1] != 3)
         throw InvalidInput("vertices: the shape is " + points.shape_text() +
@@ -37,7 +37,7 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool dro
     const FaceLists outlines(faces);
     const std::span given(reinterpret_cast<const Eigen::Vector3d*>(points.numbers().data()),
                           points.numbers().size() / 3);
-    const PolyhedronOptions options{triangulate, drop_degenerate, threads};
+    const PolyhedronOptions options{triangulate, threads};
     const WithoutGil without_gil;
     Body body{Polyhedron::from_outlines(given, outlines.lists(), options), nullptr, options};
     if (!has_given_ids(body.polyhedron))
@@ -45,8 +45,8 @@ Body body_from(nb::handle vertices, nb::handle faces, bool triangulate, bool dro
     return body;
 }
 
-Body load(const std::filesystem::path& file, bool triangulate, bool drop_degenerate, unsigned threads) {
-    const PolyhedronOptions options{triangulate, drop_degenerate, threads};
+Body load(const std::filesystem::path& file, bool triangulate, unsigned threads) {
+    const PolyhedronOptions options{triangulate, threads};
     const WithoutGil without_gil;
     Body body{Polyhedron::load(file, options), nullptr, options};
     if (!has_given_ids(body.polyhedron))
@@ -54,8 +54,8 @@ Body load(const std::filesystem::path& file, bool triangulate, bool drop_degener
     return body;
 }
 
-nb::dict load_parts(const std::filesystem::path& file, bool triangulate, bool drop_degenerate, unsigned threads) {
-    const PolyhedronOptions options{triangulate, drop_degenerate, threads};
+nb::dict load_parts(const std::filesystem::path& file, bool triangulate, unsigned threads) {
+    const PolyhedronOptions options{triangulate, threads};
     std::vector<std::pair<std::string, Body>> bodies;
     {
         const WithoutGil without_gil;
@@ -128,8 +128,7 @@ nb::object packed_faces(const Body& body) {
 nb::tuple reduce(nb::handle self) {
     const Body& body = nb::cast<const Body&>(self);
     const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
-    return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate,
-                                                      body.options.drop_degenerate, body.options.threads));
+    return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate, body.options.threads));
 }
 
 std::string repr(const Body& body) {
@@ -165,8 +164,7 @@ const std::string& constructor_doc() {
         "\n\nParameters\n----------\nvertices : array (n, 3)\n    Points, in the mesh's unit.\n"
         "faces : array (m, k), or a list of m lists\n    Vertex indices from 0.\n"
         "triangulate : bool\n" +
-        indented(doc("PolyhedronOptions.triangulate")) + "drop_degenerate : bool\n" +
-        indented(doc("PolyhedronOptions.drop_degenerate")) + "threads : int\n" +
+        indented(doc("PolyhedronOptions.triangulate")) + "threads : int\n" +
         indented(doc("PolyhedronOptions.threads"));
     return text;
 }
@@ -178,15 +176,15 @@ void bind_polyhedron(nb::module_& module) {
     nb::class_<Body>(module, "Polyhedron", doc("Polyhedron"))
         .def(
             "__init__",
-            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate, bool drop_degenerate,
+            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate,
                unsigned threads) {
-                new (self) Body(body_from(points, outlines, triangulate, drop_degenerate, threads));
+                new (self) Body(body_from(points, outlines, triangulate, threads));
             },
-            "vertices"_a.none(), "faces"_a.none(), "triangulate"_a = false, "drop_degenerate"_a = false,
+            "vertices"_a.none(), "faces"_a.none(), "triangulate"_a = false,
             "threads"_a = 0,
             nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, "
                     "faces: numpy.typing.ArrayLike | collections.abc.Sequence[collections.abc.Sequence[int]], "
-                    "triangulate: bool = False, drop_degenerate: bool = False, threads: int = 0) -> None"),
+                    "triangulate: bool = False, threads: int = 0) -> None"),
             constructor_doc().c_str())
         .def_prop_ro("vertices", vertices, nb::sig("def vertices(self) -> numpy.typing.NDArray[numpy.float64]"),
                      doc("Polyhedron.vertices"))
@@ -201,14 +199,14 @@ void bind_polyhedron(nb::module_& module) {
             "report", [](const Body& body) { return body.polyhedron.report(); }, doc("MeshReport"))
         .def("__reduce__", reduce, nb::sig("def __reduce__(self) -> tuple"))
         .def("__repr__", repr);
-    module.def("load", load, "file"_a, "triangulate"_a = false, "drop_degenerate"_a = false, "threads"_a = 0,
+    module.def("load", load, "file"_a, "triangulate"_a = false, "threads"_a = 0,
                nb::sig("def load(file: str | os.PathLike[str], triangulate: bool = False, "
-                       "drop_degenerate: bool = False, threads: int = 0) -> Polyhedron"),
+                       "threads: int = 0) -> Polyhedron"),
                doc("Polyhedron.load"));
-    module.def("load_parts", load_parts, "file"_a, "triangulate"_a = false, "drop_degenerate"_a = false,
+    module.def("load_parts", load_parts, "file"_a, "triangulate"_a = false,
                "threads"_a = 0,
                nb::sig("def load_parts(file: str | os.PathLike[str], triangulate: bool = False, "
-                       "drop_degenerate: bool = False, threads: int = 0) -> dict[str, Polyhedron]"),
+                       "threads: int = 0) -> dict[str, Polyhedron]"),
                doc("load_parts"));
 }
 

@@ -31,7 +31,7 @@ TEST_F(View, AnswersAsCheckDoes) {
 
 TEST_F(View, TakesTheOptionsOfCheck) {
     const std::string options = " --motion sweep --centre '1 0 0' --max-turn-deg 20 --time-tolerance 1e-9 --any "
-                                "--fixed-start '0 0 0' --fixed-goal '0 0 1' --triangulate --drop-degenerate";
+                                "--fixed-start '0 0 0' --fixed-goal '0 0 1' --triangulate";
     EXPECT_EQ(run("view cube.obj cube.obj" + poses + options + " --out page.html").status, 1);
 }
 

@@ -67,7 +67,7 @@ Polyhedron body(Bytes& bytes) {
             face.push_back(bytes.below(unsigned(vertices.size())));
     const unsigned options = bytes.byte();
     return Polyhedron::from_polygons(vertices, faces,
-                                     {.triangulate = (options & 1) != 0, .drop_degenerate = (options & 2) != 0});
+                                     {.triangulate = (options & 1) != 0});
 }
 
 Motion motion(Bytes& bytes, double max_turn) {

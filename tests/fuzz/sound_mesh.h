@@ -48,7 +48,7 @@ void read_or_refuse(const Read& read) {
         if (soup.faces.size() > 10'000) // a few nodes can place a mesh a million times, which takes long
             return;
         make_body(soup, {});
-        make_body(soup, {.triangulate = true, .drop_degenerate = true});
+        make_body(soup, {.triangulate = true});
     } catch (const InvalidInput&) { // refused, which is an answer
     }
 }

@@ -163,19 +163,6 @@ bool are_the_same(const Bvh& a, const Bvh& b) {
            std::memcmp(a.nodes().data(), b.nodes().data(), a.nodes().size_bytes()) == 0;
 }
 
-TEST(Bvh, ChildrenOfANodeShareACacheLine) {
-    std::mt19937_64 random(20240515);
-    const Bvh tree = hierarchy_of(random_boxes(random, 300, 0.0));
-    const Bvh copy = tree;
-    const auto place = [](const Bvh& of, const BvhNode& node) {
-        return reinterpret_cast<std::uintptr_t>(&of.nodes()[node.is_leaf() ? 1U : node.first]) % cache_line;
-    };
-    for (const BvhNode& node : tree.nodes()) {
-        EXPECT_EQ(place(tree, node), 0U);
-        EXPECT_EQ(place(copy, node), 0U);
-    }
-}
-
 TEST(Bvh, IsTheSameEachTime) {
     const unsigned seed = 20240512;
     SCOPED_TRACE(seed);
@@ -247,7 +234,7 @@ TEST(Bvh, EnclosesTheVerticesOfRealFaces) {
             continue; // exact arithmetic takes its time
         SCOPED_TRACE(row.file);
         const test::Soup soup = test::read_obj(test::shared_data() / row.file);
-        const Polyhedron body = Polyhedron::from_polygons(soup.vertices, soup.faces, {.drop_degenerate = true});
+        const Polyhedron body = Polyhedron::from_polygons(soup.vertices, soup.faces);
         std::vector<Box> boxes(body.face_count());
         for (std::size_t f = 0; f < boxes.size(); ++f) {
             boxes[f] = {soup.vertices[body.face(f)[0]], soup.vertices[body.face(f)[0]]};

@@ -198,7 +198,6 @@ TEST(Polyhedron, DropsFacesWithoutAreaThatEdgesCover) {
     const Polyhedron cube = made_from(soup);
     EXPECT_EQ(cube.report().dropped_faces, 3U);
     EXPECT_EQ(cube.report().segments, 0U);
-    EXPECT_EQ(made_from(soup, {.drop_degenerate = true}).report().dropped_faces, 3U) << "the option has no effect";
 }
 
 TEST(Polyhedron, DropsFacesThatShorterEdgesCover) {

@@ -141,7 +141,7 @@ def test_pickle_keeps_every_id(cube):
 
 def test_pickle_keeps_the_ids_of_the_input_where_faces_were_dropped():
     faces = [[0, 1, 0], *CUBE_FACES.tolist()]
-    body = chasles.Polyhedron(CUBE_VERTICES, faces, drop_degenerate=True)
+    body = chasles.Polyhedron(CUBE_VERTICES, faces)
     assert body.report.dropped_faces == 1
     again = pickle.loads(pickle.dumps(body))
     np.testing.assert_array_equal(again.source_faces, np.arange(1, 7))
