@@ -128,7 +128,8 @@ nb::object packed_faces(const Body& body) {
 nb::tuple reduce(nb::handle self) {
     const Body& body = nb::cast<const Body&>(self);
     const nb::object outlines = body.given_faces ? nb::cast(*body.given_faces) : packed_faces(body);
-    return nb::make_tuple(self.type(), nb::make_tuple(vertices(self), outlines, body.options.triangulate, body.options.threads));
+    return nb::make_tuple(self.type(),
+                          nb::make_tuple(vertices(self), outlines, body.options.triangulate, body.options.threads));
 }
 
 std::string repr(const Body& body) {
@@ -164,8 +165,7 @@ const std::string& constructor_doc() {
         "\n\nParameters\n----------\nvertices : array (n, 3)\n    Points, in the mesh's unit.\n"
         "faces : array (m, k), or a list of m lists\n    Vertex indices from 0.\n"
         "triangulate : bool\n" +
-        indented(doc("PolyhedronOptions.triangulate")) + "threads : int\n" +
-        indented(doc("PolyhedronOptions.threads"));
+        indented(doc("PolyhedronOptions.triangulate")) + "threads : int\n" + indented(doc("PolyhedronOptions.threads"));
     return text;
 }
 
@@ -176,12 +176,10 @@ void bind_polyhedron(nb::module_& module) {
     nb::class_<Body>(module, "Polyhedron", doc("Polyhedron"))
         .def(
             "__init__",
-            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate,
-               unsigned threads) {
+            [](Body* self, nb::handle points, nb::handle outlines, bool triangulate, unsigned threads) {
                 new (self) Body(body_from(points, outlines, triangulate, threads));
             },
-            "vertices"_a.none(), "faces"_a.none(), "triangulate"_a = false,
-            "threads"_a = 0,
+            "vertices"_a.none(), "faces"_a.none(), "triangulate"_a = false, "threads"_a = 0,
             nb::sig("def __init__(self, vertices: numpy.typing.ArrayLike, "
                     "faces: numpy.typing.ArrayLike | collections.abc.Sequence[collections.abc.Sequence[int]], "
                     "triangulate: bool = False, threads: int = 0) -> None"),
@@ -203,8 +201,7 @@ void bind_polyhedron(nb::module_& module) {
                nb::sig("def load(file: str | os.PathLike[str], triangulate: bool = False, "
                        "threads: int = 0) -> Polyhedron"),
                doc("Polyhedron.load"));
-    module.def("load_parts", load_parts, "file"_a, "triangulate"_a = false,
-               "threads"_a = 0,
+    module.def("load_parts", load_parts, "file"_a, "triangulate"_a = false, "threads"_a = 0,
                nb::sig("def load_parts(file: str | os.PathLike[str], triangulate: bool = False, "
                        "threads: int = 0) -> dict[str, Polyhedron]"),
                doc("load_parts"));

@@ -66,8 +66,7 @@ Polyhedron body(Bytes& bytes) {
         for (unsigned corners = 3 + (bytes.below(4) == 0 ? 1 : 0); corners > 0; --corners)
             face.push_back(bytes.below(unsigned(vertices.size())));
     const unsigned options = bytes.byte();
-    return Polyhedron::from_polygons(vertices, faces,
-                                     {.triangulate = (options & 1) != 0});
+    return Polyhedron::from_polygons(vertices, faces, {.triangulate = (options & 1) != 0});
 }
 
 Motion motion(Bytes& bytes, double max_turn) {
