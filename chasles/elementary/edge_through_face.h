@@ -61,15 +61,15 @@ std::optional<bool> passes(const OrientedSegment<S>& oriented, const ConvexPart<
     return certain;
 }
 
-/// Whether a direction of any length separates the segment from the convex hull of the face's corners.
+/// Whether a direction of any length separates the segment from a convex part of a face.
 template <class S>
-bool are_apart_along(const Vector3<S>& direction, const Segment<S>& segment, const FaceShape<S>& face, const S& unit) {
-    const Vector3<S> anchor = scale(face.corners[0], segment.weight);
+bool are_apart_along(const Vector3<S>& direction, const Segment<S>& segment, const ConvexPart<S>& part, const S& unit) {
+    const Vector3<S> anchor = scale(part.corner(0), segment.weight);
     const S from = dot(direction, segment.from - anchor);
     const S to = dot(direction, segment.to - anchor);
     S lower(0), upper(0); // heights of the corners
-    for (const Vector3<S>& corner : face.corners) {
-        const S height = dot(direction, corner - face.corners[0]) * segment.weight;
+    for (std::size_t i = 1; i < part.count; ++i) {
+        const S height = dot(direction, part.corner(i) - part.corner(0)) * segment.weight;
         lower = height < lower ? height : lower;
         upper = upper < height ? height : upper;
     }
@@ -77,17 +77,14 @@ bool are_apart_along(const Vector3<S>& direction, const Segment<S>& segment, con
     return (from > upper + error && to > upper + error) || (from < lower - error && to < lower - error);
 }
 
-/// Whether a direction in the plane of the face separates both: across the segment or across a side of the face.
+/// Whether a direction at a right angle to `normal` separates both: across the segment or across a side of the part.
 template <class S>
-bool are_apart_in_plane(const Segment<S>& segment, const FaceShape<S>& face, const S& unit) {
-    if (are_apart_along<S>(cross(face.normal, segment.to - segment.from), segment, face, unit))
+bool are_apart_in_plane(const Segment<S>& segment, const ConvexPart<S>& part, const Vector3<S>& normal, const S& unit) {
+    if (are_apart_along<S>(cross(normal, segment.to - segment.from), segment, part, unit))
         return true;
-    const std::size_t count = face.corners.size();
-    for (std::size_t i = 0; i < count; ++i) {
-        const Vector3<S> side = face.corners[i + 1 == count ? 0 : i + 1] - face.corners[i];
-        if (are_apart_along<S>(cross(face.normal, side), segment, face, unit))
+    for (std::size_t i = 0; i < part.count; ++i)
+        if (are_apart_along<S>(cross(normal, part.next_corner(i) - part.corner(i)), segment, part, unit))
             return true;
-    }
     return false;
 }
 
@@ -117,19 +114,19 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
     const S to = dot(face.normal, segment.to - anchor);
     const bool upwards = from < S(0) - limit && to > limit;
     const bool downwards = to < S(0) - limit && from > limit;
-    // In the plane or next to the plane, the signed volumes separate nothing.
-    if (upwards && downwards && detail::are_apart_in_plane(segment, face, unit))
-        return std::nullopt;
     for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i) {
         const ConvexPart<S> part = convex_part(face, i);
+        // In the plane or next to the plane, the signed volumes separate nothing.
+        if (upwards && downwards && detail::are_apart_in_plane(segment, part, face.normal, unit))
+            continue;
         for (const bool up : {true, false}) {
             if (!(up ? upwards : downwards))
                 continue;
             const std::optional<bool> certain = detail::passes<S>({segment, up, ends}, part, unit);
             if (!certain)
                 continue;
-            if (!*certain && detail::are_apart_in_plane(segment, face, unit)) // nearly in the plane
-                return std::nullopt;
+            if (!*certain && detail::are_apart_in_plane(segment, part, face.normal, unit)) // nearly in the plane
+                break;
             return Passage<S>{detail::point_at_plane(segment, from, to), *certain};
         }
     }

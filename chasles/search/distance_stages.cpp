@@ -1,5 +1,6 @@
 #include "chasles/search/distance_stages.h"
 
+#include "chasles/search/nearest_at_start.h"
 #include "chasles/search/touch_stages.h"
 
 #include <algorithm>
@@ -68,6 +69,8 @@ void DistanceStages::test_at_start(const FeaturePair& features, WithinAtStart::A
     using enum WithinAtStart::Answer;
     if (is_over() || answer == no)
         return;
+    if (answer == uncertain && are_within_at_start(context_, features, options_.margin))
+        answer = yes;
     if (answer == uncertain) {
         PartTests<algebra::DoubleDouble>& stage = refinement();
         stage.use({0, rim}); // over a short part, bounds follow the numbers

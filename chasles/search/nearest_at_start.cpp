@@ -66,4 +66,11 @@ std::vector<contact::FeaturePair> nearest_at_start(PieceContext& context, double
     return pairs.found();
 }
 
+/// Four times the bound of the roundings of both points.
+bool are_within_at_start(const PieceContext& context, const contact::FeaturePair& features, double margin) {
+    const contact::RelativeConfiguration bodies = context.configuration_at(0);
+    const double rounding = 4 * contact::touch_slack(bodies, context.error_scale(margin), 0);
+    return NearestAtRest().points(bodies, features).distance + rounding <= margin;
+}
+
 } // namespace chasles::search

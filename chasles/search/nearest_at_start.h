@@ -1,4 +1,4 @@
-// The features of two bodies that are nearest at the start of a piece. Source: docs/derivations/16-margin.md,
+// Features that are near each other at the start of a piece. Source: docs/derivations/16-margin.md,
 // "Stages".
 #pragma once
 
@@ -13,5 +13,9 @@ namespace chasles::search {
 /// Feature pairs that are near each other at tau = 0, and within the margin. A bounded search guesses the nearest ones.
 /// Empty if it finds none.
 std::vector<contact::FeaturePair> nearest_at_start(PieceContext& context, double margin, Work& work);
+
+/// Whether two features are proven to have points within the margin of each other at tau = 0, wherever on the features
+/// these points are. The tests of features leave that open where the nearest points are at their rims.
+bool are_within_at_start(const PieceContext& context, const contact::FeaturePair& features, double margin);
 
 } // namespace chasles::search

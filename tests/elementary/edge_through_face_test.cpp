@@ -169,6 +169,21 @@ TEST(EdgeThroughFace, FilterTellsEdgesBesideTheFaceInItsPlane) {
     EXPECT_GT(across, 200);
 }
 
+/// The hull of a face that is not convex says nothing: each part is tested by itself.
+TEST(EdgeThroughFace, FilterTellsEdgesInANotchInItsPlane) {
+    const Face bent_bar{
+        {point(0, 0, 0), point(3, 0, 0), point(3, 1, 0), point(1, 1, 0), point(1, 3, 0), point(0, 3, 0)},
+        {0, 1, 2, 0, 2, 3, 0, 3, 5, 3, 4, 5}};
+    const auto filtered = [&](const Line& edge) {
+        return passage<double>(edge, bent_bar, Ends::not_proven_on_one_side).has_value();
+    };
+    EXPECT_FALSE(filtered({point(2, 2, 0), point(3, 2, 0)}));
+    EXPECT_FALSE(filtered({point(ratio(3, 2), ratio(3, 2), 0), point(2, ratio(5, 4), 0)}));
+    EXPECT_FALSE(filtered({point(ratio(9, 8), 3, 0), point(3, ratio(9, 8), 0)}));
+    EXPECT_TRUE(filtered({point(2, 2, 0), point(ratio(1, 2), 2, 0)})) << "into a leg";
+    EXPECT_TRUE(filtered({point(ratio(1, 2), ratio(5, 2), 0), point(ratio(5, 2), ratio(1, 2), 0)})) << "over the notch";
+}
+
 TEST(EdgeThroughFace, FilterLosesNothing) {
     Random random(732);
     int passing = 0;

@@ -15,10 +15,6 @@ namespace {
 
 using test::Soup;
 
-Polyhedron made_from(const Soup& soup, const PolyhedronOptions& options = {}) {
-    return Polyhedron::from_polygons(soup.vertices, soup.faces, options);
-}
-
 std::vector<std::uint32_t> ids(std::span<const std::uint32_t> list) {
     return {list.begin(), list.end()};
 }

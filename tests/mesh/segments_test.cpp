@@ -17,10 +17,6 @@ namespace {
 using Ids = std::vector<std::uint32_t>;
 using test::Soup;
 
-Polyhedron made_from(const Soup& soup, const PolyhedronOptions& options = {}) {
-    return Polyhedron::from_polygons(soup.vertices, soup.faces, options);
-}
-
 /// A cube with one more face.
 Polyhedron cube_with(const std::vector<Eigen::Vector3d>& vertices, const Ids& face) {
     Soup soup = test::cube();

@@ -1,6 +1,7 @@
 // Small bodies and outlines for the tests of this layer.
 #pragma once
 
+#include "chasles/mesh/polyhedron.h"
 #include "tests/mesh/read_obj.h"
 
 #include <cmath>
@@ -10,6 +11,10 @@
 namespace chasles::test {
 
 using Outline = std::vector<Eigen::Vector2d>;
+
+inline Polyhedron made_from(const Soup& soup, const PolyhedronOptions& options = {}) {
+    return Polyhedron::from_polygons(soup.vertices, soup.faces, options);
+}
 
 /// The unit cube of six quads, counter-clockwise when viewed from outside. The bits of i are the coordinates of vertex
 /// i.

@@ -294,5 +294,27 @@ TEST(ClosedFormMargin, APrismRollsToItsNextEdge) {
         }
 }
 
+// --- Starts -------------------------------------------------------------------------------------------------------
+
+/// The nearest points of bodies that are aligned are at corners and on edges, where no test of features is decided.
+TEST(ClosedFormMargin, AStartWithinTheMarginIsCertain) {
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    for (const Eigen::Vector3d& at :
+         {Eigen::Vector3d(0, 0, 1.1), {1, 0, 1.1}, {1, 1, 1.1}, {1.1, 1.1, 1.1}, {0, 1.01, 1}})
+        for (const double margin : {0.2, 0.5, 2.0}) {
+            const Pose start = shifted(at.x(), at.y(), at.z()), goal = shifted(0, 0, 5);
+            const Pose turned_goal = turned({0, 0, 5}, {1, 2, 3}, 1);
+            for (const Motion& motion :
+                 {Motion(ScrewMotion::between(start, goal)), Motion(SweepMotion::between(start, goal)),
+                  Motion::velocity(start, turned_goal), Motion(ScrewMotion::between(start, turned_goal))}) {
+                SCOPED_TRACE(at.transpose());
+                const FirstContact found = first_contact(query_of(cube, cube, motion, margin));
+                EXPECT_EQ(found.verdict, Verdict::contact_at_start);
+                EXPECT_TRUE(found.certain);
+                EXPECT_EQ(found.clear_until, 0);
+            }
+        }
+}
+
 } // namespace
 } // namespace chasles::test

@@ -178,5 +178,69 @@ TEST(HardCases, PlateRollsIntoATipJustAfterTheStart) {
     EXPECT_NEAR(found.time.lower, 4.9586708e-06, 1e-9);
 }
 
+/// A prism over a polygon, between two heights. Its caps are one polygon each, or triangles of a fan at the origin.
+Polyhedron prism(const std::vector<Eigen::Vector2d>& outline, double height, bool cuts_caps) {
+    Body body;
+    const auto count = std::uint32_t(outline.size());
+    for (const double z : {0.0, height})
+        for (const Eigen::Vector2d& corner : outline)
+            body.vertices.emplace_back(corner.x(), corner.y(), z);
+    body.faces.resize(cuts_caps ? 0 : 2);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t next = (i + 1) % count;
+        body.faces.push_back({i, next, count + next, count + i});
+        if (cuts_caps) {
+            body.faces.push_back({2 * count, next, i});
+            body.faces.push_back({2 * count + 1, count + i, count + next});
+        } else {
+            body.faces[0].insert(body.faces[0].begin(), i);
+            body.faces[1].push_back(count + i);
+        }
+    }
+    if (cuts_caps) {
+        body.vertices.emplace_back(0, 0, 0);
+        body.vertices.emplace_back(0, 0, height);
+    }
+    return body.polyhedron();
+}
+
+/// A gear or a star: corners around the origin at random distances.
+std::vector<Eigen::Vector2d> random_star(std::mt19937& random, int count) {
+    std::vector<Eigen::Vector2d> outline;
+    for (int i = 0; i < count; ++i) {
+        const double angle = 2 * pi * i / count;
+        outline.emplace_back(uniform(random, 0.3, 1) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+    }
+    return outline;
+}
+
+/// Parts of one height whose caps are polygons with notches, as extruded parts are. They were in contact at the start
+/// wherever an edge of one lay in the notch of the other one.
+TEST(HardCases, FlushPartsBesideTheNotchesOfPolygonsAreApart) {
+    std::mt19937 random(57);
+    int clear = 0, contacts = 0, at_start = 0;
+    for (int i = 0; i < 400; ++i) {
+        SCOPED_TRACE("seed 57, case " + std::to_string(i));
+        const auto moving = random_star(random, 9), fixed = random_star(random, 11);
+        const Pose start = shifted(uniform(random, -1.4, 1.4), uniform(random, -1.4, 1.4), 0);
+        const Pose goal = composed(start, turned({uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), 0}, {0, 0, 1},
+                                                 uniform(random, -0.3, 0.3)));
+        const Motion motion = Motion::velocity(start, goal);
+        const auto found = [&](bool cuts_caps) {
+            return first_contact(
+                {.moving = prism(moving, 1, cuts_caps), .fixed = prism(fixed, 1, cuts_caps), .motion = motion});
+        };
+        const FirstContact whole = found(false), cut = found(true);
+        ASSERT_EQ(whole.verdict, cut.verdict);
+        EXPECT_NEAR(whole.time.lower, cut.time.lower, 1e-9);
+        clear += whole.verdict == Verdict::clear ? 1 : 0;
+        contacts += whole.verdict == Verdict::contact ? 1 : 0;
+        at_start += whole.verdict == Verdict::contact_at_start ? 1 : 0;
+    }
+    EXPECT_GT(clear, 60);
+    EXPECT_GT(contacts, 20);
+    EXPECT_GT(at_start, 60);
+}
+
 } // namespace
 } // namespace chasles::test
