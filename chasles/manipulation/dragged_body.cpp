@@ -94,6 +94,7 @@ private:
     void look_around(DragStep& step);
     void meet(const Other& other, DragStep& step) const;
     void read_scene(DragStep& step);
+    bool take_from_scene();
     void renumber_contacts();
     struct Way {
         Pose end;
@@ -111,6 +112,7 @@ private:
     Distances distances_;
     manipulation::HandSpring spring_;
     double size_;
+    Motion placed_; ///< that the scene has of the body, unless somebody else moved it
     Pose pose_;
     manipulation::Lock lock_;
     manipulation::SharedGrip grip_; ///< for the forces that other threads ask for
@@ -124,8 +126,8 @@ private:
 DraggedBody::Implementation::Implementation(Scene& scene, const std::string& name, const DragOptions& options)
     : scene_(scene), name_(name), shape_(scene.bodies()[scene.index_of(name)].shape), options_(options),
       distances_(manipulation::distances_of(options, shape_)), spring_(manipulation::mass_of(options, shape_)),
-      size_(manipulation::diagonal(shape_)), pose_(scene.bodies()[scene.index_of(name)].motion.pose_at(1)),
-      lock_(options.lock, pose_), stride_(distances_.margin), surroundings_(distances_) {
+      size_(manipulation::diagonal(shape_)), placed_(scene.bodies()[scene.index_of(name)].motion),
+      pose_(placed_.pose_at(1)), lock_(options.lock, pose_), stride_(distances_.margin), surroundings_(distances_) {
     manipulation::check_rounding(distances_, shape_, pose_);
     manipulation::prepare(shape_.body());
     DragStep step;
@@ -157,13 +159,28 @@ void DraggedBody::Implementation::meet(const Other& other, DragStep& step) const
         step.intrusions.push_back({other.index, std::move(found)});
 }
 
+/// Whether somebody else has moved the body since: another hand, or the program. Then it is where they put it.
+bool DraggedBody::Implementation::take_from_scene() {
+    const Motion& motion = scene_.bodies()[scene_.index_of(name_)].motion;
+    if (&motion.trajectory() == &placed_.trajectory())
+        return false;
+    const Pose pose = motion.pose_at(1);
+    manipulation::check_rounding(distances_, shape_, pose);
+    placed_ = motion;
+    pose_ = pose;
+    lock_ = manipulation::Lock(options_.lock, pose_);
+    return true;
+}
+
 void DraggedBody::Implementation::read_scene(DragStep& step) {
+    const bool is_taken = take_from_scene();
     const auto moved = surroundings_.refresh(scene_, scene_.index_of(name_));
-    if (!moved)
+    if (!moved && !is_taken)
         return;
     renumber_contacts();
-    for (const std::size_t place : *moved)
-        meet(surroundings_.others()[place], step);
+    if (moved)
+        for (const std::size_t place : *moved)
+            meet(surroundings_.others()[place], step);
     look_around(step);
 }
 
@@ -285,7 +302,8 @@ DragStep DraggedBody::Implementation::update(const Pose& wanted, double seconds)
     read_scene(step);
     step.state = go_on(goal, seconds, step);
     report(goal, step);
-    scene_.move(scene_.index_of(name_), Motion::at_rest(pose_));
+    placed_ = Motion::at_rest(pose_);
+    scene_.move(scene_.index_of(name_), placed_);
     return step;
 }
 

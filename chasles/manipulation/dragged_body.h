@@ -102,6 +102,7 @@ public:
     /// an update runs. Throws InvalidInput for a goal that cannot be used.
     [[nodiscard]] DragForce force(const Pose& goal) const;
 
+    /// Where the last update ended. If the scene has moved the body since, the next update begins where it is.
     [[nodiscard]] const Pose& pose() const;
     [[nodiscard]] double margin() const; ///< in use
     [[nodiscard]] double reach() const;  ///< in use

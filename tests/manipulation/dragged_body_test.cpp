@@ -225,6 +225,33 @@ TEST(DraggedBody, BodiesMayBeRemovedAndAdded) {
     EXPECT_NEAR(body.pose().translation.z(), margin, 1e-9);
 }
 
+/// A program puts the body elsewhere, or another hand does: each hand goes on from there.
+TEST(DraggedBody, GoesOnFromWhereTheSceneHasMovedIt) {
+    Scene scene = box_and_table();
+    scene.add({"wall", box({0.5, 5, 5}).polyhedron(), Motion::at_rest(shifted(10.5, 0, 0))});
+    DraggedBody body(scene, "box", {.margin = margin});
+    static_cast<void>(body.update(shifted(0, 0, 2)));
+    scene.move(1, Motion::at_rest(shifted(20, 0, 2)));
+    const DragStep step = body.update(shifted(16, 0, 2));
+    EXPECT_EQ(step.state, DragState::reached) << "the wall is behind the box";
+    ASSERT_FALSE(step.pieces.empty());
+    EXPECT_EQ(step.pieces.front().motion.pose_at(0).translation, Vector3d(20, 0, 2));
+
+    DraggedBody other(scene, "box", {.margin = margin});
+    EXPECT_EQ(other.update(shifted(17, 1, 3)).state, DragState::reached);
+    EXPECT_EQ(body.update(shifted(16, 1, 3)).pieces.front().motion.pose_at(0).translation, Vector3d(17, 1, 3));
+}
+
+/// What touches cannot be kept apart, so nothing moves until somebody puts the body a hair away.
+TEST(DraggedBody, ABodyThatTouchesMovesOnceTheSceneHasMovedItAway) {
+    Scene scene = box_and_table();
+    scene.move(1, Motion::at_rest(shifted(0, 0, 0.5)));
+    DraggedBody body(scene, "box", {.margin = margin});
+    EXPECT_EQ(body.update(shifted(0, 0, 3)).state, DragState::touching);
+    scene.move(1, Motion::at_rest(shifted(0, 0, 0.5 + margin / 100)));
+    EXPECT_EQ(body.update(shifted(0, 0, 3)).state, DragState::reached);
+}
+
 TEST(DraggedBody, BodiesThatAreIgnoredDoNotStopIt) {
     Scene scene = box_and_table();
     scene.ignore("box", "table");
