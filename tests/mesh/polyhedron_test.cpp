@@ -13,6 +13,7 @@
 namespace chasles {
 namespace {
 
+using test::made_from;
 using test::Soup;
 
 std::vector<std::uint32_t> ids(std::span<const std::uint32_t> list) {

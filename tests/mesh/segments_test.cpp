@@ -15,6 +15,7 @@ namespace chasles {
 namespace {
 
 using Ids = std::vector<std::uint32_t>;
+using test::made_from;
 using test::Soup;
 
 /// A cube with one more face.
