@@ -24,6 +24,9 @@ struct JointStep {
     bool turns = true;
 };
 
+/// Whether a joint is where it was after each whole turn of its variable.
+[[nodiscard]] bool repeats_after_a_turn(const JointStep& step);
+
 /// Links that no joint moves against each other, and how they move against their parent.
 struct RigidGroup {
     std::size_t parent = 0;                ///< of smaller index; the root is its own parent
@@ -110,6 +113,7 @@ private:
     void add_below(std::size_t root);
     Owner child_of(const Owner& parent, const JointDescription& joint);
     [[nodiscard]] RigidGroup group_of(const JointDescription& joint) const;
+    void tell_turns_apart();
     void apply_pairs();
     void add_down(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
     void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;

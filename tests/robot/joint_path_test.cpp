@@ -52,6 +52,46 @@ TEST(JointPath, GoesStraightAndTheShorterWayRound) {
     EXPECT_EQ(path.at(7), path.at(1));
 }
 
+/// A continuous joint, a joint of this type that follows it, and one that follows that joint.
+Robot led_robot(JointType type, double multiplier, JointType last = JointType::revolute, double last_multiplier = 1) {
+    RobotDescription robot{"led"};
+    robot.links = {{"base"}, {"wheel"}, {"led"}, {"last"}};
+    robot.joints = {{"spin", JointType::continuous, "base", "wheel"},
+                    {"follower", type, "base", "led"},
+                    {"last", last, "base", "last"}};
+    robot.joints[1].mimic = MimicDescription{"spin", multiplier, 0.25};
+    robot.joints[2].mimic = MimicDescription{"follower", last_multiplier, 0};
+    return Robot(robot);
+}
+
+/// The middle of the way from 2.5 to -2.8, at whose end each link has to be where the goal has it.
+double middle_of_way(const Robot& robot) {
+    const Configuration start{{2.5}}, goal{{-2.8}};
+    const JointPath path = JointPath::straight(robot, std::array{start, goal});
+    for (const LinkDescription& link : robot.description().links) {
+        const Pose end = robot.link_pose(link.name, path.at(1)), wanted = robot.link_pose(link.name, goal);
+        EXPECT_TRUE(end.isometry().isApprox(wanted.isometry(), 1e-12)) << link.name;
+    }
+    return path.at(0.5)[0];
+}
+
+/// A turn of the leader is a slide of a rack, and half a turn of a wheel twice as large: other configurations.
+TEST(JointPath, GoesTheShorterWayRoundOnlyWhereFollowersDoSo) {
+    const double shorter = std::numbers::pi - 0.15, straight = -0.15;
+    using enum JointType;
+    for (const double multiplier : {-1.0, 2.0, 0.0}) {
+        EXPECT_NEAR(middle_of_way(led_robot(revolute, multiplier)), shorter, 1e-12);
+        EXPECT_TRUE(led_robot(continuous, multiplier).variables()[0].is_continuous);
+    }
+    EXPECT_NEAR(middle_of_way(led_robot(revolute, 4, revolute, 0.25)), shorter, 1e-12) << "1 in all";
+    EXPECT_NEAR(middle_of_way(led_robot(prismatic, 0.1)), straight, 1e-12);
+    EXPECT_NEAR(middle_of_way(led_robot(revolute, 0.5)), straight, 1e-12);
+    EXPECT_NEAR(middle_of_way(led_robot(continuous, -1.5)), straight, 1e-12);
+    EXPECT_NEAR(middle_of_way(led_robot(revolute, 1, prismatic)), straight, 1e-12) << "a follower of a follower";
+    EXPECT_NEAR(middle_of_way(led_robot(revolute, 2, revolute, 0.25)), straight, 1e-12) << "0.5 in all";
+    EXPECT_FALSE(led_robot(prismatic, 0.1).variables()[0].is_continuous);
+}
+
 /// The rate of an order at an end of a segment, by its coefficients.
 Configuration rate(const JointPath::Segment& segment, int order, bool at_end) {
     Configuration sum = Configuration::Zero(segment.coefficients.cols());
