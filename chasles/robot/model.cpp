@@ -256,6 +256,7 @@ void Model::tell_turns_apart() {
         for (const JointStep& step : group.steps)
             if (!repeats_after_a_turn(step))
                 variables[step.variable].is_continuous = false;
+    variables_of_paths = std::make_shared<const std::vector<RobotVariable>>(variables);
 }
 
 void Model::apply_pairs() {

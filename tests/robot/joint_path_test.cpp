@@ -92,6 +92,30 @@ TEST(JointPath, GoesTheShorterWayRoundOnlyWhereFollowersDoSo) {
     EXPECT_FALSE(led_robot(prismatic, 0.1).variables()[0].is_continuous);
 }
 
+/// What makes values smaller depends on what they are.
+TEST(JointPath, SaysHowLargeValuesBecomeSmaller) {
+    const auto refused = [](const Robot& robot, Eigen::Index variable) {
+        Configuration far = robot.neutral();
+        far[variable] = -1000.5;
+        return refusal([&] { (void)JointPath::straight(robot, std::array{far, far}); });
+    };
+    const std::string beyond = " is beyond 1000, the largest value: ", turns = "take whole turns (2 pi) off all its values";
+    EXPECT_EQ(refused(small_robot(), 0), "path: configuration 0: turn" + beyond + turns);
+    EXPECT_EQ(refused(small_robot(), 2), "path: configuration 0: slide" + beyond + "choose a larger unit of length");
+    EXPECT_EQ(refused(led_robot(JointType::prismatic, 0.1), 0),
+              "path: configuration 0: spin" + beyond + turns +
+                  ", and add them to the offsets of the joints that follow it");
+    RobotDescription free{"free"};
+    free.links = {{"base"}, {"cart"}, {"body"}};
+    free.joints = {{"plane", JointType::planar, "base", "cart"}, {"float", JointType::floating, "cart", "body"}};
+    const Robot robot(free);
+    EXPECT_EQ(refused(robot, 2), "path: configuration 0: plane/theta" + beyond + turns);
+    EXPECT_EQ(refused(robot, 0), "path: configuration 0: plane/x" + beyond + "choose a larger unit of length");
+    EXPECT_EQ(refused(robot, 6), "path: configuration 0: float/rot_x" + beyond + "give the quaternion the length 1");
+    const Configuration largest = Configuration::Constant(3, 1000);
+    EXPECT_EQ(JointPath::straight(small_robot(), std::array{largest, largest}).at(0), largest);
+}
+
 /// The rate of an order at an end of a segment, by its coefficients.
 Configuration rate(const JointPath::Segment& segment, int order, bool at_end) {
     Configuration sum = Configuration::Zero(segment.coefficients.cols());
@@ -177,13 +201,15 @@ TEST(JointPath, RefusesWhatItCannotFollow) {
     const auto straight = [&](const std::vector<Configuration>& way) {
         return refusal([&] { (void)JointPath::straight(robot, way); });
     };
-    EXPECT_EQ(straight({zero}), "path: configurations: there must be at least two, and there are 1");
+    EXPECT_EQ(straight({zero}), "path: configurations: there must be at least two, and there are 1; repeat it to ask about this one at rest");
+    EXPECT_EQ(straight({}), "path: configurations: there must be at least two, and there are 0");
     EXPECT_EQ(straight({zero, Configuration::Zero(2)}),
               "path: configuration 1: has 2 values, and the robot has 3 variables");
     bad[1] = std::nan("");
     EXPECT_EQ(straight({zero, zero, bad}), "path: configuration 2: spin is not a finite number");
     bad[1] = 1001;
-    EXPECT_EQ(straight({bad, zero}), "path: configuration 0: spin is beyond 1000");
+    EXPECT_EQ(straight({bad, zero}), "path: configuration 0: spin is beyond 1000, the largest value: take whole turns "
+                                     "(2 pi) off all its values");
     const std::array way{zero, zero};
     const auto timed = [&](const std::vector<double>& times) {
         return refusal([&] { (void)JointPath::straight(robot, way, times); });
@@ -210,7 +236,8 @@ TEST(JointPath, RefusesWhatItCannotFollow) {
     EXPECT_EQ(polynomials({{0, 1, rows}, {1, 2, rows}}), "path: segment 1: does not begin where the one before ends");
     EXPECT_EQ(polynomials({{1, 1, rows}}), "path: segment 0: must end later than it begins");
     EXPECT_EQ(polynomials({{0, 1, 501 * rows}}),
-              "path: segment 0: the coefficients of a variable sum up to more than 1000");
+              "path: segment 0: the coefficients of turn sum up to more than 1000, the largest value: divide the "
+              "segment, or take whole turns (2 pi) off all its values");
 }
 
 } // namespace
