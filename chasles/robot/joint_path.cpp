@@ -73,8 +73,8 @@ void check_configuration(const robot::Model& model, const Configuration& values,
     check_numbers(model, values, what);
     for (Eigen::Index i = 0; i < values.size(); ++i)
         if (std::abs(values[i]) > largest_value)
-            refuse(what, model.variables[std::size_t(i)].name + " is beyond 1000, the largest value: " +
-                             way_to_smaller_values(model, std::size_t(i)));
+            refuse(what, model.variables[std::size_t(i)].name +
+                             " is beyond 1000, the largest value: " + way_to_smaller_values(model, std::size_t(i)));
     for (const std::size_t first : model.quaternions)
         if (!(values.segment<4>(Eigen::Index(first)).norm() > 1e-6))
             refuse(what, model.variables[first].name + ": the quaternion is zero");
@@ -277,14 +277,16 @@ JointPath JointPath::straight(const Robot& robot, std::span<const Configuration>
 
 JointPath JointPath::cubic(const Robot& robot, std::span<const double> times, std::span<const Configuration> positions,
                            std::span<const Configuration> velocities) {
-    return {hermite_segments(robot.model(), times, std::array{positions, velocities}), {},
+    return {hermite_segments(robot.model(), times, std::array{positions, velocities}),
+            {},
             robot.model().variables_of_paths};
 }
 
 JointPath JointPath::quintic(const Robot& robot, std::span<const double> times,
                              std::span<const Configuration> positions, std::span<const Configuration> velocities,
                              std::span<const Configuration> accelerations) {
-    return {hermite_segments(robot.model(), times, std::array{positions, velocities, accelerations}), {},
+    return {hermite_segments(robot.model(), times, std::array{positions, velocities, accelerations}),
+            {},
             robot.model().variables_of_paths};
 }
 

@@ -70,9 +70,9 @@ public:
     RobotDescription description;
     std::vector<RobotVariable> variables;
     JointPath::Variables variables_of_paths; ///< the same, kept by each path of the robot
-    std::vector<std::size_t> quaternions; ///< first variables of the quaternions of floating joints
-    std::vector<RigidGroup> groups;       ///< parents first
-    std::vector<Owner> owners;            ///< links in the order of the description, then parts
+    std::vector<std::size_t> quaternions;    ///< first variables of the quaternions of floating joints
+    std::vector<RigidGroup> groups;          ///< parents first
+    std::vector<Owner> owners;               ///< links in the order of the description, then parts
     std::vector<Element> elements;
     std::vector<AttachedPart> parts;
     Pose base;

@@ -2,6 +2,7 @@
 #include "python/src/answer_members.h"
 #include "python/src/bind.h"
 #include "python/src/names.h"
+#include "view/time_text.h"
 #include "view/why_uncertain.h"
 
 #include <fmt/format.h>
@@ -18,7 +19,7 @@ std::string summary(const FirstContact& found, const std::string& bodies, const 
         return fmt::format("unknown: the limit was reached; proven clear until {}", found.clear_until);
     if (found.verdict == Verdict::clear)
         return found.clear_until < 1 ? fmt::format("clear until {}", found.clear_until) : "clear";
-    std::string text = found.verdict == Verdict::contact ? fmt::format("contact at time {:.12g}", found.time.lower)
+    std::string text = found.verdict == Verdict::contact ? "contact at time " + view::time_text(found.time.lower)
                                                          : "contact at the start";
     if (!found.certain)
         text += " (uncertain: " + why_uncertain + ")";

@@ -104,6 +104,19 @@ TEST_F(RobotCommand, CountsInStamps) {
                 1e-9);
 }
 
+/// Twelve digits of seconds since 1970 are hundredths.
+TEST_F(RobotCommand, TheFirstLineKeepsWhatIsAfterThePointOfAStamp) {
+    write("epoch.csv", "t,elbow,shoulder\n1700000000,0.5,0\n1700000002,0.5,2\n");
+    for (const std::string arguments :
+         {"robot arm.urdf --path epoch.csv --scene cell.json", "robot arm.urdf --path epoch.csv --clearance"}) {
+        const std::string text = run(arguments).out;
+        const std::string before = "at time ";
+        const std::size_t at = text.find(before);
+        ASSERT_LT(at, text.find('\n')) << text;
+        EXPECT_NEAR(std::stod(text.substr(at + before.size())), json(arguments)["time"].get<double>(), 1e-6) << text;
+    }
+}
+
 TEST_F(RobotCommand, FindsTheClearance) {
     const Robot robot = Robot::load(path_of("arm.urdf"));
     const std::vector<Configuration> way{values(0, 0.5), values(0.1, 0.5), values(2, 0.5)};

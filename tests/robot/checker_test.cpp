@@ -227,9 +227,10 @@ TEST(RobotChecker, RefusesPathsOfOtherRobots) {
     };
     EXPECT_EQ(refused(arm("wrist", JointType::continuous)),
               "path: belongs to another robot: variable 1 is 'wrist' in the path, and 'elbow' in the robot");
-    EXPECT_EQ(refused(arm("elbow", JointType::revolute)),
-              "path: belongs to another robot: variable 1 is 'elbow' in both, but the path goes straight, and the robot "
-              "the shorter way round");
+    EXPECT_EQ(
+        refused(arm("elbow", JointType::revolute)),
+        "path: belongs to another robot: variable 1 is 'elbow' in both, but the path goes straight, and the robot "
+        "the shorter way round");
     EXPECT_EQ(refused(arm("elbow", JointType::continuous)), "accepted") << "the same robot, read once more";
     Robot changed = robot;
     changed.set_base(Pose({1, 2, 3}, Eigen::Quaterniond::Identity()));

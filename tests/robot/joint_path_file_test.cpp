@@ -189,8 +189,9 @@ TEST(JointPathFile, RefusesHeadersAndShowsThem) {
         {"t,waist\n0,0\n0,1\n", "line 3: t: must increase, but is 0 after 0"},
         {"waist\n0\n", "a path needs at least two configurations, and there are 1; repeat the row to ask about this "
                        "configuration at rest"},
-        {"t,waist\n0,0\n", "a path needs at least two configurations, and there are 1; repeat the row with a later time "
-                           "to ask about this configuration at rest"},
+        {"t,waist\n0,0\n",
+         "a path needs at least two configurations, and there are 1; repeat the row with a later time "
+         "to ask about this configuration at rest"},
         {"waist\n", "a path needs at least two configurations, and there are 0"},
     };
     for (const auto& [text, message] : cases)

@@ -99,7 +99,8 @@ TEST(JointPath, SaysHowLargeValuesBecomeSmaller) {
         far[variable] = -1000.5;
         return refusal([&] { (void)JointPath::straight(robot, std::array{far, far}); });
     };
-    const std::string beyond = " is beyond 1000, the largest value: ", turns = "take whole turns (2 pi) off all its values";
+    const std::string beyond = " is beyond 1000, the largest value: ",
+                      turns = "take whole turns (2 pi) off all its values";
     EXPECT_EQ(refused(small_robot(), 0), "path: configuration 0: turn" + beyond + turns);
     EXPECT_EQ(refused(small_robot(), 2), "path: configuration 0: slide" + beyond + "choose a larger unit of length");
     EXPECT_EQ(refused(led_robot(JointType::prismatic, 0.1), 0),
@@ -201,7 +202,9 @@ TEST(JointPath, RefusesWhatItCannotFollow) {
     const auto straight = [&](const std::vector<Configuration>& way) {
         return refusal([&] { (void)JointPath::straight(robot, way); });
     };
-    EXPECT_EQ(straight({zero}), "path: configurations: there must be at least two, and there are 1; repeat it to ask about this one at rest");
+    EXPECT_EQ(
+        straight({zero}),
+        "path: configurations: there must be at least two, and there are 1; repeat it to ask about this one at rest");
     EXPECT_EQ(straight({}), "path: configurations: there must be at least two, and there are 0");
     EXPECT_EQ(straight({zero, Configuration::Zero(2)}),
               "path: configuration 1: has 2 values, and the robot has 3 variables");
