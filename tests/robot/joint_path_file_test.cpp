@@ -122,7 +122,8 @@ TEST(JointPathFile, ManyBracketsTakeNoTime) {
 }
 
 TEST(JointPathFile, ReadsStampsWithAUnit) {
-    for (const char* const time : {"t[s]", "Time [s]", "timestamp [ns]", "time(ms)", "t[]"}) {
+    for (const char* const time : {"t[s]", "Time [s]", "timestamp [ns]", "time(ms)", "t[]", "time_from_start",
+                                   "Time_From_Start [s]", "stamp", "stamp[ns]", "header.stamp", "header/stamp"}) {
         const ConfigurationRows rows = read_configurations(std::string(time) + ",waist\n1,0\n3,1\n", arm());
         EXPECT_EQ(rows.stamps, (std::vector<double>{1, 3})) << time;
         EXPECT_TRUE(rows.warnings.empty()) << time;
@@ -181,6 +182,8 @@ TEST(JointPathFile, RefusesHeadersAndShowsThem) {
         {"waist,Waist\n0,0\n",
          "line 1: the header 'waist, Waist' has two columns for one variable: 'waist' and 'Waist'"},
         {"t,time,waist\n0,0,0\n", "line 1: the header 't, time, waist' has two columns for the time: 't' and 'time'"},
+        {"time_from_start,waist,stamp\n0,0,0\n", "line 1: the header 'time_from_start, waist, stamp' has two columns "
+                                                 "for the time: 'time_from_start' and 'stamp'"},
         {"0,0\n1,1\n",
          "line 1: there is no header, but 2 numbers in the first line; the first line has to name variables "
          "of the robot, of 'waist, elbow, slide'"},
