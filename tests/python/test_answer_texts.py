@@ -137,8 +137,8 @@ def test_large_stamps_keep_what_is_after_their_point(cube):
     scene = chasles.Scene()
     scene.add("post", cube)
     path, stamps = [[3, 0.25, 0.25, 0, 0, 0, 1], [-3, 0.25, 0.25, 0, 0, 0, 1]], [1.7e9, 1.7e9 + 0.7]
-    touching = robot.first_contact_on_path(path, stamps, scene=scene)
-    nearest = robot.least_distance_on_path(path, stamps, scene=scene)
+    checker = chasles.RobotChecker(robot, scene)
+    touching, nearest = checker.first_contact_on_path(path, stamps), checker.least_distance_on_path(path, stamps)
     for found in (touching, nearest):
         time = float(re.search(r" at time ([0-9.]+)", repr(found))[1])
         assert 1.7e9 < found.time < 1.7e9 + 0.7 and time == pytest.approx(found.time, abs=1e-6, rel=0), repr(found)
