@@ -1,8 +1,8 @@
 // chasles.RobotClearance, and questions about how near a robot comes.
+#include "chasles/base/number_text.h"
 #include "python/src/answer.h"
 #include "python/src/docstrings.h"
 #include "python/src/robot.h"
-#include "view/time_text.h"
 
 #include <fmt/format.h>
 #include <nanobind/stl/string.h>
@@ -18,7 +18,7 @@ std::string summary(const PythonClearance& clearance) {
     const std::string distance = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
     return fmt::format("<chasles.RobotClearance: {}{}, {} to {} at time {} of segment {}>", distance,
                        found.certain ? "" : " (uncertain)", found.pair->first, found.pair->second,
-                       view::time_text(clearance.time().lower), found.segment);
+                       time_text(clearance.time().lower), found.segment);
 }
 
 } // namespace
