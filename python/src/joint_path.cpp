@@ -180,10 +180,12 @@ void bind_joint_path(nb::module_& module) {
                             "times: numpy.typing.ArrayLike | None = None) -> JointPath"),
                     "Straight from each configuration (n, variables) to the next; continuous joints go the shorter "
                     "way. Without times,\nsegment k has the times k and k + 1.")
-        .def_static("cubic", cubic, "robot"_a, "times"_a, "positions"_a, "velocities"_a,
-                    nb::sig("def cubic(robot: Robot, " CHASLES_TIMES ", positions: numpy.typing.ArrayLike, "
-                            "velocities: numpy.typing.ArrayLike) -> JointPath"),
-                    "Cubic Hermite splines; velocities are per unit of time.")
+        .def_static(
+            "cubic", cubic, "robot"_a, "times"_a, "positions"_a, "velocities"_a,
+            nb::sig("def cubic(robot: Robot, " CHASLES_TIMES ", positions: numpy.typing.ArrayLike, "
+                    "velocities: numpy.typing.ArrayLike) -> JointPath"),
+            "Cubic Hermite splines; velocities are per unit of time. Values are taken as they are, also those of "
+            "continuous joints.")
         .def_static("quintic", quintic, "robot"_a, "times"_a, "positions"_a, "velocities"_a, "accelerations"_a,
                     nb::sig("def quintic(robot: Robot, " CHASLES_TIMES ", positions: numpy.typing.ArrayLike, "
                             "velocities: numpy.typing.ArrayLike, accelerations: numpy.typing.ArrayLike) -> JointPath"),
