@@ -33,8 +33,8 @@ inline Robot free_body(const Polyhedron& shape, const std::string& name = "body"
 }
 
 /// How the numbers of a state are the variables of a robot: the real numbers of a RealVectorStateSpace, SO2StateSpace
-/// (for continuous joints), SE2StateSpace (for planar ones), SE3StateSpace (for floating ones) or a compound of them,
-/// in the order of `copyToReals`.
+/// (where RobotVariable::is_continuous), SE2StateSpace (for planar joints), SE3StateSpace (for floating ones) or a
+/// compound of them, in the order of `copyToReals`.
 struct StateMap {
     std::vector<std::size_t> variables; ///< of the robot, one for each number of the state
     Configuration others;               ///< the values of all variables that a state does not have

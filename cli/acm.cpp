@@ -47,7 +47,13 @@ std::string listed(const Robot& robot, const std::vector<PairProof>& proofs) {
     return text;
 }
 
-std::string counts(const std::vector<PairProof>& proofs) {
+/// Each two links with shapes are a pair.
+std::string counts(const Robot& robot, const std::vector<PairProof>& proofs) {
+    const auto& links = robot.description().links;
+    if (proofs.empty())
+        return fmt::format("no pair: {} of {} has collision shapes, and a pair needs two\n",
+                           std::ranges::count_if(links, [](const auto& link) { return !link.collisions.empty(); }),
+                           counted(links.size(), "link"));
     std::string text;
     for (const PairReason reason :
          {PairReason::never, PairReason::always, PairReason::adjacent, PairReason::sometimes, PairReason::open})
@@ -64,10 +70,12 @@ int run_acm(const AcmOptions& options) {
         file.emplace(options.out);
     const Interruption interruption;
     std::optional<ProgressBar> bar;
+    ProgressLines lines("pairs", "the rest stays open after " + options.seconds + " s (--seconds)");
     search.progress = [&](std::size_t done, std::size_t pairs) {
         if (!bar)
-            bar.emplace("pairs", pairs);
+            bar.emplace("pairs, until --seconds " + options.seconds, pairs);
         bar->show(done);
+        lines.show(done, pairs);
         return !Interruption::is_requested();
     };
     const std::vector<PairProof> proofs = prove_pairs(robot, search);
@@ -77,7 +85,8 @@ int run_acm(const AcmOptions& options) {
         file->write(robot::srdf_text(robot, proofs, options.robot.srdf));
         file->close();
     }
-    print(options.json ? view::pair_proofs_json(robot, proofs).dump() + "\n" : listed(robot, proofs) + counts(proofs));
+    print(options.json ? view::pair_proofs_json(robot, proofs).dump() + "\n"
+                       : listed(robot, proofs) + counts(robot, proofs));
     print_warnings(robot.warnings());
     return is_whole ? is_clear
                     : report_interruption(std::string("pairs that are not decided are open") +

@@ -33,7 +33,7 @@ struct DragCommand {
     std::string out;
     std::string page; ///< empty: none
     PolyhedronOptions polyhedron;
-    std::string margin = "0";
+    std::string margin; ///< empty: that of the scene's file
     std::string stiffness = "1";
     std::string friction = "0";
     std::string lock; ///< empty: none
@@ -185,9 +185,22 @@ DragLock lock_of(const DragCommand& options) {
             point_of("--lock-point", options.lock_point)};
 }
 
-DragOptions drag_options(const DragCommand& options) {
+/// The scene. Its margin is that of `--margin`, if there is one.
+SceneFile read_scene(const DragCommand& options) {
+    std::optional<double> margin;
+    if (!options.margin.empty())
+        margin = number_of("--margin", options.margin);
+    SceneFile file = load_scene(options.scene, options.polyhedron, margin);
+    if (file.hold)
+        throw InvalidInput(io::one_line(options.scene) +
+                           ": hold: a dragged body keeps the margin from all bodies; leave the hold distance out");
+    require_rest(options.scene, file.scene);
+    return file;
+}
+
+DragOptions drag_options(const DragCommand& options, double margin) {
     DragOptions drag;
-    drag.margin = number_of("--margin", options.margin);
+    drag.margin = margin;
     drag.stiffness = number_of("--stiffness", options.stiffness);
     drag.rounds = options.rounds;
     drag.friction = number_of("--friction", options.friction);
@@ -208,13 +221,12 @@ std::optional<DragStep> updated(DraggedBody& body, const io::Path& goals, std::s
 }
 
 int run_drag(const DragCommand& options) {
-    SceneFile file = load_scene(options.scene, options.polyhedron);
-    require_rest(options.scene, file.scene);
+    SceneFile file = read_scene(options);
     const io::Path goals = io::load_path(options.goals);
     std::vector<std::string> warnings = file.warnings;
     warnings.insert(warnings.end(), goals.warnings.begin(), goals.warnings.end());
     print_warnings(warnings);
-    DraggedBody body(file.scene, options.body, drag_options(options));
+    DraggedBody body(file.scene, options.body, drag_options(options, file.margin));
     OutputFile out(options.out);
     std::optional<OutputFile> page;
     if (!options.page.empty()) {
@@ -275,9 +287,10 @@ void add_drag(CLI::App& app, Task& task) {
         ->type_name("FILE");
     command.add_option("--page", options->page, "write a page (HTML) that replays the hand too")->type_name("FILE");
     add_mesh_options(command, options->polyhedron);
-    command.add_option("--margin", options->margin, "gap that contacts keep; 0: a ten-thousandth of the body")
-        ->type_name("D")
-        ->capture_default_str();
+    command
+        .add_option("--margin", options->margin,
+                    "gap that contacts keep; 0: a ten-thousandth of the body; default: the scene's")
+        ->type_name("D");
     command.add_option("--stiffness", options->stiffness, "force of the hand for a distance of 1")
         ->type_name("K")
         ->capture_default_str();

@@ -159,7 +159,8 @@ public:
         if (rows_.configurations.size() < 2)
             throw InvalidInput(
                 "points: a path needs at least two, and there are " + std::to_string(rows_.configurations.size()) +
-                (rows_.configurations.size() == 1 ? "; the state before it is missing: write it as the first point"
+                (rows_.configurations.size() == 1 ? "; the state before it is missing: write it as the first point, or "
+                                                    "repeat the point with a later time to ask about it at rest"
                                                   : ""));
         return std::move(rows_);
     }

@@ -12,6 +12,8 @@ using Clock = std::chrono::steady_clock;
 
 constexpr std::size_t width = 40;
 constexpr auto pause = std::chrono::milliseconds(100);
+constexpr auto before_first_line = std::chrono::seconds(5);
+constexpr auto between_lines = std::chrono::seconds(10);
 constexpr const char* wipe_line = "\r\x1b[K";
 
 } // namespace
@@ -34,6 +36,21 @@ void ProgressBar::show(std::size_t done) {
         fmt::format("{}[{:<{}}] {} of {} {}", wipe_line, std::string(filled, '#'), width, done, total_, unit_);
     std::fputs(bar.c_str(), stderr);
     std::fflush(stderr);
+}
+
+ProgressLines::ProgressLines(std::string unit, std::string hint)
+    : unit_(std::move(unit)), hint_(std::move(hint)), is_terminal_(isatty(STDERR_FILENO) == 1), begin_(Clock::now()),
+      next_line_(begin_ + before_first_line) {}
+
+void ProgressLines::show(std::size_t done, std::size_t total) {
+    const Clock::time_point now = Clock::now();
+    if (is_terminal_ || now < next_line_)
+        return;
+    next_line_ = now + between_lines;
+    const auto seconds = std::chrono::duration_cast<std::chrono::seconds>(now - begin_).count();
+    const std::string line =
+        fmt::format("chasles: progress: {} of {} {} are done after {} s; {}\n", done, total, unit_, seconds, hint_);
+    std::fputs(line.c_str(), stderr);
 }
 
 } // namespace chasles::cli

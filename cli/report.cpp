@@ -1,6 +1,8 @@
-// Answers for people. The bracket of the time is printed with all its digits, other numbers with nine.
+// Answers for people. The bracket of the time is printed with all its digits, other numbers with nine,
+// and times in sentences as by chasles/base/number_text.h.
 #include "cli/report.h"
 
+#include "chasles/base/number_text.h"
 #include "chasles/io/text_scan.h"
 #include "cli/contact_table.h"
 #include "view/names.h"
@@ -107,7 +109,7 @@ std::string verdict_text(const FirstContact& found, double margin) {
         return fmt::format("CLEAR: proven that nothing {} during the whole motion",
                            margin > 0 ? "comes" + within : "touches");
     case Verdict::contact:
-        return fmt::format("CONTACT{} at time {:.12g}", within, found.time.lower);
+        return fmt::format("CONTACT{} at time {}", within, time_text(found.time.lower));
     case Verdict::unknown:
         return unknown_headline(found.clear_until, margin);
     case Verdict::contact_at_start:
@@ -120,16 +122,17 @@ std::string verdict_text(const FirstContact& found, double margin) {
 std::string verdict_text(const LeastDistance& found) {
     switch (view::proven_verdict(found)) {
     case Verdict::clear:
-        return fmt::format("CLEARANCE {:.9g} at time {:.12g}", found.distance.lower, found.time.lower);
+        return fmt::format("CLEARANCE {:.9g} at time {}", found.distance.lower, time_text(found.time.lower));
     case Verdict::contact:
-        return fmt::format("TOUCH at time {:.12g}", found.time.lower);
+        return "TOUCH at time " + time_text(found.time.lower);
     case Verdict::contact_at_start:
         return fmt::format("TOUCH AT THE START{}",
                            found.overlap && found.overlap->certain ? ": the surfaces pass through each other" : "");
     case Verdict::unknown:
         break;
     }
-    return fmt::format("NO CLEARANCE PROVEN: at most {:.9g} at time {:.12g}", found.distance.upper, found.time.lower);
+    return fmt::format("NO CLEARANCE PROVEN: at most {:.9g} at time {}", found.distance.upper,
+                       time_text(found.time.lower));
 }
 
 } // namespace
@@ -137,7 +140,7 @@ std::string verdict_text(const LeastDistance& found) {
 std::string unknown_headline(double clear_until, double margin) {
     const std::string what = margin > 0 ? fmt::format("comes within {:.9g}", margin) : "touches";
     return "UNKNOWN: the time was over; " +
-           (clear_until > 0 ? fmt::format("proven that nothing {} before time {:.12g}", what, clear_until)
+           (clear_until > 0 ? fmt::format("proven that nothing {} before time {}", what, time_text(clear_until))
                             : std::string("nothing is proven"));
 }
 
@@ -203,8 +206,7 @@ std::string details(const FirstContact& found, const view::MotionNumbers& motion
     if (view::is_contact(found.verdict))
         text += report_time(found, motion) + report_contact_features(found, margin, why_uncertain);
     if (!found.held.empty())
-        text += contact_lines(found.held, "held", true) +
-                labelled("clear to", fmt::format("time {:.12g}", found.clear_until));
+        text += contact_lines(found.held, "held", true) + labelled("clear to", "time " + time_text(found.clear_until));
     return text + report(found.work);
 }
 

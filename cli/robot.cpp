@@ -63,17 +63,52 @@ robot::ConfigurationRows read_path(const Robot& robot, const std::string& file) 
                        " of the robot: " + names);
 }
 
+/// The world. Its bodies are not tested against each other, and what a robot touches at the start is a contact.
+std::optional<SceneFile> read_scene(const std::string& file) {
+    if (file.empty())
+        return std::nullopt;
+    SceneFile scene = load_scene(file, {.triangulate = true});
+    if (scene.ignores_touching_at_start)
+        throw InvalidInput(io::one_line(file) +
+                           ": ignore_touching_at_start: is not for robots; leave it out, and name what a robot may "
+                           "touch by --allow LINK,BODY");
+    return scene;
+}
+
+/// Margin and hold distance of the scene's file stand where the command line has none.
+QueryOptions query_of(const RobotCommand& options, const std::optional<SceneFile>& scene) {
+    QuestionOptions question = options.query;
+    if (options.query.margin.empty())
+        question.margin = "0";
+    QueryOptions query = options_of(question);
+    if (scene && options.query.margin.empty())
+        query.margin = scene->margin;
+    if (scene && options.query.hold.empty())
+        query.hold = scene->hold;
+    return query;
+}
+
+/// What a scene's file says that has no effect on a clearance.
+void warn_of_margins(const RobotCommand& options, const SceneFile& scene, std::vector<std::string>& warnings) {
+    const std::string has_no_effect = " has no effect on a clearance";
+    if (options.finds_clearance && scene.margin > 0)
+        warnings.push_back(io::one_line(options.scene) + ": margin" + has_no_effect);
+    if (options.finds_clearance && scene.hold)
+        warnings.push_back(io::one_line(options.scene) + ": hold" + has_no_effect);
+}
+
 RobotQuestion read_question(const RobotCommand& options) {
-    const QueryOptions query = options_of(options.query);
+    (void)query_of(options, std::nullopt); // what is wrong with an option comes first
     Robot robot = load_robot(options.robot);
-    std::optional<SceneFile> scene;
-    if (!options.scene.empty())
-        scene = load_scene(options.scene, {.triangulate = true});
+    std::optional<SceneFile> scene = read_scene(options.scene);
+    const QueryOptions query = query_of(options, scene);
     change(robot, scene ? &scene->scene : nullptr, options.changes);
     robot::ConfigurationRows rows = read_path(robot, options.path);
     std::vector<std::string> warnings = robot.warnings();
-    if (scene)
+    if (scene) {
         warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());
+        warn_of_margins(options, *scene, warnings);
+    }
     warnings.insert(warnings.end(), rows.warnings.begin(), rows.warnings.end());
     for (std::string& warning : robot.warnings_about(rows.configurations))
         warnings.push_back("path: " + std::move(warning));
@@ -169,6 +204,17 @@ int run_clearance(const RobotCommand& options) {
     return !found.pair || view::proven_verdict(found.nearest) == Verdict::clear ? is_clear : is_contact;
 }
 
+/// An error about a hold distance of the scene's file names the file.
+RobotChecker checker_of(const RobotCommand& options, const RobotQuestion& question) {
+    try {
+        return RobotChecker(question.robot, question.world(), {question.options});
+    } catch (const InvalidInput& error) {
+        if (!question.scene || !question.scene->hold || !options.query.hold.empty())
+            throw;
+        throw InvalidInput(io::one_line(options.scene) + ": " + error.what());
+    }
+}
+
 int run_robot(const RobotCommand& options) {
     const RobotQuestion question = read_question(options);
     std::optional<OutputFile> page;
@@ -176,7 +222,7 @@ int run_robot(const RobotCommand& options) {
         view::require_page_template();
         page.emplace(options.page);
     }
-    const RobotChecker checker(question.robot, question.world(), {question.options});
+    const RobotChecker checker = checker_of(options, question);
     const JointPath path = path_of(question);
     const Limit limit(seconds_of(options.query.seconds));
     RobotAnswer found = checker.first_contact(path);
@@ -216,14 +262,16 @@ void add_robot(CLI::App& app, Task& task) {
         ->needs(clearance)
         ->type_name("T")
         ->capture_default_str();
-    command.add_option("--margin", options->query.margin, "distance of the surfaces that counts as contact")
-        ->excludes(clearance)
-        ->type_name("D")
-        ->capture_default_str();
+    options->query.margin.clear(); // that of the scene's file
     command
-        .add_option(
-            "--hold", options->query.hold,
-            "what is within the margin where a segment begins may move on, but never comes within this distance")
+        .add_option("--margin", options->query.margin,
+                    "distance of the surfaces that counts as contact; instead of the scene's")
+        ->excludes(clearance)
+        ->type_name("D");
+    command
+        .add_option("--hold", options->query.hold,
+                    "what is within the margin where a segment begins may move on, but never comes within this "
+                    "distance; instead of the scene's")
         ->excludes(clearance)
         ->type_name("H");
     add_seconds_option(command, options->query.seconds)->excludes(clearance);

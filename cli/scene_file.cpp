@@ -78,6 +78,14 @@ double number_in(const Json& json) {
     return json.get<double>();
 }
 
+/// What a margin may be.
+double margin_in(const Json& json) {
+    const double margin = number_in(json);
+    if (!(margin >= 0 && margin <= Pose::largest_length))
+        refuse("must be in [0, 1e30]");
+    return margin;
+}
+
 double scale_in(const Json& json) {
     if (!json.is_number() || !(json.get<double>() > 0))
         refuse("must be one positive number; mirror the mesh or scale its axes in the mesh file");
@@ -305,7 +313,7 @@ SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const 
                    const std::optional<double>& margin) {
     const Members members(json, {"bodies", "ignore", "ignore_groups", "ignore_touching_at_start", "margin", "hold"});
     SceneFile file;
-    const std::optional<double> own_margin = members.read("margin", number_in);
+    const std::optional<double> own_margin = members.read("margin", margin_in);
     file.margin = margin ? *margin : own_margin.value_or(0);
     file.hold = members.read("hold", number_in);
     Shapes shapes(folder, options);
@@ -316,7 +324,8 @@ SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const 
     file.motion = motion_of(members.get("bodies"));
     for_each_pair(members, "ignore", [&](const auto& a, const auto& b) { file.scene.ignore(a, b); });
     for_each_pair(members, "ignore_groups", [&](const auto& a, const auto& b) { file.scene.ignore_groups(a, b); });
-    if (members.read("ignore_touching_at_start", truth_in).value_or(false))
+    file.ignores_touching_at_start = members.read("ignore_touching_at_start", truth_in).value_or(false);
+    if (file.ignores_touching_at_start)
         (void)file.scene.ignore_touching_at_start(file.margin);
     return file;
 }

@@ -14,6 +14,7 @@ struct SceneFile {
     Scene scene;
     double margin = 0;
     std::optional<double> hold;
+    bool ignores_touching_at_start = false; ///< done to the scene; a command may refuse it
     std::string motion; ///< how the bodies move: "velocity", "twist", "velocity and twist", or "rest"
     std::vector<std::string> warnings = {}; ///< of the robots that are bodies
 };

@@ -11,4 +11,8 @@ std::string number_text(double number);
 /// At most `digits` significant digits (up to 17), as printf's %g.
 std::string number_text(double number, int digits);
 
+/// With twelve digits; with more where fewer than ten would be after the point, as of stamps that count seconds since
+/// 1970, but with at most sixteen.
+std::string time_text(double time);
+
 } // namespace chasles

@@ -19,7 +19,8 @@ constexpr auto of_position =
     std::to_array<std::string_view>({"", "t", "p_", "pos_", "position_", "translation_", "p_rs_r_"});
 constexpr auto of_quaternion =
     std::to_array<std::string_view>({"q", "q_", "quat_", "quaternion_", "orientation_", "rotation_", "q_rs_"});
-constexpr auto of_time = std::to_array<std::string_view>({"t", "time", "timestamp"});
+constexpr auto of_time =
+    std::to_array<std::string_view>({"t", "time", "timestamp", "time_from_start", "stamp", "header_stamp"});
 
 template <typename Names>
 bool is_one_of(const Names& names, std::string_view name) {
@@ -31,11 +32,15 @@ std::string without_unit(const std::string& text) {
     return std::string(unit && is_one_of(units_to_drop, *unit) ? name : text);
 }
 
-// "Pose.Orientation.W" becomes "orientation_w".
-std::string plain(std::string_view text) {
-    std::string name = without_unit(lower_case(text));
+std::string with_low_lines(std::string name) {
     std::ranges::replace(name, '.', '_');
     std::ranges::replace(name, '/', '_');
+    return name;
+}
+
+// "Pose.Orientation.W" becomes "orientation_w".
+std::string plain(std::string_view text) {
+    std::string name = with_low_lines(without_unit(lower_case(text)));
     for (const std::string_view prefix : {"pose_", "pose_", "transform_"}) // PoseWithCovariance has a pose in a pose
         if (name.starts_with(prefix))
             name.erase(0, prefix.size());
@@ -49,7 +54,7 @@ std::vector<std::string> pose_columns() {
 }
 
 bool is_time_column(std::string_view text) {
-    const std::string small = lower_case(text);
+    const std::string small = with_low_lines(lower_case(text));
     const auto [name, unit] = split_unit(small);
     return is_one_of(of_time, name) &&
            (!unit || is_one_of(units_to_drop, *unit) || is_one_of(more_units_of_time, *unit));

@@ -21,8 +21,8 @@ namespace {
 using Wide = algebra::DoubleDouble;
 using Segment = JointPath::Segment;
 
-/// Angles beyond this cost digits.
-constexpr double largest_angle = 1000;
+/// Sines and cosines of larger angles have larger errors than those of frames allow for.
+constexpr double largest_value = 1000;
 
 [[noreturn]] void refuse(const std::string& what, const std::string& why) {
     throw InvalidInput("path: " + what + ": " + why);
@@ -30,6 +30,33 @@ constexpr double largest_angle = 1000;
 
 std::string numbered(const char* what, std::size_t i) {
     return std::string(what) + ' ' + std::to_string(i);
+}
+
+bool is_angle(const robot::Model& model, const std::string& variable) {
+    const auto joint = std::ranges::find(model.description.joints, variable, &JointDescription::name);
+    if (joint == model.description.joints.end())
+        return variable.ends_with("/theta");
+    return joint->type == JointType::revolute || joint->type == JointType::continuous;
+}
+
+bool repeats_after_a_turn(const robot::Model& model, std::size_t variable) {
+    return std::ranges::all_of(model.groups, [&](const robot::RigidGroup& group) {
+        return std::ranges::all_of(group.steps, [&](const robot::JointStep& step) {
+            return step.variable != variable || robot::repeats_after_a_turn(step);
+        });
+    });
+}
+
+/// How the values of a variable become smaller.
+std::string way_to_smaller_values(const robot::Model& model, std::size_t variable) {
+    const std::string& name = model.variables[variable].name;
+    if (name.find("/rot_") != std::string::npos)
+        return "give the quaternion the length 1";
+    if (!is_angle(model, name))
+        return "choose a larger unit of length";
+    const std::string way = "take whole turns (2 pi) off all its values";
+    return repeats_after_a_turn(model, variable) ? way
+                                                 : way + ", and add them to the offsets of the joints that follow it";
 }
 
 void check_numbers(const robot::Model& model, const Configuration& values, const std::string& what) {
@@ -45,8 +72,9 @@ void check_numbers(const robot::Model& model, const Configuration& values, const
 void check_configuration(const robot::Model& model, const Configuration& values, const std::string& what) {
     check_numbers(model, values, what);
     for (Eigen::Index i = 0; i < values.size(); ++i)
-        if (std::abs(values[i]) > largest_angle)
-            refuse(what, model.variables[std::size_t(i)].name + " is beyond 1000");
+        if (std::abs(values[i]) > largest_value)
+            refuse(what, model.variables[std::size_t(i)].name +
+                             " is beyond 1000, the largest value: " + way_to_smaller_values(model, std::size_t(i)));
     for (const std::size_t first : model.quaternions)
         if (!(values.segment<4>(Eigen::Index(first)).norm() > 1e-6))
             refuse(what, model.variables[first].name + ": the quaternion is zero");
@@ -54,7 +82,8 @@ void check_configuration(const robot::Model& model, const Configuration& values,
 
 void check_configurations(const robot::Model& model, std::span<const Configuration> values) {
     if (values.size() < 2)
-        refuse("configurations", "there must be at least two, and there are " + std::to_string(values.size()));
+        refuse("configurations", "there must be at least two, and there are " + std::to_string(values.size()) +
+                                     (values.empty() ? "" : "; repeat it to ask about this one at rest"));
     for (std::size_t i = 0; i < values.size(); ++i)
         check_configuration(model, values[i], numbered("configuration", i));
 }
@@ -131,8 +160,11 @@ void check_segment(const robot::Model& model, const Segment& segment, const std:
         refuse(what, "remainders must have the shape of the coefficients");
     if (!c.allFinite() || !r.allFinite())
         refuse(what, "a coefficient is not a finite number");
-    if (count > 0 && c.cwiseAbs().colwise().sum().maxCoeff() > largest_angle)
-        refuse(what, "the coefficients of a variable sum up to more than 1000");
+    Eigen::Index largest = 0;
+    if (count > 0 && c.cwiseAbs().colwise().sum().maxCoeff(&largest) > largest_value)
+        refuse(what, "the coefficients of " + model.variables[std::size_t(largest)].name +
+                         " sum up to more than 1000, the largest value: divide the segment, or " +
+                         way_to_smaller_values(model, std::size_t(largest)));
     if (!std::isfinite(segment.end - segment.begin) || !(segment.begin < segment.end))
         refuse(what, "must end later than it begins");
 }
@@ -240,18 +272,22 @@ JointPath JointPath::straight(const Robot& robot, std::span<const Configuration>
     std::vector<Segment> segments;
     for (std::size_t i = 0; i + 1 < times.size(); ++i)
         segments.push_back(straight_segment(model, times[i], times[i + 1], configurations[i], configurations[i + 1]));
-    return {std::move(segments), model.quaternions};
+    return {std::move(segments), model.quaternions, model.variables_of_paths};
 }
 
 JointPath JointPath::cubic(const Robot& robot, std::span<const double> times, std::span<const Configuration> positions,
                            std::span<const Configuration> velocities) {
-    return {hermite_segments(robot.model(), times, std::array{positions, velocities}), {}};
+    return {hermite_segments(robot.model(), times, std::array{positions, velocities}),
+            {},
+            robot.model().variables_of_paths};
 }
 
 JointPath JointPath::quintic(const Robot& robot, std::span<const double> times,
                              std::span<const Configuration> positions, std::span<const Configuration> velocities,
                              std::span<const Configuration> accelerations) {
-    return {hermite_segments(robot.model(), times, std::array{positions, velocities, accelerations}), {}};
+    return {hermite_segments(robot.model(), times, std::array{positions, velocities, accelerations}),
+            {},
+            robot.model().variables_of_paths};
 }
 
 JointPath JointPath::natural_spline(const Robot& robot, std::span<const double> times,
@@ -271,7 +307,7 @@ JointPath JointPath::polynomials(const Robot& robot, std::vector<Segment> segmen
                       !value_at(segments[s], 0).isApprox(value_at(segments[s - 1], 1), 1e-9)))
             refuse(numbered("segment", s), "does not begin where the one before ends");
     }
-    return {std::move(segments), {}};
+    return {std::move(segments), {}, robot.model().variables_of_paths};
 }
 
 Configuration JointPath::at(double stamp) const {

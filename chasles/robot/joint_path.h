@@ -6,6 +6,7 @@
 
 #include <Eigen/Core>
 
+#include <memory>
 #include <span>
 #include <utility>
 #include <vector>
@@ -13,6 +14,7 @@
 namespace chasles {
 
 class Robot;
+struct RobotVariable;
 
 /// Values of all variables of a robot, in the order of Robot::variables(): radians, or the mesh unit.
 using Configuration = Eigen::VectorXd;
@@ -34,6 +36,7 @@ public:
     ///
     /// Throws InvalidInput "path: configuration I: WHY" for fewer than two configurations, a wrong number of values,
     /// NaN, infinity, a value beyond 1000 in magnitude, or a quaternion that is zero. Limits of joints are not checked.
+    /// The bounds of sines and cosines hold up to 1000 radians.
     static JointPath straight(const Robot& robot, std::span<const Configuration> configurations);
     /// Likewise, with the stamps of the configurations. Throws InvalidInput, too, where they do not ascend.
     static JointPath straight(const Robot& robot, std::span<const Configuration> configurations,
@@ -60,16 +63,21 @@ public:
 
     /// For the library's own use: what a path consists of, and a path of such parts, which are not checked.
     [[nodiscard]] const std::vector<std::size_t>& quaternions() const { return quaternions_; }
-    static JointPath of_parts(std::vector<Segment> segments, std::vector<std::size_t> quaternions) {
-        return {std::move(segments), std::move(quaternions)};
+    /// The variables of the robot that the path was made for; null if they are not known.
+    using Variables = std::shared_ptr<const std::vector<RobotVariable>>;
+    [[nodiscard]] const Variables& variables() const { return variables_; }
+    static JointPath of_parts(std::vector<Segment> segments, std::vector<std::size_t> quaternions,
+                              Variables variables = {}) {
+        return {std::move(segments), std::move(quaternions), std::move(variables)};
     }
 
 private:
-    JointPath(std::vector<Segment> segments, std::vector<std::size_t> quaternions)
-        : segments_(std::move(segments)), quaternions_(std::move(quaternions)) {}
+    JointPath(std::vector<Segment> segments, std::vector<std::size_t> quaternions, Variables variables)
+        : segments_(std::move(segments)), quaternions_(std::move(quaternions)), variables_(std::move(variables)) {}
 
     std::vector<Segment> segments_;
     std::vector<std::size_t> quaternions_; ///< of floating joints: the first one of four variables
+    Variables variables_;
 };
 
 } // namespace chasles

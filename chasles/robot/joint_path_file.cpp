@@ -65,6 +65,14 @@ auto at_line(std::size_t line, const Read& read) {
                                       (text.columns() == 1 ? " number" : " numbers") + " in the first line; " + needed);
 }
 
+/// What makes a path of a single configuration.
+std::string way_to_rest(const ConfigurationRows& rows) {
+    if (rows.configurations.empty())
+        return {};
+    return std::string("; repeat the row") + (rows.stamps.empty() ? "" : " with a later time") +
+           " to ask about this configuration at rest";
+}
+
 } // namespace
 
 ConfigurationRows read_configurations(std::string_view text, const Robot& robot) {
@@ -84,7 +92,7 @@ ConfigurationRows read_configurations(std::string_view text, const Robot& robot)
         at_line(row->line, [&] { read_configuration(*row, names, table, columns, rows); });
     if (rows.configurations.size() < 2)
         throw InvalidInput("a path needs at least two configurations, and there are " +
-                           std::to_string(rows.configurations.size()));
+                           std::to_string(rows.configurations.size()) + way_to_rest(rows));
     return rows;
 }
 

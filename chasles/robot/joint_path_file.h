@@ -17,8 +17,8 @@ struct ConfigurationRows {
 };
 
 /// Reads a table with one configuration a row. The header names variables of the robot in any order, with the ending
-/// "_deg" where the column has degrees, and perhaps t, time or timestamp. Variables that are left out have the values
-/// of Robot::neutral(). Throws InvalidInput "line N: WHY".
+/// "_deg" where the column has degrees, and perhaps the time (io::is_time_column). Variables that are left out have the
+/// values of Robot::neutral(). Throws InvalidInput "line N: WHY".
 ConfigurationRows read_configurations(std::string_view text, const Robot& robot);
 
 } // namespace chasles::robot

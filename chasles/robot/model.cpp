@@ -99,7 +99,12 @@ void refuse(std::string_view what, std::string_view why) {
 Model::Model(RobotDescription given) : description(std::move(given)) {
     add_variables();
     add_links();
+    tell_turns_apart();
     apply_pairs();
+}
+
+bool repeats_after_a_turn(const JointStep& step) {
+    return step.multiplier == 0 || (step.turns && std::trunc(step.multiplier) == step.multiplier);
 }
 
 namespace {
@@ -243,6 +248,15 @@ Owner Model::child_of(const Owner& parent, const JointDescription& joint) {
     group.origin = origin;
     groups.push_back(std::move(group));
     return {joint.child, groups.size() - 1, FixedPose()};
+}
+
+/// A variable is continuous only if all joints that follow it are where they were after a turn.
+void Model::tell_turns_apart() {
+    for (const RigidGroup& group : groups)
+        for (const JointStep& step : group.steps)
+            if (!repeats_after_a_turn(step))
+                variables[step.variable].is_continuous = false;
+    variables_of_paths = std::make_shared<const std::vector<RobotVariable>>(variables);
 }
 
 void Model::apply_pairs() {

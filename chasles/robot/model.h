@@ -24,6 +24,9 @@ struct JointStep {
     bool turns = true;
 };
 
+/// Whether a joint is where it was after each whole turn of its variable.
+[[nodiscard]] bool repeats_after_a_turn(const JointStep& step);
+
 /// Links that no joint moves against each other, and how they move against their parent.
 struct RigidGroup {
     std::size_t parent = 0;                ///< of smaller index; the root is its own parent
@@ -66,9 +69,10 @@ public:
 
     RobotDescription description;
     std::vector<RobotVariable> variables;
-    std::vector<std::size_t> quaternions; ///< first variables of the quaternions of floating joints
-    std::vector<RigidGroup> groups;       ///< parents first
-    std::vector<Owner> owners;            ///< links in the order of the description, then parts
+    JointPath::Variables variables_of_paths; ///< the same, kept by each path of the robot
+    std::vector<std::size_t> quaternions;    ///< first variables of the quaternions of floating joints
+    std::vector<RigidGroup> groups;          ///< parents first
+    std::vector<Owner> owners;               ///< links in the order of the description, then parts
     std::vector<Element> elements;
     std::vector<AttachedPart> parts;
     Pose base;
@@ -110,6 +114,7 @@ private:
     void add_below(std::size_t root);
     Owner child_of(const Owner& parent, const JointDescription& joint);
     [[nodiscard]] RigidGroup group_of(const JointDescription& joint) const;
+    void tell_turns_apart();
     void apply_pairs();
     void add_down(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
     void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;

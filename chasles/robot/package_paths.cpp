@@ -90,10 +90,18 @@ std::string quoted(const std::string& uri) {
 
 std::string listed(const std::vector<FoundFile>& files) {
     constexpr std::size_t most = 4;
+    std::vector<fs::path> different; // NAME/REST above a folder NAME is REST in it
     std::string list;
-    for (std::size_t i = 0; i < std::min(most, files.size()); ++i)
-        list += (i > 0 ? ", " : "") + io::one_line(files[i].path.string());
-    return list + (files.size() > most ? ", and the folders above" : "");
+    for (const FoundFile& file : files) {
+        const fs::path path = file.path.lexically_normal();
+        if (std::ranges::find(different, path) != different.end())
+            continue;
+        if (different.size() == most)
+            return list + ", and the folders above";
+        list += (different.empty() ? "" : ", ") + io::one_line(file.path.string());
+        different.push_back(path);
+    }
+    return list;
 }
 
 /// The value of a hexadecimal digit; empty for other characters.

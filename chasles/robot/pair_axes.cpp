@@ -27,7 +27,9 @@ double group_reach(const Element& element) {
 /// Goes from the points of one link outwards, to the other link.
 class ReachSum {
 public:
-    ReachSum(const Model& model, const std::vector<const Element*>& shapes) : model_(model) {
+    /// `groups` are those whose joints are between the links.
+    ReachSum(const Model& model, const std::vector<const Element*>& shapes, std::vector<std::size_t> groups)
+        : model_(model), groups_(std::move(groups)) {
         for (const Element* element : shapes)
             arm_ = std::max(arm_, group_reach(*element));
     }
@@ -63,15 +65,27 @@ private:
             return *known;
         const RobotVariable& v = model_.variables[variable];
         constexpr double half_turn = std::numbers::pi * outward_sum; // the ends overlap, so no angle is left out
-        found_.axes.push_back(v.is_continuous ? Axis{variable, -half_turn, half_turn, 0}
-                                              : Axis{variable, v.lower, v.upper, 0});
+        found_.axes.push_back(needs_one_turn(variable) ? Axis{variable, -half_turn, half_turn, 0}
+                                                       : Axis{variable, v.lower, v.upper, 0});
         const Axis& axis = found_.axes.back();
         found_.have_limits =
             found_.have_limits && std::max(std::abs(axis.lower), std::abs(axis.upper)) <= largest_value;
         return found_.axes.back();
     }
 
+    /// Of a variable without limits: all joints between the links are where they were after each turn. Joints elsewhere
+    /// may follow it in other ways.
+    [[nodiscard]] bool needs_one_turn(std::size_t variable) const {
+        const RobotVariable& v = model_.variables[variable];
+        return std::isinf(v.lower) && std::isinf(v.upper) && std::ranges::all_of(groups_, [&](std::size_t group) {
+                   return std::ranges::all_of(model_.groups[group].steps, [&](const JointStep& step) {
+                       return step.variable != variable || repeats_after_a_turn(step);
+                   });
+               });
+    }
+
     const Model& model_;
+    std::vector<std::size_t> groups_;
     double arm_ = 0; ///< a bound of the distance of all points from here, in any configuration
     PairAxes found_;
 };
@@ -81,18 +95,21 @@ private:
 /// From the first link up to the first group above both, and down to the second one.
 PairAxes axes_between(const Model& model, const std::vector<const Element*>& first,
                       const std::vector<const Element*>& second) {
-    ReachSum sum(model, first);
     std::size_t a = first.front()->group, b = second.front()->group;
-    std::vector<std::size_t> down;
-    while (a != b)
-        if (model.groups[a].depth >= model.groups[b].depth) {
-            sum.add_joint(a);
-            sum.add_arm(a);
-            a = model.groups[a].parent;
-        } else {
-            down.push_back(b);
-            b = model.groups[b].parent;
-        }
+    std::vector<std::size_t> up, down;
+    while (a != b) {
+        const bool goes_up = model.groups[a].depth >= model.groups[b].depth;
+        std::size_t& next = goes_up ? a : b;
+        (goes_up ? up : down).push_back(next);
+        next = model.groups[next].parent;
+    }
+    std::vector<std::size_t> between = up;
+    between.insert(between.end(), down.begin(), down.end());
+    ReachSum sum(model, first, std::move(between));
+    for (const std::size_t group : up) {
+        sum.add_joint(group);
+        sum.add_arm(group);
+    }
     for (std::size_t i = down.size(); i-- > 0;) {
         sum.add_arm(down[i]);
         sum.add_joint(down[i]);

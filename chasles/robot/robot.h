@@ -31,7 +31,9 @@ struct RobotVariable {
     std::string name;
     double lower; ///< -infinity without a limit
     double upper;
-    bool is_continuous; ///< values that differ by 2 pi are the same
+    /// Values that differ by 2 pi are the same configuration: of a continuous joint or NAME/theta, if no joint that
+    /// follows it slides or turns by a multiplier that is no integer. Straight paths go the shorter way round.
+    bool is_continuous;
 };
 
 /// A part that moves with a link, for example one that a gripper holds.

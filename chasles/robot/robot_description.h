@@ -16,7 +16,7 @@ namespace chasles {
 enum class JointType : std::uint8_t {
     fixed,
     revolute,
-    continuous, ///< a revolute joint without limits: angles that differ by 2 pi are the same
+    continuous, ///< a revolute joint without limits: see RobotVariable::is_continuous
     prismatic,
     planar,   ///< in the plane orthogonal to the axis: two translations, then a turn
     floating, ///< a translation and a quaternion

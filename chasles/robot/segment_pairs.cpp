@@ -1,6 +1,7 @@
 #include "chasles/robot/segment_pairs.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/io/text_scan.h"
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
@@ -26,10 +27,29 @@ Bracket share_of(const JointPath& path, std::size_t segment) {
     return {lower, std::max(share(segments[segment].end), std::nextafter(lower, 1.0))};
 }
 
+/// Refuses a path of a robot with other variables: its polynomials would be those of other joints, or go the other way
+/// round.
+void check_variables(const Model& model, const JointPath& path) {
+    if (!path.variables() || path.variables() == model.variables_of_paths)
+        return;
+    for (std::size_t i = 0; i < model.variables.size(); ++i) {
+        const RobotVariable &own = model.variables[i], &other = path.variables()->at(i);
+        const std::string place = "path: belongs to another robot: variable " + std::to_string(i) + " is ";
+        if (own.name != other.name)
+            throw InvalidInput(place + io::in_quotes(other.name) + " in the path, and " + io::in_quotes(own.name) +
+                               " in the robot");
+        if (own.is_continuous != other.is_continuous)
+            throw InvalidInput(place + io::in_quotes(own.name) + " in both, but " +
+                               (other.is_continuous ? "the path goes the shorter way round, and the robot straight"
+                                                    : "the path goes straight, and the robot the shorter way round"));
+    }
+}
+
 const JointPath::Segment& checked_segment(const Model& model, const JointPath& path, std::size_t segment) {
     const JointPath::Segment& checked = path.segments()[segment];
     if (checked.coefficients.cols() != Eigen::Index(model.variables.size()))
         throw InvalidInput("path: belongs to a robot with another number of variables");
+    check_variables(model, path);
     return checked;
 }
 

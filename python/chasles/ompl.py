@@ -107,8 +107,8 @@ _LAYOUTS: dict[Any, Callable[[Any], _Layout]] = {
 class StateMap:
     """How the numbers of a state are the variables of a robot.
 
-    The numbers are those of a RealVectorStateSpace, SO2StateSpace (for continuous joints), SE2StateSpace (for planar
-    ones), SE3StateSpace (for floating ones) or a compound of them, in the order of `copyToReals`.
+    The numbers are those of a RealVectorStateSpace, SO2StateSpace (where `robot.continuous` is true), SE2StateSpace
+    (for planar joints), SE3StateSpace (for floating ones) or a compound of them, in the order of `copyToReals`.
 
     Parameters
     ----------

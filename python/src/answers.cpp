@@ -1,4 +1,5 @@
 // chasles.FirstContact and chasles.PathContact.
+#include "chasles/base/number_text.h"
 #include "python/src/answer_members.h"
 #include "python/src/bind.h"
 #include "python/src/names.h"
@@ -18,8 +19,8 @@ std::string summary(const FirstContact& found, const std::string& bodies, const 
         return fmt::format("unknown: the limit was reached; proven clear until {}", found.clear_until);
     if (found.verdict == Verdict::clear)
         return found.clear_until < 1 ? fmt::format("clear until {}", found.clear_until) : "clear";
-    std::string text = found.verdict == Verdict::contact ? fmt::format("contact at time {:.12g}", found.time.lower)
-                                                         : "contact at the start";
+    std::string text =
+        found.verdict == Verdict::contact ? "contact at time " + time_text(found.time.lower) : "contact at the start";
     if (!found.certain)
         text += " (uncertain: " + why_uncertain + ")";
     if (!bodies.empty())

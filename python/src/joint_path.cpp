@@ -93,7 +93,11 @@ nb::tuple state_of(const JointPath& path) {
     nb::list segments;
     for (const JointPath::Segment& s : path.segments())
         segments.append(nb::make_tuple(s.begin, s.end, numbers_of(s.coefficients), numbers_of(s.remainders)));
-    return nb::make_tuple(nb::tuple(segments), path.quaternions());
+    nb::list variables;
+    if (path.variables())
+        for (const RobotVariable& variable : *path.variables())
+            variables.append(nb::make_tuple(variable.name, variable.is_continuous));
+    return nb::make_tuple(nb::tuple(segments), path.quaternions(), nb::tuple(variables));
 }
 
 [[noreturn]] void refuse_state(const char* why) {
@@ -111,6 +115,19 @@ void check(const JointPath::Segment& segment, Eigen::Index variables) {
         refuse_state("a number cannot be used");
 }
 
+/// Null if none is named.
+JointPath::Variables variables_from(const nb::tuple& state) {
+    std::vector<RobotVariable> variables;
+    for (const nb::handle item : state) {
+        nb::tuple variable;
+        RobotVariable& last = variables.emplace_back(RobotVariable{{}, 0, 0, false}); // a path needs no limits
+        if (!nb::try_cast(item, variable) || variable.size() != 2 || !nb::try_cast(variable[0], last.name) ||
+            !nb::try_cast(variable[1], last.is_continuous))
+            refuse_state("a variable has a name, and is continuous or not");
+    }
+    return variables.empty() ? nullptr : std::make_shared<const std::vector<RobotVariable>>(std::move(variables));
+}
+
 JointPath::Segment segment_from(const nb::tuple& state) {
     JointPath::Segment segment;
     if (state.size() != 4 || !nb::try_cast(state[0], segment.begin) || !nb::try_cast(state[1], segment.end))
@@ -121,10 +138,11 @@ JointPath::Segment segment_from(const nb::tuple& state) {
 }
 
 void set_state(JointPath& path, const nb::tuple& state) {
-    nb::tuple list;
+    nb::tuple list, names;
     std::vector<std::size_t> quaternions;
-    if (state.size() != 2 || !nb::try_cast(state[0], list) || !nb::try_cast(state[1], quaternions) || list.size() == 0)
-        refuse_state("it has segments and floating joints");
+    if (state.size() != 3 || !nb::try_cast(state[0], list) || !nb::try_cast(state[1], quaternions) ||
+        !nb::try_cast(state[2], names) || list.size() == 0)
+        refuse_state("it has segments, floating joints and variables");
     std::vector<JointPath::Segment> segments;
     for (const nb::handle item : list) {
         nb::tuple segment;
@@ -137,7 +155,10 @@ void set_state(JointPath& path, const nb::tuple& state) {
     for (const std::size_t first : quaternions)
         if (first >= variables || variables - first < 4)
             refuse_state("a floating joint has four variables");
-    new (&path) JointPath(JointPath::of_parts(std::move(segments), std::move(quaternions)));
+    JointPath::Variables of_robot = variables_from(names);
+    if (of_robot && of_robot->size() != variables)
+        refuse_state("there are other variables than numbers of a configuration");
+    new (&path) JointPath(JointPath::of_parts(std::move(segments), std::move(quaternions), std::move(of_robot)));
 }
 
 nb::object at(const JointPath& path, double time) {
@@ -159,10 +180,12 @@ void bind_joint_path(nb::module_& module) {
                             "times: numpy.typing.ArrayLike | None = None) -> JointPath"),
                     "Straight from each configuration (n, variables) to the next; continuous joints go the shorter "
                     "way. Without times,\nsegment k has the times k and k + 1.")
-        .def_static("cubic", cubic, "robot"_a, "times"_a, "positions"_a, "velocities"_a,
-                    nb::sig("def cubic(robot: Robot, " CHASLES_TIMES ", positions: numpy.typing.ArrayLike, "
-                            "velocities: numpy.typing.ArrayLike) -> JointPath"),
-                    "Cubic Hermite splines; velocities are per unit of time.")
+        .def_static(
+            "cubic", cubic, "robot"_a, "times"_a, "positions"_a, "velocities"_a,
+            nb::sig("def cubic(robot: Robot, " CHASLES_TIMES ", positions: numpy.typing.ArrayLike, "
+                    "velocities: numpy.typing.ArrayLike) -> JointPath"),
+            "Cubic Hermite splines; velocities are per unit of time. Values are taken as they are, also those of "
+            "continuous joints.")
         .def_static("quintic", quintic, "robot"_a, "times"_a, "positions"_a, "velocities"_a, "accelerations"_a,
                     nb::sig("def quintic(robot: Robot, " CHASLES_TIMES ", positions: numpy.typing.ArrayLike, "
                             "velocities: numpy.typing.ArrayLike, accelerations: numpy.typing.ArrayLike) -> JointPath"),

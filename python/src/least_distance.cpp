@@ -1,6 +1,7 @@
 // chasles.LeastDistance, chasles.least_distance, and the compiled part of chasles.least_distance_batch.
 #include "chasles/query/least_distance.h"
 
+#include "chasles/base/number_text.h"
 #include "python/src/answer_members.h"
 #include "python/src/bind.h"
 #include "python/src/names.h"
@@ -35,7 +36,7 @@ LeastAnswer ask(nb::handle moving, nb::handle fixed, nb::handle start, nb::handl
 /// "0.25 at time 0.5, vertex 0 on face 4"
 std::string summary(const LeastDistance& found) {
     std::string text = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
-    text += fmt::format(" at time {:.12g}", found.time.lower);
+    text += " at time " + time_text(found.time.lower);
     if (!found.certain)
         text += found.distance.upper > 0 ? " (uncertain: the bracket is wider than the tolerance)"
                                          : " (uncertain: the bodies may miss each other by a rounding error)";

@@ -163,7 +163,7 @@ constexpr const char* question_doc =
     "time_tolerance : float\n"
     "    Width of the bracket to aim for.\nfind : Find or str\n    'first', 'first_with_all_contacts' or 'any'.\n\n"
     "Returns\n-------\nRobotContact\n\nRaises\n------\nInvalidInput\n    For a wrong number of values, NaN, or a value "
-    "beyond 1000. Limits of joints are not checked.";
+    "beyond 1000 (take whole turns off an angle, or choose a larger unit). Limits of joints are not checked.";
 
 } // namespace
 
@@ -200,7 +200,8 @@ void bind_robot(nb::module_& module) {
                 return found;
             },
             nb::sig("def continuous(self) -> list[bool]"),
-            "Of each variable, whether it is an angle without limits: values that differ by 2 pi are the same.")
+            "Of each variable, whether values that differ by 2 pi are the same configuration: an angle without limits, "
+            "if each joint that follows it\nis where it was after a turn.")
         .def_prop_ro("links", links_of, "The names of the links.")
         .def_prop_ro(
             "warnings", [](const PythonRobot& r) { return r.warnings(); }, doc("Robot.warnings"))

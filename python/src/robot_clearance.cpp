@@ -1,4 +1,5 @@
 // chasles.RobotClearance, and questions about how near a robot comes.
+#include "chasles/base/number_text.h"
 #include "python/src/answer.h"
 #include "python/src/docstrings.h"
 #include "python/src/robot.h"
@@ -15,9 +16,9 @@ std::string summary(const PythonClearance& clearance) {
     if (!found.pair)
         return "<chasles.RobotClearance: no two bodies are tested>";
     const std::string distance = found.distance.upper > 0 ? fmt::format("{:.9g}", found.distance.lower) : "0, touching";
-    return fmt::format("<chasles.RobotClearance: {}{}, {} to {} at time {:.12g} of segment {}>", distance,
+    return fmt::format("<chasles.RobotClearance: {}{}, {} to {} at time {} of segment {}>", distance,
                        found.certain ? "" : " (uncertain)", found.pair->first, found.pair->second,
-                       clearance.time().lower, found.segment);
+                       time_text(clearance.time().lower), found.segment);
 }
 
 } // namespace

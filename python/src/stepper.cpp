@@ -2,6 +2,7 @@
 #include "chasles/scene/stepper.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "python/src/docstrings.h"
 #include "python/src/interruptible.h"
 #include "python/src/motions.h"
@@ -66,7 +67,7 @@ public:
         moved_ = joined(std::move(moved_), way.owners);
     }
     [[nodiscard]] std::string text() const {
-        const std::string now = use_.is_changing() ? "advancing" : fmt::format("at time {:.12g}", stepper_.time());
+        const std::string now = use_.is_changing() ? "advancing" : "at time " + time_text(stepper_.time());
         return fmt::format("<chasles.Stepper: {} bodies {}>", scene_->scene.bodies().size(), now);
     }
 
@@ -161,8 +162,8 @@ void bind_event(nb::module_& module) {
                 pairs +=
                     fmt::format("{}{} on {}", pairs.empty() ? "" : ", ", contact.pair->first, contact.pair->second);
             const bool is_certain = std::ranges::all_of(e.contacts, [](const auto& c) { return c.found.certain; });
-            return fmt::format("<chasles.StepEvent: time {:.12g}{}, {}>", e.time, is_certain ? "" : " (uncertain)",
-                               pairs);
+            return fmt::format("<chasles.StepEvent: time {}{}, {}>", time_text(e.time),
+                               is_certain ? "" : " (uncertain)", pairs);
         });
 }
 

@@ -32,8 +32,8 @@ class Ended:
 
     @property
     def errors(self) -> list[str]:
-        """The lines on standard error that are no warnings."""
-        return [line for line in self.lines if not line.startswith("chasles: warning: ")]
+        """The lines on standard error that are no warnings and tell no progress."""
+        return [line for line in self.lines if not line.startswith(("chasles: warning: ", "chasles: progress: "))]
 
     @property
     def crash(self) -> str:

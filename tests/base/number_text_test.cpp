@@ -55,6 +55,18 @@ TEST(NumberText, ReadsBackForWholeNumbersOfManyDigitsAndPowersOfTwo) {
     }
 }
 
+TEST(NumberText, OfTimesKeepsWhatIsAfterThePointOfLargeOnes) {
+    EXPECT_EQ(time_text(0), "0");
+    EXPECT_EQ(time_text(1.0 / 3), "0.333333333333");
+    EXPECT_EQ(time_text(1.647101501711296), "1.64710150171");
+    EXPECT_EQ(time_text(25.123456789012), "25.123456789");
+    EXPECT_EQ(time_text(12345.123456789), "12345.123456789");
+    EXPECT_EQ(time_text(1700000000.018), "1700000000.018");
+    EXPECT_EQ(time_text(-1700000000.018), "-1700000000.018");
+    EXPECT_EQ(time_text(1e300), "1e+300");
+    EXPECT_EQ(time_text(std::numeric_limits<double>::infinity()), "inf");
+}
+
 TEST(NumberText, OfNumbersThatAreNotFinite) {
     constexpr double infinity = std::numeric_limits<double>::infinity();
     EXPECT_EQ(number_text(infinity), "inf");

@@ -62,6 +62,18 @@ TEST_F(DragCommand, WritesPosesAndForces) {
     EXPECT_EQ(rows[2][15], 0);
 }
 
+TEST_F(DragCommand, TakesTheMarginOfTheScene) {
+    const std::string bodies = R"("bodies": [{"name": "table", "mesh": "cube.obj", "scale": 4, "pose": [-2, -2, -4]},
+                                             {"name": "box", "mesh": "cube.obj", "pose": [0, 0, 1]}]})";
+    const std::string drag = "drag scene.json --body box --goals goals.csv --out out.csv ";
+    write("scene.json", R"({"margin": 0.001, )" + bodies);
+    EXPECT_EQ(Json::parse(run(drag + "--json").out)["margin"], 0.001);
+    EXPECT_EQ(Json::parse(run(drag + "--json --margin 0.002").out)["margin"], 0.002);
+    write("scene.json", R"({"margin": 0.001, "hold": 0.0005, )" + bodies);
+    EXPECT_EQ(error_line(drag), "chasles: scene.json: hold: a dragged body keeps the margin from all bodies; leave the "
+                                "hold distance out");
+}
+
 /// The cube is pressed by 0.501, and so lags by a half of that.
 TEST_F(DragCommand, FrictionHoldsBack) {
     write("goals.csv", "x,y,z,qw,qx,qy,qz\n0,0,-0.5,1,0,0,0\n0,0.2,-0.5,1,0,0,0\n0,0.75,-0.5,1,0,0,0\n");

@@ -70,6 +70,36 @@ TEST_F(RobotChangesCommand, HoldsADistance) {
                     .out.starts_with("CLEAR: proven that no tested pair that is held comes within 0.01"));
 }
 
+/// As for `chasles scene`; an option stands instead of the file's.
+TEST_F(RobotChangesCommand, TakesMarginAndHoldOfTheScene) {
+    const auto write_table = [&](const std::string& keys) {
+        write("table.json", "{" + keys + R"("bodies": [{"name": "table", "mesh": "cube.obj", "scale": 4,
+            "pose": [-2, -2, -4.05]}]})");
+    };
+    write_table("");
+    EXPECT_EQ(json("--scene table.json")["verdict"], "clear");
+    write_table(R"("margin": 0.1, )");
+    EXPECT_EQ(json("--scene table.json")["verdict"], "contact_at_start");
+    EXPECT_TRUE(run("robot arm.urdf --path path.csv --scene table.json").out.starts_with("CONTACT within 0.1 AT THE"));
+    EXPECT_EQ(json("--scene table.json --margin 0.01")["verdict"], "clear");
+    EXPECT_EQ(json("--scene table.json --hold 0.01")["verdict"], "clear");
+    write_table(R"("margin": 0.1, "hold": 0.01, )");
+    EXPECT_EQ(json("--scene table.json")["verdict"], "clear");
+    EXPECT_EQ(refused("--scene table.json --margin 0.005"),
+              "chasles: table.json: query: hold: must be less than some margin");
+    EXPECT_EQ(refused("--scene table.json --hold 0.1"), "chasles: query: hold: must be less than some margin");
+    const std::string clearance = "robot arm.urdf --path path.csv --clearance --scene table.json";
+    EXPECT_EQ(run(clearance).err, "chasles: warning: table.json: margin has no effect on a clearance\n"
+                                  "chasles: warning: table.json: hold has no effect on a clearance\n");
+    EXPECT_EQ(json("--clearance --scene table.json")["warnings"].size(), 2U);
+    write_table(R"("ignore_touching_at_start": true, )");
+    EXPECT_EQ(refused("--scene table.json"),
+              "chasles: table.json: ignore_touching_at_start: is not for robots; leave it out, and name what a robot "
+              "may touch by --allow LINK,BODY");
+    write_table(R"("ignore_touching_at_start": false, )");
+    EXPECT_EQ(json("--scene table.json")["verdict"], "clear");
+}
+
 TEST_F(RobotChangesCommand, WarnsOfWhatHasNoEffect) {
     write("arm.srdf", R"(<robot name="arm"><disable_collisions link1="base" link2="table" reason="Never"/></robot>)");
     write("path.csv", "j1,j2\n0,0\n90,1.5\n");

@@ -104,6 +104,19 @@ TEST_F(RobotCommand, CountsInStamps) {
                 1e-9);
 }
 
+/// Twelve digits of seconds since 1970 are hundredths.
+TEST_F(RobotCommand, TheFirstLineKeepsWhatIsAfterThePointOfAStamp) {
+    write("epoch.csv", "t,elbow,shoulder\n1700000000,0.5,0\n1700000002,0.5,2\n");
+    for (const std::string arguments :
+         {"robot arm.urdf --path epoch.csv --scene cell.json", "robot arm.urdf --path epoch.csv --clearance"}) {
+        const std::string text = run(arguments).out;
+        const std::string before = "at time ";
+        const std::size_t at = text.find(before);
+        ASSERT_LT(at, text.find('\n')) << text;
+        EXPECT_NEAR(std::stod(text.substr(at + before.size())), json(arguments)["time"].get<double>(), 1e-6) << text;
+    }
+}
+
 TEST_F(RobotCommand, FindsTheClearance) {
     const Robot robot = Robot::load(path_of("arm.urdf"));
     const std::vector<Configuration> way{values(0, 0.5), values(0.1, 0.5), values(2, 0.5)};
@@ -144,6 +157,32 @@ TEST_F(RobotCommand, ProvesPairsAndWritesThem) {
     EXPECT_NE(text.find("<group name=\"all\">"), std::string::npos) << text;
     EXPECT_NE(text.find("link2=\"upper\" reason=\"Adjacent\""), std::string::npos) << text;
     EXPECT_EQ(text.find("link2=\"lower\" reason=\"Never\""), std::string::npos) << text;
+}
+
+TEST_F(RobotCommand, SaysWhyThereIsNoPair) {
+    write("lonely.urdf", R"(<robot name="lonely"><link name="a"/>
+        <link name="b"><collision><geometry><sphere radius="1"/></geometry></collision></link>
+        <joint name="spin" type="continuous"><parent link="a"/><child link="b"/></joint></robot>)");
+    EXPECT_EQ(run("acm lonely.urdf").out, "no pair: 1 of 2 links has collision shapes, and a pair needs two\n");
+}
+
+/// A slab slides on a table, and touches it everywhere without overlapping: no time decides that.
+TEST_F(RobotCommand, SaysHowFarTheProofsAre) {
+    const auto box = [](const std::string& name, const std::string& height) {
+        return "<link name='" + name + "'><collision><origin xyz='0 0 " + height +
+               "'/><geometry><box size='1 1 1'/></geometry></collision></link>";
+    };
+    const auto slide = [](const std::string& parent, const std::string& child, const std::string& axis) {
+        return "<joint name='to " + child + "' type='prismatic'><parent link='" + parent + "'/><child link='" + child +
+               "'/><axis xyz='" + axis + "'/><limit lower='-0.1' upper='0.1' velocity='1' effort='1'/></joint>";
+    };
+    write("slab.urdf", "<robot name='slab'>" + box("table", "0") + box("beam", "9") + box("slab", "1") +
+                           slide("table", "beam", "1 0 0") + slide("beam", "slab", "0 1 0") + "</robot>");
+    const tests::Finished found = run("acm slab.urdf --seconds 6.5 --threads 1");
+    EXPECT_EQ(found.status, 0);
+    EXPECT_NE(found.out.find("table  slab  open"), std::string::npos) << found.out;
+    EXPECT_TRUE(found.err.starts_with("chasles: progress: 2 of 3 pairs are done after ")) << found.err;
+    EXPECT_TRUE(found.err.ends_with(" s; the rest stays open after 6.5 s (--seconds)\n")) << found.err;
 }
 
 TEST_F(RobotCommand, RefusesWrongInput) {

@@ -230,6 +230,7 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     EXPECT_EQ(refused("{"), "is not JSON: parse error at line 1, column 2: syntax error while parsing object key - "
                             "unexpected end of input; expected string literal");
     EXPECT_EQ(refused(R"({"bodies": [], "hold": "1"})"), "hold: must be a number");
+    EXPECT_EQ(refused(R"({"bodies": [], "margin": -1})"), "margin: must be in [0, 1e30]");
 }
 
 TEST_F(SceneCommand, NamesDoNotSteerTheTerminal) {

@@ -250,7 +250,7 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
         {"joint_names: shoulder\npoints: []\n", "joint_names: must be a list"},
         {"joint_names: [shoulder, elbow]\npoints: [" + point + "]\n",
          "points: a path needs at least two, and there are 1; the state before it is missing: write it as the first "
-         "point"},
+         "point, or repeat the point with a later time to ask about it at rest"},
         {"joint_names: [shoulder, elbow]\npoints: [{positions: [0, 0], time_from_start: [1, 5]}]\n",
          "points: point 1: time_from_start: a list is read only as [SECONDS, 0]; write {sec: SECONDS, nanosec: "
          "NANOSECONDS}, or the seconds"},

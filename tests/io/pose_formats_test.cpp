@@ -148,13 +148,15 @@ TEST(PoseFormats, ReadEuroc) {
 }
 
 TEST(PoseFormats, StampsMayHaveAnyUnitOfTime) {
-    for (const char* const time : {"t[s]", "Time [ns]", "timestamp (s)", "time[ms]", "t [us]", "time [seconds]"}) {
+    for (const char* const time : {"t[s]", "Time [ns]", "timestamp (s)", "time[ms]", "t [us]", "time [seconds]",
+                                   "time_from_start", "stamp", "Stamp [ns]", "header.stamp", "header/stamp [s]"}) {
         const Path path = read_path(std::string(time) + ",x[m],y (m),z,qw [],qx,qy,qz\n1,1,2,3,1,0,0,0\n"
                                                         "3,1,2,4,1,0,0,0\n");
         EXPECT_EQ(path.stamps, (std::vector<double>{1, 3})) << time;
         EXPECT_TRUE(path.warnings.empty()) << time;
     }
     EXPECT_EQ(pose_column("t(x)"), "") << "no unit of time";
+    EXPECT_EQ(pose_column("header.stamp.secs"), "") << "a part of the time";
 }
 
 TEST(PoseFormats, ListsOfMotionsMayHaveUnits) {

@@ -1,5 +1,7 @@
 """The text of every answer says what is proven: the verdict, whether it is certain, and if not, why not."""
 
+import re
+
 import pytest
 
 import chasles
@@ -128,6 +130,18 @@ def test_answers_of_robots_say_verdict_and_pair(cube):
     assert repr(near).startswith("<chasles.RobotClearance: 1") or repr(near).startswith("<chasles.RobotClearance: 0.99")
     assert "uncertain" not in repr(near)
     assert "touching" in repr(checker.least_distance([3, 0.25, 0.25, *rest], [0.5, 0.25, 0.25, *rest]))
+
+
+def test_large_stamps_keep_what_is_after_their_point(cube):
+    robot = chasles._core._free_body(cube, "body")
+    scene = chasles.Scene()
+    scene.add("post", cube)
+    path, stamps = [[3, 0.25, 0.25, 0, 0, 0, 1], [-3, 0.25, 0.25, 0, 0, 0, 1]], [1.7e9, 1.7e9 + 0.7]
+    checker = chasles.RobotChecker(robot, scene)
+    touching, nearest = checker.first_contact_on_path(path, stamps), checker.least_distance_on_path(path, stamps)
+    for found in (touching, nearest):
+        time = float(re.search(r" at time ([0-9.]+)", repr(found))[1])
+        assert 1.7e9 < found.time < 1.7e9 + 0.7 and time == pytest.approx(found.time, abs=1e-6, rel=0), repr(found)
 
 
 def test_least_distances_say_why_they_are_uncertain(cube):

@@ -344,21 +344,38 @@ def test_a_spoilt_state_is_refused(kind, state):
 
 def test_what_rounding_took_from_coefficients_is_kept():
     for path in joint_paths()[2:]:
-        segments, _ = path.__getstate__()
+        segments, _, _ = path.__getstate__()
         assert any(np.any(remainders) for _, _, _, remainders in segments)
 
 
+def test_a_joint_path_remembers_its_variables():
+    arm = hinge_robot()
+    path = copy.copy(chasles.JointPath.straight(arm, [[0], [1]]))
+    again = pickle.loads(pickle.dumps(path))
+    assert arm.first_contact_on_path(again).verdict == arm.first_contact_on_path(path).verdict
+    ((name, is_continuous),) = again.__getstate__()[2]
+    assert ([name], [is_continuous]) == (arm.variables, arm.continuous)
+    other = chasles.JointPath.__new__(chasles.JointPath)
+    other.__setstate__((*again.__getstate__()[:2], (("other", is_continuous),)))
+    with pytest.raises(chasles.InvalidInput, match=f"belongs to another robot: variable 0 is 'other' .* '{name}'"):
+        arm.first_contact_on_path(other)
+
+
 def test_a_spoilt_joint_path_is_refused():
-    segments, quaternions = joint_paths()[0].__getstate__()
+    segments, quaternions, variables = joint_paths()[0].__getstate__()
     begin, end, coefficients, rest = segments[0]
     for state in [
-        (segments, [5]),
-        (segments, [2**64 - 1]),
-        ((), quaternions),
-        (((end, begin, coefficients, rest),), quaternions),
-        (((begin, end, coefficients * np.nan, rest),), quaternions),
-        (((begin, end, coefficients, rest[:, 1:]),), quaternions),
-        ((segments[0], (begin, end, coefficients[:, 1:], rest[:, 1:])), quaternions),
+        (segments, [5], variables),
+        (segments, [2**64 - 1], variables),
+        ((), quaternions, variables),
+        (((end, begin, coefficients, rest),), quaternions, variables),
+        (((begin, end, coefficients * np.nan, rest),), quaternions, variables),
+        (((begin, end, coefficients, rest[:, 1:]),), quaternions, variables),
+        ((segments[0], (begin, end, coefficients[:, 1:], rest[:, 1:])), quaternions, variables),
+        (segments, quaternions),
+        (segments, quaternions, variables[1:]),
+        (segments, quaternions, (("a", True, 1), *variables[1:])),
+        (segments, quaternions, ((1, True), *variables[1:])),
     ]:
         with pytest.raises(chasles.InvalidInput, match="state: is not that of a path"):
             chasles.JointPath.__new__(chasles.JointPath).__setstate__(state)

@@ -209,6 +209,34 @@ TEST(RobotChecker, RefusesPathsThatItCannotFollow) {
     EXPECT_EQ(moved(mimicking_robot(2, JointType::revolute)), "accepted");
 }
 
+/// The numbers of a path are those of its robot's joints, and its ways round, too.
+TEST(RobotChecker, RefusesPathsOfOtherRobots) {
+    const auto arm = [](const std::string& name, JointType type) {
+        RobotDescription robot{"arm"};
+        robot.links = {{"base"}, {"a"}, {"b"}};
+        robot.joints = {{"waist", JointType::revolute, "base", "a"}, {name, type, "a", "b"}};
+        return Robot(robot);
+    };
+    const Robot robot = arm("elbow", JointType::continuous);
+    const auto refused = [&](const Robot& other) {
+        const Configuration start{{0.0, 3.0}}, goal{{0.0, -3.0}};
+        const JointPath path = JointPath::straight(other, std::array{start, goal});
+        const std::string message = refusal([&] { (void)RobotChecker(robot).first_contact(path); });
+        EXPECT_EQ(refusal([&] { (void)RobotChecker(robot).least_distance(path); }), message);
+        return message;
+    };
+    EXPECT_EQ(refused(arm("wrist", JointType::continuous)),
+              "path: belongs to another robot: variable 1 is 'wrist' in the path, and 'elbow' in the robot");
+    EXPECT_EQ(
+        refused(arm("elbow", JointType::revolute)),
+        "path: belongs to another robot: variable 1 is 'elbow' in both, but the path goes straight, and the robot "
+        "the shorter way round");
+    EXPECT_EQ(refused(arm("elbow", JointType::continuous)), "accepted") << "the same robot, read once more";
+    Robot changed = robot;
+    changed.set_base(Pose({1, 2, 3}, Eigen::Quaterniond::Identity()));
+    EXPECT_EQ(refused(changed), "accepted");
+}
+
 /// A path of several segments is asked segment by segment, and the scene goes on during it.
 TEST(RobotChecker, FollowsAPathFromSegmentToSegment) {
     Random random(2004);

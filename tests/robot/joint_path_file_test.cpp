@@ -122,7 +122,8 @@ TEST(JointPathFile, ManyBracketsTakeNoTime) {
 }
 
 TEST(JointPathFile, ReadsStampsWithAUnit) {
-    for (const char* const time : {"t[s]", "Time [s]", "timestamp [ns]", "time(ms)", "t[]"}) {
+    for (const char* const time : {"t[s]", "Time [s]", "timestamp [ns]", "time(ms)", "t[]", "time_from_start",
+                                   "Time_From_Start [s]", "stamp", "stamp[ns]", "header.stamp", "header/stamp"}) {
         const ConfigurationRows rows = read_configurations(std::string(time) + ",waist\n1,0\n3,1\n", arm());
         EXPECT_EQ(rows.stamps, (std::vector<double>{1, 3})) << time;
         EXPECT_TRUE(rows.warnings.empty()) << time;
@@ -181,13 +182,20 @@ TEST(JointPathFile, RefusesHeadersAndShowsThem) {
         {"waist,Waist\n0,0\n",
          "line 1: the header 'waist, Waist' has two columns for one variable: 'waist' and 'Waist'"},
         {"t,time,waist\n0,0,0\n", "line 1: the header 't, time, waist' has two columns for the time: 't' and 'time'"},
+        {"time_from_start,waist,stamp\n0,0,0\n", "line 1: the header 'time_from_start, waist, stamp' has two columns "
+                                                 "for the time: 'time_from_start' and 'stamp'"},
         {"0,0\n1,1\n",
          "line 1: there is no header, but 2 numbers in the first line; the first line has to name variables "
          "of the robot, of 'waist, elbow, slide'"},
         {"waist;elbow\n0;0\n1;0,5\n", "line 3: elbow: not a finite number: '0,5'; write a decimal point"},
         {"waist elbow\n0\n", "line 2: 1 column found, 2 expected"},
         {"t,waist\n0,0\n0,1\n", "line 3: t: must increase, but is 0 after 0"},
-        {"waist\n0\n", "a path needs at least two configurations, and there are 1"},
+        {"waist\n0\n", "a path needs at least two configurations, and there are 1; repeat the row to ask about this "
+                       "configuration at rest"},
+        {"t,waist\n0,0\n",
+         "a path needs at least two configurations, and there are 1; repeat the row with a later time "
+         "to ask about this configuration at rest"},
+        {"waist\n", "a path needs at least two configurations, and there are 0"},
     };
     for (const auto& [text, message] : cases)
         EXPECT_EQ(refused(text, arm()), message);

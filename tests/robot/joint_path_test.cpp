@@ -52,6 +52,71 @@ TEST(JointPath, GoesStraightAndTheShorterWayRound) {
     EXPECT_EQ(path.at(7), path.at(1));
 }
 
+/// A continuous joint, a joint of this type that follows it, and one that follows that joint.
+Robot led_robot(JointType type, double multiplier, JointType last = JointType::revolute, double last_multiplier = 1) {
+    RobotDescription robot{"led"};
+    robot.links = {{"base"}, {"wheel"}, {"led"}, {"last"}};
+    robot.joints = {{"spin", JointType::continuous, "base", "wheel"},
+                    {"follower", type, "base", "led"},
+                    {"last", last, "base", "last"}};
+    robot.joints[1].mimic = MimicDescription{"spin", multiplier, 0.25};
+    robot.joints[2].mimic = MimicDescription{"follower", last_multiplier, 0};
+    return Robot(robot);
+}
+
+/// The middle of the way from 2.5 to -2.8, at whose end each link has to be where the goal has it.
+double middle_of_way(const Robot& robot) {
+    const Configuration start{{2.5}}, goal{{-2.8}};
+    const JointPath path = JointPath::straight(robot, std::array{start, goal});
+    for (const LinkDescription& link : robot.description().links) {
+        const Pose end = robot.link_pose(link.name, path.at(1)), wanted = robot.link_pose(link.name, goal);
+        EXPECT_TRUE(end.isometry().isApprox(wanted.isometry(), 1e-12)) << link.name;
+    }
+    return path.at(0.5)[0];
+}
+
+/// A turn of the leader is a slide of a rack, and half a turn of a wheel twice as large: other configurations.
+TEST(JointPath, GoesTheShorterWayRoundOnlyWhereFollowersDoSo) {
+    const double shorter = std::numbers::pi - 0.15, straight = -0.15;
+    using enum JointType;
+    for (const double multiplier : {-1.0, 2.0, 0.0}) {
+        EXPECT_NEAR(middle_of_way(led_robot(revolute, multiplier)), shorter, 1e-12);
+        EXPECT_TRUE(led_robot(continuous, multiplier).variables()[0].is_continuous);
+    }
+    EXPECT_NEAR(middle_of_way(led_robot(revolute, 4, revolute, 0.25)), shorter, 1e-12) << "1 in all";
+    EXPECT_NEAR(middle_of_way(led_robot(prismatic, 0.1)), straight, 1e-12);
+    EXPECT_NEAR(middle_of_way(led_robot(revolute, 0.5)), straight, 1e-12);
+    EXPECT_NEAR(middle_of_way(led_robot(continuous, -1.5)), straight, 1e-12);
+    EXPECT_NEAR(middle_of_way(led_robot(revolute, 1, prismatic)), straight, 1e-12) << "a follower of a follower";
+    EXPECT_NEAR(middle_of_way(led_robot(revolute, 2, revolute, 0.25)), straight, 1e-12) << "0.5 in all";
+    EXPECT_FALSE(led_robot(prismatic, 0.1).variables()[0].is_continuous);
+}
+
+/// What makes values smaller depends on what they are.
+TEST(JointPath, SaysHowLargeValuesBecomeSmaller) {
+    const auto refused = [](const Robot& robot, Eigen::Index variable) {
+        Configuration far = robot.neutral();
+        far[variable] = -1000.5;
+        return refusal([&] { (void)JointPath::straight(robot, std::array{far, far}); });
+    };
+    const std::string beyond = " is beyond 1000, the largest value: ",
+                      turns = "take whole turns (2 pi) off all its values";
+    EXPECT_EQ(refused(small_robot(), 0), "path: configuration 0: turn" + beyond + turns);
+    EXPECT_EQ(refused(small_robot(), 2), "path: configuration 0: slide" + beyond + "choose a larger unit of length");
+    EXPECT_EQ(refused(led_robot(JointType::prismatic, 0.1), 0),
+              "path: configuration 0: spin" + beyond + turns +
+                  ", and add them to the offsets of the joints that follow it");
+    RobotDescription free{"free"};
+    free.links = {{"base"}, {"cart"}, {"body"}};
+    free.joints = {{"plane", JointType::planar, "base", "cart"}, {"float", JointType::floating, "cart", "body"}};
+    const Robot robot(free);
+    EXPECT_EQ(refused(robot, 2), "path: configuration 0: plane/theta" + beyond + turns);
+    EXPECT_EQ(refused(robot, 0), "path: configuration 0: plane/x" + beyond + "choose a larger unit of length");
+    EXPECT_EQ(refused(robot, 6), "path: configuration 0: float/rot_x" + beyond + "give the quaternion the length 1");
+    const Configuration largest = Configuration::Constant(3, 1000);
+    EXPECT_EQ(JointPath::straight(small_robot(), std::array{largest, largest}).at(0), largest);
+}
+
 /// The rate of an order at an end of a segment, by its coefficients.
 Configuration rate(const JointPath::Segment& segment, int order, bool at_end) {
     Configuration sum = Configuration::Zero(segment.coefficients.cols());
@@ -137,13 +202,17 @@ TEST(JointPath, RefusesWhatItCannotFollow) {
     const auto straight = [&](const std::vector<Configuration>& way) {
         return refusal([&] { (void)JointPath::straight(robot, way); });
     };
-    EXPECT_EQ(straight({zero}), "path: configurations: there must be at least two, and there are 1");
+    EXPECT_EQ(
+        straight({zero}),
+        "path: configurations: there must be at least two, and there are 1; repeat it to ask about this one at rest");
+    EXPECT_EQ(straight({}), "path: configurations: there must be at least two, and there are 0");
     EXPECT_EQ(straight({zero, Configuration::Zero(2)}),
               "path: configuration 1: has 2 values, and the robot has 3 variables");
     bad[1] = std::nan("");
     EXPECT_EQ(straight({zero, zero, bad}), "path: configuration 2: spin is not a finite number");
     bad[1] = 1001;
-    EXPECT_EQ(straight({bad, zero}), "path: configuration 0: spin is beyond 1000");
+    EXPECT_EQ(straight({bad, zero}), "path: configuration 0: spin is beyond 1000, the largest value: take whole turns "
+                                     "(2 pi) off all its values");
     const std::array way{zero, zero};
     const auto timed = [&](const std::vector<double>& times) {
         return refusal([&] { (void)JointPath::straight(robot, way, times); });
@@ -170,7 +239,8 @@ TEST(JointPath, RefusesWhatItCannotFollow) {
     EXPECT_EQ(polynomials({{0, 1, rows}, {1, 2, rows}}), "path: segment 1: does not begin where the one before ends");
     EXPECT_EQ(polynomials({{1, 1, rows}}), "path: segment 0: must end later than it begins");
     EXPECT_EQ(polynomials({{0, 1, 501 * rows}}),
-              "path: segment 0: the coefficients of a variable sum up to more than 1000");
+              "path: segment 0: the coefficients of turn sum up to more than 1000, the largest value: divide the "
+              "segment, or take whole turns (2 pi) off all its values");
 }
 
 } // namespace

@@ -58,6 +58,19 @@ TEST_F(PackagePaths, SayWhereTheyLooked) {
     EXPECT_EQ(fault("http://host/part.obj"), "'http://host/part.obj' is no package://, no file:// and no path");
 }
 
+/// In a folder of the package's name, that folder is also NAME in the one above.
+TEST_F(PackagePaths, NameEachPlaceOnce) {
+    std::filesystem::create_directories(path("leg"));
+    write("leg/robot.urdf", "");
+    const std::string message =
+        message_of([&] { (void)robot::found_file("package://leg/mesh.obj", path("leg/robot.urdf"), {}); });
+    const std::string place = path("leg/mesh.obj").string();
+    ASSERT_NE(message.find("tried " + path("leg/leg/mesh.obj").string() + ", " + place + ", "), std::string::npos)
+        << message;
+    EXPECT_EQ(message.find(place), message.rfind(place)) << message;
+    EXPECT_EQ(fault("no\\mesh.obj"), "there is no file 'no\\mesh.obj'; tried no\\mesh.obj, no/mesh.obj");
+}
+
 /// The file may be one of another package.
 TEST_F(PackagePaths, SayWhichPackageIsMissing) {
     const auto missing = [&](const std::string& uri, const RobotFiles& files = {}) {

@@ -124,6 +124,26 @@ TEST(PairProof, LeavesOpenWhatHasNoLimitsOrNoTime) {
     EXPECT_EQ(proof_of(two_sticks(1), "wall", "end", stopped).reason, PairReason::adjacent);
 }
 
+/// A rack follows a wheel. Within one turn it does not reach the wall at 5; within two turns it does.
+TEST(PairProof, LooksAtOneTurnOnlyWhereAllJointsBetweenTheLinksRepeat) {
+    const double infinity = std::numeric_limits<double>::infinity();
+    const Polyhedron cube = make_box({1, 1, 1});
+    RobotDescription robot{"rack"};
+    robot.links = {{"base"}, {"wheel", {{cube}}}, {"rack", {{cube}}}, {"wall", {{cube, shifted(5, 0, 0)}}}};
+    robot.joints = {
+        joint("spin", JointType::continuous, "base", "wheel", shifted(0, 0, 9), -infinity, infinity),
+        joint("slide", JointType::prismatic, "base", "rack", Pose(), -infinity, infinity, Vector3d::UnitX()),
+        joint("wall", JointType::fixed, "base", "wall", Pose(), 0, 0)};
+    robot.joints[1].mimic = MimicDescription{"spin", 1, 0};
+    EXPECT_EQ(proof_of(robot, "rack", "wall").reason, PairReason::open);
+    EXPECT_EQ(proof_of(robot, "wheel", "wall").reason, PairReason::never) << "the rack is not between them";
+    robot.joints[1].type = JointType::revolute;
+    robot.joints[1].mimic->multiplier = -1;
+    EXPECT_EQ(proof_of(robot, "rack", "wall").reason, PairReason::never);
+    robot.joints[1].mimic->multiplier = 0.5;
+    EXPECT_EQ(proof_of(robot, "rack", "wall").reason, PairReason::open);
+}
+
 /// No sample may deny what is proven, and each witness touches.
 TEST(PairProof, AgreesWithSamplesOfRandomRobots) {
     Random random(2301);
