@@ -145,6 +145,7 @@ public:
           rule_(rule_of(options.motion, options.query)), seconds_(seconds_of(options.query.seconds)),
           threads_(options.bodies.polyhedron.threads),
           out_(options.out, options.resume ? Leftover::continued : Leftover::refused) {
+        print_warnings(bodies_.warnings);
         mark_refused(rows, bodies_, rule_);
     }
 

@@ -3,6 +3,7 @@
 #include "cli/one_motion.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 
 #include <memory>
@@ -18,9 +19,13 @@ struct CheckOptions {
 int run_check(const CheckOptions& options) {
     const OneMotion question = read_one_motion(options.question);
     const FirstContact found = first_contact(question);
-    print(options.json
-              ? view::answer_json(found, question.numbers).dump() + "\n"
-              : report(found, question.numbers, question.options.margin) + hold_line(found, question.options.hold));
+    if (options.json) {
+        view::Json answer = view::answer_json(found, question.numbers);
+        add_warnings(answer, question.bodies.warnings);
+        print(answer.dump() + "\n");
+    } else {
+        print(report(found, question.numbers, question.options));
+    }
     return status_of(found.verdict);
 }
 

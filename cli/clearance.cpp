@@ -3,6 +3,7 @@
 #include "cli/one_motion.h"
 #include "cli/output.h"
 #include "cli/report.h"
+#include "cli/warnings.h"
 #include "view/answer_json.h"
 #include "view/proven_verdict.h"
 
@@ -28,6 +29,12 @@ void refuse_flag(CLI::App& command, const std::string& flag, const std::string& 
     command.add_flag_callback(flag, [flag, why] { throw CLI::ValidationError(flag, why); })->group("");
 }
 
+std::string json_text(const LeastDistance& found, const OneMotion& question) {
+    view::Json answer = view::answer_json(found, question.numbers);
+    add_warnings(answer, question.bodies.warnings);
+    return answer.dump() + "\n";
+}
+
 int run_clearance(const ClearanceOptions& options) {
     const double tolerance = number_of("--tolerance", options.tolerance);
     const OneMotion question = read_one_motion(options.question);
@@ -38,7 +45,7 @@ int run_clearance(const ClearanceOptions& options) {
                                                 .options = {.tolerance = tolerance,
                                                             .time_tolerance = question.options.time_tolerance,
                                                             .find = question.options.find}});
-    print(options.json ? view::answer_json(found, question.numbers).dump() + "\n" : report(found, question.numbers));
+    print(options.json ? json_text(found, question) : report(found, question.numbers));
     const Verdict verdict = view::proven_verdict(found);
     if (verdict == Verdict::unknown && limit.is_over())
         return is_unknown;

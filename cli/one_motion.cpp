@@ -2,6 +2,7 @@
 #include "cli/one_motion.h"
 
 #include "chasles/base/invalid_input.h"
+#include "cli/warnings.h"
 
 namespace chasles::cli {
 namespace {
@@ -89,7 +90,9 @@ OneMotion read_one_motion(const OneMotionOptions& options) {
     const view::NumberedMotion motion = read_motion(options);
     const QueryOptions query = options_of(options.query);
     const double seconds = seconds_of(options.query.seconds);
-    return {motion.motion, motion.numbers, query, seconds, load_bodies(options.bodies)};
+    const Bodies bodies = load_bodies(options.bodies);
+    print_warnings(bodies.warnings);
+    return {motion.motion, motion.numbers, query, seconds, bodies};
 }
 
 FirstContact first_contact(const OneMotion& question) {

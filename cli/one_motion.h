@@ -32,7 +32,7 @@ struct OneMotion {
 void add_motion_options(CLI::App& command, OneMotionOptions& options);
 void add_one_motion_options(CLI::App& command, OneMotionOptions& options);
 
-/// Reads poses, numbers and bodies. Throws InvalidInput.
+/// Reads poses, numbers and bodies, and prints warnings about the bodies. Throws InvalidInput.
 OneMotion read_one_motion(const OneMotionOptions& options);
 
 FirstContact first_contact(const OneMotion& question);

@@ -2,6 +2,7 @@
 #include "cli/options.h"
 
 #include "chasles/io/pose_text.h"
+#include "cli/mesh_units.h"
 
 #include <limits>
 #include <numbers>
@@ -56,10 +57,11 @@ void add_body_options(CLI::App& command, BodyOptions& options) {
 }
 
 Bodies load_bodies(const BodyOptions& options) {
-    const Polyhedron moving = Polyhedron::load(options.moving, options.polyhedron);
+    const MeshWithUnit moving = load_with_unit(options.moving, options.polyhedron);
     if (options.fixed == options.moving)
-        return {moving, moving};
-    return {moving, Polyhedron::load(options.fixed, options.polyhedron)};
+        return {moving.body, moving.body};
+    const MeshWithUnit fixed = load_with_unit(options.fixed, options.polyhedron);
+    return {moving.body, fixed.body, unit_warnings({{options.moving, moving.unit}, {options.fixed, fixed.unit}})};
 }
 
 double number_of(const std::string& option, const std::string& text) {
@@ -97,7 +99,10 @@ double seconds_of(const std::string& option) {
 
 // Dividing first makes 180 degrees exactly the double nearest to pi.
 double max_turn_of(const QuestionOptions& options) {
-    return number_of("--max-turn-deg", options.max_turn_degrees) / 180 * std::numbers::pi;
+    const double degrees = number_of("--max-turn-deg", options.max_turn_degrees);
+    if (degrees > 180)
+        throw InvalidInput("--max-turn-deg: must be at most 180, which leaves a screw in one piece");
+    return degrees / 180 * std::numbers::pi;
 }
 
 } // namespace chasles::cli

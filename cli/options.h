@@ -5,6 +5,7 @@
 
 #include <CLI/CLI.hpp>
 #include <string>
+#include <vector>
 
 namespace chasles::cli {
 
@@ -28,6 +29,7 @@ struct BodyOptions {
 struct Bodies {
     Polyhedron moving;
     Polyhedron fixed;
+    std::vector<std::string> warnings = {}; ///< about the units of the files
 };
 
 CLI::Option* add_seconds_option(CLI::App& command, std::string& seconds);

@@ -40,10 +40,12 @@ struct PathQuestion {
 
 // Poses and numbers are read before meshes, which may be large.
 PathQuestion read_path_question(const PathOptions& options) {
-    const io::Path path = io::load_path(options.poses);
+    io::Path path = io::load_path(options.poses);
     const MotionRule rule = rule_of(options.motion, options.query);
     const QueryOptions query = options_of(options.query);
-    return {path, rule, query, load_bodies(options.bodies), options.poses};
+    const Bodies bodies = load_bodies(options.bodies);
+    path.warnings.insert(path.warnings.end(), bodies.warnings.begin(), bodies.warnings.end());
+    return {path, rule, query, bodies, options.poses};
 }
 
 /// The poses `first` to `last` and their stamps as one motion.
@@ -143,10 +145,21 @@ std::string segment_text(const PathQuestion& question, std::size_t segment) {
     return fmt::format("{}; the time counts from pose {} to pose {}", place, segment, segment + 1);
 }
 
+std::string path_headline(const PathContact& found, const PathQuestion& question) {
+    const auto& [margin, hold, tolerance, find] = question.options;
+    const std::string_view motion = view::name_of(question.rule.kind);
+    if (found.contact.verdict != Verdict::unknown)
+        return headline(found.contact, margin, motion);
+    ProvenPath proven{found.segment, found.contact.clear_until, {}};
+    if (question.has_stamps())
+        proven.stamp = question.path.stamps[found.segment];
+    return naming_motion(unknown_headline(proven, margin, hold), motion);
+}
+
 std::string path_report(const StampedContact& answer, const view::MotionNumbers& motion, const PathQuestion& question) {
     const PathContact& found = answer.found;
     const double margin = question.options.margin;
-    const std::string first_line = headline(found.contact, margin, view::name_of(question.rule.kind));
+    const std::string first_line = path_headline(found, question);
     if (!view::is_contact(found.contact.verdict))
         return first_line + labelled("path", counted(question.path.poses.size() - 1, "segment")) +
                report(found.contact.work);

@@ -97,7 +97,18 @@ std::string report_nearest(const LeastDistance& found) {
            report_features(found, is_apart ? "nearest" : "touching", is_apart);
 }
 
-std::string verdict_text(const FirstContact& found, double margin) {
+constexpr const char* nothing_proven = "UNKNOWN: the time was over; nothing is proven";
+
+/// Bodies that start within the margin may stay there if they are held.
+std::string proven_headline(const std::string& when, double margin, const std::optional<double>& hold) {
+    const std::string what =
+        hold         ? fmt::format("comes within {:.9g}, or nearer than at the start if that is less,", *hold)
+        : margin > 0 ? fmt::format("comes within {:.9g}", margin)
+                     : "touches";
+    return fmt::format("UNKNOWN: the time was over; proven that nothing {} {}", what, when);
+}
+
+std::string verdict_text(const FirstContact& found, double margin, const std::optional<double>& hold) {
     const std::string within = !found.held.empty() ? " at the hold distance,"
                                : margin > 0        ? fmt::format(" within {:.9g}", margin)
                                                    : "";
@@ -111,7 +122,7 @@ std::string verdict_text(const FirstContact& found, double margin) {
     case Verdict::contact:
         return fmt::format("CONTACT{} at time {}", within, time_text(found.time.lower));
     case Verdict::unknown:
-        return unknown_headline(found.clear_until, margin);
+        return unknown_headline(found.clear_until, margin, hold);
     case Verdict::contact_at_start:
         break;
     }
@@ -137,11 +148,33 @@ std::string verdict_text(const LeastDistance& found) {
 
 } // namespace
 
+<<<<<<< HEAD
 std::string unknown_headline(double clear_until, double margin) {
     const std::string what = margin > 0 ? fmt::format("comes within {:.9g}", margin) : "touches";
     return "UNKNOWN: the time was over; " +
            (clear_until > 0 ? fmt::format("proven that nothing {} before time {}", what, time_text(clear_until))
                             : std::string("nothing is proven"));
+=======
+std::string during(double until) {
+    if (until == 0)
+        return "at the start";
+    return until < 1 ? fmt::format("until time {:.12g}", until) : "during the whole motion";
+}
+
+std::string unknown_headline(double clear_until, double margin, const std::optional<double>& hold) {
+    return clear_until > 0 ? proven_headline(fmt::format("before time {:.12g}", clear_until), margin, hold)
+                           : nothing_proven;
+}
+
+std::string unknown_headline(const ProvenPath& proven, double margin, const std::optional<double>& hold) {
+    if (proven.clear_until > proven.stamp.value_or(0))
+        return proven_headline(proven.stamp
+                                   ? fmt::format("before t = {}, in segment {}", proven.clear_until, proven.segment)
+                                   : fmt::format("before time {} of segment {}", proven.clear_until, proven.segment),
+                               margin, hold);
+    return proven.segment > 0 ? proven_headline(fmt::format("before segment {}", proven.segment), margin, hold)
+                              : nothing_proven;
+>>>>>>> cadm
 }
 
 ExitStatus status_of(Verdict verdict) {
@@ -157,8 +190,9 @@ ExitStatus status_of(Verdict verdict) {
     return is_contact;
 }
 
-std::string headline(const FirstContact& found, double margin, std::string_view motion) {
-    return naming_motion(verdict_text(found, margin), motion);
+std::string headline(const FirstContact& found, double margin, std::string_view motion,
+                     const std::optional<double>& hold) {
+    return naming_motion(verdict_text(found, margin, hold), motion);
 }
 
 std::string headline(const LeastDistance& found, std::string_view motion) {
@@ -214,9 +248,9 @@ std::string report_contact(const FirstContact& found, double margin, const std::
     return labelled("time", text_of(found.time)) + report_contact_features(found, margin, why_uncertain);
 }
 
-std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin) {
-    return headline(found, margin, view::name_of(motion.kind)) +
-           details(found, motion, margin, view::why_uncertain(found));
+std::string report(const FirstContact& found, const view::MotionNumbers& motion, const QueryOptions& options) {
+    return headline(found, options.margin, view::name_of(motion.kind), options.hold) +
+           details(found, motion, options.margin, view::why_uncertain(found)) + hold_line(found, options.hold);
 }
 
 std::string report_least(const LeastDistance& found) {

@@ -11,9 +11,8 @@
 
 namespace chasles::cli {
 
-/// The answer of `check` as a short text of several lines. `margin` is the margin of the query; if it is positive, the
-/// report shows the gaps.
-std::string report(const FirstContact& found, const view::MotionNumbers& motion, double margin);
+/// The answer of `check` as a short text of several lines. With a margin the report shows the gaps.
+std::string report(const FirstContact& found, const view::MotionNumbers& motion, const QueryOptions& options);
 
 /// The lines about the contact: time, certainty and features. `why_uncertain` is that of view/why_uncertain.h: the
 /// times of `found` may be stamps, which do not tell it.
@@ -26,7 +25,8 @@ std::string report_least(const LeastDistance& found);
 std::string report(const LeastDistance& found, const view::MotionNumbers& motion);
 
 /// The two parts of report(): the verdict and the motion in one line, and the details.
-std::string headline(const FirstContact& found, double margin, std::string_view motion);
+std::string headline(const FirstContact& found, double margin, std::string_view motion,
+                     const std::optional<double>& hold = {});
 std::string headline(const LeastDistance& found, std::string_view motion);
 std::string details(const FirstContact& found, const view::MotionNumbers& motion, double margin,
                     const std::string& why_uncertain);
@@ -40,8 +40,19 @@ std::string labelled(const std::string& label, const std::string& text);
 /// `text` and the motion that it is about, in one line: "TEXT; motion: MOTION".
 std::string naming_motion(const std::string& text, std::string_view motion);
 
+/// The times that an answer is about: "during the whole motion", "until time 0.5" or "at the start".
+std::string during(double until);
+
 /// "UNKNOWN: the time was over; ...", where a question about the margin has proven this much.
-std::string unknown_headline(double clear_until, double margin);
+std::string unknown_headline(double clear_until, double margin, const std::optional<double>& hold = {});
+
+/// What is proven of a path at the limit: all segments before this one, and the start of this one.
+struct ProvenPath {
+    std::size_t segment;
+    double clear_until;          ///< within the segment, or a stamp
+    std::optional<double> stamp; ///< of the start of the segment, if times count in stamps
+};
+std::string unknown_headline(const ProvenPath& proven, double margin, const std::optional<double>& hold);
 
 /// The exit status for an answer.
 ExitStatus status_of(Verdict verdict);

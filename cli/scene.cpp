@@ -64,36 +64,38 @@ std::string untested_lines(const SceneAnswer& answer) {
     return report(answer.untested) + (all_rest ? labelled("", "--until 0 tests bodies at rest, too") : "");
 }
 
-std::string headline_without_contact(const SceneAnswer& answer, const QueryOptions& options) {
-    return answer.verdict == Verdict::unknown ? unknown_headline(answer.clear_until, options.margin)
-                                              : clear_headline(answer.untested, options);
+std::string headline_without_contact(const SceneAnswer& answer, const SceneQuery& query) {
+    return answer.verdict == Verdict::unknown
+               ? unknown_headline(answer.clear_until, query.options.margin, query.options.hold)
+               : clear_headline(answer.untested, query.options, query.until);
 }
 
 /// The first contact in full, and a line for each that may be at the same time.
-std::string report_first(const SceneFile& file, const SceneAnswer& answer, const QueryOptions& options) {
+std::string report_first(const SceneFile& file, const SceneAnswer& answer, const SceneQuery& query) {
     const Scene& scene = file.scene;
-    const double margin = options.margin;
+    const double margin = query.options.margin;
     if (answer.contacts.empty())
-        return naming_motion(headline_without_contact(answer, options), file.motion) + untested_lines(answer) +
+        return naming_motion(headline_without_contact(answer, query), file.motion) + untested_lines(answer) +
                summary(scene, answer);
     const SceneContact& first = answer.contacts.front();
     std::string text = headline(first.contact, margin, file.motion) + untested_lines(answer) +
                        labelled("pair", pair_of(scene, first)) +
                        report_contact(first.contact, margin, view::why_uncertain(first.contact)) +
-                       hold_line(first.contact, options.hold);
+                       hold_line(first.contact, query.options.hold);
     for (std::size_t i = 1; i < answer.contacts.size(); ++i)
         text += labelled(i == 1 ? "also" : "", pair_of(scene, answer.contacts[i]));
     return text + summary(scene, answer);
 }
 
 /// A line for each pair that touches.
-std::string report_all(const SceneFile& file, const SceneAnswer& answer, const QueryOptions& options) {
+std::string report_all(const SceneFile& file, const SceneAnswer& answer, const SceneQuery& query) {
     const Scene& scene = file.scene;
     if (answer.verdict == Verdict::unknown)
-        return report_first(file, answer, options);
+        return report_first(file, answer, query);
     const std::string verb = answer.contacts.size() == 1 ? " touches" : " touch";
+    const std::string limit = query.until < 1 ? " " + during(query.until) : "";
     std::string text =
-        naming_motion(counted(answer.contacts.size(), "pair") + verb, file.motion) + untested_lines(answer);
+        naming_motion(counted(answer.contacts.size(), "pair") + verb + limit, file.motion) + untested_lines(answer);
     for (const SceneContact& contact : answer.contacts)
         text += labelled(fmt::format("{:.6f}", contact.contact.time.lower),
                          pair_of(scene, contact) + (contact.contact.certain ? "" : " (not certain)"));
@@ -109,12 +111,13 @@ public:
         view::require_page_template();
         file_.emplace(options.page);
     }
-    void write(const Scene& scene, const SceneAnswer& answer, double margin) {
+    void write(const Scene& scene, const SceneAnswer& answer, const SceneQuery& query) {
         if (!file_ || answer.verdict == Verdict::unknown)
             return;
         using enum view::RecordSource;
         view::SceneRecord record = view::scene_record(scene, answer, options_.all ? all_contacts : first_contact);
-        record.margin = margin;
+        record.margin = query.options.margin;
+        record.until = query.until;
         record.title =
             options_.title.empty() ? std::filesystem::path(options_.file).filename().string() : options_.title;
         file_->write(view::scene_page(record));
@@ -127,7 +130,7 @@ private:
 };
 
 std::string report_of(const SceneOptions& options, const SceneFile& file, const SceneAnswer& answer,
-                      const QueryOptions& asked) {
+                      const SceneQuery& asked) {
     if (options.json) {
         view::Json json = view::scene_answer_json(file.scene, answer, options.all);
         json["motion"] = {{"kind", file.motion}};
@@ -173,8 +176,8 @@ int run_scene(const SceneOptions& options) {
     bar.reset();
     if (Interruption::is_requested() && answer.verdict == Verdict::unknown)
         return report_interruption("the scene is not answered");
-    page.write(file.scene, answer, query.options.margin);
-    print(report_of(options, file, answer, query.options));
+    page.write(file.scene, answer, query);
+    print(report_of(options, file, answer, query));
     print_warnings(file.warnings);
     return status_of(answer.verdict);
 }

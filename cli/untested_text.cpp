@@ -40,17 +40,19 @@ std::string names_of(const UntestedPairs& untested, UntestedReason reason) {
 
 } // namespace
 
-std::string clear_headline(const UntestedPairs& untested, const QueryOptions& options) {
+std::string clear_headline(const UntestedPairs& untested, const QueryOptions& options, double until) {
     if (untested.tested == 0)
         return "CLEAR: no pair is tested";
     const bool is_all = untested.total() == 0;
     if (options.hold)
         return fmt::format("CLEAR: proven that {} comes within {:.9g}, or nearer than at the start if that is less, "
-                           "and {} within {:.9g}",
+                           "and {} within {:.9g}{}",
                            is_all ? "nothing that is held" : "no tested pair that is held", *options.hold,
-                           is_all ? "nothing else" : "no other tested pair", options.margin);
-    return fmt::format("CLEAR: proven that {} {} during the whole motion", is_all ? "nothing" : "no tested pair",
-                       options.margin > 0 ? fmt::format("comes within {:.9g}", options.margin) : "touches");
+                           is_all ? "nothing else" : "no other tested pair", options.margin,
+                           until < 1 ? ", " + during(until) : "");
+    return fmt::format("CLEAR: proven that {} {} {}", is_all ? "nothing" : "no tested pair",
+                       options.margin > 0 ? fmt::format("comes within {:.9g}", options.margin) : "touches",
+                       during(until));
 }
 
 std::string report(const UntestedPairs& untested) {

@@ -8,7 +8,8 @@
 namespace chasles::cli {
 
 /// The verdict of an answer without contact, without the end of the line: of all pairs, or of those that are tested.
-std::string clear_headline(const UntestedPairs& untested, const QueryOptions& options);
+/// What happens after `until` was not asked.
+std::string clear_headline(const UntestedPairs& untested, const QueryOptions& options, double until = 1);
 
 /// The line below the verdict: how many pairs are not tested, which, and why. Empty if all are.
 std::string report(const UntestedPairs& untested);

@@ -28,7 +28,7 @@ int run_view(const ViewOptions& options) {
     OutputFile file(options.out);
     const FirstContact found = first_contact(question);
     if (found.verdict == Verdict::unknown) {
-        print(headline(found, question.options.margin, view::name_of(question.numbers.kind)));
+        print(headline(found, question.options.margin, view::name_of(question.numbers.kind), question.options.hold));
         return is_unknown;
     }
     const std::string moving_name = file_name(options.question.bodies.moving);

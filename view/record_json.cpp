@@ -81,6 +81,8 @@ std::string record_json(const SceneRecord& record) {
                  {"bodies", std::move(bodies)}, {"events", std::move(events)}};
     if (record.clear_until)
         json["clear_until"] = *record.clear_until;
+    if (record.until < 1)
+        json["until"] = record.until;
     if (record.untested)
         json["untested"] = untested_json(*record.untested);
     return page_text(json);

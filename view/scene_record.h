@@ -41,6 +41,7 @@ struct SceneRecord {
     RecordSource source = RecordSource::recording;
     double margin = 0;                      ///< margin of the query, mesh unit
     std::optional<double> clear_until = {}; ///< of the answer, if it is known
+    double until = 1;                       ///< contacts after this time were not asked for
     std::vector<double> times = {};         ///< ascending; the first and the last one are the ends of the slider
     std::vector<RecordedBody> bodies = {};
     std::vector<RecordedContact> contacts = {}; ///< in any order

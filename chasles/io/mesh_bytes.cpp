@@ -28,6 +28,7 @@ std::string_view extension_of(std::string_view name) {
 }
 
 PolygonSoup read_without_name(std::string_view bytes, std::string_view extension) {
+    refuse_lfs_pointer(bytes);
     refuse_step(bytes, lower_case(extension));
     refuse_robot(lower_case(extension));
     const Reader reader = reader_for(extension);

@@ -19,6 +19,11 @@ constexpr auto ignored_keywords = std::to_array<std::string_view>(
      "trace_obj", "c_interp", "d_interp", "ctech",  "stech",  "cstype", "deg", "step",
      "bmat",      "parm",     "trim",     "hole",   "scrv",   "sp",     "con", "end"});
 
+// Statements of material files. Some writers put them into the OBJ file itself.
+constexpr auto material_keywords = std::to_array<std::string_view>(
+    {"newmtl", "Ka",   "Kd",    "Ks",   "Ke",   "Ns", "Ni", "d",  "Tr", "Tf",  "illum", "sharpness",
+     "bump",   "disp", "decal", "refl", "norm", "Pr", "Pm", "Ps", "Pc", "Pcr", "aniso", "anisor"});
+
 // Statements that define a curved surface or curve. Ignoring them would lose a part of the surface.
 constexpr auto curved_keywords =
     std::to_array<std::string_view>({"surf", "curv", "curv2", "bsp", "bzp", "cdc", "cdp", "res"});
@@ -127,7 +132,8 @@ private:
             return; // some files start with a line of counts
         if (contains(curved_keywords, keyword))
             fail("curved surfaces cannot be read, only polygons: " + in_quotes(statement_));
-        if (!contains(ignored_keywords, keyword))
+        const bool is_material = contains(material_keywords, keyword) || keyword.starts_with("map_");
+        if (!is_material && !contains(ignored_keywords, keyword))
             fail("not an OBJ statement: " + in_quotes(statement_));
     }
 

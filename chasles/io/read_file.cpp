@@ -173,6 +173,11 @@ std::string read_file(const std::filesystem::path& file) {
     note_as_read(file);
     if (bytes.empty())
         fail_in_file(file, "is empty");
+    try {
+        refuse_lfs_pointer(bytes);
+    } catch (const InvalidInput& error) {
+        fail_in_file(file, error.what());
+    }
     return bytes;
 }
 

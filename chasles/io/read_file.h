@@ -8,8 +8,8 @@
 namespace chasles::io {
 
 /// The bytes of a file, or of a pipe that ends within 256 MiB. Throws InvalidInput if the file does not exist, is a
-/// directory or a device, is empty, is larger than half of the memory, grows while it is read, or cannot be read; and
-/// for a pipe that stays silent for 30 seconds after it is opened. Links are followed.
+/// directory or a device, is empty, is a Git LFS pointer, is larger than half of the memory, grows while it is read, or
+/// cannot be read; and for a pipe that stays silent for 30 seconds after it is opened. Links are followed.
 std::string read_file(const std::filesystem::path& file);
 
 /// While one exists, it lists the files that `read_file` reads, on all threads: a program must not write what it reads.

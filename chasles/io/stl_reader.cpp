@@ -65,17 +65,27 @@ private:
     PolygonSoup soup_;
 };
 
+// Whether a line that begins with this word is a comment. STL has none, but writers put some before the first solid.
+bool is_comment(std::string_view word) {
+    return word.starts_with('#') || word.starts_with("//") || word.starts_with(';');
+}
+
 /// Reads "solid NAME", then any number of "facet normal X Y Z, outer loop, vertex X Y Z (three times), endloop,
 /// endfacet", then "endsolid NAME". Blanks and line ends separate words. A name extends to the end of its line. Writers
 /// also end a solid by "endsolidNAME", by "end solid NAME", by the next "solid", or by the end of the file after a
-/// facet; and they write "end loop" and "end facet".
+/// facet; and they write "end loop" and "end facet". Lines of comment may come before the first solid.
 class AsciiStlReader {
 public:
     explicit AsciiStlReader(std::string_view text) : lines_(text) {}
 
     // Reads all solids of the file.
     PolygonSoup read() {
-        for (bool has_word = next_word(); has_word;) {
+        bool has_word = next_word();
+        while (has_word && is_comment(word_)) {
+            words_ = Words("");
+            has_word = next_word();
+        }
+        while (has_word) {
             expect("solid");
             has_word = read_solid();
         }
@@ -202,8 +212,21 @@ Eigen::Vector3d read_binary_vertex(std::string_view bytes, std::size_t triangle)
     return vertex;
 }
 
-// Refuses a binary file whose size does not match its number of triangles.
+// Whether the header is words. That of a binary file has its number of triangles, and no file has so many that all four
+// bytes are letters.
+bool has_text_header(std::string_view bytes) {
+    const std::string_view header = bytes.substr(0, header_size);
+    const auto is_control = [](char c) {
+        return (static_cast<unsigned char>(c) < 0x20 && c != '\t' && c != '\n' && c != '\r') || c == 0x7f;
+    };
+    return !Words(header).next().empty() && std::ranges::none_of(header, is_control);
+}
+
+// Refuses a binary file that has less, or by a triangle or more, than its number of triangles needs.
 void check_binary_size(std::string_view bytes) {
+    if (has_text_header(bytes))
+        throw InvalidInput("is text, but does not begin with 'solid', so it is no STL file: " +
+                           in_quotes(Words(bytes).next()) + " comes first");
     if (bytes.size() < header_size)
         throw InvalidInput("too short for an STL file");
     const std::size_t announced = announced_triangles(bytes);
@@ -211,10 +234,12 @@ void check_binary_size(std::string_view bytes) {
     const std::string counts = std::to_string(announced) + " triangles are announced, but ";
     if (present < announced)
         throw InvalidInput("is truncated: " + counts + std::to_string(present) + " are present");
-    if (bytes.size() != header_size + announced * triangle_size)
-        throw InvalidInput(counts + "the file has " +
-                           std::to_string(bytes.size() - header_size - announced * triangle_size) +
-                           " additional bytes");
+    // What is shorter than a triangle hides none: some writers append attributes or fill up a block.
+    const std::size_t end = header_size + announced * triangle_size;
+    if (bytes.size() - end >= triangle_size)
+        throw InvalidInput(counts + "the file has " + std::to_string(bytes.size() - end) +
+                           " additional bytes, which may be triangles; export it again, or cut the file after byte " +
+                           std::to_string(end) + " if they are none");
 }
 
 // Reads all triangles of a binary file.
@@ -236,10 +261,18 @@ bool has_binary_size(std::string_view bytes) {
     return bytes.size() >= header_size && bytes.size() == header_size + announced_triangles(bytes) * triangle_size;
 }
 
+// Whether the first line that is neither blank nor a comment begins with "solid".
+bool begins_with_solid(std::string_view text) {
+    Lines lines(text);
+    while (lines.next())
+        if (const std::string_view word = Words(lines.line()).next(); !word.empty() && !is_comment(word))
+            return lower_case(word) == "solid";
+    return false;
+}
+
 // A binary file may also begin with "solid". A zero byte in its header identifies it.
 bool is_ascii_stl(std::string_view bytes) {
-    const bool has_zero_byte = bytes.substr(0, header_size).find('\0') != std::string_view::npos;
-    return !has_zero_byte && lower_case(Words(bytes.substr(0, header_size)).next()) == "solid";
+    return bytes.substr(0, header_size).find('\0') == std::string_view::npos && begins_with_solid(bytes);
 }
 
 } // namespace

@@ -137,6 +137,11 @@ std::string_view without_byte_order_mark(std::string_view text) {
     return text.starts_with(utf8) ? text.substr(utf8.size()) : text;
 }
 
+void refuse_lfs_pointer(std::string_view bytes) {
+    if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
+        throw InvalidInput("is a Git LFS pointer, not the file itself; `git lfs pull` brings the content");
+}
+
 void fail_at_line(std::size_t line, const std::string& why) {
     throw InvalidInput("line " + std::to_string(line) + ": " + why);
 }

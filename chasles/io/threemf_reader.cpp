@@ -238,7 +238,10 @@ private:
 } // namespace
 
 std::vector<MeshPart> read_3mf(std::string_view bytes) {
-    return parts_of(ThreemfReader(bytes).read());
+    std::vector<MeshPart> parts = parts_of(ThreemfReader(bytes).read());
+    if (parts.empty()) // a sliced file (.gcode.3mf) has paths of the print head only
+        throw InvalidInput("has no mesh; if the file is sliced, export the project or the model instead");
+    return parts;
 }
 
 } // namespace chasles::io

@@ -189,15 +189,19 @@ FirstContact answer(const PairQuery& query) {
     return PieceByPiece(query).run();
 }
 
+FirstContact unanswered(const motion::AnyTrajectory& trajectory, double clear_until) {
+    FirstContact found;
+    found.clear_until = clear_until;
+    found.pose = trajectory.pose_at(clear_until);
+    found.fixed_pose = trajectory.fixed_pose_at(clear_until);
+    return found;
+}
+
 FirstContact answer_or_unknown(const PairQuery& query) {
     try {
         return answer(query);
     } catch (const Cancelled& cancelled) {
-        FirstContact found;
-        found.clear_until = std::min(cancelled.clear_until, query.until);
-        found.pose = query.trajectory.pose_at(found.clear_until);
-        found.fixed_pose = query.trajectory.fixed_pose_at(found.clear_until);
-        return found;
+        return unanswered(query.trajectory, std::min(cancelled.clear_until, query.until));
     }
 }
 

@@ -37,6 +37,8 @@ struct LeastPairQuery {
 FirstContact answer(const PairQuery& query);
 /// Likewise, but for `unknown` at the limit.
 FirstContact answer_or_unknown(const PairQuery& query);
+/// The answer `unknown` of a motion that is proven clear until this time.
+FirstContact unanswered(const motion::AnyTrajectory& trajectory, double clear_until);
 /// The answer, for options that have been checked: at the limit of the thread the bracket so far.
 LeastDistance answer(const LeastPairQuery& query);
 

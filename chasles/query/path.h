@@ -9,8 +9,10 @@ namespace chasles {
 
 /// The answer for a path: the first contact of the whole path.
 struct [[nodiscard]] PathContact {
-    FirstContact contact;    ///< its times count within `segment`; its work is that of the whole path
-    std::size_t segment = 0; ///< from 0; the last segment if the path is clear
+    FirstContact contact; ///< its times count within `segment`; its work is that of the whole path
+    /// From 0; the last segment if the path is clear. All segments before it are proven clear, whatever the verdict:
+    /// what is proven in all is them and `contact.clear_until` of this one.
+    std::size_t segment = 0;
 };
 
 /// A path of one pair of bodies: motions that follow each other, of any kind. `screws_along` makes them of poses.

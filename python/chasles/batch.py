@@ -12,6 +12,7 @@ import numpy.typing as npt
 
 from . import _core
 from ._core import InvalidInput, Polyhedron
+from .articles import with_article
 from .enums import Find
 from .table import NOT_DONE, empty_table, least_dtype, motion_dtype, path_dtype
 
@@ -254,7 +255,7 @@ def _motions(starts: Any, goals: Any, motions: Any, kind: str) -> tuple[int, tup
     try:
         motions = list(motions)
     except TypeError:
-        raise InvalidInput(f"motions: a {type(motions).__name__} is no list of motions; [motion] is one") from None
+        raise InvalidInput(f"motions: {with_article(motions)} is no list of motions; [motion] is one") from None
     return len(motions), (None, None, motions)
 
 

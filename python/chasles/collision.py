@@ -9,6 +9,7 @@ import numpy as np
 import numpy.typing as npt
 
 from ._core import Cancelled, InvalidInput, Motion, Polyhedron, Scene, SceneContact, _nearest_pair, _Use
+from .articles import with_article
 from .collision_data import ContactData, DistanceData
 from .enums import Verdict
 from .in_use import change, question
@@ -266,7 +267,7 @@ class CollisionManager:
             Its `pair` names the two objects, or is None if the whole motion is clear. Times are in [0, 1].
         """
         if not isinstance(goals, Mapping):
-            raise InvalidInput(f"goals: a {type(goals).__name__} is not a dict of transforms by name")
+            raise InvalidInput(f"goals: {with_article(goals)} is not a dict of transforms by name")
         for name in goals:
             self._get(name)
         scene = Scene()
@@ -293,7 +294,7 @@ def _pose(transform: npt.ArrayLike, name: str = "transform") -> npt.NDArray[np.f
 
 def _objects_of(manager: Any) -> dict[str, Placed]:
     if not isinstance(manager, CollisionManager):
-        raise TypeError(f"other_manager: a {type(manager).__name__} is not a chasles.CollisionManager")
+        raise TypeError(f"other_manager: {with_article(manager)} is not a chasles.CollisionManager")
     return dict(manager._objects)  # another thread may change the manager
 
 

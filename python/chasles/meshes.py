@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from ._core import InvalidInput, Polyhedron
+from .articles import with_article
 
 
 def from_trimesh(
@@ -19,7 +20,7 @@ def from_trimesh(
     vertices, faces = getattr(mesh, "vertices", None), getattr(mesh, "faces", None)
     if vertices is None or faces is None:
         way_out = "parts_from_trimesh gives its parts" if hasattr(mesh, "graph") else "a trimesh.Trimesh is needed"
-        raise InvalidInput(f"mesh: a {type(mesh).__name__} has no vertices and faces; {way_out}")
+        raise InvalidInput(f"mesh: {with_article(mesh)} has no vertices and faces; {way_out}")
     return Polyhedron(vertices, faces, triangulate=triangulate, threads=threads)
 
 
@@ -38,7 +39,7 @@ def parts_from_trimesh(
         For what is no scene, and with the name of the node for geometry without faces or a mesh that is refused.
     """
     if not hasattr(scene, "graph") or not hasattr(scene, "geometry"):
-        raise InvalidInput(f"scene: a {type(scene).__name__} is no trimesh.Scene; from_trimesh takes a Trimesh")
+        raise InvalidInput(f"scene: {with_article(scene)} is no trimesh.Scene; from_trimesh takes a Trimesh")
     parts, names = {}, _names_of(scene.graph.nodes_geometry)
     for node in scene.graph.nodes_geometry:
         matrix, name = scene.graph[node]
@@ -67,7 +68,7 @@ def _names_of(nodes: Any) -> dict[Any, str]:
 def _placed(mesh: Any, matrix: Any) -> tuple[Any, Any]:
     """The vertices and faces of a mesh after an affine map."""
     if not hasattr(mesh, "faces"):
-        raise InvalidInput(f"a {type(mesh).__name__} has no faces; delete it from the scene")
+        raise InvalidInput(f"{with_article(mesh)} has no faces; delete it from the scene")
     if matrix.shape != (4, 4) or not np.isfinite(matrix).all() or (matrix[3] != [0, 0, 0, 1]).any():
         raise InvalidInput("transform: is no affine map: finite numbers (4, 4) with the last row 0 0 0 1 are needed")
     vertices = np.asarray(mesh.vertices) @ matrix[:3, :3].T + matrix[:3, 3]

@@ -31,6 +31,7 @@ import numpy.typing as npt
 from ompl import base as _base
 
 from ._core import Cancelled, InvalidInput, Polyhedron, Robot, RobotChecker, _free_body
+from .articles import with_article
 from .enums import Verdict
 
 __all__ = ["LastValid", "RobotMotionValidator", "RobotValidityChecker", "StateMap", "free_body"]
@@ -126,7 +127,7 @@ class StateMap:
 
     def __init__(self, robot: Robot, names: Sequence[str] | None = None, others: npt.ArrayLike | None = None):
         if not isinstance(robot, Robot):
-            raise TypeError(f"robot: a {type(robot).__name__} is not a chasles.Robot")
+            raise TypeError(f"robot: {with_article(robot)} is not a chasles.Robot")
         if isinstance(names, str):
             raise InvalidInput(f"names: {names!r} is one text; a sequence of names is needed")
         all_names = robot.variables
@@ -196,13 +197,13 @@ def _values(robot: Robot, others: npt.ArrayLike | None) -> npt.NDArray[np.float6
 def _reader(information: Any, checker: Any, state_map: Any) -> Callable[[Any], npt.NDArray[np.float64]]:
     """From states to configurations. Refuses a space that does not fit."""
     if not isinstance(information, _base.SpaceInformation):
-        raise TypeError(f"information: a {type(information).__name__} is not an ompl.base.SpaceInformation")
+        raise TypeError(f"information: {with_article(information)} is not an ompl.base.SpaceInformation")
     if not isinstance(checker, RobotChecker):
-        raise TypeError(f"checker: a {type(checker).__name__} is not a chasles.RobotChecker")
+        raise TypeError(f"checker: {with_article(checker)} is not a chasles.RobotChecker")
     if state_map is None:
         state_map = StateMap(checker.robot)
     if not isinstance(state_map, StateMap):
-        raise TypeError(f"state_map: a {type(state_map).__name__} is not a chasles.ompl.StateMap")
+        raise TypeError(f"state_map: {with_article(state_map)} is not a chasles.ompl.StateMap")
     if len(state_map._others) != len(checker.robot.variables):
         raise InvalidInput("state_map: is that of another robot")
     return state_map.reader(information.getStateSpace())
@@ -281,7 +282,7 @@ class RobotMotionValidator(_base.MotionValidator):
             to it, rounded as it is, is proven both ways.
         """
         if last is not None and not isinstance(last, LastValid):
-            raise TypeError(f"last: a {type(last).__name__} is not a chasles.ompl.LastValid")
+            raise TypeError(f"last: {with_article(last)} is not a chasles.ompl.LastValid")
         if self._information.getStateValidityChecker() is None:  # OMPL would read through a null pointer
             raise InvalidInput("information: has no validity checker; call setStateValidityChecker or setup first")
         is_valid = self._is_valid(s1, s2) if last is None else self._is_valid_or_last(s1, s2, last)

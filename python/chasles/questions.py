@@ -15,6 +15,7 @@ import numpy.typing as npt
 import pyarrow as pa
 
 from ._core import InvalidInput, Polyhedron, Robot, RobotChecker, Scene, Trajectory
+from .articles import with_article
 from .batch import first_contact_batch
 from .robots import first_contacts_on_edges
 
@@ -58,7 +59,7 @@ class MotionQuestion:
         """Refuses invalid bodies and options before any worker starts, by one query with them."""
         for body in (self.moving, self.fixed):
             if not isinstance(body, Polyhedron):
-                raise TypeError(f"a {type(body).__name__} is not a chasles.Polyhedron")
+                raise TypeError(f"{with_article(body)} is not a chasles.Polyhedron")
         far_away = [[1e20, 0, 0, 1, 0, 0, 0]]
         first_contact_batch(self.moving, self.fixed, far_away, far_away, threads=1, **self.options)
 
@@ -98,7 +99,7 @@ class EdgeQuestion:
     def check(self) -> None:
         """Refuses what is no robot or scene, and invalid options, before any worker starts."""
         if not isinstance(self.robot, Robot):
-            raise TypeError(f"robot: a {type(self.robot).__name__} is not a chasles.Robot")
+            raise TypeError(f"robot: {with_article(self.robot)} is not a chasles.Robot")
         _ = self._checker
         self.pickled()
 

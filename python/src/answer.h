@@ -43,6 +43,9 @@ void for_each_reference(AnyAnswer& answer, const Visit& visit) {
     for_each_reference(answer.motion, visit);
 }
 
+/// "clear until 0.5", or "clear at the start" where nothing else was asked.
+std::string clear_until_text(double until);
+
 /// "contact at time 0.25 (uncertain: ...), bolt on nut, overlapping, 1 contact: edge 0-3 on edge 2-6". `bodies` is
 /// empty or "bolt on nut". Times are in [0, 1].
 std::string summary(const FirstContact& found, const std::string& bodies = "");

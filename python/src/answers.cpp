@@ -10,6 +10,10 @@
 
 namespace chasles::python {
 
+std::string clear_until_text(double until) {
+    return until == 0 ? "clear at the start" : fmt::format("clear until {}", until);
+}
+
 std::string summary(const FirstContact& found, const std::string& bodies) {
     return summary(found, bodies, view::why_uncertain(found));
 }
@@ -18,9 +22,15 @@ std::string summary(const FirstContact& found, const std::string& bodies, const 
     if (found.verdict == Verdict::unknown)
         return fmt::format("unknown: the limit was reached; proven clear until {}", found.clear_until);
     if (found.verdict == Verdict::clear)
+<<<<<<< HEAD
         return found.clear_until < 1 ? fmt::format("clear until {}", found.clear_until) : "clear";
     std::string text =
         found.verdict == Verdict::contact ? "contact at time " + time_text(found.time.lower) : "contact at the start";
+=======
+        return found.clear_until < 1 ? clear_until_text(found.clear_until) : "clear";
+    std::string text = found.verdict == Verdict::contact ? fmt::format("contact at time {:.12g}", found.time.lower)
+                                                         : "contact at the start";
+>>>>>>> cadm
     if (!found.certain)
         text += " (uncertain: " + why_uncertain + ")";
     if (!bodies.empty())
@@ -63,6 +73,16 @@ void bind_first_contact(nb::module_& module) {
         .def("__repr__", [](const Answer& a) { return "<chasles.FirstContact: " + summary(a.found) + ">"; });
 }
 
+/// Segments before the one of the answer are proven clear, too.
+std::string summary_of_path(const PathAnswer& a) {
+    const bool is_clear = a.found.verdict == Verdict::clear;
+    if (a.found.verdict == Verdict::unknown)
+        return fmt::format("unknown: the limit was reached; proven clear until {} in segment {}", a.found.clear_until,
+                           a.segment);
+    return (is_clear ? "" : fmt::format("segment {}, ", a.segment)) +
+           summary(a.found, "", view::why_uncertain(a.found, a.is_last_segment));
+}
+
 } // namespace
 
 void bind_answers(nb::module_& module) {
@@ -70,11 +90,7 @@ void bind_answers(nb::module_& module) {
     nb::class_<PathAnswer, Answer>(module, "PathContact", doc("PathContact"), collected<PathAnswer>())
         .def_ro("segment", &PathAnswer::segment, doc("PathContact.segment"))
         .def("swapped", swapped<PathAnswer>, doc("FirstContact.swapped"))
-        .def("__repr__", [](const PathAnswer& a) {
-            const bool is_clear = a.found.verdict == Verdict::clear;
-            return "<chasles.PathContact: " + (is_clear ? "" : fmt::format("segment {}, ", a.segment)) +
-                   summary(a.found, "", view::why_uncertain(a.found, a.is_last_segment)) + ">";
-        });
+        .def("__repr__", [](const PathAnswer& a) { return "<chasles.PathContact: " + summary_of_path(a) + ">"; });
 }
 
 } // namespace chasles::python

@@ -143,7 +143,9 @@ std::string text_of_shape(std::span<const Py_ssize_t> shape) {
 
 std::string text_of_argument(nb::handle argument) {
     constexpr std::size_t most = 40;
-    const std::string type = "a " + nb::cast<std::string>(argument.type().attr("__name__"));
+    const auto name = nb::cast<std::string>(argument.type().attr("__name__"));
+    const bool begins_with_vowel = std::string_view("aeiouAEIOU").find(name.front()) != std::string_view::npos;
+    const std::string type = (begins_with_vowel ? "an " : "a ") + name;
     try {
         const std::string text = nb::cast<std::string>(nb::repr(argument));
         return text.size() <= most && text.find('\n') == std::string::npos ? text : type;

@@ -115,7 +115,7 @@ void bind_least_distance(nb::module_& module) {
             "def least_distance(moving: Polyhedron, fixed: Polyhedron, "
             "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
             "motion: ScrewMotion | SweepMotion | ConstantVelocity | ConstantTwist | TimedPoses | Trajectory | Motion | "
-            "None = None, "
+            "typing.Literal['screw', 'sweep', 'velocity', 'twist'] | None = None, "
             "fixed_start: numpy.typing.ArrayLike | None = None, "
             "fixed_goal: numpy.typing.ArrayLike | None = None, tolerance: float = 1e-06, "
             "time_tolerance: float = 1e-12, max_turn: float | None = None, " CHASLES_FIND_TYPE ") -> LeastDistance"),

@@ -252,28 +252,6 @@ void bind_sweep(nb::module_& module) {
     bind_common(type, "The pose (4, 4) of the moving body in the world at a time in [0, 1].");
 }
 
-bool none_of(std::initializer_list<nb::handle> arguments) {
-    for (const nb::handle argument : arguments)
-        if (!argument.is_none())
-            return false;
-    return true;
-}
-
-/// The screw from start to goal.
-PythonScrew screw_from(const MotionArguments& a, double max_turn) {
-    const Pose start = pose_from(a.start, "start"), goal = pose_from(a.goal, "goal");
-    if (none_of({a.fixed_start, a.fixed_goal}))
-        return {ScrewMotion::between(start, goal, max_turn)};
-    if (a.fixed_start.is_none() || a.fixed_goal.is_none())
-        throw InvalidInput("motion: fixed_start and fixed_goal are needed together");
-    return {ScrewMotion::relative(start, goal, pose_from(a.fixed_start, "fixed_start"),
-                                  pose_from(a.fixed_goal, "fixed_goal"), max_turn)};
-}
-
-} // namespace
-
-namespace {
-
 /// The first of these kinds that the object is.
 template <typename... Kinds>
 std::optional<TypedMotion> cast_to(nb::handle motion, const std::variant<Kinds...>* /*kinds*/) {
@@ -340,19 +318,6 @@ Owners owners_of(const TypedMotion& motion) {
                 return {};
         },
         motion);
-}
-
-TypedMotion motion_from(const MotionArguments& a) {
-    if (!a.motion.is_none()) {
-        if (!none_of({a.start, a.goal, a.fixed_start, a.fixed_goal}))
-            throw InvalidInput("motion: both a motion and poses are given; only one of them is allowed");
-        if (a.max_turn)
-            throw InvalidInput("max_turn: belongs to the motion, which is given");
-        return given_motion(a.motion);
-    }
-    if (a.start.is_none() || a.goal.is_none())
-        throw InvalidInput("motion: start and goal are needed, or a motion");
-    return screw_from(a, a.max_turn.value_or(ScrewMotion::default_max_turn));
 }
 
 void bind_motions(nb::module_& module) {

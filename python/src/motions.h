@@ -88,14 +88,15 @@ TypedMotion given_motion(nb::handle motion);
 struct MotionArguments {
     nb::handle start;
     nb::handle goal;
-    nb::handle motion;
+    nb::handle motion; ///< a motion, or the name of a kind
     nb::handle fixed_start;
     nb::handle fixed_goal;
     std::optional<double> max_turn = {}; ///< of a screw made of poses, radians
 };
 
-/// The motion if one is given, otherwise the screw from start to goal. If the fixed body has poses too, it is the screw
-/// of the relative motion. Throws InvalidInput if arguments are missing or contradict each other.
+/// The motion if one is given. Otherwise that of the named kind (by default the screw) from start to goal. If the fixed
+/// body has poses too, screws and sweeps are those of the relative motion, and other kinds move both bodies. Throws
+/// InvalidInput if arguments are missing or contradict each other.
 TypedMotion motion_from(const MotionArguments& arguments);
 
 } // namespace chasles::python

@@ -137,7 +137,7 @@ void bind_queries(nb::module_& module) {
             "def first_contact(moving: Polyhedron, fixed: Polyhedron, "
             "start: numpy.typing.ArrayLike | None = None, goal: numpy.typing.ArrayLike | None = None, *, "
             "motion: ScrewMotion | SweepMotion | ConstantVelocity | ConstantTwist | TimedPoses | Trajectory | Motion | "
-            "None = None, "
+            "typing.Literal['screw', 'sweep', 'velocity', 'twist'] | None = None, "
             "fixed_start: numpy.typing.ArrayLike | None = None, "
             "fixed_goal: numpy.typing.ArrayLike | None = None, " CHASLES_OPTION_TYPES
             "max_turn: float | None = None, " CHASLES_FIND_TYPE ", memory: PairMemory | None = None) -> FirstContact"),

@@ -25,11 +25,13 @@ inline std::string indented(std::string text) {
 
 /// The descriptions of the bodies and of the motion, after the first paragraph of a docstring.
 inline std::string motion_docs() {
-    return "The moving body moves from `start` to `goal` by one screw in the frame of the fixed\nbody, or by "
-           "`motion`.\n\n"
+    return "The moving body moves from `start` to `goal` by one screw in the frame of the fixed\nbody, or as "
+           "`motion` says.\n\n"
            "Parameters\n----------\nmoving, fixed : Polyhedron\nstart, goal : array (4, 4) or (7,)\n"
            "    Poses of the moving body: matrices, or x y z qw qx qy qz with a quaternion of any length.\n"
-           "motion : ScrewMotion or SweepMotion\n    Instead of start and goal.\n"
+           "motion : str or motion\n    'screw' (the default), 'sweep', 'velocity' or 'twist' from start to goal, "
+           "about the "
+           "bodies'\n    origins; or a motion of any kind instead of the poses.\n"
            "fixed_start, fixed_goal : array (4, 4) or (7,)\n"
            "    Poses of the fixed body, if it moves too; all poses are then in the world.\n";
 }

@@ -291,8 +291,7 @@ void bind_contact(nb::module_& module) {
         .def("__repr__", [](const SceneContactAnswer& a) {
             const std::string pair = a.pair ? a.pair->first + " on " + a.pair->second : "";
             const bool is_clear = a.found.verdict == Verdict::clear;
-            const std::string text =
-                is_clear ? fmt::format("clear until {}", a.found.clear_until) : summary(a.found, pair);
+            const std::string text = is_clear ? clear_until_text(a.found.clear_until) : summary(a.found, pair);
             return "<chasles.SceneContact: " + text + untested_note(a.untested) + ">";
         });
 }

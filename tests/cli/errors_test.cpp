@@ -115,6 +115,8 @@ TEST_F(Errors, OptionsOutOfRange) {
     EXPECT_TRUE(error_line(check + " --hold 1").starts_with("chasles: query: hold: "));
     EXPECT_TRUE(error_line(check + " --margin 1 --hold 1").starts_with("chasles: query: hold: "));
     EXPECT_TRUE(error_line(check + " --max-turn-deg 0").starts_with("chasles: motion: max_turn: "));
+    EXPECT_EQ(error_line(check + " --max-turn-deg 181"),
+              "chasles: --max-turn-deg: must be at most 180, which leaves a screw in one piece");
     EXPECT_TRUE(error_line(check + " --time-tolerance 2").starts_with("chasles: query: time_tolerance: "));
     EXPECT_EQ(error_line(check + " --max-turn-deg '1 2'"), "chasles: --max-turn-deg: needs one number");
 }

@@ -46,6 +46,24 @@ TEST_F(FileFormats, MeanTheSameInCheck) {
     }
 }
 
+TEST_F(FileFormats, UnitsThatDifferAreSaid) {
+    write("inch.3mf", tests::post_3mf("inch"));
+    const std::string ends = " --start=-1,0,0.5 --goal 1,0,0.5";
+    const std::string why = "inch.3mf is in the unit 'inch', and post.glb in the unit 'meter'; numbers are not "
+                            "converted: export both in one unit";
+    write("poses.csv", "x,y,z,qw,qx,qy,qz\n-1,0,0.5,1,0,0,0\n1,0,0.5,1,0,0,0\n");
+    write("motions.csv", "x0,y0,z0,qw0,qx0,qy0,qz0,x1,y1,z1,qw1,qx1,qy1,qz1\n9,0,0,1,0,0,0,9,0,0,1,0,0,0\n");
+    for (const std::string& command : {"check inch.3mf post.glb" + ends, "clearance inch.3mf post.glb" + ends,
+                                       std::string("path inch.3mf post.glb --poses poses.csv")}) {
+        EXPECT_EQ(run(command).err, "chasles: warning: " + why + "\n") << command;
+        EXPECT_EQ(Json::parse(run(command + " --json").out)["warnings"], Json({why})) << command;
+    }
+    EXPECT_EQ(run("batch inch.3mf post.glb --motions motions.csv --out out.csv").err,
+              "chasles: warning: " + why + "\n");
+    EXPECT_TRUE(run("check post.3mf post.glb" + ends).err.empty()) << "both in metres";
+    EXPECT_TRUE(run("check inch.3mf small.obj" + ends).err.empty()) << "an OBJ states no unit";
+}
+
 TEST_F(FileFormats, MeanTheSameInScenes) {
     for (const tests::PostFile& file : tests::post_files()) {
         write("scene.json",

@@ -56,6 +56,34 @@ TEST_F(Seconds, AnswersSayWhatIsProven) {
     EXPECT_GE(bracket["distance_upper"].get<double>(), 1e-9);
 }
 
+/// What comes before the segment that takes too long is proven.
+TEST_F(Seconds, APathSaysWhichSegmentsAreProven) {
+    const std::string rows = ",0,0,9,1,0,0,0\n,0,0,8,1,0,0,0\n,0,.1,1e-9,1,0,0,0\n,.4,.1,1e-9,.92,0,0,.39\n";
+    std::string plain = "x,y,z,qw,qx,qy,qz\n", stamped = "t,x,y,z,qw,qx,qy,qz\n";
+    int stamp = -40;
+    for (std::size_t at = 0; at < rows.size(); at = rows.find('\n', at) + 1) {
+        const std::string row = rows.substr(at, rows.find('\n', at) - at);
+        plain += row.substr(1) + "\n";
+        stamped += fmt::format("{}{}\n", stamp += 10, row);
+    }
+    write("plain.csv", plain);
+    write("stamped.csv", stamped);
+    const std::string path = "path " + bodies + "--motion velocity --poses ";
+    const std::string text = stopped(path + "plain.csv").out;
+    EXPECT_TRUE(text.starts_with("UNKNOWN: the time was over; proven that nothing touches before ")) << text;
+    EXPECT_NE(text.find(" segment "), std::string::npos) << text;
+    const Json answer = Json::parse(stopped(path + "plain.csv --json").out);
+    EXPECT_EQ(answer["verdict"], "unknown");
+    EXPECT_GE(answer["segment"], 1);
+    const std::string held = stopped(path + "plain.csv --margin 5e-10 --hold 1e-10").out;
+    EXPECT_NE(held.find("nothing comes within 1e-10, or nearer than at the start if that is less, before "),
+              std::string::npos)
+        << "bodies that are held may be within the margin: " << held;
+    const std::string stamps = stopped(path + "stamped.csv --margin 1e-10").out;
+    EXPECT_TRUE(stamps.starts_with("UNKNOWN: the time was over; proven that nothing comes within 1e-10 before t = -"))
+        << "all stamps are negative: " << stamps;
+}
+
 /// A page without an answer would look like that of a clear one.
 TEST_F(Seconds, NoPageShowsWhatIsUnknown) {
     write("page.html", "precious");

@@ -91,6 +91,15 @@ TEST_F(SceneCommand, TellsItForPeople) {
     EXPECT_EQ(run("scene scene.json --any").status, 1);
 }
 
+TEST_F(SceneCommand, NamesTheLimitOfTheTime) {
+    const auto out = [&](const std::string& options) { return run("scene scene.json " + options).out; };
+    EXPECT_TRUE(out("--until 0.4").starts_with("CLEAR: proven that nothing touches until time 0.4; motion: "));
+    EXPECT_TRUE(out("--until 0").starts_with("CLEAR: proven that nothing touches at the start; motion: "));
+    EXPECT_TRUE(out("--until 0.4 --all").starts_with("0 pairs touch until time 0.4; motion: "));
+    EXPECT_TRUE(out("--until 0 --all").starts_with("0 pairs touch at the start; motion: "));
+    EXPECT_EQ(out("--all").find("until"), std::string::npos);
+}
+
 TEST_F(SceneCommand, KeepsToTheFilters) {
     write("scene.json", "{\"bodies\": " + bodies + R"(, "margin": 0.01,
         "ignore": [["falling", "thrown"]], "ignore_groups": [["static", ""]]})");
@@ -109,6 +118,8 @@ TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
         found.out.substr(0, found.out.find('\n')),
         "CLEAR: proven that nothing that is held comes within 0.02, or nearer than at the start if that is less, and "
         "nothing else within 0.1; motion: velocity");
+    EXPECT_NE(run("scene scene.json --until 0.5").out.find("nothing else within 0.1, until time 0.5; motion: "),
+              std::string::npos);
     EXPECT_EQ(json("--hold 0.049")["verdict"], "clear");
     EXPECT_EQ(json("--margin 0.04 --hold 0.02")["verdict"], "clear");
     EXPECT_EQ(error_line("scene scene.json --hold 0.1"), "chasles: query: hold: must be less than some margin");
@@ -200,6 +211,9 @@ TEST_F(SceneCommand, WritesAPageToo) {
     const std::string page = content("page.html");
     EXPECT_NE(page.find(R"("title":"Boxes & \u003cfloor>")"), std::string::npos);
     EXPECT_NE(page.find(R"("source":"all_contacts")"), std::string::npos);
+    EXPECT_EQ(page.find(R"("until":)"), std::string::npos);
+    (void)run("scene scene.json --all --until 0.5 --page limited.html");
+    EXPECT_NE(content("limited.html").find(R"("until":0.5)"), std::string::npos);
     EXPECT_EQ(Json::parse(run("scene scene.json --json --page first.html").out), json(""));
     EXPECT_NE(content("first.html").find(R"("source":"first_contact")"), std::string::npos);
     EXPECT_NE(content("first.html").find(R"("title":"scene.json")"), std::string::npos);

@@ -113,10 +113,10 @@ private:
 
 /// Whether a refusal names what to do: the option that accepts the mesh, or the place in the file to repair.
 bool names_the_way_out(const std::string& message) {
-    static const std::regex ways(
-        "the option triangulate accepts it$|no option accepts this mesh|: line [0-9]+: |"
-        ": (face|vertex|triangle) [0-9]+: |a mesh needs at least one|is empty$|is truncated: |"
-        "too short for an STL file|has [0-9]+ additional bytes|: the element '(vertex|face)' needs the ");
+    static const std::regex ways("the option triangulate accepts it$|no option accepts this mesh|: line [0-9]+: |"
+                                 ": (face|vertex|triangle) [0-9]+: |a mesh needs at least one|is empty$|is truncated: |"
+                                 "too short for an STL file|is text, but does not begin with 'solid'|has [0-9]+ "
+                                 "additional bytes|: the element '(vertex|face)' needs the ");
     return std::regex_search(message, ways) && message.find('\n') == std::string::npos;
 }
 

@@ -64,6 +64,13 @@ TEST(ReadObj, LeavesOutWhatIsNoSurface) {
     EXPECT_EQ(read_obj("3 1\n" + three_vertices + "f 1 2 3\n").faces.size(), 1U) << "a line of counts at the start";
 }
 
+TEST(ReadObj, LeavesOutMaterialsInTheFile) {
+    const std::string material = "newmtl steel\nKa 1 1 1\nKd .5 .5 .5\nKs 0 0 0\nNs 10\nNi 1\nd 1\nTr 0\nillum 2\n"
+                                 "map_Kd steel.png\nmap_Bump -bm 1 rough.png\nbump rough.png\n";
+    EXPECT_EQ(read_obj(material + three_vertices + "usemtl steel\nf 1 2 3\n").faces.size(), 1U);
+    EXPECT_EQ(message("mapp 1\n"), "line 1: not an OBJ statement: 'mapp 1'");
+}
+
 TEST(ReadObj, ReadsVerticesWithWeightOrColour) {
     const PolygonSoup soup = read_obj("v 0 0 0 1\nv 1 0 0 0.5 0.5 0.5\nv +.5 1. -1e-3\nf 1 2 3\n");
     EXPECT_EQ(soup.vertices[2], Eigen::Vector3d(0.5, 1, -1e-3));

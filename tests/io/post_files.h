@@ -114,9 +114,10 @@ inline std::string post_collada(const std::string& up_axis) {
 </library_visual_scenes><scene><instance_visual_scene url="#s"/></scene></COLLADA>)";
 }
 
-inline std::string post_3mf() {
+inline std::string post_3mf(const std::string& unit = "meter") {
     const PostText text;
-    return threemf(R"(<model unit="meter" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>
+    return threemf("<model unit=\"" + unit +
+                   R"(" xmlns="http://schemas.microsoft.com/3dmanufacturing/core/2015/02"><resources>
 <object id="1" name="post"><mesh><vertices>)" +
                    text.xml_vertices + "</vertices><triangles>" + text.xml_triangles +
                    R"(</triangles></mesh></object></resources><build><item objectid="1"/></build></model>)");

@@ -44,6 +44,16 @@ TEST_F(ReadFile, ReadsEveryByte) {
     EXPECT_EQ(read_file(link_to(path("a.obj"), "link.obj")), text);
 }
 
+TEST_F(ReadFile, RefusesAPointerOfGitLfsInEveryFormat) {
+    const std::string pointer = "version https://git-lfs.github.com/spec/v1\noid sha256:4d7a\nsize 12345\n";
+    for (const char* const name : {"a.stl", "a.obj", "a.off", "a.ply", "a.glb", "a.gltf", "a.dae", "a.3mf", "a.step"}) {
+        const std::filesystem::path file = write(name, pointer);
+        EXPECT_EQ(without_folder(message_of([&] { (void)load_polygons(file); })),
+                  std::string(name) + ": is a Git LFS pointer, not the file itself; `git lfs pull` brings the content");
+    }
+    EXPECT_NE(message(write("poses.csv", pointer)).find("Git LFS pointer"), std::string::npos);
+}
+
 TEST_F(ReadFile, RefusesDevicesAndLinksToDevices) {
     const std::string why = "is a device, which need not end; give a file or a pipe";
     EXPECT_EQ(message("/dev/zero"), "/dev/zero: " + why);

@@ -95,11 +95,31 @@ TEST(ReadStl, RefusesBinaryWhoseCountDisagrees) {
     EXPECT_EQ(message(binary_stl("solid", 4000000000U, two_triangles)),
               "is truncated: 4000000000 triangles are announced, but 2 are present");
     EXPECT_EQ(message(binary_stl("", 1, two_triangles)),
-              "1 triangles are announced, but the file has 50 additional bytes");
+              "1 triangles are announced, but the file has 50 additional bytes, which may be triangles; export it "
+              "again, or cut the file after byte 134 if they are none");
     EXPECT_EQ(message(binary_stl("", 2, two_triangles).substr(0, 60)), "too short for an STL file");
     const float nan = std::numeric_limits<float>::quiet_NaN();
     EXPECT_EQ(message(binary_stl("", 1, binary_triangle({0, 0, 0, nan, 0, 0, 0, 1, 0}))),
               "triangle 0: NaN or infinity");
+}
+
+TEST(ReadStl, ReadsBinaryWithATailThatHidesNoTriangle) {
+    for (const std::size_t tail : {1U, 16U, 49U})
+        EXPECT_EQ(read_stl(binary_stl("", 2, two_triangles) + std::string(tail, 'x')).faces.size(), 2U) << tail;
+}
+
+TEST(ReadStl, CallsTextWithoutSolidText) {
+    const std::string why = "is text, but does not begin with 'solid', so it is no STL file: ";
+    EXPECT_EQ(message("<!DOCTYPE html>\n" + std::string(200, 'a')), why + "'<!DOCTYPE' comes first");
+    EXPECT_EQ(message("<svg/>"), why + "'<svg/>' comes first");
+    EXPECT_EQ(message("# a comment\n\tfacets\n" + facet), why + "'#' comes first");
+}
+
+TEST(ReadStl, ReadsCommentsBeforeTheFirstSolid) {
+    const PolygonSoup soup =
+        read_stl("# made by hand\n\n// " + std::string(100, '-') + "\n; solid\nsolid a\n" + facet + "endsolid a\n");
+    EXPECT_EQ(soup.faces.size(), 1U);
+    EXPECT_EQ(soup.face_lines, (std::vector<std::size_t>{6}));
 }
 
 TEST(ReadStl, RefusesBrokenAscii) {

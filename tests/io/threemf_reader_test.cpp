@@ -57,6 +57,12 @@ TEST(Read3mf, ReadsObjectsOfOtherParts) {
     EXPECT_EQ(message(threemf(root)), "part '3D/3dmodel.model': has no part '3D/Objects/a.model'");
 }
 
+TEST(Read3mf, ASlicedFileHasNoMesh) {
+    const std::string why = "has no mesh; if the file is sliced, export the project or the model instead";
+    EXPECT_EQ(message(threemf(model("", ""), {{"Metadata/plate_1.gcode", "G1 X0\n"}})), why);
+    EXPECT_EQ(message(threemf(model(object, ""))), why) << "the object is not placed";
+}
+
 TEST(Read3mf, APictureInTheArchiveIsIgnored) {
     EXPECT_EQ(read_3mf(threemf(model(object, item), {{"Metadata/thumbnail.png", std::string("\x89PNG\0", 5)}})).size(),
               1U);

@@ -172,6 +172,52 @@ def test_max_turn_belongs_to_the_motion(cube):
     assert chasles.first_contact(cube, cube, START, GOAL, **fixed, max_turn=0.05).motion.max_turn == 0.05
 
 
+NAMED = {
+    "screw": chasles.ScrewMotion,
+    "sweep": chasles.SweepMotion,
+    "velocity": chasles.ConstantVelocity,
+    "twist": chasles.ConstantTwist,
+}
+TURNED_GOAL = [-1, 0.2, 0.3, 0.9, 0.1, 0.2, 0.3]
+
+
+@pytest.mark.parametrize("name", NAMED)
+def test_the_motion_between_poses_may_be_named(name, cube):
+    """As in batches: the answers are those of the motion itself, also for two moving bodies."""
+    kind = NAMED[name]
+    motion = kind.between(START, TURNED_GOAL)
+    for ask in (chasles.first_contact, chasles.least_distance):
+        named = ask(cube, cube, START, TURNED_GOAL, motion=name)
+        assert named.time == ask(cube, cube, motion=motion).time and type(named.motion) is kind
+    fixed = {"fixed_start": pose(0, 0, 0), "fixed_goal": pose(0, 0.1, 0.2)}
+    both = (
+        kind.relative(START, TURNED_GOAL, *fixed.values())
+        if hasattr(kind, "relative")
+        else chasles.relative(motion, kind.between(*fixed.values()))
+    )
+    moving = chasles.first_contact(cube, cube, START, TURNED_GOAL, motion=name, **fixed)
+    assert moving.time == chasles.first_contact(cube, cube, motion=both).time
+
+
+def test_a_named_motion_needs_poses_and_a_right_name(cube):
+    with pytest.raises(chasles.InvalidInput, match="motion: 'helix': must be 'screw', 'sweep', 'velocity' or 'twist'"):
+        chasles.first_contact(cube, cube, START, GOAL, motion="helix")
+    with pytest.raises(chasles.InvalidInput, match="motion: start and goal are needed"):
+        chasles.first_contact(cube, cube, motion="velocity")
+    with pytest.raises(chasles.InvalidInput, match="max_turn: belongs to motion='screw', and the motion is 'twist'"):
+        chasles.first_contact(cube, cube, START, GOAL, motion="twist", max_turn=0.1)
+    assert chasles.first_contact(cube, cube, START, GOAL, motion="screw", max_turn=0.05).motion.max_turn == 0.05
+    with pytest.raises(chasles.InvalidInput, match="With poses, the motion may be 'screw', 'sweep'"):
+        chasles.first_contact(cube, cube, START, GOAL, motion=chasles.ScrewMotion.between(START, GOAL))
+
+
+def test_a_path_at_the_limit_says_which_segments_are_proven(cube):
+    with chasles.Limit(1e-9):
+        found = chasles.first_contact_on_path(cube, cube, [START, GOAL])
+    assert found.verdict == "unknown" and found.segment == 0 and found.clear_until == 0
+    assert repr(found) == "<chasles.PathContact: unknown: the limit was reached; proven clear until 0 in segment 0>"
+
+
 def test_bodies_swap_their_roles(cube):
     small = chasles.Polyhedron(CUBE_VERTICES / 2, cube.faces)
     found = chasles.first_contact(small, cube, START, GOAL)

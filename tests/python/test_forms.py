@@ -236,6 +236,12 @@ def test_scenes_of_trimesh_are_not_lost_in_silence(cube):
         chasles.parts_from_trimesh(scene)
 
 
+@pytest.mark.parametrize("value, text", [(3, "an int has no"), (None, "a NoneType has no"), ([], "a list has no")])
+def test_messages_have_the_right_article(value, text):
+    with pytest.raises(chasles.InvalidInput, match=f"mesh: {text} vertices and faces"):
+        chasles.from_trimesh(value)
+
+
 def test_meshes_of_trimesh_in_the_place_of_a_polyhedron_name_the_way_out(cube):
     trimesh = pytest.importorskip("trimesh")
     box = trimesh.creation.box((1, 1, 1))

@@ -100,6 +100,33 @@ TEST(QueryLimit, BatchesAndPathsSayWhatTheyDoNotKnow) {
     EXPECT_EQ(path.segment, 0U);
 }
 
+/// The segments before the one that is not answered are proven.
+TEST(QueryLimit, APathKeepsTheSegmentsThatAreDone) {
+    const Polyhedron lower = sheet(64), upper = sheet(64);
+    std::vector<Motion> motions(3, Motion::velocity(pose(0, 9, 0), pose(1, 9, 0)));
+    motions.push_back(Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8)));
+    bool enough = false;
+    const Limit limit(1e9, [&] { return !enough; });
+    const PathContact path =
+        first_contact_on_path({upper, lower, motions, {}, [&](std::size_t done) { enough = done == 3; }});
+    EXPECT_EQ(path.contact.verdict, Verdict::unknown);
+    EXPECT_EQ(path.segment, 3U);
+    EXPECT_LT(path.contact.clear_until, 1);
+}
+
+/// Segments that are answered at once end at the limit, too.
+TEST(QueryLimit, APathOfManyQuickSegmentsEndsSoon) {
+    const Polyhedron body = sheet(1);
+    const std::vector<Motion> motions(1'000'000, Motion::velocity(pose(0, 9, 0), pose(1, 9, 0)));
+    std::size_t last = 0;
+    const Limit limit(1e9, [&] { return last < 3; });
+    const PathContact path = first_contact_on_path({body, body, motions, {}, [&](std::size_t done) { last = done; }});
+    EXPECT_EQ(path.contact.verdict, Verdict::unknown);
+    EXPECT_GE(path.segment, 3U);
+    EXPECT_LT(path.segment, motions.size() - 1);
+    EXPECT_EQ(path.contact.clear_until, 0);
+}
+
 TEST(QueryLimit, AnExceptionOfTheFunctionComesOut) {
     const Polyhedron lower = sheet(32), upper = sheet(32);
     const Motion slide = Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8));

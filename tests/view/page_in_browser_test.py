@@ -33,6 +33,10 @@ class Page(PageTest):
         run("view", "cube.obj", "cube.obj", *TURNING_PAST, "--margin", "0.25", "--out", "margin.html")
         run("view", "cube.obj", "cube.obj", "--start", "3 0 0", "--goal", "3 5 0", "--out", "clear.html")
         run("view", "cube.obj", "cube.obj", "--start", ".5 .5 .5", "--goal", "3 5 0", "--out", "start.html")
+        sliding = ["--start", ".25 0 1.25", "--goal", ".75 0 1.25", "--margin", "0.25"]
+        run("view", "cube.obj", "cube.obj", *sliding, "--out", "doubt.html")
+        passing = ["--start", "3 1.25 0", "--goal", "-3 1.25 0", "--margin", "0.25"]
+        run("view", "cube.obj", "cube.obj", *passing, "--out", "passing.html")
         resting, on = ["--start", "0 0 1.05"], ["--margin", "0.1", "--hold", "0.02"]
         run("view", "cube.obj", "cube.obj", *resting, "--goal", "3 0 1.05", *on, "--out", "slide.html")
         run("view", "cube.obj", "cube.obj", *resting, "--goal", "0 0 0.95", *on, "--out", "push.html")
@@ -149,6 +153,13 @@ class Page(PageTest):
         self.slide(0.7)
         self.assertEqual(self.time(), 0)
         self.assertGreater(count(self.picture("start"), is_contact_colour), 15, "the point of the overlap")
+
+    def test_an_answer_that_is_not_certain_claims_no_contact(self) -> None:
+        self.open("doubt.html")
+        self.assertIn("come within 0.25 at the start could not be told from a miss", self.text("#meaning"))
+        self.open("passing.html")
+        self.assertIn("come within 0.25 inside the bracket could not be told from a miss", self.text("#meaning"))
+        self.assertIn("They do not before its lower end.", self.text("#meaning"))
 
     def test_narrow_windows_and_the_dark(self) -> None:
         background = self.dark_and_narrow("contact.html", "narrow")[30][3]

@@ -55,6 +55,12 @@ class ScenePage(PageTest):
         cls.events = json.loads(run("scene", "scene.json", "--all", "--json", "--page", "all.html").stdout)["events"]
         cls.first = json.loads(run("scene", "scene.json", "--json", "--page", "first.html").stdout)
         run("scene", "scene.json", "--all", "--until", "0.1", "--page", "clear_scene.html")
+        run("scene", "scene.json", "--until", "0", "--page", "start_scene.html")
+        run("scene", "scene.json", "--all", "--until", "0.6", "--page", "limited.html")
+        sliding = {"name": "slider", "mesh": "cube.obj", "pose": [0.25, 0, 1.25], "goal": [0.75, 0, 1.25]}
+        doubt = {"margin": 0.25, "bodies": [{"name": "table", "mesh": "cube.obj"}, sliding]}
+        (folder / "doubt.json").write_text(json.dumps(doubt))
+        run("scene", "doubt.json", "--page", "doubt_scene.html")
         (folder / "empty.json").write_text('{"bodies": []}')
         run("scene", "empty.json", "--page", "empty.html")
         for name, contacts in [("recording", ROWS), ("silent", 0)]:
@@ -148,6 +154,16 @@ class ScenePage(PageTest):
         self.assertEqual(self.text("#verdict"), "Clear")
         self.assertIn("no tested pair touches before time 0.1", self.text("#meaning"))
         self.assertEqual(self.browser.evaluate("document.getElementById('events').offsetHeight"), 0)
+
+    def test_it_names_the_limit_of_the_time(self) -> None:
+        self.open("start_scene.html")
+        self.assertIn("no tested pair touches at the start", self.text("#meaning"))
+        self.open("limited.html")
+        self.assertIn("Contacts after time 0.6 were not asked for.", self.text("#meaning"))
+
+    def test_an_answer_that_is_not_certain_claims_no_contact(self) -> None:
+        self.open("doubt_scene.html")
+        self.assertIn("a pair comes within 0.25 at the start could not be told from a miss", self.text("#meaning"))
 
     def test_a_scene_may_be_empty(self) -> None:
         self.open("empty.html")

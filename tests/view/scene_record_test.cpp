@@ -55,6 +55,13 @@ TEST_F(RecordOfScene, HoldsTheContactsToTheLastDigit) {
     }
 }
 
+TEST_F(RecordOfScene, HoldsTheLimitOfTheTime) {
+    view::SceneRecord record = view::scene_record(scene, scene.all_contacts(), view::RecordSource::all_contacts);
+    EXPECT_FALSE(Json::parse(view::record_json(record)).contains("until"));
+    record.until = 0.5;
+    EXPECT_EQ(Json::parse(view::record_json(record))["until"], 0.5);
+}
+
 TEST_F(RecordOfScene, HoldsEachShapeOnce) {
     const Json record = json(scene.first_contact(), view::RecordSource::first_contact);
     ASSERT_EQ(record["meshes"].size(), 2U);

@@ -6,16 +6,25 @@ import type { Answer, Scene, Vector } from "./scene";
 
 const verdicts = { clear: "Clear", contact: "Contact", contact_at_start: "Contact at the start" };
 
-function meaningWithHold({ verdict, time, clear_until }: Answer, margin: number): string {
+/** An answer that is not certain claims no contact. */
+function uncertainMeaning({ verdict, time, clear_until }: Answer, touch: string): string {
+  const where = verdict === "contact_at_start" ? "at the start" : "inside the bracket";
+  const before = verdict === "contact" && clear_until >= time! ? " They do not before its lower end." : "";
+  return `Whether the bodies ${touch} ${where} could not be told from a miss.${before}`;
+}
+
+function meaningWithHold({ verdict, time, clear_until, certain }: Answer, margin: number): string {
   if (verdict === "clear") return "Proven: the bodies keep the hold distance, or that of the start if it is less.";
   const isNew = clear_until > time!;
   const event = `${isNew ? "A" : "A held contact reaches the hold distance, or a"} new contact comes within ${margin}`;
-  return `${event}: inside the bracket, and not before its lower end.`;
+  const doubt = certain ? "" : " It could not be told from a miss.";
+  return `${event}: inside the bracket, and not before its lower end.${doubt}`;
 }
 
 function meaning(answer: Answer, margin: number): string {
   if (answer.held?.length) return meaningWithHold(answer, margin);
   const touch = margin > 0 ? `come within ${margin}` : "touch";
+  if (answer.verdict !== "clear" && !answer.certain) return uncertainMeaning(answer, touch);
   switch (answer.verdict) {
     case "clear":
       return margin > 0 ? `Proven: never within ${margin} during the whole motion.` : "Proven: nothing touches during the whole motion.";

@@ -31,6 +31,7 @@ export interface SceneRecord {
   source: "first_contact" | "all_contacts" | "recording";
   margin: number;
   clear_until?: number; // no tested pair touches before this time
+  until?: number; // contacts after this time were not asked for; absent: all were
   untested?: Untested;
   times: string; // float64, ascending
   meshes: PackedMesh[];

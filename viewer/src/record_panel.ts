@@ -14,12 +14,26 @@ function verdict({ source, events }: SceneRecord): string {
   return events[0].time_upper > 0 ? "First contact" : "Contact at the start";
 }
 
-function meaning({ source, events, margin, clear_until }: SceneRecord): string {
+/** What a clear answer has proven. Without its time, it is about the time that was asked about. */
+function clearMeaning(touch: string, until: number | undefined): string {
+  if (until === undefined) return `No pair ${touch} in the time that was asked about.`;
+  return `Proven: no tested pair ${touch} ${until === 0 ? "at the start" : `before time ${until}`}.`;
+}
+
+function limitText({ until }: SceneRecord): string {
+  if (until === undefined) return "";
+  return until === 0 ? " Only the start was asked about." : ` Contacts after time ${until} were not asked for.`;
+}
+
+function meaning(record: SceneRecord): string {
+  const { source, events, margin, clear_until } = record;
   const touch = margin > 0 ? `comes within ${margin}` : "touches";
   const interpolated = "Between the recorded times the motion is interpolated.";
   if (source === "recording") return events.length === 0 ? `No contacts were recorded. ${interpolated}` : interpolated;
-  if (events.length === 0) return clear_until === undefined ? `No pair ${touch}.` : `Proven: no tested pair ${touch} before time ${clear_until}.`;
-  if (source === "all_contacts") return "The first contact of each pair, in order of time.";
+  if (events.length === 0) return clearMeaning(touch, clear_until);
+  if (source === "all_contacts") return `The first contact of each pair, in order of time.${limitText(record)}`;
+  const where = events[0].time_upper > 0 ? "inside the bracket" : "at the start";
+  if (!events[0].certain) return `Whether a pair ${touch} ${where} could not be told from a miss.`;
   if (clear_until! < events[0].time) return `A pair ${touch} inside the bracket, and perhaps earlier: the question stopped at any contact.`;
   const others = events.length > 1 ? " The brackets of all listed pairs overlap." : "";
   return `The first pair ${touch} inside the bracket, and not before its lower end.${others}`;
