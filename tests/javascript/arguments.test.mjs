@@ -1,9 +1,11 @@
 // Holes in arrays, options of load, and ways to the module: refused in words, with a way out.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { buildSync } from "esbuild";
 import { load } from "chasles";
 import { load as loadInline } from "chasles/inline";
 import { box, refusal } from "./shapes.mjs";
@@ -161,6 +163,35 @@ test("a way to the module that does not lead there is refused with a way out", a
   const watched = new Response(whole);
   watched.body.getReader();
   assert.match(await refusal(load({ wasm: watched })), /^wasm: the response has been read already: /);
+});
+
+test("bundles for Node.js: what does not find its files says so, and the inlined build needs none", () => {
+  const questions = {
+    plain: 'import { load } from "chasles"; const instance = load();',
+    bytes: 'import { load } from "chasles"; import { readFileSync } from "node:fs"; const instance = load({ wasm: readFileSync(process.argv[2]) });',
+    inline: 'import { load } from "chasles/inline"; const instance = load();',
+  };
+  const end = "instance.then((it) => it.workers({ count: 1 })).then((workers) => (workers.stop(), workers.count)).catch(({ message }) => message).then(console.log);";
+  const said = {};
+  for (const [name, question] of Object.entries(questions))
+    for (const [format, extension] of [["cjs", "cjs"], ["esm", "mjs"]]) {
+      const outfile = fileURLToPath(new URL(`./bundles_for_node/${name}.${extension}`, import.meta.url));
+      buildSync({ stdin: { contents: question + end, resolveDir: import.meta.dirname }, bundle: true, platform: "node", format, outfile, logLevel: "error" });
+      const { stdout, stderr } = spawnSync(process.execPath, [outfile, fileURLToPath(import.meta.resolve("chasles/chasles.wasm"))], { encoding: "utf8" });
+      said[`${name} ${format}`] = stdout.trim() || stderr;
+    }
+  assert.match(said["plain cjs"], /^wasm: this bundle does not know its own address, .* or import "chasles\/inline", which needs no file$/);
+  assert.match(said["plain esm"], /^wasm: file:.*chasles\.wasm cannot be read \(ENOENT.* or import "chasles\/inline", which needs no file$/);
+  for (const format of ["cjs", "esm"]) {
+    assert.match(said[`bytes ${format}`], /^chasles: a worker cannot be started: its script was not found \(.*\); import "chasles\/inline"/);
+    assert.equal(said[`inline ${format}`], "1");
+  }
+});
+
+test("require() where Node.js loads modules so", { skip: process.features.require_module ? false : "skipped: this Node.js does not" }, () => {
+  const program = 'const { load } = require("chasles"); load().then(({ held }) => console.log(held.polyhedra));';
+  const { stdout, stderr } = spawnSync(process.execPath, ["--input-type=commonjs", "-e", program], { encoding: "utf8", cwd: import.meta.dirname });
+  assert.equal(stdout, "0\n", stderr);
 });
 
 test("what a server answers: a web page, an error, the module without its type", async () => {
