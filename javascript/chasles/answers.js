@@ -6,6 +6,8 @@ const verdicts = ["unknown", "clear", "contact", "contact_at_start"];
 const contactKinds = ["vertex_face", "face_vertex", "edge_edge", "vertex_edge", "edge_vertex", "vertex_vertex"]
   .map((kind) => [kind, ...kind.split("_")]);
 const motionKinds = ["screw", "sweep", "velocity", "twist"];
+/** Those of a scene, and of a robot, in the order of UntestedReason. */
+const untestedReasons = ["no_shapes", "at_rest", "adjacent", "disabled", "ignored", "touching_at_start"];
 const dragStates = ["reached", "resting", "moving", "touching"];
 
 /** Takes numbers one after another, from `at` on. */
@@ -156,15 +158,28 @@ function sceneContacts(reader, names) {
   });
 }
 
+/** What is not tested, by reason, with the names of pairs; of each reason at most 100. */
+function untested(reader, names) {
+  const tested = reader.number();
+  const counts = reader.list((list) => list.number());
+  const named = reader.list((list) => ({ reason: list.number(), pair: [names[list.number()], names[list.number()]] }));
+  const reasons = [];
+  counts.forEach((count, index) => {
+    const pairs = named.filter(({ reason }) => reason === index).map(({ pair }) => pair);
+    if (count > 0) reasons.push({ reason: untestedReasons[index], count, pairs });
+  });
+  return { tested, pairs: counts.reduce((sum, count) => sum + count, 0), reasons };
+}
+
 export function sceneContact(reader, names) {
   const verdict = verdicts[reader.number()];
   const clear_until = reader.number();
   const [first, ...others] = sceneContacts(reader, names);
-  const counters = work(reader);
-  if (!first) return { verdict, clear_until, work: counters };
+  const ends = { work: work(reader), untested: untested(reader, names) };
+  if (!first) return { verdict, clear_until, ...ends };
   const { verdict: _, clear_until: __, ...found } = first.answer;
   const simultaneous = others.length > 0 ? { simultaneous: others.map(({ pair }) => pair) } : {};
-  return { verdict, clear_until, pair: first.pair, ...found, ...simultaneous, work: counters };
+  return { verdict, clear_until, pair: first.pair, ...found, ...simultaneous, ...ends };
 }
 
 export function sceneEvents(reader, names) {
@@ -173,7 +188,7 @@ export function sceneEvents(reader, names) {
     const { time, time_upper, certain, contacts } = answer;
     return { time, time_upper, certain, pair, contacts };
   });
-  return { events, work: work(reader) };
+  return { events, work: work(reader), untested: untested(reader, names) };
 }
 
 export function dragStep(reader, names) {

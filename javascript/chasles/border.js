@@ -1,6 +1,7 @@
 // The module in memory: arguments go in through two buffers, answers come out of one (javascript/src/border.h).
 import { Reader } from "./answers.js";
 import { InstanceStopped, InvalidInput } from "./errors.js";
+import { inJavaScript } from "./values.js";
 
 const refused = -1;
 const outOfMemory = -2;
@@ -46,7 +47,7 @@ export class Border {
   call(name, ...values) {
     const status = this.#enter(`chasles_${name}`, values);
     if (status >= 0) return status;
-    if (status === refused) throw new InvalidInput(this.#text());
+    if (status === refused) throw new InvalidInput(inJavaScript(this.#text()));
     if (status === outOfMemory) throw new RangeError("chasles: out of memory");
     this.#stopped = new Error(this.#text());
     throw new InstanceStopped(this.#stopped);

@@ -4,7 +4,7 @@ import { Border } from "./border.js";
 import { InvalidInput } from "./errors.js";
 import { Held } from "./held.js";
 import { fromBufferGeometry, fromObject3D } from "./geometry.js";
-import { addMotion, addQuery, addRule, checkBatch, contactOptions, find, fixedOptions, motionOptions, queryOptions } from "./numbers.js";
+import { addMotion, addQuery, addRule, checkBatch, checkContactOptions, contactOptions, find, fixedOptions, motionOptions, queryOptions } from "./numbers.js";
 import { fromArrays, fromFile, Polyhedron } from "./polyhedron.js";
 import { addPoses } from "./poses.js";
 import { DraggedBody, Scene } from "./scene.js";
@@ -87,6 +87,7 @@ export class Chasles {
   /** One answer a motion, in order. */
   firstContactBatch(moving, fixed, starts, goals, options = {}) {
     checkBatch(starts, goals);
+    checkContactOptions(options);
     return Array.from(starts, (start, i) => {
       try {
         return this.firstContact(moving, fixed, start, goals[i], options);

@@ -43,13 +43,25 @@ function drawnPart({ drawRange }, count) {
 /** Whether a group with a material draws a corner. */
 const isInGroup = (groups, corner) => groups.some(({ start, count }) => corner >= start && corner < start + count);
 
-/** The corners of the triangles that are drawn. With a list of materials, only those in groups are. */
+/**
+ * The corners of the triangles that are drawn. With a list of materials, only those in groups are. So that a face has the id that its
+ * triangle has in three.js (`faceIndex`), a triangle in front of the last one that is not drawn becomes a corner of one that is: a face
+ * that adds nothing to the surface.
+ */
 function drawnCorners(geometry, { begin, end }, materials) {
   const { index: given, groups = [] } = geometry;
   const drawn = materials && groups.filter(({ materialIndex }) => materials[materialIndex ?? 0]);
+  const isDrawn = (i) => i >= begin && i < end && (!drawn || isInGroup(drawn, i));
+  const corner = (k) => (given ? given.getX(k) : k);
+  const shown = [];
+  for (let i = begin; i < end; i += 3) if (isDrawn(i)) shown.push(i);
+  if (shown.length === 0) return [];
+  const [first, last] = [shown[0], shown.at(-1)];
   const corners = [];
-  for (let i = begin; i < end; i += 3)
-    if (!drawn || isInGroup(drawn, i)) for (let k = i; k < i + 3; ++k) corners.push(given ? given.getX(k) : k);
+  for (let i = first % 3; i <= last; i += 3) {
+    const isShown = isDrawn(i);
+    for (let k = i; k < i + 3; ++k) corners.push(corner(isShown ? k : first));
+  }
   return corners;
 }
 
@@ -64,6 +76,8 @@ function refuseLooseGroups({ groups = [] }, { begin, end }) {
 function refuseDeformed(geometry) {
   if (geometry.morphAttributes?.position?.length > 0)
     refuse("geometry.morphAttributes.position: the shape depends on the influences of a mesh: fromObject3D(mesh) takes the shape that is drawn");
+  if (geometry.attributes?.skinIndex)
+    refuse('geometry.attributes.skinIndex: the shape depends on the bones of a mesh: fromObject3D(mesh) takes the shape that is drawn; a copy after deleteAttribute("skinIndex") is at rest');
   if (geometry.isInstancedBufferGeometry)
     refuse("geometry: is an InstancedBufferGeometry, which is many bodies: make one body, and give each a pose");
 }

@@ -2,8 +2,16 @@
 // The types of the package `chasles`, of `chasles/inline`, and of the global `chasles` of script.js, which have the same names.
 export as namespace chasles;
 
+/** A typed array of numbers of any kind, as the arrays of three.js's attributes are. */
+export interface NumberArray {
+  readonly BYTES_PER_ELEMENT: number;
+  readonly buffer: ArrayBufferLike;
+  readonly length: number;
+  readonly [i: number]: number;
+}
+
 /** Numbers of a point, of a direction, or of other coordinates. */
-export type Numbers = readonly number[] | Float64Array | Float32Array;
+export type Numbers = readonly number[] | NumberArray;
 
 /**
  * A pose: 3 numbers x y z, 7 numbers x y z qw qx qy qz (a quaternion of any non-zero length), or 16 numbers (a 4x4 matrix,
@@ -41,7 +49,11 @@ export type Point = [number, number, number];
 export type Verdict = "clear" | "contact" | "contact_at_start";
 export type Find = "first" | "any" | "first_with_all_contacts";
 
-/** A vertex is a number, a face a list of one number, an edge a list of its two vertices. Ids are those of the input. */
+/**
+ * A vertex is a number, a face a list of one number, an edge a list of its two vertices. Ids count the vertices and faces that were
+ * given, from 0. The faces of a geometry of three.js are counted as three.js does (`faceIndex`), also where a draw range or groups
+ * leave out triangles.
+ */
 export type Feature = number | [number] | [number, number];
 
 export interface Contact {
@@ -185,6 +197,7 @@ export interface MeshReport {
   edges: number;
   boundary_edges: number;
   nonmanifold_edges: number;
+  /** Faces without area that edges of other faces cover; and triangles of a geometry in front of the last drawn one that are not drawn. */
   dropped_faces: number;
   segments: number;
   closed: boolean;
@@ -203,7 +216,7 @@ export declare class Polyhedron {
   readonly faces: number[][];
   /** Triangles that cover the faces, three vertex ids each. */
   readonly triangles: Uint32Array;
-  /** The id of each face in the input. */
+  /** The id of each face in the input: what answers call it. */
   readonly sourceFaces: Uint32Array;
 }
 
@@ -236,9 +249,21 @@ export interface SceneOptions {
   until?: number | undefined;
 }
 
+/**
+ * What an answer about a scene says nothing about. Two bodies that both stand still are not tested ("at_rest"), also if they
+ * overlap, except with `until: 0`. "ignored": by `ignore` and `ignoreGroups`.
+ */
+export interface Untested {
+  /** How many pairs are tested, and how many are not. */
+  tested: number;
+  pairs: number;
+  /** Each pair counts for one reason. `pairs` has their names, at most 100 of each reason. */
+  reasons: { reason: "at_rest" | "ignored"; count: number; pairs: [string, string][] }[];
+}
+
 /** The keys of `chasles scene --json`. */
 export type SceneContact =
-  | { verdict: "clear"; clear_until: number; work: Work }
+  | { verdict: "clear"; clear_until: number; work: Work; untested: Untested }
   | (ContactParts & {
       verdict: "contact" | "contact_at_start";
       /** With `hold`: the contacts of the pair at time 0. */
@@ -249,12 +274,14 @@ export type SceneContact =
       /** Further pairs that may touch at the same time. */
       simultaneous?: [string, string][];
       work: Work;
+      untested: Untested;
     });
 
 export interface SceneEvents {
   /** `contacts` may be empty for a pair that overlaps at time 0. */
   events: { time: number; time_upper: number; certain: boolean; pair: [string, string]; contacts: Contact[] }[];
   work: Work;
+  untested: Untested;
 }
 
 export interface Scene extends Held {}
@@ -327,6 +354,13 @@ export type Wrench = [number, number, number, number, number, number];
 export interface DragStep {
   /** The pose reached. */
   pose: PoseNumbers;
+  /**
+   * "reached": the body is at the goal; with a lock, as near to it as the lock allows.
+   * "resting": contacts hold the body against the pull of the hand; the next update to the same goal changes nothing.
+   * "moving": the rounds or the seconds of the update were used up; the next update goes on.
+   * "touching": the body touches or overlaps the bodies of `touching`, and stays where it is. A body that touches exactly has no
+   * gap to move in: `scene.move` it a hair away, more than a millionth of the margin, before a hand takes it.
+   */
   state: "reached" | "resting" | "moving" | "touching";
   /** With the force along the normal, and the friction force across it, both on the dragged body. */
   contacts: (Contact & { body: string; force: number; friction: Point })[];
@@ -335,7 +369,9 @@ export interface DragStep {
   wrench: Wrench;
   /** Of the goal, mesh unit. */
   distance: number;
+  /** Bodies that push, or at which the last step ended. */
   blocking: string[];
+  /** With the state "touching": the bodies that are nearer than a millionth of the margin. */
   touching: string[];
   /** The way, in screws that are proven clear until a time. */
   pieces: { start: PoseNumbers; goal: PoseNumbers; until: number; clearance: number }[];
@@ -413,16 +449,17 @@ export declare class Chasles {
   /** A body of points, and of triangles in one array or of faces with three corners or more. */
   polyhedron(
     vertices: Numbers | readonly Numbers[],
-    faces: readonly number[] | Uint32Array | Uint16Array | Int32Array | readonly (readonly number[] | Uint32Array)[],
+    faces: Numbers | readonly Numbers[],
     options?: { triangulate?: boolean | undefined },
   ): Polyhedron;
   /** A body of the content of an OBJ, OFF, PLY or STL file; the extension of the name says which. */
   fromFile(content: Uint8Array | ArrayBuffer, name: string, options?: { triangulate?: boolean | undefined }): Polyhedron;
-  /** A body of a geometry of three.js. Vertices at equal places count as one. */
+  /** A body of a geometry of three.js. Vertices at equal places count as one. Where a mesh decides about the shape, `fromObject3D` takes it. */
   fromBufferGeometry(geometry: GeometryLike, options?: { triangulate?: boolean | undefined }): Polyhedron;
   /**
    * A body of a Mesh of three.js as it is drawn in the world, and its pose: scale, shear and mirroring are in the body, and so are
    * morph targets and bones as they are now. Of a mesh with a list of materials, the triangles of its groups are taken.
+   * `visible` is not read: a hidden object is a body, and so are triangles whose material is hidden.
    */
   fromObject3D(mesh: MeshLike, options?: { triangulate?: boolean | undefined }): MeshBody;
   scene(): Scene;

@@ -1,6 +1,6 @@
 // The plain build: chasles.wasm is a file beside this one.
 import { Chasles } from "./chasles.js";
-import { compiled } from "./module.js";
+import { besideScript, compiled } from "./module.js";
 import { fromFile } from "./new_worker.js";
 import { checkOptions } from "./values.js";
 
@@ -12,6 +12,6 @@ export { DraggedBody, Scene } from "./scene.js";
 /** Makes an instance of the library. `wasm` stands for chasles.wasm if that lies elsewhere. */
 export async function load(options = {}) {
   checkOptions(options, ["wasm"]);
-  const { wasm = new URL("./chasles.wasm", import.meta.url) } = options;
+  const { wasm = besideScript(() => new URL("./chasles.wasm", import.meta.url)) } = options;
   return Chasles.of(await compiled(wasm), fromFile);
 }

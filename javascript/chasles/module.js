@@ -4,7 +4,7 @@ import { InvalidInput } from "./errors.js";
 const isNode = Boolean(globalThis.process?.versions?.node);
 const schemesOfNode = ["http:", "https:", "file:", "data:", "blob:"];
 const wayOut = isNode
-  ? "give the bytes of chasles.wasm, or pathToFileURL(path) of node:url"
+  ? 'give the bytes of chasles.wasm, or pathToFileURL(path) of node:url, or import "chasles/inline", which needs no file'
   : 'import "chasles/inline", which fetches nothing, or give load({ wasm: url }) the address of chasles.wasm';
 
 function refuse(what) {
@@ -38,6 +38,7 @@ function compileBytes(given, where) {
 
 async function compileResponse(response) {
   const address = response.url || "the response";
+  if (response.bodyUsed || response.body?.locked) refuse(`${address} has been read already`);
   if (!response.ok) refuse(`${address} answers with status ${response.status}`);
   const type = response.headers.get("Content-Type") ?? "";
   if (type.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
@@ -63,7 +64,17 @@ async function compiledFrom(given) {
 function inWords(error) {
   if (/content security policy|unsafe-eval/i.test(error.message))
     return new InvalidInput("wasm: the Content-Security-Policy of the page forbids WebAssembly: its script-src needs 'wasm-unsafe-eval'");
+  if (error instanceof WebAssembly.CompileError) return new InvalidInput(`wasm: is damaged or cut off, or needs a newer engine (${error.message}): ${wayOut}`);
   return error;
+}
+
+/** chasles.wasm beside a script. `find` makes the URL: it stands in the script, where bundlers see it. Bundles as CommonJS have no address. */
+export function besideScript(find) {
+  try {
+    return find();
+  } catch {
+    return refuse("this bundle does not know its own address, so that chasles.wasm is not found beside it");
+  }
 }
 
 /** `source`: a URL, a Response, bytes, or a module; or a promise of one. */

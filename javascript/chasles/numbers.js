@@ -15,7 +15,7 @@ export const contactOptions = [...queryOptions, ...motionOptions, ...fixedOption
 
 /** A flag, and the value behind it if there is one. */
 function addOptional(numbers, value, add, name) {
-  const isGiven = value !== undefined && value !== null;
+  const isGiven = value !== undefined;
   numbers.push(isGiven ? 1 : 0);
   if (isGiven) add(numbers, value, name);
   return numbers;
@@ -63,6 +63,14 @@ export function addMotion(numbers, start, goal, options) {
   addPose(numbers, options.fixedStart, "fixedStart");
   addPose(numbers, options.fixedGoal, "fixedGoal");
   return addOptional(numbers, options.fixedCentre, addCounted, "fixedCentre");
+}
+
+const still = [0, 0, 0];
+
+/** Refuses options of a first contact as the question itself does, before a batch begins. */
+export function checkContactOptions(options) {
+  checkOptions(options, contactOptions);
+  addMotion(addQuery([], options), still, still, options);
 }
 
 const worldForms = { poses: 0, track: 1, spline: 2, b_spline: 3 };

@@ -1,5 +1,6 @@
 // Many bodies in one world, and a body in a hand.
 import { dragStep, sceneContact, sceneEvents } from "./answers.js";
+import { InvalidInput } from "./errors.js";
 import { Held } from "./held.js";
 import { addDrag, addQuery, addWorldMotion, addWorldRule, dragOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
@@ -151,6 +152,7 @@ export class DraggedBody extends Held {
   update(goal, seconds = 0) {
     const { border, handle } = this.#own();
     border.giveNumbers(addPose([], goal, "goal"));
+    if (Number.isNaN(seconds)) throw new InvalidInput("seconds: NaN is not a number; 0 is no bound");
     return dragStep(border.read("hand_update", handle, number(seconds, "seconds")), Scene.namesOf(this.#scene));
   }
 

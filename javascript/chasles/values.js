@@ -1,11 +1,21 @@
 // Arguments of any kind: checked, and refused in words.
 import { InvalidInput } from "./errors.js";
 
-/** Options are an object without other keys than these. */
+const limits =
+  'only update(goal, seconds) of a dragged body has a limit; a question ends with the worker that it runs in: README, "Limits and cancelling"';
+/** What is an option elsewhere, and how it is done here. */
+const wayOutOf = { seconds: limits, signal: limits, timeout: limits, limit: limits };
+
+/** Options are an object without other keys than these. Only `undefined` counts as left out. */
 export function checkOptions(options, known, name = "options") {
   if (Object.prototype.toString.call(options) !== "[object Object]") throw new InvalidInput(`${name}: must be an object with ${known.join(", ")}`);
-  for (const key of Object.keys(options))
-    if (!known.includes(key)) throw new InvalidInput(`${key}: is no option here; there are ${known.join(", ")}`);
+  for (const key of Object.keys(options)) {
+    if (!known.includes(key)) {
+      const wayOut = Object.hasOwn(wayOutOf, key) ? ` (${wayOutOf[key]})` : "";
+      throw new InvalidInput(`${key}: is no option here${wayOut}; there are ${known.join(", ")}`);
+    }
+    if (options[key] === null) throw new InvalidInput(`${key}: is null, which is no value: leave it out, or give undefined`);
+  }
 }
 
 /** A number, or the default if there is none. Its range is checked by the library. */
@@ -14,6 +24,9 @@ export function number(value, name, byDefault) {
   if (typeof value !== "number") throw new InvalidInput(`${name}: ${shown(value)} is not a number`);
   return value;
 }
+
+/** A message of the library, which writes `max_turn` for `maxTurn` in front of its colon. */
+export const inJavaScript = (message) => message.replace(/^((?:\w+: )?)(max_turn|time_tolerance)(?=:)/, (_, asked, name) => asked + name.replace(/_(.)/, (_, letter) => letter.toUpperCase()));
 
 export function text(value, name) {
   if (typeof value !== "string") throw new InvalidInput(`${name}: ${shown(value)} is not a text`);

@@ -30,18 +30,20 @@ const tasks = {
   batch,
 };
 
-async function answered(message) {
+/** Every job is answered, also one whose answer cannot be sent. */
+async function answer(message, post) {
+  const { job } = message;
   try {
-    return { job: message.job, answer: await tasks[message.task](message) };
+    post({ job, answer: await tasks[message.task](message) });
   } catch (error) {
-    return { job: message.job, error: { message: error.message, isInput: error instanceof InvalidInput } };
+    post({ job, error: { message: error.message, isInput: error instanceof InvalidInput } });
   }
 }
 
 if (globalThis.process?.versions?.node) {
   const threads = "node:worker_threads";
-  const listen = ({ parentPort }) => parentPort.on("message", async (message) => parentPort.postMessage(await answered(message)));
+  const listen = ({ parentPort }) => parentPort.on("message", (message) => answer(message, (said) => parentPort.postMessage(said)));
   import(/* @vite-ignore */ /* webpackIgnore: true */ threads).then(listen); // no "await": script.js has no modules
 } else {
-  globalThis.onmessage = async ({ data }) => globalThis.postMessage(await answered(data));
+  globalThis.onmessage = ({ data }) => answer(data, (said) => globalThis.postMessage(said));
 }

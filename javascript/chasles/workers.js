@@ -1,7 +1,7 @@
 // Workers with an instance each: Web Workers in a browser, worker threads in Node.js.
 import { InvalidInput } from "./errors.js";
 import { dispose, Held } from "./held.js";
-import { checkBatch, contactOptions } from "./numbers.js";
+import { checkBatch, checkContactOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
 import { copiedPose } from "./poses.js";
 import { checkOptions } from "./values.js";
@@ -18,10 +18,25 @@ function adapted(worker) {
 async function startWorker(make, newWorker) {
   if (make !== undefined && typeof make !== "function") throw new InvalidInput("worker: must be a function that makes a Worker");
   if (make) return adapted(await make());
-  if (!isNode) return adapted(newWorker.inBrowser());
+  if (!isNode) return adapted(started(() => newWorker.inBrowser()));
   const threads = "node:worker_threads"; // a name that bundlers for browsers do not follow
   const { Worker: NodeWorker } = await import(/* @vite-ignore */ /* webpackIgnore: true */ threads);
-  return adapted(newWorker.inNode(NodeWorker));
+  return adapted(started(() => newWorker.inNode(NodeWorker)));
+}
+
+/** Pages may forbid workers, and bundles as CommonJS do not know their own address. */
+function started(start) {
+  try {
+    return start();
+  } catch (error) {
+    throw new Error(notStarted(error.message), { cause: error });
+  }
+}
+
+/** What a worker of Node.js fails with. */
+function failureOf(error) {
+  const isScriptMissing = ["MODULE_NOT_FOUND", "ERR_MODULE_NOT_FOUND"].includes(error?.code);
+  return isScriptMissing ? new Error(notStarted(error.message), { cause: error }) : error;
 }
 
 /** While it waits for nothing, a worker does not keep the process alive. */
@@ -32,23 +47,26 @@ function nodeWorker(worker) {
     receive: (onMessage, onError) =>
       worker
         .on("message", onMessage)
-        .on("error", onError)
+        .on("error", (error) => onError(failureOf(error)))
+        .on("messageerror", () => onError(new Error(notRead)))
         .on("exit", () => onError(new Error("chasles: a worker has ended"))),
     wait: (isWaiting) => (isWaiting ? worker.ref() : worker.unref()),
     stop: () => void worker.terminate(),
   };
 }
 
-const notStarted =
-  'chasles: a worker cannot be started: its script was not found, or the page forbids it (worker-src); import "chasles/inline", which has the ' +
-  "script in itself, or give workers({ worker }) a function that makes a Worker of chasles/worker";
+const notRead = "chasles: an answer of a worker could not be read";
+const notStarted = (reason) =>
+  `chasles: a worker cannot be started: its script was not found${isNode ? "" : ", or the page forbids it (worker-src)"}${reason ? ` (${reason})` : ""}; ` +
+  'import "chasles/inline", which has the script in itself, or give workers({ worker }) a function that makes a Worker of chasles/worker';
 
 function webWorker(worker) {
   return {
     send: (message) => worker.postMessage(message),
     receive: (onMessage, onError) => {
       worker.onmessage = ({ data }) => onMessage(data);
-      worker.onerror = (event) => onError(new Error(event.message ? `chasles: a worker failed: ${event.message}` : notStarted));
+      worker.onmessageerror = () => onError(new Error(notRead));
+      worker.onerror = (event) => onError(new Error(event.message ? `chasles: a worker failed: ${event.message}` : notStarted()));
     },
     wait: () => undefined,
     stop: () => worker.terminate(),
@@ -76,7 +94,14 @@ function answeredInTime(answers) {
 
 const notAnswered = `chasles: a worker has not answered for ${patience} seconds: the script that workers({ worker }) starts must run chasles/worker`;
 
-const cores = () => globalThis.navigator?.hardwareConcurrency ?? 4;
+const coresByDefault = 4; // of a browser that does not say
+
+async function cores() {
+  if (!isNode) return Math.min(globalThis.navigator?.hardwareConcurrency ?? coresByDefault, most);
+  const system = "node:os"; // a name that bundlers for browsers do not follow
+  const { availableParallelism } = await import(/* @vite-ignore */ /* webpackIgnore: true */ system);
+  return Math.min(availableParallelism(), most);
+}
 
 /** A worker with the jobs that it has not answered yet. */
 class Mate {
@@ -97,7 +122,12 @@ class Mate {
     return new Promise((resolve, reject) => {
       this.#waiting.set(job, { resolve, reject });
       this.#worker.wait(true);
-      this.#worker.send({ ...message, job });
+      try {
+        this.#worker.send({ ...message, job });
+      } catch (error) {
+        reject(error); // nothing has been sent, and no answer comes
+        this.#forget(job);
+      }
     });
   }
 
@@ -142,11 +172,16 @@ class Mate {
     this.#worker.stop();
   }
 
-  #settle({ job, answer, error }) {
-    const waiting = this.#waiting.get(job);
+  #forget(job) {
     this.#waiting.delete(job);
-    if (!waiting) return;
     if (this.#waiting.size === 0) this.#worker.wait(false);
+  }
+
+  #settle(message) {
+    const { job, answer, error } = message ?? {}; // the script of a user may say other things, too
+    const waiting = this.#waiting.get(job);
+    if (!waiting) return;
+    this.#forget(job);
     if (!error) waiting.resolve(answer);
     else waiting.reject(error.isInput ? new InvalidInput(error.message) : new Error(error.message));
   }
@@ -157,12 +192,14 @@ function copiedPoses(list, name) {
   return Array.from(list, (pose, i) => copiedPose(pose, `motion ${i}: ${name}`));
 }
 
-/** Options that can be sent: poses in them may be objects of three.js. */
+/** Options that can be sent: numbers, texts and arrays. Poses in them may be objects of three.js. */
 function copiedOptions(options) {
-  checkOptions(options, contactOptions);
+  checkContactOptions(options);
   const copied = { ...options };
   for (const name of ["fixedStart", "fixedGoal"])
     if (options[name] !== undefined) copied[name] = copiedPose(options[name], name);
+  for (const name of ["centre", "fixedCentre"])
+    if (options[name] !== undefined) copied[name] = Array.from(options[name]);
   return copied;
 }
 
@@ -176,7 +213,7 @@ export class Workers {
 
   static async start(border, newWorker, options) {
     checkOptions(options, ["count", "worker"]);
-    const { count = cores(), worker } = options;
+    const { count = await cores(), worker } = options;
     if (!Number.isInteger(count) || count < 1 || count > most) throw new InvalidInput(`count: must be a whole number from 1 to ${most}`);
     const workers = new Workers(border);
     try {
@@ -206,8 +243,9 @@ export class Workers {
     const answers = new Array(chunks.length);
     let next = 0;
     const run = async (mate) => {
-      const held = [mate.hold(moving), mate.hold(fixed)];
+      const held = [];
       try {
+        for (const body of [moving, fixed]) held.push(mate.hold(body));
         while (next < chunks.length) {
           const chunk = next++;
           answers[chunk] = await mate.ask({ task: "batch", moving: held[0].number, fixed: held[1].number, ...chunks[chunk], options: sent });

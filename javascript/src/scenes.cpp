@@ -36,14 +36,26 @@ SceneQuery query_in() {
     return query;
 }
 
-/// The verdict, the time until which all is clear, and each contact with the indices of its bodies.
-void write(Numbers& out, const SceneAnswer& found) {
+/// How many pairs are tested, the counts of the others by reason, and the reason and the bodies of each named pair.
+void write(Numbers& out, const Scene& scene, const UntestedPairs& untested) {
+    out.insert(out.end(), {double(untested.tested), double(untested.counts.size())});
+    for (const std::size_t count : untested.counts)
+        out.push_back(double(count));
+    out.push_back(double(untested.named.size()));
+    for (const UntestedPair& pair : untested.named)
+        out.insert(out.end(), {double(pair.reason), double(scene.index_of(pair.first)), double(scene.index_of(pair.second))});
+}
+
+/// The verdict, the time until which all is clear, and each contact with the indices of its bodies; the work, and what is
+/// not tested, with names, which take time only where something is left out.
+void write(Numbers& out, const Scene& scene, const SceneQuery& query, const SceneAnswer& found) {
     out.insert(out.end(), {double(found.verdict), found.clear_until, double(found.contacts.size())});
     for (const SceneContact& contact : found.contacts) {
         out.insert(out.end(), {double(contact.moving), double(contact.fixed)});
         javascript::write(out, contact.contact);
     }
     javascript::write(out, found.work);
+    write(out, scene, found.untested.total() > 0 ? scene.untested(query) : found.untested);
 }
 
 enum class Question : std::uint8_t { first_contact, all_contacts, clear_until };
@@ -52,9 +64,9 @@ void answer_scene(Numbers& out, const Scene& scene, Question question) {
     const SceneQuery query = query_in();
     switch (question) {
     case Question::first_contact:
-        return write(out, scene.first_contact(query));
+        return write(out, scene, query, scene.first_contact(query));
     case Question::all_contacts:
-        return write(out, scene.all_contacts(query));
+        return write(out, scene, query, scene.all_contacts(query));
     case Question::clear_until:
         break;
     }

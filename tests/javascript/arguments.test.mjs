@@ -1,9 +1,11 @@
 // Holes in arrays, options of load, and ways to the module: refused in words, with a way out.
 import assert from "node:assert/strict";
+import { spawnSync } from "node:child_process";
 import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { buildSync } from "esbuild";
 import { load } from "chasles";
 import { load as loadInline } from "chasles/inline";
 import { box, refusal } from "./shapes.mjs";
@@ -51,6 +53,71 @@ test("holes and missing numbers are refused with their index, in every array", (
   assert.match(refusal(() => chasles.polyhedron(vertices, [withHole([0, 1, 3, 2], 1), ...faces])), /^faces\[0\]: there is no vertex undefined/);
 });
 
+test("null is no value of any option, and undefined counts as left out", async () => {
+  const scene = chasles.scene();
+  scene.add("a", cube);
+  const motion = ["motion", "centre", "maxTurn"];
+  const fixed = ["fixedStart", "fixedGoal", "fixedCentre"];
+  const query = ["margin", "hold", "timeTolerance", "find"];
+  const places = ["pose", "goal", "motion", "centre", "poses", "times"];
+  const workers = await chasles.workers({ count: 1 });
+  const asked = [
+    [["triangulate"], (options) => chasles.polyhedron(vertices, faces, options)],
+    [["triangulate"], (options) => chasles.fromFile(new Uint8Array(1), "a.obj", options)],
+    [[...query, ...motion, ...fixed], (options) => chasles.firstContact(cube, cube, far, far, options)],
+    [[...query, ...motion, ...fixed], (options) => chasles.firstContactBatch(cube, cube, [far], [far], options)],
+    [[...query, ...motion, ...fixed], (options) => workers.firstContactBatch(cube, cube, [far], [far], options)],
+    [["margin", ...motion, ...fixed], (options) => chasles.isClear(cube, cube, far, far, options)],
+    [[...query, ...motion], (options) => chasles.firstContactOnPath(cube, cube, [far, far], options)],
+    [["tolerance", "timeTolerance", "find", ...motion, ...fixed], (options) => chasles.leastDistance(cube, cube, far, far, options)],
+    [[...motion, ...fixed], (options) => chasles.poseAt(far, far, 0, options)],
+    [[...places, "group"], (options) => scene.add("b", cube, options)],
+    [places, (options) => scene.move("a", { pose: far, ...options })],
+    [["motion"], (options) => scene.moveAll([far], [far], options)],
+    [[...query, "until"], (options) => scene.firstContact(options)],
+    [["margin", "reach", "stiffness", "rounds", "friction", "mass", "lock"], dragged],
+    [["centre", "inertia"], (mass) => dragged({ mass: { inertia: [1, 0, 0, 0, 1, 0, 0, 0, 1], ...mass } })],
+    [["direction", "point", "kind"], (lock) => dragged({ lock: { kind: "hinge", ...lock } })],
+    [["count", "worker"], (options) => chasles.workers(options)],
+    [["wasm"], (options) => load(options)],
+  ];
+  for (const [names, ask] of asked)
+    for (const name of names) assert.equal(await rejected(() => ask({ [name]: null })), `${name}: is null, which is no value: leave it out, or give undefined`);
+  workers.stop();
+});
+
+/** The refusal of a question that answers at once or by a promise. */
+async function rejected(ask) {
+  try {
+    await ask();
+  } catch (error) {
+    return refusal(() => {
+      throw error;
+    });
+  }
+  return "";
+}
+
+test("limits that other libraries have as options are refused with the way out", async () => {
+  for (const name of ["seconds", "signal", "timeout", "limit"]) {
+    assert.match(refusal(() => chasles.firstContact(cube, cube, far, far, { [name]: 1 })), new RegExp(`^${name}: is no option here \\(.*README, "Limits and cancelling"\\); there are margin`));
+    assert.match(refusal(() => dragged({ [name]: 1 })), /update\(goal, seconds\)/);
+  }
+  const readme = await readFile(new URL(import.meta.resolve("chasles/package.json").replace("package.json", "README.md")), "utf8");
+  assert.match(readme, /^## Limits and cancelling$/m);
+});
+
+test("messages name options as JavaScript does", () => {
+  const asked = { maxTurn: 0, timeTolerance: 2 };
+  for (const [name, value] of Object.entries(asked)) {
+    const message = refusal(() => chasles.firstContact(cube, cube, far, [0, 0, 0], { [name]: value }));
+    assert.match(message, new RegExp(`^\\w+: ${name}: must be`));
+  }
+  const scene = chasles.scene();
+  scene.add("a", cube);
+  assert.equal(refusal(() => chasles.draggedBody(scene, "a").update(far, NaN)), "seconds: NaN is not a number; 0 is no bound");
+});
+
 function dragged(options) {
   const scene = chasles.scene();
   scene.add("a", cube);
@@ -62,7 +129,7 @@ test("options are objects with known keys, also those of load", async () => {
     assert.match(await refusal(start({ wsm: "x" })), /^wsm: is no option here; there are wasm$/);
     for (const options of [null, "chasles.wasm", new URL("file:///chasles.wasm"), new Uint8Array(8), []])
       assert.match(await refusal(start(options)), /^options: must be an object with wasm$/);
-    assert.match(await refusal(start({ wasm: null })), /^wasm: null is no URL, Response, bytes or WebAssembly\.Module: give/);
+    assert.match(await refusal(start({ wasm: 3 })), /^wasm: 3 is no URL, Response, bytes or WebAssembly\.Module: give/);
   }
   assert.match(refusal(() => chasles.firstContact(cube, cube, far, far, new Map([["margin", 1]]))), /^options: must be an object with margin/);
   assert.match(await refusal(chasles.workers({ worker: "worker.js" })), /^worker: must be a function that makes a Worker/);
@@ -71,7 +138,7 @@ test("options are objects with known keys, also those of load", async () => {
 
 test("a way to the module that does not lead there is refused with a way out", async () => {
   const path = fileURLToPath(import.meta.resolve("chasles/chasles.wasm"));
-  const wayOut = /: give the bytes of chasles\.wasm, or pathToFileURL\(path\) of node:url$/;
+  const wayOut = /: give the bytes of chasles\.wasm, or pathToFileURL\(path\) of node:url, or import "chasles\/inline", which needs no file$/;
   for (const wasm of [path, "./chasles.wasm", "chasles.wasm", "C:\\chasles.wasm"]) {
     const message = await refusal(load({ wasm }));
     assert.ok(message.startsWith(`wasm: "${wasm}" is no URL`), message);
@@ -83,6 +150,48 @@ test("a way to the module that does not lead there is refused with a way out", a
   const empty = Uint8Array.from([0, 97, 115, 109, 1, 0, 0, 0]);
   assert.match(await refusal(load({ wasm: empty })), /^wasm: is another module than chasles\.wasm/);
   assert.ok(await load({ wasm: import.meta.resolve("chasles/chasles.wasm") }), "an address as text");
+  const whole = await readFile(path);
+  for (const start of [load, loadInline])
+    for (const size of [4, 5000, whole.length - 1]) {
+      const message = await refusal(start({ wasm: whole.subarray(0, size) }));
+      assert.match(message, /^wasm: is damaged or cut off, or needs a newer engine \(/);
+      assert.match(message, wayOut);
+    }
+  const response = new Response(whole);
+  await response.arrayBuffer();
+  assert.match(await refusal(load({ wasm: response })), /^wasm: the response has been read already: /);
+  const watched = new Response(whole);
+  watched.body.getReader();
+  assert.match(await refusal(load({ wasm: watched })), /^wasm: the response has been read already: /);
+});
+
+test("bundles for Node.js: what does not find its files says so, and the inlined build needs none", () => {
+  const questions = {
+    plain: 'import { load } from "chasles"; const instance = load();',
+    bytes: 'import { load } from "chasles"; import { readFileSync } from "node:fs"; const instance = load({ wasm: readFileSync(process.argv[2]) });',
+    inline: 'import { load } from "chasles/inline"; const instance = load();',
+  };
+  const end = "instance.then((it) => it.workers({ count: 1 })).then((workers) => (workers.stop(), workers.count)).catch(({ message }) => message).then(console.log);";
+  const said = {};
+  for (const [name, question] of Object.entries(questions))
+    for (const [format, extension] of [["cjs", "cjs"], ["esm", "mjs"]]) {
+      const outfile = fileURLToPath(new URL(`./bundles_for_node/${name}.${extension}`, import.meta.url));
+      buildSync({ stdin: { contents: question + end, resolveDir: import.meta.dirname }, bundle: true, platform: "node", format, outfile, logLevel: "error" });
+      const { stdout, stderr } = spawnSync(process.execPath, [outfile, fileURLToPath(import.meta.resolve("chasles/chasles.wasm"))], { encoding: "utf8" });
+      said[`${name} ${format}`] = stdout.trim() || stderr;
+    }
+  assert.match(said["plain cjs"], /^wasm: this bundle does not know its own address, .* or import "chasles\/inline", which needs no file$/);
+  assert.match(said["plain esm"], /^wasm: file:.*chasles\.wasm cannot be read \(ENOENT.* or import "chasles\/inline", which needs no file$/);
+  for (const format of ["cjs", "esm"]) {
+    assert.match(said[`bytes ${format}`], /^chasles: a worker cannot be started: its script was not found \(.*\); import "chasles\/inline"/);
+    assert.equal(said[`inline ${format}`], "1");
+  }
+});
+
+test("require() where Node.js loads modules so", { skip: process.features.require_module ? false : "skipped: this Node.js does not" }, () => {
+  const program = 'const { load } = require("chasles"); load().then(({ held }) => console.log(held.polyhedra));';
+  const { stdout, stderr } = spawnSync(process.execPath, ["--input-type=commonjs", "-e", program], { encoding: "utf8", cwd: import.meta.dirname });
+  assert.equal(stdout, "0\n", stderr);
 });
 
 test("what a server answers: a web page, an error, the module without its type", async () => {

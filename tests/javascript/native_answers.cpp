@@ -163,7 +163,9 @@ Json Answerer::scene_json(const Json& json) const {
     const Scene scene = scene_in(json);
     const SceneQuery query{.options = options_in(json), .until = json.value("until", 1.0)};
     const bool all = json.value("all", false);
-    return view::scene_answer_json(scene, all ? scene.all_contacts(query) : scene.first_contact(query), all);
+    SceneAnswer answer = all ? scene.all_contacts(query) : scene.first_contact(query);
+    answer.untested = scene.untested(query); // with names
+    return view::scene_answer_json(scene, answer, all);
 }
 
 Json Answerer::drag_json(const Json& json) const {

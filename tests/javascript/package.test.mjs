@@ -334,6 +334,37 @@ test("scenes: adding, moving, removing, rules", () => {
   assert.deepEqual(scene.names, ["c", "b"]);
 });
 
+test("scenes: what is not tested, by reason and by name", () => {
+  const scene = chasles.scene();
+  const names = ["a", "b", "c", "d"];
+  for (const name of names) scene.add(name, cube); // all at one place
+  const nothing = { tested: 6, pairs: 0, reasons: [] };
+  assert.deepEqual(scene.firstContact({ until: 0 }).untested, nothing, "at time 0 bodies at rest are tested, too");
+  const pairs = [["a", "b"], ["a", "c"], ["a", "d"], ["b", "c"], ["b", "d"], ["c", "d"]];
+  const resting = scene.firstContact();
+  assert.deepEqual([resting.verdict, resting.untested], ["clear", { tested: 0, pairs: 6, reasons: [{ reason: "at_rest", count: 6, pairs }] }]);
+  scene.move("a", { pose: far, goal: [0, 0, 0] });
+  scene.ignore("a", "c");
+  scene.add("e", cube, { pose: [0, 9, 0], group: "left out" });
+  scene.ignoreGroups("", "left out");
+  const expected = {
+    tested: 2,
+    pairs: 8,
+    reasons: [
+      { reason: "at_rest", count: 3, pairs: [["b", "c"], ["b", "d"], ["c", "d"]] },
+      { reason: "ignored", count: 5, pairs: [["a", "c"], ["a", "e"], ["b", "e"], ["c", "e"], ["d", "e"]] },
+    ],
+  };
+  for (const answer of [scene.firstContact(), scene.allContacts()]) assert.deepEqual(answer.untested, expected);
+  assert.ok(scene.firstContact().work.node_pairs >= 0);
+  scene.remove("b"); // the last body takes its index
+  assert.deepEqual(scene.firstContact().untested.reasons[0], { reason: "at_rest", count: 1, pairs: [["c", "d"]] });
+  const many = chasles.scene();
+  for (let i = 0; i < 20; ++i) many.add(`body ${i}`, cube);
+  const [{ count, pairs: named }] = many.firstContact().untested.reasons;
+  assert.deepEqual([count, named.length], [190, 100]);
+});
+
 test("scenes: a body is moved from a pose that is given, never from the origin by default", () => {
   const scene = chasles.scene();
   scene.add("a", cube, { pose: far });

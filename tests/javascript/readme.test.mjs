@@ -5,9 +5,25 @@ import { spawnSync } from "node:child_process";
 import { readFileSync, writeFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 import { test } from "node:test";
+import { Worker } from "node:worker_threads";
+import { box } from "./shapes.mjs";
 
 const readme = fileURLToPath(import.meta.resolve("chasles/package.json")).replace("package.json", "README.md");
 const guide = fileURLToPath(new URL("./javascript.md", import.meta.url));
+
+test("the worker of the guide answers", async () => {
+  const [, code] = /```javascript\n(\/\/ asking\.js\n.*?)```/s.exec(readFileSync(guide, "utf8"));
+  const self = `import { parentPort } from "node:worker_threads";
+    globalThis.self = { set onmessage(work) { parentPort.on("message", (data) => work({ data })); }, postMessage: (answer) => parentPort.postMessage(answer) };`;
+  writeFileSync(new URL("./self.mjs", import.meta.url), self);
+  writeFileSync(new URL("./asking.mjs", import.meta.url), `import "./self.mjs";\n${code}`);
+  const worker = new Worker(new URL("./asking.mjs", import.meta.url));
+  const answer = new Promise((resolve, reject) => worker.on("message", resolve).on("error", reject));
+  worker.postMessage({ points: box().vertices, faces: box().faces, path: [[5, 0, 0], [4, 0, 0], [0, 0, 0]] });
+  const { verdict, segment } = await answer;
+  assert.deepEqual([verdict, segment], ["contact", 1]);
+  await worker.terminate();
+});
 
 for (const [name, document, fewest] of [["README", readme, 9], ["guide", guide, 5]]) {
   test(`the code of the ${name} prints what it says`, () => {

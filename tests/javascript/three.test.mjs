@@ -3,8 +3,9 @@ import assert from "node:assert/strict";
 import { test } from "node:test";
 import { load } from "chasles";
 import {
-  Bone, BoxGeometry, BufferAttribute, BufferGeometry, EdgesGeometry, Float32BufferAttribute, Group, InstancedMesh, InterleavedBuffer, InterleavedBufferAttribute,
-  LineSegments, Matrix4, Mesh, MeshBasicMaterial, Object3D, Points, Quaternion, Skeleton, SkinnedMesh, Vector3, WireframeGeometry,
+  Bone, BoxGeometry, BufferAttribute, BufferGeometry, DoubleSide, EdgesGeometry, Float32BufferAttribute, Group, InstancedMesh, InterleavedBuffer, InterleavedBufferAttribute,
+  LineSegments, Matrix4, Mesh, MeshBasicMaterial, Object3D, PlaneGeometry, Points, Quaternion, Raycaster, Skeleton, SkinnedMesh, TetrahedronGeometry, Vector3,
+  WireframeGeometry,
 } from "three";
 import { LineSegments2 } from "three/examples/jsm/lines/LineSegments2.js";
 import { box, randomNumbers, refusal } from "./shapes.mjs";
@@ -188,6 +189,49 @@ test("draw range, groups and materials: what is drawn is the body", () => {
   assert.equal(faces(chasles.fromBufferGeometry(new BoxGeometry(1, 1, 1))).length, 12, "six groups");
 });
 
+/** The first contact of a small body that falls on a mesh at a place, and what three.js says about this place. */
+function faceBelow(mesh, body, x, y) {
+  const pin = chasles.fromBufferGeometry(new TetrahedronGeometry(0.05));
+  const { contacts } = chasles.firstContact(pin, body, [x, y, 2], [x, y, -2]);
+  const [hit] = new Raycaster(new Vector3(x, y, 2), new Vector3(0, 0, -1)).intersectObject(mesh);
+  return [contacts[0].fixed_feature, [hit.faceIndex]];
+}
+
+test("faces have the ids that three.js gives them, with a draw range, groups and without an index", () => {
+  const both = new MeshBasicMaterial({ side: DoubleSide });
+  const strip = new PlaneGeometry(10, 1, 10, 1); // two triangles for each unit of x
+  for (const geometry of [strip, strip.toNonIndexed()])
+    for (const [start, count] of [[0, Infinity], [30, 30], [27, 12], [33, Infinity], [3, 54]]) {
+      geometry.setDrawRange(start, count);
+      const body = chasles.fromBufferGeometry(geometry);
+      const last = Math.min(start + count, 60);
+      assert.deepEqual([...body.sourceFaces], Array.from({ length: (last - start) / 3 }, (_, i) => start / 3 + i));
+      assert.deepEqual([body.report.dropped_faces, body.report.segments], [start / 3, 0]);
+      for (let i = Math.ceil(start / 6); i < Math.floor(last / 6); ++i) {
+        const [found, expected] = faceBelow(new Mesh(geometry, both), body, i - 4.5, 0.2);
+        assert.deepEqual(found, expected, `${start} ${count}: ${i}`);
+      }
+    }
+  const cut = new PlaneGeometry(10, 1, 10, 1);
+  for (const [begin, material] of [[6, 0], [24, 1], [36, 0]]) cut.addGroup(begin, 6, material);
+  const mesh = new Mesh(cut, [both, both]);
+  const { body } = chasles.fromObject3D(mesh);
+  assert.deepEqual([...body.sourceFaces], [2, 3, 8, 9, 12, 13]);
+  for (const i of [1, 4, 6]) {
+    const [found, expected] = faceBelow(mesh, body, i - 4.5, 0.2);
+    assert.deepEqual(found, expected);
+  }
+  cut.setDrawRange(0, 0);
+  assert.match(refusal(() => chasles.fromBufferGeometry(cut)), /face|area|surface/);
+});
+
+test("what is hidden is a body all the same", () => {
+  const mesh = new Mesh(fourTriangles().clone(), [new MeshBasicMaterial({ visible: false })]);
+  mesh.geometry.addGroup(0, 12, 0);
+  mesh.visible = false;
+  assert.equal(chasles.fromObject3D(mesh).body.report.faces, 4);
+});
+
 test("interleaved attributes are read, and attributes of two numbers are refused", () => {
   const buffer = new InterleavedBuffer(new Float32Array([9, 0, 0, 0, 9, 1, 0, 0, 9, 0, 1, 0]), 4);
   const geometry = new BufferGeometry().setAttribute("position", new InterleavedBufferAttribute(buffer, 3, 1));
@@ -212,6 +256,8 @@ test("morph targets and bones: as drawn now, or refused by name", () => {
   const { count } = skin.attributes.position;
   skin.setAttribute("skinIndex", new BufferAttribute(new Uint16Array(4 * count), 4));
   skin.setAttribute("skinWeight", new Float32BufferAttribute(Array.from({ length: 4 * count }, (_, i) => (i % 4 === 0 ? 1 : 0)), 4));
+  assert.match(refusal(() => chasles.fromBufferGeometry(skin)), /^geometry\.attributes\.skinIndex: .* fromObject3D.* deleteAttribute/);
+  assert.deepEqual(chasles.fromBufferGeometry(skin.clone().deleteAttribute("skinIndex")).report.lower, [-1, -1, -1]);
   const skinned = new SkinnedMesh(skin);
   const bone = new Bone();
   skinned.add(bone);

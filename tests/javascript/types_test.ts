@@ -1,12 +1,20 @@
 // Compiled, not run: the types accept what the README shows, and refuse what is wrong.
 import { load, InvalidInput, Polyhedron, type FirstContact } from "chasles";
 import { load as loadInline } from "chasles/inline";
+import { load as loadByPath } from "./node_modules/chasles/inline.js"; // as moduleResolution "node" finds it
 import { BoxGeometry, InstancedMesh, Matrix4, Mesh, Object3D, SkinnedMesh } from "three";
 
 const chasles = await load();
-const other = await loadInline({ wasm: new Uint8Array(8) });
+const other = await (loadByPath satisfies typeof loadInline)({ wasm: new Uint8Array(8) });
 const cube: Polyhedron = chasles.polyhedron(new Float64Array(24), new Uint32Array(36), { triangulate: true });
 const box = chasles.fromBufferGeometry(new BoxGeometry(1, 1, 1));
+const { attributes, index } = new BoxGeometry(1, 1, 1);
+chasles.polyhedron(attributes.position.array, index!.array);
+chasles.polyhedron(new Int8Array(9), new Float64Array(3));
+// @ts-expect-error: no numbers
+chasles.polyhedron(new BigInt64Array(9), [0, 1, 2]);
+// @ts-expect-error: no array of numbers
+chasles.polyhedron(new DataView(new ArrayBuffer(9)), [0, 1, 2]);
 const nested = other.polyhedron([[0, 0, 0], [1, 0, 0], [0, 1, 0]], [[0, 1, 2]]);
 const found: FirstContact = chasles.firstContact(cube, box, new Object3D(), new Matrix4(), { margin: 0.1, motion: "twist" });
 if (found.verdict !== "clear") console.log(found.time, found.contacts[0]?.normal[0], found.tau?.toFixed());

@@ -1,6 +1,7 @@
 // Workers: what they hold, what they refuse, and when they let the process end.
 import assert from "node:assert/strict";
 import { spawnSync } from "node:child_process";
+import { availableParallelism } from "node:os";
 import { test } from "node:test";
 import { Worker } from "node:worker_threads";
 import { load } from "chasles";
@@ -104,8 +105,65 @@ function run(lines) {
   return spawnSync(process.execPath, ["--input-type=module", "-e", program], { encoding: "utf8", timeout: 30_000, cwd: import.meta.dirname });
 }
 
+test("there are as many workers as cores", async () => {
+  const workers = await chasles.workers();
+  assert.equal(workers.count, availableParallelism());
+  workers.stop();
+});
+
+test("options are those of firstContactBatch, and refused in the same words before anything is sent", async () => {
+  const { workers, held } = await countedWorkers(1);
+  for (const options of [{ margin: () => 1 }, { find: Symbol("first") }, { centre: () => 1, motion: "sweep" }, { fixedStart: () => far }, { hold: "1" }, { fixedCentre: far }, 3, null]) {
+    const expected = refusal(() => chasles.firstContactBatch(cube, cube, starts, goals, options));
+    assert.equal(await refusal(workers.firstContactBatch(cube, cube, starts, goals, options)), expected);
+  }
+  assert.deepEqual(await held(), [0]);
+  const given = { motion: "velocity", centre: new Uint8Array(3), fixedStart: far, fixedGoal: far, fixedCentre: [0, 0, 0] };
+  assert.deepEqual(await workers.firstContactBatch(cube, cube, starts, goals, given), chasles.firstContactBatch(cube, cube, starts, goals, given));
+  workers.stop();
+});
+
+test("whatever fails when a job is sent or answered fails the job, and the process ends", () => {
+  const { stdout, stderr, status } = run(`
+    const said = ({ name, message }) => console.log(name, message);
+    const ask = (workers, options) => workers.firstContactBatch(cube, cube, [[5, 0, 0]], [[0, 0, 0]], options).then((answers) => console.log(answers.length), said);
+    await ask(await chasles.workers({ count: 1 }), { margin: () => 1 });
+    let broken = null;
+    const worker = () => {
+      const made = new Worker(new URL(import.meta.resolve("chasles/worker")), { execArgv: [] });
+      const send = made.postMessage.bind(made);
+      made.postMessage = (message) => {
+        if (message.task === broken) throw new Error("not sent: " + broken);
+        send(message);
+        if (broken === "unreadable") made.emit("messageerror", new Error("x"));
+      };
+      return made;
+    };
+    for (const task of ["batch", "body", "unreadable"]) {
+      broken = null;
+      const workers = await chasles.workers({ count: 1, worker });
+      broken = task;
+      await ask(workers);
+      broken = null;
+      await ask(workers);
+    }
+    const chatty = await chasles.workers({ count: 1, worker: () => new Worker('import("' + import.meta.resolve("chasles/worker") + '"); const port = require("node:worker_threads").parentPort; for (const said of [null, undefined, 3, "ready", {}]) port.postMessage(said);', { eval: true }) });
+    await ask(chatty);
+    await chasles.workers({ count: 1, worker: () => new Worker(new URL("file:///nowhere/worker.js")) }).catch(({ message }) => console.log(message.slice(0, 83)));`);
+  const lines = stdout.trimEnd().split("\n");
+  assert.equal(status, 0, stderr);
+  assert.match(lines[0], /^InvalidInput margin: .* is not a number$/);
+  assert.deepEqual(lines.slice(1), [
+    "Error not sent: batch", "1", // the worker goes on
+    "Error not sent: body", "Error not sent: body", // it lacks a body, and is not asked again
+    ...Array(2).fill("Error chasles: an answer of a worker could not be read"),
+    "1",
+    "chasles: a worker cannot be started: its script was not found (Cannot find module '",
+  ]);
+});
+
 test("a count of workers is bounded, in words", async () => {
-  for (const count of [1e9, 1025, Infinity, 0, -1, 1.5, "2", null])
+  for (const count of [1e9, 1025, Infinity, 0, -1, 1.5, "2"])
     assert.match(await refusal(chasles.workers({ count })), /^count: must be a whole number from 1 to 1024$/);
 });
 
