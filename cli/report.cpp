@@ -148,21 +148,14 @@ std::string verdict_text(const LeastDistance& found) {
 
 } // namespace
 
-<<<<<<< HEAD
-std::string unknown_headline(double clear_until, double margin) {
-    const std::string what = margin > 0 ? fmt::format("comes within {:.9g}", margin) : "touches";
-    return "UNKNOWN: the time was over; " +
-           (clear_until > 0 ? fmt::format("proven that nothing {} before time {}", what, time_text(clear_until))
-                            : std::string("nothing is proven"));
-=======
 std::string during(double until) {
     if (until == 0)
         return "at the start";
-    return until < 1 ? fmt::format("until time {:.12g}", until) : "during the whole motion";
+    return until < 1 ? "until time " + time_text(until) : "during the whole motion";
 }
 
 std::string unknown_headline(double clear_until, double margin, const std::optional<double>& hold) {
-    return clear_until > 0 ? proven_headline(fmt::format("before time {:.12g}", clear_until), margin, hold)
+    return clear_until > 0 ? proven_headline("before time " + time_text(clear_until), margin, hold)
                            : nothing_proven;
 }
 
@@ -174,7 +167,6 @@ std::string unknown_headline(const ProvenPath& proven, double margin, const std:
                                margin, hold);
     return proven.segment > 0 ? proven_headline(fmt::format("before segment {}", proven.segment), margin, hold)
                               : nothing_proven;
->>>>>>> cadm
 }
 
 ExitStatus status_of(Verdict verdict) {

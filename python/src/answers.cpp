@@ -22,15 +22,9 @@ std::string summary(const FirstContact& found, const std::string& bodies, const 
     if (found.verdict == Verdict::unknown)
         return fmt::format("unknown: the limit was reached; proven clear until {}", found.clear_until);
     if (found.verdict == Verdict::clear)
-<<<<<<< HEAD
-        return found.clear_until < 1 ? fmt::format("clear until {}", found.clear_until) : "clear";
+        return found.clear_until < 1 ? clear_until_text(found.clear_until) : "clear";
     std::string text =
         found.verdict == Verdict::contact ? "contact at time " + time_text(found.time.lower) : "contact at the start";
-=======
-        return found.clear_until < 1 ? clear_until_text(found.clear_until) : "clear";
-    std::string text = found.verdict == Verdict::contact ? fmt::format("contact at time {:.12g}", found.time.lower)
-                                                         : "contact at the start";
->>>>>>> cadm
     if (!found.certain)
         text += " (uncertain: " + why_uncertain + ")";
     if (!bodies.empty())
