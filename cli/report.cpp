@@ -155,8 +155,7 @@ std::string during(double until) {
 }
 
 std::string unknown_headline(double clear_until, double margin, const std::optional<double>& hold) {
-    return clear_until > 0 ? proven_headline("before time " + time_text(clear_until), margin, hold)
-                           : nothing_proven;
+    return clear_until > 0 ? proven_headline("before time " + time_text(clear_until), margin, hold) : nothing_proven;
 }
 
 std::string unknown_headline(const ProvenPath& proven, double margin, const std::optional<double>& hold) {
