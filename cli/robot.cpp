@@ -137,6 +137,23 @@ std::string report_path(const RobotQuestion& question, const Found& found) {
            report(found.work);
 }
 
+ProvenPath proven_path(const RobotQuestion& question, const RobotAnswer& found, const FirstContact& shown) {
+    ProvenPath proven{found.segment, shown.clear_until, {}};
+    if (question.has_stamps())
+        proven.stamp = question.rows.stamps[found.segment];
+    return proven;
+}
+
+std::string headline_of(const RobotQuestion& question, const RobotAnswer& found, const FirstContact& shown) {
+    const double margin = question.options.margin;
+    if (found.pair)
+        return headline(shown, margin, motion_name);
+    return naming_motion(found.verdict == Verdict::unknown
+                             ? unknown_headline(proven_path(question, found, shown), margin, question.options.hold)
+                             : clear_headline(*found.untested, question.options),
+                         motion_name);
+}
+
 std::string robot_report(const RobotQuestion& question, const RobotAnswer& found) {
     const double margin = question.options.margin;
     FirstContact shown = found.contact;
@@ -146,9 +163,7 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
         shown.time = found.time;
         shown.clear_until = found.clear_until;
     }
-    std::string text = found.pair || found.verdict == Verdict::unknown
-                           ? headline(shown, margin, motion_name)
-                           : naming_motion(clear_headline(*found.untested, question.options), motion_name);
+    std::string text = headline_of(question, found, shown);
     text += report(*found.untested);
     if (found.pair)
         text += pair_report(*found.pair, found.segment) + report_contact(shown, margin, why);

@@ -1,21 +1,19 @@
 // Reads scene files. Every message names the file and the body.
 #include "cli/scene_file.h"
 
-#include "chasles/io/mesh_files.h"
 #include "chasles/io/pose_text.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "cli/motion_rule.h"
 #include "cli/report.h"
+#include "cli/scene_shapes.h"
 #include "cli/strict_json.h"
 #include "view/names.h"
 
 #include <algorithm>
 #include <initializer_list>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <optional>
-#include <tuple>
 
 namespace chasles::cli {
 namespace {
@@ -173,89 +171,6 @@ Motion motion_in(const Members& body) {
     return goal ? motion_between(rule, start, *goal) : Motion::at_rest(start);
 }
 
-/// The part of this name.
-const io::MeshPart& part_named(const std::string& name, const std::vector<io::MeshPart>& parts) {
-    const auto found = std::ranges::find(parts, name, &io::MeshPart::name);
-    if (found != parts.end())
-        return *found;
-    std::vector<std::string> names;
-    for (const io::MeshPart& part : parts)
-        names.push_back(io::in_quotes(part.name));
-    refuse("the file has no part " + io::in_quotes(name) + "; its parts are " +
-           shortened(names, most_listed, names.size()));
-}
-
-/// What a body takes from a file.
-struct MeshChoice {
-    std::string file;
-    std::optional<std::string> part; ///< all parts as one body if there is none
-    double scale = 1;
-
-    bool operator<(const MeshChoice& other) const {
-        return std::tie(file, part, scale) < std::tie(other.file, other.part, other.scale);
-    }
-};
-
-/// Meshes by file, part and scale, each loaded once.
-class Shapes {
-public:
-    Shapes(std::filesystem::path folder, const PolyhedronOptions& options)
-        : folder_(std::move(folder)), options_(options) {}
-
-    Polyhedron get(const MeshChoice& choice) {
-        if (const auto found = shapes_.find(choice); found != shapes_.end())
-            return found->second;
-        const std::filesystem::path file = folder_ / choice.file;
-        return shapes_.emplace(choice, choice.part ? load_part(file, choice) : load(file, choice.scale)).first->second;
-    }
-    /// All links of a robot whose joints do not move, as one body.
-    Polyhedron get_urdf(const std::string& name) {
-        if (const auto found = robots_.find(name); found != robots_.end())
-            return found->second;
-        const Robot robot = Robot::load(folder_ / name);
-        warnings_.insert(warnings_.end(), robot.warnings().begin(), robot.warnings().end());
-        std::string joints;
-        for (const RobotVariable& variable : robot.variables())
-            joints += (joints.empty() ? "" : ", ") + variable.name;
-        if (!joints.empty())
-            refuse("the joints of " + io::in_quotes(name) + " move (" + joints +
-                   "), and a body of a scene is rigid; `chasles robot` moves joints");
-        return robots_.emplace(name, robot.shape(robot.neutral())).first->second;
-    }
-
-    [[nodiscard]] const std::vector<std::string>& warnings() const { return warnings_; }
-
-private:
-    [[nodiscard]] Polyhedron load(const std::filesystem::path& file, double scale) const {
-        if (scale == 1)
-            return Polyhedron::load(file, options_);
-        io::PolygonSoup soup = io::load_polygons(file);
-        for (Eigen::Vector3d& vertex : soup.vertices)
-            vertex *= scale;
-        return at_place(io::shown_name(file),
-                        [&] { return Polyhedron::from_polygons(soup.vertices, soup.faces, options_); });
-    }
-
-    /// The part lies where the scene of its file places it.
-    Polyhedron load_part(const std::filesystem::path& file, const MeshChoice& choice) {
-        const auto known = parts_.find(choice.file);
-        const auto& parts = known != parts_.end()
-                                ? known->second
-                                : parts_.emplace(choice.file, io::load_mesh_parts(file)).first->second;
-        io::MeshPart part = at_place("part", [&]() -> const io::MeshPart& { return part_named(*choice.part, parts); });
-        for (Eigen::Vector3d& vertex : part.polygons.vertices)
-            vertex *= choice.scale;
-        return io::body_of(file, part, options_);
-    }
-
-    std::filesystem::path folder_;
-    PolyhedronOptions options_;
-    std::map<std::string, std::vector<io::MeshPart>> parts_; ///< many bodies are parts of one file
-    std::map<MeshChoice, Polyhedron> shapes_;
-    std::vector<std::string> warnings_;
-    std::map<std::string, Polyhedron> robots_;
-};
-
 /// A body has a mesh or a robot without moving joints.
 Polyhedron shape_in(const Members& body, Shapes& shapes) {
     const auto urdf = body.read("urdf", [&](const Json& name) { return shapes.get_urdf(text_in(name)); });
@@ -323,7 +238,12 @@ SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const 
     file.warnings = shapes.warnings();
     file.motion = motion_of(members.get("bodies"));
     for_each_pair(members, "ignore", [&](const auto& a, const auto& b) { file.scene.ignore(a, b); });
-    for_each_pair(members, "ignore_groups", [&](const auto& a, const auto& b) { file.scene.ignore_groups(a, b); });
+    for_each_pair(members, "ignore_groups", [&](const auto& a, const auto& b) {
+        for (const auto& group : {a, b})
+            if (std::ranges::find(file.scene.bodies(), group, &SceneBody::group) == file.scene.bodies().end())
+                refuse("no body has the group " + io::in_quotes(group));
+        file.scene.ignore_groups(a, b);
+    });
     file.ignores_touching_at_start = members.read("ignore_touching_at_start", truth_in).value_or(false);
     if (file.ignores_touching_at_start)
         (void)file.scene.ignore_touching_at_start(file.margin);

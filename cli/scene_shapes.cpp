@@ -1,0 +1,84 @@
+#include "cli/scene_shapes.h"
+
+#include "chasles/io/read_file.h"
+#include "chasles/io/text_scan.h"
+#include "cli/options.h"
+#include "cli/report.h"
+#include "view/names.h"
+
+#include <algorithm>
+
+namespace chasles::cli {
+
+namespace {
+
+/// The part of this name.
+const io::MeshPart& part_named(const std::string& name, const std::vector<io::MeshPart>& parts) {
+    constexpr std::size_t most_listed = 12;
+    const auto found = std::ranges::find(parts, name, &io::MeshPart::name);
+    if (found != parts.end())
+        return *found;
+    std::vector<std::string> names;
+    for (const io::MeshPart& part : parts)
+        names.push_back(io::in_quotes(part.name));
+    throw InvalidInput("the file has no part " + io::in_quotes(name) + "; its parts are " +
+                       shortened(names, most_listed, names.size()));
+}
+
+} // namespace
+
+Polyhedron Shapes::get(const MeshChoice& choice) {
+    if (const auto found = shapes_.find(choice); found != shapes_.end())
+        return found->second;
+    const std::filesystem::path file = folder_ / choice.file;
+    return shapes_.emplace(choice, choice.part ? load_part(file, choice) : load(file, choice.scale)).first->second;
+}
+
+Polyhedron Shapes::get_urdf(const std::string& name) {
+    if (const auto found = robots_.find(name); found != robots_.end())
+        return found->second;
+    const Robot robot = Robot::load(folder_ / name);
+    warnings_.insert(warnings_.end(), robot.warnings().begin(), robot.warnings().end());
+    std::string joints;
+    for (const RobotVariable& variable : robot.variables())
+        joints += (joints.empty() ? "" : ", ") + variable.name;
+    if (!joints.empty())
+        throw InvalidInput("the joints of " + io::in_quotes(name) + " move (" + joints +
+                           "), and a body of a scene is rigid; `chasles robot` moves joints");
+    return robots_.emplace(name, robot.shape(robot.neutral())).first->second;
+}
+
+std::vector<std::string> Shapes::warnings() const {
+    std::vector<std::string> all = warnings_;
+    for (std::string& warning : unit_warnings(units_))
+        all.push_back(std::move(warning));
+    return all;
+}
+
+Polyhedron Shapes::load(const std::filesystem::path& file, double scale) {
+    if (scale == 1) {
+        MeshWithUnit mesh = load_with_unit(file, options_);
+        units_.push_back({file.string(), mesh.unit});
+        return mesh.body;
+    }
+    io::PolygonSoup soup = io::load_polygons(file);
+    for (Eigen::Vector3d& vertex : soup.vertices)
+        vertex *= scale;
+    return at_place(io::shown_name(file),
+                    [&] { return Polyhedron::from_polygons(soup.vertices, soup.faces, options_); });
+}
+
+/// The part lies where the scene of its file places it.
+Polyhedron Shapes::load_part(const std::filesystem::path& file, const MeshChoice& choice) {
+    const auto known = parts_.find(choice.file);
+    const auto& parts =
+        known != parts_.end() ? known->second : parts_.emplace(choice.file, io::load_mesh_parts(file)).first->second;
+    io::MeshPart part = at_place("part", [&]() -> const io::MeshPart& { return part_named(*choice.part, parts); });
+    if (choice.scale == 1)
+        units_.push_back({choice.file, part.unit});
+    for (Eigen::Vector3d& vertex : part.polygons.vertices)
+        vertex *= choice.scale;
+    return io::body_of(file, part, options_);
+}
+
+} // namespace chasles::cli

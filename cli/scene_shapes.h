@@ -1,0 +1,50 @@
+// The shapes of the bodies of a scene file.
+#pragma once
+
+#include "chasles/io/mesh_files.h"
+#include "cli/mesh_units.h"
+
+#include <map>
+#include <optional>
+#include <tuple>
+
+namespace chasles::cli {
+
+/// What a body takes from a mesh file.
+struct MeshChoice {
+    std::string file;
+    std::optional<std::string> part; ///< all parts as one body if there is none
+    double scale = 1;
+
+    bool operator<(const MeshChoice& other) const {
+        return std::tie(file, part, scale) < std::tie(other.file, other.part, other.scale);
+    }
+};
+
+/// Meshes by file, part and scale, and robots that do not move, each loaded once.
+class Shapes {
+public:
+    Shapes(std::filesystem::path folder, const PolyhedronOptions& options)
+        : folder_(std::move(folder)), options_(options) {}
+
+    Polyhedron get(const MeshChoice& choice);
+    /// All links of a robot whose joints do not move, as one body.
+    Polyhedron get_urdf(const std::string& name);
+
+    /// About the robots, and about units that differ. A mesh with a scale counts as one without a unit.
+    [[nodiscard]] std::vector<std::string> warnings() const;
+
+private:
+    Polyhedron load(const std::filesystem::path& file, double scale);
+    Polyhedron load_part(const std::filesystem::path& file, const MeshChoice& choice);
+
+    std::filesystem::path folder_;
+    PolyhedronOptions options_;
+    std::map<std::string, std::vector<io::MeshPart>> parts_; ///< many bodies are parts of one file
+    std::map<MeshChoice, Polyhedron> shapes_;
+    std::map<std::string, Polyhedron> robots_;
+    std::vector<std::string> warnings_;
+    std::vector<StatedUnit> units_;
+};
+
+} // namespace chasles::cli
