@@ -356,7 +356,7 @@ export interface DragStep {
   pose: PoseNumbers;
   /**
    * "reached": the body is at the goal; with a lock, as near to it as the lock allows.
-   * "resting": contacts hold the body against the pull of the hand; the next update to the same goal changes nothing.
+   * "resting": contacts hold the body against the pull of the hand.
    * "moving": the rounds or the seconds of the update were used up; the next update goes on.
    * "touching": the body touches or overlaps the bodies of `touching`, and stays where it is. A body that touches exactly has no
    * gap to move in: `scene.move` it a hair away, more than a millionth of the margin, before a hand takes it.
@@ -371,7 +371,7 @@ export interface DragStep {
   distance: number;
   /** Bodies that push, or at which the last step ended. */
   blocking: string[];
-  /** With the state "touching": the bodies that are nearer than a millionth of the margin. */
+  /** With the state "touching": the bodies that are nearer than a millionth of the margin, or overlap. */
   touching: string[];
   /** The way, in screws that are proven clear until a time. */
   pieces: { start: PoseNumbers; goal: PoseNumbers; until: number; clearance: number }[];

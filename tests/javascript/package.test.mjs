@@ -149,12 +149,12 @@ test("wrong arguments are refused in words, and the instance goes on", () => {
   assert.match(ask(far, near, { margin: -1 }), /^query: margin: must be in/);
   assert.match(ask(far, near, { margin: NaN }), /^query: margin: must be in/);
   assert.match(ask(far, near, { hold: 2, margin: 1 }), /hold/);
-  assert.match(ask(far, near, { timeTolerance: 0 }), /^query: time_tolerance/);
+  assert.match(ask(far, near, { timeTolerance: 0 }), /^query: timeTolerance: must be/);
   assert.match(ask(far, near, { find: "all" }), /^find: "all": must be 'first', 'any' or 'first_with_all_contacts'/);
   assert.match(ask(far, near, { motion: "spiral" }), /^motion: "spiral": must be 'screw'/);
   assert.match(ask(far, near, { centre: [0, 0, 0] }), /^centre: is for the motions sweep and velocity/);
   assert.match(ask(far, near, { motion: "sweep", centre: [0, 0] }), /^centre: a point needs 3 numbers/);
-  assert.match(ask(far, near, { maxTurn: 0 }), /max_turn/);
+  assert.match(ask(far, near, { maxTurn: 0 }), /^motion: maxTurn: must be/);
   assert.match(ask(far, near, { fixedStart: far }), /^fixedGoal: undefined/);
   assert.match(ask(far, near, { fixedCentre: [0, 0, 0] }), /^fixedCentre: is for a fixed body/);
   assert.match(ask(far, near, null), /^options: must be an object/);

@@ -147,7 +147,7 @@ test("whatever fails when a job is sent or answered fails the job, and the proce
       broken = null;
       await ask(workers);
     }
-    const chatty = await chasles.workers({ count: 1, worker: () => new Worker('import("' + import.meta.resolve("chasles/worker") + '"); const port = require("node:worker_threads").parentPort; for (const said of [null, undefined, 3, "ready", {}]) port.postMessage(said);', { eval: true }) });
+    const chatty = await chasles.workers({ count: 1, worker: () => new Worker('import("' + import.meta.resolve("chasles/worker") + '"); const port = require("node:worker_threads").parentPort; for (const said of [null, undefined, 3, "ready", {}]) port.postMessage(said);', { eval: true, execArgv: [] }) });
     await ask(chatty);
     await chasles.workers({ count: 1, worker: () => new Worker(new URL("file:///nowhere/worker.js")) }).catch(({ message }) => console.log(message.slice(0, 83)));`);
   const lines = stdout.trimEnd().split("\n");
