@@ -64,6 +64,20 @@ TEST_F(FileFormats, UnitsThatDifferAreSaid) {
     EXPECT_TRUE(run("check inch.3mf small.obj" + ends).err.empty()) << "an OBJ states no unit";
 }
 
+TEST_F(FileFormats, UnitsThatDifferAreSaidOfScenes) {
+    write("inch.3mf", tests::post_3mf("inch"));
+    const auto scene_with = [&](const std::string& scale) {
+        write("scene.json",
+              R"({"bodies": [{"name": "a", "mesh": "inch.3mf", "goal": [1, 0, 0]}, {"name": "b", "mesh": "post.glb")" +
+                  scale + R"(, "pose": [90, 0, 0]}]})");
+        return run("scene scene.json").err;
+    };
+    EXPECT_EQ(scene_with(""),
+              "chasles: warning: inch.3mf is in the unit 'inch', and post.glb in the unit 'meter'; numbers are "
+              "not converted: export both in one unit\n");
+    EXPECT_EQ(scene_with(R"(, "scale": 39.37)"), "") << "the user knows the units";
+}
+
 TEST_F(FileFormats, MeanTheSameInScenes) {
     for (const tests::PostFile& file : tests::post_files()) {
         write("scene.json",

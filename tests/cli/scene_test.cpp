@@ -239,6 +239,9 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     EXPECT_EQ(refused(body(R"(}, {"name": "a", "mesh": "cube.obj")")), "body 2: scene: a: is in the scene already");
     EXPECT_EQ(refused(R"({"bodies": [{"name": "a", "mesh": "no.obj"}]})"), "body 1: 'a': no.obj: no such file");
     EXPECT_EQ(refused(R"({"bodies": [], "ignore": [["a", "b"]]})"), "ignore: scene: b: is not in the scene");
+    EXPECT_EQ(
+        refused(R"({"bodies": [{"name": "a", "mesh": "cube.obj", "group": "g"}], "ignore_groups": [["g", "typo"]]})"),
+        "ignore_groups: no body has the group 'typo'");
     EXPECT_EQ(refused(R"({"bodies": 3})"), "bodies: must be a list");
     EXPECT_EQ(refused("[]"), "must be an object");
     EXPECT_EQ(refused("{"), "is not JSON: parse error at line 1, column 2: syntax error while parsing object key - "
