@@ -51,7 +51,7 @@ std::string listed(const Robot& robot, const std::vector<PairProof>& proofs) {
 std::string counts(const Robot& robot, const std::vector<PairProof>& proofs) {
     const auto& links = robot.description().links;
     if (proofs.empty())
-        return fmt::format("no pair: {} of {} has collision shapes, and a pair needs two\n",
+        return fmt::format("no pair: a pair needs two links with collision shapes, and there are {} among {}\n",
                            std::ranges::count_if(links, [](const auto& link) { return !link.collisions.empty(); }),
                            counted(links.size(), "link"));
     std::string text;

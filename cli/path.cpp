@@ -148,6 +148,11 @@ std::string segment_text(const PathQuestion& question, std::size_t segment) {
 std::string path_headline(const PathContact& found, const PathQuestion& question) {
     const auto& [margin, hold, tolerance, find] = question.options;
     const std::string_view motion = view::name_of(question.rule.kind);
+    if (found.contact.verdict == Verdict::clear && hold)
+        return naming_motion(
+            "CLEAR: proven that the bodies keep the hold distance, or that of the start of a segment if it is "
+            "less, during the whole motion",
+            motion);
     if (found.contact.verdict != Verdict::unknown)
         return headline(found.contact, margin, motion);
     ProvenPath proven{found.segment, found.contact.clear_until, {}};

@@ -64,12 +64,14 @@ robot::ConfigurationRows read_path(const Robot& robot, const std::string& file) 
 }
 
 /// The world. Its bodies are not tested against each other, and what a robot touches at the start is a contact.
-std::optional<SceneFile> read_scene(const std::string& file) {
-    if (file.empty())
+std::optional<SceneFile> read_scene(const RobotCommand& options) {
+    if (options.scene.empty())
         return std::nullopt;
-    SceneFile scene = load_scene(file, {.triangulate = true});
+    const std::optional<double> margin =
+        options.query.margin.empty() ? std::nullopt : std::optional(options_of(options.query).margin);
+    SceneFile scene = load_scene(options.scene, {.triangulate = true}, margin);
     if (scene.ignores_touching_at_start)
-        throw InvalidInput(io::one_line(file) +
+        throw InvalidInput(io::one_line(options.scene) +
                            ": ignore_touching_at_start: is not for robots; leave it out, and name what a robot may "
                            "touch by --allow LINK,BODY");
     return scene;
@@ -100,7 +102,7 @@ void warn_of_margins(const RobotCommand& options, const SceneFile& scene, std::v
 RobotQuestion read_question(const RobotCommand& options) {
     (void)query_of(options, std::nullopt); // what is wrong with an option comes first
     Robot robot = load_robot(options.robot);
-    std::optional<SceneFile> scene = read_scene(options.scene);
+    std::optional<SceneFile> scene = read_scene(options);
     const QueryOptions query = query_of(options, scene);
     change(robot, scene ? &scene->scene : nullptr, options.changes);
     robot::ConfigurationRows rows = read_path(robot, options.path);

@@ -1,6 +1,7 @@
 // Reads scene files. Every message names the file and the body.
 #include "cli/scene_file.h"
 
+#include "chasles/base/number_text.h"
 #include "chasles/io/pose_text.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
@@ -231,11 +232,17 @@ SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const 
     const std::optional<double> own_margin = members.read("margin", margin_in);
     file.margin = margin ? *margin : own_margin.value_or(0);
     file.hold = members.read("hold", number_in);
+    if (margin && file.hold && *file.hold >= *margin) {
+        file.warnings.push_back("hold: " + number_text(*file.hold) + " is not less than the margin " +
+                                number_text(*margin) + " of the command line, and is left out");
+        file.hold.reset();
+    }
     Shapes shapes(folder, options);
     std::size_t count = 0;
     for (const Json& body : at_place("bodies", [&]() -> const Json& { return list_in(members.get("bodies")); }))
         at_place("body " + std::to_string(++count), [&] { add_body(file.scene, body, shapes); });
-    file.warnings = shapes.warnings();
+    for (std::string& warning : shapes.warnings())
+        file.warnings.push_back(std::move(warning));
     file.motion = motion_of(members.get("bodies"));
     for_each_pair(members, "ignore", [&](const auto& a, const auto& b) { file.scene.ignore(a, b); });
     for_each_pair(members, "ignore_groups", [&](const auto& a, const auto& b) {

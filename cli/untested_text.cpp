@@ -47,8 +47,8 @@ std::string clear_headline(const UntestedPairs& untested, const QueryOptions& op
     if (options.hold)
         return fmt::format("CLEAR: proven that {} comes within {:.9g}, or nearer than at the start if that is less, "
                            "and {} within {:.9g}{}",
-                           is_all ? "nothing that is held" : "no tested pair that is held", *options.hold,
-                           is_all ? "nothing else" : "no other tested pair", options.margin,
+                           is_all ? "no pair that is held" : "no tested pair that is held", *options.hold,
+                           is_all ? "no other pair" : "no other tested pair", options.margin,
                            until < 1 ? ", " + during(until) : "");
     return fmt::format("CLEAR: proven that {} {} {}", is_all ? "nothing" : "no tested pair",
                        options.margin > 0 ? fmt::format("comes within {:.9g}", options.margin) : "touches",

@@ -55,8 +55,9 @@ std::string way_to_smaller_values(const robot::Model& model, std::size_t variabl
     if (!is_angle(model, name))
         return "choose a larger unit of length";
     const std::string way = "take whole turns (2 pi) off all its values";
-    return repeats_after_a_turn(model, variable) ? way
-                                                 : way + ", and add them to the offsets of the joints that follow it";
+    return repeats_after_a_turn(model, variable)
+               ? way
+               : way + ", and add each turn times the multiplier to the offset of a joint that follows it";
 }
 
 void check_numbers(const robot::Model& model, const Configuration& values, const std::string& what) {

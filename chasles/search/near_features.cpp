@@ -110,7 +110,8 @@ public:
     }
 
     NearFeatures take() {
-        if (found_.pairs.empty())
+        // No face owns an edge inside a flat part, so an overlap there may have no pair that stands for it.
+        if (found_.pairs.empty() || search_.finds_overlaps)
             overlaps_.decide();
         found_.work += overlaps_.work();
         found_.overlap = overlaps_.found();

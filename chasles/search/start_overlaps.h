@@ -20,6 +20,8 @@ class StartOverlaps {
 public:
     /// Both are kept by reference.
     StartOverlaps(PieceContext& context, const elementary::ErrorScale& scale) : context_(context), scale_(scale) {}
+    StartOverlaps(const StartOverlaps&) = delete;
+    StartOverlaps& operator=(const StartOverlaps&) = delete;
 
     /// Refines what the filter finds between two faces. True if a certain overlap is known.
     bool collect(FeatureTests<double>& filter, const TwoFaces& faces);

@@ -137,6 +137,16 @@ TEST_F(PathMotions, HoldInStamps) {
     }
 }
 
+/// Whatever the last segment holds.
+TEST_F(PathMotions, AClearPathWithHoldClaimsTheHoldDistance) {
+    write("leaves.csv", columns + "\n.25,.5,1.3,1,0,0,0\n.25,.5,3,1,0,0,0\n2,2,3,1,0,0,0\n");
+    for (const std::string motion : {"screw", "velocity"})
+        EXPECT_TRUE(
+            text("leaves.csv --margin .5 --hold .1 --motion " + motion)
+                .starts_with("CLEAR: proven that the bodies keep the hold distance, or that of the start of a segment"))
+            << motion;
+}
+
 TEST_F(PathMotions, AreReportedInStamps) {
     write("straight.csv",
           "t," + columns + "\n10,3,0,0,1,0,0,0\n11,3,3,0,1,0,0,0\n13,.25,3,.5,1,0,0,0\n14.5,.25,0,.5,1,0,0,0\n");

@@ -163,7 +163,8 @@ TEST_F(RobotCommand, SaysWhyThereIsNoPair) {
     write("lonely.urdf", R"(<robot name="lonely"><link name="a"/>
         <link name="b"><collision><geometry><sphere radius="1"/></geometry></collision></link>
         <joint name="spin" type="continuous"><parent link="a"/><child link="b"/></joint></robot>)");
-    EXPECT_EQ(run("acm lonely.urdf").out, "no pair: 1 of 2 links has collision shapes, and a pair needs two\n");
+    EXPECT_EQ(run("acm lonely.urdf").out,
+              "no pair: a pair needs two links with collision shapes, and there are 1 among 2 links\n");
 }
 
 /// A slab slides on a table, and touches it everywhere without overlapping: no time decides that.

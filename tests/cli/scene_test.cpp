@@ -116,9 +116,9 @@ TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
     EXPECT_EQ(found.status, 0);
     EXPECT_EQ(
         found.out.substr(0, found.out.find('\n')),
-        "CLEAR: proven that nothing that is held comes within 0.02, or nearer than at the start if that is less, and "
-        "nothing else within 0.1; motion: velocity");
-    EXPECT_NE(run("scene scene.json --until 0.5").out.find("nothing else within 0.1, until time 0.5; motion: "),
+        "CLEAR: proven that no pair that is held comes within 0.02, or nearer than at the start if that is less, and "
+        "no other pair within 0.1; motion: velocity");
+    EXPECT_NE(run("scene scene.json --until 0.5").out.find("no other pair within 0.1, until time 0.5; motion: "),
               std::string::npos);
     EXPECT_EQ(json("--hold 0.049")["verdict"], "clear");
     EXPECT_EQ(json("--margin 0.04 --hold 0.02")["verdict"], "clear");

@@ -225,6 +225,15 @@ TEST(DraggedBody, BodiesMayBeRemovedAndAdded) {
     EXPECT_NEAR(body.pose().translation.z(), margin, 1e-9);
 }
 
+TEST(DraggedBody, AnOverlapAtFlatEdgesTouches) {
+    const auto& [rod, block] = rod_through_flat_edges();
+    Scene scene;
+    scene.add({"block", block, Motion::at_rest(Pose())});
+    scene.add({"rod", rod, Motion::at_rest(Pose())});
+    DraggedBody body(scene, "rod", {.margin = 0.2});
+    EXPECT_EQ(body.update(shifted(0, 0, 0.05)).state, DragState::touching);
+}
+
 /// A program puts the body elsewhere, or another hand does: each hand goes on from there.
 TEST(DraggedBody, GoesOnFromWhereTheSceneHasMovedIt) {
     Scene scene = box_and_table();

@@ -42,6 +42,19 @@ inline void add_box(Body& body, const Eigen::Vector3d& middle, const Eigen::Vect
     }
 }
 
+/// A rod, and a block that it stands in. The edges of the rod pass through the edges between the four triangles of the
+/// block's top.
+inline std::pair<Polyhedron, Polyhedron> rod_through_flat_edges() {
+    Body block = box({1, 1, 1});
+    block.faces.pop_back(); // the top
+    block.vertices.emplace_back(0, 0, 1);
+    for (const auto& [from, to] : {std::pair(4U, 5U), {5U, 7U}, {7U, 6U}, {6U, 4U}})
+        block.faces.push_back({from, to, 8U});
+    Body rod;
+    add_box(rod, {0, 0, 1.05}, {0.25, 0.25, 1.95});
+    return {rod.polyhedron(), block.polyhedron()};
+}
+
 inline Body triangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c) {
     return {{a, b, c}, {{0, 1, 2}}};
 }

@@ -121,6 +121,21 @@ TEST(Hold, BodiesThatTouchAreInContactAtTheStart) {
     EXPECT_EQ(ask(shifted(0, 0, 0.7), shifted(0, 0, 2)).verdict, Verdict::contact_at_start);
 }
 
+/// A rod stands through a top of four triangles, on the edges between them. No face owns an edge inside a flat part, so
+/// no two features are near each other there, and others are within the margin.
+TEST(Hold, AnOverlapAtFlatEdgesIsAContactAtTheStart) {
+    const auto& [moving, fixed] = rod_through_flat_edges();
+    for (const double level : {0.0, 0.05})
+        for (const Motion& motion : {Motion(ScrewMotion::between(shifted(0, 0, 0), shifted(0, 0, 0.05))),
+                                     Motion::twist(shifted(0, 0, 0), turned({0, 0, 0.05}, {0, 0, 1}, 0.1)),
+                                     Motion::velocity(shifted(0, 0, 0), turned({0, 0, 0.05}, {1, 1, 0}, 0.01))}) {
+            const auto found = first_contact(
+                {.moving = moving, .fixed = fixed, .motion = motion, .options = {.margin = 0.2, .hold = level}});
+            EXPECT_EQ(found.verdict, Verdict::contact_at_start) << level;
+            EXPECT_EQ(found.clear_until, 0);
+        }
+}
+
 TEST(Hold, ZeroLetsThemTouchExactly) {
     const auto found = ask(shifted(0, 0, 1.05), shifted(0, 0, 0.95), cube(), 0);
     ASSERT_EQ(found.verdict, Verdict::contact);

@@ -105,7 +105,7 @@ TEST(JointPath, SaysHowLargeValuesBecomeSmaller) {
     EXPECT_EQ(refused(small_robot(), 2), "path: configuration 0: slide" + beyond + "choose a larger unit of length");
     EXPECT_EQ(refused(led_robot(JointType::prismatic, 0.1), 0),
               "path: configuration 0: spin" + beyond + turns +
-                  ", and add them to the offsets of the joints that follow it");
+                  ", and add each turn times the multiplier to the offset of a joint that follows it");
     RobotDescription free{"free"};
     free.links = {{"base"}, {"cart"}, {"body"}};
     free.joints = {{"plane", JointType::planar, "base", "cart"}, {"float", JointType::floating, "cart", "body"}};

@@ -134,7 +134,7 @@ class Page(PageTest):
     def test_what_is_held_may_come_nearer(self) -> None:
         self.open("push.html")
         self.assertEqual(self.text("#verdict"), "Contact")
-        self.assertIn("A held contact reaches the hold distance", self.text("#meaning"))
+        self.assertIn("The bodies come to the hold distance", self.text("#meaning"))
 
     def test_any_contact_need_not_be_the_first(self) -> None:
         self.open("any.html")

@@ -13,16 +13,14 @@ function uncertainMeaning({ verdict, time, clear_until }: Answer, touch: string)
   return `Whether the bodies ${touch} ${where} could not be told from a miss.${before}`;
 }
 
-function meaningWithHold({ verdict, time, clear_until, certain }: Answer, margin: number): string {
+function meaningWithHold({ verdict, certain }: Answer): string {
   if (verdict === "clear") return "Proven: the bodies keep the hold distance, or that of the start if it is less.";
-  const isNew = clear_until > time!;
-  const event = `${isNew ? "A" : "A held contact reaches the hold distance, or a"} new contact comes within ${margin}`;
-  const doubt = certain ? "" : " It could not be told from a miss.";
-  return `${event}: inside the bracket, and not before its lower end.${doubt}`;
+  const doubt = certain ? "" : " That could not be told from a miss.";
+  return `The bodies come to the hold distance, or nearer than at the start: inside the bracket, and not before its lower end.${doubt}`;
 }
 
 function meaning(answer: Answer, margin: number): string {
-  if (answer.held?.length) return meaningWithHold(answer, margin);
+  if (answer.held?.length) return meaningWithHold(answer);
   const touch = margin > 0 ? `come within ${margin}` : "touch";
   if (answer.verdict !== "clear" && !answer.certain) return uncertainMeaning(answer, touch);
   switch (answer.verdict) {
