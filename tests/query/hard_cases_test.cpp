@@ -223,7 +223,7 @@ TEST(HardCases, FlushPartsBesideTheNotchesOfPolygonsAreApart) {
         SCOPED_TRACE("seed 57, case " + std::to_string(i));
         const auto moving = random_star(random, 9), fixed = random_star(random, 11);
         const Pose start = shifted(uniform(random, -1.4, 1.4), uniform(random, -1.4, 1.4), 0);
-        const Pose goal = composed(start, turned({uniform(random, -0.1, 0.1), uniform(random, -0.1, 0.1), 0}, {0, 0, 1},
+        const Pose goal = composed(start, turned({uniform(random, -0.6, 0.6), uniform(random, -0.6, 0.6), 0}, {0, 0, 1},
                                                  uniform(random, -0.3, 0.3)));
         const Motion motion = Motion::velocity(start, goal);
         const auto found = [&](bool cuts_caps) {
