@@ -13,11 +13,11 @@ function(chasles_strict target)
 endfunction()
 
 # With CHASLES_UNITY, sources of a target are compiled together: most of the time goes into headers that all of them read.
-# Names in anonymous namespaces are then unique in the target. GCC compares names with those of other sources, and warns of
-# what it inlines from one source into another. So warnings are errors only where sources are compiled alone.
+# Names in anonymous namespaces are then unique in the target. -Wshadow would compare names with those of other sources, and
+# GCC warns of what it inlines from one source into another.
 function(chasles_unity target)
   if(CHASLES_UNITY)
     set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_BATCH_SIZE 12)
-    target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:GNU>:-Wno-error;-Wno-shadow>)
+    target_compile_options(${target} PRIVATE -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wno-error>)
   endif()
 endfunction()
