@@ -61,7 +61,7 @@ def fault(words: list[str], shown: list[str], folder: pathlib.Path) -> str:
         (folder / words[1]).write_text("\n".join(shown) + "\n", encoding="utf-8")
         return ""
     done = subprocess.run(words, cwd=folder, capture_output=True, text=True, timeout=60)
-    printed = (done.stdout + done.stderr).splitlines()
+    printed = [line for line in (done.stdout + done.stderr).splitlines() if not line.startswith("chasles: progress: ")]
     if not shown or is_shown(shown, printed):
         return ""
     return "\n".join(["shown:", *shown, "printed:", *printed])

@@ -154,9 +154,11 @@ class Page(PageTest):
         self.assertEqual(self.time(), 0)
         self.assertGreater(count(self.picture("start"), is_contact_colour), 15, "the point of the overlap")
 
-    def test_an_answer_that_is_not_certain_claims_no_contact(self) -> None:
+    def test_a_start_that_is_not_certain_claims_no_contact(self) -> None:
         self.open("doubt.html")
         self.assertIn("come within 0.25 at the start could not be told from a miss", self.text("#meaning"))
+
+    def test_an_answer_that_is_not_certain_claims_no_contact(self) -> None:
         self.open("passing.html")
         self.assertIn("come within 0.25 inside the bracket could not be told from a miss", self.text("#meaning"))
         self.assertIn("They do not before its lower end.", self.text("#meaning"))

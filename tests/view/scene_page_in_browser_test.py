@@ -155,9 +155,11 @@ class ScenePage(PageTest):
         self.assertIn("no tested pair touches before time 0.1", self.text("#meaning"))
         self.assertEqual(self.browser.evaluate("document.getElementById('events').offsetHeight"), 0)
 
-    def test_it_names_the_limit_of_the_time(self) -> None:
+    def test_it_names_the_start(self) -> None:
         self.open("start_scene.html")
         self.assertIn("no tested pair touches at the start", self.text("#meaning"))
+
+    def test_it_names_the_limit_of_the_time(self) -> None:
         self.open("limited.html")
         self.assertIn("Contacts after time 0.6 were not asked for.", self.text("#meaning"))
 
