@@ -56,7 +56,7 @@ check:
 	tools/python_check.sh build/dev
 
 # What the continuous integration runs one by one after `make check`.
-BUILDS = variants asan-core fuzz wasm-check tidy-core
+BUILDS = variants wasm-check asan-core fuzz tidy-core
 
 check-builds: $(BUILDS)
 

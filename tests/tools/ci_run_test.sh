@@ -14,7 +14,7 @@ run() {
     last=$(printf '%s\n' "$output" | tail -n 1)
 }
 
-builds='-s) echo asan-core wasm-check tidy-core ;;'
+builds='-s) echo wasm-check asan-core tidy-core ;;'
 pretend make "case \$1 in
     $builds"'
     check) echo "100% tests passed, 0 tests failed out of 20"; echo "=== 7 passed, 2 skipped in 1.50s ==="
