@@ -1,5 +1,4 @@
 // chasles path: the motions through the poses of a file. With time stamps, times count in stamps.
-#include "chasles/base/invalid_input.h"
 #include "chasles/io/motion_files.h"
 #include "chasles/io/text_scan.h"
 #include "cli/commands.h"
@@ -72,20 +71,11 @@ void count_in_stamps(FirstContact& found, const TimedPoses& track) {
             contact.approach_speed /= last - first;
 }
 
-/// Throws InvalidInput with the file for a motion that no question takes.
-void require_motion(const PathQuestion& question, const Motion& motion, const std::string& place = "") {
-    try {
-        check_motion(question.bodies.moving, question.bodies.fixed, motion);
-    } catch (const InvalidInput& error) {
-        throw InvalidInput(fmt::format("{}: {}{}", io::one_line(question.file), place, error.what()));
-    }
-}
-
 /// The whole path as one motion.
 StampedContact answer_track(const PathQuestion& question) {
     const std::size_t segments = question.path.poses.size() - 1;
     const TimedPoses track = track_of(question, 0, segments);
-    require_motion(question, track);
+    at_place(io::one_line(question.file), [&] { check_motion(question.bodies.moving, question.bodies.fixed, track); });
     PathContact found;
     found.contact = chasles::first_contact({.moving = question.bodies.moving,
                                             .fixed = question.bodies.fixed,
@@ -106,7 +96,8 @@ StampedContact answer_segments(const PathQuestion& question) {
     std::vector<Motion> motions;
     for (std::size_t i = 0; i + 1 < poses.size(); ++i) {
         motions.push_back(motion_between(question.rule, poses[i], poses[i + 1]));
-        require_motion(question, motions.back(), fmt::format("segment {} (from 0): ", i));
+        at_place(fmt::format("{}: segment {} (from 0)", io::one_line(question.file), i),
+                 [&] { check_motion(question.bodies.moving, question.bodies.fixed, motions.back()); });
     }
     ProgressBar bar("segments", motions.size());
     PathContact found = first_contact_on_path({.moving = question.bodies.moving,

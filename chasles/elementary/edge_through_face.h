@@ -114,10 +114,10 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
     const S to = dot(face.normal, segment.to - anchor);
     const bool upwards = from < S(0) - limit && to > limit;
     const bool downwards = to < S(0) - limit && from > limit;
+    const bool is_in_plane = upwards && downwards; // or next to it: the signed volumes separate nothing
     for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i) {
         const ConvexPart<S> part = convex_part(face, i);
-        // In the plane or next to the plane, the signed volumes separate nothing.
-        if (upwards && downwards && detail::are_apart_in_plane(segment, part, face.normal, unit))
+        if (is_in_plane && detail::are_apart_in_plane(segment, part, face.normal, unit))
             continue;
         for (const bool up : {true, false}) {
             if (!(up ? upwards : downwards))
@@ -125,7 +125,8 @@ std::optional<Passage<S>> edge_through_face(const Segment<S>& segment, const Fac
             const std::optional<bool> certain = detail::passes<S>({segment, up, ends}, part, unit);
             if (!certain)
                 continue;
-            if (!*certain && detail::are_apart_in_plane(segment, part, face.normal, unit)) // nearly in the plane
+            const bool may_be_beside = !is_in_plane && !*certain; // nearly in the plane
+            if (may_be_beside && detail::are_apart_in_plane(segment, part, face.normal, unit))
                 break;
             return Passage<S>{detail::point_at_plane(segment, from, to), *certain};
         }

@@ -28,7 +28,8 @@ std::string_view extension_of(std::string_view name) {
 }
 
 PolygonSoup read_without_name(std::string_view bytes, std::string_view extension) {
-    refuse_lfs_pointer(bytes);
+    if (is_lfs_pointer(bytes))
+        throw InvalidInput(lfs_way_out);
     refuse_step(bytes, lower_case(extension));
     refuse_robot(lower_case(extension));
     const Reader reader = reader_for(extension);

@@ -173,11 +173,8 @@ std::string read_file(const std::filesystem::path& file) {
     note_as_read(file);
     if (bytes.empty())
         fail_in_file(file, "is empty");
-    try {
-        refuse_lfs_pointer(bytes);
-    } catch (const InvalidInput& error) {
-        fail_in_file(file, error.what());
-    }
+    if (is_lfs_pointer(bytes))
+        fail_in_file(file, lfs_way_out);
     return bytes;
 }
 

@@ -137,9 +137,8 @@ std::string_view without_byte_order_mark(std::string_view text) {
     return text.starts_with(utf8) ? text.substr(utf8.size()) : text;
 }
 
-void refuse_lfs_pointer(std::string_view bytes) {
-    if (bytes.starts_with("version https://git-lfs.github.com/spec/"))
-        throw InvalidInput("is a Git LFS pointer, not the file itself; `git lfs pull` brings the content");
+bool is_lfs_pointer(std::string_view bytes) {
+    return bytes.starts_with("version https://git-lfs.github.com/spec/");
 }
 
 void fail_at_line(std::size_t line, const std::string& why) {

@@ -34,8 +34,10 @@ std::string lower_case(std::string_view text);
 /// The text without the byte order mark of UTF-8. Throws InvalidInput for the marks of UTF-16 and UTF-32.
 std::string_view without_byte_order_mark(std::string_view text);
 
-/// Throws InvalidInput if these are the first bytes of a Git LFS pointer, which stands for a file that was not fetched.
-void refuse_lfs_pointer(std::string_view bytes);
+/// Whether these are the first bytes of a Git LFS pointer, which stands for a file that was not fetched.
+bool is_lfs_pointer(std::string_view bytes);
+inline constexpr const char* lfs_way_out =
+    "is a Git LFS pointer, not the file itself; `git lfs pull` brings the content";
 
 /// Throws InvalidInput "line N: WHY".
 [[noreturn]] void fail_at_line(std::size_t line, const std::string& why);

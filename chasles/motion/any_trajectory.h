@@ -48,9 +48,8 @@ public:
     [[nodiscard]] virtual Pose fixed_pose_at(double time) const = 0;
     /// The moving body in the world as a frame, for products; null if it is none.
     [[nodiscard]] virtual SharedFrame frame() const = 0;
-    /// Whether motions of this kind are enclosed, though this one may go about or along one axis.
-    [[nodiscard]] virtual bool is_of_enclosed_kind() const = 0;
-    /// The sum of the sizes of all lengths that enter the poses of a motion of such a kind, mesh unit; 0 for others.
+    /// The sum of the sizes of all lengths that enter the poses of a motion of a kind that is enclosed, though this one
+    /// may go about or along one axis; mesh unit. 0 for other kinds.
     [[nodiscard]] virtual double size() const = 0;
     /// The ends of a motion in the world that is straight and even, without a turn; null for others.
     [[nodiscard]] virtual const MotionEnds* straight_ends() const = 0;
@@ -118,7 +117,6 @@ public:
         else
             return nullptr;
     }
-    [[nodiscard]] bool is_of_enclosed_kind() const override { return may_be_enclosed; }
     [[nodiscard]] double size() const override {
         if constexpr (may_be_enclosed)
             return trajectory_.size();

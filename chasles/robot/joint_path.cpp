@@ -39,14 +39,6 @@ bool is_angle(const robot::Model& model, const std::string& variable) {
     return joint->type == JointType::revolute || joint->type == JointType::continuous;
 }
 
-bool repeats_after_a_turn(const robot::Model& model, std::size_t variable) {
-    return std::ranges::all_of(model.groups, [&](const robot::RigidGroup& group) {
-        return std::ranges::all_of(group.steps, [&](const robot::JointStep& step) {
-            return step.variable != variable || robot::repeats_after_a_turn(step);
-        });
-    });
-}
-
 /// How the values of a variable become smaller.
 std::string way_to_smaller_values(const robot::Model& model, std::size_t variable) {
     const std::string& name = model.variables[variable].name;
@@ -55,9 +47,9 @@ std::string way_to_smaller_values(const robot::Model& model, std::size_t variabl
     if (!is_angle(model, name))
         return "choose a larger unit of length";
     const std::string way = "take whole turns (2 pi) off all its values";
-    return repeats_after_a_turn(model, variable)
-               ? way
-               : way + ", and add each turn times the multiplier to the offset of a joint that follows it";
+    const bool repeats = std::ranges::all_of(
+        model.groups, [&](const robot::RigidGroup& group) { return group.repeats_after_a_turn(variable); });
+    return repeats ? way : way + ", and add each turn times the multiplier to the offset of a joint that follows it";
 }
 
 void check_numbers(const robot::Model& model, const Configuration& values, const std::string& what) {

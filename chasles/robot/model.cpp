@@ -99,12 +99,17 @@ void refuse(std::string_view what, std::string_view why) {
 Model::Model(RobotDescription given) : description(std::move(given)) {
     add_variables();
     add_links();
-    tell_turns_apart();
+    find_continuous();
     apply_pairs();
 }
 
-bool repeats_after_a_turn(const JointStep& step) {
-    return step.multiplier == 0 || (step.turns && std::trunc(step.multiplier) == step.multiplier);
+bool JointStep::repeats_after_a_turn() const {
+    return multiplier == 0 || (turns && std::trunc(multiplier) == multiplier);
+}
+
+bool RigidGroup::repeats_after_a_turn(std::size_t variable) const {
+    return std::ranges::all_of(
+        steps, [&](const JointStep& step) { return step.variable != variable || step.repeats_after_a_turn(); });
 }
 
 namespace {
@@ -251,10 +256,10 @@ Owner Model::child_of(const Owner& parent, const JointDescription& joint) {
 }
 
 /// A variable is continuous only if all joints that follow it are where they were after a turn.
-void Model::tell_turns_apart() {
+void Model::find_continuous() {
     for (const RigidGroup& group : groups)
         for (const JointStep& step : group.steps)
-            if (!repeats_after_a_turn(step))
+            if (!step.repeats_after_a_turn())
                 variables[step.variable].is_continuous = false;
     variables_of_paths = std::make_shared<const std::vector<RobotVariable>>(variables);
 }

@@ -22,10 +22,10 @@ struct JointStep {
     double multiplier = 1;
     double offset = 0;
     bool turns = true;
-};
 
-/// Whether a joint is where it was after each whole turn of its variable.
-[[nodiscard]] bool repeats_after_a_turn(const JointStep& step);
+    /// Whether the joint is where it was after each whole turn of its variable.
+    [[nodiscard]] bool repeats_after_a_turn() const;
+};
 
 /// Links that no joint moves against each other, and how they move against their parent.
 struct RigidGroup {
@@ -34,6 +34,9 @@ struct RigidGroup {
     std::vector<JointStep> steps;          ///< none for the root
     std::optional<std::size_t> quaternion; ///< the variable of the first of four (x, y, z, w), for a floating joint
     std::size_t depth = 0;                 ///< number of groups above
+
+    /// Likewise of all joints that follow the variable.
+    [[nodiscard]] bool repeats_after_a_turn(std::size_t variable) const;
 };
 
 /// A link or a part: what pairs are made of.
@@ -114,7 +117,7 @@ private:
     void add_below(std::size_t root);
     Owner child_of(const Owner& parent, const JointDescription& joint);
     [[nodiscard]] RigidGroup group_of(const JointDescription& joint) const;
-    void tell_turns_apart();
+    void find_continuous();
     void apply_pairs();
     void add_down(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;
     void add_up(motion::Chain& chain, const SegmentMotion& motion, std::size_t group, std::size_t above) const;

@@ -78,9 +78,7 @@ private:
     [[nodiscard]] bool needs_one_turn(std::size_t variable) const {
         const RobotVariable& v = model_.variables[variable];
         return std::isinf(v.lower) && std::isinf(v.upper) && std::ranges::all_of(groups_, [&](std::size_t group) {
-                   return std::ranges::all_of(model_.groups[group].steps, [&](const JointStep& step) {
-                       return step.variable != variable || repeats_after_a_turn(step);
-                   });
+                   return model_.groups[group].repeats_after_a_turn(variable);
                });
     }
 

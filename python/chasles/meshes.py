@@ -9,9 +9,7 @@ from ._core import InvalidInput, Polyhedron
 from .articles import with_article
 
 
-def from_trimesh(
-    mesh: Any, *, triangulate: bool = False, threads: int = 0
-) -> Polyhedron:
+def from_trimesh(mesh: Any, *, triangulate: bool = False, threads: int = 0) -> Polyhedron:
     """A polyhedron from a ``trimesh.Trimesh``. It keeps the ids of the vertices and faces.
 
     Scenes and other geometry raise InvalidInput. `parts_from_trimesh` gives the parts of a scene, and
@@ -24,9 +22,7 @@ def from_trimesh(
     return Polyhedron(vertices, faces, triangulate=triangulate, threads=threads)
 
 
-def parts_from_trimesh(
-    scene: Any, *, triangulate: bool = False, threads: int = 0
-) -> dict[str, Polyhedron]:
+def parts_from_trimesh(scene: Any, *, triangulate: bool = False, threads: int = 0) -> dict[str, Polyhedron]:
     """The parts of a ``trimesh.Scene``: a polyhedron for each node of its graph that has a mesh, by the node's name.
 
     Vertices are in the world of the scene: all transforms above a node are applied to them, with their scale, mirroring
@@ -45,9 +41,7 @@ def parts_from_trimesh(
         matrix, name = scene.graph[node]
         try:
             mesh = _placed(scene.geometry[name], np.asarray(matrix, np.float64))
-            parts[names[node]] = Polyhedron(
-                *mesh, triangulate=triangulate, threads=threads
-            )
+            parts[names[node]] = Polyhedron(*mesh, triangulate=triangulate, threads=threads)
         except InvalidInput as error:
             raise InvalidInput(f"{node}: {error}") from None
     return parts
