@@ -70,12 +70,10 @@ int run_acm(const AcmOptions& options) {
         file.emplace(options.out);
     const Interruption interruption;
     std::optional<ProgressBar> bar;
-    ProgressLines lines("pairs", "the rest stays open after " + options.seconds + " s (--seconds)");
     search.progress = [&](std::size_t done, std::size_t pairs) {
         if (!bar)
-            bar.emplace("pairs, until --seconds " + options.seconds, pairs);
+            bar.emplace("pairs", pairs, "the rest stays open after " + options.seconds + " s (--seconds)");
         bar->show(done);
-        lines.show(done, pairs);
         return !Interruption::is_requested();
     };
     const std::vector<PairProof> proofs = prove_pairs(robot, search);

@@ -7,6 +7,7 @@
 #include "cli/commands.h"
 #include "cli/interruption.h"
 #include "cli/output.h"
+#include "cli/progress_bar.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -79,6 +80,7 @@ int parse_and_work(CLI::App& app, const Task& task, const std::vector<std::strin
             return show_help(app, error);
         return report_usage_error(app, arguments.empty() ? "" : arguments.front(), error);
     }
+    const Heartbeat heartbeat;
     return task();
 }
 

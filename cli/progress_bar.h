@@ -1,16 +1,20 @@
-// Progress on standard error: a bar if it is a terminal, or a line now and then if it is none.
+// Progress on standard error: a bar if it is a terminal, and lines now and then where no bar is seen.
 #pragma once
 
 #include <chrono>
+#include <condition_variable>
 #include <cstddef>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace chasles::cli {
 
-/// The bar is redrawn at most ten times per second and erased by the destructor.
+/// The bar is redrawn at most ten times per second and erased by the destructor. At most one may exist at a time.
 class ProgressBar {
 public:
-    ProgressBar(std::string unit, std::size_t total);
+    /// `hint` is what a line says beside the numbers.
+    ProgressBar(std::string unit, std::size_t total, std::string hint = {});
     ~ProgressBar();
     ProgressBar(const ProgressBar&) = delete;
     ProgressBar& operator=(const ProgressBar&) = delete;
@@ -24,20 +28,23 @@ private:
     std::chrono::steady_clock::time_point next_drawing_;
 };
 
-/// Lines "chasles: progress: 23 of 100 pairs are done after 5 s; HINT": the first one after 5 seconds, then one
-/// every 10. On a terminal there is none, as there is a bar.
-class ProgressLines {
+/// While one exists, no command is silent for long: after 5 seconds, and then every 10, a line "chasles: progress: 23
+/// of 100 pairs are done after 5 s" or, where nothing is counted, "chasles: progress: at work for 5 s". On a terminal
+/// there is none while there is a bar.
+class Heartbeat {
 public:
-    ProgressLines(std::string unit, std::string hint);
-
-    void show(std::size_t done, std::size_t total);
+    Heartbeat();
+    ~Heartbeat();
+    Heartbeat(const Heartbeat&) = delete;
+    Heartbeat& operator=(const Heartbeat&) = delete;
 
 private:
-    std::string unit_;
-    std::string hint_;
-    bool is_terminal_;
-    std::chrono::steady_clock::time_point begin_;
-    std::chrono::steady_clock::time_point next_line_;
+    void run();
+
+    std::mutex mutex_;
+    std::condition_variable ends_;
+    bool is_over_ = false;
+    std::thread thread_; ///< last: it uses the others
 };
 
 } // namespace chasles::cli

@@ -89,12 +89,14 @@ void attach(Robot& robot, const Scene* scene, const std::string& given) {
 void add_robot_change_options(CLI::App& command, RobotChangeOptions& options) {
     command
         .add_option("--allow", options.allow,
-                    "a link or part, and a body of the scene or another link, that may touch: they are not tested")
+                    "a link or part, and a body of the scene or another link, that may touch: they are not tested; one "
+                    "pair for each --allow")
         ->type_name("LINK,BODY")
         ->allow_extra_args(false);
     command
         .add_option("--attach", options.attach,
-                    "a mesh that moves with a link, at a pose in its frame; its name is that of the file")
+                    "a mesh that moves with a link, at a pose in its frame; its name is that of the file; one for each "
+                    "--attach")
         ->type_name("LINK,MESH,POSE")
         ->allow_extra_args(false);
 }

@@ -13,8 +13,9 @@ void add_robot_file_options(CLI::App& command, RobotOptions& options) {
     command.add_option("--srdf", options.srdf, "SRDF file: which links are not tested against each other")
         ->type_name("FILE");
     command
-        .add_option("--packages", options.packages,
-                    "folder of a package of package:// paths; may be given several times")
+        .add_option(
+            "--packages", options.packages,
+            "folder of a package of package:// paths; one for each --packages, which may be given several times")
         ->type_name("NAME=FOLDER")
         ->allow_extra_args(false);
 }

@@ -90,8 +90,7 @@ private:
 /// Collects feature pairs under their proper names.
 class Namer {
 public:
-    explicit Namer(const ContactScene& scene)
-        : scene_(scene), moving_(scene.bodies.moving(), scene.slack), fixed_(scene.bodies.fixed(), scene.slack) {}
+    explicit Namer(const ContactScene& scene) : scene_(scene) {}
 
     void add(const FeaturePair& features) {
         if (features.kind == ContactKind::edge_edge && are_parallel(features.moving, features.fixed))
@@ -109,11 +108,7 @@ public:
 
 private:
     void add_at(const FeaturePair& features, const NearestPoints& at) {
-        const RelativeConfiguration& bodies = scene_.bodies;
-        const BodyFeature moving =
-            moving_.feature_at({moving_feature_kind(features.kind), features.moving}, bodies.moved_back(at.on_moving));
-        const BodyFeature fixed = fixed_.feature_at({fixed_feature_kind(features.kind), features.fixed}, at.on_fixed);
-        named_.push_back(pair_of(moving, fixed));
+        named_.push_back(features_at(scene_, features, at));
     }
 
     /// Whether the edges stay within the slack of each other over the length of the shorter edge.
@@ -141,8 +136,6 @@ private:
     }
 
     const ContactScene& scene_;
-    Rims moving_;
-    Rims fixed_;
     std::vector<FeaturePair> named_;
 };
 
@@ -167,6 +160,14 @@ bool is_at_rims(ContactKind kind) {
 }
 
 } // namespace
+
+FeaturePair features_at(const ContactScene& scene, const FeaturePair& features, const NearestPoints& points) {
+    const RelativeConfiguration& bodies = scene.bodies;
+    const Rims moving(bodies.moving(), scene.slack), fixed(bodies.fixed(), scene.slack);
+    return pair_of(
+        moving.feature_at({moving_feature_kind(features.kind), features.moving}, bodies.moved_back(points.on_moving)),
+        fixed.feature_at({fixed_feature_kind(features.kind), features.fixed}, points.on_fixed));
+}
 
 std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<FeaturePair>& candidates) {
     std::vector<Contact> contacts;

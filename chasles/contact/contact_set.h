@@ -24,6 +24,9 @@ std::vector<Contact> contact_set(const ContactScene& scene, const std::vector<Fe
 /// only.
 Contact named_contact(const ContactScene& scene, const FeaturePair& features);
 
+/// The features on which two points of these features are: the edge or vertex of a rim, the end of an edge.
+FeaturePair features_at(const ContactScene& scene, const FeaturePair& features, const NearestPoints& points);
+
 /// Whether the motion closes the gap of a contact in the fixed body's frame, by more than rounding.
 bool is_closing(const ContactScene& scene, const Contact& contact);
 

@@ -233,9 +233,11 @@ double cell_number(const std::string& cell, const std::string& name) {
 }
 
 void add_stamp(double stamp, const std::string& name, std::vector<double>& stamps) {
+    constexpr double largest_count = 0x1p53; // of which doubles tell each from the next one
     if (!stamps.empty() && !(stamps.back() < stamp))
-        throw InvalidInput(one_line(name) + ": must increase, but is " + number_text(stamp) + " after " +
-                           number_text(stamps.back()));
+        throw InvalidInput(
+            one_line(name) + ": must increase, but is " + number_text(stamp) + " after " + number_text(stamps.back()) +
+            (stamp >= largest_count ? "; doubles do not tell such numbers apart: count from the first one" : ""));
     if (!stamps.empty() && !std::isfinite(stamp - stamps.front()))
         throw InvalidInput(one_line(name) + ": " + number_text(stamp) + " is too far from the first stamp");
     stamps.push_back(stamp);

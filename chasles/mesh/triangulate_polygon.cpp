@@ -187,7 +187,7 @@ private:
     std::vector<std::uint32_t> previous_;
     std::vector<std::uint32_t> triangles_;
     std::size_t left_;
-    std::uint32_t current_ = 0;
+    std::uint32_t current_ = 1; ///< a quad is cut from its first corner, as other programs cut it
 };
 
 /// Whether two triangles overlap. The triangles are sorted by their lower end along x, and a triangle is compared only

@@ -199,7 +199,8 @@ LeastDistance LeastDistanceSearch::of_nearest() {
     return answer;
 }
 
-/// The features whose nearest points are inside them. The descent may have stopped at a face beside one of its edges.
+/// The features whose nearest points are inside them. A search that is cut, or that rounding keeps from a rim, may list
+/// none: then those of the descent, which may have stopped at a face beside one of its edges.
 void LeastDistanceSearch::list_contacts(LeastDistance& answer, const ContactMoment& moment) {
     constexpr std::size_t enough_for_one = 16;
     const bool lists_all = question_.options.find == Find::first_with_all_contacts;
@@ -209,7 +210,7 @@ void LeastDistanceSearch::list_contacts(LeastDistance& answer, const ContactMome
     search::NearFeatures near = moment.find(search);
     work_ += near.work;
     if (near.pairs.empty())
-        near.pairs = {nearest_.at.near.features};
+        near.pairs = {moment.nearest_parts(nearest_.at.near.features)};
     answer.contacts = moment.contacts_of(near.pairs);
     answer.contacts_cut = lists_all && (query::cut_to_most(answer.contacts) || near.is_cut);
     if (!lists_all)

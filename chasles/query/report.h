@@ -4,6 +4,7 @@
 #include "chasles/contact/contact_set.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/search/near_features.h"
+#include "chasles/search/nearest_features.h"
 #include "chasles/search/piece_search.h"
 
 #include <Eigen/Geometry>
@@ -50,6 +51,10 @@ public:
     /// What touches or, with a margin, is at a local minimum of the distance.
     [[nodiscard]] search::NearFeatures find(const search::NearSearch& search) const {
         return search::near_features(context_, scene_, tau_, search);
+    }
+    /// The features on which the nearest points of two features are.
+    [[nodiscard]] contact::FeaturePair nearest_parts(const contact::FeaturePair& features) const {
+        return contact::features_at(scene_, features, search::NearestAtRest().points(bodies_, features));
     }
     /// One contact, in the world and named as in the input.
     [[nodiscard]] Contact contact_of(const contact::FeaturePair& features) const {

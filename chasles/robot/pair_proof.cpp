@@ -15,7 +15,7 @@ namespace {
 using robot::PairSearch;
 using robot::seconds_since;
 
-/// A pair of links, and how to examine it; neighbours are not examined.
+/// A pair of links, and how to examine it; neighbours that the robot does not test are not examined.
 struct Examined {
     PairProof proof;
     std::optional<PairSearch> search = {};
@@ -29,7 +29,7 @@ std::vector<Examined> pairs_of(const Robot& robot, const PairProofOptions& optio
             if (links[i].collisions.empty() || links[j].collisions.empty())
                 continue;
             pairs.push_back({{links[i].name, links[j].name}});
-            if (robot.model().neighbours.contains({i, j}))
+            if (robot.model().neighbours.contains({i, j}) && !robot.is_tested(links[i].name, links[j].name))
                 pairs.back().proof.reason = PairReason::adjacent;
             else
                 pairs.back().search.emplace(robot, i, j, options);

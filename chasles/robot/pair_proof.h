@@ -16,7 +16,7 @@ namespace chasles {
 enum class PairReason : std::uint8_t {
     never,     ///< they touch in no configuration
     always,    ///< they touch in every configuration
-    adjacent,  ///< a link and the next one above it that has shapes; nothing is proven
+    adjacent,  ///< a link and the next one above it that has shapes, not tested; nothing is proven
     sometimes, ///< they touch in some configurations and in others not
     open,      ///< time was up, or a joint has no limits
 };
@@ -42,7 +42,8 @@ struct PairProofOptions {
     std::function<bool(std::size_t done, std::size_t pairs)> progress = {};
 };
 
-/// All pairs of links that have shapes, in the order of the description; whether they are tested makes no difference.
+/// All pairs of links that have shapes, in the order of the description; whether they are tested makes no difference,
+/// but for adjacent ones.
 /// Only the joints between two links count. Which pairs stay open depends on the time; what is decided does not.
 /// Throws InvalidInput for a time that is not positive.
 CHASLES_EXPORT std::vector<PairProof> prove_pairs(const Robot& robot, const PairProofOptions& options = {});

@@ -127,7 +127,8 @@ public:
     /// unknown name.
     void test(std::string_view first, std::string_view second);
     [[nodiscard]] bool is_tested(std::string_view first, std::string_view second) const;
-    /// A link or part is not tested against this body of a scene. The names need not exist yet.
+    /// A link or part is not tested against this body of a scene, which need not exist yet. Throws InvalidInput for an
+    /// unknown link.
     void ignore_in_scene(std::string_view link, std::string_view body);
     [[nodiscard]] bool is_tested_in_scene(std::string_view link, std::string_view body) const;
     /// The margin of two links or parts, in the place of that of the question. Throws InvalidInput for an unknown name,

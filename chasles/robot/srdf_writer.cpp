@@ -2,8 +2,6 @@
 
 #include "chasles/robot/xml_file.h"
 
-#include <array>
-
 namespace chasles::robot {
 
 namespace {
@@ -22,9 +20,9 @@ const char* reason_of(PairReason reason) {
     }
 }
 
-void remove_pairs(tinyxml2::XMLElement& root) {
-    constexpr std::array names{"disable_collisions", "enable_collisions", "disable_default_collisions"};
-    for (const char* name : names)
+/// Pairs that are enabled stay: adjacent links are not tested otherwise.
+void remove_disabled_pairs(tinyxml2::XMLElement& root) {
+    for (const char* name : {"disable_collisions", "disable_default_collisions"})
         while (tinyxml2::XMLElement* pair = root.FirstChildElement(name))
             root.DeleteChild(pair);
 }
@@ -39,7 +37,7 @@ std::string srdf_text(const Robot& robot, const std::vector<PairProof>& proofs, 
         document.RootElement()->SetAttribute("name", robot.description().name.c_str());
     } else {
         XmlFile(given, "robot").copy_to(document);
-        remove_pairs(*document.RootElement());
+        remove_disabled_pairs(*document.RootElement());
     }
     for (const PairProof& proof : proofs)
         if (const char* const reason = reason_of(proof.reason)) {

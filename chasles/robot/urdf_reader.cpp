@@ -7,6 +7,7 @@
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "chasles/motion/turn_about.h"
+#include "chasles/robot/cut_polygons.h"
 #include "chasles/robot/package_paths.h"
 #include "chasles/robot/primitive_shapes.h"
 #include "chasles/robot/xml_file.h"
@@ -111,7 +112,9 @@ CollisionDescription UrdfReader::collision(const XmlElement& element) {
     if (shapes.empty())
         file_.fail(geometry, "has no shape");
     if (shapes.size() > 1)
-        file_.fail(*shapes[1], "<geometry> has another shape already; write a second <collision>");
+        file_.fail(*shapes[1], std::string_view(shapes[1]->Name()) == "origin"
+                                   ? "stands in <geometry>; write it beside <geometry>, in <collision>"
+                                   : "<geometry> has another shape already; write a second <collision>");
     const XmlElement* const shape = shapes[0];
     const std::string_view kind = shape->Name();
     const Pose place = origin(element);
@@ -158,8 +161,10 @@ Polyhedron UrdfReader::mesh(const XmlElement& element) {
         for (std::vector<std::uint32_t>& face : soup.faces)
             std::ranges::reverse(face);
     try {
-        return meshes_.emplace(key, Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true}))
-            .first->second;
+        const Polyhedron body = Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true});
+        if (const auto warning = warning_of_cut_polygons(soup, body))
+            warnings_.push_back(io::one_line(found.path.string()) + ": " + *warning);
+        return meshes_.emplace(key, body).first->second;
     } catch (const InvalidInput& error) {
         io::fail_in_file(found.path, error.what());
     }
@@ -189,9 +194,10 @@ JointDescription UrdfReader::joint(const XmlElement& element) {
     if (!parents_.emplace(joint.child, joint.parent).second)
         file_.fail(element, "child: another joint has the link " + io::in_quotes(joint.child) + " already");
     joint.origin = origin(element);
-    if (const XmlElement* const axis = file_.child(element, "axis"))
-        joint.axis = vector(*axis, "xyz");
     const bool has_axis = joint.type != JointType::fixed && joint.type != JointType::floating;
+    const XmlElement* const axis = has_axis ? file_.child(element, "axis") : nullptr;
+    if (axis)
+        joint.axis = vector(*axis, "xyz");
     if (has_axis && joint.axis.isZero(0))
         file_.fail(element, "axis: is zero");
     add_limits(element, joint);

@@ -26,7 +26,14 @@ bool turns(const robot::Model& model, const RobotVariable& variable) {
     return variable.is_continuous || (joint != joints.end() && joint->type == JointType::revolute);
 }
 
+/// A quaternion may have any length.
+bool is_of_quaternion(const RobotVariable& variable) {
+    return variable.name.find("/rot_") != std::string::npos;
+}
+
 double distance_beyond(const RobotVariable& variable, double value) {
+    if (is_of_quaternion(variable))
+        return 0;
     return std::max({0.0, variable.lower - value, value - variable.upper});
 }
 

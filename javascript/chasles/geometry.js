@@ -3,7 +3,7 @@
 import { InvalidInput } from "./errors.js";
 import { addMotion } from "./numbers.js";
 import { fromArrays } from "./polyhedron.js";
-import { poseWithRest, separated, worldRows } from "./poses.js";
+import { poseWithRest, separated, updateWorld, worldRows } from "./poses.js";
 
 const rounding = 1e-12;
 
@@ -100,8 +100,11 @@ function deformed(mesh, vertices) {
   const hasTargets = mesh.geometry.morphAttributes?.position?.length > 0;
   if (!hasTargets && !mesh.isSkinnedMesh) return vertices;
   if (typeof mesh.getVertexPosition !== "function") refuse("object: is deformed, and has no getVertexPosition");
-  for (const bone of mesh.skeleton?.bones ?? []) bone.updateWorldMatrix(true, false);
-  if (mesh.isSkinnedMesh) mesh.updateMatrixWorld();
+  for (const bone of mesh.skeleton?.bones ?? []) updateWorld(bone);
+  if (mesh.isSkinnedMesh) {
+    updateWorld(mesh);
+    mesh.updateMatrixWorld();
+  }
   const place = mesh.position.clone();
   for (let i = 0; i < vertices.length / 3; ++i) {
     mesh.getVertexPosition(i, place);

@@ -338,7 +338,7 @@ export interface MassProperties {
   inertia: Numbers | readonly Numbers[];
 }
 
-/** How a dragged body may move, in the world, from where it is when the dragging begins. */
+/** How a dragged body may move, in the world, from where it is when the dragging begins: at its goal, if it has one. */
 export interface DragLock {
   /** To turn about a line; to slide along a direction; both; to slide in a plane and to turn about its normal. */
   kind: "free" | "hinge" | "slider" | "cylinder" | "plane";
@@ -384,6 +384,7 @@ export interface DraggedBody extends Held {}
 export declare class DraggedBody {
   private constructor();
   readonly name: string;
+  /** Where the last update ended, or where the dragging began. `scene.move` of this body is seen by the next update. */
   readonly pose: PoseNumbers;
   readonly margin: number;
   readonly reach: number;

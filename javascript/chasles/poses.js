@@ -10,9 +10,22 @@ export function rowsOf({ elements }) {
   return Array.from({ length: 16 }, (_, i) => elements[4 * (i % 4) + Math.floor(i / 4)]);
 }
 
-/** The matrix of an Object3D in the world, with its parents as they are now. */
+/**
+ * Brings the matrices of an Object3D and its parents up to date, as a renderer would before it draws them: from the top down, whatever
+ * three.js believes to be up to date (its `updateWorldMatrix` passes over what does not update itself).
+ */
+export function updateWorld(object) {
+  if (object.parent) updateWorld(object.parent);
+  if (object.matrixAutoUpdate) object.updateMatrix();
+  if (object.matrixWorldAutoUpdate === false) return;
+  if (object.parent) object.matrixWorld.multiplyMatrices(object.parent.matrixWorld, object.matrix);
+  else object.matrixWorld.copy(object.matrix);
+}
+
+/** The matrix of an Object3D, or of what is like one, in the world, with its parents as they are now. */
 export function worldRows(object) {
-  object.updateWorldMatrix?.(true, false);
+  if (object.isObject3D) updateWorld(object);
+  else object.updateWorldMatrix?.(true, false);
   return rowsOf(object.matrixWorld);
 }
 

@@ -5,6 +5,7 @@ import { script } from "./worker_script.js";
 let address;
 
 export const fromText = {
+  hasText: true,
   inBrowser: () => new Worker((address ??= URL.createObjectURL(new Blob([script], { type: "text/javascript" })))),
   inNode: (NodeWorker) => new NodeWorker(script, { eval: true, execArgv: [] }),
 };

@@ -9,45 +9,46 @@ import { checkOptions } from "./values.js";
 const isNode = Boolean(globalThis.process?.versions?.node);
 
 /** A worker of either kind, behind the same functions. The kind is that of the worker: in Node.js there are both. */
-function adapted(worker) {
+function adapted(worker, why) {
   if (typeof worker?.postMessage !== "function" || typeof worker.terminate !== "function")
     throw new InvalidInput("worker: must make a Worker");
-  return typeof worker.on === "function" ? nodeWorker(worker) : webWorker(worker);
+  return typeof worker.on === "function" ? nodeWorker(worker, why) : webWorker(worker, why);
 }
 
 async function startWorker(make, newWorker) {
   if (make !== undefined && typeof make !== "function") throw new InvalidInput("worker: must be a function that makes a Worker");
-  if (make) return adapted(await make());
-  if (!isNode) return adapted(started(() => newWorker.inBrowser()));
+  if (make) return adapted(await make(), notStarted);
+  const why = newWorker.hasText ? forbidden : notStarted;
+  if (!isNode) return adapted(started(() => newWorker.inBrowser(), why), why);
   const threads = "node:worker_threads"; // a name that bundlers for browsers do not follow
   const { Worker: NodeWorker } = await import(/* @vite-ignore */ /* webpackIgnore: true */ threads);
-  return adapted(started(() => newWorker.inNode(NodeWorker)));
+  return adapted(started(() => newWorker.inNode(NodeWorker), why), why);
 }
 
 /** Pages may forbid workers, and bundles as CommonJS do not know their own address. */
-function started(start) {
+function started(start, why) {
   try {
     return start();
   } catch (error) {
-    throw new Error(notStarted(error.message), { cause: error });
+    throw new Error(why(error.message), { cause: error });
   }
 }
 
-/** What a worker of Node.js fails with. */
-function failureOf(error) {
-  const isScriptMissing = ["MODULE_NOT_FOUND", "ERR_MODULE_NOT_FOUND"].includes(error?.code);
-  return isScriptMissing ? new Error(notStarted(error.message), { cause: error }) : error;
+/** What a worker of Node.js fails with. Bundles for servers may take a module for a script of CommonJS. */
+function failureOf(error, why) {
+  const isScriptMissing = ["MODULE_NOT_FOUND", "ERR_MODULE_NOT_FOUND"].includes(error?.code) || error?.name === "SyntaxError";
+  return isScriptMissing ? new Error(why(error.message), { cause: error }) : error;
 }
 
 /** While it waits for nothing, a worker does not keep the process alive. */
-function nodeWorker(worker) {
+function nodeWorker(worker, why) {
   worker.unref();
   return {
     send: (message) => worker.postMessage(message),
     receive: (onMessage, onError) =>
       worker
         .on("message", onMessage)
-        .on("error", (error) => onError(failureOf(error)))
+        .on("error", (error) => onError(failureOf(error, why)))
         .on("messageerror", () => onError(new Error(notRead)))
         .on("exit", () => onError(new Error("chasles: a worker has ended"))),
     wait: (isWaiting) => (isWaiting ? worker.ref() : worker.unref()),
@@ -56,17 +57,22 @@ function nodeWorker(worker) {
 }
 
 const notRead = "chasles: an answer of a worker could not be read";
+const cannotStart = (cause, reason) => `chasles: a worker cannot be started: ${cause}${reason ? ` (${reason})` : ""}; `;
 const notStarted = (reason) =>
-  `chasles: a worker cannot be started: its script was not found${isNode ? "" : ", or the page forbids it (worker-src)"}${reason ? ` (${reason})` : ""}; ` +
-  'import "chasles/inline", which has the script in itself, or give workers({ worker }) a function that makes a Worker of chasles/worker';
+  cannotStart(isNode ? "its script was not found, or is not read as a module" : "its script was not found, or the page forbids it (worker-src)", reason) +
+  'import "chasles/inline", which has the script in itself, or give workers({ worker }) a function that makes a Worker of chasles/worker' +
+  (isNode ? '; a bundler for a server may leave chasles out (Next.js: serverExternalPackages: ["chasles"])' : "");
+/** Of the builds whose script is a text. */
+const forbidden = (reason) =>
+  cannotStart("the page forbids it", reason) + "its Content-Security-Policy needs worker-src blob:, or give workers({ worker }) a function that makes a Worker";
 
-function webWorker(worker) {
+function webWorker(worker, why) {
   return {
     send: (message) => worker.postMessage(message),
     receive: (onMessage, onError) => {
       worker.onmessage = ({ data }) => onMessage(data);
       worker.onmessageerror = () => onError(new Error(notRead));
-      worker.onerror = (event) => onError(new Error(event.message ? `chasles: a worker failed: ${event.message}` : notStarted()));
+      worker.onerror = (event) => onError(new Error(event.message ? `chasles: a worker failed: ${event.message}` : why()));
     },
     wait: () => undefined,
     stop: () => worker.terminate(),

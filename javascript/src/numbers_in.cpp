@@ -124,8 +124,12 @@ double NumbersIn::time() {
 MotionRule rule_in(NumbersIn& in) {
     MotionRule rule;
     rule.kind = static_cast<MotionKind>(in.whole(3));
-    if (in.flag())
+    if (in.flag()) {
         rule.max_turn = in.number();
+        if (rule.kind != MotionKind::screw)
+            throw InvalidInput(std::string("maxTurn: is for the motion screw, but the motion is a ") +
+                               names[std::size_t(rule.kind)]);
+    }
     rule.centre = centre_for("centre", in.point("centre"), rule.kind);
     return rule;
 }

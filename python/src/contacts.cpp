@@ -56,7 +56,9 @@ void bind_contact(nb::module_& module) {
         .def_prop_ro(
             "moving", [](const Contact& c) { return tuple_of(moving_feature_kind(c.kind), c.moving); },
             nb::sig("def moving(self) -> tuple[int, ...]"),
-            "The feature of the moving body: the id of a vertex or a face, or the two vertices of an edge.")
+            "The feature of the moving body: the id of a vertex or a face, or the two vertices of an edge. Ids count "
+            "what\n"
+            "was given, from 0: faces that were left out or cut are those of Polyhedron.source_faces.")
         .def_prop_ro(
             "fixed", [](const Contact& c) { return tuple_of(fixed_feature_kind(c.kind), c.fixed); },
             nb::sig("def fixed(self) -> tuple[int, ...]"), "The feature of the fixed body, in the same form.")
@@ -78,7 +80,8 @@ void bind_overlap(nb::module_& module) {
             "edge", [](const Overlap& o) { return tuple_of(FeatureKind::edge, o.edge); },
             nb::sig("def edge(self) -> tuple[int, int]"), "The two vertices of the edge.")
         .def_prop_ro(
-            "face", [](const Overlap& o) { return o.face.first; }, "The id of the face.")
+            "face", [](const Overlap& o) { return o.face.first; },
+            "The id of the face among those that were given, as in Polyhedron.source_faces.")
         .def_prop_ro(
             "point", [](const Overlap& o) { return array_of(o.point); }, nb::sig("def point(self) -> " CHASLES_ARRAY),
             doc("Overlap.point"))

@@ -12,6 +12,13 @@ namespace {
 
 using Json = nlohmann::json;
 
+/// Each command, also one that counts nothing: here it waits for a file that comes late.
+TEST_F(tests::CommandLine, ASlowCommandSaysThatItIsAtWork) {
+    const tests::Finished found =
+        run("--version; mkfifo late.obj; (sleep 6; echo > late.obj) & '" CHASLES_EXECUTABLE "' info late.obj");
+    EXPECT_NE(found.err.find("chasles: progress: at work for 5 s\n"), std::string::npos) << found.err;
+}
+
 /// Two sheets of triangles that slide past each other at a billionth of their size: takes many seconds.
 class Seconds : public tests::CommandLine {
 protected:

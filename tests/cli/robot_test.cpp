@@ -159,6 +159,24 @@ TEST_F(RobotCommand, ProvesPairsAndWritesThem) {
     EXPECT_EQ(text.find("link2=\"lower\" reason=\"Never\""), std::string::npos) << text;
 }
 
+/// A pair of adjacent links that a file enables is tested before and after.
+TEST_F(RobotCommand, AcmKeepsTheAdjacentPairsThatAFileEnables) {
+    const auto box = [](const std::string& name, const std::string& at) {
+        return "<link name='" + name + "'><collision><origin xyz='" + at +
+               " 0 0'/><geometry><box size='1 1 1'/></geometry></collision></link>";
+    };
+    write("hinge.urdf",
+          "<robot name='hinge'>" + box("post", "0") + box("leaf", "2") +
+              "<joint name='slide' type='prismatic'><parent link='post'/><child link='leaf'/>"
+              "<axis xyz='1 0 0'/><limit lower='-1.5' upper='0' velocity='1' effort='1'/></joint></robot>");
+    write("enabled.srdf", R"(<robot name="hinge"><enable_collisions link1="post" link2="leaf"/></robot>)");
+    write("slide.csv", "slide\n0\n-1.5\n");
+    EXPECT_EQ(run("acm hinge.urdf").out, "post  leaf  adjacent\n1 adjacent\n");
+    EXPECT_EQ(run("acm hinge.urdf --srdf enabled.srdf --out new.srdf").out, "post  leaf  sometimes\n1 sometimes\n");
+    for (const char* file : {"enabled.srdf", "new.srdf"})
+        EXPECT_EQ(run(std::string("robot hinge.urdf --path slide.csv --srdf ") + file).status, 1) << file;
+}
+
 TEST_F(RobotCommand, SaysWhyThereIsNoPair) {
     write("lonely.urdf", R"(<robot name="lonely"><link name="a"/>
         <link name="b"><collision><geometry><sphere radius="1"/></geometry></collision></link>

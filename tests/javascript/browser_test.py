@@ -116,6 +116,7 @@ class InABrowser(unittest.TestCase):
             )
             stuck = self.open_once(f"no_workers_{name}", self.guarded(f"no_workers_{name}", file, f"{always}; connect-src 'self'; worker-src 'none'"))
             self.assertIn("a worker cannot be started", stuck["error"])
+            self.assertIn('import "chasles/inline"' if name == "plain" else "needs worker-src blob:", stuck["error"])
 
     def test_a_server_that_answers_with_a_page(self) -> None:
         """As development servers do for a file that they do not find."""

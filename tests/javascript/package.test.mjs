@@ -153,6 +153,7 @@ test("wrong arguments are refused in words, and the instance goes on", () => {
   assert.match(ask(far, near, { find: "all" }), /^find: "all": must be 'first', 'any' or 'first_with_all_contacts'/);
   assert.match(ask(far, near, { motion: "spiral" }), /^motion: "spiral": must be 'screw'/);
   assert.match(ask(far, near, { centre: [0, 0, 0] }), /^centre: is for the motions sweep and velocity/);
+  assert.match(ask(far, near, { motion: "velocity", maxTurn: 1 }), /^maxTurn: is for the motion screw, but the motion is a velocity/);
   assert.match(ask(far, near, { motion: "sweep", centre: [0, 0] }), /^centre: a point needs 3 numbers/);
   assert.match(ask(far, near, { maxTurn: 0 }), /^motion: maxTurn: must be/);
   assert.match(ask(far, near, { fixedStart: far }), /^fixedGoal: undefined/);

@@ -49,6 +49,24 @@ function assertNear(points, expected, most = 1e-12) {
 
 const poseOf = (value) => chasles.poseAt(value, value, 0);
 
+test("an Object3D that does not update itself goes with its parents, and stays where it is told to", () => {
+  const [cart, rack, crate] = [new Group(), new Group(), new Mesh(new BoxGeometry(1, 1, 1))];
+  cart.add(rack.add(crate));
+  crate.position.y = 1;
+  for (const still of [rack, crate]) {
+    still.updateMatrix();
+    still.matrixAutoUpdate = false;
+    cart.updateMatrixWorld();
+    cart.position.x += 5;
+    assert.deepEqual(poseOf(crate).slice(0, 3), [cart.position.x, 1, 0]);
+    cart.updateMatrixWorld(true); // as the renderer does
+    assert.deepEqual(crate.matrixWorld.elements.slice(12, 15), [cart.position.x, 1, 0]);
+  }
+  crate.matrixWorldAutoUpdate = false;
+  crate.matrixWorld.setPosition(0, 0, 7);
+  assert.deepEqual(poseOf(crate).slice(0, 3), [0, 0, 7]);
+});
+
 test("an Object3D is where it is in the world, with its parents as they are now", () => {
   for (let i = 0; i < 100; ++i) {
     const mesh = randomMesh();

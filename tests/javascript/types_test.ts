@@ -1,10 +1,12 @@
 // Compiled, not run: the types accept what the README shows, and refuse what is wrong.
 import { load, InvalidInput, Polyhedron, type FirstContact } from "chasles";
 import { load as loadInline } from "chasles/inline";
+import wasm from "chasles/chasles.wasm";
 import { load as loadByPath } from "./node_modules/chasles/inline.js"; // as moduleResolution "node" finds it
 import { BoxGeometry, InstancedMesh, Matrix4, Mesh, Object3D, SkinnedMesh } from "three";
 
 const chasles = await load();
+await load({ wasm });
 const other = await (loadByPath satisfies typeof loadInline)({ wasm: new Uint8Array(8) });
 const cube: Polyhedron = chasles.polyhedron(new Float64Array(24), new Uint32Array(36), { triangulate: true });
 const box = chasles.fromBufferGeometry(new BoxGeometry(1, 1, 1));

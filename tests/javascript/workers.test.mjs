@@ -149,7 +149,7 @@ test("whatever fails when a job is sent or answered fails the job, and the proce
     }
     const chatty = await chasles.workers({ count: 1, worker: () => new Worker('import("' + import.meta.resolve("chasles/worker") + '"); const port = require("node:worker_threads").parentPort; for (const said of [null, undefined, 3, "ready", {}]) port.postMessage(said);', { eval: true, execArgv: [] }) });
     await ask(chatty);
-    await chasles.workers({ count: 1, worker: () => new Worker(new URL("file:///nowhere/worker.js")) }).catch(({ message }) => console.log(message.slice(0, 83)));`);
+    await chasles.workers({ count: 1, worker: () => new Worker(new URL("file:///nowhere/worker.js")) }).catch(({ message }) => console.log(message.slice(0, 111)));`);
   const lines = stdout.trimEnd().split("\n");
   assert.equal(status, 0, stderr);
   assert.match(lines[0], /^InvalidInput margin: .* is not a number$/);
@@ -158,7 +158,7 @@ test("whatever fails when a job is sent or answered fails the job, and the proce
     "Error not sent: body", "Error not sent: body", // it lacks a body, and is not asked again
     ...Array(2).fill("Error chasles: an answer of a worker could not be read"),
     "1",
-    "chasles: a worker cannot be started: its script was not found (Cannot find module '",
+    "chasles: a worker cannot be started: its script was not found, or is not read as a module (Cannot find module '",
   ]);
 });
 

@@ -36,6 +36,16 @@ TEST(TriangulatePolygon, CoversConvexAndReflexOutlines) {
     expect_covered({{0, 0}, {3, 0}, {3, 1}, {1, 1}, {1, 3}, {0, 3}}, 4);
 }
 
+/// Where a quad has no plane, the diagonal matters. Assimp, trimesh and others take that of the first corner.
+TEST(TriangulatePolygon, CutsQuadsFromTheirFirstCorner) {
+    const Outline quad{{0, 0}, {3, 0}, {2, 1}, {0, 1}};
+    auto triangles = triangulate_polygon(quad).value();
+    ASSERT_EQ(triangles.size(), 6U);
+    for (const int first : {0, 3})
+        EXPECT_EQ(std::count(triangles.begin() + first, triangles.begin() + first + 3, 0U), 1) << "of each triangle";
+    EXPECT_EQ(std::ranges::count(triangles, 2U), 2);
+}
+
 TEST(TriangulatePolygon, UsesCornersOnStraightSides) {
     expect_covered({{0, 0}, {1, 0}, {2, 0}, {2, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}, 6);
     expect_covered({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {0, 3}}, 3);

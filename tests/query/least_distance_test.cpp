@@ -3,6 +3,7 @@
 
 #include "chasles/base/invalid_input.h"
 #include "tests/attack/check_least.h"
+#include "tests/mesh/shapes.h"
 #include "tests/query/bodies.h"
 #include "tests/query/posed_distance.h"
 #include "tests/support/even_turn_motion.h"
@@ -152,6 +153,25 @@ TEST(LeastDistance, NamesTheNearestFeatures) {
     }
     EXPECT_GT(apart, 50);
     EXPECT_GE(kinds.size(), 4u);
+}
+
+/// The list of what is near is cut, or empty where rounding hides which edge of a sliver is nearest. What is named then
+/// is as far away as the answer says.
+TEST(LeastDistance, NamesTheNearestFeaturesFarAway) {
+    std::mt19937 random(4);
+    const Soup soup = torus(40, 12);
+    const Polyhedron ring = Polyhedron::from_polygons(soup.vertices, soup.faces);
+    const Polyhedron sliver = Polyhedron::from_polygons(
+        {{-21.5, -25.936, 4.77396e-15}, {-21.5, 29.25, 0}, {-21.5, 25.936, 4.77396e-15}}, {{1, 0, 2}});
+    for (int i = 0; i < 60; ++i) {
+        const Polyhedron& fixed = i % 2 == 0 ? ring : sliver;
+        const Motion rest = Motion::at_rest(random_pose(random, i % 2 == 0 ? 4 : 90, 3));
+        const LeastDistance found = ask(ring, fixed, rest);
+        ASSERT_EQ(found.contacts.size(), 1U);
+        const Contact& contact = found.contacts[0];
+        EXPECT_GE(contact.gap, found.distance.lower * (1 - 1e-9)) << i;
+        EXPECT_LE(contact.gap, found.distance.upper * (1 + 1e-9)) << i;
+    }
 }
 
 TEST(LeastDistance, ListsAllNearestFeatures) {

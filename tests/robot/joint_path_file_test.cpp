@@ -190,6 +190,9 @@ TEST(JointPathFile, RefusesHeadersAndShowsThem) {
         {"waist;elbow\n0;0\n1;0,5\n", "line 3: elbow: not a finite number: '0,5'; write a decimal point"},
         {"waist elbow\n0\n", "line 2: 1 column found, 2 expected"},
         {"t,waist\n0,0\n0,1\n", "line 3: t: must increase, but is 0 after 0"},
+        {"t,waist\n1732800000000000000,0\n1732800000000000100,1\n",
+         "line 3: t: must increase, but is 1.7328e+18 after 1.7328e+18; doubles do not tell such numbers apart: "
+         "count from the first one"},
         {"waist\n0\n", "a path needs at least two configurations, and there are 1; repeat the row to ask about this "
                        "configuration at rest"},
         {"t,waist\n0,0\n",

@@ -100,6 +100,17 @@ TEST(PairProof, FindsContactsThatRandomLinesMiss) {
     }
 }
 
+/// What a file enables is looked at, and stays enabled in the file that is written.
+TEST(PairProof, ExaminesAdjacentLinksThatAreTested) {
+    Robot robot(two_sticks(-0.1));
+    robot.test("wall", "end");
+    const std::vector<PairProof> proofs = prove_pairs(robot);
+    const auto found = std::ranges::find_if(
+        proofs, [](const PairProof& proof) { return proof.first == "wall" && proof.second == "end"; });
+    ASSERT_NE(found, proofs.end());
+    EXPECT_EQ(found->reason, PairReason::sometimes);
+}
+
 TEST(PairProof, SeesLinksThatNoJointMoves) {
     RobotDescription robot{"fixed"};
     const Polyhedron cube = make_box({1, 1, 1});

@@ -127,6 +127,16 @@ TEST_F(UrdfFile, ReadsMeshesWithScales) {
 }
 
 /// Programs add elements of their own.
+/// Files in the field misspell the axis of fixed joints, which have none.
+TEST_F(UrdfFile, AFixedJointNeedsNoAxis) {
+    const std::string joint =
+        "type=\"revolute\">\n    <parent link=\"base\"/><child link=\"arm\"/><origin xyz=\"0 0 1\"/>"
+        "<axis xyz=\"0 0 2\"/>";
+    const std::string misspelt = "type=\"fixed\"><parent link=\"base\"/><child link=\"arm\"/><axis xzy=\"0 0 1\"/>";
+    EXPECT_TRUE(Robot(read(joint, misspelt)).variables().empty());
+    EXPECT_NE(refused("<axis xyz=", "<axis xzy=").find("has no attribute xyz"), std::string::npos);
+}
+
 TEST_F(UrdfFile, IgnoresElementsOfNamespacesInGeometry) {
     const std::string mesh = "<mesh filename=\"cube.obj\"/>", extra = "<drake:declare_convex/>";
     EXPECT_EQ(shape_of(mesh + extra).face_count(), 6U);

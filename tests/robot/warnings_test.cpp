@@ -21,6 +21,21 @@ protected:
     using Texts = std::vector<std::string>;
 };
 
+/// Other programs may cut them otherwise.
+TEST_F(RobotWarnings, PolygonsWithoutAPlaneAreCounted) {
+    write("bent.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0.25\nv 0 2 0\nv 0 0 1\nf 1 2 3 4\nf 1 2 5\n");
+    const std::string mesh = R"(<mesh filename="bent.obj"/>)";
+    const RobotDescription robot = read("<box size=\"1 2 3\"/>", mesh);
+    ASSERT_EQ(robot.warnings.size(), 1U);
+    EXPECT_NE(robot.warnings[0].find("bent.obj: 1 polygon leaves its plane by up to 0.06"), std::string::npos)
+        << robot.warnings[0];
+    const Polyhedron& shape = robot.links[1].collisions.at(0).shape;
+    for (std::size_t face = 0; face < shape.face_count(); ++face)
+        EXPECT_EQ(std::ranges::count(shape.face(face), 0U), 1) << "the first corner is in each triangle";
+    write("bent.obj", "v 0 0 0\nv 2 0 0\nv 2 2 0.000001\nv 0 2 0\nv 0 0 1\nf 1 2 3 4\nf 1 2 5\n");
+    EXPECT_TRUE(read("<box size=\"1 2 3\"/>", mesh).warnings.empty()) << "six digits in a file";
+}
+
 TEST_F(RobotWarnings, ThereAreNoneForARobotThatIsRight) {
     EXPECT_TRUE(Robot(read("", "")).warnings().empty());
     EXPECT_EQ(of_srdf(R"(<virtual_joint name="floor" type="fixed" parent_frame="world" child_link="base"/>

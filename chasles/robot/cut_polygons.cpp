@@ -1,0 +1,33 @@
+#include "chasles/robot/cut_polygons.h"
+
+#include "chasles/base/number_text.h"
+#include "chasles/mesh/polygon_plane.h"
+
+#include <algorithm>
+
+namespace chasles::robot {
+
+std::optional<std::string> warning_of_cut_polygons(const io::PolygonSoup& given, const Polyhedron& made) {
+    constexpr double planar_within = 1e-5;
+    std::vector<int> parts(given.faces.size());
+    for (std::size_t face = 0; face < made.face_count(); ++face)
+        ++parts[made.source_face(face)];
+    std::size_t count = 0;
+    double farthest = 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (parts[i] < 2)
+            continue;
+        const PolygonProjection polygon = project_polygon(given.vertices, given.faces[i]);
+        if (polygon.is_flat || polygon.deviation <= planar_within * std::max(polygon.size, polygon.magnitude))
+            continue;
+        ++count;
+        farthest = std::max(farthest, polygon.deviation);
+    }
+    if (count == 0)
+        return std::nullopt;
+    return std::to_string(count) + (count == 1 ? " polygon leaves its plane" : " polygons leave their planes") +
+           " by up to " + number_text(farthest, 3) +
+           ", and were cut into triangles: quads from their first corner, as most programs do";
+}
+
+} // namespace chasles::robot
