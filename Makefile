@@ -3,10 +3,8 @@ JOBS ?= $(shell nproc)
 PREFIX ?= /usr/local
 FUZZ_SECONDS ?= 10
 
-# `make quick` runs the unit tests of these layers, `make asan-core` what they decide an answer with, `make tidy-core` those
-# without findings.
+# `make quick` runs the unit tests of these layers, `make tidy-core` reads those without findings.
 QUICK = algebra motion elementary hierarchy mesh culling contact search query
-CORE = algebra elementary culling contact search query
 TIDY = algebra base hierarchy io mesh
 empty :=
 one_of = ^($(subst $(empty) ,|,$(strip $(1))))$$
@@ -31,9 +29,9 @@ help:
 	@echo "make bench    install what is compared with, build and run the benchmarks, and plot them"
 	@echo "make variants the same bits from other compiler options, consumers of the library, headers alone"
 	@echo "make asan     every test but the largest nuts by Clang under the address and undefined-behaviour sanitizers"
-	@echo "make asan-core     the same for the layers that an answer is computed in, without the nuts, and for a demo"
+	@echo "make asan-core     so built, a small attack on all that computes an answer, every fuzzer for FUZZ_SECONDS (default $(FUZZ_SECONDS)), a demo"
 	@echo "make tsan     the tests that share bodies between threads, under the thread sanitizer"
-	@echo "make fuzz     run each fuzzer for FUZZ_SECONDS (default $(FUZZ_SECONDS))"
+	@echo "make fuzz     of these, the fuzzers alone"
 	@echo "make tidy     clang-tidy over the library, the scenes and the command line"
 	@echo "make tidy-core     clang-tidy over the layers that have no findings"
 	@echo "make abuse    kill, interrupt and starve every command, and give it damaged files (an hour)"
@@ -56,7 +54,7 @@ check:
 	tools/python_check.sh build/dev
 
 # What the continuous integration runs one by one after `make check`.
-BUILDS = variants wasm-check asan-core fuzz tidy-core
+BUILDS = variants wasm-check asan-core tidy-core
 
 check-builds: $(BUILDS)
 
@@ -139,9 +137,9 @@ asan:
 
 asan-core:
 	@tools/install_dependencies.sh check fuzz
-	cmake --preset asan $(call in_batches,build/asan)
-	cmake --build --preset asan -j $(JOBS) --target chasles_cli $(CORE:%=chasles_%_tests)
-	ctest --preset asan -j $(JOBS) -L '$(call one_of,$(CORE))' -E 'Nut'
+	cmake --preset asan $(call in_batches,build/asan) -D CHASLES_FUZZ_SECONDS=$(FUZZ_SECONDS)
+	cmake --build --preset asan -j $(JOBS) --target chasles_cli chasles_attack chasles_fuzzers
+	ctest --preset asan -j $(JOBS) -R '^(attack|fuzz)\.'
 	build/asan/bin/chasles demo
 
 tsan:

@@ -20,7 +20,7 @@ TOPICS: dict[str, tuple[str, list[str]]] = {
     "first-contact": (
         "The first contact",
         ["query/first_contact.h", "search/find.h", "algebra/bracket.h", "contact/contact.h", "contact/constraint_rows.h",
-         "query/pair_memory.h"],
+         "memory/pair_memory.h"],
     ),
     "paths-and-batches": ("Paths, batches and limits", ["query/path.h", "query/batch.h", "base/limit.h"]),
     "least-distance": ("The least distance", ["query/least_distance.h"]),

@@ -1,5 +1,6 @@
 #include "chasles/manipulation/near_contacts.h"
 
+#include "chasles/base/sort.h"
 #include "chasles/motion/motion.h"
 #include "chasles/query/report.h"
 
@@ -21,14 +22,14 @@ constexpr int refinements = 4;
 
 } // namespace
 
-NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, double reach,
-                           search::NeighbourList* neighbours) {
+NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, double reach, search::Memory& memory) {
     const ScrewMotion rest = ScrewMotion::relative(moving.pose, moving.pose, fixed.pose, fixed.pose);
     const auto pieces = Motion(rest).trajectory().pieces();
     search::PieceContext context(moving.body, fixed.body, pieces->at(0));
     const query::ContactMoment moment(context, reach, most_slopes);
-    const search::NearFeatures near = moment.find(
-        {.most_visits = most_visits, .refinements = refinements, .finds_overlaps = true, .neighbours = neighbours});
+    search::NearFeatures near =
+        moment.find({.most_visits = most_visits, .refinements = refinements, .finds_overlaps = true, .memory = memory});
+    chasles::sort(near.pairs); // what is remembered changes their order
     NearContacts found{{}, reach, near.overlap.has_value(), near.is_cut, near.work};
     if (found.overlaps) {
         found.distance = 0;

@@ -5,7 +5,7 @@
 #include "chasles/contact/contact.h"
 #include "chasles/mesh/body.h"
 #include "chasles/motion/pose.h"
-#include "chasles/search/neighbour_list.h"
+#include "chasles/search/memory.h"
 
 #include <optional>
 #include <vector>
@@ -27,8 +27,8 @@ struct NearContacts {
     Work work;
 };
 
-/// All that is within `reach`, positive. `neighbours`, the list of both bodies, saves time.
+/// All that is within `reach`, positive. `memory` is that of both bodies.
 NearContacts near_contacts(const PlacedBody& moving, const PlacedBody& fixed, double reach,
-                           search::NeighbourList* neighbours = nullptr);
+                           search::Memory& memory = search::no_memory());
 
 } // namespace chasles::manipulation

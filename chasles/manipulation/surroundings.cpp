@@ -88,8 +88,8 @@ Neighbourhood Surroundings::near(const Body& body, const Pose& pose) {
             continue;
         const PlacedBody there{other.shape.body(), other.pose};
         if (!other.neighbours)
-            other.neighbours = std::make_unique<search::NeighbourList>(body, there.body);
-        const NearContacts near = near_contacts({body, pose}, there, distances_.reach, other.neighbours.get());
+            other.neighbours = std::make_unique<memory::NeighbourList>(body, there.body);
+        const NearContacts near = near_contacts({body, pose}, there, distances_.reach, *other.neighbours);
         found.work += near.work;
         found.distances.back() = near.distance;
         for (const Contact& contact : near.contacts)
@@ -121,7 +121,7 @@ Passage Surroundings::passage(const Body& body, const Pose& start, const Pose& g
                                                   relative.trajectory(),
                                                   {.margin = level},
                                                   passage.until,
-                                                  other.neighbours.get()});
+                                                  other.neighbours ? *other.neighbours : search::no_memory()});
         passage.work += found.work;
         if (found.verdict == Verdict::clear || found.clear_until >= passage.until)
             continue;

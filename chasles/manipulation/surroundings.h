@@ -3,9 +3,9 @@
 #pragma once
 
 #include "chasles/manipulation/contact_model.h"
+#include "chasles/memory/neighbour_list.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/scene/scene.h"
-#include "chasles/search/neighbour_list.h"
 
 #include <memory>
 #include <optional>
@@ -22,7 +22,7 @@ struct Other {
     bool is_ignored = false;
     Eigen::Vector3d centre; ///< of a ball around the body, in the world
     double radius = 0;
-    std::unique_ptr<search::NeighbourList> neighbours; ///< of the dragged body and this one, once they were near
+    std::unique_ptr<memory::NeighbourList> neighbours; ///< of the dragged body and this one, once they were near
 };
 
 /// What is near the dragged body at one pose.

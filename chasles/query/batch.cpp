@@ -19,6 +19,7 @@ std::vector<FirstContact> first_contact_batch(const BatchQuery& query) {
 std::vector<FirstContact> first_contact_batch(std::span<const FirstContactQuery> queries, const BatchOptions& options) {
     for (const FirstContactQuery& query : queries) {
         query::check_options(query.options);
+        query::require(!query.memory, "memory", "serves one thread, and a batch has several: ask one by one");
         check_motion(query.moving, query.fixed, query.motion);
     }
     return query::all_answers<FirstContact>(queries.size(), options, [&](std::size_t i) {

@@ -29,7 +29,8 @@ struct BatchQuery {
 CHASLES_EXPORT std::vector<FirstContact> first_contact_batch(const BatchQuery& query);
 
 /// Many questions, each with its own bodies, motion and options. One answer a question, in order; the same for any
-/// number of threads. Throws InvalidInput as first_contact does, before any question is answered.
+/// number of threads. Throws InvalidInput as first_contact does, and for a question with a memory, which serves one
+/// thread; before any question is answered.
 CHASLES_EXPORT std::vector<FirstContact> first_contact_batch(std::span<const FirstContactQuery> queries,
                                                              const BatchOptions& options = {});
 

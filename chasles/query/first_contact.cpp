@@ -14,8 +14,7 @@ FirstContact first_contact(const FirstContactQuery& query) {
     query::check_options(query.options);
     query::require(!query.memory || query.memory->is_of(query.moving, query.fixed), "memory", "is of other bodies");
     return query::answer_or_unknown({query.moving.body(), query.fixed.body(), query.motion.trajectory(), query.options,
-                                     1, query.memory ? &query.memory->neighbours() : nullptr,
-                                     query.memory ? &query.memory->orbits() : nullptr});
+                                     1, query.memory ? query.memory->of_searches() : search::no_memory()});
 }
 
 FirstContact FirstContact::swapped() const {

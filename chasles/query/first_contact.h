@@ -3,9 +3,9 @@
 
 #include "chasles/algebra/bracket.h"
 #include "chasles/contact/contact.h"
+#include "chasles/memory/pair_memory.h"
 #include "chasles/mesh/polyhedron.h"
 #include "chasles/motion/motion.h"
-#include "chasles/query/pair_memory.h"
 #include "chasles/search/find.h"
 
 #include <optional>

@@ -4,6 +4,7 @@
 #include "chasles/contact/relative_configuration.h"
 #include "chasles/culling/clearly_apart.h"
 #include "chasles/culling/far_apart.h"
+#include "chasles/memory/orbit_filter.h"
 #include "chasles/query/report.h"
 #include "chasles/query/requirements.h"
 
@@ -57,10 +58,9 @@ PieceResult search_within_limit(PieceContext& context, const search::SearchOptio
 class PieceByPiece {
 public:
     explicit PieceByPiece(const PairQuery& query)
-        : query_(query), options_(query.options), pieces_(query.trajectory.pieces()), orbits_(query.orbits) {
-        if (!orbits_ && pieces_->size() > 1)
-            orbits_ = &own_orbits_.emplace(query.moving, query.fixed);
-    }
+        : query_(query), options_(query.options), pieces_(query.trajectory.pieces()),
+          orbits_(query.moving, query.fixed),
+          memory_(&query.memory == &search::no_memory() && pieces_->size() > 1 ? orbits_ : query.memory) {}
 
     FirstContact run();
 
@@ -84,8 +84,8 @@ private:
     const PairQuery& query_;
     const QueryOptions& options_;
     std::unique_ptr<const motion::AnyPieces> pieces_;
-    std::optional<search::OrbitFilter> own_orbits_;
-    search::OrbitFilter* orbits_;
+    memory::OrbitFilter orbits_; ///< of this question, from piece to piece
+    search::Memory& memory_;
 };
 
 FirstContact PieceByPiece::run() {
@@ -106,8 +106,7 @@ FirstContact PieceByPiece::run_within(double level, bool checks_start) {
                                           .margin = level,
                                           .check_start = checks_start && i == 0,
                                           .until = tau_after(context.piece(), query_.until),
-                                          .neighbours = query_.neighbours,
-                                          .orbits = orbits_});
+                                          .memory = memory_});
         found.work += result.work;
         if (has_contact(result)) {
             report(found, context, result, {options_, i == 0, level});
@@ -125,7 +124,7 @@ FirstContact PieceByPiece::run_from_within() {
     PieceContext first = piece(0);
     // A motion that stopped at the margin ended within it, up to rounding.
     const ContactMoment start(first, 0, true, options_.margin + resting_slack(first), 0);
-    const search::NearFeatures near = start.find({.finds_overlaps = true, .neighbours = query_.neighbours});
+    const search::NearFeatures near = start.find({.finds_overlaps = true, .memory = memory_});
     const bool is_within = near.overlap || (!near.pairs.empty() && near.complete_within > 0);
     const std::optional<Level> level = is_within ? level_of(first, start, near) : Level{options_.margin};
     FirstContact found;
@@ -178,7 +177,7 @@ double PieceByPiece::least_distance(const ContactMoment& start, const search::Ne
 } // namespace
 
 FirstContact answer(const PairQuery& query) {
-    const auto& [moving, fixed, trajectory, options, until, neighbours, orbits] = query;
+    const auto& [moving, fixed, trajectory, options, until, memory] = query;
     require_near(moving, fixed, trajectory);
     if (culling::are_far_apart(moving, fixed, trajectory, options.margin) ||
         culling::are_clearly_apart(moving, fixed, trajectory, options.margin)) {

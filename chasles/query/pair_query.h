@@ -5,11 +5,7 @@
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/query/first_contact.h"
 #include "chasles/query/least_distance.h"
-
-namespace chasles::search {
-class NeighbourList;
-class OrbitFilter;
-} // namespace chasles::search
+#include "chasles/search/memory.h"
 
 namespace chasles::query {
 
@@ -19,9 +15,8 @@ struct PairQuery {
     const Body& fixed;
     const motion::AnyTrajectory& trajectory;
     const QueryOptions& options;
-    double until = 1;                            ///< time in [0, 1]: contacts that begin later need not be found
-    search::NeighbourList* neighbours = nullptr; ///< of both bodies: saves time where questions follow each other
-    search::OrbitFilter* orbits = nullptr;       ///< likewise, where they turn about one axis
+    double until = 1;                             ///< time in [0, 1]: contacts that begin later need not be found
+    search::Memory& memory = search::no_memory(); ///< of both bodies, for questions that follow each other
 };
 
 /// Likewise for the least distance.

@@ -1,7 +1,6 @@
 #include "chasles/search/near_features.h"
 
 #include "chasles/algebra/arc_tangent.h"
-#include "chasles/base/sort.h"
 #include "chasles/contact/near_pair.h"
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_planes.h"
@@ -144,23 +143,15 @@ private:
     NearFeatures found_;
 };
 
-/// A traversal. Returns the number of node pairs tested.
-std::uint64_t visit_all(PieceContext& context, double reach, double tau, NearLeaves& leaves) {
-    const culling::TimeTree times = context.time_tree(reach, context.parts(reach));
-    culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, reach, false, leaves);
-    return traversal.run({tau, tau});
-}
-
 NearFeatures search_once(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     const double reach = scene.margin + scene.slack;
-    NearLeaves leaves(context, scene, search);
+    const culling::TimeRange moment{tau, tau};
     Work work;
-    const auto pairs =
-        search.neighbours && scene.margin > 0 ? search.neighbours->within(context, reach, work) : std::nullopt;
-    if (pairs)
-        test_pairs(context, reach, *pairs, {tau, tau}, leaves);
-    else
-        work.node_pairs += visit_all(context, reach, tau, leaves);
+    const auto pairs = search.memory.pairs_worth_testing(context, reach, moment, work);
+    NearLeaves leaves(context, scene, search);
+    const culling::TimeTree times = context.time_tree(reach, context.parts(reach));
+    culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, reach, false, leaves);
+    work.node_pairs += pairs ? traversal.run_among(*pairs, moment) : traversal.run(moment);
     NearFeatures found = leaves.take();
     found.work += work;
     return found;
@@ -217,8 +208,6 @@ private:
 
 NearFeatures near_features(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search) {
     NearFeatures near = search_once(context, scene, tau, search);
-    if (search.neighbours) // the order does not tell whether there was a list
-        chasles::sort(near.pairs);
     const bool may_be_much_nearer = scene.at_start && scene.margin > 0;
     if (near.is_cut && may_be_much_nearer)
         return NearerSearch(context, scene, tau, search).run(near);

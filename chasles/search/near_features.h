@@ -4,7 +4,7 @@
 
 #include "chasles/contact/contact_frame.h"
 #include "chasles/search/find.h"
-#include "chasles/search/neighbour_list.h"
+#include "chasles/search/memory.h"
 #include "chasles/search/piece_context.h"
 
 #include <vector>
@@ -13,11 +13,10 @@ namespace chasles::search {
 
 /// What is near at one tau of a piece.
 struct NearFeatures {
-    std::vector<contact::FeaturePair>
-        pairs;                      ///< each once, in the order of the traversal; sorted if neighbours are kept
-    bool is_cut = false;            ///< there may be more pairs than these
-    double complete_within = 0;     ///< every pair within this distance is listed
-    std::optional<Overlap> overlap; ///< the point is in the frame of the fixed body
+    std::vector<contact::FeaturePair> pairs; ///< each once, in the order of the search
+    bool is_cut = false;                     ///< there may be more pairs than these
+    double complete_within = 0;              ///< every pair within this distance is listed
+    std::optional<Overlap> overlap;          ///< the point is in the frame of the fixed body
     Work work;
 };
 
@@ -28,8 +27,7 @@ struct NearSearch {
     int refinements = 0;                 ///< of the distance within which a list that is cut is complete
     bool finds_overlaps = false;         ///< also edges that pass through faces; only at tau = 0
     bool finds_crossing_faces = false;   ///< also faces that are proven to pass through each other; only at tau = 0
-    NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
-                                         ///< a margin and for motions that rest
+    Memory& memory = no_memory();        ///< of both bodies
 };
 
 /// The feature pairs of a scene that touch or, with a margin, are within it at a local minimum of the distance

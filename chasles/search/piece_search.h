@@ -5,8 +5,7 @@
 
 #include "chasles/search/candidate.h"
 #include "chasles/search/find.h"
-#include "chasles/search/neighbour_list.h"
-#include "chasles/search/orbit_filter.h"
+#include "chasles/search/memory.h"
 #include "chasles/search/piece_context.h"
 
 namespace chasles::search {
@@ -20,9 +19,7 @@ struct SearchOptions {
                               ///< features within it
     double from = 0;  ///< tau at which the search begins: before and at it nothing is within the margin, unless it is 0
     double until = 1; ///< tau after which no contact matters
-    NeighbourList* neighbours = nullptr; ///< of both bodies; may save time where searches follow each other. Used with
-                                         ///< a margin only
-    OrbitFilter* orbits = nullptr;       ///< likewise, where they turn about one axis
+    Memory& memory = no_memory(); ///< of both bodies
 };
 
 /// The answer for one piece.

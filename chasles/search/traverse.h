@@ -9,13 +9,12 @@ namespace chasles::search {
 template <class Stages>
 PieceResult traverse(PieceContext& context, const SearchOptions& options) {
     Work work;
-    const bool is_whole = options.from == 0;
-    const auto pairs = options.orbits && is_whole ? options.orbits->pairs(context, options.margin, work) : std::nullopt;
+    const culling::TimeRange range{options.from, 1};
+    const auto pairs = options.memory.pairs_worth_testing(context, options.margin, range, work);
     LeafSearch<Stages> leaves(context, options);
     const culling::TimeTree times = context.time_tree(options.margin, leaves.parts());
     culling::BvhTraversal traversal(context.moving().bvh(), context.fixed().bvh(), times, options.margin,
                                     !options.finds_any, leaves);
-    const culling::TimeRange range{options.from, 1};
     try {
         work.node_pairs += pairs ? traversal.run_among(*pairs, range) : traversal.run(range);
     } catch (const Stopped&) {
@@ -23,8 +22,8 @@ PieceResult traverse(PieceContext& context, const SearchOptions& options) {
     }
     PieceResult result = leaves.take();
     result.work += work;
-    if (options.orbits && !pairs)
-        options.orbits->add_cost(context, result.work);
+    if (!pairs)
+        options.memory.learn(context, result.work);
     return result;
 }
 

@@ -123,7 +123,7 @@ void bind_queries(nb::module_& module) {
         "A body that slides, or is driven by a simulation in small steps, is asked about at nearly the same place "
         "each\n"
         "time. The memory changes the time that the next answers take, and no verdict. It helps questions with a\n"
-        "margin.\n\n"
+        "margin, and screws about one axis.\n\n"
         "Parameters\n----------\nmoving, fixed : Polyhedron\n    Of all questions with this memory, in these roles.")
         .def(nb::init<nb::handle, nb::handle>(), "moving"_a.none(), "fixed"_a.none(),
              nb::sig("def __init__(self, moving: Polyhedron, fixed: Polyhedron) -> None"));

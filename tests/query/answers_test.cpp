@@ -3,6 +3,7 @@
 #include "chasles/query/batch.h"
 #include "chasles/query/path.h"
 #include "tests/query/bodies.h"
+#include "tests/support/refusal.h"
 
 #include <gtest/gtest.h>
 #include <malloc.h>
@@ -203,6 +204,10 @@ TEST(Batch, OfManyPairsHasTheAnswersOfEachAlone) {
             EXPECT_TRUE(same(answers[i], first_contact(questions[i]))) << "question " << i;
     }
     EXPECT_TRUE(first_contact_batch(std::span<const FirstContactQuery>()).empty());
+    PairMemory memory(questions[7].moving, questions[7].fixed);
+    questions[7].memory = &memory;
+    EXPECT_EQ(refusal([&] { static_cast<void>(first_contact_batch(std::span<const FirstContactQuery>(questions))); }),
+              "query: memory: serves one thread, and a batch has several: ask one by one");
 }
 
 TEST(Path, OfSweepsTellsTheSegment) {

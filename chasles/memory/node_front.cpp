@@ -1,10 +1,10 @@
-#include "chasles/search/node_front.h"
+#include "chasles/memory/node_front.h"
 
 #include "chasles/culling/split_nodes.h"
 
 #include <limits>
 
-namespace chasles::search {
+namespace chasles::memory {
 
 namespace {
 
@@ -100,4 +100,4 @@ double NodeFront::farthest(const PairOfNodes& pair, const culling::MatrixPose& p
     return length(apart) + double(moving.half.norm()) + double(fixed.half.norm());
 }
 
-} // namespace chasles::search
+} // namespace chasles::memory

@@ -1,14 +1,16 @@
 // Separations against heights of corners above planes.
-#include "chasles/search/separations.h"
+#include "chasles/memory/separations.h"
 
-#include "tests/search/wanderer.h"
+#include "tests/memory/wanderer.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 
-namespace chasles::search {
+namespace chasles::memory {
 namespace {
+
+using search::PieceContext;
 
 /// A face of the moving body above a plane of the fixed body's frame.
 struct FaceAndPlane {
@@ -149,4 +151,4 @@ TEST(Separations, AnEmptiedPlaceTakesAnotherPair) {
 }
 
 } // namespace
-} // namespace chasles::search
+} // namespace chasles::memory

@@ -5,14 +5,14 @@
 
 #include "chasles/algebra/vector.h"
 #include "chasles/hierarchy/bvh.h"
-#include "chasles/search/way.h"
+#include "chasles/memory/way.h"
 
 #include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
 
-namespace chasles::search {
+namespace chasles::memory {
 
 /// Places for pairs of parts, in blocks of four. Moving parts are known by their boxes; of fixed parts, nothing is
 /// known but the gaps to them. The body is kept by reference.
@@ -86,4 +86,4 @@ private:
     std::vector<std::size_t> due_;
 };
 
-} // namespace chasles::search
+} // namespace chasles::memory

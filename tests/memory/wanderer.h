@@ -10,7 +10,7 @@
 #include <set>
 #include <utility>
 
-namespace chasles::search {
+namespace chasles::memory {
 
 /// Two links of a chain: one of them wanders along the surface of the other one.
 class Wanderer {
@@ -32,7 +32,7 @@ public:
 
     [[nodiscard]] const Polyhedron& moving() const { return moving_; }
     [[nodiscard]] const Polyhedron& fixed() const { return fixed_; }
-    [[nodiscard]] PieceContext context(const Motion& way) const {
+    [[nodiscard]] search::PieceContext context(const Motion& way) const {
         return {moving_.body(), fixed_.body(), way.trajectory().pieces()->at(0)};
     }
 
@@ -87,4 +87,4 @@ inline std::set<std::pair<std::uint32_t, std::uint32_t>> sampled_near(const Wand
     return near;
 }
 
-} // namespace chasles::search
+} // namespace chasles::memory

@@ -1,11 +1,12 @@
-#include "chasles/search/neighbour_list.h"
+#include "chasles/memory/neighbour_list.h"
 
 #include "chasles/base/sort.h"
+#include "chasles/search/piece_context.h"
 
 #include <algorithm>
 #include <limits>
 
-namespace chasles::search {
+namespace chasles::memory {
 
 namespace {
 
@@ -51,9 +52,10 @@ NeighbourList::NeighbourList(const Body& moving, const Body& fixed)
     : moving_(moving), fixed_(fixed), separation_(moving, fixed), travel_(moving), front_(moving, fixed),
       apart_(moving), longest_way_(way_of_edges * std::max(mean_edge(moving), mean_edge(fixed))) {}
 
-std::optional<std::span<const NeighbourList::Near>> NeighbourList::within(const PieceContext& context, double margin,
-                                                                          Work& work) {
-    if (context.is_enclosed())
+std::optional<std::span<const culling::NodePair>>
+NeighbourList::pairs_worth_testing(const search::PieceContext& context, double margin,
+                                   const culling::TimeRange& /*range*/, Work& work) {
+    if (margin <= 0 || context.is_enclosed())
         return std::nullopt;
     const culling::TimeInterval whole = context.interval(margin, {});
     const Way way = way_of(context, whole, margin);
@@ -102,7 +104,7 @@ void NeighbourList::add_new() {
         if (pairs_.size() % Separations::block_size == 0)
             apart_.append_block();
         apart_.put(pairs_.size(), moving);
-        pairs_.push_back({{moving.first, fixed_.bvh().nodes()[leaves.fixed].first}});
+        pairs_.push_back({leaves, {moving.first, fixed_.bvh().nodes()[leaves.fixed].first}});
     }
 }
 
@@ -112,9 +114,9 @@ void NeighbourList::find_near(const Way& way, double bound) {
     separation_.use(way.ends);
     placed_starts_.clear();
     for (const std::size_t index : apart_.due(way, bound))
-        if (const double least = least_on_way(index, way); !(least > way.margin))
-            near_.push_back({pairs_[index].faces, least});
-    chasles::sort(near_, {}, [](const Near& near) { return std::pair(near.faces.moving, near.faces.fixed); });
+        if (!stays_apart(index, way))
+            near_.push_back({pairs_[index].leaves.moving, pairs_[index].leaves.fixed, {}});
+    chasles::sort(near_, {}, [](const culling::NodePair& near) { return std::pair(near.moving, near.fixed); });
 }
 
 /// Consecutive pairs often share the moving face.
@@ -134,7 +136,7 @@ void NeighbourList::place_corners(std::uint32_t face, const Way& way) {
 
 /// By the half space that is known or, if it does not tell, by a new one. Sets the limit. If the gap is still about the
 /// one that was the widest, nothing new is tried.
-double NeighbourList::least_on_way(std::size_t index, const Way& way) {
+bool NeighbourList::stays_apart(std::size_t index, const Way& way) {
     Neighbours& pair = pairs_[index];
     place_corners(pair.faces.moving, way);
     Gaps gaps = gaps_of(pair);
@@ -145,7 +147,7 @@ double NeighbourList::least_on_way(std::size_t index, const Way& way) {
         gaps = gaps_of(pair);
     }
     apart_.put_apart(index, pair.normal, gaps.start);
-    return has_gap ? gaps.least() - (way.least_gap() - way.margin) : 0;
+    return has_gap && gaps.least() > way.least_gap();
 }
 
 /// A half space for a pair whose moving face is placed. Most pairs that are new are far enough apart for a short
@@ -193,4 +195,4 @@ NeighbourList::Gaps NeighbourList::gaps_of(const Neighbours& pair) const {
     return {start, placed_ends_.empty() ? start : least(placed_ends_)};
 }
 
-} // namespace chasles::search
+} // namespace chasles::memory

@@ -1,12 +1,12 @@
 // The nodes of orbit trees against the coordinates of points of their faces.
-#include "chasles/culling/orbit_tree.h"
+#include "chasles/memory/orbit_tree.h"
 
 #include "tests/mesh/shapes.h"
 #include "tests/query/bodies.h"
 
 #include <gtest/gtest.h>
 
-namespace chasles::culling {
+namespace chasles::memory {
 namespace {
 
 using Eigen::Vector3d;
@@ -99,4 +99,4 @@ TEST(OrbitTree, HoldsAllPointsOfItsFaces) {
 }
 
 } // namespace
-} // namespace chasles::culling
+} // namespace chasles::memory

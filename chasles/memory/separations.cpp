@@ -1,4 +1,4 @@
-#include "chasles/search/separations.h"
+#include "chasles/memory/separations.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,7 +9,7 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // on passing vectors: all functions with vector arguments are inlined here
 #endif
 
-namespace chasles::search {
+namespace chasles::memory {
 
 namespace {
 
@@ -205,4 +205,4 @@ void Separations::find_gains(std::size_t place) {
     gains_[place].are_found = true;
 }
 
-} // namespace chasles::search
+} // namespace chasles::memory

@@ -1,12 +1,14 @@
-#include "chasles/search/orbit_filter.h"
+#include "chasles/memory/orbit_filter.h"
 
 #include "chasles/culling/body_ball.h"
 
 #include <algorithm>
 
-namespace chasles::search {
+namespace chasles::memory {
 
 namespace {
+
+using search::PieceContext;
 
 /// Trees are made once searches have cost about twice as much: in pairs of nodes for each face of both bodies.
 constexpr double cost_of_face = 128;
@@ -41,12 +43,12 @@ std::optional<motion::Orbit> OrbitFilter::orbit_of(const PieceContext& context) 
     return motion::orbit_of(context.piece().cubic(), most_deviation_);
 }
 
-std::optional<culling::OrbitWay> OrbitFilter::way_of(const motion::Orbit& orbit, double margin) const {
-    const culling::OrbitWay way = culling::way_along(orbit, *axis_, ball_, margin);
+std::optional<OrbitWay> OrbitFilter::way_of(const motion::Orbit& orbit, double margin) const {
+    const OrbitWay way = way_along(orbit, *axis_, ball_, margin);
     return way.reach <= margin + 2 * most_deviation_ ? std::optional(way) : std::nullopt;
 }
 
-void OrbitFilter::add_cost(const PieceContext& context, const Work& work) {
+void OrbitFilter::learn(const PieceContext& context, const Work& work) {
     const double cost = cost_of(work);
     const auto orbit = cost >= least_cost && !context.is_enclosed() ? orbit_of(context) : std::nullopt;
     if (!orbit)
@@ -72,20 +74,21 @@ void OrbitFilter::make_trees() {
         trees_ = Trees{{moving_, axis_->moving, axis_->pitch}, {fixed_, axis_->fixed, axis_->pitch}};
 }
 
-std::optional<std::vector<culling::NodePair>> OrbitFilter::pairs(const PieceContext& context, double margin,
-                                                                 Work& work) {
-    if (context.is_enclosed() || (!trees_ && cost_ < cost_to_pay_))
+std::optional<std::span<const culling::NodePair>> OrbitFilter::pairs_worth_testing(const PieceContext& context,
+                                                                                   double margin,
+                                                                                   const culling::TimeRange& range,
+                                                                                   Work& work) {
+    if (range != culling::TimeRange() || context.is_enclosed() || (!trees_ && cost_ < cost_to_pay_))
         return std::nullopt;
     const auto orbit = orbit_of(context);
     const auto way = orbit ? way_of(*orbit, margin) : std::nullopt;
     if (!way)
         return std::nullopt;
     make_trees();
-    auto found = culling::orbit_pairs(trees_->moving, trees_->fixed, *way, std::size_t(share_to_test * dearest_),
-                                      work.node_pairs);
-    if (!found)
+    pairs_ = orbit_pairs(trees_->moving, trees_->fixed, *way, std::size_t(share_to_test * dearest_), work.node_pairs);
+    if (!pairs_)
         give_up();
-    return found;
+    return pairs_;
 }
 
-} // namespace chasles::search
+} // namespace chasles::memory

@@ -1,5 +1,5 @@
 // A memory of two bodies is refused for other bodies; SlidingBody compares the answers with it and without it.
-#include "chasles/query/pair_memory.h"
+#include "chasles/memory/pair_memory.h"
 
 #include "chasles/query/first_contact.h"
 #include "tests/query/bodies.h"

@@ -1,5 +1,5 @@
 // Pairs that may meet on a helix against the distances of all pairs of triangles at sampled times.
-#include "chasles/culling/orbit_pairs.h"
+#include "chasles/memory/orbit_pairs.h"
 
 #include "chasles/culling/body_ball.h"
 #include "chasles/motion/any_trajectory.h"
@@ -14,9 +14,12 @@
 #include <map>
 #include <numbers>
 
-namespace chasles::culling {
+namespace chasles::memory {
 namespace {
 
+using culling::ball_around;
+using culling::NodePair;
+using culling::Window;
 using Eigen::Vector3d;
 using test::uniform;
 
@@ -228,4 +231,4 @@ TEST(OrbitPairs, HardlyAnythingOfANutMeetsItsBoltOnTheThread) {
 }
 
 } // namespace
-} // namespace chasles::culling
+} // namespace chasles::memory

@@ -4,13 +4,13 @@
 #pragma once
 
 #include "chasles/culling/swept_boxes.h"
+#include "chasles/memory/separations.h"
+#include "chasles/memory/way.h"
 #include "chasles/search/find.h"
-#include "chasles/search/separations.h"
-#include "chasles/search/way.h"
 
 #include <vector>
 
-namespace chasles::search {
+namespace chasles::memory {
 
 /// The front of a traversal of two hierarchies. Bodies are kept by reference.
 class NodeFront {
@@ -53,4 +53,4 @@ private:
     std::vector<std::size_t> new_;  ///< places that are not tested yet
 };
 
-} // namespace chasles::search
+} // namespace chasles::memory

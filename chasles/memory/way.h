@@ -7,7 +7,7 @@
 
 #include <optional>
 
-namespace chasles::search {
+namespace chasles::memory {
 
 /// A piece with a margin. Points that come within the margin move on chords between both ends, up to the deviation.
 struct Way {
@@ -23,7 +23,7 @@ struct Way {
 };
 
 /// `whole` is the interval of the whole piece for points within the margin.
-Way way_of(const PieceContext& context, const culling::TimeInterval& whole, double margin);
+Way way_of(const search::PieceContext& context, const culling::TimeInterval& whole, double margin);
 
 /// The place to which the moving body came.
 struct Arrival {
@@ -56,4 +56,4 @@ inline double with_rounding(double travelled) {
     return travelled * (1 + 0x1p-50);
 }
 
-} // namespace chasles::search
+} // namespace chasles::memory

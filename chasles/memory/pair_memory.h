@@ -9,8 +9,7 @@
 namespace chasles {
 
 namespace search {
-class NeighbourList;
-class OrbitFilter;
+class Memory;
 } // namespace search
 
 /// The memory of two bodies, for one thread at a time. It changes the time that the next answers take, and no verdict.
@@ -32,14 +31,12 @@ public:
     [[nodiscard]] bool is_of(const Polyhedron& moving, const Polyhedron& fixed) const;
 
     /// Internal.
-    [[nodiscard]] search::NeighbourList& neighbours() { return *neighbours_; }
-    [[nodiscard]] search::OrbitFilter& orbits() { return *orbits_; }
+    [[nodiscard]] search::Memory& of_searches() { return *of_searches_; }
 
 private:
     Polyhedron moving_;
     Polyhedron fixed_;
-    std::unique_ptr<search::NeighbourList> neighbours_;
-    std::unique_ptr<search::OrbitFilter> orbits_;
+    std::unique_ptr<search::Memory> of_searches_;
 };
 
 } // namespace chasles

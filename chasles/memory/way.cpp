@@ -1,10 +1,10 @@
-#include "chasles/search/way.h"
+#include "chasles/memory/way.h"
 
 #include "chasles/motion/screw_path.h"
 
 #include <algorithm>
 
-namespace chasles::search {
+namespace chasles::memory {
 
 namespace {
 
@@ -18,7 +18,7 @@ double distance(const Body& body, const motion::MatrixPose& a, const motion::Mat
 
 } // namespace
 
-Way way_of(const PieceContext& context, const culling::TimeInterval& whole, double margin) {
+Way way_of(const search::PieceContext& context, const culling::TimeInterval& whole, double margin) {
     Way way{culling::IntervalEnds(context.maps()), margin, whole.deviation,
             elementary::with_underflow<double>(roundings_of_places *
                                                elementary::position_error<double>(context.error_scale(margin))),
@@ -40,4 +40,4 @@ Arrival Travel::go_to(const Way& way) {
     return {share, beside + 2 * way.rounding, sum_};
 }
 
-} // namespace chasles::search
+} // namespace chasles::memory

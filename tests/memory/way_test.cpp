@@ -1,12 +1,14 @@
 // How far points of a body get on a way, and where a body came to, against the places of its vertices.
-#include "chasles/search/way.h"
+#include "chasles/memory/way.h"
 
-#include "tests/search/wanderer.h"
+#include "tests/memory/wanderer.h"
 
 #include <gtest/gtest.h>
 
-namespace chasles::search {
+namespace chasles::memory {
 namespace {
+
+using search::PieceContext;
 
 Way way_on(const PieceContext& context, double margin) {
     return way_of(context, context.interval(margin, {}), margin);
@@ -79,4 +81,4 @@ TEST(Way, TheArrivalBoundsWherePointsAre) {
 }
 
 } // namespace
-} // namespace chasles::search
+} // namespace chasles::memory

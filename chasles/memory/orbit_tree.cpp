@@ -1,4 +1,4 @@
-#include "chasles/culling/orbit_tree.h"
+#include "chasles/memory/orbit_tree.h"
 
 #include "chasles/algebra/arc_tangent.h"
 #include "chasles/base/sort.h"
@@ -8,7 +8,7 @@
 #include <numbers>
 #include <numeric>
 
-namespace chasles::culling {
+namespace chasles::memory {
 
 namespace {
 
@@ -312,4 +312,4 @@ OrbitTree::OrbitTree(const Body& body, const motion::AxisFrame& axis, double pit
     Builder(*this, body, axis, pitch).build();
 }
 
-} // namespace chasles::culling
+} // namespace chasles::memory

@@ -1,47 +1,43 @@
 // Neighbour lists against the distances of all pairs of triangles, and searches with a list against searches without.
-#include "chasles/search/neighbour_list.h"
+#include "chasles/memory/neighbour_list.h"
 
 #include "chasles/query/pair_query.h"
 #include "chasles/search/near_features.h"
 #include "chasles/search/piece_search.h"
-#include "tests/search/wanderer.h"
+#include "tests/memory/wanderer.h"
 
 #include <gtest/gtest.h>
 
-namespace chasles::search {
+namespace chasles::memory {
 namespace {
 
 using contact::FeaturePair;
-/// The least distance of two faces at some times.
-double least_sampled(const Wanderer& bodies, const Motion& way, const TwoFaces& faces) {
-    double least = 1e300;
-    for (const double time : {0.0, 0.25, 0.5, 0.75, 1.0})
-        least = std::min(least, std::sqrt(test::squared_distance_of_triangles<double>(
-                                    triangle_at(bodies.moving(), faces.moving, way.pose_at(time)),
-                                    triangle_at(bodies.fixed(), faces.fixed, Pose()))));
-    return least;
+using search::NearFeatures;
+using search::PieceContext;
+using search::PieceResult;
+
+std::uint32_t face_of(const Polyhedron& body, std::uint32_t leaf) {
+    return body.body().bvh().nodes()[leaf].first;
 }
 
 TEST(NeighbourList, ListsAllThatComesNear) {
     Wanderer bodies;
     NeighbourList list(bodies.moving().body(), bodies.fixed().body());
-    int near_pairs = 0, lists = 0, bounds = 0;
+    int near_pairs = 0, lists = 0;
     std::size_t listed = 0;
     for (int i = 0; i < 60; ++i) {
         const Motion way = bodies.next();
         const double margin = i % 2 == 0 ? 0.02 : 0.005;
         Work work;
-        const auto found = list.within(bodies.context(way), margin, work);
+        const auto found = list.pairs_worth_testing(bodies.context(way), margin, {}, work);
         if (!found)
             continue;
         ++lists;
         listed += found->size();
         std::set<std::pair<std::uint32_t, std::uint32_t>> pairs;
-        for (const auto& [faces, least] : *found) {
-            EXPECT_TRUE(pairs.insert({faces.moving, faces.fixed}).second);
-            EXPECT_LE(least, least_sampled(bodies, way, faces)) << "piece " << i;
-            bounds += least > 0 ? 1 : 0;
-        }
+        for (const culling::NodePair& leaves : *found)
+            EXPECT_TRUE(
+                pairs.insert({face_of(bodies.moving(), leaves.moving), face_of(bodies.fixed(), leaves.fixed)}).second);
         for (const auto& near : sampled_near(bodies, way, margin * (1 - 1e-9))) {
             ++near_pairs;
             EXPECT_TRUE(pairs.contains(near)) << "piece " << i << ": faces " << near.first << ", " << near.second;
@@ -49,7 +45,6 @@ TEST(NeighbourList, ListsAllThatComesNear) {
     }
     EXPECT_GT(lists, 40);
     EXPECT_GT(near_pairs, 500);
-    EXPECT_GT(bounds, 500);
     EXPECT_LT(double(listed), 1.5 * near_pairs); // hardly more than what is near
 }
 
@@ -60,7 +55,8 @@ TEST(NeighbourList, SplitsLittleAnewWhileTheBodyStaysNearItsPlace) {
     const auto ask = [&](double shift, Work& work) {
         Pose goal = Wanderer::home();
         goal.translation.y() += shift;
-        return list.within(bodies.context(ScrewMotion::between(Wanderer::home(), goal)), 0.01, work).has_value();
+        const Motion way = ScrewMotion::between(Wanderer::home(), goal);
+        return list.pairs_worth_testing(bodies.context(way), 0.01, {}, work).has_value();
     };
     ASSERT_TRUE(ask(1e-3, first));
     EXPECT_GT(first.node_pairs, 0U);
@@ -74,10 +70,10 @@ TEST(NeighbourList, GivesUpOnLongWaysAndOnEnclosedMotions) {
     NeighbourList list(bodies.moving().body(), bodies.fixed().body());
     Work work;
     const Motion far = ScrewMotion::between(Pose(), test::shifted(3, 0, 0));
-    EXPECT_FALSE(list.within(bodies.context(far), 0.01, work));
+    EXPECT_FALSE(list.pairs_worth_testing(bodies.context(far), 0.01, {}, work));
     const Motion enclosed =
         ConstantTwist::between(Wanderer::home(), test::turned({1.393, 0.1, 0.1}, {1, 0.1, 0}, 1.51));
-    EXPECT_FALSE(list.within(bodies.context(enclosed), 0.01, work));
+    EXPECT_FALSE(list.pairs_worth_testing(bodies.context(enclosed), 0.01, {}, work));
 }
 
 std::set<FeaturePair> set_of(const NearFeatures& near) {
@@ -92,10 +88,9 @@ TEST(NeighbourList, ChangesNoAnswer) {
         const Motion way = bodies.next();
         QueryOptions options{.margin = 1e-4 + 0.02 * (i % 10) / 10};
         options.find = i % 3 == 0 ? Find::any : i % 3 == 1 ? Find::first : Find::first_with_all_contacts;
-        query::PairQuery question{bodies.moving().body(), bodies.fixed().body(), way.trajectory(), options};
-        const FirstContact expected = query::answer(question);
-        question.neighbours = &list;
-        const FirstContact found = query::answer(question);
+        const Body &moving = bodies.moving().body(), &fixed = bodies.fixed().body();
+        const FirstContact expected = query::answer({moving, fixed, way.trajectory(), options});
+        const FirstContact found = query::answer({moving, fixed, way.trajectory(), options, 1, list});
         EXPECT_EQ(found.verdict == Verdict::clear, expected.verdict == Verdict::clear) << "piece " << i;
         if (options.find != Find::any) { // any contact may be another one
             EXPECT_EQ(found.verdict, expected.verdict) << "piece " << i;
@@ -111,7 +106,7 @@ TEST(NeighbourList, ChangesNoAnswer) {
         const contact::ContactScene scene{placed, true, options.margin,
                                           contact::touch_slack(placed, rest.error_scale(options.margin), 0)};
         const NearFeatures without = near_features(rest, scene, 0, {.finds_overlaps = true});
-        const NearFeatures with = near_features(rest, scene, 0, {.finds_overlaps = true, .neighbours = &list});
+        const NearFeatures with = near_features(rest, scene, 0, {.finds_overlaps = true, .memory = list});
         EXPECT_EQ(with.overlap.has_value(), without.overlap.has_value()) << "piece " << i;
         if (!with.overlap) {
             EXPECT_EQ(set_of(with), set_of(without)) << "piece " << i;
@@ -139,9 +134,9 @@ TEST(NeighbourList, ContactsBetweenChordAndArcAreFound) {
     PieceContext context(moving.body(), fixed.body(), way.trajectory().pieces()->at(0));
     NeighbourList list(moving.body(), fixed.body());
     Work work;
-    ASSERT_TRUE(list.within(context, margin, work));
+    ASSERT_TRUE(list.pairs_worth_testing(context, margin, {}, work));
 
-    const PieceResult found = search_piece(context, {.margin = margin, .neighbours = &list});
+    const PieceResult found = search_piece(context, {.margin = margin, .memory = list});
     ASSERT_FALSE(found.candidates.empty());
     const Eigen::Vector3d tip = context.configuration_at(found.candidates[0].tau.lower).moved({1, 0, 0});
     EXPECT_NEAR((tip - Eigen::Vector3d(1 + gap, 0, 0)).norm(), margin, 1e-9);
@@ -149,4 +144,4 @@ TEST(NeighbourList, ContactsBetweenChordAndArcAreFound) {
 }
 
 } // namespace
-} // namespace chasles::search
+} // namespace chasles::memory

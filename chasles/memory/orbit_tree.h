@@ -9,7 +9,7 @@
 #include <span>
 #include <vector>
 
-namespace chasles::culling {
+namespace chasles::memory {
 
 /// A place in orbit coordinates, both in the length unit.
 struct OrbitPoint {
@@ -50,4 +50,4 @@ private:
     std::vector<OrbitPoint> corners_;
 };
 
-} // namespace chasles::culling
+} // namespace chasles::memory

@@ -1,4 +1,4 @@
-#include "chasles/culling/orbit_pairs.h"
+#include "chasles/memory/orbit_pairs.h"
 
 #include "chasles/algebra/arc_tangent.h"
 #include "chasles/motion/screw_path.h"
@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace chasles::culling {
+namespace chasles::memory {
 
 namespace {
 
@@ -71,7 +71,7 @@ public:
         : moving_(moving), fixed_(fixed), way_(way), most_tests_(most_tests) {}
 
     bool run();
-    [[nodiscard]] std::vector<NodePair> take() { return std::move(found_); }
+    [[nodiscard]] std::vector<culling::NodePair> take() { return std::move(found_); }
     [[nodiscard]] std::uint64_t tests() const { return tests_; }
 
 private:
@@ -99,7 +99,7 @@ private:
         return first_a > last_b + reach || first_b > last_a + reach;
     }
     [[nodiscard]] bool have_side_between(const View& own, const View& other, double rise, double stretch) const;
-    [[nodiscard]] Window window(const OrbitNode& a, const OrbitNode& b) const;
+    [[nodiscard]] culling::Window window(const OrbitNode& a, const OrbitNode& b) const;
 
     const OrbitTree& moving_;
     const OrbitTree& fixed_;
@@ -107,7 +107,7 @@ private:
     std::size_t most_tests_;
     Round round_{};
     std::vector<Pair> stack_;
-    std::vector<NodePair> found_;
+    std::vector<culling::NodePair> found_;
     std::uint64_t tests_ = 0;
 };
 
@@ -118,7 +118,7 @@ double turn_within(double reach, double nearest) {
 }
 
 /// The turns of the motion at which the nodes may be at the same turn, as shares of the whole.
-Window OrbitTraversal::window(const OrbitNode& a, const OrbitNode& b) const {
+culling::Window OrbitTraversal::window(const OrbitNode& a, const OrbitNode& b) const {
     const double slack = turn_within(way_.reach, std::max(a.nearest, b.nearest) - way_.reach) + 8 * pi * rounding;
     const double start = way_.turn > 0 ? round_.first_turn : round_.last_turn;
     double first = (b.first_turn - a.last_turn - slack - start) / way_.turn;
@@ -230,12 +230,13 @@ OrbitWay way_along(const motion::Orbit& orbit, const motion::Orbit& of_trees, co
     return way;
 }
 
-std::optional<std::vector<NodePair>> orbit_pairs(const OrbitTree& moving, const OrbitTree& fixed, const OrbitWay& way,
-                                                 std::size_t most_tests, std::uint64_t& tests) {
+std::optional<std::vector<culling::NodePair>> orbit_pairs(const OrbitTree& moving, const OrbitTree& fixed,
+                                                          const OrbitWay& way, std::size_t most_tests,
+                                                          std::uint64_t& tests) {
     OrbitTraversal traversal(moving, fixed, way, most_tests);
     const bool is_done = traversal.run();
     tests += traversal.tests();
     return is_done ? std::optional(traversal.take()) : std::nullopt;
 }
 
-} // namespace chasles::culling
+} // namespace chasles::memory

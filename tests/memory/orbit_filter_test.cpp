@@ -1,5 +1,5 @@
 // Searches with and without what is known about their axis.
-#include "chasles/search/orbit_filter.h"
+#include "chasles/memory/orbit_filter.h"
 
 #include "chasles/query/pair_query.h"
 #include "scenes/nut_motions.h"
@@ -9,10 +9,11 @@
 
 #include <gtest/gtest.h>
 
-namespace chasles::search {
+namespace chasles::memory {
 namespace {
 
 using Eigen::Vector3d;
+using search::PieceContext;
 using test::uniform;
 
 /// A nut on its thread, in steps of ten degrees.
@@ -40,11 +41,11 @@ TEST(OrbitFilter, ServesTheNextTurnsAboutAnAxisThatWasDear) {
     const Thread thread;
     OrbitFilter filter(thread.nut.body(), thread.bolt.body());
     Work work;
-    const auto asks = [&](const Motion& way) { return filter.pairs(thread.context(way), 0, work); };
+    const auto asks = [&](const Motion& way) { return filter.pairs_worth_testing(thread.context(way), 0, {}, work); };
     EXPECT_FALSE(asks(Thread::step(0, 1)));
-    filter.add_cost(thread.context(Thread::step(0, 1)), {});
+    filter.learn(thread.context(Thread::step(0, 1)), {});
     EXPECT_FALSE(asks(Thread::step(1, 2))); // it was cheap
-    filter.add_cost(thread.context(Thread::step(0, 1)), dear());
+    filter.learn(thread.context(Thread::step(0, 1)), dear());
     EXPECT_EQ(work.node_pairs, 0U);
     for (const Motion& way : {Thread::step(1, 2), Thread::step(9, 7), Thread::step(-30, -29)}) {
         const auto pairs = asks(way);
@@ -57,7 +58,7 @@ TEST(OrbitFilter, ServesTheNextTurnsAboutAnAxisThatWasDear) {
 TEST(OrbitFilter, KnowsNothingOfOtherAxes) {
     const Thread thread;
     OrbitFilter filter(thread.nut.body(), thread.bolt.body());
-    filter.add_cost(thread.context(Thread::step(0, 1)), dear());
+    filter.learn(thread.context(Thread::step(0, 1)), dear());
     Work work;
     const Pose start = scenes::nut_pose({.height = 10}, 0);
     const Pose turned = scenes::nut_pose({.height = 10}, 1.0 / 36);
@@ -68,11 +69,13 @@ TEST(OrbitFilter, KnowsNothingOfOtherAxes) {
     for (const Motion& way :
          {steep, Motion(ScrewMotion::between(start, aside)), Motion(ConstantTwist::between(start, turned)),
           Motion(ScrewMotion::between(start, start))})
-        EXPECT_FALSE(filter.pairs(thread.context(way), 0, work));
+        EXPECT_FALSE(filter.pairs_worth_testing(thread.context(way), 0, {}, work));
     // A dear search about another axis takes the place of the first one.
-    filter.add_cost(thread.context(steep), dear());
-    EXPECT_TRUE(filter.pairs(thread.context(steep), 0, work));
-    EXPECT_FALSE(filter.pairs(thread.context(Thread::step(0, 1)), 0, work));
+    filter.learn(thread.context(steep), dear());
+    EXPECT_TRUE(filter.pairs_worth_testing(thread.context(steep), 0, {}, work));
+    EXPECT_FALSE(filter.pairs_worth_testing(thread.context(steep), 0, {0, 0.5}, work))
+        << "its windows are of the whole piece";
+    EXPECT_FALSE(filter.pairs_worth_testing(thread.context(Thread::step(0, 1)), 0, {}, work));
 }
 
 TEST(OrbitFilter, GivesUpWhereItDoesNotPay) {
@@ -82,15 +85,15 @@ TEST(OrbitFilter, GivesUpWhereItDoesNotPay) {
     just_enough.node_pairs = 6000; // of which a quarter may be tested
     const Motion way = Thread::step(0, 1);
     for (int i = 0; i < 1000; ++i)
-        filter.add_cost(thread.context(way), just_enough);
+        filter.learn(thread.context(way), just_enough);
     Work work;
-    EXPECT_FALSE(filter.pairs(thread.context(way), 2, work)); // within 2 mm is a lot
+    EXPECT_FALSE(filter.pairs_worth_testing(thread.context(way), 2, {}, work)); // within 2 mm is a lot
     EXPECT_GT(work.node_pairs, 1000U);
     EXPECT_LT(work.node_pairs, 2000U);
     const Work tested = work;
     for (int i = 0; i < 200; ++i)
-        filter.add_cost(thread.context(way), just_enough);
-    EXPECT_FALSE(filter.pairs(thread.context(way), 2, work));
+        filter.learn(thread.context(way), just_enough);
+    EXPECT_FALSE(filter.pairs_worth_testing(thread.context(way), 2, {}, work));
     EXPECT_EQ(work.node_pairs, tested.node_pairs); // it waits longer now
 }
 
@@ -111,13 +114,10 @@ TEST(OrbitFilter, ChangesNoAnswer) {
         options.margin = i % 3 == 0 ? uniform(random, 0, 0.2) : 0;
         options.find = i % 5 == 0 ? Find::any : Find::first;
         OrbitFilter filter(moving.body(), fixed.body());
-        filter.add_cost({moving.body(), fixed.body(), way.trajectory().pieces()->at(0)}, dear());
-        query::PairQuery question{moving.body(), fixed.body(), way.trajectory(), options};
-        FirstContact found[2];
-        for (FirstContact& answer : found) {
-            answer = query::answer(question);
-            question.orbits = &filter;
-        }
+        filter.learn({moving.body(), fixed.body(), way.trajectory().pieces()->at(0)}, dear());
+        const FirstContact found[2] = {
+            query::answer({moving.body(), fixed.body(), way.trajectory(), options}),
+            query::answer({moving.body(), fixed.body(), way.trajectory(), options, 1, filter})};
         EXPECT_EQ(found[0].verdict == Verdict::clear, found[1].verdict == Verdict::clear) << "motion " << i;
         if (options.find == Find::any) // any contact may be another one
             continue;
@@ -134,4 +134,4 @@ TEST(OrbitFilter, ChangesNoAnswer) {
 }
 
 } // namespace
-} // namespace chasles::search
+} // namespace chasles::memory

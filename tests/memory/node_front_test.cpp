@@ -1,12 +1,14 @@
 // The front of two bodies against the distances of all pairs of triangles.
-#include "chasles/search/node_front.h"
+#include "chasles/memory/node_front.h"
 
-#include "tests/search/wanderer.h"
+#include "tests/memory/wanderer.h"
 
 #include <gtest/gtest.h>
 
-namespace chasles::search {
+namespace chasles::memory {
 namespace {
+
+using search::PieceContext;
 
 /// Asks for all that a body meets on its way, as neighbour lists do.
 class Watch {
@@ -84,4 +86,4 @@ TEST(NodeFront, StopsWhereThereAreTooMany) {
 }
 
 } // namespace
-} // namespace chasles::search
+} // namespace chasles::memory

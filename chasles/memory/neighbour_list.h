@@ -4,42 +4,36 @@
 // fluids", 1967.
 #pragma once
 
-#include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_separation.h"
+#include "chasles/memory/node_front.h"
+#include "chasles/memory/separations.h"
+#include "chasles/memory/way.h"
 #include "chasles/search/find.h"
-#include "chasles/search/node_front.h"
+#include "chasles/search/memory.h"
 #include "chasles/search/owned_pairs.h"
 #include "chasles/search/piece_context.h"
-#include "chasles/search/separations.h"
-#include "chasles/search/way.h"
 
-#include <optional>
-#include <span>
 #include <vector>
 
-namespace chasles::search {
+namespace chasles::memory {
 
-/// A list for two bodies, which are kept by reference. For one thread. What it holds changes the time of the
-/// next searches, and their brackets within the tolerance.
-class NeighbourList {
+/// A list for two bodies, which are kept by reference. For one thread.
+class NeighbourList : public search::Memory {
 public:
     NeighbourList(const Body& moving, const Body& fixed);
 
-    /// Two faces, and a distance within which they do not come in the piece.
-    struct Near {
-        TwoFaces faces{};
-        double least = 0;
-    };
-
-    /// All pairs of faces that may come within `margin`, positive, of each other in the piece; ascending, and valid
-    /// until the next call. Empty if a list does not pay: the way is long, or too much is near; or if the maps of the
-    /// piece only enclose the motion.
-    std::optional<std::span<const Near>> within(const PieceContext& context, double margin, Work& work);
+    /// Those of the whole piece, ascending. Empty if a list does not pay: the way is long, or too much is near;
+    /// without a margin; or if the maps of the piece only enclose the motion.
+    std::optional<std::span<const culling::NodePair>> pairs_worth_testing(const search::PieceContext& context,
+                                                                          double margin,
+                                                                          const culling::TimeRange& range,
+                                                                          Work& work) override;
 
 private:
     /// Two faces with a half space of the fixed body's frame that contains the fixed face.
     struct Neighbours {
-        TwoFaces faces{};
+        NodeFront::PairOfNodes leaves{};
+        search::TwoFaces faces{};
         algebra::Vector3<float> normal{}; ///< no longer than 1, towards the moving face; 0: none is known
         culling::FaceSeparation::Axis axis = culling::FaceSeparation::no_axis; ///< of the normal
         double offset = 0;                                                     ///< of the fixed face, along the normal
@@ -61,7 +55,7 @@ private:
     void add_new();
     void find_near(const Way& way, double bound);
     void place_corners(std::uint32_t face, const Way& way);
-    double least_on_way(std::size_t index, const Way& way);
+    bool stays_apart(std::size_t index, const Way& way);
     bool finds_direction(Neighbours& pair, double distance);
     double set_direction(Neighbours& pair, const culling::FaceSeparation::Direction& direction) const;
     [[nodiscard]] Gaps gaps_of(const Neighbours& pair) const;
@@ -82,19 +76,7 @@ private:
     std::uint32_t placed_face_ = 0;
     std::vector<algebra::Vector3<double>> placed_starts_; ///< corners of one moving face at the start of the piece
     std::vector<algebra::Vector3<double>> placed_ends_;   ///< likewise at the end; empty if the body rests
-    std::vector<Near> near_;
+    std::vector<culling::NodePair> near_;
 };
 
-/// The leaf tests of pairs of faces that a list gave for `margin`, over a range of tau, instead of a traversal.
-template <culling::LeafTests Leaves>
-void test_pairs(const PieceContext& context, double margin, std::span<const NeighbourList::Near> pairs,
-                const culling::TimeRange& range, Leaves& leaves) {
-    const double deviation = context.deviation(margin, range);
-    for (const auto& [faces, least] : pairs) {
-        if (leaves.is_over())
-            break;
-        leaves.test({faces.moving, faces.fixed, range, {0, 1}, range.lower, deviation});
-    }
-}
-
-} // namespace chasles::search
+} // namespace chasles::memory

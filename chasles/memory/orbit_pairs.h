@@ -2,14 +2,14 @@
 // it turns. Source: docs/derivations/32-orbits.md.
 #pragma once
 
-#include "chasles/culling/orbit_tree.h"
 #include "chasles/culling/pair_queue.h"
+#include "chasles/memory/orbit_tree.h"
 #include "chasles/motion/chord_deviation.h"
 
 #include <optional>
 #include <vector>
 
-namespace chasles::culling {
+namespace chasles::memory {
 
 /// A motion in the coordinates of two orbit trees: the moving one turns and rises in proportion, up to a distance.
 struct OrbitWay {
@@ -28,7 +28,8 @@ OrbitWay way_along(const motion::Orbit& orbit, const motion::Orbit& of_trees, co
 
 /// All pairs of leaves that may come within reach of each other, with the windows of tau in which they may. Empty if
 /// more than `most_tests` pairs of nodes would be tested. Adds their number to `tests`.
-std::optional<std::vector<NodePair>> orbit_pairs(const OrbitTree& moving, const OrbitTree& fixed, const OrbitWay& way,
-                                                 std::size_t most_tests, std::uint64_t& tests);
+std::optional<std::vector<culling::NodePair>> orbit_pairs(const OrbitTree& moving, const OrbitTree& fixed,
+                                                          const OrbitWay& way, std::size_t most_tests,
+                                                          std::uint64_t& tests);
 
-} // namespace chasles::culling
+} // namespace chasles::memory
