@@ -9,9 +9,6 @@ namespace {
 
 using Eigen::Vector3d;
 
-/// A normal with a larger error gives no plane: the face is a line, up to rounding.
-constexpr double no_plane = 0x1p-7;
-
 /// Whether a point is an end of an edge, up to the slack.
 bool is_end_of(const Body& body, const Feature& edge, const Vector3d& point, double slack) {
     return (body.vertices()[edge.first] - point).norm() <= slack ||
@@ -51,19 +48,15 @@ int FaceAtRest::side_of(const Vector3d& point, double reach) const {
 bool FaceAtRest::is_below(const Vector3d& point, double reach, double slack) const {
     if (body_->is_segment(face_)) // its edge and its vertices are tested
         return false;
-    if (!has_normal())
-        return (nearest_of_rim(point) - point).norm() <= reach;
+    if (!normal_.has_plane())
+        return (nearest_of_rim(*body_, face_, point) - point).norm() <= reach;
     const double tolerance = normal_.error * diameter_;
     return std::abs(height_of(point)) <= reach + tolerance && is_inside(point, slack + tolerance);
 }
 
 Vector3d FaceAtRest::nearest(const Vector3d& point) const {
-    return has_normal() && is_inside(point, 0) ? Vector3d(point - height_of(point) * normal_.unit)
-                                               : nearest_of_rim(point);
-}
-
-bool FaceAtRest::has_normal() const {
-    return normal_.error <= no_plane;
+    return normal_.has_plane() && is_inside(point, 0) ? Vector3d(point - height_of(point) * normal_.unit)
+                                                      : nearest_of_rim(*body_, face_, point);
 }
 
 /// The height of a point above the highest corner, or the negative depth below the lowest one; 0 between them.
@@ -89,16 +82,6 @@ bool FaceAtRest::is_inside(const Vector3d& point, double tolerance) const {
             is_left_of(triangles[t + 2], triangles[t], point, tolerance))
             return true;
     return triangles.empty();
-}
-
-Vector3d FaceAtRest::nearest_of_rim(const Vector3d& point) const {
-    Vector3d nearest = corner(0);
-    for (std::size_t i = 0; i < corners_.size(); ++i) {
-        const Vector3d foot = foot_on_segment(corner(i), corner(i + 1 == corners_.size() ? 0 : i + 1), point);
-        if ((foot - point).squaredNorm() < (nearest - point).squaredNorm())
-            nearest = foot;
-    }
-    return nearest;
 }
 
 /// In the frame of the fixed body.

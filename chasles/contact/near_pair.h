@@ -32,8 +32,6 @@ private:
                                   double tolerance) const;
     [[nodiscard]] bool is_inside(const Eigen::Vector3d& point, double tolerance) const;
     [[nodiscard]] double height_of(const Eigen::Vector3d& point) const;
-    [[nodiscard]] Eigen::Vector3d nearest_of_rim(const Eigen::Vector3d& point) const;
-    [[nodiscard]] bool has_normal() const;
 
     const Body* body_;
     std::uint32_t face_;

@@ -85,6 +85,18 @@ Eigen::Vector3d foot_on_segment(const Eigen::Vector3d& from, const Eigen::Vector
     return from + share * along;
 }
 
+Eigen::Vector3d nearest_of_rim(const Body& body, std::uint32_t face, const Eigen::Vector3d& point) {
+    const auto corners = body.face(face);
+    const auto corner = [&](std::size_t i) -> const Eigen::Vector3d& { return body.vertices()[corners[i]]; };
+    Eigen::Vector3d nearest = corner(0);
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        const Eigen::Vector3d foot = foot_on_segment(corner(i), corner(i + 1 == corners.size() ? 0 : i + 1), point);
+        if ((foot - point).squaredNorm() < (nearest - point).squaredNorm())
+            nearest = foot;
+    }
+    return nearest;
+}
+
 RelativeConfiguration::RelativeConfiguration(const Body& moving, const Body& fixed,
                                              const motion::ControlMaps<double>& maps, double tau)
     : moving_(moving), fixed_(fixed) {
@@ -129,12 +141,17 @@ NearestPoints RelativeConfiguration::nearest(const FeaturePair& features) const 
     case ContactKind::vertex_face: {
         const std::uint32_t face = features.fixed.first;
         const Eigen::Vector3d vertex = moving_point(features.moving.first);
-        return {vertex, foot(vertex, face_normal(fixed_, face).unit, fixed_point(fixed_.face(face)[0]))};
+        const FaceNormal normal = face_normal(fixed_, face);
+        return {vertex, normal.has_plane() ? foot(vertex, normal.unit, fixed_point(fixed_.face(face)[0]))
+                                           : nearest_of_rim(fixed_, face, vertex)};
     }
     case ContactKind::face_vertex: {
         const std::uint32_t face = features.moving.first;
         const Eigen::Vector3d vertex = fixed_point(features.fixed.first);
-        return {foot(vertex, turned(face_normal(moving_, face).unit), moving_point(moving_.face(face)[0])), vertex};
+        const FaceNormal normal = face_normal(moving_, face);
+        return {normal.has_plane() ? foot(vertex, turned(normal.unit), moving_point(moving_.face(face)[0]))
+                                   : moved(nearest_of_rim(moving_, face, moved_back(vertex))),
+                vertex};
     }
     case ContactKind::edge_edge:
         return nearest_points(moving_edge(), fixed_edge());

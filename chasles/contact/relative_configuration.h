@@ -49,6 +49,8 @@ public:
     /// The velocity of the moving body at a point, per unit of tau.
     [[nodiscard]] Eigen::Vector3d velocity_at(const Eigen::Vector3d& point) const;
 
+    /// A vertex is nearest to its foot on the plane of a face, which need not be in the face; to a point of the rim, if
+    /// the face is a line up to rounding.
     [[nodiscard]] NearestPoints nearest(const FeaturePair& features) const;
 
     /// The steepest descent of the distance beside the nearest points of two features: the largest cosine of the angle
@@ -67,6 +69,9 @@ private:
     Eigen::Matrix3d turn_rate_; ///< d/dtau
     Eigen::Vector3d shift_rate_;
 };
+
+/// The point of the outline of a face that is nearest to a point; in the frame of the body.
+Eigen::Vector3d nearest_of_rim(const Body& body, std::uint32_t face, const Eigen::Vector3d& point);
 
 /// The point of a segment of some length that is nearest to a point.
 Eigen::Vector3d foot_on_segment(const Eigen::Vector3d& from, const Eigen::Vector3d& to, const Eigen::Vector3d& point);

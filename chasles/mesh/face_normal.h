@@ -8,6 +8,9 @@ namespace chasles {
 struct FaceNormal {
     Eigen::Vector3d unit;
     double error; ///< of the direction, radians; at most 1. A normal with the error 1 is arbitrary
+
+    /// A normal with a larger error gives no plane: the face is a line, up to rounding.
+    [[nodiscard]] bool has_plane() const { return error <= 0x1p-7; }
 };
 
 /// Newell's normal of a face, computed at the size of one, where nothing underflows. For a face so thin that it

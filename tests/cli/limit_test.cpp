@@ -12,8 +12,10 @@ namespace {
 
 using Json = nlohmann::json;
 
+class Heartbeat : public tests::CommandLine {};
+
 /// Each command, also one that counts nothing: here it waits for a file that comes late.
-TEST_F(tests::CommandLine, ASlowCommandSaysThatItIsAtWork) {
+TEST_F(Heartbeat, ASlowCommandSaysThatItIsAtWork) {
     const tests::Finished found =
         run("--version; mkfifo late.obj; (sleep 6; echo > late.obj) & '" CHASLES_EXECUTABLE "' info late.obj");
     EXPECT_NE(found.err.find("chasles: progress: at work for 5 s\n"), std::string::npos) << found.err;
