@@ -35,7 +35,10 @@ class Watch {
 public:
     /// After so much more work; one unit is a pair of nodes.
     [[nodiscard]] bool is_over(int work) {
-        if (!limit_ || (left_ -= work) > 0)
+        if (!limit_)
+            return false;
+        left_ -= work;
+        if (left_ > 0)
             return false;
         left_ = between_looks;
         return limit_->is_over();

@@ -47,6 +47,7 @@ public:
     explicit ScenePaths(const SceneGraph& scene)
         : scene_(scene), budget_(scene.file_size), is_on_path_(scene.nodes.size(), false) {
         std::vector<std::size_t> mesh_sizes; // many nodes may place one mesh
+        mesh_sizes.reserve(scene.meshes.size());
         for (const PolygonSoup& mesh : scene.meshes)
             mesh_sizes.push_back(numbers_of(mesh));
         for (const SceneNode& node : scene.nodes) {
