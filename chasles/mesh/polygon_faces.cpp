@@ -16,8 +16,6 @@
 namespace chasles {
 namespace {
 
-/// Six digits in a file move a corner by up to 5e-6 of its coordinate (docs/decisions/0010-polygon-planarity.md).
-constexpr double planar_within = 1e-5;
 /// The rounding of the deviation itself. It is the only tolerance if polygons are cut into triangles.
 constexpr double rounding_within = 32 * std::numeric_limits<double>::epsilon();
 

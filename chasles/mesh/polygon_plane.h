@@ -9,6 +9,10 @@
 
 namespace chasles {
 
+/// A share of the size or of the greatest coordinate: six digits in a file move a corner by up to 5e-6 of its
+/// coordinate (docs/decisions/0010-polygon-planarity.md).
+inline constexpr double planar_within = 1e-5;
+
 /// A polygon without one coordinate, oriented to the left. The remaining coordinates are not rounded. Lengths are in
 /// the length unit.
 struct PolygonProjection {

@@ -8,7 +8,6 @@
 namespace chasles::robot {
 
 std::optional<std::string> warning_of_cut_polygons(const io::PolygonSoup& given, const Polyhedron& made) {
-    constexpr double planar_within = 1e-5;
     std::vector<int> parts(given.faces.size());
     for (std::size_t face = 0; face < made.face_count(); ++face)
         ++parts[made.source_face(face)];

@@ -27,13 +27,14 @@ bool turns(const robot::Model& model, const RobotVariable& variable) {
 }
 
 /// A quaternion may have any length.
-bool is_of_quaternion(const RobotVariable& variable) {
-    return variable.name.find("/rot_") != std::string::npos;
+bool is_of_quaternion(const robot::Model& model, const RobotVariable& variable) {
+    const std::size_t slash = variable.name.rfind("/rot_");
+    const auto& joints = model.description.joints;
+    const auto joint = std::ranges::find(joints, variable.name.substr(0, slash), &JointDescription::name);
+    return slash != std::string::npos && joint != joints.end() && joint->type == JointType::floating;
 }
 
 double distance_beyond(const RobotVariable& variable, double value) {
-    if (is_of_quaternion(variable))
-        return 0;
     return std::max({0.0, variable.lower - value, value - variable.upper});
 }
 
@@ -43,6 +44,8 @@ std::string limits_text(const RobotVariable& variable) {
 
 /// The line about one variable, whose value is given for each configuration; empty if nothing looks wrong.
 std::string warning_about(const robot::Model& model, const RobotVariable& variable, const Eigen::VectorXd& values) {
+    if (is_of_quaternion(model, variable))
+        return {};
     const double allowed = largest_angle_of(variable);
     const bool has_far_limits =
         std::isfinite(variable.lower + variable.upper) && std::max(-variable.lower, variable.upper) > allowed;

@@ -1,4 +1,4 @@
-// What searches of two bodies may know from the searches before them: which pairs of faces are worth testing.
+// Which pairs of faces are worth testing, by what earlier searches of the same two bodies have found.
 #pragma once
 
 #include "chasles/culling/pair_queue.h"
