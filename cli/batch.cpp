@@ -142,7 +142,7 @@ class BatchRun {
 public:
     BatchRun(const BatchOptions& options, std::vector<io::MotionRow>& rows)
         : rows_(rows), bodies_(load_bodies(options.bodies)), query_(options_of(options.query)),
-          rule_(rule_of(options.motion, options.query)), seconds_(seconds_of(options.query.seconds)),
+          rule_(rule_of(options.motion)), seconds_(seconds_of(options.query.seconds)),
           threads_(options.bodies.polyhedron.threads),
           out_(options.out, options.resume ? Leftover::continued : Leftover::refused) {
         print_warnings(bodies_.warnings);

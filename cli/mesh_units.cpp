@@ -1,6 +1,6 @@
 #include "cli/mesh_units.h"
 
-#include "chasles/io/mesh_files.h"
+#include "chasles/io/cut_polygons.h"
 #include "chasles/io/text_scan.h"
 
 #include <algorithm>
@@ -8,10 +8,14 @@
 
 namespace chasles::cli {
 
-MeshWithUnit load_with_unit(const std::filesystem::path& file, const PolyhedronOptions& options) {
+MeshWithUnit load_with_unit(const std::filesystem::path& file, const PolyhedronOptions& options,
+                            std::vector<std::string>& warnings) {
     std::vector<io::MeshPart> parts = io::load_mesh_parts(file);
     std::string unit = parts.front().unit; // a file states one for all its parts
-    return {io::body_of(file, io::merged(std::move(parts)), options), std::move(unit)};
+    const io::PolygonSoup polygons = io::merged(std::move(parts));
+    const Polyhedron body = io::body_of(file, polygons, options);
+    io::warn_of_cut_polygons(file, polygons, body, warnings);
+    return {body, std::move(unit)};
 }
 
 std::vector<std::string> unit_warnings(const std::vector<StatedUnit>& files) {

@@ -15,7 +15,9 @@ struct MeshWithUnit {
     std::string unit; ///< as "meter" or "inch"; empty if the file states none
 };
 
-MeshWithUnit load_with_unit(const std::filesystem::path& file, const PolyhedronOptions& options);
+/// Warns of polygons that were cut.
+MeshWithUnit load_with_unit(const std::filesystem::path& file, const PolyhedronOptions& options,
+                            std::vector<std::string>& warnings);
 
 /// What a file states.
 struct StatedUnit {

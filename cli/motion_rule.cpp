@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <array>
+#include <numbers>
 
 namespace chasles::cli {
 namespace {
@@ -13,6 +14,27 @@ namespace {
 using view::MotionKind;
 
 constexpr std::array kinds = {MotionKind::screw, MotionKind::sweep, MotionKind::velocity, MotionKind::twist};
+
+/// Throws InvalidInput if the option is given for a motion of a kind that has no such number.
+void require_kind(const std::string& option, MotionKind kind, std::initializer_list<MotionKind> right_kinds) {
+    if (std::ranges::find(right_kinds, kind) != right_kinds.end())
+        return;
+    std::string names;
+    for (const MotionKind right : right_kinds)
+        names += std::string(names.empty() ? "" : " and ") + "--motion " + std::string(view::name_of(right));
+    throw InvalidInput(option + ": is for " + names + ", but the motion is a " + std::string(view::name_of(kind)));
+}
+
+/// In radians. Dividing first makes 180 degrees exactly the double nearest to pi.
+double max_turn_of(const std::string& text, MotionKind kind) {
+    if (text.empty())
+        return ScrewMotion::default_max_turn;
+    require_kind("--max-turn-deg", kind, {MotionKind::screw});
+    const double degrees = number_of("--max-turn-deg", text);
+    if (degrees > 180)
+        throw InvalidInput("--max-turn-deg: must be at most 180, which leaves a screw in one piece");
+    return degrees / 180 * std::numbers::pi;
+}
 
 } // namespace
 
@@ -34,25 +56,24 @@ void add_motion_rule_options(CLI::App& command, MotionOptions& options) {
         .add_option("--centre", options.centre,
                     "point of the moving body that a sweep or a constant velocity carries along a line")
         ->type_name("\"X Y Z\"");
+    command
+        .add_option("--max-turn-deg", options.max_turn_degrees,
+                    "a screw that turns by more is cut into equal turns; default 10; 180: one screw in one piece")
+        ->type_name("DEGREES");
 }
 
 Eigen::Vector3d centre_of(const std::string& option, const std::string& text, MotionKind kind,
                           std::initializer_list<MotionKind> right_kinds) {
     if (text.empty())
         return Eigen::Vector3d::Zero();
-    if (std::ranges::find(right_kinds, kind) == right_kinds.end()) {
-        std::string names;
-        for (const MotionKind right : right_kinds)
-            names += std::string(names.empty() ? "" : " and ") + "--motion " + std::string(view::name_of(right));
-        throw InvalidInput(option + ": is for " + names + ", but the motion is a " + std::string(view::name_of(kind)));
-    }
+    require_kind(option, kind, right_kinds);
     return point_of(option, text);
 }
 
-MotionRule rule_of(const MotionOptions& options, const QuestionOptions& query) {
+MotionRule rule_of(const MotionOptions& options) {
     const MotionKind kind = kind_named(options.motion).value();
     return {.kind = kind,
-            .max_turn = max_turn_of(query),
+            .max_turn = max_turn_of(options.max_turn_degrees, kind),
             .centre = centre_of("--centre", options.centre, kind, {MotionKind::sweep, MotionKind::velocity})};
 }
 

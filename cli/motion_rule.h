@@ -14,6 +14,7 @@ namespace chasles::cli {
 struct MotionOptions {
     std::string motion = "screw"; ///< one default for every subcommand and every file, with time stamps or without
     std::string centre;           ///< empty: the origin of the moving body
+    std::string max_turn_degrees; ///< empty: the default
 };
 
 /// How a body moves from one pose to the next.
@@ -28,8 +29,8 @@ std::optional<view::MotionKind> kind_named(const std::string& name);
 
 void add_motion_rule_options(CLI::App& command, MotionOptions& options);
 
-/// Throws InvalidInput for numbers that cannot be read, and for a centre of a motion that has none.
-MotionRule rule_of(const MotionOptions& options, const QuestionOptions& query);
+/// Throws InvalidInput for numbers that cannot be read, and for a centre or a largest turn of a motion that has none.
+MotionRule rule_of(const MotionOptions& options);
 
 /// The point given for an option, or the origin if there is no text. Throws InvalidInput if a point is given for a
 /// motion of a kind that is not in `right_kinds`.

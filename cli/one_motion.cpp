@@ -44,7 +44,7 @@ view::NumberedMotion motion_of_two(const EndPoses& poses, const MotionRule& rule
 
 view::NumberedMotion read_motion(const OneMotionOptions& options) {
     const EndPoses poses = read_poses(options);
-    const MotionRule rule = rule_of(options.motion, options.query);
+    const MotionRule rule = rule_of(options.motion);
     const Eigen::Vector3d fixed_centre =
         centre_of("--fixed-centre", options.fixed_centre, rule.kind, {view::MotionKind::velocity});
     if (poses.is_fixed_moving)

@@ -5,7 +5,6 @@
 #include "cli/mesh_units.h"
 
 #include <limits>
-#include <numbers>
 
 namespace chasles::cli {
 
@@ -17,11 +16,6 @@ CLI::Option* add_seconds_option(CLI::App& command, std::string& seconds) {
 
 void add_search_options(CLI::App& command, QuestionOptions& options) {
     add_seconds_option(command, options.seconds);
-    command
-        .add_option("--max-turn-deg", options.max_turn_degrees,
-                    "a screw that turns by more is cut into equal turns; 180: one screw in one piece")
-        ->type_name("DEGREES")
-        ->capture_default_str();
     command.add_option("--time-tolerance", options.time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();
@@ -57,11 +51,14 @@ void add_body_options(CLI::App& command, BodyOptions& options) {
 }
 
 Bodies load_bodies(const BodyOptions& options) {
-    const MeshWithUnit moving = load_with_unit(options.moving, options.polyhedron);
+    std::vector<std::string> warnings;
+    const MeshWithUnit moving = load_with_unit(options.moving, options.polyhedron, warnings);
     if (options.fixed == options.moving)
-        return {moving.body, moving.body};
-    const MeshWithUnit fixed = load_with_unit(options.fixed, options.polyhedron);
-    return {moving.body, fixed.body, unit_warnings({{options.moving, moving.unit}, {options.fixed, fixed.unit}})};
+        return {moving.body, moving.body, warnings};
+    const MeshWithUnit fixed = load_with_unit(options.fixed, options.polyhedron, warnings);
+    for (std::string& warning : unit_warnings({{options.moving, moving.unit}, {options.fixed, fixed.unit}}))
+        warnings.push_back(std::move(warning));
+    return {moving.body, fixed.body, warnings};
 }
 
 double number_of(const std::string& option, const std::string& text) {
@@ -95,14 +92,6 @@ double seconds_of(const std::string& option) {
     if (!(seconds > 0))
         throw InvalidInput("--seconds: must be positive");
     return seconds;
-}
-
-// Dividing first makes 180 degrees exactly the double nearest to pi.
-double max_turn_of(const QuestionOptions& options) {
-    const double degrees = number_of("--max-turn-deg", options.max_turn_degrees);
-    if (degrees > 180)
-        throw InvalidInput("--max-turn-deg: must be at most 180, which leaves a screw in one piece");
-    return degrees / 180 * std::numbers::pi;
 }
 
 } // namespace chasles::cli

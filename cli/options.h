@@ -12,7 +12,6 @@ namespace chasles::cli {
 /// Numbers stay text until use. Chasles then parses them itself, correctly rounded and with its own messages.
 struct QuestionOptions {
     std::string margin = "0";
-    std::string max_turn_degrees = "10";
     std::string time_tolerance = "1e-12";
     std::string hold;    ///< empty: none
     std::string seconds; ///< empty: no limit
@@ -29,7 +28,7 @@ struct BodyOptions {
 struct Bodies {
     Polyhedron moving;
     Polyhedron fixed;
-    std::vector<std::string> warnings = {}; ///< about the units of the files
+    std::vector<std::string> warnings = {}; ///< about the files
 };
 
 CLI::Option* add_seconds_option(CLI::App& command, std::string& seconds);
@@ -59,7 +58,6 @@ Pose pose_of(const std::string& option, const std::string& text);
 Eigen::Vector3d point_of(const std::string& option, const std::string& text);
 
 QueryOptions options_of(const QuestionOptions& options);
-double max_turn_of(const QuestionOptions& options); ///< radians
 /// Infinite without a limit.
 double seconds_of(const std::string& option);
 

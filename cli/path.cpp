@@ -40,7 +40,7 @@ struct PathQuestion {
 // Poses and numbers are read before meshes, which may be large.
 PathQuestion read_path_question(const PathOptions& options) {
     io::Path path = io::load_path(options.poses);
-    const MotionRule rule = rule_of(options.motion, options.query);
+    const MotionRule rule = rule_of(options.motion);
     const QueryOptions query = options_of(options.query);
     const Bodies bodies = load_bodies(options.bodies);
     path.warnings.insert(path.warnings.end(), bodies.warnings.begin(), bodies.warnings.end());

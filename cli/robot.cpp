@@ -104,9 +104,9 @@ RobotQuestion read_question(const RobotCommand& options) {
     Robot robot = load_robot(options.robot);
     std::optional<SceneFile> scene = read_scene(options);
     const QueryOptions query = query_of(options, scene);
-    change(robot, scene ? &scene->scene : nullptr, options.changes);
-    robot::ConfigurationRows rows = read_path(robot, options.path);
     std::vector<std::string> warnings = robot.warnings();
+    change(robot, scene ? &scene->scene : nullptr, options.changes, warnings);
+    robot::ConfigurationRows rows = read_path(robot, options.path);
     if (scene) {
         warnings.insert(warnings.end(), scene->warnings.begin(), scene->warnings.end());
         warn_of_margins(options, *scene, warnings);

@@ -2,6 +2,7 @@
 
 #include "chasles/io/pose_text.h"
 #include "chasles/io/text_scan.h"
+#include "cli/mesh_units.h"
 #include "cli/options.h"
 
 #include <algorithm>
@@ -73,14 +74,15 @@ std::string part_name(const Robot& robot, const Scene* scene, const std::filesys
     return name;
 }
 
-void attach(Robot& robot, const Scene* scene, const std::string& given) {
+void attach(Robot& robot, const Scene* scene, const std::string& given, std::vector<std::string>& warnings) {
     const std::size_t first = given.find(','), second = given.find(',', first + 1);
     if (first == std::string::npos || second == std::string::npos)
         throw InvalidInput("--attach: " + io::in_quotes(given) + " is not of the form LINK,MESH,POSE");
     const std::string link = given.substr(0, first), mesh = given.substr(first + 1, second - first - 1);
     at_place("--attach", [&] {
         const Pose pose = at_place(io::in_quotes(given), [&] { return io::parse_pose(given.substr(second + 1)); });
-        robot.attach({part_name(robot, scene, mesh), link, Polyhedron::load(mesh, {.triangulate = true}), pose});
+        robot.attach(
+            {part_name(robot, scene, mesh), link, load_with_unit(mesh, {.triangulate = true}, warnings).body, pose});
     });
 }
 
@@ -101,9 +103,9 @@ void add_robot_change_options(CLI::App& command, RobotChangeOptions& options) {
         ->allow_extra_args(false);
 }
 
-void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options) {
+void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, std::vector<std::string>& warnings) {
     for (const std::string& given : options.attach)
-        attach(robot, scene, given);
+        attach(robot, scene, given, warnings);
     for (const std::string& given : options.allow)
         allow(robot, scene, given);
 }

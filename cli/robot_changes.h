@@ -17,6 +17,7 @@ struct RobotChangeOptions {
 void add_robot_change_options(CLI::App& command, RobotChangeOptions& options);
 
 /// Attaches parts, then leaves out pairs. `scene` may be null. Throws InvalidInput "--allow: ..." or "--attach: ...".
-void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options);
+/// Adds what is to be told of the parts.
+void change(Robot& robot, const Scene* scene, const RobotChangeOptions& options, std::vector<std::string>& warnings);
 
 } // namespace chasles::cli

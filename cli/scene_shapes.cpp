@@ -1,6 +1,6 @@
 #include "cli/scene_shapes.h"
 
-#include "chasles/io/read_file.h"
+#include "chasles/io/cut_polygons.h"
 #include "chasles/io/text_scan.h"
 #include "cli/options.h"
 #include "cli/report.h"
@@ -57,15 +57,16 @@ std::vector<std::string> Shapes::warnings() const {
 
 Polyhedron Shapes::load(const std::filesystem::path& file, double scale) {
     if (scale == 1) {
-        MeshWithUnit mesh = load_with_unit(file, options_);
+        MeshWithUnit mesh = load_with_unit(file, options_, warnings_);
         units_.push_back({file.string(), mesh.unit});
         return mesh.body;
     }
     io::PolygonSoup soup = io::load_polygons(file);
     for (Eigen::Vector3d& vertex : soup.vertices)
         vertex *= scale;
-    return at_place(io::shown_name(file),
-                    [&] { return Polyhedron::from_polygons(soup.vertices, soup.faces, options_); });
+    const Polyhedron body = io::body_of(file, soup, options_);
+    io::warn_of_cut_polygons(file, soup, body, warnings_);
+    return body;
 }
 
 /// The part lies where the scene of its file places it.
@@ -78,7 +79,9 @@ Polyhedron Shapes::load_part(const std::filesystem::path& file, const MeshChoice
         units_.push_back({choice.file, part.unit});
     for (Eigen::Vector3d& vertex : part.polygons.vertices)
         vertex *= choice.scale;
-    return io::body_of(file, part, options_);
+    const Polyhedron body = io::body_of(file, part, options_);
+    io::warn_of_cut_polygons(file, part.polygons, body, warnings_);
+    return body;
 }
 
 } // namespace chasles::cli

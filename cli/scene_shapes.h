@@ -31,7 +31,8 @@ public:
     /// All links of a robot whose joints do not move, as one body.
     Polyhedron get_urdf(const std::string& name);
 
-    /// About the robots, and about units that differ. A mesh with a scale counts as one without a unit.
+    /// About the robots, polygons that were cut, and units that differ. A mesh with a scale counts as one without a
+    /// unit.
     [[nodiscard]] std::vector<std::string> warnings() const;
 
 private:

@@ -3,11 +3,11 @@
 
 #include "chasles/base/invalid_input.h"
 #include "chasles/base/number_text.h"
+#include "chasles/io/cut_polygons.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "chasles/motion/turn_about.h"
-#include "chasles/robot/cut_polygons.h"
 #include "chasles/robot/package_paths.h"
 #include "chasles/robot/primitive_shapes.h"
 #include "chasles/robot/xml_file.h"
@@ -162,8 +162,7 @@ Polyhedron UrdfReader::mesh(const XmlElement& element) {
             std::ranges::reverse(face);
     try {
         const Polyhedron body = Polyhedron::from_polygons(soup.vertices, soup.faces, {.triangulate = true});
-        if (const auto warning = warning_of_cut_polygons(soup, body))
-            warnings_.push_back(io::one_line(found.path.string()) + ": " + *warning);
+        io::warn_of_cut_polygons(found.path, soup, body, warnings_);
         return meshes_.emplace(key, body).first->second;
     } catch (const InvalidInput& error) {
         io::fail_in_file(found.path, error.what());

@@ -54,7 +54,7 @@ def first_contact_parquet(
     hold: float | None = None,
     time_tolerance: float = 1e-12,
     motion: MotionKind = "screw",
-    max_turn: float = math.pi / 18,
+    max_turn: float | None = None,
     find: Find | str = "first",
     threads: int | None = None,
     retries: int = 3,
@@ -95,7 +95,7 @@ def first_contact_parquet(
         "hold": hold,
         "time_tolerance": time_tolerance,
         "motion": motion,
-        "max_turn": max_turn,
+        "max_turn": math.pi / 18 if max_turn is None and motion == "screw" else max_turn,
         "find": _find_name(find),
     }
     question = MotionQuestion(moving, fixed, options)

@@ -55,7 +55,7 @@ void path_rows(const BodyPair& bodies, nb::handle poses, nb::handle offset_array
         answer_rows(table, options, progress, [&](std::size_t i) {
             const auto begin = std::size_t(offsets.numbers()[i]), end = std::size_t(offsets.numbers()[i + 1]);
             const PathQuery path_query{bodies.moving, bodies.fixed,
-                                       screws_along(path.range(begin, end), options.max_turn), query};
+                                       screws_along(path.range(begin, end), options.max_turn.value()), query};
             const PathContact found = first_contact_on_path(path_query);
             if (found.contact.verdict != Verdict::unknown)
                 write(found, table[i]);
@@ -71,13 +71,13 @@ void bind_batches(nb::module_& module) {
         "_first_contact_batch",
         [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle motions,
            nb::handle table, double margin, std::optional<double> hold, double time_tolerance, nb::handle motion,
-           double max_turn, nb::handle find, unsigned threads, bool marks_errors, nb::handle report) {
+           std::optional<double> max_turn, nb::handle find, unsigned threads, bool marks_errors, nb::handle report) {
             first_contact_rows({polyhedron_of(moving, "moving"), polyhedron_of(fixed, "fixed")},
                                {starts, goals, motions}, table, {margin, hold, time_tolerance, find_from(find)},
                                {kind_from(motion), max_turn, threads, marks_errors}, report);
         },
         "moving"_a.none(), "fixed"_a.none(), "starts"_a.none(), "goals"_a.none(), "motions"_a.none(), "table"_a,
-        nb::kw_only(), "margin"_a, "hold"_a.none(), "time_tolerance"_a, "motion"_a.none(), "max_turn"_a,
+        nb::kw_only(), "margin"_a, "hold"_a.none(), "time_tolerance"_a, "motion"_a.none(), "max_turn"_a.none(),
         "find"_a.none(), "threads"_a, "marks_errors"_a, "report"_a.none());
     module.def(
         "_path_is_clear_batch",

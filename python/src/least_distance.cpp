@@ -123,14 +123,14 @@ void bind_least_distance(nb::module_& module) {
     module.def(
         "_least_distance_batch",
         [](nb::handle moving, nb::handle fixed, nb::handle starts, nb::handle goals, nb::handle motions,
-           nb::handle table, double tolerance, double time_tolerance, nb::handle motion, double max_turn,
+           nb::handle table, double tolerance, double time_tolerance, nb::handle motion, std::optional<double> max_turn,
            unsigned threads, bool marks_errors, nb::handle report) {
             answer_batch(moving, fixed, {starts, goals, motions}, table,
                          {.tolerance = tolerance, .time_tolerance = time_tolerance},
                          {kind_from(motion), max_turn, threads, marks_errors}, report);
         },
         "moving"_a.none(), "fixed"_a.none(), "starts"_a.none(), "goals"_a.none(), "motions"_a.none(), "table"_a,
-        nb::kw_only(), "tolerance"_a, "time_tolerance"_a, "motion"_a.none(), "max_turn"_a, "threads"_a,
+        nb::kw_only(), "tolerance"_a, "time_tolerance"_a, "motion"_a.none(), "max_turn"_a.none(), "threads"_a,
         "marks_errors"_a, "report"_a.none());
 }
 

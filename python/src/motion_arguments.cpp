@@ -56,9 +56,7 @@ TypedMotion even(const EndPoses& moving, const std::optional<EndPoses>& fixed) {
 
 /// The motion of this kind from start to goal, about the bodies' origins.
 TypedMotion motion_between(const MotionArguments& a, view::MotionKind kind) {
-    if (a.max_turn && kind != view::MotionKind::screw)
-        throw InvalidInput(
-            fmt::format("max_turn: belongs to motion='screw', and the motion is '{}'", view::name_of(kind)));
+    const double max_turn = max_turn_of(kind, a.max_turn);
     const EndPoses moving{pose_from(a.start, "start"), pose_from(a.goal, "goal")};
     const std::optional<EndPoses> fixed = fixed_poses_from(a);
     switch (kind) {
@@ -69,11 +67,18 @@ TypedMotion motion_between(const MotionArguments& a, view::MotionKind kind) {
     case view::MotionKind::twist:
         return even<ConstantTwist>(moving, fixed);
     default:
-        return screw(moving, fixed, a.max_turn.value_or(ScrewMotion::default_max_turn));
+        return screw(moving, fixed, max_turn);
     }
 }
 
 } // namespace
+
+double max_turn_of(view::MotionKind kind, std::optional<double> given) {
+    if (given && kind != view::MotionKind::screw)
+        throw InvalidInput(
+            fmt::format("max_turn: belongs to motion='screw', and the motion is '{}'", view::name_of(kind)));
+    return given.value_or(ScrewMotion::default_max_turn);
+}
 
 TypedMotion motion_from(const MotionArguments& a) {
     const bool is_named = nb::isinstance<nb::str>(a.motion);

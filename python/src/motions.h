@@ -94,6 +94,10 @@ struct MotionArguments {
     std::optional<double> max_turn = {}; ///< of a screw made of poses, radians
 };
 
+/// The largest turn of a piece of a screw: the given one, or the default. Throws InvalidInput if one is given for a
+/// motion of another kind.
+double max_turn_of(view::MotionKind kind, std::optional<double> given);
+
 /// The motion if one is given. Otherwise that of the named kind (by default the screw) from start to goal. If the fixed
 /// body has poses too, screws and sweeps are those of the relative motion, and other kinds move both bodies. Throws
 /// InvalidInput if arguments are missing or contradict each other.

@@ -24,8 +24,8 @@ namespace chasles::python {
 
 /// The options of a batch.
 struct RowOptions {
-    view::MotionKind motion; ///< from the start of a row to its goal
-    double max_turn;         ///< of a screw
+    view::MotionKind motion;        ///< from the start of a row to its goal
+    std::optional<double> max_turn; ///< of a screw between poses; none for other motions
     unsigned threads;
     bool marks_errors; ///< whether an invalid pose marks its row instead of ending the batch
 };
@@ -36,7 +36,8 @@ void check(const RowOptions& options, const Ask& ask) {
     const std::vector<Eigen::Vector3d> corners{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}};
     const std::vector<std::vector<std::uint32_t>> face{{0, 1, 2}};
     const Pose beside({4, 0, 0}, Eigen::Quaterniond::Identity());
-    ask(Polyhedron::from_polygons(corners, face), Motion(ScrewMotion::between(beside, beside, options.max_turn)));
+    ask(Polyhedron::from_polygons(corners, face),
+        Motion(ScrewMotion::between(beside, beside, max_turn_of(options.motion, options.max_turn))));
 }
 
 /// Calls answer(i) for each unanswered row until the batch ends or reaches the limit of its thread.
@@ -157,7 +158,7 @@ inline Motion row_motion(const RowOptions& options, const Pose& start, const Pos
     case view::MotionKind::twist:
         return ConstantTwist::between(start, goal);
     default:
-        return ScrewMotion::between(start, goal, options.max_turn);
+        return ScrewMotion::between(start, goal, max_turn_of(options.motion, options.max_turn));
     }
 }
 
@@ -214,6 +215,8 @@ void motion_rows(const BodyPair& bodies, const RowMotions& motions, nb::handle a
                  nb::handle report, const TryOptions& try_options, const Answer& answer) {
     const Table<AnyRow> table(array);
     if (!motions.motions.is_none()) {
+        if (options.max_turn)
+            throw InvalidInput("max_turn: belongs to the motions, which are given");
         check(options, try_options);
         return given_rows(bodies, motions.motions, table, options, report, answer);
     }

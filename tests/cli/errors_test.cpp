@@ -64,7 +64,9 @@ TEST_F(Errors, FaceThatCrossesItself) {
 TEST_F(Errors, PolygonThatIsNotPlanar) {
     const std::string line = mesh_error("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 1 2 3 4\n");
     EXPECT_TRUE(line.starts_with("chasles: bent.obj: line 5: face 0: ")) << line;
-    EXPECT_NE(run("check bent.obj cube.obj --triangulate" + poses).status, 2);
+    const auto cut = run("check bent.obj cube.obj --triangulate" + poses);
+    EXPECT_NE(cut.status, 2);
+    EXPECT_TRUE(cut.err.starts_with("chasles: warning: bent.obj: 1 polygon leaves its plane by ")) << cut.err;
 }
 
 TEST_F(Errors, OptionsWithoutTheirNumbers) {
@@ -119,6 +121,8 @@ TEST_F(Errors, OptionsOutOfRange) {
               "chasles: --max-turn-deg: must be at most 180, which leaves a screw in one piece");
     EXPECT_TRUE(error_line(check + " --time-tolerance 2").starts_with("chasles: query: time_tolerance: "));
     EXPECT_EQ(error_line(check + " --max-turn-deg '1 2'"), "chasles: --max-turn-deg: needs one number");
+    EXPECT_EQ(error_line(check + " --motion twist --max-turn-deg 10"),
+              "chasles: --max-turn-deg: is for --motion screw, but the motion is a twist");
 }
 
 TEST_F(Errors, Usage) {

@@ -59,6 +59,20 @@ TEST_F(RobotChangesCommand, CarriesMeshesByName) {
     EXPECT_EQ(two["untested"]["reasons"].back()["pairs"].back(), Json({"block", "block_2"}));
 }
 
+/// Meshes are cut as those of the robot itself (RobotWarnings).
+TEST_F(RobotChangesCommand, WarnsOfPolygonsThatWereCut) {
+    write("bent.obj", "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0.5\nf 1 2 3 4\n");
+    for (const std::string scale : {"1", "2"}) {
+        write("bent.json",
+              R"({"bodies": [{"name": "sheet", "mesh": "bent.obj", "pose": [9, 9, 9], "scale": )" + scale + "}]}");
+        const Json warnings = json("--attach l2,bent.obj,1.5,0,3 --scene bent.json")["warnings"];
+        ASSERT_EQ(warnings.size(), 2U) << warnings;
+        for (const Json& warning : warnings)
+            EXPECT_NE(warning.get<std::string>().find("bent.obj: 1 polygon leaves its plane by "), std::string::npos)
+                << warning;
+    }
+}
+
 TEST_F(RobotChangesCommand, HoldsADistance) {
     write("table.json", R"({"bodies": [{"name": "table", "mesh": "cube.obj", "scale": 4, "pose": [-2, -2, -4.05]}]})");
     EXPECT_EQ(json("--scene table.json --margin 0.1")["verdict"], "contact_at_start");

@@ -30,9 +30,11 @@ TEST_F(View, AnswersAsCheckDoes) {
 }
 
 TEST_F(View, TakesTheOptionsOfCheck) {
-    const std::string options = " --motion sweep --centre '1 0 0' --max-turn-deg 20 --time-tolerance 1e-9 --any "
-                                "--fixed-start '0 0 0' --fixed-goal '0 0 1' --triangulate";
-    EXPECT_EQ(run("view cube.obj cube.obj" + poses + options + " --out page.html").status, 1);
+    for (const std::string motion : {" --motion sweep --centre '1 0 0'", " --max-turn-deg 20"}) {
+        const std::string options =
+            motion + " --time-tolerance 1e-9 --any --fixed-start '0 0 0' --fixed-goal '0 0 1' --triangulate";
+        EXPECT_EQ(run("view cube.obj cube.obj" + poses + options + " --out page.html").status, 1) << options;
+    }
 }
 
 /// Quotes of JSON stand in the page as they are.

@@ -1,5 +1,6 @@
 """Many motions and many paths at once."""
 
+import math
 import multiprocessing
 import re
 
@@ -132,6 +133,17 @@ def test_options_out_of_range_are_refused_whatever_the_motions(cube, options):
     arguments = {"errors": "mark", **options}
     with pytest.raises(chasles.InvalidInput, match=next(iter(options))):
         chasles.first_contact_batch(cube, cube, np.empty((0, 7)), np.empty((0, 7)), **arguments)
+
+
+@pytest.mark.parametrize("batch", [chasles.first_contact_batch, chasles.least_distance_batch])
+def test_max_turn_belongs_to_screws_between_poses(cube, batch):
+    starts, goals = random_motions(3)
+    with pytest.raises(chasles.InvalidInput, match="max_turn: belongs to motion='screw', and the motion is 'velocity'"):
+        batch(cube, cube, starts, goals, motion="velocity", max_turn=0.1)
+    motions = [chasles.ScrewMotion.between(*ends) for ends in zip(starts, goals, strict=True)]
+    with pytest.raises(chasles.InvalidInput, match="max_turn: belongs to the motions, which are given"):
+        batch(cube, cube, motions=motions, max_turn=0.1)
+    assert_same_rows(batch(cube, cube, starts, goals, max_turn=math.pi / 18), batch(cube, cube, starts, goals))
 
 
 @pytest.mark.parametrize("threads", [1.5, "2", None])

@@ -1,13 +1,15 @@
-#include "chasles/robot/cut_polygons.h"
+#include "chasles/io/cut_polygons.h"
 
 #include "chasles/base/number_text.h"
+#include "chasles/io/read_file.h"
 #include "chasles/mesh/polygon_plane.h"
 
 #include <algorithm>
 
-namespace chasles::robot {
+namespace chasles::io {
 
-std::optional<std::string> warning_of_cut_polygons(const io::PolygonSoup& given, const Polyhedron& made) {
+void warn_of_cut_polygons(const std::filesystem::path& file, const PolygonSoup& given, const Polyhedron& made,
+                          std::vector<std::string>& warnings) {
     std::vector<int> parts(given.faces.size());
     for (std::size_t face = 0; face < made.face_count(); ++face)
         ++parts[made.source_face(face)];
@@ -23,10 +25,12 @@ std::optional<std::string> warning_of_cut_polygons(const io::PolygonSoup& given,
         farthest = std::max(farthest, polygon.deviation);
     }
     if (count == 0)
-        return std::nullopt;
-    return std::to_string(count) + (count == 1 ? " polygon leaves its plane" : " polygons leave their planes") +
-           " by up to " + number_text(farthest, 3) +
-           ", and were cut into triangles: quads from their first corner, as most programs do";
+        return;
+    const bool is_one = count == 1;
+    warnings.push_back(shown_name(file) + ": " + std::to_string(count) +
+                       (is_one ? " polygon leaves its plane by " : " polygons leave their planes by up to ") +
+                       number_text(farthest, 3) + (is_one ? ", and was" : ", and were") +
+                       " cut into triangles: quads from their first corner, as most programs do");
 }
 
-} // namespace chasles::robot
+} // namespace chasles::io
