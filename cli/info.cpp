@@ -48,8 +48,9 @@ std::string body_report(const std::string& name, const Polyhedron& body) {
     text += labelled("faces", fmt::format("{}, {} of them polygons of more than three sides; {} triangles in all",
                                           mesh.faces, mesh.polygons, mesh.triangles));
     if (mesh.dropped_faces > 0)
-        text += labelled(
-            "", fmt::format("{} without area dropped, because edges of other faces cover them", mesh.dropped_faces));
+        text +=
+            labelled("", fmt::format("{} without area dropped: edges of other faces cover them, so nothing is missing",
+                                     mesh.dropped_faces));
     if (mesh.segments > 0)
         text += labelled("", fmt::format("{} of them segments without area", mesh.segments));
     text += labelled("vertices", fmt::format("{}, {} distinct", mesh.vertices, mesh.distinct_vertices));

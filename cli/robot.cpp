@@ -7,6 +7,7 @@
 #include "cli/report.h"
 #include "cli/robot_changes.h"
 #include "cli/robot_options.h"
+#include "cli/robot_pairs.h"
 #include "cli/scene_file.h"
 #include "cli/untested_text.h"
 #include "cli/warnings.h"
@@ -125,11 +126,6 @@ std::string joints_line(const Robot& robot, const Configuration& values) {
     return text.empty() ? text : labelled("joints", text);
 }
 
-std::string pair_report(const RobotPair& pair, std::size_t segment) {
-    return labelled("pair", pair.first + " on " + pair.second + (pair.is_with_scene ? " (scene)" : "")) +
-           labelled("segment", std::to_string(segment));
-}
-
 /// The lines after the contact. `Found` is RobotAnswer or RobotClearance.
 template <typename Found>
 std::string report_path(const RobotQuestion& question, const Found& found) {
@@ -156,7 +152,8 @@ std::string headline_of(const RobotQuestion& question, const RobotAnswer& found,
                          motion_name);
 }
 
-std::string robot_report(const RobotQuestion& question, const RobotAnswer& found) {
+std::string robot_report(const RobotQuestion& question, const RobotAnswer& found,
+                         const std::vector<RobotPair>& others) {
     const double margin = question.options.margin;
     FirstContact shown = found.contact;
     shown.verdict = found.verdict;
@@ -168,19 +165,27 @@ std::string robot_report(const RobotQuestion& question, const RobotAnswer& found
     std::string text = headline_of(question, found, shown);
     text += report(*found.untested);
     if (found.pair)
-        text += pair_report(*found.pair, found.segment) + report_contact(shown, margin, why);
+        text += report_pair(*found.pair, found.segment) + report_others(others) + report_contact(shown, margin, why);
     return text + joints_line(question.robot, found.configuration) + report_path(question, found);
 }
 
 std::string robot_report(const RobotQuestion& question, const RobotClearance& found) {
     if (!found.pair)
-        return naming_motion("CLEARANCE WITHOUT A LIMIT: no two bodies are tested", motion_name) +
+        return naming_motion(found.certain ? "CLEARANCE WITHOUT A LIMIT: no two bodies are tested"
+                                           : "NO CLEARANCE PROVEN: the time was over before two bodies were searched",
+                             motion_name) +
                report(*found.untested) + report_path(question, found);
     LeastDistance shown = found.nearest;
     if (question.has_stamps())
         shown.time = found.time;
-    return headline(shown, motion_name) + report(*found.untested) + pair_report(*found.pair, found.segment) +
+    return headline(shown, motion_name) + report(*found.untested) + report_pair(*found.pair, found.segment) +
            report_least(shown) + joints_line(question.robot, found.configuration) + report_path(question, found);
+}
+
+/// CLEAR would say nothing.
+void warn_if_untested(const UntestedPairs& untested, std::vector<std::string>& warnings) {
+    if (untested.tested == 0)
+        warnings.emplace_back("no pair is tested: see `untested` for the reasons");
 }
 
 /// The text of an answer in JSON, with the motion and the warnings.
@@ -188,6 +193,13 @@ std::string with_motion(view::Json answer, const RobotQuestion& question) {
     answer["motion"] = {{"kind", motion_name}};
     answer["warnings"] = question.warnings;
     return answer.dump() + "\n";
+}
+
+std::string answer_json(const RobotQuestion& question, const RobotAnswer& found, const std::vector<RobotPair>& others) {
+    view::Json answer = view::robot_answer_json(question.robot, found, question.has_stamps());
+    for (const RobotPair& pair : others)
+        answer["also"].push_back({pair.first, pair.second});
+    return with_motion(std::move(answer), question);
 }
 
 /// Speeds become lengths per unit of the stamps.
@@ -207,18 +219,23 @@ JointPath path_of(const RobotQuestion& question) {
 }
 
 int run_clearance(const RobotCommand& options) {
-    const RobotQuestion question = read_question(options);
+    RobotQuestion question = read_question(options);
     const JointPath path = path_of(question);
+    const Limit limit(seconds_of(options.query.seconds));
     RobotClearance found = RobotChecker(question.robot, question.world())
                                .least_distance(path, {.tolerance = options.tolerance,
                                                       .time_tolerance = question.options.time_tolerance,
                                                       .find = question.options.find});
+    warn_if_untested(*found.untested, question.warnings);
     if (question.has_stamps())
         count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
     print(options.json ? with_motion(view::robot_clearance_json(question.robot, found, question.has_stamps()), question)
                        : robot_report(question, found));
     print_warnings(question.warnings);
-    return !found.pair || view::proven_verdict(found.nearest) == Verdict::clear ? is_clear : is_contact;
+    const bool is_open = found.distance.lower == 0 && found.distance.upper > 0;
+    if (is_open && limit.is_over())
+        return is_unknown;
+    return found.distance.lower > 0 ? is_clear : is_contact;
 }
 
 /// An error about a hold distance of the scene's file names the file.
@@ -233,7 +250,7 @@ RobotChecker checker_of(const RobotCommand& options, const RobotQuestion& questi
 }
 
 int run_robot(const RobotCommand& options) {
-    const RobotQuestion question = read_question(options);
+    RobotQuestion question = read_question(options);
     std::optional<OutputFile> page;
     if (!options.page.empty()) {
         view::require_page_template();
@@ -243,6 +260,8 @@ int run_robot(const RobotCommand& options) {
     const JointPath path = path_of(question);
     const Limit limit(seconds_of(options.query.seconds));
     RobotAnswer found = checker.first_contact(path);
+    const std::vector<RobotPair> others = others_at_start(checker, path, found);
+    warn_if_untested(*found.untested, question.warnings);
     const bool shows_page = page && found.verdict != Verdict::unknown;
     if (shows_page) {
         view::SceneRecord record = view::robot_record(question.robot, question.world(), path, found);
@@ -253,8 +272,8 @@ int run_robot(const RobotCommand& options) {
     }
     if (question.has_stamps())
         count_in_stamps(found.contact.contacts, path.segments()[found.segment]);
-    print(options.json ? with_motion(view::robot_answer_json(question.robot, found, question.has_stamps()), question)
-                       : robot_report(question, found) + (shows_page ? labelled("page", options.page) : ""));
+    print(options.json ? answer_json(question, found, others)
+                       : robot_report(question, found, others) + (shows_page ? labelled("page", options.page) : ""));
     print_warnings(question.warnings);
     return status_of(found.verdict);
 }
@@ -291,7 +310,7 @@ void add_robot(CLI::App& app, Task& task) {
                     "distance; instead of the scene's")
         ->excludes(clearance)
         ->type_name("H");
-    add_seconds_option(command, options->query.seconds)->excludes(clearance);
+    add_seconds_option(command, options->query.seconds);
     command.add_option("--time-tolerance", options->query.time_tolerance, "aimed width of the bracket around the time")
         ->type_name("T")
         ->capture_default_str();

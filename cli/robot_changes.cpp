@@ -36,6 +36,8 @@ AllowedPair allowed_pair(const Robot& robot, const Scene* scene, const std::stri
     std::optional<AllowedPair> found;
     for (std::size_t comma = given.find(','); comma != std::string::npos; comma = given.find(',', comma + 1)) {
         AllowedPair pair{given.substr(0, comma), given.substr(comma + 1)};
+        if (!has_link(robot, pair.link) && has_body(scene, pair.link))
+            std::swap(pair.link, pair.other);
         if (!has_link(robot, pair.link) || (!has_link(robot, pair.other) && !has_body(scene, pair.other)))
             continue;
         if (found)

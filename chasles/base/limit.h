@@ -22,8 +22,8 @@ struct CHASLES_EXPORT Cancelled : std::exception {
 /// Limits all questions of the thread that makes it, while it exists. It limits the threads that they start, too. A
 /// question that reaches the limit ends soon, mostly within milliseconds. First contacts of pairs, paths, batches,
 /// scenes and robots then have the verdict `unknown`, and `clear_until` says what is proven. Least distances of pairs
-/// have the bracket so far. Proofs of pairs of links stay open. All others throw Cancelled. A limit inside another one
-/// shortens it.
+/// and robots have the bracket so far; where time is limited, they begin with rough ones. Proofs of pairs of links stay
+/// open. All others throw Cancelled. A limit inside another one shortens it.
 ///
 ///     const Limit limit(2.0); // seconds
 ///     const FirstContact found = first_contact({peg, hole, motion});
@@ -37,6 +37,8 @@ public:
     Limit(const Limit&) = delete;
     Limit& operator=(const Limit&) = delete;
 
+    /// Whether it, or one around it, limits the time.
+    [[nodiscard]] bool has_end() const { return end_ != Clock::time_point::max() || (outer_ && outer_->has_end()); }
     /// Whether the limit is reached. For any thread.
     [[nodiscard]] bool is_over() const;
 

@@ -63,6 +63,7 @@ public:
     void use(const motion::ControlMaps<double>& maps, const elementary::ErrorScale& scale) {
         maps_ = &maps;
         scale_ = scale;
+        in_moving_ = elementary::in_moving_frame(scale, maps);
         for (LastPlane* const last : {&of_moving_, &of_fixed_})
             last->plane.face = last->chord.face = no_face;
         ends_ = IntervalEnds(maps);
@@ -103,7 +104,7 @@ private:
                                    double deviation) {
         const ChordPlane& of_fixed = of_fixed_.chord.update(fixed_face, [&] {
             const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
-            return seen_by_moving(shape.normal, shape.offset, band_of(shape, deviation));
+            return seen_by_moving(shape.normal, shape.offset, band_of(shape, deviation, scale_));
         });
         const Window left = of_fixed.without_apart(moving_, moving_face, when);
         if (left.is_empty())
@@ -114,7 +115,7 @@ private:
                 const Vector3<double> normal = pose.rotation * shape.normal;
                 return SeenPlane{normal, 0 - dot(pose.translation, normal) - shape.offset};
             };
-            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
+            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation, in_moving_));
         });
         return of_moving.without_apart(fixed_, fixed_face, left);
     }
@@ -130,7 +131,7 @@ private:
                 break;
             const auto half_space = half_space_at(fixed_face, *direction);
             const ChordPlane plane = seen_by_moving(half_space.normal, half_space.offset + offset_of(half_space),
-                                                    band_of(half_space, deviation));
+                                                    band_of(half_space, deviation, scale_));
             const Window left = plane.without_above(moving_, moving_face, when);
             const bool is_much = left.lower - when.lower > much * (when.upper - when.lower);
             when = left;
@@ -191,10 +192,12 @@ private:
         std::vector<int> sides; ///< of the corners of the other face
     };
 
-    /// How far from a face's plane points must be on their chords to be proven off the face.
-    [[nodiscard]] double band_of(const elementary::FaceShape<double>& face, double deviation) const {
-        const double rounding = elementary::position_error<double>(scale_) * face.size;
-        return elementary::with_underflow<double>(rounding + face.deviation + deviation * length(face.normal));
+    /// How far from a face's plane points must be on their chords to be proven off the face. Chords, too, leave the
+    /// heights along the axis as they are (note 36).
+    static double band_of(const elementary::FaceShape<double>& face, double deviation, elementary::ErrorScale scale) {
+        scale.deviation = deviation;
+        return elementary::with_underflow<double>(elementary::height_error<double>(scale, face.normal, face.size) +
+                                                  face.deviation);
     }
 
     static CornerSides sides_of(const Body& body, std::uint32_t face, LastPlane& plane, const Restriction& part) {
@@ -208,6 +211,7 @@ private:
     const Body& moving_;
     const Body& fixed_;
     elementary::ErrorScale scale_;
+    elementary::ErrorScale in_moving_; ///< in the frame of the moving body
     double margin_;
     const motion::ControlMaps<double>* maps_ = nullptr;
     IntervalEnds ends_;

@@ -15,13 +15,19 @@ motion::Enclosure<double> PieceParts::enclosure(const TimeRange& range) const {
     return *enclosed_->piece->enclosure({range.lower, range.upper});
 }
 
+void PieceParts::add_deviations(elementary::ErrorScale& scale, const motion::EnclosureBounds& part) const {
+    scale.deviation = deviation_of(part);
+    scale.turn_deviation = part.turn_deviation;
+    scale.axis_deviation = part.deviation_along_axis(enclosed_->twice);
+    scale.axis = part.along.axis;
+}
+
 elementary::ErrorScale PieceParts::scale_of(const motion::Enclosure<double>& part,
                                             const motion::ControlMaps<double>& maps) const {
     const double size = norm1(part.cubic.moment) + norm1(part.cubic.displacement);
     const double moving_extent = std::max(enclosed_->sizes.moving_extent, part.cubic.reference_extent) + size;
     elementary::ErrorScale scale = elementary::error_scale(maps, moving_extent, enclosed_->sizes.fixed_extent);
-    scale.deviation = deviation_of(part.bounds);
-    scale.turn_deviation = part.bounds.turn_deviation;
+    add_deviations(scale, part.bounds);
     return scale;
 }
 
@@ -31,8 +37,7 @@ elementary::ErrorScale PieceParts::scale_of(const motion::Enclosure<algebra::Dou
     elementary::ErrorScale scale = scale_;
     scale.length *= 2;
     scale.norm_bound *= 2;
-    scale.deviation = deviation_of(part.bounds);
-    scale.turn_deviation = part.bounds.turn_deviation;
+    add_deviations(scale, part.bounds);
     return scale;
 }
 

@@ -61,6 +61,8 @@ public:
                                                   const motion::ControlMaps<algebra::DoubleDouble>& maps) const;
 
 private:
+    void add_deviations(elementary::ErrorScale& scale, const motion::EnclosureBounds& part) const;
+
     struct Enclosed {
         const motion::AnyPiece* piece;
         BodySizes sizes;

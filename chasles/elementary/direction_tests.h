@@ -82,13 +82,6 @@ bool is_apart(const VertexPath<S>& path, const ConvexPart<S>& part, const Separa
     return excludes(from_rim) || excludes(turned_towards<S>(normal_along_longest_side(part), from_rim));
 }
 
-/// What a proof has to cover: the distance and how far the true motion is from the maps count along the direction; the
-/// rounding of a position counts for each coordinate.
-template <class S>
-Separation<S> separation_in_truth(const S& distance, const ErrorScale& scale) {
-    return {distance + S(scale.deviation), S(relative_error<S>(scale) * scale.length)};
-}
-
 } // namespace detail
 
 // Each test tries two directions. Any direction gives a valid proof; a false answer proves nothing.
@@ -96,7 +89,7 @@ Separation<S> separation_in_truth(const S& distance, const ErrorScale& scale) {
 /// Whether a vertex is proven to stay farther than the distance from a face.
 template <class S>
 bool are_apart(const VertexPath<S>& path, const FaceShape<S>& face, const S& distance, const Accuracy& accuracy) {
-    const auto separation = detail::separation_in_truth<S>(distance, accuracy.scale);
+    const auto separation = detail::Separation<S>{distance, accuracy.scale};
     for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i)
         if (!detail::is_apart<S>(path, convex_part(face, i), separation))
             return false;
@@ -111,7 +104,7 @@ bool are_apart(const EdgeMotion<S>& edges, const S& distance, const Accuracy& ac
     const Vector3<S> along = detail::middle_position(moving.direction, maps.weight);
     const Vector3<S> between = detail::vector_between_segments<S>(fixed.from, fixed.direction,
                                                                   detail::middle_position(from, maps.weight), along);
-    const auto separation = detail::separation_in_truth<S>(distance, accuracy.scale);
+    const auto separation = detail::Separation<S>{distance, accuracy.scale};
     const auto excludes = [&](const Vector3<S>& direction) {
         const auto half_space =
             detail::half_space_of_segment<S>(fixed.from, fixed.direction, direction, separation, maps.weight);

@@ -149,7 +149,7 @@ void vertex_vertex_distance(const VertexPath<S>& path, const Vector3<S>& point, 
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
     const S slack = S(parallel_slack * accuracy.scale.length);
-    if (detail::are_separated<S>(path, point, {margin.distance + slack, unit}))
+    if (detail::are_separated<S>(path, point, {margin.distance + slack, accuracy.scale}))
         return;
     const Vector3<Bernstein<3, S>> arm = path.position - scale(point, path.weight);
     const auto sized_arm = detail::sized_vector<S>(arm, with_underflow<S>(unit), path.weight);
@@ -166,7 +166,7 @@ void vertex_edge_distance(const VertexPath<S>& path, const RestingEdge<S>& edge,
                           const Accuracy& accuracy, Workspace<S>& workspace, Visit visit) {
     ++workspace.elementary_tests;
     const S unit = detail::unit_of<S>(accuracy);
-    if (detail::are_separated<S>(path, edge, {margin.distance + S(parallel_slack) * edge.size, unit}))
+    if (detail::are_separated<S>(path, edge, {margin.distance + S(parallel_slack) * edge.size, accuracy.scale}))
         return;
     const Vector3<Bernstein<3, S>> arm = path.position - scale(edge.from, path.weight);
     detail::SquareProblem<S> problem(path.weight);
@@ -217,7 +217,7 @@ template <class S, class Visit>
 void edge_edge_distance(const EdgeMotion<S>& edges, const Margin<S>& margin, const Accuracy& accuracy,
                         Workspace<S>& workspace, Visit visit) {
     ++workspace.elementary_tests;
-    if (detail::are_separated<S>(edges, {margin.distance, detail::unit_of<S>(accuracy)}))
+    if (detail::are_separated<S>(edges, {margin.distance, accuracy.scale}))
         return;
     const Bernstein<3, S>& weight = edges.maps.weight;
     const detail::EdgePair<S> pair(edges, accuracy.scale);
@@ -268,13 +268,12 @@ template <class S, class Visit>
 void vertex_face_distance(const VertexPath<S>& path, const FaceShape<S>& face, const Margin<S>& margin,
                           const Accuracy& accuracy, Workspace<S>& workspace, Visit visit) {
     ++workspace.elementary_tests;
-    const S unit = detail::unit_of<S>(accuracy);
-    const Bounded<3, S> plane = detail::plane(path, face, unit);
+    const Bounded<3, S> plane = detail::plane(path, face, accuracy.scale);
     const S offset = margin.distance * length(face.normal);
     if (keeps_one_sign(plane.polynomial, path.weight * S(plane.error + offset)))
         return;
     for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i) {
-        if (!detail::add_inside_constraints(path, convex_part(face, i), unit, workspace.constraints))
+        if (!detail::add_inside_constraints(path, convex_part(face, i), accuracy.scale, workspace.constraints))
             continue;
         ++workspace.root_brackets;
         detail::visit_both_sides<S>({plane, path.weight * offset}, path.weight, workspace.constraints, visit);

@@ -22,6 +22,9 @@ struct ErrorScale {
         1;                ///< 1 / cos of half of the turn of a screw: the factor by which errors in double-double grow
     double deviation = 0; ///< of points of the moving body from their true places, in the length unit
     double turn_deviation = 0; ///< of the orientation, in radians
+    double axis_deviation = 0; ///< of points along the axis, at most `deviation`
+    algebra::Vector3<double>
+        axis{}; ///< of unit length up to rounding, in the frame of the planes and directions; or zero
 };
 
 /// The relative error of a coefficient, counted in docs/derivations/10-error-bounds.md. Most of it is the error of the
@@ -43,6 +46,48 @@ double relative_error(const ErrorScale& scale) {
 template <class S>
 S position_error(const ErrorScale& scale) {
     return S(relative_error<S>(scale) * scale.length + scale.deviation);
+}
+
+/// The share of it that is rounding.
+template <class S>
+S rounding_error(const ErrorScale& scale) {
+    return S(relative_error<S>(scale) * scale.length);
+}
+
+/// By how much the product of a position and a vector differs from the true one, without rounding. Source:
+/// docs/derivations/36-heights.md, "Heights".
+template <class S>
+S height_deviation(const ErrorScale& scale, const algebra::Vector3<S>& vector) {
+    if constexpr (error_unit<S> == 0) {
+        return S(0);
+    } else {
+        if (scale.deviation == 0)
+            return S(0);
+        constexpr double rounding = 0x1p-46;
+        const algebra::Vector3<double> v{double(vector.x), double(vector.y), double(vector.z)};
+        const double along = dot(v, scale.axis);
+        const double across = length(v - algebra::scale(scale.axis, along)) + rounding * norm1(v);
+        return S((1 + rounding) * (std::abs(along) * scale.axis_deviation + across * scale.deviation));
+    }
+}
+
+/// The error of the product of a position and a vector, whose largest terms are `size` times a length.
+template <class S>
+S height_error(const ErrorScale& scale, const algebra::Vector3<S>& vector, const S& size) {
+    return S(rounding_error<S>(scale) * size + height_deviation<S>(scale, vector));
+}
+
+/// The same bounds for positions and vectors in the frame of the moving body.
+template <class S>
+ErrorScale in_moving_frame(ErrorScale scale, const motion::ControlMaps<S>& maps) {
+    if (scale.deviation == 0)
+        return scale;
+    algebra::Vector3<double> axis;
+    for (int i = 0; i < 3; ++i)
+        for (int j = 0; j < 3; ++j)
+            axis[i] += double(maps.rotation.row[j][i][0]) * scale.axis[j] / double(maps.weight[0]);
+    scale.axis = axis;
+    return scale;
 }
 
 /// The error of a rotated unit direction, likewise.

@@ -39,7 +39,7 @@ template <class S>
 RelativePlane<S> relative_plane(const Vector3<Bernstein<3, S>>& normal, const Bernstein<3, S>& height,
                                 const Bernstein<3, S>& weight, const FaceShape<S>& face, const ErrorScale& scale,
                                 const S& offset = S(0)) {
-    const S error = position_error<S>(scale) * face.size + face.deviation + offset;
+    const S error = height_error<S>(scale, face.normal, face.size) + face.deviation + offset;
     return {normal, height - weight * face.offset, weight * with_underflow<S>(error)};
 }
 
@@ -60,7 +60,7 @@ RelativePlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const 
                                       const ErrorScale& scale, const S& offset = S(0)) {
     return detail::relative_plane<S>(maps.rotation * face.normal,
                                      Bernstein<3, S>() - dot(maps.inverse_translation, face.normal), maps.weight, face,
-                                     scale, offset);
+                                     in_moving_frame(scale, maps), offset);
 }
 
 /// The plane of a face relative to its own body, at rest.

@@ -26,11 +26,11 @@ namespace detail {
 template <class S>
 using Cubic = Bernstein<3, S>;
 
-/// The distance to be exceeded, and the error of a position (a length) that the proof has to cover.
+/// The distance to be exceeded, and the errors of positions that the proof has to cover.
 template <class S>
 struct Separation {
     S distance;
-    S unit;
+    const ErrorScale& scale;
 };
 
 /// The position on a path at tau = 1/2.
@@ -70,8 +70,10 @@ template <class S>
 class HalfSpace {
 public:
     HalfSpace(const Vector3<S>& direction, const S& support, const Separation<S>& separation, const Cubic<S>& weight)
-        : direction_(direction), limit_(weight * S(support + separation.distance * length(direction) +
-                                                   with_underflow<S>(separation.unit * norm1(direction) * S(2)))) {}
+        : direction_(direction),
+          limit_(weight * S(support + separation.distance * length(direction) +
+                            with_underflow<S>(rounding_error<S>(separation.scale) * norm1(direction) * S(2)) +
+                            height_deviation<S>(separation.scale, direction))) {}
 
     /// Whether the path is proven to stay outside.
     [[nodiscard]] bool excludes(const Vector3<Cubic<S>>& path) const {

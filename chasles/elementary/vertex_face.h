@@ -85,28 +85,30 @@ Bernstein<3, S> height(const VertexPath<S>& path, const Vector3<S>& direction, c
 
 /// W times the height of the vertex over the plane of the face.
 template <class S>
-Bounded<3, S> plane(const VertexPath<S>& path, const FaceShape<S>& face, const S& unit) {
-    return {height(path, face.normal, face.offset), with_underflow<S>(unit * face.size + face.deviation)};
+Bounded<3, S> plane(const VertexPath<S>& path, const FaceShape<S>& face, const ErrorScale& scale) {
+    return {height(path, face.normal, face.offset),
+            with_underflow<S>(height_error<S>(scale, face.normal, face.size) + face.deviation)};
 }
 
 /// A polynomial that is positive on the inner side of one edge of the face.
 template <class S>
 Bounded<3, S> inside(const VertexPath<S>& path, const FaceShape<S>& face, const Vector3<S>& from, const Vector3<S>& to,
-                     const S& unit) {
+                     const ErrorScale& scale) {
     const Vector3<S> edge = to - from;
     const Vector3<S> inwards = cross(face.normal, edge);
-    return {height<S>(path, inwards, dot(inwards, from)), with_underflow<S>(unit * face.size * norm1(edge))};
+    return {height<S>(path, inwards, dot(inwards, from)),
+            with_underflow<S>(height_error<S>(scale, inwards, face.size * norm1(edge)))};
 }
 
 /// Sets the constraints that the vertex is inside all edges of a convex part of the face. Returns false if the vertex
 /// is proven to stay outside.
 template <class S>
-bool add_inside_constraints(const VertexPath<S>& path, const ConvexPart<S>& part, const S& unit,
+bool add_inside_constraints(const VertexPath<S>& path, const ConvexPart<S>& part, const ErrorScale& scale,
                             Constraints<S>& constraints) {
     constraints.clear();
     for (std::size_t i = 0; i < part.count; ++i) {
         Bounded<3, S>& side = constraints.add();
-        side = inside(path, part.face, part.corner(i), part.next_corner(i), unit);
+        side = inside(path, part.face, part.corner(i), part.next_corner(i), scale);
         if (is_negative(side.polynomial, path.weight * side.error))
             return false;
     }
@@ -119,10 +121,9 @@ template <class S>
 [[gnu::noinline]] std::optional<FeasibleInterval> first_meeting(const VertexPath<S>& path, const FaceShape<S>& face,
                                                                 const Bounded<3, S>& plane, const Accuracy& accuracy,
                                                                 Workspace<S>& workspace) {
-    const S unit = position_error<S>(accuracy.scale);
     std::optional<FeasibleInterval> first;
     for (std::size_t i = 0, count = convex_part_count(face); i < count; ++i) {
-        if (!add_inside_constraints(path, convex_part(face, i), unit, workspace.constraints))
+        if (!add_inside_constraints(path, convex_part(face, i), accuracy.scale, workspace.constraints))
             continue;
         ++workspace.root_brackets;
         const auto found =
@@ -141,8 +142,7 @@ template <class S>
 std::optional<FeasibleInterval> vertex_face(const VertexPath<S>& path, const FaceShape<S>& face,
                                             const Accuracy& accuracy, Workspace<S>& workspace) {
     ++workspace.elementary_tests;
-    const S unit = position_error<S>(accuracy.scale);
-    const Bounded<3, S> plane = detail::plane(path, face, unit);
+    const Bounded<3, S> plane = detail::plane(path, face, accuracy.scale);
     if (keeps_one_sign(plane.polynomial, path.weight * plane.error))
         return std::nullopt;
     return detail::first_meeting(path, face, plane, accuracy, workspace);

@@ -1,6 +1,7 @@
 // Reads 3MF: a ZIP archive with XML. Numbers stay in the unit that the file states. The build items and components of
-// all parts are read (production extension); colours, textures and print settings are ignored. Beam lattices, slices
-// and encrypted parts are refused. Source: 3MF Core Specification 1.3 and Production Extension 1.1.
+// all parts are read (production extension); colours, textures and print settings are ignored. Beam lattices, slices,
+// encrypted parts and what slicers do not print as a solid are refused. Source: 3MF Core Specification 1.3 and
+// Production Extension 1.1; for slicers, the files that they write.
 #include "chasles/base/invalid_input.h"
 #include "chasles/io/mesh_files.h"
 #include "chasles/io/scene_graph.h"
@@ -113,12 +114,41 @@ PolygonSoup threemf_mesh(const XmlElement& element) {
     return mesh;
 }
 
+// The value of <metadata key="KEY" value="..."/> below an element.
+std::string_view setting_of(const XmlElement& element, std::string_view key) {
+    for (const XmlElement* const setting : children_of(element, "metadata"))
+        if (attribute_of(*setting, "key") == key)
+            return attribute_of(*setting, "value");
+    return {};
+}
+
+// What an object is beside a solid, for Bambu Studio and OrcaSlicer ("negative_part") or for PrusaSlicer
+// ("NegativeVolume"). Empty for a solid.
+std::string_view kind_beside_solid(const XmlElement& object) {
+    const bool is_part = local_name(object) == "part";
+    const std::string_view kind = is_part ? attribute_of(object, "subtype") : setting_of(object, "volume_type");
+    return kind == "normal_part" || kind == "ModelPart" ? std::string_view() : kind;
+}
+
+void refuse_kinds_beside_solids(const XmlElement& config) {
+    for (const XmlElement* const object : children_of(config, "object"))
+        for (const char* const name : {"part", "volume"})
+            for (const XmlElement* const part : children_of(*object, name))
+                if (const std::string_view kind = kind_beside_solid(*part); !kind.empty())
+                    fail_at(*part, in_quotes(setting_of(*part, "name")) + " is a " + in_quotes(kind) +
+                                       ", which is no solid body; cut it from the model, or remove it, in the slicer, "
+                                       "and export again");
+}
+
 class ThreemfReader {
 public:
     explicit ThreemfReader(std::string_view bytes) : archive_(bytes) { scene_.file_size = bytes.size(); }
 
     SceneGraph read() {
         const std::string name = model_name();
+        for (const char* const settings : {"Metadata/model_settings.config", "Metadata/Slic3r_PE_model.config"})
+            if (archive_.has(settings))
+                read_settings(settings);
         const XmlElement& model = *part(name).document.RootElement();
         const std::string_view unit = attribute_of(model, "unit");
         scene_.unit = unit.empty() ? "millimeter" : unit; // the default of the specification
@@ -145,6 +175,16 @@ private:
             if (attribute_of(*relationship, "Type").ends_with("/3dmodel"))
                 return part_name(required_attribute_of(*relationship, "Target"));
         throw InvalidInput("is no 3MF: the archive names no 3D model");
+    }
+
+    // What a slicer keeps beside the model.
+    void read_settings(const char* name) {
+        const std::string text = archive_.read(name);
+        tinyxml2::XMLDocument document;
+        in_part(name, [&] {
+            parse_xml(document, text, "config");
+            refuse_kinds_beside_solids(*document.RootElement());
+        });
     }
 
     // Adds the name of the part to messages with line numbers.

@@ -96,8 +96,20 @@ MeshReport make_report(const PolygonFaces& polygons, const MeshEdges& edges) {
     report.edges = edges.edges.size();
     report.boundary_edges = edges.boundary;
     report.nonmanifold_edges = edges.nonmanifold;
-    report.closed = edges.boundary == 0;
     return report;
+}
+
+/// Whether the surface as it is given has no boundary edge. A face without area closes the gap between an edge and two
+/// edges that meet on it.
+bool is_closed(const PolygonFaces& polygons, const MeshEdges& edges, std::size_t vertex_count) {
+    const FlatLists<std::uint32_t>& collapsed = polygons.collapsed.outlines;
+    if (edges.boundary == 0 || collapsed.size() == 0)
+        return edges.boundary == 0;
+    FlatLists<std::uint32_t> given = polygons.faces.outlines;
+    for (std::size_t face = 0; face < collapsed.size(); ++face)
+        if (collapsed[face].size() > 1)
+            given.append(collapsed[face]);
+    return collect_edges(given, vertex_count).boundary == 0;
 }
 
 /// Adds the parts of faces without area that no edge covers, as segments behind the faces.
@@ -128,6 +140,7 @@ BodyParts make_body(std::span<const Eigen::Vector3d> vertices, std::span<const s
 
     BodyParts parts;
     parts.report = make_report(polygons, edges);
+    parts.report.closed = is_closed(polygons, edges, vertices.size());
     parts.report.vertices = vertices.size();
     parts.report.distinct_vertices = distinct_vertices;
     keep_segments(vertices, polygons, edges, parts.report);

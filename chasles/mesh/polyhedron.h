@@ -33,11 +33,11 @@ struct MeshReport {
     std::size_t triangles = 0;         ///< triangles if every polygon were cut
     std::size_t polygons = 0;          ///< faces with more than three vertices
     std::size_t edges = 0;             ///< distinct edges
-    std::size_t boundary_edges = 0;    ///< edges with one face
+    std::size_t boundary_edges = 0;    ///< edges with one face that is kept
     std::size_t nonmanifold_edges = 0; ///< edges with three faces or more
     std::size_t dropped_faces = 0;     ///< faces without area that edges of other faces cover
     std::size_t segments = 0;          ///< kept faces without area, each a segment between two vertices, or a point
-    bool closed = false;               ///< no boundary edge
+    bool closed = false;               ///< no boundary edge, faces that are dropped counted
     Eigen::Vector3d lower =
         Eigen::Vector3d::Zero(); ///< lower corner of the bounding box of all used vertices, in the length unit
     Eigen::Vector3d upper = Eigen::Vector3d::Zero(); ///< upper corner

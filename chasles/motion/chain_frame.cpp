@@ -71,6 +71,13 @@ RateExpansion expansion_of(const ElementaryJoint& joint, const Bracket& times) {
     return expansion;
 }
 
+AxisRates rates_across(const ElementaryJoint& joint, const Vector3<double>& direction, const RateBounds& bounds) {
+    const Vector3<double>& axis = joint.axis.in_double;
+    if (joint.turns)
+        return turn_across(axis, direction, bounds.turn_rate, bounds.turn_acceleration);
+    return {.acceleration = std::abs(dot(axis, direction)) * bounds.acceleration};
+}
+
 RateExpansion at_rest(const FixedPose& pose) {
     RateExpansion expansion{.pose = pose.in_double, .reference = pose.in_double.translation};
     expansion.turn_jerk = expansion.jerk = 0;
@@ -108,6 +115,17 @@ public:
                 carried(expansion, at_rest(is_last ? chain_.last() : chain_.joints()[i + 1].before), half, size_);
         }
         return expansion;
+    }
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                               const Bracket& times) const override {
+        const double half = half_of(times);
+        AxisExpansion e{at_rest({}), {}};
+        for (const auto& [before, joint] : chain_.joints()) {
+            e = carried(e, {at_rest(before), {}}, half, size_);
+            const RateExpansion all = expansion_of(joint, times);
+            e = carried(e, {all, rates_across(joint, seen_by(e.all, direction), all.bounds)}, half, size_);
+        }
+        return carried(e, {at_rest(chain_.last()), {}}, half, size_);
     }
     [[nodiscard]] double size() const override { return size_; }
     [[nodiscard]] double rounding() const override { return rounding_; }

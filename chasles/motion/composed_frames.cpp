@@ -88,6 +88,12 @@ public:
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
         return carried(first().expansion(times), second().expansion(times), half_of(times), size());
     }
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                               const Bracket& times) const override {
+        const auto outer = first().expansion_about(direction, times);
+        const auto inner = outer ? second().expansion_about(seen_by(outer->all, direction), times) : std::nullopt;
+        return inner ? std::optional(carried(*outer, *inner, half_of(times), size())) : std::nullopt;
+    }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
         std::vector<AxisSection> outer = first().axis_sections();
         return outer.empty() ? outer : product_of(outer, second().axis_sections());
@@ -107,6 +113,14 @@ public:
 
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
         return seen_from(first().expansion(times), second().expansion(times), half_of(times), size());
+    }
+    /// The direction, which is one of the fixed body, in the common frame.
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                               const Bracket& times) const override {
+        const Vector3<double> in_common = rotated(second().at(middle_of(times)).rotation, direction);
+        const auto fixed = second().expansion_about(in_common, times);
+        const auto moving = fixed ? first().expansion_about(in_common, times) : std::nullopt;
+        return moving ? std::optional(seen_from(*moving, *fixed, half_of(times), size())) : std::nullopt;
     }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
         std::vector<AxisSection> moving = first().axis_sections();
@@ -143,6 +157,11 @@ public:
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
         const Segment segment = segment_of(times);
         return slowed(segment.frame.expansion(segment.times), segment.duration);
+    }
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                               const Bracket& times) const override {
+        const Segment segment = segment_of(times);
+        return slowed(segment.frame.expansion_about(direction, segment.times), segment.duration);
     }
     [[nodiscard]] double size() const override { return size_; }
     [[nodiscard]] double rounding() const override { return rounding_; }
@@ -203,6 +222,10 @@ public:
     }
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override {
         return slowed(frame_->expansion(local(times)), 1 / duration_);
+    }
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                               const Bracket& times) const override {
+        return slowed(frame_->expansion_about(direction, local(times)), 1 / duration_);
     }
     [[nodiscard]] double size() const override { return frame_->size(); }
     [[nodiscard]] double rounding() const override { return frame_->rounding() + 1; }

@@ -43,6 +43,12 @@ double EnclosureBounds::rounding_of(const Ball& ball) const {
     return rounding + turn_rounding * distance_to(ball, reference);
 }
 
+/// The frame of the moving body sees a displacement along an axis that turns a little.
+double EnclosureBounds::deviation_along_axis(const Ball& ball) const {
+    const double all = deviation_of(ball);
+    return std::min(all, along.deviation + along.turn_deviation * distance_to(ball, reference) + along.turn * all);
+}
+
 double EnclosureBounds::travel_of(const Ball& ball) const {
     return travel + turn * distance_to(ball, reference);
 }
@@ -60,6 +66,15 @@ EnclosureBounds enclosure_bounds(const Vector3<double>& reference, const RateBou
         outward * deviation_from_even_turn(rates.turn_rate, rates.turn_acceleration, duration) + bounds.turn_rounding;
     bounds.deviation = outward * deviation_from_straight(rates, 0, duration) + bounds.rounding;
     return bounds;
+}
+
+AxisBounds bounds_along(const Vector3<double>& axis, const AxisRates& across, double turn_rate, double duration,
+                        const EnclosureBounds& part) {
+    const double eighth = 0.125 * duration * duration;
+    const double bend = across.turn_acceleration + (3 * turn_rate + across.turn) * across.turn;
+    constexpr double rounding = 0x1p-50; // of the axis in the frame of the moving body
+    return {axis, outward * eighth * across.acceleration + part.rounding, outward * eighth * bend + part.turn_rounding,
+            outward * 2 * across.turn * duration + part.turn_rounding + rounding};
 }
 
 } // namespace chasles::motion

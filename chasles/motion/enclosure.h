@@ -26,12 +26,27 @@ struct RateBounds {
     }
 };
 
+/// Likewise across and along a direction of the fixed frame, of unit length up to rounding (note 36).
+struct AxisRates {
+    double turn = 0;              ///< of the angular velocity across the direction, radians
+    double turn_acceleration = 0; ///< of the angular acceleration across it, radians
+    double acceleration = 0;      ///< of the reference along it, mesh unit
+};
+
 /// How far a body point at this distance from the reference is from the straight, even way between its ends.
 double deviation_from_straight(const RateBounds& rates, double distance, double duration);
 
 /// A part of a trajectory is enclosed only if its turn is at most this, in radians. So the cubic motion is one of small
 /// rotation (`is_small_rotation`) whose maps are made in double.
 inline constexpr double most_turn_of_part = 0.25;
+
+/// How far the true motion is from a cubic one over a part, along a direction about which the body all but turns.
+struct AxisBounds {
+    Vector3<double> axis{};    ///< of unit length up to rounding, in the frame of the fixed body; zero: there is none
+    double deviation = 0;      ///< of the reference along it, mesh unit
+    double turn_deviation = 0; ///< of a point at the distance 1 from the reference
+    double turn = 0;           ///< of the axis as the moving body sees it, radians
+};
 
 /// How far the true motion is from a cubic one over a part, and how far it goes.
 struct EnclosureBounds {
@@ -42,9 +57,12 @@ struct EnclosureBounds {
     double turn_deviation = 0; ///< of the orientation: the norm of the difference of rotation matrices is at most this
     double rounding = 0;       ///< the share of `deviation` that shorter parts do not reduce, mesh unit
     double turn_rounding = 0;  ///< likewise of `turn_deviation`
+    AxisBounds along{};
 
     /// A bound of how far any point of a ball of the moving body is from its true place.
     [[nodiscard]] double deviation_of(const Ball& ball) const;
+    /// A bound of how far it is along the axis, in the frame of either body.
+    [[nodiscard]] double deviation_along_axis(const Ball& ball) const;
     /// The share of it that shorter parts do not reduce.
     [[nodiscard]] double rounding_of(const Ball& ball) const;
     /// A bound of how far any point of the ball moves during the part.
@@ -77,6 +95,10 @@ inline constexpr double pose_rounding<algebra::DoubleDouble> = 0x1p-90;
 /// of all lengths that enter.
 EnclosureBounds enclosure_bounds(const Vector3<double>& reference, const RateBounds& rates, double duration,
                                  double rounding, double size);
+
+/// The bounds along a direction, for a part with these bounds.
+AxisBounds bounds_along(const Vector3<double>& axis, const AxisRates& across, double turn_rate, double duration,
+                        const EnclosureBounds& part);
 
 /// The sweep about the reference, a point of the moving body. The body must turn by less than a half turn.
 template <class S>

@@ -63,6 +63,11 @@ public:
     [[nodiscard]] Vector3<Wide> refined_reference() const override { return refined().reference; }
     [[nodiscard]] RateBounds rates(const Bracket& /*times*/) const override { return rates_; }
     [[nodiscard]] RateExpansion expansion(const Bracket& times) const override;
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                               const Bracket& times) const override {
+        return AxisExpansion{expansion(times),
+                             turn_across(motion_.direction, direction, motion_.angle, 0, length(motion_.arm))};
+    }
     [[nodiscard]] double size() const override { return motion_.size; }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override;
 

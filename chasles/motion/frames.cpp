@@ -38,6 +38,10 @@ public:
         expansion.turn_jerk = expansion.jerk = 0;
         return expansion;
     }
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& /*direction*/,
+                                                               const Bracket& times) const override {
+        return AxisExpansion{expansion(times), {}};
+    }
     [[nodiscard]] double size() const override { return norm1(pose_.in_double.translation); }
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
         AxisMotion motion;
@@ -77,6 +81,12 @@ public:
         expansion.jerk = 0;
         return expansion;
     }
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                               const Bracket& times) const override {
+        const RateExpansion all = expansion(times);
+        return AxisExpansion{
+            all, turn_across(direction_in_double_, direction, all.bounds.turn_rate, all.bounds.turn_acceleration)};
+    }
     [[nodiscard]] double size() const override { return 2 * norm1(point_in_double_); }
     /// None of a direction that was rounded.
     [[nodiscard]] std::vector<AxisSection> axis_sections() const override {
@@ -115,7 +125,7 @@ public:
     /// Along a direction.
     PathFrame(const Eigen::Vector3d& direction, const TimePolynomial& way)
         : place_{scaled(way, direction.x()), scaled(way, direction.y()), scaled(way, direction.z())} {
-        line_.kind = way.is_zero() ? AxisMotion::Kind::rest : AxisMotion::Kind::slide;
+        line_.kind = way.is_constant() ? AxisMotion::Kind::rest : AxisMotion::Kind::slide;
         line_.direction = exact_vector(direction);
         line_.value = way;
     }
@@ -139,6 +149,13 @@ public:
         expansion.turn_jerk = 0;
         expansion.jerk = bound(2);
         return expansion;
+    }
+    [[nodiscard]] std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                               const Bracket& times) const override {
+        AxisExpansion result{expansion(times), {}};
+        for (int i = 0; i < 3; ++i)
+            result.across.acceleration += std::abs(direction[i]) * place_[std::size_t(i)].rates(times).bounds[1];
+        return result;
     }
     [[nodiscard]] double size() const override { return place_[0].size() + place_[1].size() + place_[2].size(); }
     [[nodiscard]] double rounding() const override {
@@ -180,7 +197,7 @@ private:
     }
 
     std::array<TimePolynomial, 3> place_;
-    AxisMotion line_; ///< at rest where no direction was given
+    AxisMotion line_; ///< at rest where no direction was given, or no way
 };
 
 } // namespace

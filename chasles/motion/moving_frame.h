@@ -3,7 +3,7 @@
 #pragma once
 
 #include "chasles/algebra/bracket.h"
-#include "chasles/motion/rate_expansion.h"
+#include "chasles/motion/axis_rates.h"
 
 #include <memory>
 #include <type_traits>
@@ -34,6 +34,9 @@ public:
     [[nodiscard]] virtual RateBounds rates(const Bracket& times) const { return expansion(times).bounds; }
     /// Likewise, with the rates in the middle of the interval.
     [[nodiscard]] virtual RateExpansion expansion(const Bracket& times) const = 0;
+    /// Likewise, with the rates across a direction of unit length. Empty if the frame does not know them.
+    [[nodiscard]] virtual std::optional<AxisExpansion> expansion_about(const Vector3<double>& direction,
+                                                                       const Bracket& times) const;
     /// The sum of the sizes of all lengths that enter the poses, mesh unit.
     [[nodiscard]] virtual double size() const = 0;
     /// The error of poses, in units of `pose_rounding`: the number of elementary motions in the frame.

@@ -73,9 +73,25 @@ Pose public_pose(const GeneralPose<double>& pose) {
 
 SmoothPiece::SmoothPiece(SmoothMotion motion, const Section& section)
     : motion_(std::move(motion)), times_(section.times), rates_(section.rates),
-      reference_(motion_.relative->reference()),
-      whole_{sweep_between_ends(section.ends, reference_), bounds<double>({0, 1})}, cubic_(widened(whole_.cubic)),
-      latest_(section) {}
+      reference_(motion_.relative->reference()), latest_(section) {
+    find_axis(section.ends);
+    whole_ = {sweep_between_ends(section.ends, reference_), bounds<double>({0, 1})};
+    cubic_ = widened(whole_.cubic);
+}
+
+/// The axis of the turn from start to goal. If there is none, the coordinate along which the body moves most evenly.
+void SmoothPiece::find_axis(const PartEnds<double>& ends) {
+    const auto try_axis = [&](const Vector3<double>& axis) {
+        const auto expansion = motion_.relative->expansion_about(axis, times_);
+        if (expansion && (!axis_ || expansion->across.acceleration < axis_->across.acceleration))
+            axis_ = {axis, expansion->across};
+    };
+    const Vector3<double> turn = turn_between(ends.start, ends.goal).v;
+    if (const double size = length(turn); size > 0)
+        return try_axis(scale(turn, 1 / size));
+    for (const Vector3<double>& axis : {Vector3<double>{1, 0, 0}, {0, 1, 0}, {0, 0, 1}})
+        try_axis(axis);
+}
 
 double SmoothPiece::time_at(double tau) const {
     return tau == 1 ? times_.upper : times_.lower + tau * (times_.upper - times_.lower);
@@ -96,6 +112,8 @@ EnclosureBounds SmoothPiece::bounds(const Bracket& part) const {
     bounds.deviation += shift;
     bounds.turn_rounding += turn;
     bounds.turn_deviation += turn;
+    if (axis_)
+        bounds.along = bounds_along(axis_->direction, axis_->across, rates.turn_rate, duration, bounds);
     return bounds;
 }
 

@@ -77,12 +77,18 @@ public:
 private:
     [[nodiscard]] double time_at(double tau) const;
     [[nodiscard]] Enclosure<double> enclosed(const Bracket& part) const;
+    void find_axis(const PartEnds<double>& ends);
     template <class S>
     [[nodiscard]] EnclosureBounds bounds(const Bracket& part) const;
 
     SmoothMotion motion_;
     Bracket times_;
     RateBounds rates_;
+    struct Axis {
+        Vector3<double> direction;
+        AxisRates across;
+    };
+    std::optional<Axis> axis_; ///< about which the body all but turns, as far as the frame knows
     Vector3<double> reference_;
     Enclosure<double> whole_;
     RationalMotion<algebra::DoubleDouble> cubic_;

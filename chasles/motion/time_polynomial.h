@@ -30,6 +30,7 @@ public:
     [[nodiscard]] double at(double time) const { return value(in_double_, time); }
     [[nodiscard]] Wide at(const Wide& time) const { return value(coefficients_, time); }
     [[nodiscard]] bool is_straight() const { return sizes_[2] == 0; }
+    [[nodiscard]] bool is_constant() const { return sizes_[1] == 0; }
     [[nodiscard]] bool is_zero() const { return sizes_[0] == 0; }
     [[nodiscard]] TimePolynomial derivative() const;
     /// The coefficients of the Bernstein form on [0, 1].

@@ -1,5 +1,6 @@
 #include "chasles/query/least_distance.h"
 
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/query/all_answers.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/query/report.h"
@@ -44,6 +45,8 @@ private:
     }
     [[nodiscard]] double next_level() const;
     void narrow();
+    void prove_rough_brackets();
+    void prove(double level);
     bool is_clear_of(double level);
     std::optional<FirstContact> first_touch();
     std::optional<PieceResult> first_within(double level);
@@ -91,13 +94,27 @@ LeastDistance LeastDistanceSearch::run() {
 void LeastDistanceSearch::narrow() {
     constexpr int most_searches = 64;
     try {
-        for (int searches = 0; !is_narrow() && next_level() > 0 && searches < most_searches; ++searches) {
-            const double level = next_level();
-            if (is_clear_of(level))
-                lower_ = std::max(lower_, level);
-        }
+        prove_rough_brackets();
+        for (int searches = 0; !is_narrow() && next_level() > 0 && searches < most_searches; ++searches)
+            prove(next_level());
     } catch (const search::Stopped&) {
     }
+}
+
+/// The narrow bracket of surfaces that stay near each other takes far longer than a rough one. It may come too late.
+void LeastDistanceSearch::prove_rough_brackets() {
+    const Limit* const limit = LimitOfThread::get();
+    if (!limit || !limit->has_end())
+        return;
+    for (const double share : {0.5, 0.9, 0.99})
+        if (const double level = share * upper(); level < next_level())
+            prove(level);
+}
+
+/// Nothing is nearer than the level, or what is nearer has been found.
+void LeastDistanceSearch::prove(double level) {
+    if (is_clear_of(level))
+        lower_ = std::max(lower_, level);
 }
 
 void LeastDistanceSearch::descend_from_samples() {

@@ -33,6 +33,8 @@ public:
     /// While `run` goes on: nothing touches before, in the time of the segment.
     [[nodiscard]] double clear_until() const { return clear_until_; }
     [[nodiscard]] bool is_clear() const;
+    /// Those in contact at the start of the segment.
+    [[nodiscard]] std::vector<RobotPair> pairs_at_start() const;
 
     [[nodiscard]] std::size_t pairs() const { return pairs_; }
     [[nodiscard]] const Work& work() const { return work_; }
@@ -106,6 +108,20 @@ std::optional<SegmentSearch::Found> SegmentSearch::run() {
 bool SegmentSearch::is_clear() const {
     return std::ranges::all_of(robot::tasks_of(segment_),
                                [&](const Task& task) { return ask(task, 1, Find::any).verdict == Verdict::clear; });
+}
+
+std::vector<RobotPair> SegmentSearch::pairs_at_start() const {
+    std::vector<RobotPair> pairs;
+    for (const Task& task : robot::tasks_of(segment_)) {
+        const RobotPair pair = segment_.name_of(task);
+        const auto is_same = [&](const RobotPair& other) {
+            return other.first == pair.first && other.second == pair.second;
+        };
+        if (task.part.lower <= 0 && std::ranges::none_of(pairs, is_same) &&
+            ask(task, 0, Find::any).verdict != Verdict::clear)
+            pairs.push_back(pair);
+    }
+    return pairs;
 }
 
 } // namespace
@@ -193,6 +209,12 @@ bool RobotChecker::is_clear(const Configuration& start, const Configuration& goa
 
 bool RobotChecker::is_clear(const Configuration& configuration) const {
     return is_clear(configuration, configuration);
+}
+
+std::vector<RobotPair> RobotChecker::pairs_in_contact(const Configuration& configuration) const {
+    const std::array at_rest{configuration, configuration};
+    const JointPath path = JointPath::straight(prepared_->robot, at_rest);
+    return SegmentSearch(*prepared_, path, 0).pairs_at_start();
 }
 
 std::vector<RobotAnswer> RobotChecker::first_contacts(const Eigen::MatrixXd& starts, const Eigen::MatrixXd& goals,

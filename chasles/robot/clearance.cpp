@@ -1,4 +1,5 @@
 // How near does a robot come along a path? Source: docs/derivations/29-robots.md, "Clearance".
+#include "chasles/base/limit.h"
 #include "chasles/query/pair_query.h"
 #include "chasles/query/requirements.h"
 #include "chasles/robot/segment_pairs.h"
@@ -24,6 +25,7 @@ public:
     RobotClearance run();
 
 private:
+    void visit_segments();
     void visit(std::size_t segment);
     void visit(const SegmentPairs& pairs, const Task& task, std::size_t segment);
     [[nodiscard]] bool comes_nearer(const Task& task, const motion::AnyTrajectory& trajectory);
@@ -43,10 +45,9 @@ RobotClearance ClearanceSearch::run() {
     const double infinity = std::numeric_limits<double>::infinity();
     best_.distance = {infinity, infinity};
     best_.untested = prepared_.untested;
-    for (std::size_t segment = 0; segment < path_.segments().size() && !touches(); ++segment)
-        visit(segment);
+    visit_segments();
     if (!best_.pair) {
-        best_.certain = true;
+        best_.certain = best_.distance.lower > 0;
         return best_;
     }
     best_.time = robot::stamps_of(path_.segments()[best_.segment], best_.nearest.time);
@@ -56,6 +57,16 @@ RobotClearance ClearanceSearch::run() {
     best_.nearest.distance = best_.distance; // no other pair is nearer
     best_.nearest.certain = best_.certain;
     return best_;
+}
+
+/// At the limit of the thread no bound is known of the pairs that are left.
+void ClearanceSearch::visit_segments() {
+    try {
+        for (std::size_t segment = 0; segment < path_.segments().size() && !touches(); ++segment)
+            visit(segment);
+    } catch (const Cancelled&) {
+        best_.distance.lower = 0;
+    }
 }
 
 /// A tenth of a link: pairs that are much farther apart need not be searched.

@@ -15,8 +15,13 @@ constexpr std::string_view degrees_ending = "_deg";
 constexpr auto names_of_degrees = std::to_array<std::string_view>({"deg", "degree", "degrees"});
 constexpr auto names_of_radians = std::to_array<std::string_view>({"rad", "radian", "radians"});
 /// What writers of files put after the name of a joint whose position they mean.
-constexpr auto other_endings = std::to_array<std::string_view>(
-    {"", "m", "mm", "cm", "meter", "meters", "metre", "metres", "pos", "position", "positions", "value", "values"});
+constexpr auto other_endings =
+    std::to_array<std::string_view>({"", "m", "mm", "cm", "meter", "meters", "metre", "metres", "pos", "position",
+                                     "positions", "value", "values", "joint"});
+/// What they put before it where they do not mean its position.
+constexpr auto other_quantities =
+    std::to_array<std::string_view>({"vel", "velocity", "speed", "acc", "acceleration", "effort", "torque", "force",
+                                     "current", "voltage", "temperature", "error"});
 
 template <typename Names>
 bool is_among(const Names& names, std::string_view name) {
@@ -80,6 +85,25 @@ bool is_with_ending(const std::string& name, const std::string& variable) {
                          is_among(other_endings, ending));
 }
 
+// Whether a name is that of the variable in a namespace or after another word: "arm1/waist", "robot_waist". A word for
+// another quantity is none.
+bool is_with_word(std::string_view name, std::string_view variable) {
+    constexpr std::string_view separators = " _.-/:";
+    if (!name.ends_with(variable) || name.size() <= variable.size() + 1)
+        return false;
+    const std::string_view before = name.substr(0, name.size() - variable.size() - 1);
+    const std::string_view word = before.substr(before.find_last_of(separators) + 1);
+    return separators.find(name[before.size()]) != std::string_view::npos && !is_among(other_quantities, word);
+}
+
+// Whether two neighbours are swapped.
+bool differ_in_order(std::string_view a, std::string_view b) {
+    const auto [first, second] = std::ranges::mismatch(a, b);
+    const auto after = static_cast<std::size_t>(first - a.begin());
+    return a.size() == b.size() && after + 1 < a.size() && a[after] == b[after + 1] && a[after + 1] == b[after] &&
+           a.substr(after + 2) == b.substr(after + 2);
+}
+
 // Whether one letter more, less or other makes the same name.
 bool differ_in_one_letter(std::string_view a, std::string_view b) {
     if (a.size() < b.size())
@@ -89,6 +113,11 @@ bool differ_in_one_letter(std::string_view a, std::string_view b) {
     if (a.size() == b.size())
         return after < a.size() && a.substr(after + 1) == b.substr(after + 1);
     return a.size() == b.size() + 1 && a.substr(after + 1) == b.substr(after);
+}
+
+bool may_be(const std::string& name, const std::string& variable) {
+    return differ_in_one_letter(name, variable) || differ_in_order(name, variable) || is_with_word(name, variable) ||
+           is_with_ending(name, variable);
 }
 
 } // namespace
@@ -179,9 +208,9 @@ void JointColumns::require_no_misspelt_name() const {
         const auto reads_it = [&](const Column& column) { return column.variable == i; };
         if (std::ranges::any_of(columns_, reads_it))
             continue;
+        const std::string variable = io::lower_case(variables[i].name);
         for (const std::string& name : ignored_)
-            if (differ_in_one_letter(io::lower_case(name), io::lower_case(variables[i].name)) ||
-                is_with_ending(io::lower_case(name), io::lower_case(variables[i].name)))
+            if (may_be(io::lower_case(name), variable))
                 throw InvalidInput(
                     "the column " + io::in_quotes(name) + " is no variable of the robot; it may be a misspelt " +
                     io::in_quotes(variables[i].name) + ", which has no column, or one to leave out of the file");

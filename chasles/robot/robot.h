@@ -214,6 +214,9 @@ public:
     [[nodiscard]] bool is_clear(const Configuration& start, const Configuration& goal) const;
     /// Whether the robot touches nothing at a configuration; false where that cannot be told.
     [[nodiscard]] bool is_clear(const Configuration& configuration) const;
+    /// All pairs that touch, or are within the margin, at a configuration where the motions of the scene begin; those
+    /// of which that cannot be told, too. Each pair of links is named once, by the first shapes that do.
+    [[nodiscard]] std::vector<RobotPair> pairs_in_contact(const Configuration& configuration) const;
     /// Many edges on all cores; `starts` and `goals` have one row an edge. The same answers for any number of threads.
     [[nodiscard]] std::vector<RobotAnswer> first_contacts(const Eigen::MatrixXd& starts, const Eigen::MatrixXd& goals,
                                                           unsigned threads = 0) const;

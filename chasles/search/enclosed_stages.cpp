@@ -24,6 +24,8 @@ constexpr int most_refinements_of_speeds = 4000; // of motions that are known in
 /// this and holds no contact allows for more refinements, while the search has some to spare.
 constexpr double long_part = 0x1p-17;
 constexpr int refinements_for_a_long_part = 4;
+/// Of a limit, in pairs of nodes.
+constexpr int work_of_a_part = 32;
 
 /// How a search over a part looks for brackets of this width in the part.
 template <class S>
@@ -185,6 +187,8 @@ std::optional<FeasibleInterval> EnclosedStages<within_margin>::follow(Tests& tes
     later_.clear();
     culling::TimeRange part{where.lower, where.upper};
     for (int step = 0; part.lower <= state.best(); ++step) {
+        if (watch_.is_over(work_of_a_part))
+            throw Stopped{options_.from};
         tests.use(part);
         const auto found = tests.first(features);
         if (!found) {

@@ -3,6 +3,7 @@
 // docs/derivations/24-enclosures.md, "Refinement".
 #pragma once
 
+#include "chasles/base/limit_of_thread.h"
 #include "chasles/search/candidates.h"
 #include "chasles/search/distance_crossing.h"
 #include "chasles/search/feature_tests.h"
@@ -102,6 +103,7 @@ private:
     int spare_refinements_ = 1 << 19;       ///< for features that stay near each other
     std::vector<culling::TimeRange> later_; ///< parts that wait for their refinement, the earliest last
     Work work_;
+    Watch watch_;
 };
 
 /// The search of a piece whose motion is enclosed.

@@ -24,12 +24,12 @@ public:
 
     /// `margin` is the distance of the distance tests.
     FeatureTests(const Body& moving, const Body& fixed, const elementary::ErrorScale& scale, double margin = 0)
-        : moving_(moving), fixed_(fixed), accuracy_{scale, {}}, margin_(margin) {}
+        : moving_(moving), fixed_(fixed), accuracy_{scale, {}}, in_moving_(accuracy_), margin_(margin) {}
 
     /// Sets the maps, kept by reference, and the tolerance of the interval that they run over.
     void use(const Maps& maps, const algebra::Tolerance& tolerance) {
         maps_ = &maps;
-        accuracy_.tolerance = tolerance;
+        accuracy_.tolerance = in_moving_.tolerance = tolerance;
         path_is_set_ = false;
     }
 
@@ -37,6 +37,7 @@ public:
     void use(const Maps& maps, const elementary::ErrorScale& scale, const algebra::Tolerance& tolerance) {
         use(maps, tolerance);
         accuracy_.scale = scale;
+        in_moving_.scale = elementary::in_moving_frame(scale, maps);
     }
 
     /// The first tau at which the features may touch; empty if they are proven never to. Features at the rims of faces
@@ -48,7 +49,7 @@ public:
                                               accuracy_, workspace_);
         case ContactKind::face_vertex:
             return elementary::vertex_face<S>({fixed_path(features.fixed), maps_->weight}, moving_face(features.moving),
-                                              accuracy_, workspace_);
+                                              in_moving_, workspace_);
         case ContactKind::edge_edge:
             return elementary::edge_edge<S>(*maps_, moving_edge(features.moving), fixed_edge(features.fixed), accuracy_,
                                             workspace_);
@@ -68,7 +69,7 @@ public:
                                            margin_, accuracy_, workspace_, visit);
         case ContactKind::face_vertex:
             return vertex_face_distance<S>({fixed_path(features.fixed), maps_->weight}, moving_face(features.moving),
-                                           margin_, accuracy_, workspace_, visit);
+                                           margin_, in_moving_, workspace_, visit);
         case ContactKind::edge_edge:
             return edge_edge_distance<S>({*maps_, moving_edge(features.moving), fixed_edge(features.fixed)}, margin_,
                                          accuracy_, workspace_, visit);
@@ -77,7 +78,7 @@ public:
                                            resting(fixed_, features.fixed), margin_, accuracy_, workspace_, visit);
         case ContactKind::edge_vertex:
             return vertex_edge_distance<S>({fixed_path(features.fixed), maps_->weight},
-                                           resting(moving_, features.moving), margin_, accuracy_, workspace_, visit);
+                                           resting(moving_, features.moving), margin_, in_moving_, workspace_, visit);
         case ContactKind::vertex_vertex:
             return vertex_vertex_distance<S>({moving_path(features.moving), maps_->weight},
                                              point_of<S>(fixed_, features.fixed.first), margin_, accuracy_, workspace_,
@@ -94,7 +95,7 @@ public:
                                             margin_.distance, accuracy_);
         case ContactKind::face_vertex:
             return elementary::are_apart<S>({fixed_path(features.fixed), maps_->weight}, moving_face(features.moving),
-                                            margin_.distance, accuracy_);
+                                            margin_.distance, in_moving_);
         case ContactKind::edge_edge:
             return elementary::are_apart<S>({*maps_, moving_edge(features.moving), fixed_edge(features.fixed)},
                                             margin_.distance, accuracy_);
@@ -164,6 +165,7 @@ private:
     const Body& moving_;
     const Body& fixed_;
     elementary::Accuracy accuracy_;
+    elementary::Accuracy in_moving_; ///< for features in the frame of the moving body
     elementary::Margin<S> margin_;
     const Maps* maps_ = nullptr;
     CachedFace<S> face_;

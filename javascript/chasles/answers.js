@@ -1,5 +1,5 @@
 // Answers from numbers, in the order in which javascript/src/numbers_out.cpp writes them. The objects have the keys of
-// the command line's JSON.
+// the command line's JSON, and `fixed_pose`.
 
 const verdicts = ["unknown", "clear", "contact", "contact_at_start"];
 /** With the kinds of both features. */

@@ -6,6 +6,9 @@ import { inJavaScript } from "./values.js";
 const refused = -1;
 const outOfMemory = -2;
 
+const noText =
+  'load: there are no TextEncoder and TextDecoder here, as in the environment jsdom of Jest: test in the environment "node", or set both of node:util as globals before';
+
 /** What the module imports: a clock. Nothing in it reads or writes files; the rest stands for "not supported". */
 function imports(module, memory) {
   const notSupported = () => 52;
@@ -37,6 +40,7 @@ export class Border {
   }
 
   static async open(module) {
+    if (typeof TextDecoder === "undefined" || typeof TextEncoder === "undefined") throw new InvalidInput(noText);
     let exports = null;
     const instance = await WebAssembly.instantiate(module, imports(module, () => exports.memory));
     exports = instance.exports;

@@ -2,7 +2,7 @@
 import { firstContact, leastDistance, pathContact } from "./answers.js";
 import { Border } from "./border.js";
 import { InvalidInput } from "./errors.js";
-import { Held } from "./held.js";
+import { bindMembers, Held } from "./held.js";
 import { fromBufferGeometry, fromObject3D } from "./geometry.js";
 import { addMotion, addQuery, addRule, checkBatch, checkContactOptions, contactOptions, find, fixedOptions, motionOptions, queryOptions } from "./numbers.js";
 import { fromArrays, fromFile, Polyhedron } from "./polyhedron.js";
@@ -19,8 +19,7 @@ export class Chasles {
   constructor(border, newWorker) {
     this.#border = border;
     this.#newWorker = newWorker;
-    for (const [name, { value }] of Object.entries(Object.getOwnPropertyDescriptors(Chasles.prototype))) // const { firstContact } = chasles
-      if (name !== "constructor" && value) Object.defineProperty(this, name, { value: value.bind(this) });
+    bindMembers(this, Chasles); // const { firstContact } = chasles
   }
 
   /** `newWorker` makes the workers of a build. */

@@ -31,46 +31,47 @@ function positions(geometry) {
   return vertices;
 }
 
-/** The part of the corners that is drawn: those of the draw range. */
-function drawnPart({ drawRange }, count) {
-  const begin = Math.min(drawRange?.start ?? 0, count);
-  const end = Math.min(begin + (drawRange?.count ?? Infinity), count);
-  if ((end - begin) % 3 !== 0)
-    refuse(`geometry${drawRange?.count < Infinity ? ".drawRange" : ""}: ${end - begin} indices are no triangles of 3 corners each`);
-  return { begin, end };
-}
-
-/** Whether a group with a material draws a corner. */
-const isInGroup = (groups, corner) => groups.some(({ start, count }) => corner >= start && corner < start + count);
+const cornerCount = ({ index, attributes }) => (index ?? attributes.position).count;
 
 /**
- * The corners of the triangles that are drawn. With a list of materials, only those in groups are. So that a face has the id that its
- * triangle has in three.js (`faceIndex`), a triangle in front of the last one that is not drawn becomes a corner of one that is: a face
- * that adds nothing to the surface.
+ * The first corner of each triangle that WebGLRenderer draws, by its id there (`faceIndex`); holes for others. A draw range, and a group
+ * within it, begin at any corner, and corners at their end that are no whole triangle are not drawn. Without groups all is drawn.
  */
-function drawnCorners(geometry, { begin, end }, materials) {
-  const { index: given, groups = [] } = geometry;
-  const drawn = materials && groups.filter(({ materialIndex }) => materials[materialIndex ?? 0]);
-  const isDrawn = (i) => i >= begin && i < end && (!drawn || isInGroup(drawn, i));
-  const corner = (k) => (given ? given.getX(k) : k);
-  const shown = [];
-  for (let i = begin; i < end; i += 3) if (isDrawn(i)) shown.push(i);
-  if (shown.length === 0) return [];
-  const [first, last] = [shown[0], shown.at(-1)];
-  const corners = [];
-  for (let i = first % 3; i <= last; i += 3) {
-    const isShown = isDrawn(i);
-    for (let k = i; k < i + 3; ++k) corners.push(corner(isShown ? k : first));
+function drawnTriangles(geometry, groups = [{ start: 0, count: Infinity }]) {
+  const { start: from = 0, count = Infinity } = geometry.drawRange ?? {};
+  const triangles = [];
+  for (const group of groups) {
+    const end = Math.min(from + count, group.start + group.count, cornerCount(geometry));
+    for (let i = Math.max(from, group.start, 0); i + 3 <= end; i += 3) {
+      const id = Math.floor(i / 3);
+      if ((triangles[id] ?? i) !== i) refuse(`geometry.groups: two of them draw two triangles of one faceIndex (${id}): groups that overlap must begin at multiples of 3`);
+      triangles[id] = i;
+    }
   }
+  return triangles;
+}
+
+/**
+ * The corners of all triangles up to the last drawn one: a face gets the id that its triangle has in three.js. A triangle that is not
+ * drawn becomes a corner of a drawn one: a face that adds nothing to the surface.
+ */
+function cornersOf({ index }, triangles) {
+  const corner = (k) => (index ? index.getX(k) : k);
+  const first = triangles.find((start) => start !== undefined);
+  const corners = [];
+  for (let id = 0; id < triangles.length; ++id)
+    for (let k = 0; k < 3; ++k) corners.push(corner(triangles[id] === undefined ? first : triangles[id] + k));
   return corners;
 }
 
 /** Groups choose materials, and draw nothing by themselves; where they leave out triangles, the mesh decides. */
-function refuseLooseGroups({ groups = [] }, { begin, end }) {
-  if (groups.length === 0) return;
-  for (let i = begin; i < end; i += 3)
-    if (!isInGroup(groups, i))
-      refuse(`geometry.groups: leave out triangle ${i / 3}, which some materials draw and others do not: fromObject3D(mesh) takes what is drawn, clearGroups() all`);
+function refuseLooseGroups(geometry, triangles) {
+  if (!(geometry.groups?.length > 0)) return;
+  const grouped = drawnTriangles(geometry, geometry.groups);
+  const longer = grouped.length > triangles.length ? grouped : triangles;
+  const id = longer.findIndex((_, i) => triangles[i] !== grouped[i]);
+  if (id >= 0)
+    refuse(`geometry.groups: leave out triangle ${id}, which some materials draw and others do not: fromObject3D(mesh) takes what is drawn, clearGroups() all`);
 }
 
 function refuseDeformed(geometry) {
@@ -82,17 +83,15 @@ function refuseDeformed(geometry) {
     refuse("geometry: is an InstancedBufferGeometry, which is many bodies: make one body, and give each a pose");
 }
 
-const cornerCount = ({ index, attributes }) => (index ?? attributes.position).count;
-
 /** Vertices at equal places, which normals and texture need, count as one. */
 export function fromBufferGeometry(border, geometry, options) {
   if (geometry?.isMesh) refuse("geometry: is a Mesh: fromObject3D(mesh) takes it as it is drawn, fromBufferGeometry(mesh.geometry) without its scale");
   refuseLines(geometry);
   const vertices = positions(geometry);
   refuseDeformed(geometry);
-  const part = drawnPart(geometry, cornerCount(geometry));
-  refuseLooseGroups(geometry, part);
-  return fromArrays(border, vertices, drawnCorners(geometry, part), options);
+  const triangles = drawnTriangles(geometry);
+  refuseLooseGroups(geometry, triangles);
+  return fromArrays(border, vertices, cornersOf(geometry, triangles), options);
 }
 
 /** Places of a mesh's vertices in its own frame, with morph targets and bones as they are now. */
@@ -154,8 +153,8 @@ export function fromObject3D(border, object, options) {
   if (!rest.every(Number.isFinite) || [0, 4, 8].some((i) => rest[i] === 0))
     refuse("object: its matrix in the world has no inverse: a scale is 0, or a number is missing");
   const vertices = deformed(object, positions(geometry));
-  const part = drawnPart(geometry, cornerCount(geometry));
-  const corners = drawnCorners(geometry, part, Array.isArray(material) ? material : undefined);
+  const groups = Array.isArray(material) ? (geometry.groups ?? []).filter(({ materialIndex }) => material[materialIndex ?? 0]) : undefined;
+  const corners = cornersOf(geometry, drawnTriangles(geometry, groups));
   const rigid = isIdentity(rest);
   if (!rigid) baked(vertices, rest);
   const body = fromArrays(border, vertices, rest[8] < 0 ? turnedOver(corners) : corners, options);

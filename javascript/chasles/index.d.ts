@@ -21,7 +21,7 @@ export type Numbers = readonly number[] | NumberArray;
  */
 export type Pose = Numbers | MatrixLike | ObjectLike;
 
-/** What a Matrix4 of three.js has, and this package needs: 16 numbers, column by column. */
+/** What a Matrix4 of three.js has, and this package needs: 16 numbers, column by column. Of Babylon.js: `{ elements: matrix.asArray() }`. */
 export interface MatrixLike {
   readonly elements: Numbers;
 }
@@ -135,12 +135,12 @@ export interface ContactAnswer extends ContactParts {
   work: Work;
 }
 
-/** The keys of `chasles check --json`. */
+/** The keys of `chasles check --json`, and `fixed_pose`. */
 export type FirstContact = ClearAnswer | ContactAnswer;
 /** The times count within the segment, which counts from 0. */
 export type PathContact = FirstContact & { segment: number };
 
-/** The keys of `chasles clearance --json`. The bracket [distance, distance_upper] encloses the least distance. */
+/** The keys of `chasles clearance --json`, and `fixed_pose`. The bracket [distance, distance_upper] encloses the least distance. */
 export interface LeastDistance extends ContactParts {
   distance: number;
   distance_upper: number;
@@ -180,7 +180,12 @@ export interface QueryOptions {
 }
 
 export type FirstContactOptions = QueryOptions & MotionOptions & FixedOptions;
-export type LeastDistanceOptions = { tolerance?: number | undefined; timeTolerance?: number | undefined; find?: Find | undefined } & MotionOptions & FixedOptions;
+export type LeastDistanceOptions = {
+  /** Width of the bracket of the distance to aim for, as a part of the distance; 1e-6 by default. A coarser one can take less time. */
+  tolerance?: number | undefined;
+  timeTolerance?: number | undefined;
+  find?: Find | undefined;
+} & MotionOptions & FixedOptions;
 
 /** An object that holds memory of the instance, until it is freed or nothing refers to it any more. */
 export interface Held {
@@ -261,7 +266,7 @@ export interface Untested {
   reasons: { reason: "at_rest" | "ignored"; count: number; pairs: [string, string][] }[];
 }
 
-/** The keys of `chasles scene --json`. */
+/** The keys of `chasles scene --json` without `motion`, and `fixed_pose`. */
 export type SceneContact =
   | { verdict: "clear"; clear_until: number; work: Work; untested: Untested }
   | (ContactParts & {
@@ -394,7 +399,7 @@ export declare class DraggedBody {
   force(goal: Pose): Wrench;
 }
 
-/** What a BufferGeometry of three.js has, and this package needs. Draw range and index are followed. */
+/** What a BufferGeometry of three.js has, and this package needs. Draw range and index are followed, from any corner, by whole triangles. */
 export interface GeometryLike {
   readonly attributes: {
     readonly position?: undefined | { readonly count: number; getX(i: number): number; getY(i: number): number; getZ(i: number): number };
@@ -474,7 +479,10 @@ export declare class Chasles {
   firstContactOnPath(
     moving: Polyhedron, fixed: Polyhedron, poses: readonly Pose[], options?: QueryOptions & MotionOptions,
   ): PathContact;
-  /** How near do two bodies come, when, and where? */
+  /**
+   * How near do two bodies come, when, and where? Where surfaces stay near each other over large areas, this takes tens of times as long as
+   * a first contact: `isClear` with a `margin` takes less, and a coarser `tolerance` can.
+   */
   leastDistance(moving: Polyhedron, fixed: Polyhedron, start: Pose, goal: Pose, options?: LeastDistanceOptions): LeastDistance;
   /** Where the moving body is at a time in [0, 1] of the motion that the questions are asked about. For the fixed body see FixedOptions. */
   poseAt(start: Pose, goal: Pose, time: number, options?: MotionOptions & FixedOptions): PoseNumbers;

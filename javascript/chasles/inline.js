@@ -2,6 +2,7 @@
 import { Chasles } from "./chasles.js";
 import { base64 } from "./chasles.wasm.js";
 import { compiled } from "./module.js";
+import { builtin, isNode } from "./node.js";
 import { fromText } from "./text_worker.js";
 import { checkOptions } from "./values.js";
 
@@ -10,11 +11,15 @@ export { InstanceStopped, InvalidInput } from "./errors.js";
 export { Polyhedron } from "./polyhedron.js";
 export { DraggedBody, Scene } from "./scene.js";
 
-/** The module, which is compiled while it is unpacked. */
-function unpacked() {
+/**
+ * The module. A browser compiles it while it is unpacked. Node.js takes its own zlib: environments of tests (jsdom, happy-dom) replace
+ * Blob and Response.
+ */
+async function unpacked() {
   const text = atob(base64);
   const bytes = new Uint8Array(text.length);
   for (let i = 0; i < text.length; ++i) bytes[i] = text.charCodeAt(i); // Uint8Array.from takes ten times as long
+  if (isNode) return (await builtin("node:zlib")).inflateRawSync(bytes);
   const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream("deflate-raw"));
   return new Response(stream, { headers: { "Content-Type": "application/wasm" } });
 }

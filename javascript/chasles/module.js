@@ -1,7 +1,8 @@
 // The WebAssembly module of whatever `load` is given. A refusal says where the module was looked for, and the way out.
 import { InvalidInput } from "./errors.js";
+import { builtin, isNode } from "./node.js";
+import { isArrayBuffer } from "./values.js";
 
-const isNode = Boolean(globalThis.process?.versions?.node);
 const schemesOfNode = ["http:", "https:", "file:", "data:", "blob:"];
 const wayOut = isNode
   ? 'give the bytes of chasles.wasm, or pathToFileURL(path) of node:url, or import "chasles/inline", which needs no file'
@@ -12,8 +13,7 @@ function refuse(what) {
 }
 
 async function bytesOfFile(url) {
-  const name = "node:fs/promises"; // a name that bundlers for browsers do not follow
-  const { readFile } = await import(/* @vite-ignore */ /* webpackIgnore: true */ name);
+  const { readFile } = await builtin("node:fs/promises");
   return readFile(url).catch((error) => refuse(`${url.href} cannot be read (${error.message})`));
 }
 
@@ -54,7 +54,7 @@ async function fetched(given) {
 
 async function compiledFrom(given) {
   if (given instanceof WebAssembly.Module) return given;
-  if (given instanceof ArrayBuffer || ArrayBuffer.isView(given)) return compileBytes(given, "the bytes are");
+  if (isArrayBuffer(given) || ArrayBuffer.isView(given)) return compileBytes(given, "the bytes are");
   if (typeof Response !== "undefined" && given instanceof Response) return compileResponse(given);
   if (given instanceof URL || typeof given === "string") return fetched(given);
   return refuse(`${Array.isArray(given) ? "an array" : String(given)} is no URL, Response, bytes or WebAssembly.Module`);

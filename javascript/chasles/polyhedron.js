@@ -2,7 +2,7 @@
 import { meshReport, Reader } from "./answers.js";
 import { InvalidInput } from "./errors.js";
 import { Held } from "./held.js";
-import { checkOptions, isList, number, text, wayOut } from "./values.js";
+import { checkOptions, isArrayBuffer, isList, number, text, wayOut } from "./values.js";
 
 const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
 const largestIndex = 2 ** 32 - 1;
@@ -15,31 +15,26 @@ export class Polyhedron extends Held {
     super(border, "body", handle);
   }
 
-  #part(name) {
-    const border = Held.border(this);
-    return border.ask("body_part", Held.handle(this, border, Polyhedron, "polyhedron"), parts[name]);
-  }
-
   get report() {
-    return meshReport(new Reader(this.#part("report")));
+    return meshReport(new Reader(part(this, "report")));
   }
   get vertices() {
-    return this.#part("vertices");
+    return part(this, "vertices");
   }
   get triangles() {
-    return Uint32Array.from(this.#part("triangles"));
+    return Uint32Array.from(part(this, "triangles"));
   }
   get sourceFaces() {
-    return Uint32Array.from(this.#part("sourceFaces"));
+    return Uint32Array.from(part(this, "sourceFaces"));
   }
   get faces() {
-    const reader = new Reader(this.#part("faces"));
+    const reader = new Reader(part(this, "faces"));
     return reader.some(reader.number()).map((corners) => reader.some(corners));
   }
 
   /** The arrays that make the same body, with the same ids, in another instance. */
   static copy(body) {
-    const given = body.#part("given");
+    const given = part(body, "given");
     const count = given[1];
     const sizes = Uint32Array.from(given.subarray(2, 2 + count));
     const corners = Uint32Array.from(given.subarray(2 + count));
@@ -50,6 +45,11 @@ export class Polyhedron extends Held {
     border.giveBytes(bytesOf(sizes), bytesOf(corners));
     return new Polyhedron(border, border.call("body_from_arrays", sizes.length, triangulate ? 1 : 0));
   }
+}
+
+function part(body, name) {
+  const { border, handle } = Held.own(body, Polyhedron, "polyhedron");
+  return border.ask("body_part", handle, parts[name]);
 }
 
 const bytesOf = (array) => new Uint8Array(array.buffer, array.byteOffset, array.byteLength);
@@ -110,7 +110,7 @@ export function fromArrays(border, vertices, faces, options) {
 
 export function fromFile(border, content, name, options) {
   const triangulate = triangulated(options);
-  const bytes = content instanceof ArrayBuffer ? new Uint8Array(content) : content;
+  const bytes = isArrayBuffer(content) ? new Uint8Array(content) : content;
   if (!ArrayBuffer.isView(bytes)) throw new InvalidInput("content: must be a Uint8Array or an ArrayBuffer");
   const nameBytes = new TextEncoder().encode(text(name, "name"));
   border.giveBytes(nameBytes, bytesOf(bytes));

@@ -61,7 +61,7 @@ function objectRows(object, name) {
 function refuseColumns(list, name) {
   const isColumns = list[15] === 1 && [3, 7, 11].every((i) => list[i] === 0) && [12, 13, 14].some((i) => list[i] !== 0);
   if (isColumns)
-    throw new InvalidInput(`${name}: 16 numbers column by column; a pose has them row by row: give the Matrix4 itself, or transpose it`);
+    throw new InvalidInput(`${name}: 16 numbers column by column; a pose has them row by row: give the Matrix4 itself, or { elements: numbers }`);
 }
 
 /** An object that has the parts of an Object3D, but no matrix in the world. */

@@ -23,7 +23,7 @@ export class Scene extends Held {
   }
 
   get names() {
-    this.#own(); // a freed scene is refused
+    ownOfScene(this); // a freed scene is refused
     return Scene.namesOf(this);
   }
 
@@ -33,7 +33,7 @@ export class Scene extends Held {
   }
 
   add(name, shape, options = {}) {
-    const { border, handle } = this.#own();
+    const { border, handle } = ownOfScene(this);
     checkOptions(options, [...motionKeys, "group"]);
     const body = Held.handle(shape, border, Polyhedron, "shape");
     const nameBytes = encode(name, "name");
@@ -46,7 +46,7 @@ export class Scene extends Held {
 
   /** The last body takes the place of the removed one in `names`. */
   remove(name) {
-    const { border, handle } = this.#own();
+    const { border, handle } = ownOfScene(this);
     border.giveBytes(encode(name, "name"));
     const index = border.call("scene_remove", handle);
     const last = this.#names.pop();
@@ -54,7 +54,7 @@ export class Scene extends Held {
   }
 
   move(name, options = {}) {
-    const { border, handle } = this.#own();
+    const { border, handle } = ownOfScene(this);
     checkOptions(options, motionKeys);
     border.giveNumbers(addWorldMotion([], options));
     border.giveBytes(encode(name, "name"));
@@ -63,7 +63,7 @@ export class Scene extends Held {
 
   /** All bodies at once, in the order of `names`. */
   moveAll(starts, goals, options = {}) {
-    const { border, handle } = this.#own();
+    const { border, handle } = ownOfScene(this);
     checkOptions(options, ["motion"]);
     const rule = addWorldRule([], options.motion ?? "velocity");
     border.giveNumbers(addPoses(addPoses(rule, starts, "starts"), goals, "goals"));
@@ -72,60 +72,58 @@ export class Scene extends Held {
 
   /** Where a body is at a time in [0, 1]. */
   poseAt(name, time) {
-    const { border, handle } = this.#own();
+    const { border, handle } = ownOfScene(this);
     border.giveNumbers([number(time, "time")]);
     border.giveBytes(encode(name, "name"));
     return Array.from(border.ask("scene_pose", handle));
   }
 
   ignore(a, b) {
-    this.#rule("ignore", a, b);
+    setRule(this, "ignore", a, b);
   }
   ignoreGroups(a, b) {
-    this.#rule("ignoreGroups", a, b);
+    setRule(this, "ignoreGroups", a, b);
   }
   setMargin(a, b, margin) {
-    this.#rule("setMargin", a, b, number(margin, "margin"));
+    setRule(this, "setMargin", a, b, number(margin, "margin"));
   }
   setGroupMargin(a, b, margin) {
-    this.#rule("setGroupMargin", a, b, number(margin, "margin"));
+    setRule(this, "setGroupMargin", a, b, number(margin, "margin"));
   }
   setHold(a, b, hold) {
-    this.#rule("setHold", a, b, number(hold, "hold"));
+    setRule(this, "setHold", a, b, number(hold, "hold"));
   }
   setGroupHold(a, b, hold) {
-    this.#rule("setGroupHold", a, b, number(hold, "hold"));
+    setRule(this, "setGroupHold", a, b, number(hold, "hold"));
   }
 
   firstContact(options = {}) {
-    return sceneContact(this.#ask("firstContact", options), this.#names);
+    return sceneContact(ask(this, "firstContact", options), this.#names);
   }
   allContacts(options = {}) {
-    return sceneEvents(this.#ask("allContacts", options), this.#names);
+    return sceneEvents(ask(this, "allContacts", options), this.#names);
   }
   clearUntil(options = {}) {
-    const reader = this.#ask("clearUntil", options);
+    const reader = ask(this, "clearUntil", options);
     return Object.fromEntries(this.#names.map((name) => [name, reader.number()]));
   }
+}
 
-  #own() {
-    const border = Held.border(this);
-    return { border, handle: Held.handle(this, border, Scene, "scene") };
-  }
+// No private methods: those of a Proxy fail without a word of ours.
+const ownOfScene = (scene) => Held.own(scene, Scene, "scene");
 
-  #rule(rule, a, b, distance = 0) {
-    const { border, handle } = this.#own();
-    const first = encode(a, "a");
-    border.giveBytes(first, encode(b, "b"));
-    border.call("scene_rule", handle, rules[rule], first.length, distance);
-  }
+function setRule(scene, rule, a, b, distance = 0) {
+  const { border, handle } = ownOfScene(scene);
+  const first = encode(a, "a");
+  border.giveBytes(first, encode(b, "b"));
+  border.call("scene_rule", handle, rules[rule], first.length, distance);
+}
 
-  #ask(question, options) {
-    const { border, handle } = this.#own();
-    checkOptions(options, ["margin", "hold", "until", "timeTolerance", "find"]);
-    border.giveNumbers([...addQuery([], options), number(options.until, "until", 1)]);
-    return border.read("scene_question", handle, questions[question]);
-  }
+function ask(scene, question, options) {
+  const { border, handle } = ownOfScene(scene);
+  checkOptions(options, ["margin", "hold", "until", "timeTolerance", "find"]);
+  border.giveNumbers([...addQuery([], options), number(options.until, "until", 1)]);
+  return border.read("scene_question", handle, questions[question]);
 }
 
 /** A body of a scene in a hand: it stops at contacts, slides along them and lifts off, and never goes through. */
@@ -145,12 +143,12 @@ export class DraggedBody extends Held {
   }
 
   get name() {
-    this.#own();
+    ownOfHand(this);
     return this.#name;
   }
 
   update(goal, seconds = 0) {
-    const { border, handle } = this.#own();
+    const { border, handle } = ownOfHand(this);
     border.giveNumbers(addPose([], goal, "goal"));
     if (Number.isNaN(seconds)) throw new InvalidInput("seconds: NaN is not a number; 0 is no bound");
     return dragStep(border.read("hand_update", handle, number(seconds, "seconds")), Scene.namesOf(this.#scene));
@@ -158,27 +156,25 @@ export class DraggedBody extends Held {
 
   /** Force and torque on the hand for another goal, from the contacts that the last update ended with. */
   force(goal) {
-    const { border, handle } = this.#own();
+    const { border, handle } = ownOfHand(this);
     border.giveNumbers(addPose([], goal, "goal"));
     return Array.from(border.ask("hand_force", handle));
   }
 
   get pose() {
-    return this.#state().slice(0, 7);
+    return state(this).slice(0, 7);
   }
   get margin() {
-    return this.#state()[7];
+    return state(this)[7];
   }
   get reach() {
-    return this.#state()[8];
+    return state(this)[8];
   }
+}
 
-  #own() {
-    const border = Held.border(this);
-    return { border, handle: Held.handle(this, border, DraggedBody, "dragged body") };
-  }
-  #state() {
-    const { border, handle } = this.#own();
-    return Array.from(border.ask("hand_state", handle));
-  }
+const ownOfHand = (hand) => Held.own(hand, DraggedBody, "dragged body");
+
+function state(hand) {
+  const { border, handle } = ownOfHand(hand);
+  return Array.from(border.ask("hand_state", handle));
 }

@@ -35,11 +35,19 @@ export function text(value, name) {
 
 export const isList = (value) => Array.isArray(value) || (ArrayBuffer.isView(value) && !(value instanceof DataView));
 
-/** What a point of three.js, or of another library, is to be given as. */
-export const wayOut = (value) => (typeof value?.x === "number" && typeof value.y === "number" ? ": a Vector3 is given as v.toArray()" : "");
+/** Also one of another realm: of a frame, or of Node.js in jsdom. */
+export const isArrayBuffer = (value) => Object.prototype.toString.call(value) === "[object ArrayBuffer]";
+
+/** What a point of three.js, or an object of Babylon.js, is to be given as. */
+export function wayOut(value) {
+  if (typeof value?.x === "number" && typeof value.y === "number")
+    return `: a Vector3 is given as v.${typeof value.asArray === "function" ? "asArray" : "toArray"}()`;
+  if (typeof value?.computeWorldMatrix === "function") return ": a node of Babylon.js is given as { elements: node.computeWorldMatrix(true).asArray() }";
+  return typeof value?.asArray === "function" ? ": a Matrix of Babylon.js is given as { elements: matrix.asArray() }" : "";
+}
 
 export function shown(value) {
-  return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value);
+  return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value).replace(/\s+/g, " ");
 }
 
 /** A list of numbers, behind their count. */

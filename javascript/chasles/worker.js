@@ -1,6 +1,7 @@
 // The other side of workers.js: an instance that answers parts of batches.
 import { Chasles } from "./chasles.js";
 import { InvalidInput } from "./errors.js";
+import { builtin, isNode } from "./node.js";
 
 let chasles = null;
 const bodies = new Map();
@@ -40,10 +41,9 @@ async function answer(message, post) {
   }
 }
 
-if (globalThis.process?.versions?.node) {
-  const threads = "node:worker_threads";
+if (isNode) {
   const listen = ({ parentPort }) => parentPort.on("message", (message) => answer(message, (said) => parentPort.postMessage(said)));
-  import(/* @vite-ignore */ /* webpackIgnore: true */ threads).then(listen); // no "await": script.js has no modules
+  builtin("node:worker_threads").then(listen); // no "await": script.js has no modules
 } else {
   globalThis.onmessage = ({ data }) => answer(data, (said) => globalThis.postMessage(said));
 }

@@ -1,12 +1,11 @@
 // Workers with an instance each: Web Workers in a browser, worker threads in Node.js.
 import { InvalidInput } from "./errors.js";
-import { dispose, Held } from "./held.js";
+import { bindMembers, dispose, Held } from "./held.js";
+import { builtin, isNode } from "./node.js";
 import { checkBatch, checkContactOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
 import { copiedPose } from "./poses.js";
 import { checkOptions } from "./values.js";
-
-const isNode = Boolean(globalThis.process?.versions?.node);
 
 /** A worker of either kind, behind the same functions. The kind is that of the worker: in Node.js there are both. */
 function adapted(worker, why) {
@@ -19,9 +18,9 @@ async function startWorker(make, newWorker) {
   if (make !== undefined && typeof make !== "function") throw new InvalidInput("worker: must be a function that makes a Worker");
   if (make) return adapted(await make(), notStarted);
   const why = newWorker.hasText ? forbidden : notStarted;
+  if (!isNode && typeof Worker === "undefined") throw new InvalidInput(noWorkers);
   if (!isNode) return adapted(started(() => newWorker.inBrowser(), why), why);
-  const threads = "node:worker_threads"; // a name that bundlers for browsers do not follow
-  const { Worker: NodeWorker } = await import(/* @vite-ignore */ /* webpackIgnore: true */ threads);
+  const { Worker: NodeWorker } = await builtin("node:worker_threads");
   return adapted(started(() => newWorker.inNode(NodeWorker), why), why);
 }
 
@@ -30,7 +29,8 @@ function started(start, why) {
   try {
     return start();
   } catch (error) {
-    throw new Error(why(error.message), { cause: error });
+    const isUntrusted = /TrustedScriptURL|sink type/i.test(error.message);
+    throw new Error((isUntrusted ? untrusted : why)(error.message), { cause: error });
   }
 }
 
@@ -65,6 +65,11 @@ const notStarted = (reason) =>
 /** Of the builds whose script is a text. */
 const forbidden = (reason) =>
   cannotStart("the page forbids it", reason) + "its Content-Security-Policy needs worker-src blob:, or give workers({ worker }) a function that makes a Worker";
+
+const untrusted = (reason) =>
+  cannotStart("the page demands Trusted Types", reason) + "give workers({ worker }) a function that makes a Worker of chasles/worker, by a TrustedScriptURL of a policy of yours";
+const noWorkers =
+  "workers: there is no Worker here, as in a service worker: make them in the page or in a dedicated worker, or ask here without them (firstContactBatch of the instance)";
 
 function webWorker(worker, why) {
   return {
@@ -104,8 +109,7 @@ const coresByDefault = 4; // of a browser that does not say
 
 async function cores() {
   if (!isNode) return Math.min(globalThis.navigator?.hardwareConcurrency ?? coresByDefault, most);
-  const system = "node:os"; // a name that bundlers for browsers do not follow
-  const { availableParallelism } = await import(/* @vite-ignore */ /* webpackIgnore: true */ system);
+  const { availableParallelism } = await builtin("node:os");
   return Math.min(availableParallelism(), most);
 }
 
@@ -215,6 +219,7 @@ export class Workers {
 
   constructor(border) {
     this.#border = border;
+    bindMembers(this, Workers);
   }
 
   static async start(border, newWorker, options) {

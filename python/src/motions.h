@@ -6,6 +6,7 @@
 #include "chasles/motion/timed_poses.h"
 #include "python/src/owners.h"
 #include "python/src/poses.h"
+#include "view/motion_numbers.h"
 
 #include <memory>
 #include <optional>

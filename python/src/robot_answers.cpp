@@ -13,6 +13,7 @@
 #include <array>
 #include <fmt/format.h>
 #include <nanobind/stl/optional.h>
+#include <nanobind/stl/pair.h>
 #include <nanobind/stl/string.h>
 #include <nanobind/stl/string_view.h>
 #include <nanobind/stl/vector.h>
@@ -239,6 +240,19 @@ void bind_robot_answers(nb::module_& module) {
             nb::sig("def is_clear(self, start: numpy.typing.ArrayLike, goal: numpy.typing.ArrayLike | None = None) -> "
                     "bool"),
             "Whether the straight edge, or the one configuration, is proven clear.")
+        .def(
+            "pairs_in_contact",
+            [](const RobotChecker& checker, nb::handle configuration) {
+                const Configuration at = configuration_from(configuration, "configuration");
+                std::vector<std::pair<std::string, std::string>> names;
+                for (const RobotPair& pair : asked_here([&] { return checker.pairs_in_contact(at); }))
+                    names.emplace_back(pair.first, pair.second);
+                return names;
+            },
+            "configuration"_a.none(),
+            nb::sig("def pairs_in_contact(self, configuration: numpy.typing.ArrayLike) -> list[tuple[str, str]]"),
+            "The names of all pairs that touch, or are within the margin, at a configuration where the motions of the\n"
+            "scene begin; those of which that cannot be told, too.")
         .def(
             "first_contact_on_path",
             [](const RobotChecker& checker, nb::handle configurations, nb::handle times, nb::handle velocities,

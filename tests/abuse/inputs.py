@@ -117,7 +117,7 @@ def sliding_arm() -> str:
 
 
 def write_slow(folder: Path) -> None:
-    write_meshes(folder, meshes.sheet(120), meshes.cube())
+    write_meshes(folder, meshes.sheet(300), meshes.cube())
     write_robot(folder, links=3, rows=3)
     table = body("table", "moving.obj", 0, 0, 0)
     sliding = body("box", "moving.obj", 0, 0.1, 1e-9, goal=[0.4, 0.1, 1e-9, 0.92, 0, 0, 0.39])

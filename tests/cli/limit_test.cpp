@@ -25,7 +25,7 @@ TEST_F(Heartbeat, ASlowCommandSaysThatItIsAtWork) {
 class Seconds : public tests::CommandLine {
 protected:
     Seconds() {
-        constexpr std::uint32_t n = 100;
+        constexpr std::uint32_t n = 160;
         std::string mesh;
         for (std::uint32_t i = 0; i <= n; ++i)
             for (std::uint32_t j = 0; j <= n; ++j)

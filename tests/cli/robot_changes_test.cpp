@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <set>
 
 namespace chasles {
 namespace {
@@ -42,6 +43,7 @@ TEST_F(RobotChangesCommand, ARobotMayStandOnItsTable) {
     const Json untested = json("--scene table.json --allow base,table")["untested"];
     EXPECT_EQ(untested["tested"], 3);
     EXPECT_EQ(untested["reasons"][1]["pairs"], Json::parse(R"([["base", "table"]])"));
+    EXPECT_EQ(json("--scene table.json --allow table,base")["untested"], untested) << "in either order";
     EXPECT_EQ(json("--allow base,l2")["untested"]["tested"], 0);
 }
 
@@ -57,6 +59,20 @@ TEST_F(RobotChangesCommand, CarriesMeshesByName) {
         "clear");
     const Json two = json("--attach l2,block.obj,1.5,0,3 --attach 'l1,block.obj,0 0 -1 1 0 0 0' --allow block,block_2");
     EXPECT_EQ(two["untested"]["reasons"].back()["pairs"].back(), Json({"block", "block_2"}));
+}
+
+/// Who mends a start needs all of them.
+TEST_F(RobotChangesCommand, NamesAllPairsInContactAtTheStart) {
+    write("two.json", R"({"bodies": [{"name": "table", "mesh": "cube.obj", "scale": 4, "pose": [-2, -2, -4]},
+                                     {"name": "floor", "mesh": "cube.obj", "scale": 4, "pose": [-1, -1, -4]}]})");
+    const Json found = json("--scene two.json");
+    EXPECT_EQ(found["verdict"], "contact_at_start");
+    Json pairs = found["also"];
+    pairs.push_back(found["pair"]);
+    EXPECT_EQ(std::set<Json>(pairs.begin(), pairs.end()), (std::set<Json>{{"base", "floor"}, {"base", "table"}}));
+    EXPECT_NE(run("robot arm.urdf --path path.csv --scene two.json").out.find("\n  also      base and "),
+              std::string::npos);
+    EXPECT_FALSE(json("--scene two.json --allow base,floor --allow base,table").contains("also"));
 }
 
 /// Meshes are cut as those of the robot itself (RobotWarnings).

@@ -79,7 +79,7 @@ TEST(DistanceTests, TheWayTellsVerticesApart) {
         881,
         [](const Meeting& m, double distance) {
             return detail::are_separated<double>({m.path(m.moving[0]), m.maps().weight}, m.fixed[0],
-                                                 {distance, m.unit()});
+                                                 {distance, m.scale});
         },
         [](const Segment3& moving, const Segment3& fixed) { return (moving[0] - fixed[0]).norm(); });
 }
@@ -89,7 +89,7 @@ TEST(DistanceTests, TheWayTellsAVertexAndAnEdgeApart) {
         882,
         [](const Meeting& m, double distance) {
             return detail::are_separated<double>({m.path(m.moving[0]), m.maps().weight},
-                                                 resting_edge(m.fixed[0], m.fixed[1]), {distance, m.unit()});
+                                                 resting_edge(m.fixed[0], m.fixed[1]), {distance, m.scale});
         },
         [](const Segment3& moving, const Segment3& fixed) { return distance_to_segment(moving[0], fixed); });
 }
@@ -100,7 +100,7 @@ TEST(DistanceTests, TheWayTellsEdgesApart) {
         [](const Meeting& m, double distance) {
             return detail::are_separated<double>(
                 {m.maps(), edge_path(m.maps(), m.moving[0], m.moving[1]), fixed_edge(m.fixed[0], m.fixed[1])},
-                {distance, m.unit()});
+                {distance, m.scale});
         },
         distance_of_segments);
 }

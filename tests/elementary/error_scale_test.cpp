@@ -80,11 +80,10 @@ struct Named {
 template <class S>
 std::vector<Named<S>> face_polynomials(const Vector3<Bernstein<3, S>>& position, const Bernstein<3, S>& weight,
                                        const FaceShape<S>& face, const ErrorScale& scale) {
-    const S unit(relative_error<S>(scale) * scale.length);
-    std::vector<Named<S>> result{{"plane", elementary::detail::plane<S>({position, weight}, face, unit)}};
+    std::vector<Named<S>> result{{"plane", elementary::detail::plane<S>({position, weight}, face, scale)}};
     for (std::size_t i = 0; i < 3; ++i)
         result.push_back({"inside", elementary::detail::inside<S>({position, weight}, face, face.corners[i],
-                                                                  face.corners[(i + 1) % 3], unit)});
+                                                                  face.corners[(i + 1) % 3], scale)});
     return result;
 }
 

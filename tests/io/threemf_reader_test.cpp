@@ -86,6 +86,30 @@ TEST(Read3mf, RefusesWhatWouldBeLostByName) {
               "part '3D/3dmodel.model': line 1: <booleanshape>: is not read; export as a plain mesh");
 }
 
+/// Slicers cut negative parts away, and only print with the others.
+TEST(Read3mf, RefusesWhatSlicersDoNotPrintAsASolid) {
+    const auto with = [](const std::string& name, const std::string& parts) {
+        return threemf(model(object, item), {{name, R"(<config><object id="1">)" + parts + "</object></config>"}});
+    };
+    const std::string bambu = "Metadata/model_settings.config", prusa = "Metadata/Slic3r_PE_model.config";
+    const std::string normal = R"(<part id="1" subtype="normal_part"><metadata key="name" value="plate"/></part>)";
+    EXPECT_EQ(read_3mf(with(bambu, normal)).size(), 1U);
+    for (const std::string kind : {"negative_part", "modifier_part", "support_blocker", "support_enforcer"})
+        EXPECT_EQ(
+            message(with(bambu, normal + "\n<part id=\"2\" subtype=\"" + kind +
+                                    R"("><metadata key="name" value="hole"/></part>)")),
+            "part 'Metadata/model_settings.config': line 2: <part>: 'hole' is a '" + kind +
+                "', which is no solid body; cut it from the model, or remove it, in the slicer, and export again");
+    const auto volume = [](const std::string& kind) {
+        return R"(<volume firstid="0" lastid="3"><metadata type="volume" key="name" value="hole"/>)"
+               R"(<metadata type="volume" key="volume_type" value=")" +
+               kind + R"("/></volume>)";
+    };
+    EXPECT_EQ(read_3mf(with(prusa, volume("ModelPart"))).size(), 1U);
+    EXPECT_NE(message(with(prusa, volume("ModelPart") + volume("NegativeVolume"))).find("'hole' is a 'NegativeVolume'"),
+              std::string::npos);
+}
+
 TEST(Read3mf, TellsTheUnit) {
     EXPECT_EQ(read_3mf(threemf(model(object, item))).at(0).unit, "inch");
     std::string without = model(object, item);

@@ -5,6 +5,8 @@ import { readFile } from "node:fs/promises";
 import { createServer } from "node:http";
 import { test } from "node:test";
 import { fileURLToPath } from "node:url";
+import { runInNewContext } from "node:vm";
+import { reactive } from "@vue/reactivity";
 import { buildSync } from "esbuild";
 import { load } from "chasles";
 import { load as loadInline } from "chasles/inline";
@@ -116,6 +118,69 @@ test("messages name options as JavaScript does", () => {
   const scene = chasles.scene();
   scene.add("a", cube);
   assert.equal(refusal(() => chasles.draggedBody(scene, "a").update(far, NaN)), "seconds: NaN is not a number; 0 is no bound");
+});
+
+test("objects in a reactive state: Vue leaves them as they are, and a Proxy is refused with the way out", async () => {
+  const scene = chasles.scene();
+  scene.add("a", cube);
+  const workers = await chasles.workers({ count: 1 });
+  const objects = { body: chasles.polyhedron(vertices, faces), scene, hand: chasles.draggedBody(scene, "a"), instance: chasles, workers };
+  const state = reactive(objects);
+  assert.notEqual(state, objects);
+  for (const name of ["body", "scene", "hand"]) assert.equal(state[name], objects[name]);
+  const proxies = Object.fromEntries(Object.entries(objects).map(([name, object]) => [name, new Proxy(object, {})]));
+  for (const { instance, workers: behind } of [state, proxies]) { // their members work behind a Proxy
+    assert.equal(instance.firstContact(cube, cube, far, far).verdict, "clear");
+    assert.ok(instance.held.polyhedra > 1);
+    assert.equal((await behind.firstContactBatch(cube, cube, [far], [far])).length, behind.count);
+  }
+  const { body, scene: world, hand } = proxies;
+  const wayOut = /^[a-z ]+: is a Proxy of a (Polyhedron|Scene|DraggedBody): give the object itself \(Vue: toRaw\), and keep it .* markRaw or shallowRef/;
+  const asked = [
+    () => chasles.firstContact(body, cube, far, far), () => scene.add("b", body), () => chasles.draggedBody(world, "a"), () => body.free(), () => body[Symbol.dispose](),
+    () => world.add("b", cube), () => world.remove("a"), () => world.move("a", { pose: far }), () => world.moveAll([far], [far]), () => world.poseAt("a", 0),
+    () => world.ignore("a", "a"), () => world.setMargin("a", "a", 1), () => world.firstContact(), () => world.allContacts(), () => world.clearUntil(), () => hand.update(far), () => hand.force(far),
+    ...["report", "vertices", "faces", "triangles", "sourceFaces"].map((name) => () => body[name]), () => world.names,
+    ...["name", "pose", "margin", "reach"].map((name) => () => hand[name]),
+  ];
+  for (const ask of asked) assert.match(refusal(ask), wayOut);
+  assert.match(await refusal(workers.firstContactBatch(body, cube, [far], [far])), wayOut);
+  workers.stop();
+});
+
+test("objects of Babylon.js are refused in one line with the way out", () => {
+  const numbers = [0, 1, 0, 0, -1, 0, 0, 0, 0, 0, 1, 0, 3, 2, 1, 1]; // a quarter turn about z, and a shift
+  const matrix = { m: numbers, asArray: () => numbers, toString: () => "{0, 1, 0, 0\n-1, 0, 0, 0}" };
+  const node = { position: { x: 1, y: 2, z: 3, asArray: () => [1, 2, 3] }, computeWorldMatrix: () => matrix };
+  const poseOf = (pose) => chasles.poseAt(pose, pose, 0);
+  assert.match(refusal(() => poseOf(matrix)), /^start: .* a Matrix of Babylon\.js is given as \{ elements: matrix\.asArray\(\) \}$/);
+  assert.match(refusal(() => poseOf(node)), /^start: .* \{ elements: node\.computeWorldMatrix\(true\)\.asArray\(\) \}$/);
+  assert.match(refusal(() => poseOf(node.position)), /^start: .* a Vector3 is given as v\.asArray\(\)$/);
+  assert.deepEqual(poseOf({ elements: matrix.asArray() }).map((part) => part.toFixed(9)), [3, 2, 1, Math.SQRT1_2, 0, 0, Math.SQRT1_2].map((part) => part.toFixed(9)));
+});
+
+/** Runs a program in a process of its own, in which `before` changes the globals. */
+function inProcess(before, program) {
+  const { stdout, stderr } = spawnSync(process.execPath, ["--input-type=module", "-e", `${before}\n${program}`], { encoding: "utf8", cwd: import.meta.dirname });
+  return stdout.trim() || stderr;
+}
+
+test("environments of tests: globals of jsdom and happy-dom are not needed, and what lacks is named", () => {
+  const program = `const said = [];
+    for (const name of ["chasles", "chasles/inline"])
+      said.push(await (await import(name)).load().then(({ held }) => held.polyhedra, ({ name, message }) => name + ": " + message));
+    console.log(said.join("|"));`;
+  assert.equal(inProcess('globalThis.Blob = class {}; globalThis.Response = class {}; delete globalThis.DecompressionStream;', program), "0|0");
+  // Node.js's own Response needs both: it is made before.
+  for (const name of ["TextEncoder", "TextDecoder"])
+    for (const said of inProcess(`new Response(); delete globalThis.${name};`, program).split("|"))
+      assert.match(said, /^InvalidInput: load: there are no TextEncoder and TextDecoder here, as in the environment jsdom of Jest: test in the environment "node"/);
+});
+
+test("the content of a file may be an ArrayBuffer of another realm", () => {
+  const content = runInNewContext("new ArrayBuffer(3)");
+  assert.ok(!(content instanceof ArrayBuffer));
+  assert.match(refusal(() => chasles.fromFile(content, "a.obj")), /^a\.obj: /);
 });
 
 function dragged(options) {

@@ -118,6 +118,30 @@ class InABrowser(unittest.TestCase):
             self.assertIn("a worker cannot be started", stuck["error"])
             self.assertIn('import "chasles/inline"' if name == "plain" else "needs worker-src blob:", stuck["error"])
 
+    def test_trusted_types(self) -> None:
+        """As a page demands that gives addresses of scripts only by a policy of its own."""
+        for name, file in [("plain", "index.js"), ("inlined", "inline.js")]:
+            page = self.guarded(f"trusted_{name}", file, "require-trusted-types-for 'script'")
+            self.assertRegex(self.open_once(f"untrusted_{name}", page)["error"], r"cannot be started: the page demands Trusted Types .* give workers\(\{ worker \}\)")
+            script = project / f"trusted_{name}.mjs"
+            worker = 'new Worker(trustedTypes.createPolicy("own", { createScriptURL: (url) => url }).createScriptURL("/node_modules/chasles/worker.js"), { type: "module" })'
+            script.write_text(script.read_text().replace("ask(load, {}, {})", f"ask(load, {{}}, {{ count: 1, worker: () => {worker} }})"))
+            self.check_workers(self.open_once(f"trusted_{name}", page))
+
+    def test_a_service_worker(self) -> None:
+        """It has no Worker: questions are answered, and the refusal of workers says where they can be."""
+        (project / "service.mjs").write_text(
+            'import { load } from "/node_modules/chasles/inline.js"; import { ask } from "/question.mjs"; globalThis.window = globalThis;'
+            "onmessage = async ({ source }) => { await ask(load, {}, undefined); const { verdict } = window.answer; await ask(load, {}, {}); source.postMessage({ verdict, ...window.answer }); };"
+        )
+        asking = (
+            'navigator.serviceWorker.onmessage = ({ data }) => { window.answer = data; window.isDone = true; };'
+            'navigator.serviceWorker.register("/service.mjs", { type: "module" }).then(() => navigator.serviceWorker.ready).then(({ active }) => active.postMessage(null));'
+        )
+        answer = self.open_once("service_page", f'<script type="module">{asking}</script>')
+        self.assertEqual(answer["verdict"], ANSWER["verdict"])
+        self.assertRegex(answer["error"], r"^InvalidInput: workers: there is no Worker here, as in a service worker: make them in the page")
+
     def test_a_server_that_answers_with_a_page(self) -> None:
         """As development servers do for a file that they do not find."""
         (project / "fallback.html").write_text("<!doctype html>")

@@ -88,7 +88,8 @@ test("matrices: the elements of a Matrix4 are columns, 16 numbers are rows, and 
     for (const pose of [matrix, { elements: new Float64Array(matrix.elements) }, matrix.clone().transpose().toArray()])
       assertNear([placed(body, poseOf(pose))[0]], [expected], 1e-9);
     for (const columns of [matrix.elements, new Float64Array(matrix.elements)])
-      assert.match(refusal(() => poseOf(columns)), /^start: 16 numbers column by column; .* give the Matrix4 itself/);
+      assert.match(refusal(() => poseOf(columns)), /^start: 16 numbers column by column; .* give the Matrix4 itself, or \{ elements: numbers \}$/);
+    assertNear([placed(body, poseOf({ elements: matrix.toArray() }))[0]], [expected], 1e-9);
   }
   assert.match(refusal(() => poseOf(new Matrix4().makeScale(2, 2, 2))), /^start: pose: matrix: /);
   assert.match(refusal(() => poseOf(new Matrix4().makeScale(-1, 1, 1))), /^start: pose: matrix: .*reflection/);
@@ -192,8 +193,8 @@ test("draw range, groups and materials: what is drawn is the body", () => {
   const loose = geometry.toNonIndexed();
   loose.setDrawRange(0, 6);
   assert.equal(faces(chasles.fromBufferGeometry(loose)).length, 2);
-  geometry.setDrawRange(1, 5);
-  assert.match(refusal(() => chasles.fromBufferGeometry(geometry)), /^geometry\.drawRange: 5 indices are no triangles/);
+  geometry.setDrawRange(3, 5);
+  assert.deepEqual(faces(chasles.fromBufferGeometry(geometry)), [[1, 3, 2]], "two corners are no triangle");
   geometry.setDrawRange(6, Infinity);
   geometry.addGroup(0, 6, 0);
   geometry.addGroup(9, 3, 5);
@@ -205,6 +206,40 @@ test("draw range, groups and materials: what is drawn is the body", () => {
   assert.deepEqual(faces(chasles.fromObject3D(new Mesh(geometry, list)).body), [[5, 7, 6]]);
   assert.equal(faces(chasles.fromBufferGeometry(geometry)).length, 2, "now the groups leave out nothing");
   assert.equal(faces(chasles.fromBufferGeometry(new BoxGeometry(1, 1, 1))).length, 12, "six groups");
+});
+
+/** The first corners of the triangles that WebGLRenderer.renderBufferDirect draws for a group, and WebGL of these corners. */
+function drawnByThree({ index, attributes, drawRange }, group) {
+  const drawStart = Math.max(drawRange.start, group.start, 0);
+  const drawEnd = Math.min(drawRange.start + drawRange.count, group.start + group.count, (index ?? attributes.position).count);
+  return Array.from({ length: Math.max(0, Math.floor((drawEnd - drawStart) / 3)) }, (_, i) => drawStart + 3 * i);
+}
+
+test("groups and draw ranges begin at any corner, and end within a triangle: what is drawn is the body", () => {
+  const geometry = new BoxGeometry(1, 2, 3);
+  const place = (vertex) => [...geometry.attributes.position.array.slice(3 * vertex, 3 * vertex + 3)].join(" ");
+  const withArea = (faces) => faces.map(([id, face]) => [id, face.map(place).sort()]).filter(([, [a, b, c]]) => a !== b && b !== c); // of a box
+  let unaligned = 0;
+  for (let i = 0; i < 300; ++i) {
+    const cuts = Array.from({ length: 4 }, () => Math.floor(37 * random())).sort((a, b) => a - b);
+    geometry.clearGroups();
+    for (const k of [0, 2]) geometry.addGroup(cuts[k], cuts[k + 1] - cuts[k], 0);
+    geometry.setDrawRange(Math.floor(6 * random()), random() < 0.5 ? Infinity : 10 + Math.floor(20 * random()));
+    for (const list of [[new MeshBasicMaterial()], undefined]) {
+      const drawn = (list ? geometry.groups : [{ start: 0, count: Infinity }]).flatMap((group) => drawnByThree(geometry, group));
+      const expected = withArea(drawn.map((k) => [Math.floor(k / 3), [0, 1, 2].map((j) => geometry.index.getX(k + j))]));
+      if (expected.length === 0) continue;
+      const { faces, sourceFaces } = chasles.fromObject3D(new Mesh(geometry, list)).body;
+      assert.deepEqual(withArea(faces.map((face, k) => [sourceFaces[k], face])), expected);
+      unaligned += list && drawn.some((k) => k % 3 !== 0) ? 1 : 0;
+    }
+  }
+  assert.ok(unaligned > 100);
+  geometry.setDrawRange(0, Infinity);
+  geometry.groups = [{ start: 4, count: 6, materialIndex: 0 }];
+  assert.match(refusal(() => chasles.fromBufferGeometry(geometry)), /^geometry\.groups: leave out triangle 0.* fromObject3D/);
+  geometry.addGroup(0, 6, 0);
+  assert.match(refusal(() => chasles.fromObject3D(new Mesh(geometry, [new MeshBasicMaterial()]))), /^geometry\.groups: .* one faceIndex \(1\): .* multiples of 3$/);
 });
 
 /** The first contact of a small body that falls on a mesh at a place, and what three.js says about this place. */

@@ -242,6 +242,22 @@ TEST(Polyhedron, CutsBentPolygonsWithCreasesAsEdges) {
     expect_owned_once(body);
 }
 
+/// As trimesh and manifold3d say of such a mesh: the edges of both halves of a side meet on its long edge.
+TEST(Polyhedron, AFaceWithoutAreaClosesAGap) {
+    Soup soup = test::cube();
+    const std::vector<std::uint32_t> side = soup.faces.back();
+    soup.vertices.push_back((soup.vertices[side[0]] + soup.vertices[side[1]]) / 2);
+    const auto middle = static_cast<std::uint32_t>(soup.vertices.size() - 1);
+    soup.faces.back().insert(soup.faces.back().begin() + 1, middle);
+    const Polyhedron open = made_from(soup);
+    EXPECT_FALSE(open.report().closed) << "its neighbour has the whole edge";
+    soup.faces.push_back({side[0], side[1], middle});
+    const Polyhedron closed = made_from(soup);
+    EXPECT_TRUE(closed.report().closed);
+    EXPECT_EQ(closed.report().dropped_faces, 1U);
+    EXPECT_EQ(closed.report().boundary_edges, 3U) << "of the faces that are kept";
+}
+
 TEST(Polyhedron, TakesCutsExactlyWhenAsked) {
     Soup soup = test::cube();
     soup.vertices[7].z() = 1 + 1e-9;

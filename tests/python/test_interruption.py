@@ -124,7 +124,7 @@ def sheet(n):
     return corners, faces
 
 GAP = 1e-9
-corners, faces = sheet(120)
+corners, faces = sheet(320)
 sheets = [chasles.Polyhedron(corners, faces) for _ in range(2)]
 start, goal = [0, 0.1, GAP, 1, 0, 0, 0], [0.4, 0.1, GAP, np.cos(0.4), 0, 0, np.sin(0.4)]
 slide = chasles.ConstantVelocity.between(start, goal)
@@ -198,7 +198,7 @@ def slow_sheets():
     names: dict = {}
     head = SLOW.split("GAP = 1e-9")[0].split("import numpy as np")[1]
     exec("import numpy as np" + head, names)  # noqa: S102: the program above
-    corners, faces = names["sheet"](40)
+    corners, faces = names["sheet"](200)
     return chasles.Polyhedron(corners, faces), chasles.Polyhedron(corners, faces)
 
 

@@ -50,6 +50,8 @@ def test_the_first_contact_names_the_pair_and_the_configuration(arm, world):
     checker = chasles.RobotChecker(arm, world)
     assert checker.is_clear([0, 0]) and checker.is_clear([0, 0], found.clear_configuration * 0.999)
     assert not checker.is_clear([0, 0], [np.pi / 2, 0])
+    assert checker.pairs_in_contact([0, 0]) == []
+    assert checker.pairs_in_contact(found.configuration + [0.01, 0]) == [("lower", "wall")]
     assert arm.first_contact([0, 0], [np.pi / 2, 0]).verdict == "clear"  # without the world
 
 
@@ -213,6 +215,9 @@ def test_how_near_it_comes(arm, world):
     assert chasles.Robot.least_distance.__doc__ and "RobotClearance" in repr(touch)
     with pytest.raises(chasles.InvalidInput, match="tolerance: must be in"):
         checker.least_distance([0, 0], [1, 0], tolerance=0)
+    with chasles.Limit(1e-9):
+        cut = checker.least_distance([0, 0], [0.3, 0])
+    assert not cut.certain and cut.distance == 0 and cut.distance_upper >= found.distance
 
 
 def test_parts_and_pairs(arm, world, cube):

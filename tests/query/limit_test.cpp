@@ -26,9 +26,17 @@ Pose pose(double x, double z, double turn) {
     return {{x, 0.1, z}, Eigen::Quaterniond(Eigen::AngleAxisd(turn, Eigen::Vector3d::UnitZ()))};
 }
 
+/// The motion as one of the user's own, of which the library does not know that it keeps to a plane.
+Motion as_own(const Motion& motion, double speed, double turn) {
+    OwnTrajectory own;
+    own.pose_at = [motion](double time) { return motion.pose_at(time); };
+    own.bounds = [=](double, double) { return MotionBounds{turn, 0, speed, 0}; };
+    return Motion::along(own);
+}
+
 /// Slides and turns low above a sheet, and sinks: touches at a time of about 0.9.
 Motion landing(double height) {
-    return Motion::velocity(pose(0, height, 0), pose(0.3, -0.1 * height, 0.1));
+    return as_own(Motion::velocity(pose(0, height, 0), pose(0.3, -0.1 * height, 0.1)), 0.31, 0.11);
 }
 
 TEST(QueryLimit, APairIsProvenClearUntilThen) {
@@ -59,9 +67,19 @@ TEST(QueryLimit, APairIsProvenClearUntilThen) {
     EXPECT_GT(later_than_start, 10);
 }
 
+/// One pair of features may take as long as whole bodies.
+TEST(QueryLimit, EndsTheRefinementOfOnePairOfFeatures) {
+    const Polyhedron lower = sheet(1), upper = sheet(1);
+    const Motion slide = as_own(Motion::velocity(pose(0, 1e-10, 0), pose(0.4, 1e-10, 0.8)), 0.41, 0.81);
+    const Limit limit(0.01);
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_EQ(first_contact({upper, lower, slide}).verdict, Verdict::unknown);
+    EXPECT_LT(Seconds(std::chrono::steady_clock::now() - start).count(), 0.1);
+}
+
 TEST(QueryLimit, EndsWithinMilliseconds) {
     const Polyhedron lower = sheet(32), upper = sheet(32);
-    const Motion slide = Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8));
+    const Motion slide = as_own(Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8)), 0.41, 0.81);
     for (const double seconds : {0.02, 0.1}) {
         const Limit limit(seconds);
         const auto start = std::chrono::steady_clock::now();
@@ -72,7 +90,8 @@ TEST(QueryLimit, EndsWithinMilliseconds) {
 
 TEST(QueryLimit, ALeastDistanceIsInTheBracketSoFar) {
     const Polyhedron lower = sheet(16), upper = sheet(16);
-    const LeastDistanceQuery query{upper, lower, Motion::velocity(pose(0, 1e-3, 0), pose(0.4, 1e-3, 0.8))};
+    const LeastDistanceQuery query{upper, lower,
+                                   as_own(Motion::velocity(pose(0, 1e-3, 0), pose(0.4, 1e-3, 0.8)), 0.41, 0.81)};
     int wide = 0;
     for (const double seconds : {1e-9, 0.001, 0.01, 0.05, 0.1}) {
         const Limit limit(seconds);
@@ -82,6 +101,19 @@ TEST(QueryLimit, ALeastDistanceIsInTheBracketSoFar) {
         wide += found.certain ? 0 : 1;
     }
     EXPECT_GE(wide, 2);
+}
+
+/// A rough bracket of surfaces that stay near each other takes far less time than a narrow one.
+TEST(QueryLimit, ALeastDistanceThatIsCutHasARoughBracket) {
+    const Polyhedron lower = sheet(12), upper = sheet(12);
+    const LeastDistanceQuery query{upper, lower,
+                                   as_own(Motion::velocity(pose(0, 1e-3, 0), pose(0.4, 1e-3, 0.8)), 0.41, 0.81)};
+    const auto start = std::chrono::steady_clock::now();
+    EXPECT_TRUE(least_distance(query).certain);
+    const Limit limit(0.5 * Seconds(std::chrono::steady_clock::now() - start).count());
+    const LeastDistance found = least_distance(query);
+    EXPECT_GE(found.distance.lower, 4e-4);
+    EXPECT_LE(found.distance.upper, 1.1e-3);
 }
 
 TEST(QueryLimit, BatchesAndPathsSayWhatTheyDoNotKnow) {
@@ -104,7 +136,7 @@ TEST(QueryLimit, BatchesAndPathsSayWhatTheyDoNotKnow) {
 TEST(QueryLimit, APathKeepsTheSegmentsThatAreDone) {
     const Polyhedron lower = sheet(64), upper = sheet(64);
     std::vector<Motion> motions(3, Motion::velocity(pose(0, 9, 0), pose(1, 9, 0)));
-    motions.push_back(Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8)));
+    motions.push_back(as_own(Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8)), 0.41, 0.81));
     bool enough = false;
     const Limit limit(1e9, [&] { return !enough; });
     const PathContact path =
@@ -129,7 +161,7 @@ TEST(QueryLimit, APathOfManyQuickSegmentsEndsSoon) {
 
 TEST(QueryLimit, AnExceptionOfTheFunctionComesOut) {
     const Polyhedron lower = sheet(32), upper = sheet(32);
-    const Motion slide = Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8));
+    const Motion slide = as_own(Motion::velocity(pose(0, 1e-9, 0), pose(0.4, 1e-9, 0.8)), 0.41, 0.81);
     const Limit limit(1e9, []() -> bool { throw std::runtime_error("enough"); });
     EXPECT_THROW((void)first_contact({upper, lower, slide}), std::runtime_error);
 }

@@ -112,6 +112,49 @@ TEST(RobotChecker, WhatIsProvenUntilALimitIsTrue) {
     }
 }
 
+/// Without them nothing touches at the start, and with any of them something does.
+TEST(RobotChecker, NamesAllPairsInContact) {
+    Random random(2005);
+    int several = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        Robot robot(random_robot(random, 6, false));
+        const Scene scene = random_world(random, 30);
+        const Configuration q = random_configuration(random, robot, 2);
+        const std::vector<RobotPair> pairs = RobotChecker(robot, &scene).pairs_in_contact(q);
+        several += pairs.size() > 1 ? 1 : 0;
+        for (const RobotPair& pair : pairs) {
+            EXPECT_EQ(RobotChecker(robot, &scene).first_contact(q, q).verdict, Verdict::contact_at_start);
+            if (pair.is_with_scene)
+                robot.ignore_in_scene(pair.first, pair.second);
+            else
+                robot.ignore(pair.first, pair.second);
+        }
+        EXPECT_NE(RobotChecker(robot, &scene).first_contact(q, q).verdict, Verdict::contact_at_start)
+            << "bodies may move";
+    }
+    EXPECT_GT(several, 10);
+}
+
+TEST(RobotChecker, ALeastDistanceThatIsCutIsABracket) {
+    Random random(2004);
+    int cut = 0;
+    for (int trial = 0; trial < 100; ++trial) {
+        const Robot robot(random_robot(random, 8, false));
+        const Scene scene = random_world(random, 60);
+        const RobotChecker checker(robot, &scene);
+        const Configuration a = random_configuration(random, robot, 3), b = random_configuration(random, robot, 3);
+        const auto start = std::chrono::steady_clock::now();
+        const RobotClearance whole = checker.least_distance(a, b);
+        const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+        const Limit limit(random.chance(0.5) ? 1e-9 : random.uniform(0.01, 0.9) * took.count());
+        const RobotClearance found = checker.least_distance(a, b);
+        EXPECT_LE(found.distance.lower, whole.distance.upper);
+        EXPECT_GE(found.distance.upper, whole.distance.lower);
+        cut += found.certain ? 0 : 1;
+    }
+    EXPECT_GT(cut, 30);
+}
+
 TEST(RobotChecker, AnswersManyEdgesTheSameForAnyNumberOfThreads) {
     Random random(2003);
     const Robot robot(random_robot(random, 6, false));

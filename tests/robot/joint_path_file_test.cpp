@@ -148,14 +148,17 @@ TEST(JointPathFile, RefusesUnitsThatItDoesNotRead) {
 
 /// Other ways to write a unit are not read, and never left out either.
 TEST(JointPathFile, LeavesNoColumnOfAJointOut) {
-    for (const char* const name : {"slide_m", "slide_mm", "Slide.pos", "slide/position", "SLIDE_value"})
+    for (const char* const name : {"slide_m", "slide_mm", "Slide.pos", "slide/position", "SLIDE_value", "slide_joint",
+                                   "arm1/slide", "robot_slide", "sldie"})
         EXPECT_EQ(refused("waist," + std::string(name) + "\n0,0\n1,1\n", arm()),
                   "line 1: the column '" + std::string(name) +
                       "' is no variable of the robot; it may be a misspelt 'slide', which has no column, or one to "
                       "leave out of the file");
     EXPECT_NE(refused("waist_rad,slide\n0,0\n1,1\n", arm()).find("misspelt 'waist'"), std::string::npos);
     EXPECT_EQ(read_configurations("waist,waist_rad\n0,0\n1,1\n", arm()).warnings.size(), 1U) << "it has a column";
-    EXPECT_EQ(read_configurations("waist,slide_effort\n0,0\n1,1\n", arm()).warnings.size(), 1U) << "no position";
+    for (const char* const name : {"slide_effort", "effort_slide", "wrist"})
+        EXPECT_EQ(read_configurations("waist," + std::string(name) + "\n0,0\n1,1\n", arm()).warnings.size(), 1U)
+            << name;
     const std::vector<std::string> names = {"waist", "slide[m]"};
     const Robot robot = arm();
     EXPECT_NE(message_of([&] { (void)JointColumns(names, robot, JointUnits::radians); }).find("misspelt 'slide'"),

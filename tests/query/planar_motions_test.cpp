@@ -1,0 +1,96 @@
+// Plates that slide over each other in parallel planes, on motions that are only enclosed: the heights over the planes
+// are known, however small the gap is. Note 36.
+#include "chasles/chasles.h"
+#include "tests/support/random_poses.h"
+
+#include <gtest/gtest.h>
+#include <numbers>
+
+namespace chasles::test {
+namespace {
+
+using Eigen::Vector3d;
+
+/// A regular prism with its bottom in the plane z = 0, turned with all its corners.
+Polyhedron plate(std::uint32_t corners, const Eigen::Quaterniond& turn) {
+    std::vector<Vector3d> vertices;
+    std::vector<std::vector<std::uint32_t>> faces(2);
+    for (const double z : {0.0, 0.25})
+        for (std::uint32_t i = 0; i < corners; ++i) {
+            const double angle = 2 * std::numbers::pi * i / corners;
+            vertices.push_back(turn * Vector3d(std::cos(angle), std::sin(angle), z));
+        }
+    for (std::uint32_t i = 0; i < corners; ++i) {
+        const std::uint32_t next = (i + 1) % corners;
+        faces[0].push_back(corners - 1 - i);
+        faces[1].push_back(corners + i);
+        faces.push_back({i, next, corners + next, corners + i});
+    }
+    return Polyhedron::from_polygons(vertices, faces);
+}
+
+/// Two plates, one on the other, and the direction of the way from one to the other.
+struct Plates {
+    Polyhedron moving, fixed;
+    Vector3d up, beside;
+
+    Plates(Random& random, bool is_tilted)
+        : Plates(is_tilted ? random_pose(random, 1).rotation.normalized() : Eigen::Quaterniond::Identity(),
+                 std::uint32_t(random.integer(5, 20)), std::uint32_t(random.integer(5, 20))) {}
+
+private:
+    Plates(const Eigen::Quaterniond& turn, std::uint32_t first, std::uint32_t second)
+        : moving(plate(first, turn)), fixed(plate(second, turn)), up(turn * Vector3d::UnitZ()),
+          beside(turn * Vector3d::UnitX()) {}
+};
+
+/// A turn and a way across the axis, which is no turn about one axis, at the heights that a polynomial gives.
+Motion sliding(Random& random, const Plates& plates, const std::vector<double>& heights) {
+    const auto turn = [&] { return Motion::hinge(Vector3d::Zero(), plates.up, {0, random.uniform(-1.5, 1.5)}); };
+    const Motion across = Motion::slider(plates.beside, {0, random.uniform(-0.5, 0.5)});
+    const Motion moving = turn() * across * Motion::slider(plates.up, heights);
+    return random.chance(0.5) ? moving : relative(moving, turn());
+}
+
+FirstContact ask(const Plates& plates, const Motion& motion, double margin) {
+    return first_contact(
+        {.moving = plates.moving, .fixed = plates.fixed, .motion = motion, .options = {.margin = margin}});
+}
+
+TEST(PlanarMotions, PlatesThatSlideAtATinyGapAreClearAtOnce) {
+    Random random(3621);
+    std::uint64_t most = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const bool is_tilted = random.chance(0.5);
+        const Plates plates(random, is_tilted);
+        const double margin = random.chance(0.5) ? 0 : 0.125,
+                     gap = std::pow(10, random.uniform(is_tilted ? -9 : -11, 0));
+        const FirstContact found = ask(plates, sliding(random, plates, {0.25 + margin + gap}), margin);
+        EXPECT_EQ(found.verdict, Verdict::clear) << gap << " beyond " << margin;
+        most = std::max(most, found.work.elementary_tests);
+    }
+    std::cout << "at most " << most << " elementary tests\n";
+    EXPECT_LT(most, 20000U) << "each pair of features is told apart in few parts";
+}
+
+/// Both overlap, seen along the axis, whatever the turn is.
+TEST(PlanarMotions, PlatesThatComeDownTouchWhenTheirHeightsMeet) {
+    Random random(3622);
+    int certain = 0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const Plates plates(random, random.chance(0.5));
+        const double margin = random.chance(0.5) ? 0 : 0.125, gap = std::pow(10, random.uniform(-4, 0));
+        const double time = random.uniform(0.1, 0.9);
+        const FirstContact found = ask(plates, sliding(random, plates, {0.25 + margin + gap, -gap / time}), margin);
+        ASSERT_EQ(found.verdict, Verdict::contact) << gap << " beyond " << margin;
+        const double rounding = 1e-14 * time / gap;
+        EXPECT_LE(found.time.lower, time + rounding);
+        EXPECT_GE(found.time.upper, time - rounding);
+        EXPECT_LE(found.time.upper - found.time.lower, 1e-9 + 4 * rounding);
+        certain += found.certain ? 1 : 0;
+    }
+    EXPECT_GT(certain, 190);
+}
+
+} // namespace
+} // namespace chasles::test
