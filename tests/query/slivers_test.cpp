@@ -98,8 +98,10 @@ struct PairAtAPlane {
 PairAtAPlane pair_at_a_plane(std::mt19937& random, double width, double gap) {
     const bool along_plane = uniform(random, 0, 1) < 0.5;
     const auto twist = [&]() -> Twist {
-        if (along_plane)
-            return {random_vector(random, 2), Vector3d::UnitZ(), uniform(random, -1.5, 1.5), 0};
+        if (along_plane) { // nearly: a turn about its normal is decided by heights alone (note 36)
+            const Vector3d tilt = std::pow(10, uniform(random, -6, -2)) * random_vector(random, 1);
+            return {random_vector(random, 2), (Vector3d::UnitZ() + tilt).normalized(), uniform(random, -1.5, 1.5), 0};
+        }
         return {random_vector(random, 2), random_vector(random, 1).normalized(), uniform(random, -1.5, 1.5),
                 uniform(random, -0.5, 0.5)};
     };
@@ -143,11 +145,11 @@ void expect_all_clear(unsigned seed, double margin_per_gap, double least_hits) {
 }
 
 TEST(Slivers, ThatAPlaneKeepsApartAreClear) {
-    expect_all_clear(4101, 0, 0.3);
+    expect_all_clear(4101, 0, 0.05);
 }
 
 TEST(Slivers, ThatAPlaneKeepsBeyondTheMarginAreClear) {
-    expect_all_clear(4102, 0.5, 0.3);
+    expect_all_clear(4102, 0.5, 0.05);
 }
 
 /// The least distance of such a pair is the gap or more, never 0.
