@@ -93,7 +93,7 @@ public:
     CornerSides sides_of_fixed(std::uint32_t moving_face, std::uint32_t fixed_face, const Restriction& part) {
         of_moving_.plane.update(moving_face, [&] {
             const auto& shape = of_moving_.shape.shape_of(moving_, moving_face);
-            return elementary::plane_of_moving_face(*maps_, shape, scale_, offset_of(shape));
+            return elementary::plane_of_moving_face(*maps_, shape, in_moving_, offset_of(shape));
         });
         return sides_of(fixed_, fixed_face, of_moving_, part);
     }
@@ -194,10 +194,12 @@ private:
 
     /// How far from a face's plane points must be on their chords to be proven off the face. Chords, too, leave the
     /// heights along the axis as they are (note 36).
-    static double band_of(const elementary::FaceShape<double>& face, double deviation, elementary::ErrorScale scale) {
-        scale.deviation = deviation;
-        return elementary::with_underflow<double>(elementary::height_error<double>(scale, face.normal, face.size) +
-                                                  face.deviation);
+    static double band_of(const elementary::FaceShape<double>& face, double deviation,
+                          const elementary::ErrorScale& scale) {
+        const double rounding = elementary::rounding_error<double>(scale) * face.size;
+        const double from_chord = scale.deviation > 0 ? elementary::height_deviation(scale, face.normal, deviation)
+                                                      : deviation * length(face.normal);
+        return elementary::with_underflow<double>(rounding + face.deviation + from_chord);
     }
 
     static CornerSides sides_of(const Body& body, std::uint32_t face, LastPlane& plane, const Restriction& part) {

@@ -54,13 +54,13 @@ RelativePlane<S> plane_of_fixed_face(const motion::ControlMaps<S>& maps, const F
                                      maps.weight, face, scale, offset);
 }
 
-/// The plane of a moving face relative to the fixed body.
+/// The plane of a moving face relative to the fixed body. The scale is for the frame of the moving body.
 template <class S>
 RelativePlane<S> plane_of_moving_face(const motion::ControlMaps<S>& maps, const FaceShape<S>& face,
                                       const ErrorScale& scale, const S& offset = S(0)) {
     return detail::relative_plane<S>(maps.rotation * face.normal,
                                      Bernstein<3, S>() - dot(maps.inverse_translation, face.normal), maps.weight, face,
-                                     in_moving_frame(scale, maps), offset);
+                                     scale, offset);
 }
 
 /// The plane of a face relative to its own body, at rest.

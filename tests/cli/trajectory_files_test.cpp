@@ -219,18 +219,18 @@ TEST_F(TrajectoryFiles, JointPathsOfEveryFormatAreTheSamePath) {
 }
 
 TEST_F(TrajectoryFiles, JointPathsNameWhatIsNotUsed) {
-    const Json more = robot_answer("more.csv", "shoulder,elbow,other_grip,effort\n0,0,0,3\n1.5,0.5,0,3\n");
+    const Json more = robot_answer("more.csv", "shoulder,elbow,wheel,effort\n0,0,0,3\n1.5,0.5,0,3\n");
     expect_the_path(more, false, "more.csv");
     EXPECT_EQ(more["warnings"][0],
-              "more.csv: line 1: ignored columns: 'other_grip, effort'; the robot has no variables of these names");
+              "more.csv: line 1: ignored columns: 'wheel, effort'; the robot has no variables of these names");
     const Json rates =
-        robot_answer("rates.yaml", "joint_names: [shoulder, elbow, other_grip]\npoints:\n- {positions: [0, 0, 0], "
+        robot_answer("rates.yaml", "joint_names: [shoulder, elbow, wheel]\npoints:\n- {positions: [0, 0, 0], "
                                    "velocities: [1, 1, 1]}\n- {positions: [1.5, 0.5, 0]}\n");
     expect_the_path(rates, false, "rates.yaml");
     ASSERT_EQ(rates["warnings"].size(), 2U);
     EXPECT_NE(rates["warnings"][0].get<std::string>().find("velocities and accelerations are not used"),
               std::string::npos);
-    EXPECT_NE(rates["warnings"][1].get<std::string>().find("ignored joints: 'other_grip'"), std::string::npos);
+    EXPECT_NE(rates["warnings"][1].get<std::string>().find("ignored joints: 'wheel'"), std::string::npos);
 }
 
 TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
