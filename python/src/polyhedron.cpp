@@ -192,7 +192,9 @@ void bind_polyhedron(nb::module_& module) {
                      "Triangles that cover the faces, (t, 3) vertex ids. Inner diagonals are not edges of the body.")
         .def_prop_ro("source_faces", source_faces,
                      nb::sig("def source_faces(self) -> numpy.typing.NDArray[numpy.uint32]"),
-                     doc("Polyhedron.source_face"))
+                     "For each of `faces`, its id in the input, (f,). A contact names a face by this id. It is another "
+                     "one than the\n"
+                     "index in `faces` only where faces without area were dropped or polygons were cut.")
         .def_prop_ro(
             "report", [](const Body& body) { return body.polyhedron.report(); }, doc("MeshReport"))
         .def("__reduce__", reduce, nb::sig("def __reduce__(self) -> tuple"))
