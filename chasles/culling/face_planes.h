@@ -104,7 +104,7 @@ private:
                                    double deviation) {
         const ChordPlane& of_fixed = of_fixed_.chord.update(fixed_face, [&] {
             const auto& shape = of_fixed_.shape.shape_of(fixed_, fixed_face);
-            return seen_by_moving(shape.normal, shape.offset, band_of(shape, deviation, scale_));
+            return seen_by_moving(shape.normal, shape.offset, band_of(shape, deviation));
         });
         const Window left = of_fixed.without_apart(moving_, moving_face, when);
         if (left.is_empty())
@@ -115,7 +115,7 @@ private:
                 const Vector3<double> normal = pose.rotation * shape.normal;
                 return SeenPlane{normal, 0 - dot(pose.translation, normal) - shape.offset};
             };
-            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation, in_moving_));
+            return ChordPlane(seen(ends_.start), seen(ends_.end), band_of(shape, deviation));
         });
         return of_moving.without_apart(fixed_, fixed_face, left);
     }
@@ -131,7 +131,7 @@ private:
                 break;
             const auto half_space = half_space_at(fixed_face, *direction);
             const ChordPlane plane = seen_by_moving(half_space.normal, half_space.offset + offset_of(half_space),
-                                                    band_of(half_space, deviation, scale_));
+                                                    band_of(half_space, deviation));
             const Window left = plane.without_above(moving_, moving_face, when);
             const bool is_much = left.lower - when.lower > much * (when.upper - when.lower);
             when = left;
@@ -192,14 +192,10 @@ private:
         std::vector<int> sides; ///< of the corners of the other face
     };
 
-    /// How far from a face's plane points must be on their chords to be proven off the face. Chords, too, leave the
-    /// heights along the axis as they are (note 36).
-    static double band_of(const elementary::FaceShape<double>& face, double deviation,
-                          const elementary::ErrorScale& scale) {
-        const double rounding = elementary::rounding_error<double>(scale) * face.size;
-        const double from_chord = scale.deviation > 0 ? elementary::height_deviation(scale, face.normal, deviation)
-                                                      : deviation * length(face.normal);
-        return elementary::with_underflow<double>(rounding + face.deviation + from_chord);
+    /// How far from a face's plane points must be on their chords to be proven off the face.
+    [[nodiscard]] double band_of(const elementary::FaceShape<double>& face, double deviation) const {
+        const double rounding = elementary::position_error<double>(scale_) * face.size;
+        return elementary::with_underflow<double>(rounding + face.deviation + deviation * length(face.normal));
     }
 
     static CornerSides sides_of(const Body& body, std::uint32_t face, LastPlane& plane, const Restriction& part) {

@@ -54,25 +54,21 @@ S rounding_error(const ErrorScale& scale) {
     return S(relative_error<S>(scale) * scale.length);
 }
 
-/// By how much the product of a position and a vector differs from the true one, without rounding, where positions
-/// differ by `deviation`. Source: docs/derivations/36-heights.md, "Heights".
+/// By how much the product of a position and a vector differs from the true one, without rounding. Source:
+/// docs/derivations/36-heights.md, "Heights".
 template <class S>
-S height_deviation(const ErrorScale& scale, const algebra::Vector3<S>& vector, double deviation) {
+S height_deviation(const ErrorScale& scale, const algebra::Vector3<S>& vector) {
     if constexpr (error_unit<S> == 0) {
         return S(0);
     } else {
-        if (deviation == 0)
+        if (scale.deviation == 0)
             return S(0);
         constexpr double rounding = 0x1p-46;
         const algebra::Vector3<double> v{double(vector.x), double(vector.y), double(vector.z)};
         const double along = dot(v, scale.axis);
         const double across = length(v - algebra::scale(scale.axis, along)) + rounding * norm1(v);
-        return S((1 + rounding) * (std::abs(along) * scale.axis_deviation + across * deviation));
+        return S((1 + rounding) * (std::abs(along) * scale.axis_deviation + across * scale.deviation));
     }
-}
-template <class S>
-S height_deviation(const ErrorScale& scale, const algebra::Vector3<S>& vector) {
-    return height_deviation(scale, vector, scale.deviation);
 }
 
 /// The error of the product of a position and a vector, whose largest terms are `size` times a length.
