@@ -74,7 +74,7 @@ void count_in_stamps(FirstContact& found, const TimedPoses& track) {
 /// The whole path as one motion.
 StampedContact answer_track(const PathQuestion& question) {
     const std::size_t segments = question.path.poses.size() - 1;
-    const TimedPoses track = track_of(question, 0, segments);
+    const TimedPoses track = at_place(io::one_line(question.file), [&] { return track_of(question, 0, segments); });
     at_place(io::one_line(question.file), [&] { check_motion(question.bodies.moving, question.bodies.fixed, track); });
     PathContact found;
     found.contact = chasles::first_contact({.moving = question.bodies.moving,

@@ -142,14 +142,16 @@ std::string report_of(const SceneOptions& options, const SceneFile& file, const 
     return text + (has_page ? labelled("page", options.page) : "");
 }
 
-/// An error about a hold distance of the file names the file.
+/// An error names the file, unless it is about an option.
 SceneAnswer answer_of(const SceneOptions& options, const SceneFile& file, const SceneQuery& query) {
     try {
         return options.all ? file.scene.all_contacts(query) : file.scene.first_contact(query);
     } catch (const InvalidInput& error) {
-        if (!file.hold || !options.hold.empty())
+        const std::string why = error.what();
+        const bool has_hold_of_file = file.hold && options.hold.empty();
+        if (why.starts_with("query: ") && !has_hold_of_file)
             throw;
-        throw InvalidInput(io::one_line(options.file) + ": " + error.what());
+        throw InvalidInput(io::one_line(options.file) + ": " + why);
     }
 }
 

@@ -242,6 +242,12 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     EXPECT_EQ(
         refused(R"({"bodies": [{"name": "a", "mesh": "cube.obj", "group": "g"}], "ignore_groups": [["g", "typo"]]})"),
         "ignore_groups: no body has the group 'typo'");
+    EXPECT_EQ(refused(body(R"(}, {"name": "b\u0000", "mesh": "cube.obj")")),
+              "body 2: name: must not have a character with the code 0");
+    EXPECT_TRUE(
+        refused(body(R"(}, {"name": "b", "mesh": "cube.obj", "pose": [0, 0, 1e30], "goal": [1, 2, 3, 1, 0, 1, 0])"))
+            .starts_with("scene: b and a: motion: goes up to 2e+30 far, more than "))
+        << "what the question refuses is of the file, too";
     EXPECT_EQ(refused(R"({"bodies": 3})"), "bodies: must be a list");
     EXPECT_EQ(refused("[]"), "must be an object");
     EXPECT_EQ(refused("{"), "is not JSON: parse error at line 1, column 2: syntax error while parsing object key - "
