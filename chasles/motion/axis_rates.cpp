@@ -1,4 +1,4 @@
-// Source: docs/derivations/36-heights.md, "Frames that are composed".
+// Composes the rates across a direction. Source: docs/derivations/36-heights.md, "Frames that are composed".
 #include "chasles/motion/axis_rates.h"
 
 #include "chasles/motion/moving_frame.h"

@@ -5,7 +5,6 @@
 
 #include "chasles/motion/rate_expansion.h"
 
-#include <limits>
 #include <optional>
 
 namespace chasles::motion {
@@ -16,7 +15,8 @@ struct AxisExpansion {
     AxisRates across;
 };
 
-/// The frame `inner` carried by the frame `outer`. `inner.across` is for the direction that `direction_in_outer` gives.
+/// The frame `inner` carried by the frame `outer`. `inner.across` is for the direction as
+/// `outer` sees it (`seen_by`).
 AxisExpansion carried(const AxisExpansion& outer, const AxisExpansion& inner, double half, double size);
 
 /// The frame `moving` as seen from the frame `fixed`. Both `across` are for the direction in the common frame.

@@ -18,7 +18,7 @@ constexpr auto names_of_radians = std::to_array<std::string_view>({"rad", "radia
 constexpr auto other_endings =
     std::to_array<std::string_view>({"", "m", "mm", "cm", "meter", "meters", "metre", "metres", "pos", "position",
                                      "positions", "value", "values", "joint"});
-/// What they put before it where they do not mean its position.
+/// Words for other quantities of a joint, such as in "effort_waist".
 constexpr auto other_quantities =
     std::to_array<std::string_view>({"vel", "velocity", "speed", "acc", "acceleration", "effort", "torque", "force",
                                      "current", "voltage", "temperature", "error"});

@@ -1,4 +1,4 @@
-// chasles robot: what it carries, what it may touch, what it holds; warnings; a robot without moving joints.
+// chasles robot: parts that it carries, pairs that may touch, hold, warnings, and a robot without moving joints.
 #include "tests/cli/cli_test_files.h"
 
 #include <filesystem>
