@@ -218,14 +218,29 @@ JointPath path_of(const RobotQuestion& question) {
     }
 }
 
+/// What a question refuses of motions gets the names of the files that say how bodies move.
+template <typename Ask>
+auto of_files(const RobotCommand& options, const Ask& ask) {
+    try {
+        return ask();
+    } catch (const InvalidInput& error) {
+        const std::string why = error.what();
+        if (!why.starts_with("robot: "))
+            throw;
+        const std::string path = options.path.empty() ? "" : io::one_line(options.path) + ": ";
+        throw InvalidInput((options.scene.empty() ? "" : io::one_line(options.scene) + ": ") + path + why);
+    }
+}
+
 int run_clearance(const RobotCommand& options) {
     RobotQuestion question = read_question(options);
     const JointPath path = path_of(question);
     const Limit limit(seconds_of(options.query.seconds));
-    RobotClearance found = RobotChecker(question.robot, question.world())
-                               .least_distance(path, {.tolerance = options.tolerance,
-                                                      .time_tolerance = question.options.time_tolerance,
-                                                      .find = question.options.find});
+    const LeastDistanceOptions asked{.tolerance = options.tolerance,
+                                     .time_tolerance = question.options.time_tolerance,
+                                     .find = question.options.find};
+    RobotClearance found =
+        of_files(options, [&] { return RobotChecker(question.robot, question.world()).least_distance(path, asked); });
     warn_if_untested(*found.untested, question.warnings);
     if (question.has_stamps())
         count_in_stamps(found.nearest.contacts, path.segments()[found.segment]);
@@ -259,7 +274,7 @@ int run_robot(const RobotCommand& options) {
     const RobotChecker checker = checker_of(options, question);
     const JointPath path = path_of(question);
     const Limit limit(seconds_of(options.query.seconds));
-    RobotAnswer found = checker.first_contact(path);
+    RobotAnswer found = of_files(options, [&] { return checker.first_contact(path); });
     const std::vector<RobotPair> others = others_at_start(checker, path, found);
     warn_if_untested(*found.untested, question.warnings);
     const bool shows_page = page && found.verdict != Verdict::unknown;

@@ -31,10 +31,6 @@ double acceleration_of_arm(const AxisRates& across, double turn_rate, double arm
     return (across.turn_acceleration + across.turn * (turn_rate + across.turn)) * arm;
 }
 
-double arm_of(const RateExpansion& a, const RateExpansion& b, double size, double change) {
-    return (1 + axis_rounding) * length(a.reference - b.reference) + axis_rounding * size + change;
-}
-
 } // namespace
 
 std::optional<AxisExpansion> MovingFrame::expansion_about(const Vector3<double>& /*direction*/,
@@ -68,7 +64,7 @@ AxisExpansion carried(const AxisExpansion& outer, const AxisExpansion& inner, do
     const RateBounds &carrying = outer.all.bounds, &own = inner.all.bounds;
     const AxisRates& first = outer.across;
     const AxisRates second = tilted(inner.across, turned(first, half), own);
-    const double arm = arm_of(e.all, outer.all, size, half * own.speed);
+    const double arm = distance_of_references(e.all, outer.all, size, half * own.speed);
     e.across.turn = first.turn + second.turn;
     e.across.turn_acceleration = first.turn_acceleration + second.turn_acceleration +
                                  product_across(carrying.turn_rate, first, own.turn_rate, second);
@@ -84,7 +80,7 @@ AxisExpansion seen_from(const AxisExpansion& moving, const AxisExpansion& fixed,
     const RateBounds &seen = moving.all.bounds, &seeing = fixed.all.bounds;
     const AxisRates first = tilted(moving.across, tilt, seen), second = tilted(fixed.across, tilt, seeing);
     const double speed = seen.speed + seeing.speed;
-    const double arm = arm_of(moving.all, fixed.all, size, half * speed);
+    const double arm = distance_of_references(moving.all, fixed.all, size, half * speed);
     e.across.turn = first.turn + second.turn;
     e.across.turn_acceleration = first.turn_acceleration + second.turn_acceleration +
                                  product_across(seen.turn_rate, first, seeing.turn_rate, second);

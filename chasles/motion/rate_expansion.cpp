@@ -66,6 +66,10 @@ RateBounds seen_from(const RateBounds& moving, const RateBounds& fixed, double a
 
 } // namespace
 
+double distance_of_references(const RateExpansion& a, const RateExpansion& b, double size, double change) {
+    return length(a.reference - b.reference) * (1 + sum_rounding) + sum_rounding * size + change;
+}
+
 RateExpansion carried(const RateExpansion& outer, const RateExpansion& inner, double half, double size) {
     const Matrix3<double> turn = scaled_rotation_matrix(outer.pose.rotation);
     const auto placed = [&](const Vector3<double>& point) { return turn * point + outer.pose.translation; };
@@ -88,7 +92,7 @@ RateExpansion carried(const RateExpansion& outer, const RateExpansion& inner, do
         e.acceleration = e.acceleration + turn * inner.acceleration + scale(cross(w, velocity), 2.0);
     }
 
-    const double arm_bound = length(arm) * (1 + sum_rounding) + sum_rounding * size + half * inner.bounds.speed;
+    const double arm_bound = distance_of_references(e, outer, size, half * inner.bounds.speed);
     e.sums = carried(outer.sums, inner.sums, arm_bound);
     e.bounds = carried(outer.bounds, inner.bounds, arm_bound);
     const TurningRates rates(outer.bounds, outer.turn_jerk);
@@ -116,7 +120,7 @@ RateExpansion seen_from(const RateExpansion& moving, const RateExpansion& fixed,
                              cross(w, scale(velocity, 2.0) - cross(w, arm)));
 
     const double speed = moving.bounds.speed + fixed.bounds.speed;
-    const double arm_bound = length(arm) * (1 + sum_rounding) + sum_rounding * size + half * speed;
+    const double arm_bound = distance_of_references(moving, fixed, size, half * speed);
     e.sums = seen_from(moving.sums, fixed.sums, arm_bound);
     e.bounds = seen_from(moving.bounds, fixed.bounds, arm_bound);
     const TurningRates rates(fixed.bounds, fixed.turn_jerk);

@@ -23,6 +23,10 @@ struct RateExpansion {
     double jerk = std::numeric_limits<double>::infinity();      ///< a bound of the jerk of the reference
 };
 
+/// A bound of the distance of the references of two frames, which changes by at most `change` from the middle on.
+/// `size` bounds the sizes of the lengths that enter.
+double distance_of_references(const RateExpansion& a, const RateExpansion& b, double size, double change);
+
 /// The frame `inner` carried by the frame `outer`. `half` is half of the duration of the interval; `size` bounds the
 /// sizes of the lengths that enter.
 RateExpansion carried(const RateExpansion& outer, const RateExpansion& inner, double half, double size);

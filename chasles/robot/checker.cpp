@@ -67,8 +67,10 @@ FirstContact SegmentSearch::ask(const Task& task, double until, Find find) const
     options.time_tolerance = std::clamp(options.time_tolerance / duration, 1e-15, 1.0);
     const auto trajectory = segment_.trajectory(task);
     const double local_until = std::clamp((until - task.part.lower) / duration * (1 + 1e-12), 0.0, 1.0);
-    FirstContact found = query::answer(
-        {prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(), trajectory, options, local_until});
+    FirstContact found = segment_.naming(task, [&] {
+        return query::answer({prepared_.moving(task).shape.body(), prepared_.fixed_shape(task).body(), trajectory,
+                              options, local_until});
+    });
     if (found.verdict != Verdict::clear)
         count_in_segment(found, task.part);
     return found;

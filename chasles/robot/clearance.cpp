@@ -84,7 +84,7 @@ void ClearanceSearch::visit(std::size_t segment) {
         return;
     for (double distance = best_.pair ? best_.distance.upper : first_distance();;) {
         for (const Task& task : near_tasks(prepared_, pairs.motion(), distance))
-            visit(pairs, task, segment);
+            pairs.naming(task, [&] { visit(pairs, task, segment); });
         if (best_.distance.upper <= distance || distance == Pose::largest_length)
             return;
         constexpr double growth = 8;

@@ -2,6 +2,7 @@
 // Source: docs/derivations/29-robots.md, "Answers".
 #pragma once
 
+#include "chasles/base/invalid_input.h"
 #include "chasles/motion/any_trajectory.h"
 #include "chasles/motion/smooth_trajectory.h"
 #include "chasles/robot/prepared.h"
@@ -30,6 +31,16 @@ public:
     /// The moving element as seen from the fixed body, by the joints between them alone, and both in the world.
     [[nodiscard]] motion::ErasedTrajectory<motion::SmoothTrajectory> trajectory(const Task& task) const;
     [[nodiscard]] RobotPair name_of(const Task& task) const;
+    /// What `work` returns. What it refuses (InvalidInput) gets the names of the pair in front.
+    template <class Work>
+    auto naming(const Task& task, const Work& work) const {
+        try {
+            return work();
+        } catch (const InvalidInput& error) {
+            const RobotPair pair = name_of(task);
+            throw InvalidInput("robot: " + pair.first + " and " + pair.second + ": " + error.what());
+        }
+    }
 
 private:
     [[nodiscard]] motion::SmoothMotion motion_of(const Task& task) const;

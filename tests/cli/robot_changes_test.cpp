@@ -162,6 +162,12 @@ TEST_F(RobotChangesCommand, ARobotWithoutMovingJointsNeedsNoPath) {
 }
 
 TEST_F(RobotChangesCommand, RefusesWrongChangesInOneLine) {
+    write("far.json", R"({"bodies": [{"name": "comet", "mesh": "cube.obj", "pose": [0, 0, -1e14],
+                                      "goal": [1, 2, 1e14, 1, 1, 0, 0]}]})");
+    EXPECT_TRUE(
+        refused("--scene far.json").starts_with("chasles: far.json: path.csv: robot: base and comet: motion: goes up"));
+    EXPECT_TRUE(
+        refused("--scene far.json --clearance").starts_with("chasles: far.json: path.csv: robot: base and comet: "));
     EXPECT_EQ(refused("--allow base"), "chasles: --allow: 'base' is not of the form LINK,BODY");
     EXPECT_EQ(refused("--allow leg,l1"), "chasles: --allow: 'leg,l1': the robot has no link or part 'leg'");
     EXPECT_EQ(refused("--allow base,table"),

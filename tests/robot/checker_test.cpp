@@ -7,6 +7,7 @@
 #include "tests/support/refusal.h"
 
 #include <chrono>
+#include <functional>
 #include <gtest/gtest.h>
 
 namespace chasles::test {
@@ -133,6 +134,24 @@ TEST(RobotChecker, NamesAllPairsInContact) {
             << "bodies may move";
     }
     EXPECT_GT(several, 10);
+}
+
+TEST(RobotChecker, WhatIsRefusedNamesThePair) {
+    Random random(2006);
+    const Robot robot(random_robot(random, 4, false));
+    const Polyhedron body = robot.shape(robot.neutral());
+    Scene scene;
+    scene.add({"comet", body,
+               Motion::velocity(Pose({0, 0, -1e14}, Eigen::Quaterniond::Identity()),
+                                Pose({1, 2, 1e14}, Eigen::Quaterniond(1, 1, 0, 0)))});
+    const RobotChecker checker(robot, &scene);
+    const Configuration q = robot.neutral();
+    for (const auto& ask : std::vector<std::function<void()>>{[&] { (void)checker.first_contact(q, q); },
+                                                              [&] { (void)checker.least_distance(q, q); }}) {
+        const std::string message = refusal(ask);
+        EXPECT_TRUE(message.starts_with("robot: ")) << message;
+        EXPECT_NE(message.find(" and comet: motion: goes up to "), std::string::npos) << message;
+    }
 }
 
 TEST(RobotChecker, ALeastDistanceThatIsCutIsABracket) {
