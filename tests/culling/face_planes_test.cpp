@@ -4,6 +4,7 @@
 
 #include "chasles/culling/time_tree.h"
 #include "chasles/motion/any_trajectory.h"
+#include "chasles/search/piece_context.h"
 #include "tests/query/bodies.h"
 #include "tests/support/posed_motions.h"
 #include "tests/support/surface_distance.h"
@@ -66,6 +67,73 @@ TEST(FacePlanes, DirectionsTellFacesApartThatStayFartherThanTheMargin) {
     std::cout << separated << " separated, " << open << " left open\n";
     EXPECT_GT(separated, 500);
     EXPECT_LT(open, separated);
+}
+
+/// Motions in space that cubic motions only enclose.
+Motion enclosed_motion(Random& random) {
+    const auto hinge = [&] {
+        return Motion::hinge(eigen(random.vector(2)), eigen(random.vector(1)), {0, random.uniform(-1, 1)});
+    };
+    return random.chance(0.5) ? hinge() * hinge() : relative(hinge(), hinge());
+}
+
+/// A small triangle around a point, and a large one through another point that meets it during an interval. The plane
+/// lies across the axis about which the motion all but turns, or across another direction.
+struct Touching {
+    Corners small, large;
+
+    Touching(Random& random, const Eigen::Vector3d& small_at, const Eigen::Vector3d& large_at,
+             const Eigen::Vector3d& axis) {
+        const double tilt = random.chance(0.5) ? 1e-4 : 1;
+        const Eigen::Vector3d normal = (axis + tilt * eigen(random.vector(1))).normalized();
+        const Eigen::Vector3d across = normal.unitOrthogonal(), beside = normal.cross(across);
+        for (std::size_t k = 0; k < 3; ++k) {
+            const double angle = 2.1 * double(k);
+            small[k] = small_at + 1e-7 * eigen(random.vector(1));
+            large[k] = large_at + 3 * (std::cos(angle) * across + std::sin(angle) * beside);
+        }
+    }
+};
+
+/// Chords leave the true motion by more than the maps do, also along the axis (note 36).
+TEST(FacePlanes, FacesThatMeetOnEnclosedMotionsAreKept) {
+    Random random(775);
+    int count = 0;
+    for (int trial = 0; trial < 2000; ++trial) {
+        const Motion motion = enclosed_motion(random);
+        const auto pieces = motion.trajectory().pieces();
+        const std::size_t index = std::size_t(random.integer(0, int(pieces->size()) - 1));
+        const auto piece = pieces->at(index);
+        const TimeRange interval{random.uniform(0, 0.4), random.uniform(0.6, 1)};
+        const double share = random.uniform(0.3, 0.7), time = interval.at(share);
+        const Eigen::Isometry3d there =
+            piece->fixed_pose_at(time).isometry().inverse() * piece->pose_at(time).isometry();
+        const Eigen::Vector3d point = eigen(random.vector(2));
+        const auto enclosure = piece->enclosure({interval.lower, interval.upper});
+        if (!enclosure)
+            continue;
+        const auto& e = enclosure->bounds.along.axis;
+        const Eigen::Vector3d axis(e.x, e.y, e.z);
+        const bool small_moves = random.chance(0.5);
+        const Touching pair(random, small_moves ? point : there * point, small_moves ? there * point : point,
+                            small_moves ? axis : there.linear().transpose() * axis);
+        const Polyhedron moving = body_of(small_moves ? pair.small : pair.large);
+        const Polyhedron fixed = body_of(small_moves ? pair.large : pair.small);
+        for (const double margin : {0.0, 1e-5}) {
+            const search::PieceContext context(moving.body(), fixed.body(), pieces->at(index));
+            const PieceParts parts = context.parts(margin);
+            PartMaps maps(parts);
+            maps.set(interval);
+            FacePlanes planes(moving.body(), fixed.body(), margin);
+            planes.use(maps.maps(), maps.scale());
+            const double deviation = context.time_tree(margin, parts).interval(interval).deviation;
+            const Window left = planes.without_apart_on_chords(0, 0, Window(), deviation);
+            EXPECT_FALSE(left.is_empty()) << trial << ", margin " << margin;
+            EXPECT_LE(left.lower, share) << trial << ", margin " << margin;
+        }
+        ++count;
+    }
+    EXPECT_GT(count, 1000);
 }
 
 /// A scene of two triangles that move against each other in a part of a motion.
