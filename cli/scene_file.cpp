@@ -188,8 +188,6 @@ Polyhedron shape_in(const Members& body, Shapes& shapes) {
 void add_body(Scene& scene, const Json& json, Shapes& shapes) {
     const Members body(json, body_keys);
     const std::string name = at_place("name", [&] { return text_in(body.get("name")); });
-    if (name.find('\0') != std::string::npos) // messages would end there
-        throw InvalidInput("name: must not have a character with the code 0");
     scene.add(at_place(io::in_quotes(name), [&]() -> SceneBody {
         const Motion motion = motion_in(body);
         const std::string group = body.read("group", text_in).value_or("");

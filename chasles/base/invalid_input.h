@@ -4,8 +4,10 @@
 
 #include "chasles/base/export.h"
 
+#include <algorithm>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace chasles {
 
@@ -13,7 +15,14 @@ namespace chasles {
 /// "peg.obj: line 12: a vertex needs three finite numbers". The library throws no other type.
 class CHASLES_EXPORT InvalidInput : public std::invalid_argument {
 public:
-    explicit InvalidInput(const std::string& message) : std::invalid_argument(message) {}
+    explicit InvalidInput(std::string message) : std::invalid_argument(whole(std::move(message))) {}
+
+private:
+    /// A name in the message may have a character with the code 0, where `what()` would end.
+    static std::string whole(std::string message) {
+        std::replace(message.begin(), message.end(), '\0', '?');
+        return message;
+    }
 };
 
 } // namespace chasles

@@ -242,8 +242,8 @@ TEST_F(SceneCommand, RefusesWrongFilesInOneLine) {
     EXPECT_EQ(
         refused(R"({"bodies": [{"name": "a", "mesh": "cube.obj", "group": "g"}], "ignore_groups": [["g", "typo"]]})"),
         "ignore_groups: no body has the group 'typo'");
-    EXPECT_EQ(refused(body(R"(}, {"name": "b\u0000", "mesh": "cube.obj")")),
-              "body 2: name: must not have a character with the code 0");
+    const std::string zero = R"({"name": "b\u0000c", "mesh": "cube.obj"})";
+    EXPECT_EQ(refused(R"({"bodies": [)" + zero + ", " + zero + "]}"), "body 2: scene: b?c: is in the scene already");
     EXPECT_TRUE(
         refused(body(R"(}, {"name": "b", "mesh": "cube.obj", "pose": [0, 0, 1e30], "goal": [1, 2, 3, 1, 0, 1, 0])"))
             .starts_with("scene: b and a: motion: goes up to 2e+30 far, more than "))
