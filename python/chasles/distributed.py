@@ -20,7 +20,7 @@ import pyarrow.parquet as pq
 from ._core import Polyhedron, Robot, Scene
 from .batch import MotionKind, _thread_count
 from .enums import Find
-from .partitions import Partition, answer_partition, files_of, manifest_of, partitions_of, prepare
+from .partitions import UNFINISHED, Partition, answer_partition, files_of, is_done, manifest_of, partitions_of, prepare
 from .questions import EdgeQuestion, MotionQuestion, Question
 
 
@@ -64,8 +64,9 @@ def first_contact_parquet(
 
     Each row group of the motions is a partition. `first_contact_batch` answers it with ``errors="mark"``, and its
     results become one file in `out`. A run skips the partitions that an earlier run finished, so it resumes a run that
-    was interrupted or lost its cluster. A folder with results for other bodies, motions or options is refused. If a
-    worker is killed, other workers repeat the partitions that it was working on.
+    was interrupted or lost its cluster. A file of results that a crash has damaged is written anew. A folder with
+    results for other bodies, motions or options is refused. If a worker is killed, other workers repeat the partitions
+    that it was working on.
 
     Parameters
     ----------
@@ -174,13 +175,14 @@ def _run(
     partitions = partitions_of(files, question)
     manifest = manifest_of(question, files)
     prepare(folder, question, manifest)
-    waiting = [partition for partition in partitions if not (folder / partition.name).exists()]
+    waiting = [partition for partition in partitions if not is_done(partition, folder)]
     with _bar(workers.progress, sum(partition.rows for partition in waiting), question.rows) as bar:
         for done in workers.answer(waiting, folder, json.dumps(manifest)):
             if bar is not None:
                 bar.update(done)
-    for unfinished in folder.glob(".part-*"):  # left by workers that were killed
-        unfinished.unlink(missing_ok=True)
+    for file in folder.iterdir():
+        if file.name.startswith(UNFINISHED):  # left by workers that were killed
+            file.unlink(missing_ok=True)
     return ParquetRun(folder, len(partitions), len(partitions) - len(waiting), sum(p.rows for p in partitions))
 
 

@@ -28,6 +28,7 @@ __all__ = ["GOAL_COLUMNS", "START_COLUMNS", "Partition"]
 
 MANIFEST = "_manifest.json"  # readers of data sets ignore names that begin with an underscore
 QUESTION = "_question.pickle"
+UNFINISHED = (".part-", f".{MANIFEST}.", f".{QUESTION}.")  # how the names of files begin that are being written
 
 
 @dataclass(frozen=True)
@@ -113,11 +114,26 @@ def prepare(out: pathlib.Path, question: Question, manifest: dict[str, Any]) -> 
     out.mkdir(parents=True, exist_ok=True)
     file = out / MANIFEST
     if file.exists():
-        _check_same(out, json.loads(file.read_text("utf-8")), manifest)
-    elif any(out.iterdir()):
-        raise InvalidInput(f"out: {out}: is not empty and has no results of an earlier run")
+        _check_same(out, _manifest_in(file), manifest)
+    elif not all(_is_of_a_start(file.name) for file in out.iterdir()):
+        raise InvalidInput(f"out: {out}: is not empty and has no results of an earlier run; name a new folder")
     write_whole(out / QUESTION, content)
     write_whole(file, json.dumps(manifest, indent=1).encode())
+
+
+def _is_of_a_start(name: str) -> bool:
+    """Whether a file is one that a run leaves that ends before it has a manifest."""
+    return name.startswith((QUESTION, *UNFINISHED))
+
+
+def _manifest_in(file: pathlib.Path) -> dict[str, Any]:
+    try:
+        manifest = json.loads(file.read_bytes())
+    except ValueError:
+        manifest = None
+    if not isinstance(manifest, dict):
+        raise InvalidInput(f"out: {file}: is damaged, so nothing tells which question the results answer; name a new folder")
+    return manifest
 
 
 def _check_same(out: pathlib.Path, earlier: dict[str, Any], wanted: dict[str, Any]) -> None:
@@ -127,10 +143,13 @@ def _check_same(out: pathlib.Path, earlier: dict[str, Any], wanted: dict[str, An
 
 
 def write_whole(file: pathlib.Path, content: bytes) -> None:
-    """Writes a file completely or not at all, even if this process is killed."""
+    """Writes a file completely or not at all, even if this process is killed or the machine loses its power."""
     unfinished = file.with_name(f".{file.name}.{uuid.uuid4().hex}")
     try:
-        unfinished.write_bytes(content)
+        with unfinished.open("wb") as stream:
+            stream.write(content)
+            stream.flush()
+            os.fsync(stream.fileno())
         unfinished.replace(file)
     finally:
         unfinished.unlink(missing_ok=True)
@@ -143,13 +162,28 @@ def _question(out: pathlib.Path, digest: str) -> Question:
 
 
 def answer_partition(partition: Partition, out: pathlib.Path, digest: str, threads: int) -> int:
-    """Answers the rows of a partition, unless its file exists, and returns their number."""
-    file = out / partition.name
-    if not file.exists():
-        rows = pq.ParquetFile(partition.file).read_row_group(partition.row_group)
+    """Answers the rows of a partition, unless that is done, and returns their number."""
+    if not is_done(partition, out):
+        rows = _rows(partition)
         table = _question(out, digest).answer(rows, threads)
-        write_whole(file, _parquet(results_of(table, _ids(rows, partition))))
+        write_whole(out / partition.name, _parquet(results_of(table, _ids(rows, partition))))
     return partition.rows
+
+
+def is_done(partition: Partition, out: pathlib.Path) -> bool:
+    """Whether there is a whole file with the results of the partition. A damaged one is written anew."""
+    try:
+        return pq.read_metadata(out / partition.name).num_rows == partition.rows
+    except (OSError, pa.ArrowException):
+        return False
+
+
+def _rows(partition: Partition) -> pa.Table:
+    try:
+        return pq.ParquetFile(partition.file).read_row_group(partition.row_group)
+    except (OSError, pa.ArrowException) as error:
+        place = f"{partition.file}: row group {partition.row_group}"
+        raise InvalidInput(f"{place}: cannot be read: {error}".replace("\n", " ")) from None
 
 
 def _ids(rows: pa.Table, partition: Partition) -> pa.Array | pa.ChunkedArray:

@@ -90,6 +90,64 @@ def test_results_of_another_question_are_refused(cube, tmp_path):
         distributed.first_contact_parquet(cube, cube, motions, tmp_path)
 
 
+def cut(file: pathlib.Path, size: int) -> None:
+    file.write_bytes(file.read_bytes()[:size])
+
+
+def test_what_a_crash_leaves_is_repaired(cube, tmp_path):
+    """Every file of the folder at every stage of a run: absent, empty, or cut, as a loss of power may leave it."""
+    write_motions(tmp_path / "motions.parquet", 300, 100)
+    out = tmp_path / "out"
+    arguments = cube, cube, tmp_path / "motions.parquet", out
+    distributed.first_contact_parquet(*arguments)
+    expected = results(out)
+    names = sorted(file.name for file in out.iterdir())
+    assert names == ["_manifest.json", "_question.pickle", *(f"part-00000{i}.parquet" for i in range(3))]
+
+    for size in (0, 4, 500, -8, -1):
+        cut(out / "part-000001.parquet", size)
+        run = distributed.first_contact_parquet(*arguments)
+        assert (run.partitions, run.already_done, sum(run.verdicts().values())) == (3, 2, 300)
+        assert results(out).equals(expected)
+    pq.write_table(pq.read_table(out / "part-000000.parquet").slice(0, 99), out / "part-000000.parquet")
+    cut(out / "_question.pickle", 10)
+    for unfinished in ("._manifest.json.0a", "._question.pickle.0b", ".part-000002.parquet.0c"):
+        (out / unfinished).write_bytes(b"PAR1")
+    assert distributed.first_contact_parquet(*arguments).already_done == 2
+    assert results(out).equals(expected)
+    assert sorted(file.name for file in out.iterdir()) == names
+
+
+def test_a_run_that_ended_before_its_manifest_starts_anew(cube, tmp_path):
+    write_motions(tmp_path / "motions.parquet", 20, 10)
+    out = tmp_path / "out"
+    out.mkdir()
+    (out / "_question.pickle").write_bytes(b"")
+    (out / "._manifest.json.0a").write_bytes(b"{")
+    run = distributed.first_contact_parquet(cube, cube, tmp_path / "motions.parquet", out)
+    assert (run.already_done, run.rows, len(list(out.iterdir()))) == (0, 20, 4)
+
+
+@pytest.mark.parametrize("content", [b"", b'{"chasles": ', b"[1]", b"\xff\xfe"])
+def test_results_whose_manifest_is_damaged_are_refused_in_one_line(cube, tmp_path, content):
+    write_motions(tmp_path / "motions.parquet", 20, 10)
+    out = tmp_path / "out"
+    distributed.first_contact_parquet(cube, cube, tmp_path / "motions.parquet", out)
+    (out / "_manifest.json").write_bytes(content)
+    with pytest.raises(chasles.InvalidInput, match=r"_manifest.json: is damaged, .* name a new folder$"):
+        distributed.first_contact_parquet(cube, cube, tmp_path / "motions.parquet", out)
+
+
+def test_motions_that_are_damaged_behind_their_metadata_are_named(cube, tmp_path):
+    file = tmp_path / "motions.parquet"
+    write_motions(file, 400, 100)
+    content = bytearray(file.read_bytes())
+    content[4:2000] = bytes(1996)
+    file.write_bytes(content)
+    with pytest.raises(chasles.InvalidInput, match="motions.parquet: row group 0: cannot be read: "):
+        distributed.first_contact_parquet(cube, cube, file, tmp_path / "out")
+
+
 def test_what_are_no_motions_is_refused_by_name(cube, tmp_path):
     with pytest.raises(chasles.InvalidInput, match="neither a file nor a folder"):
         distributed.first_contact_parquet(cube, cube, tmp_path / "nothing", tmp_path / "out")
