@@ -109,6 +109,8 @@ FirstContact PieceByPiece::run_within(double level, bool checks_start) {
                                           .memory = memory_});
         found.work += result.work;
         if (has_contact(result)) {
+            if (context.piece().time_of(enclosing(result)).lower > query_.until)
+                break; // the tau of a time is rounded up
             report(found, context, result, {options_, i == 0, level});
             found.clear_until = finds_any ? context.piece().time_of({0, 0}).lower : found.time.lower;
             return found;

@@ -1,5 +1,7 @@
 #include "chasles/query/report.h"
 
+#include "chasles/search/nearest_at_start.h"
+
 #include <algorithm>
 
 namespace chasles::query {
@@ -24,6 +26,15 @@ std::pair<bool, double> rank(const Candidate& candidate) {
 
 const Candidate& first_of(const std::vector<Candidate>& candidates) {
     return *std::ranges::min_element(candidates, {}, rank);
+}
+
+/// Whether features are proven to be within the margin at a tau. Where nothing is before a bracket, that proves a
+/// contact in it, also one that is at the rims of all features, where no test of them is certain.
+bool are_within(const search::PieceContext& context, double tau, const std::vector<Candidate>& candidates,
+                double margin) {
+    return margin > 0 && std::ranges::any_of(candidates, [&](const Candidate& candidate) {
+               return search::are_within(context, tau, candidate, margin);
+           });
 }
 
 /// From the body's own numbering of faces to that of its input.
@@ -139,11 +150,16 @@ bool has_contact(const search::PieceResult& result) {
 void report(FirstContact& answer, search::PieceContext& context, const search::PieceResult& result,
             const ReportScope& scope) {
     const motion::AnyPiece& piece = context.piece();
-    const Bracket tau = enclosing(result);
-    answer.tau = piece.tau_of(tau);
-    answer.time = piece.time_of(tau);
+    Bracket tau = enclosing(result);
     answer.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
     const bool at_start = scope.is_first_piece && search::may_be_at_start({tau.lower, tau.upper, answer.certain});
+    const double later = std::min(1.0, tau.lower + piece.tau_tolerance(scope.options.time_tolerance));
+    if (!answer.certain && !at_start && are_within(context, later, result.candidates, scope.margin)) {
+        answer.certain = true;
+        tau.upper = std::max(tau.upper, later);
+    }
+    answer.tau = piece.tau_of(tau);
+    answer.time = piece.time_of(tau);
     answer.verdict = at_start ? Verdict::contact_at_start : Verdict::contact;
     answer.pose = piece.pose_at(tau.lower);
     answer.fixed_pose = piece.fixed_pose_at(tau.lower);

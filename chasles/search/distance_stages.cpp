@@ -69,7 +69,7 @@ void DistanceStages::test_at_start(const FeaturePair& features, WithinAtStart::A
     using enum WithinAtStart::Answer;
     if (is_over() || answer == no)
         return;
-    if (answer == uncertain && are_within_at_start(context_, features, options_.margin))
+    if (answer == uncertain && are_within(context_, 0, features, options_.margin))
         answer = yes;
     if (answer == uncertain) {
         PartTests<algebra::DoubleDouble>& stage = refinement();

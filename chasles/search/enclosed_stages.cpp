@@ -148,7 +148,7 @@ void EnclosedStages<within_margin>::test_at_start(const FeaturePair& features) {
     constexpr culling::TimeRange short_part{0, 0x1p-45};
     shorter_.use(short_part);
     auto answer = shorter_.within_at_start(features);
-    if (answer == uncertain && are_within_at_start(context_, features, options_.margin))
+    if (answer == uncertain && are_within(context_, 0, features, options_.margin))
         answer = yes;
     if (answer == uncertain && can_refine()) {
         ++work_.refined;

@@ -1,9 +1,11 @@
 #include "chasles/search/near_features.h"
 
 #include "chasles/algebra/arc_tangent.h"
+#include "chasles/contact/contact_set.h"
 #include "chasles/contact/near_pair.h"
 #include "chasles/culling/bvh_traversal.h"
 #include "chasles/culling/face_planes.h"
+#include "chasles/search/nearest_features.h"
 #include "chasles/search/owned_pairs.h"
 #include "chasles/search/start_overlaps.h"
 
@@ -163,17 +165,16 @@ public:
     NearerSearch(PieceContext& context, const ContactScene& scene, double tau, const NearSearch& search)
         : context_(context), scene_(scene), tau_(tau), search_(search), least_cut_(scene.margin) {}
 
-    /// The answer within the greatest part for which no bound of the search is reached. If nothing is near within that
-    /// part, what was found within a greater one before its search was cut.
+    /// The answer within the greatest part for which no bound of the search is reached. If all parts are cut in which
+    /// something is near: the nearest features, and what was found within the smallest of these parts.
     NearFeatures run(const NearFeatures& whole) {
-        constexpr int doublings = 6;
+        nearest_ = whole;
         work_ = whole.work;
-        for (int step = doublings; step > 0 && !is_over_; --step)
-            search_within(std::ldexp(scene_.margin, -step));
+        search_above(0);
+        if (!has_list_ && !nearest_.overlap)
+            search_above_nearest();
         for (int i = 0; i < search_.refinements && !nearest_.overlap; ++i)
             search_within(complete_within_ + (least_cut_ - complete_within_) / 2);
-        if (nearest_.pairs.empty() && !nearest_.overlap)
-            nearest_ = whole;
         nearest_.is_cut = !nearest_.overlap || nearest_.is_cut;
         nearest_.complete_within = complete_within_;
         nearest_.work = work_;
@@ -181,16 +182,48 @@ public:
     }
 
 private:
-    void search_within(double margin) {
+    /// Within growing distances, until a search is cut.
+    void search_above(double distance) {
+        constexpr int doublings = 6;
+        bool is_over = false;
+        for (int step = doublings; step > 0 && !is_over; --step)
+            is_over = search_within(distance + std::ldexp(scene_.margin - distance, -step));
+    }
+
+    /// Nothing is nearer than the nearest features, which the answer lists whatever is cut.
+    void search_above_nearest() {
+        constexpr std::uint64_t most_work = 1 << 18;
+        Work work;
+        const auto nearest = nearest_features(scene_.bodies, {scene_.margin + scene_.slack, 1, most_work}, work);
+        work_ += work;
+        if (!nearest)
+            return;
+        const auto points = NearestAtRest().points(scene_.bodies, nearest->features);
+        const contact::FeaturePair features = contact::features_at(scene_, nearest->features, points);
+        if (std::max(work.node_pairs, work.face_pairs) < most_work) {
+            nearest_.pairs.clear();
+            complete_within_ = std::max(complete_within_, nearest->distance - scene_.slack);
+            search_above(std::min(nearest->distance, scene_.margin));
+        }
+        if (!has_list_ && std::ranges::find(nearest_.pairs, features) == nearest_.pairs.end())
+            nearest_.pairs.push_back(features);
+    }
+
+    /// True if the search is over: it is cut, or there is an overlap.
+    bool search_within(double margin) {
         ContactScene nearer = scene_;
         nearer.margin = margin;
         NearFeatures found = search_once(context_, nearer, tau_, search_);
         work_ += found.work;
-        is_over_ = found.is_cut || found.overlap;
         (found.is_cut ? least_cut_ : complete_within_) = margin;
-        const bool is_better = found.is_cut ? nearest_.is_cut : !found.pairs.empty();
-        if (is_better || found.overlap || nearest_.pairs.empty())
+        const bool is_over = found.is_cut || found.overlap;
+        const bool is_list = !found.is_cut && !found.pairs.empty();
+        if (found.overlap || is_list)
             nearest_ = std::move(found);
+        else if (!has_list_ && !found.pairs.empty())
+            nearest_.pairs = std::move(found.pairs); // nearer than those of a greater part
+        has_list_ = has_list_ || is_list;
+        return is_over;
     }
 
     PieceContext& context_;
@@ -199,7 +232,7 @@ private:
     const NearSearch& search_;
     double complete_within_ = 0;
     double least_cut_;
-    bool is_over_ = false;
+    bool has_list_ = false; ///< all features within some part
     NearFeatures nearest_;
     Work work_;
 };

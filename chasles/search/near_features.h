@@ -34,8 +34,9 @@ struct NearSearch {
 /// (`contact::NearTest`). `tau` is that of the scene.
 ///
 /// At the start, bodies may be much nearer than the margin, and many pairs within it. If a bound of the search is
-/// reached, the pairs are searched for at growing distances. The answer is that of the greatest distance that the
-/// bounds allow: a power of two of the margin, or between two of them by `refinements` bisections.
+/// reached, the pairs are searched for at growing distances: the margin by powers of two and, where all of these are
+/// cut in which something is near, so from the least distance on. The answer is that of the greatest distance that the
+/// bounds allow, or between two of them by `refinements` bisections. It always has a pair at the least distance.
 NearFeatures near_features(PieceContext& context, const contact::ContactScene& scene, double tau,
                            const NearSearch& search);
 

@@ -67,8 +67,8 @@ std::vector<contact::FeaturePair> nearest_at_start(PieceContext& context, double
 }
 
 /// Four times the bound of the roundings of both points.
-bool are_within_at_start(const PieceContext& context, const contact::FeaturePair& features, double margin) {
-    const contact::RelativeConfiguration bodies = context.configuration_at(0);
+bool are_within(const PieceContext& context, double tau, const contact::FeaturePair& features, double margin) {
+    const contact::RelativeConfiguration bodies = context.configuration_at(tau);
     const double rounding = 4 * contact::touch_slack(bodies, context.error_scale(margin), 0);
     return NearestAtRest().points(bodies, features).distance + rounding <= margin;
 }

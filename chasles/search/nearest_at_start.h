@@ -14,8 +14,8 @@ namespace chasles::search {
 /// Empty if it finds none.
 std::vector<contact::FeaturePair> nearest_at_start(PieceContext& context, double margin, Work& work);
 
-/// Whether two features are proven to have points within the margin of each other at tau = 0, wherever on the features
+/// Whether two features are proven to have points within the margin of each other at a tau, wherever on the features
 /// these points are. The tests of features leave that open where the nearest points are at their rims.
-bool are_within_at_start(const PieceContext& context, const contact::FeaturePair& features, double margin);
+bool are_within(const PieceContext& context, double tau, const contact::FeaturePair& features, double margin);
 
 } // namespace chasles::search

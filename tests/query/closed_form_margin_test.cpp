@@ -1,5 +1,6 @@
 // First times within a margin in closed form: time, point, features and speed. Also with a margin of 0.
 #include "tests/query/bodies.h"
+#include "tests/support/grid.h"
 
 #include <cmath>
 #include <gtest/gtest.h>
@@ -314,6 +315,51 @@ TEST(ClosedFormMargin, AStartWithinTheMarginIsCertain) {
                 EXPECT_EQ(found.clear_until, 0);
             }
         }
+}
+
+// --- Where nothing grazes, and each nearest point is at a rim
+
+/// A plate of 2 n^2 triangles in the plane z = 0, of 40 by 40.
+Polyhedron flat_grid(std::uint32_t n) {
+    Body body;
+    for (std::uint32_t i = 0; i <= n; ++i)
+        for (std::uint32_t j = 0; j <= n; ++j)
+            body.vertices.emplace_back(40.0 * i / n - 20, 40.0 * j / n - 20, 0);
+    body.faces = grid_triangles(n, n);
+    return body.polyhedron();
+}
+
+/// Corners come straight over edges inside the plate and over its vertices.
+TEST(ClosedFormMargin, AVertexStraightOverEdgesIsCertain) {
+    const Polyhedron cube = box({5, 5, 5}).polyhedron();
+    for (const std::uint32_t n : {1U, 3U, 4U, 8U}) {
+        const Polyhedron plate = flat_grid(n);
+        for (int x = -5; x <= 5; ++x)
+            for (int y = -5; y <= 5; y += 2) {
+                SCOPED_TRACE(std::to_string(n) + ": " + std::to_string(x) + " " + std::to_string(y));
+                const Pose start = shifted(x, y, 20), goal = shifted(x, y, 0),
+                           turned_goal = turned({double(x), double(y), 0}, {0, 0, 1}, 0.3);
+                for (const Motion& motion : {Motion(ScrewMotion::between(start, goal)), Motion::velocity(start, goal),
+                                             Motion::velocity(start, turned_goal), Motion::twist(start, turned_goal)}) {
+                    const FirstContact found = first_contact(query_of(cube, plate, motion, 0.5));
+                    ASSERT_EQ(found.verdict, Verdict::contact);
+                    EXPECT_TRUE(found.certain);
+                    EXPECT_LE(found.time.lower, 0.725 + 1e-15);
+                    EXPECT_GE(found.time.upper, 0.725 - 1e-15);
+                    EXPECT_LE(found.time.upper - found.time.lower, 4e-12);
+                }
+            }
+    }
+}
+
+/// A distance that touches the margin and grows again is no contact that can be proven.
+TEST(ClosedFormMargin, ADistanceThatGrazesTheMarginIsUncertain) {
+    const Polyhedron cube = box({5, 5, 5}).polyhedron();
+    const auto found =
+        first_contact(query_of(cube, flat_grid(4), Motion::polynomial({{0, 0, 6.5}, {0, 0, -4}, {0, 0, 4}}), 0.5));
+    ASSERT_EQ(found.verdict, Verdict::contact);
+    EXPECT_FALSE(found.certain);
+    EXPECT_NEAR(found.time.lower, 0.5, 1e-6);
 }
 
 } // namespace

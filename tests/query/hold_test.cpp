@@ -1,6 +1,7 @@
 // Bodies that start within the margin slide, roll and lift off. They are reported when they come within `hold`.
 #include "chasles/base/invalid_input.h"
 #include "tests/query/bodies.h"
+#include "tests/support/grid.h"
 
 #include <gtest/gtest.h>
 #include <numbers>
@@ -98,6 +99,44 @@ TEST(Hold, AWallIsReportedAtTheDistanceThatIsHeld) {
     ASSERT_FALSE(found.contacts.empty());
     for (const Contact& contact : found.contacts)
         EXPECT_LT((contact.normal + Eigen::Vector3d::UnitX()).norm(), 1e-9) << "the wall";
+}
+
+/// A plate of 2 n^2 triangles, the higher the farther from its middle.
+Polyhedron bowed_plate(std::uint32_t n, double height, double bow) {
+    Body body;
+    for (std::uint32_t i = 0; i <= n; ++i)
+        for (std::uint32_t j = 0; j <= n; ++j) {
+            const double x = 40.0 * i / n - 20, y = 40.0 * j / n - 20;
+            body.vertices.emplace_back(x, y, height + bow * (x * x + y * y) / 800);
+        }
+    body.faces = grid_triangles(n, n);
+    return body.polyhedron();
+}
+
+/// More features are within the margin than a list holds, and none within half of it.
+TEST(Hold, FineMeshesAreHeldAtAnyMargin) {
+    for (const std::uint32_t n : {40U, 60U, 80U}) {
+        const Polyhedron moving = bowed_plate(n, 2, 0.05);
+        const Polyhedron fixed = bowed_plate(n, 0, 0);
+        for (const double wide : {2.02, 2.1, 2.5, 3.9, 4.1, 30.0}) {
+            SCOPED_TRACE(std::to_string(n) + " " + std::to_string(wide));
+            const auto moved = [&](double z) {
+                return first_contact({.moving = moving,
+                                      .fixed = fixed,
+                                      .motion = ScrewMotion::between(shifted(0, 0, 0), shifted(0, 0, z)),
+                                      .options = {.margin = wide, .hold = 0.2}});
+            };
+            const FirstContact lifted = moved(1);
+            EXPECT_EQ(lifted.verdict, Verdict::clear);
+            double least = wide;
+            for (const Contact& contact : lifted.held)
+                least = std::min(least, contact.gap);
+            EXPECT_EQ(least, 2) << "the nearest is listed";
+            const FirstContact lowered = moved(-3);
+            ASSERT_EQ(lowered.verdict, Verdict::contact);
+            EXPECT_NEAR(lowered.time.lower, 0.6, 1e-11);
+        }
+    }
 }
 
 TEST(Hold, TwoContactsOfOnePairAreHeld) {

@@ -1,6 +1,7 @@
 // Scenes of many pairs: rounds, and limits by other pairs.
 #include "chasles/scene/scene.h"
 
+#include "chasles/motion/timed_poses.h"
 #include "tests/query/bodies.h"
 #include "tests/scene/pair_contact.h"
 #include "tests/support/random_poses.h"
@@ -117,6 +118,34 @@ TEST(Scene, ALimitByOtherPairsChangesNoBitOfABracket) {
     }
     EXPECT_GT(limited, 200);
     EXPECT_GT(simultaneous, 50);
+}
+
+/// The tau of a time is rounded up where a clock runs unevenly.
+TEST(Scene, ListsNoContactThatBeginsAfterATime) {
+    const Pose start = shifted(5, 0.2, 0.3);
+    const Pose goal = turned({0, 0.2, 0.3}, {0, 0, 1}, 1.5);
+    const Polyhedron cube = box({0.5, 0.5, 0.5}).polyhedron();
+    for (const Motion& motion :
+         {Motion::velocity(start, goal), Motion::twist(start, goal),
+          Motion::hinge({0, -4, 0}, {0, 0, 1}, {1.2, 0.3, -1.5}),
+          Motion(TimedPoses::through({0, 0.3, 1}, {start, turned({4, 0, 0}, {0, 0, 1}, 1), goal})),
+          Motion::slider({1, 0.01, 0}, {-4, 3, 1}), Motion::velocity(start, shifted(0, 0.2, 0.3))}) {
+        Scene scene;
+        scene.add({"floor", cube, Motion::at_rest(Pose()), ""});
+        scene.add({"body", cube, motion, ""});
+        const SceneAnswer whole = scene.first_contact();
+        ASSERT_EQ(whole.verdict, Verdict::contact);
+        const Bracket time = whole.contacts.front().contact.time;
+        for (int i = 0; i <= 400; ++i) {
+            const double until = i < 200 ? i / 200.0 : time.lower - (i - 300) * 1e-4;
+            if (until >= 0 && until <= 1 && std::abs(until - time.lower) > 1e-11) {
+                const SceneAnswer all = scene.all_contacts({.until = until});
+                EXPECT_EQ(all.contacts.empty(), until < time.lower) << until;
+                EXPECT_EQ(all.verdict == Verdict::clear, until < time.lower) << until;
+                EXPECT_EQ(all.clear_until, std::min(until, all.contacts.empty() ? 1 : time.lower)) << until;
+            }
+        }
+    }
 }
 
 } // namespace

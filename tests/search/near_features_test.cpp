@@ -204,14 +204,25 @@ TEST(NearFeatures, SlopesCountByTheKindOfPair) {
     EXPECT_GT(many, few);
 }
 
-TEST(NearFeatures, AListThatIsCutIsNotEmptyWhereNothingIsNearerThanHalfTheMargin) {
+TEST(NearFeatures, AListThatIsCutHoldsTheNearestWhereNothingIsNearerThanHalfTheMargin) {
     std::mt19937 random(44);
     Scene scene(bumpy(30, random), bumpy(30, random), test::turned({0, 0, 0.75}, {1, 2, 3}, 0.01));
     ASSERT_TRUE(scene.find(0.5).pairs.empty());
-    const NearFeatures some = scene.find(1, {.most_pairs = 10});
-    EXPECT_TRUE(some.is_cut);
-    EXPECT_EQ(some.pairs.size(), 10U);
-    EXPECT_EQ(some.complete_within, 0.5);
+    const NearFeatures all = scene.find(1, {.most_pairs = 1 << 20, .most_visits = 1 << 30});
+    double nearest = 1;
+    for (const FeaturePair& features : all.pairs)
+        nearest = std::min(nearest, scene.bodies.nearest(features).apart().norm());
+    for (const NearSearch& search : {NearSearch{.most_pairs = 10}, NearSearch{.most_pairs = 1},
+                                     NearSearch{.most_visits = 100}, NearSearch{.most_visits = 1000}}) {
+        const NearFeatures some = scene.find(1, search);
+        EXPECT_TRUE(some.is_cut);
+        EXPECT_NEAR(some.complete_within, nearest, (1 - nearest) / 2);
+        EXPECT_GE(some.complete_within, nearest * (1 - 1e-12));
+        double least = 1;
+        for (const FeaturePair& features : set_of(some))
+            least = std::min(least, scene.bodies.nearest(features).apart().norm());
+        EXPECT_EQ(least, nearest) << search.most_pairs << " pairs, " << search.most_visits << " visits";
+    }
 }
 
 TEST(NearFeatures, AnOverlapIsFoundIfAsked) {
