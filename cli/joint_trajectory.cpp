@@ -1,6 +1,7 @@
 // A trajectory of ROS holds names of joints, and points with positions and the time since the start.
 #include "cli/joint_trajectory.h"
 
+#include "chasles/base/number_text.h"
 #include "chasles/io/column_table.h"
 #include "chasles/io/read_file.h"
 #include "chasles/robot/joint_columns.h"
@@ -152,6 +153,9 @@ public:
 
     robot::ConfigurationRows finish() {
         take_stamps();
+        if (!rows_.stamps.empty() && rows_.stamps.front() > 0)
+            rows_.warnings.push_back("points: the first one comes at " + number_text(rows_.stamps.front()) +
+                                     " s: the way to it, from wherever the robot is then, is not tested");
         if (has_rates_)
             rows_.warnings.emplace_back(
                 "velocities and accelerations are not used: the path is straight in joint space "

@@ -225,6 +225,14 @@ bool truth_in(const Json& json) {
     return json.get<bool>();
 }
 
+void require_object(std::string_view text) {
+    const std::string_view content = io::without_byte_order_mark(text);
+    const std::size_t begin = content.find_first_not_of(" \t\r\n");
+    if (begin != std::string_view::npos && content[begin] != '{' && content[begin] != '[')
+        refuse("is no scene file: that is a JSON object with \"bodies\"; scenes of MoveIt and worlds of Gazebo are not "
+               "read");
+}
+
 SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const PolyhedronOptions& options,
                    const std::optional<double>& margin) {
     const Members members(json, {"bodies", "ignore", "ignore_groups", "ignore_touching_at_start", "margin", "hold"});
@@ -262,8 +270,10 @@ SceneFile scene_in(const Json& json, const std::filesystem::path& folder, const 
 SceneFile load_scene(const std::filesystem::path& file, const PolyhedronOptions& options,
                      std::optional<double> margin) {
     const std::string text = io::read_file(file);
-    return at_place(io::shown_name(file),
-                    [&] { return scene_in(parse_json(text), file.parent_path(), options, margin); });
+    return at_place(io::shown_name(file), [&] {
+        require_object(text);
+        return scene_in(parse_json(text), file.parent_path(), options, margin);
+    });
 }
 
 } // namespace chasles::cli

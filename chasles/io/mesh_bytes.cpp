@@ -27,10 +27,26 @@ std::string_view extension_of(std::string_view name) {
     return dot == std::string_view::npos ? std::string_view() : name.substr(dot);
 }
 
+void refuse_step(std::string_view bytes, std::string_view extension) {
+    constexpr std::string_view mark = "\xEF\xBB\xBF";
+    std::string_view start = bytes.substr(0, 10'000); // the header of a STEP file is longer only in odd cases
+    start.remove_prefix(start.starts_with(mark) ? mark.size() : 0);
+    if (Words(start).next().starts_with("ISO-10303-21")) {
+        const std::string_view schema = start.substr(std::min(start.find("FILE_SCHEMA"), start.size()));
+        const bool is_ifc = schema.substr(0, schema.find(';')).find("IFC") != std::string_view::npos;
+        throw InvalidInput(std::string(is_ifc ? "is an IFC file (a building model)" : "is a STEP file") +
+                           ", which holds curved surfaces, not polygons; export it as glTF, 3MF, STL or OBJ" +
+                           (is_ifc ? "" : ", or tessellate it (in Python: build123d or CadQuery, tessellate)"));
+    }
+    if (extension == ".step" || extension == ".stp")
+        throw InvalidInput("is no STEP file, though its extension says so; meshes have .obj, .off, .ply, .stl, .gltf, "
+                           ".glb, .dae or .3mf");
+}
+
 PolygonSoup read_without_name(std::string_view bytes, std::string_view extension) {
     if (is_lfs_pointer(bytes))
         throw InvalidInput(lfs_way_out);
-    refuse_step(bytes, lower_case(extension));
+    refuse_other_content(bytes, lower_case(extension));
     refuse_robot(lower_case(extension));
     const Reader reader = reader_for(extension);
     if (!reader)
@@ -79,24 +95,20 @@ void refuse_robot(std::string_view extension) {
                            std::string("chasles robot ROBOT.urdf --srdf FILE or, in Python, Robot.load(urdf, srdf)"));
     if (extension == ".sdf")
         throw InvalidInput("is no mesh; files of SDF (SDFormat) are not read: write the robot as URDF for " + door);
+    if (extension == ".xml" || extension == ".mjcf")
+        throw InvalidInput("is no mesh; models of MuJoCo (MJCF) are not read: write the robot as URDF for " + door);
     if (extension == ".yaml" || extension == ".yml")
         throw InvalidInput("is no mesh; `chasles robot ROBOT.urdf --path FILE` reads a JointTrajectory of ROS as YAML");
 }
 
-void refuse_step(std::string_view bytes, std::string_view extension) {
-    constexpr std::string_view mark = "\xEF\xBB\xBF";
-    std::string_view start = bytes.substr(0, 10'000); // the header of a STEP file is longer only in odd cases
-    start.remove_prefix(start.starts_with(mark) ? mark.size() : 0);
-    if (Words(start).next().starts_with("ISO-10303-21")) {
-        const std::string_view schema = start.substr(std::min(start.find("FILE_SCHEMA"), start.size()));
-        const bool is_ifc = schema.substr(0, schema.find(';')).find("IFC") != std::string_view::npos;
-        throw InvalidInput(std::string(is_ifc ? "is an IFC file (a building model)" : "is a STEP file") +
-                           ", which holds curved surfaces, not polygons; export it as glTF, 3MF, STL or OBJ" +
-                           (is_ifc ? "" : ", or tessellate it (in Python: build123d or CadQuery, tessellate)"));
-    }
-    if (extension == ".step" || extension == ".stp")
-        throw InvalidInput("is no STEP file, though its extension says so; meshes have .obj, .off, .ply, .stl, .gltf, "
-                           ".glb, .dae or .3mf");
+void refuse_other_content(std::string_view bytes, std::string_view extension) {
+    if (bytes.starts_with("\x1F\x8B"))
+        throw InvalidInput("is compressed by gzip; unpack it first");
+    if (bytes.starts_with("PK\x03\x04") && extension != ".3mf")
+        throw InvalidInput("is a ZIP archive; unpack it first, or name it .3mf if it is one");
+    if (bytes.starts_with("glTF") && extension != ".glb" && extension != ".gltf")
+        throw InvalidInput("is a binary glTF file; name it .glb");
+    refuse_step(bytes, extension);
 }
 
 PolygonSoup with_faces(PolygonSoup soup) {

@@ -19,8 +19,9 @@ Reader reader_for(std::string_view extension);
 /// Throws InvalidInput for an extension of files of robots (in small letters), and says what reads them.
 void refuse_robot(std::string_view extension);
 
-/// Throws InvalidInput for STEP and IFC files, by their first bytes, and for the extensions of STEP.
-void refuse_step(std::string_view bytes, std::string_view extension);
+/// Throws InvalidInput for files that their first bytes say to be of another format than their extension (in small
+/// letters): archives, binary glTF, STEP and IFC; also for the extensions of STEP.
+void refuse_other_content(std::string_view bytes, std::string_view extension);
 
 /// The same mesh. Throws InvalidInput if it has no face.
 PolygonSoup with_faces(PolygonSoup soup);

@@ -18,7 +18,7 @@ namespace {
 // The parts in the content of a file; empty for formats without parts.
 std::vector<MeshPart> read_parts(const std::filesystem::path& file, std::string_view bytes) {
     const std::string extension = lower_case(file.extension().string());
-    refuse_step(bytes, extension);
+    refuse_other_content(bytes, extension);
     refuse_robot(extension);
     if (const Reader reader = reader_for(extension))
         return {{one_line(valid_utf8(file.stem().string())), with_faces(reader(bytes))}};

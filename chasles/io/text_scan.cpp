@@ -129,6 +129,19 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
+bool differ_by_a_slip(std::string_view a, std::string_view b) {
+    if (a.size() < b.size())
+        std::swap(a, b);
+    const auto [first, second] = std::ranges::mismatch(a, b);
+    const auto after = static_cast<std::size_t>(first - a.begin());
+    if (after == a.size() || a.size() > b.size() + 1)
+        return false;
+    if (a.size() > b.size())
+        return a.substr(after + 1) == b.substr(after);
+    const bool are_swapped = after + 1 < a.size() && a[after] == b[after + 1] && a[after + 1] == b[after];
+    return a.substr(after + 1) == b.substr(after + 1) || (are_swapped && a.substr(after + 2) == b.substr(after + 2));
+}
+
 std::string_view without_byte_order_mark(std::string_view text) {
     using namespace std::string_view_literals;
     constexpr std::string_view utf8 = "\xEF\xBB\xBF";

@@ -31,6 +31,9 @@ std::string valid_utf8(std::string_view text);
 /// `text` in lower case (ASCII letters only).
 std::string lower_case(std::string_view text);
 
+/// Whether one letter more, less or other, or two neighbours swapped, make one name of the other.
+bool differ_by_a_slip(std::string_view a, std::string_view b);
+
 /// The text without the byte order mark of UTF-8. Throws InvalidInput for the marks of UTF-16 and UTF-32.
 std::string_view without_byte_order_mark(std::string_view text);
 

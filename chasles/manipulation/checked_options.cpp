@@ -1,6 +1,7 @@
 #include "chasles/manipulation/checked_options.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/base/number_text.h"
 #include "chasles/manipulation/hand_spring.h"
 
 #include <string>
@@ -49,8 +50,10 @@ MassProperties mass_of(const DragOptions& options, const Polyhedron& shape) {
 void check_rounding(const Distances& distances, const Polyhedron& shape, const Pose& pose) {
     const MeshReport report = shape.report();
     const double lengths = pose.translation.norm() + report.lower.norm() + report.upper.norm();
-    require(distances.margin >= 0x1p-28 * lengths, "margin",
-            "is below a 2^28th of the lengths of the pose, and so too near to its rounding");
+    const double least = 0x1p-28 * lengths;
+    if (!(distances.margin >= least))
+        throw InvalidInput("drag: margin: " + number_text(distances.margin) + " is below a 2^28th of the lengths of the pose, " + number_text(least) +
+                    ", and so too near to its rounding; give a larger one, or put the bodies near the origin");
 }
 
 } // namespace chasles::manipulation

@@ -96,28 +96,8 @@ bool is_with_word(std::string_view name, std::string_view variable) {
     return separators.find(name[before.size()]) != std::string_view::npos && !is_among(other_quantities, word);
 }
 
-// Whether two neighbours are swapped.
-bool differ_in_order(std::string_view a, std::string_view b) {
-    const auto [first, second] = std::ranges::mismatch(a, b);
-    const auto after = static_cast<std::size_t>(first - a.begin());
-    return a.size() == b.size() && after + 1 < a.size() && a[after] == b[after + 1] && a[after + 1] == b[after] &&
-           a.substr(after + 2) == b.substr(after + 2);
-}
-
-// Whether one letter more, less or other makes the same name.
-bool differ_in_one_letter(std::string_view a, std::string_view b) {
-    if (a.size() < b.size())
-        std::swap(a, b);
-    const auto [first, second] = std::ranges::mismatch(a, b);
-    const auto after = static_cast<std::size_t>(first - a.begin());
-    if (a.size() == b.size())
-        return after < a.size() && a.substr(after + 1) == b.substr(after + 1);
-    return a.size() == b.size() + 1 && a.substr(after + 1) == b.substr(after);
-}
-
 bool may_be(const std::string& name, const std::string& variable) {
-    return differ_in_one_letter(name, variable) || differ_in_order(name, variable) || is_with_word(name, variable) ||
-           is_with_ending(name, variable);
+    return io::differ_by_a_slip(name, variable) || is_with_word(name, variable) || is_with_ending(name, variable);
 }
 
 } // namespace

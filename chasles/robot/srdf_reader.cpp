@@ -36,6 +36,7 @@ private:
     [[nodiscard]] bool has_link(const XmlElement& element, const std::string& name);
     void warn(const XmlElement& element, const std::string& what, const std::string& name);
     void refuse_urdf() const;
+    void warn_of_another_robot();
     void add_warnings();
     void add_disabled_pairs();
     void add_enabled_pairs();
@@ -258,8 +259,20 @@ void SrdfReader::refuse_urdf() const {
             file_.fail(*joint, "is a joint of a URDF file, and the SRDF file is needed");
 }
 
+/// Robots of one maker have links of the same names.
+void SrdfReader::warn_of_another_robot() {
+    const auto name = file_.optional_text(file_.root(), "name");
+    if (name && *name != robot_.name)
+        robot_.warnings.push_back(file_.place_of(file_.root()) + "is the file of another robot: this one is named " +
+                                  io::in_quotes(robot_.name));
+}
+
 void SrdfReader::read() {
     refuse_urdf();
+    file_.require_no_misspelt_child(file_.root(),
+                                    {"disable_collisions", "enable_collisions", "disable_default_collisions", "group",
+                                     "group_state", "virtual_joint"});
+    warn_of_another_robot();
     for (const XmlElement* joint : XmlFile::children(file_.root(), "virtual_joint"))
         if (const auto name = file_.optional_text(*joint, "name"))
             virtual_joints_.insert(*name);

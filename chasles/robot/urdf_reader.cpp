@@ -101,12 +101,14 @@ std::string UrdfReader::name(const XmlElement& element, std::set<std::string>& n
 
 LinkDescription UrdfReader::link(const XmlElement& element) {
     LinkDescription link{name(element, links_)};
+    file_.require_no_misspelt_child(element, {"collision"});
     for (const XmlElement* collision_element : XmlFile::children(element, "collision"))
         link.collisions.push_back(collision(*collision_element));
     return link;
 }
 
 CollisionDescription UrdfReader::collision(const XmlElement& element) {
+    file_.require_no_misspelt_child(element, {"geometry", "origin"});
     const XmlElement& geometry = file_.required_child(element, "geometry");
     const std::vector<const XmlElement*> shapes = XmlFile::plain_children(geometry);
     if (shapes.empty())
@@ -183,6 +185,7 @@ JointDescription UrdfReader::joint(const XmlElement& element) {
         {"fixed", JointType::fixed},         {"revolute", JointType::revolute}, {"continuous", JointType::continuous},
         {"prismatic", JointType::prismatic}, {"planar", JointType::planar},     {"floating", JointType::floating}};
     JointDescription joint;
+    file_.require_no_misspelt_child(element, {"origin", "parent", "child", "axis", "limit", "mimic"});
     const auto type = types.find(file_.text(element, "type"));
     if (type == types.end())
         file_.fail(element, "type: " + io::in_quotes(file_.text(element, "type")) +
@@ -297,6 +300,7 @@ void UrdfReader::check_version() const {
 
 RobotDescription UrdfReader::read() {
     check_version();
+    file_.require_no_misspelt_child(file_.root(), {"link", "joint"});
     RobotDescription robot{file_.optional_text(file_.root(), "name").value_or(file_.path().stem().string())};
     for (const XmlElement* element : XmlFile::children(file_.root(), "link"))
         robot.links.push_back(link(*element));

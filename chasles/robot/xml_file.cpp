@@ -2,9 +2,12 @@
 #include "chasles/robot/xml_file.h"
 
 #include "chasles/base/invalid_input.h"
+#include "chasles/io/mesh_bytes.h"
 #include "chasles/io/read_file.h"
 #include "chasles/io/text_scan.h"
 #include "chasles/io/xml_text.h"
+
+#include <algorithm>
 
 namespace chasles::robot {
 
@@ -31,6 +34,25 @@ void check_text(const std::filesystem::path& file, std::string_view bytes) {
     }
 }
 
+void refuse_other_content(const std::filesystem::path& file, std::string_view bytes) {
+    try {
+        io::refuse_other_content(bytes, {});
+    } catch (const InvalidInput& error) {
+        throw InvalidInput(io::shown_name(file) + ": " + error.what());
+    }
+    const std::string text = trimmed(io::without_byte_order_mark(bytes.substr(0, 1000)));
+    if (!text.empty() && text.front() > ' ' && text.front() < '\x7F' && text.front() != '<')
+        throw InvalidInput(io::shown_name(file) +
+                           ": is no XML; a robot is read from a URDF file, and its pairs from an SRDF file");
+}
+
+/// Of a file that describes a robot in another format.
+std::string way_out_of(std::string_view root) {
+    if (root == "mujoco")
+        return ": models of MuJoCo (MJCF) are not read; write the robot as URDF";
+    return root == "sdf" ? ": files of SDF (SDFormat) are not read; write the robot as URDF" : "";
+}
+
 /// Whether each character is one byte below 0x80, or a first byte that is followed by as many others as it says.
 bool is_utf8(std::string_view text) {
     int following = 0;
@@ -53,6 +75,7 @@ bool is_the_same(const XmlFile::Element& a, const XmlFile::Element& b) {
 
 XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(file) {
     const std::string bytes = io::read_file(file);
+    refuse_other_content(path_, bytes);
     check_text(path_, bytes);
     if (document_.Parse(bytes.data(), bytes.size()) != tinyxml2::XML_SUCCESS)
         throw InvalidInput(place(path_, document_.ErrorLineNum()) + ": is no well-formed XML (" +
@@ -60,7 +83,8 @@ XmlFile::XmlFile(const std::filesystem::path& file, const char* root) : path_(fi
     const Element* const element = document_.RootElement();
     if (!element || std::string_view(element->Name()) != root)
         throw InvalidInput(place(path_, element ? element->GetLineNum() : 1) + ": the root element must be <" + root +
-                           ">");
+                           ">" + (element ? ", and is <" + io::one_line(element->Name()) + '>' : "") +
+                           way_out_of(element ? element->Name() : ""));
     if (const Element* const second = element->NextSiblingElement())
         throw InvalidInput(place(path_, second->GetLineNum()) + ": <" + io::one_line(second->Name()) +
                            ">: a file has one root element only");
@@ -99,6 +123,18 @@ std::vector<const XmlFile::Element*> XmlFile::plain_children(const Element& elem
         if (std::string_view(child->Name()).find(':') == std::string_view::npos)
             all.push_back(child);
     return all;
+}
+
+void XmlFile::require_no_misspelt_child(const Element& element, std::initializer_list<std::string_view> names) const {
+    constexpr std::size_t short_name = 4;
+    for (const Element* child : plain_children(element)) {
+        const std::string_view given = child->Name();
+        const std::string lower = io::lower_case(given);
+        for (const std::string_view name : names)
+            if (std::ranges::find(names, given) == names.end() &&
+                (lower == name || (name.size() > short_name && io::differ_by_a_slip(lower, name))))
+                fail(*child, "is not read; if <" + std::string(name) + "> is meant, write it so");
+    }
 }
 
 const XmlFile::Element* XmlFile::child(const Element& element, const char* name) const {

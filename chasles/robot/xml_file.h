@@ -5,6 +5,7 @@
 
 #include <array>
 #include <filesystem>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -41,6 +42,9 @@ public:
     static std::vector<const Element*> children(const Element& element, const char* name);
     /// All children whose names have no namespace, in order: programs add elements of their own (<drake:...>).
     static std::vector<const Element*> plain_children(const Element& element);
+    /// Fails for a child that is not read because its name is one of these with other capitals or, of five letters or
+    /// more, with a slip.
+    void require_no_misspelt_child(const Element& element, std::initializer_list<std::string_view> names) const;
     /// Null if there is none; fails if there are several that differ.
     [[nodiscard]] const Element* child(const Element& element, const char* name) const;
     [[nodiscard]] const Element& required_child(const Element& element, const char* name) const;

@@ -102,10 +102,15 @@ SweptBody swept_while_moving(const WorldBody& body, const Extent& extent, const 
 } // namespace
 
 bool is_at_rest(const motion::MovingFrame& frame) {
-    std::vector<double> cuts;
-    frame.add_cuts(cuts);
-    const motion::RateBounds rates = frame.rates({0, 1});
-    return cuts.empty() && rates.turn_rate == 0 && rates.speed == 0;
+    std::vector<double> ends{0, 1};
+    frame.add_cuts(ends);
+    chasles::sort(ends);
+    for (std::size_t i = 1; i < ends.size(); ++i) {
+        const motion::RateBounds rates = frame.rates({ends[i - 1], ends[i]});
+        if (rates.turn_rate != 0 || rates.speed != 0)
+            return false;
+    }
+    return true;
 }
 
 Box widened(const Box& box, double length) {

@@ -2,7 +2,7 @@
 import { firstContact, leastDistance, pathContact } from "./answers.js";
 import { Border } from "./border.js";
 import { InvalidInput } from "./errors.js";
-import { bindMembers, Held } from "./held.js";
+import { bindMembers, given, Held } from "./held.js";
 import { fromBufferGeometry, fromObject3D } from "./geometry.js";
 import { addMotion, addQuery, addRule, checkBatch, checkContactOptions, contactOptions, find, fixedOptions, motionOptions, queryOptions } from "./numbers.js";
 import { fromArrays, fromFile, Polyhedron } from "./polyhedron.js";
@@ -17,7 +17,7 @@ export class Chasles {
   #newWorker;
 
   constructor(border, newWorker) {
-    this.#border = border;
+    this.#border = given(border, "Chasles", "load()");
     this.#newWorker = newWorker;
     bindMembers(this, Chasles); // const { firstContact } = chasles
   }

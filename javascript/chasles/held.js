@@ -1,4 +1,5 @@
 // Objects of the module that JavaScript holds: freed by hand, by `using`, or when nothing refers to them any more.
+import { Border } from "./border.js";
 import { InvalidInput } from "./errors.js";
 
 /** Frees the object, and tells those who follow it. */
@@ -16,6 +17,12 @@ export const dispose = Symbol.dispose ?? Symbol.for("Symbol.dispose");
 export function bindMembers(object, type) {
   for (const [name, { value, get }] of Object.entries(Object.getOwnPropertyDescriptors(type.prototype)))
     if (name !== "constructor") Object.defineProperty(object, name, get ? { get: get.bind(object) } : { value: value.bind(object) });
+}
+
+/** `border`, for a constructor. Only the package has one. */
+export function given(border, title, maker) {
+  if (!(border instanceof Border)) throw new InvalidInput(`${title}: is made by ${maker}, not by new ${title}()`);
+  return border;
 }
 
 export class Held {

@@ -184,7 +184,7 @@ export type LeastDistanceOptions = {
   /** Width of the bracket of the distance to aim for, as a part of the distance; 1e-6 by default. A coarser one can take less time. */
   tolerance?: number | undefined;
   timeTolerance?: number | undefined;
-  find?: Find | undefined;
+  find?: Exclude<Find, "any"> | undefined;
 } & MotionOptions & FixedOptions;
 
 /** An object that holds memory of the instance, until it is freed or nothing refers to it any more. */
@@ -313,9 +313,9 @@ export declare class Scene {
   /** The earliest contact of all pairs. */
   firstContact(options?: SceneOptions): SceneContact;
   /** The first contact of each pair that touches, in order of time. */
-  allContacts(options?: SceneOptions): SceneEvents;
+  allContacts(options?: SceneOptions & { find?: Exclude<Find, "any"> | undefined }): SceneEvents;
   /** For each body the time until which it is proven clear of all others. */
-  clearUntil(options?: SceneOptions): Record<string, number>;
+  clearUntil(options?: SceneOptions & { find?: Exclude<Find, "any"> | undefined }): Record<string, number>;
 }
 
 export interface DragOptions {

@@ -5,8 +5,11 @@ import { isArrayBuffer } from "./values.js";
 
 const schemesOfNode = ["http:", "https:", "file:", "data:", "blob:"];
 const wayOut = isNode
-  ? 'give the bytes of chasles.wasm, or pathToFileURL(path) of node:url, or import "chasles/inline", which needs no file'
+  ? 'give the bytes of chasles.wasm, or pathToFileURL(path) of node:url, or, in Next.js, name the package in serverExternalPackages, or import "chasles/inline", which needs no file'
   : 'import "chasles/inline", which fetches nothing, or give load({ wasm: url }) the address of chasles.wasm';
+
+/** Also of another realm: of a frame, or of Node.js in an environment of tests. */
+const isA = (value, name) => Object.prototype.toString.call(value) === `[object ${name}]`;
 
 function refuse(what) {
   throw new InvalidInput(`wasm: ${what}: ${wayOut}`);
@@ -41,22 +44,22 @@ async function compileResponse(response) {
   if (response.bodyUsed || response.body?.locked) refuse(`${address} has been read already`);
   if (!response.ok) refuse(`${address} answers with status ${response.status}`);
   const type = response.headers.get("Content-Type") ?? "";
-  if (type.startsWith("application/wasm")) return WebAssembly.compileStreaming(response);
+  if (type.startsWith("application/wasm") && WebAssembly.compileStreaming) return WebAssembly.compileStreaming(response);
   if (type.startsWith("text/html")) refuse(`${address} is a web page, as servers answer for files that they do not find`);
   return compileBytes(await response.arrayBuffer(), `${address} is`);
 }
 
 async function fetched(given) {
-  const url = given instanceof URL ? given : addressOf(given);
+  const url = addressOf(given);
   if (isNode && url.protocol === "file:") return compileBytes(await bytesOfFile(url), `${url.href} is`);
   return compileResponse(await fetch(url).catch((error) => refuse(`${url.href} cannot be fetched (${error.message})`)));
 }
 
 async function compiledFrom(given) {
-  if (given instanceof WebAssembly.Module) return given;
+  if (isA(given, "WebAssembly.Module")) return given;
   if (isArrayBuffer(given) || ArrayBuffer.isView(given)) return compileBytes(given, "the bytes are");
-  if (typeof Response !== "undefined" && given instanceof Response) return compileResponse(given);
-  if (given instanceof URL || typeof given === "string") return fetched(given);
+  if (isA(given, "Response")) return compileResponse(given);
+  if (isA(given, "URL") || typeof given === "string") return fetched(given);
   return refuse(`${Array.isArray(given) ? "an array" : String(given)} is no URL, Response, bytes or WebAssembly.Module`);
 }
 
@@ -64,6 +67,8 @@ async function compiledFrom(given) {
 function inWords(error) {
   if (/content security policy|unsafe-eval/i.test(error.message))
     return new InvalidInput("wasm: the Content-Security-Policy of the page forbids WebAssembly: its script-src needs 'wasm-unsafe-eval'");
+  if (/disallowed by embedder/i.test(error.message))
+    return new InvalidInput('wasm: this environment compiles no WebAssembly while it runs, as Cloudflare Workers: give load({ wasm }) the module of an import: import wasm from "./chasles.wasm"');
   if (error instanceof WebAssembly.CompileError) return new InvalidInput(`wasm: is damaged or cut off, or needs a newer engine (${error.message}): ${wayOut}`);
   return error;
 }

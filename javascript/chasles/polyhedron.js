@@ -1,7 +1,7 @@
 // Bodies: from arrays, and from the content of a file.
 import { meshReport, Reader } from "./answers.js";
 import { InvalidInput } from "./errors.js";
-import { Held } from "./held.js";
+import { given, Held } from "./held.js";
 import { checkOptions, isArrayBuffer, isList, number, text, wayOut } from "./values.js";
 
 const parts = { report: 0, vertices: 1, faces: 2, triangles: 3, sourceFaces: 4, given: 5 };
@@ -12,7 +12,7 @@ export class Polyhedron extends Held {
   static title = "Polyhedron"; // in messages, also where a bundler renames classes
 
   constructor(border, handle) {
-    super(border, "body", handle);
+    super(given(border, "Polyhedron", "chasles.polyhedron(vertices, faces), fromFile, fromBufferGeometry and fromObject3D"), "body", handle);
   }
 
   get report() {

@@ -1,7 +1,7 @@
 // Many bodies in one world, and a body in a hand.
 import { dragStep, sceneContact, sceneEvents } from "./answers.js";
 import { InvalidInput } from "./errors.js";
-import { Held } from "./held.js";
+import { given, Held } from "./held.js";
 import { addDrag, addQuery, addWorldMotion, addWorldRule, dragOptions } from "./numbers.js";
 import { Polyhedron } from "./polyhedron.js";
 import { addPose, addPoses } from "./poses.js";
@@ -19,7 +19,7 @@ export class Scene extends Held {
   #names = []; // in the order of the bodies
 
   constructor(border) {
-    super(border, "scene", border.call("scene"));
+    super(border, "scene", given(border, "Scene", "chasles.scene()").call("scene"));
   }
 
   get names() {
@@ -122,6 +122,8 @@ function setRule(scene, rule, a, b, distance = 0) {
 function ask(scene, question, options) {
   const { border, handle } = ownOfScene(scene);
   checkOptions(options, ["margin", "hold", "until", "timeTolerance", "find"]);
+  if (options.find === "any" && question !== "firstContact")
+    throw new InvalidInput(`find: "any" asks whether anything touches, and ${question} asks for all: leave it out, or ask scene.firstContact`);
   border.giveNumbers([...addQuery([], options), number(options.until, "until", 1)]);
   return border.read("scene_question", handle, questions[question]);
 }
@@ -133,6 +135,7 @@ export class DraggedBody extends Held {
   #name;
 
   constructor(border, scene, name, options = {}) {
+    given(border, "DraggedBody", "chasles.draggedBody(scene, name)");
     checkOptions(options, dragOptions);
     const handle = Held.handle(scene, border, Scene, "scene");
     border.giveNumbers(addDrag([], options));

@@ -47,6 +47,7 @@ export function wayOut(value) {
 }
 
 export function shown(value) {
+  if (typeof value === "bigint") return `${value}n`;
   return typeof value === "string" ? JSON.stringify(value) : Array.isArray(value) ? "an array" : String(value).replace(/\s+/g, " ");
 }
 

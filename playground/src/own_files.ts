@@ -43,12 +43,21 @@ export function warningAbout({ name, report }: OwnFile): string {
   return report.isClosed ? "" : `${name} is open: ${counted(report.boundaryEdges, "edge")} with one face only. It collides with both sides of its faces.`;
 }
 
+/** 0, for the default, or more for a body so far from the origin that its rounding needs it: the library asks for a quarter. */
+function marginOf({ report: { lower, upper } }: OwnFile, start: Pose): number {
+  const [x, y, z] = start;
+  const diagonal = Math.hypot(...upper.map((value, k) => value - lower[k]));
+  const least = 2 ** -26 * (Math.hypot(x, y, z) + Math.hypot(...lower) + Math.hypot(...upper));
+  return least > 1e-4 * diagonal ? least : 0;
+}
+
 /** The first file stands, the last one is dragged and starts beside it. */
 export function ownScene(files: OwnFile[]): PlaygroundScene {
   const moving = files.at(-1)!;
   const names = files.map(({ name }, index) => (files.findIndex((other) => other.name === name) < index ? `${name} (2)` : name));
   const bodies: BodySpec[] = files.map(({ name, content }, index) => ({ name: names[index], file: { name, content } }));
-  const spec = { moving: names.at(-1)!, bodies, start: startBeside(moving, files.length > 1 ? files[0] : undefined), margin: 0, friction: 0 };
+  const start = startBeside(moving, files.length > 1 ? files[0] : undefined);
+  const spec = { moving: names.at(-1)!, bodies, start, margin: marginOf(moving, start), friction: 0 };
   const about = files.length > 1 ? `${names.at(-1)} is dragged, ${names[0]} stands. ` : `${names[0]} is alone: drop a second file to drag against. `;
   const sizes = files.map(({ report }, index) => `${names[index]}: ${counted(report.triangles, "triangle")}, ${extent(report)}.`).join(" ");
   return { id: "own", title: "Your own files", about: about + sizes, spec, handling: { isLoose: false }, glass: [], ground: [], view: [0.55, -1, 0.5], unit: "" };

@@ -38,7 +38,7 @@ def first_contacts_on_edges(
     Parameters
     ----------
     robot : Robot or RobotChecker
-        A checker has its own scene and margin.
+        A checker has its own scene and margin, and takes no others.
     starts, goals : array (n, variables)
         Configurations: radians, or the mesh unit.
     scene : Scene, optional
@@ -62,7 +62,13 @@ def first_contacts_on_edges(
     InvalidInput
         With the number of the edge, for values that cannot be used.
     """
-    checker = robot if isinstance(robot, RobotChecker) else RobotChecker(robot, scene, margin=margin)
+    if isinstance(robot, RobotChecker):
+        for name, is_given in (("scene", scene is not None), ("margin", margin != 0)):
+            if is_given:
+                raise InvalidInput(f"{name}: the checker has its own: make it by RobotChecker(robot, scene, margin=...)")
+        checker = robot
+    else:
+        checker = RobotChecker(robot, scene, margin=margin)
     threads = _thread_count(threads)
     if not _marks(errors):
         return _table(checker.first_contacts(starts, goals, threads))

@@ -304,6 +304,28 @@ TEST_F(TrajectoryFiles, TrajectoriesOfRosAreRefusedInOneLine) {
         error_line(robot_command("bad.json", "shoulder\n0\n1\n")).starts_with("chasles: bad.json: is not JSON: "));
 }
 
+/// A controller moves the robot to the first point, from wherever it is.
+TEST_F(TrajectoryFiles, NameTheWayToAFirstPointThatComesLater) {
+    const auto warnings = [&](const std::string& time) {
+        return robot_answer("late.yaml",
+                            "joint_names: [shoulder, elbow]\npoints:\n- {positions: [0, 0], time_from_start: " + time +
+                                "}\n- {positions: [1.5, 0.5], time_from_start: 14}\n")["warnings"];
+    };
+    ASSERT_EQ(warnings("3").size(), 1U);
+    EXPECT_EQ(warnings("3")[0],
+              "late.yaml: points: the first one comes at 3 s: the way to it, from wherever the robot is then, "
+              "is not tested");
+    EXPECT_TRUE(warnings("0").empty());
+}
+
+TEST_F(TrajectoryFiles, SayWhatASceneFileIs) {
+    for (const char* const text : {"(noname)+\n* Box0\n1\nbox\n", "name: scene\nbodies: []\n", "<sdf/>"})
+        EXPECT_EQ(error_line((write("moveit.scene", text), "scene moveit.scene")),
+                  "chasles: moveit.scene: is no scene file: that is a JSON object with \"bodies\"; scenes of MoveIt "
+                  "and worlds of "
+                  "Gazebo are not read");
+}
+
 /// In a scene file the later of two equal keys would count in silence.
 TEST_F(TrajectoryFiles, ScenesRefuseAKeyThatComesTwice) {
     write("twice.json", R"({"bodies": [{"name": "a", "mesh": "cube.obj", "pose": [0, 0, 0], "pose": [9, 9, 9]}]})");

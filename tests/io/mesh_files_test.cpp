@@ -70,6 +70,7 @@ TEST_F(MeshFiles, NameWhatReadsFilesOfRobots) {
         {"a.urdf.xacro", "xacro FILE > robot.urdf"},
         {"a.srdf", "--srdf FILE"},
         {"a.sdf", "files of SDF (SDFormat) are not read"},
+        {"a.xml", "models of MuJoCo (MJCF) are not read"},
         {"a.yaml", "--path FILE"},
         {"a.yml", "--path FILE"},
     };
@@ -102,6 +103,16 @@ TEST_F(MeshFiles, TellsStepFromIfcWhateverTheExtension) {
               "a.ifc: is an IFC file (a building model), which holds curved surfaces, not polygons; export it as glTF, "
               "3MF, STL or OBJ");
     EXPECT_TRUE(message("b.step", "v 0 0 0\n").starts_with("b.step: is no STEP file, though its extension says so"));
+}
+
+TEST_F(MeshFiles, NamesTheFormatOfAFileWithAnotherExtension) {
+    for (const char* const name : {"a.stl", "a.obj", "a.ply", "a.dae", "a.fbx", "a.glb", "a.gltf"})
+        EXPECT_EQ(message(name, "PK\x03\x04 and more"),
+                  std::string(name) + ": is a ZIP archive; unpack it first, or name it .3mf if it is one");
+    for (const char* const name : {"a.stl", "a.obj", "a.3mf", "a.glb", "a.off"})
+        EXPECT_EQ(message(name, "\x1F\x8B\x08"), std::string(name) + ": is compressed by gzip; unpack it first");
+    for (const char* const name : {"a.stl", "a.obj", "a.dae", "a.bin"})
+        EXPECT_EQ(message(name, "glTF\x02"), std::string(name) + ": is a binary glTF file; name it .glb");
 }
 
 TEST_F(MeshFiles, PartsKeepTheirNamesAndErrorsNameThem) {

@@ -201,6 +201,41 @@ test("options are objects with known keys, also those of load", async () => {
   assert.match(await refusal(chasles.workers({ count: 1, worker: () => ({}) })), /^worker: must make a Worker/);
 });
 
+test("objects of the package are made by it, not by new", async () => {
+  const { Chasles, DraggedBody, Polyhedron, Scene } = await import("chasles");
+  const scene = chasles.scene();
+  const made = [
+    [() => new Polyhedron(vertices, faces), /^Polyhedron: is made by chasles\.polyhedron\(vertices, faces\), .*, not by new Polyhedron\(\)$/],
+    [() => new Polyhedron(), /^Polyhedron: is made by /],
+    [() => new Scene(chasles), /^Scene: is made by chasles\.scene\(\), not by/],
+    [() => new DraggedBody(scene, "cube"), /^DraggedBody: is made by chasles\.draggedBody\(scene, name\), not by/],
+    [() => new Chasles(), /^Chasles: is made by load\(\), not by/],
+  ];
+  for (const [make, message] of made) assert.match(await refusal(make), message);
+});
+
+test("a question that lists everything takes no find: any", async () => {
+  const scene = chasles.scene();
+  scene.add("cube", cube);
+  for (const question of ["allContacts", "clearUntil"])
+    assert.match(await refusal(() => scene[question]({ find: "any" })), new RegExp(`^find: "any" asks whether anything touches, and ${question} asks for all: leave it out, or ask scene\\.firstContact$`));
+  assert.equal(scene.firstContact({ find: "any" }).verdict, "clear");
+  assert.match(await refusal(() => chasles.firstContact(cube, cube, [5n, 0, 0], far)), /^start\[0\]: 5n is not a number$/);
+});
+
+test("the module may be a URL, a module or a response of another realm", async () => {
+  const address = import.meta.resolve("chasles/chasles.wasm");
+  const bytes = await readFile(fileURLToPath(address));
+  const module = new (runInNewContext("WebAssembly").Module)(bytes);
+  assert.ok(!(module instanceof WebAssembly.Module));
+  const url = { [Symbol.toStringTag]: "URL", toString: () => address };
+  const response = { [Symbol.toStringTag]: "Response", ok: true, headers: new Map([["Content-Type", "application/octet-stream"]]), arrayBuffer: async () => bytes.buffer.slice(bytes.byteOffset, bytes.byteOffset + bytes.length) };
+  for (const wasm of [module, url, response]) {
+    const other = await load({ wasm });
+    assert.equal(other.polyhedron(vertices, faces).report.closed, true);
+  }
+});
+
 test("a way to the module that does not lead there is refused with a way out", async () => {
   const path = fileURLToPath(import.meta.resolve("chasles/chasles.wasm"));
   const wayOut = /: give the bytes of chasles\.wasm, or pathToFileURL\(path\) of node:url, or import "chasles\/inline", which needs no file$/;

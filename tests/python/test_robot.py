@@ -173,6 +173,16 @@ def test_edges_that_cannot_be_used_are_marked(arm, world):
         assert str(error.value).startswith(message)
 
 
+def test_edges_of_a_checker_take_no_other_scene_and_margin(arm, world):
+    checker = chasles.RobotChecker(arm, world, margin=0.01)
+    starts = goals = np.zeros((3, 2))
+    expected = chasles.first_contacts_on_edges(arm, starts, goals, scene=world, margin=0.01)
+    np.testing.assert_array_equal(chasles.first_contacts_on_edges(checker, starts, goals), expected)
+    for name, value in (("scene", world), ("margin", 0.01)):
+        with pytest.raises(chasles.InvalidInput, match=f"^{name}: the checker has its own"):
+            chasles.first_contacts_on_edges(checker, starts, goals, **{name: value})
+
+
 def test_a_robot_is_pickled_with_all_its_changes(arm, world, cube):
     arm.set_base(np.array([0.1, 0.2, 0.3, 0.9, 0.1, 0.2, 0.3]))
     arm.attach("box", "lower", cube, pose=np.array([1, -0.5, -0.5, 1, 0, 0, 0]), touch_links=["upper"])

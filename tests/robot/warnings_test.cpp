@@ -64,6 +64,29 @@ TEST_F(RobotWarnings, NameWhatTheRobotHasNot) {
         Texts({by + "group_state home>: there is no group 'none'", by + "joint knee>: there is no joint 'knee'"}));
 }
 
+/// Robots of one maker have links of the same names.
+TEST_F(RobotWarnings, TheSRDFFileOfAnotherRobotIsNamed) {
+    RobotDescription robot = read("", "");
+    robot::read_srdf(
+        write("robot.srdf", "<robot name=\"large\"><disable_collisions link1=\"base\" link2=\"arm\"/></robot>"), robot);
+    ASSERT_EQ(robot.warnings.size(), 1U);
+    EXPECT_EQ(without_folder(robot.warnings[0]),
+              "robot.srdf:1: <robot large>: is the file of another robot: this one is named 'small'");
+    EXPECT_EQ(robot.disabled_pairs.size(), 1U);
+    RobotDescription unnamed = read("", "");
+    robot::read_srdf(write("robot.srdf", "<robot/>"), unnamed);
+    EXPECT_TRUE(unnamed.warnings.empty());
+}
+
+TEST_F(RobotWarnings, AMisspeltElementOfAnSRDFFileIsRefused) {
+    for (const char* const wrong :
+         {"disable_collision", "Disable_collisions", "enable_collison", "groups", "goup_state"})
+        EXPECT_EQ(without_folder(refusal([&] {
+                      (void)of_srdf(std::string("<") + wrong + " link1=\"base\" link2=\"arm\"/>");
+                  })).find("is not read; if <"),
+                  std::string("robot.srdf:2: <>: ").size() + std::string(wrong).size());
+}
+
 /// Its root has the same name, and it has no pair.
 TEST_F(RobotWarnings, AURDFFileIsNoSRDFFile) {
     EXPECT_EQ(without_folder(refusal([&] { (void)of_srdf("<link name=\"a\"><visual/></link>"); })),

@@ -50,5 +50,49 @@ TEST_F(XmlFileTest, RefusesWhatWouldBeLeftOut) {
               "robot.urdf:5: <origin>: xyz: '1,' is not a finite number; blanks separate numbers");
 }
 
+TEST_F(XmlFileTest, NamesWhatOtherFilesAre) {
+    const auto whole = [&](const std::string& content) {
+        return without_folder(message_of([&] { (void)robot::read_urdf(write("robot.urdf", content), {}); }));
+    };
+    EXPECT_EQ(whole("<mujoco model=\"arm\"/>"),
+              "robot.urdf:1: the root element must be <robot>, and is <mujoco>: models of "
+              "MuJoCo (MJCF) are not read; write the robot as URDF");
+    EXPECT_EQ(whole("\n<sdf version=\"1.6\"/>"),
+              "robot.urdf:2: the root element must be <robot>, and is <sdf>: files of SDF "
+              "(SDFormat) are not read; write the robot as URDF");
+    EXPECT_EQ(whole("<svg/>"), "robot.urdf:1: the root element must be <robot>, and is <svg>");
+    EXPECT_EQ(whole("PK\x03\x04"), "robot.urdf: is a ZIP archive; unpack it first, or name it .3mf if it is one");
+    EXPECT_EQ(whole("\x1F\x8B\x08"), "robot.urdf: is compressed by gzip; unpack it first");
+    for (const char* const text : {"v 0 0 0\nv 1 0 0\n", "shoulder,elbow\n0,0\n", "{\"links\": []}"})
+        EXPECT_EQ(whole(text),
+                  "robot.urdf: is no XML; a robot is read from a URDF file, and its pairs from an SRDF file");
+}
+
+/// A misspelt element would be left out, and with it a shape or a place.
+TEST_F(XmlFileTest, RefusesMisspeltElements) {
+    const std::vector<std::pair<std::string, std::string>> cases = {
+        {"<collision>", "colision"},
+        {"<collision>", "Collision"},
+        {"<collision>", "collisions"},
+        {"<origin xyz", "orgin"},
+        {"<geometry><box", "geomerty"},
+        {"<link name=\"arm\"", "Link"},
+        {"<joint", "Joint"},
+        {"<joint", "jiont"},
+        {"<axis", "Axis"},
+        {"<limit", "limits"},
+        {"<limit", "Limit"},
+        {"<parent", "parnet"},
+    };
+    for (const auto& [before, wrong] : cases) {
+        const std::string text = refused(before, '<' + wrong + " name=\"x\"/>" + before);
+        EXPECT_NE(text.find(": <" + wrong + " x>: is not read; if <"), std::string::npos) << text;
+    }
+    EXPECT_EQ(refused("<collision>", "<colision/><collision>"),
+              "robot.urdf:5: <colision>: is not read; if <collision> is meant, write it so");
+    for (const char* const other : {"<linkage/>", "<drake:Joint/>", "<sensor/>", "<contact/>", "<lin/>"})
+        EXPECT_EQ(read("</robot>", std::string(other) + "</robot>").links.size(), 2U) << other;
+}
+
 } // namespace
 } // namespace chasles::tests

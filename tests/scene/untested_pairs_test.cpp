@@ -2,6 +2,7 @@
 #include "chasles/scene/untested_pairs.h"
 
 #include "chasles/mesh/primitives.h"
+#include "chasles/motion/timed_poses.h"
 #include "chasles/scene/scene.h"
 #include "tests/support/random_poses.h"
 #include "tests/support/refusal.h"
@@ -137,6 +138,32 @@ TEST(UntestedPairs, BodiesThatStandStillAreNoQuestionAboutMotion) {
     scene.move(1, going(1, 1.1));
     EXPECT_EQ(scene.first_contact().verdict, Verdict::contact_at_start) << "this tile moves";
     EXPECT_EQ(scene.untested().count(Reason::at_rest), 6U);
+}
+
+/// A body may stand still by any motion.
+TEST(UntestedPairs, BodiesThatStandStillByTheirPosesAreAtRest) {
+    const Pose place({0.5, 0.25, 0}, Eigen::Quaterniond(0.8, 0, 0.6, 0));
+    const std::vector<Pose> poses(3, place);
+    const std::vector<Motion> still = {Motion::velocity(place, place),
+                                       Motion::twist(place, place),
+                                       TimedPoses::through({0, 0.3, 1}, poses),
+                                       TimedPoses::through({0, 0.3, 1}, poses, TimedPoses::Between::twist),
+                                       Motion::spline({0, 0.3, 1}, poses),
+                                       Motion::slider({1, 0, 0}, {0.5}),
+                                       Motion::polynomial({{1, 2, 3}, {0, 0, 0}}),
+                                       Motion::hinge({1, 2, 3}, {0, 0, 1}, {0.3})};
+    for (std::size_t i = 0; i < still.size(); ++i) {
+        Scene scene;
+        scene.add({"still", make_box({1, 1, 1}), still[i]});
+        scene.add({"tile", make_box({1, 1, 1}), Motion::at_rest(still[i].pose_at(0))});
+        EXPECT_EQ(scene.untested().count(Reason::at_rest), 1U) << i;
+        EXPECT_EQ(scene.first_contact().verdict, Verdict::clear) << i;
+    }
+    Scene scene;
+    scene.add({"going and coming", make_box({1, 1, 1}),
+               TimedPoses::through({0, 0.5, 1}, {Pose(), Pose({0, 0, 1}, Eigen::Quaterniond::Identity()), Pose()})});
+    scene.add({"tile", make_box({1, 1, 1}), standing(0)});
+    EXPECT_EQ(scene.untested().count(Reason::at_rest), 0U);
 }
 
 TEST(UntestedPairs, WhatTouchesAtTheStartIsIgnoredAndNamed) {
