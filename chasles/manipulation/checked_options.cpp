@@ -52,8 +52,9 @@ void check_rounding(const Distances& distances, const Polyhedron& shape, const P
     const double lengths = pose.translation.norm() + report.lower.norm() + report.upper.norm();
     const double least = 0x1p-28 * lengths;
     if (!(distances.margin >= least))
-        throw InvalidInput("drag: margin: " + number_text(distances.margin) + " is below a 2^28th of the lengths of the pose, " + number_text(least) +
-                    ", and so too near to its rounding; give a larger one, or put the bodies near the origin");
+        throw InvalidInput("drag: margin: " + number_text(distances.margin) +
+                           " is below a 2^28th of the lengths of the pose, " + number_text(least) +
+                           ", and so too near to its rounding; give a larger one, or put the bodies near the origin");
 }
 
 } // namespace chasles::manipulation

@@ -23,6 +23,9 @@ constexpr double rounding_within = 32 * std::numeric_limits<double>::epsilon();
 /// allows 8 epsilons for the area, and a polygon is at least half as long as its bounding box.
 constexpr double thin_within = 16 * std::numeric_limits<double>::epsilon();
 
+/// Of a polygon that is not convex. Cutting it takes time in proportion to their square: two seconds for so many.
+constexpr std::size_t most_corners = 20'000;
+
 /// The greatest deviation from a plane, in the length unit.
 double allowed_deviation(const PolygonProjection& projection, const PolyhedronOptions& options) {
     return (options.triangulate ? rounding_within : planar_within) * std::max(projection.size, projection.magnitude);
@@ -143,6 +146,11 @@ private:
     void append_polygon(const Polygon& polygon) {
         if (polygon.projection.is_flat)
             return append_without_plane(polygon);
+        if (polygon.outline.size() > most_corners && !is_convex(polygon.projection.corners))
+            throw InvalidInput("face " + std::to_string(polygon.source) + ": has " +
+                               std::to_string(polygon.outline.size()) +
+                               " corners and is not convex; of such faces at most " + std::to_string(most_corners) +
+                               " are read: cut it into smaller ones");
         const double allowed = allowed_deviation(polygon.projection, options_);
         if (polygon.projection.deviation <= allowed)
             return append_planar(polygon);

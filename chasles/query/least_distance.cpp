@@ -118,7 +118,8 @@ void LeastDistanceSearch::prove(double level) {
 }
 
 void LeastDistanceSearch::descend_from_samples() {
-    for (std::size_t i = 0; i < pieces_.size(); ++i)
+    const auto is_enough = [&] { return std::isfinite(nearest_.at.near.distance) && is_cancelled(); };
+    for (std::size_t i = 0; i < pieces_.size() && !is_enough(); ++i)
         if (const auto near = search::nearest_of_samples(pieces_[i], nearest_.at.near.distance, work_))
             nearest_ = {i, *near};
     descend(nearest_.piece, nearest_.at.tau, nearest_.at.near.features);
@@ -147,8 +148,11 @@ bool LeastDistanceSearch::is_clear_of(double level) {
     if (!found)
         return true;
     ++finds_;
-    for (const search::Candidate& candidate : found->candidates)
+    for (const search::Candidate& candidate : found->candidates) {
+        if (is_cancelled())
+            break;
         descend(clear_pieces_, candidate.tau.lower, candidate);
+    }
     return false;
 }
 

@@ -117,8 +117,10 @@ JointColumns::JointColumns(std::span<const std::string> names, const Robot& robo
             ignored_.push_back(name);
     }
     if (ignored_.size() == names.size() && !robot.variables().empty())
-        throw InvalidInput("the header " + io::shown_names(names) + " names no variable of the robot, which has " +
-                           names_of_variables(robot) + "; fixed joints and joints that follow others have none");
+        throw InvalidInput("the header " +
+                           (names.empty() ? "has no column of a joint, and so" : io::shown_names(names)) +
+                           " names no variable of the robot, which has " + names_of_variables(robot) +
+                           "; fixed joints and joints that follow others have none");
     require_one_each(names);
     require_no_misspelt_name();
 }

@@ -51,14 +51,15 @@ std::vector<std::size_t> in_order_of_effort(const std::vector<Examined>& pairs) 
 /// Each pair has an equal share of the time that is left. False if the user ends it.
 bool examine_in_turn(std::vector<Examined>& pairs, const std::vector<std::size_t>& order,
                      const PairProofOptions& options, std::chrono::steady_clock::time_point start) {
+    std::size_t done = pairs.size() - order.size();
     for (std::size_t k = 0; k < order.size(); ++k) {
         auto& [proof, search] = pairs[order[k]];
-        const std::size_t done = pairs.size() - (order.size() - k);
         const auto goes_on = [&] { return !options.progress || options.progress(done, pairs.size()); };
         if (!goes_on() || is_cancelled())
             return false;
         const double left = options.seconds - seconds_since(start);
         search->run(proof, std::max(0.0, left / double(order.size() - k)), goes_on);
+        done += proof.reason != PairReason::open || !search->is_unfinished() ? 1 : 0;
     }
     return true;
 }

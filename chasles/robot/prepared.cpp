@@ -50,7 +50,8 @@ void check_options(QueryOptions options, const Model& model) {
         double largest = options.margin;
         for (const auto& [owners, margin] : model.margins)
             largest = std::max(largest, margin);
-        query::require(*options.hold < largest, "hold", "must be less than some margin");
+        query::require(*options.hold < largest, "hold",
+                       "must be less than some margin; the margin is 0 unless one is given");
         options.hold.reset(); // the margin of the question may be less
     }
     query::check_options(options);

@@ -32,6 +32,10 @@ void check_text(const std::filesystem::path& file, std::string_view bytes) {
     } catch (const InvalidInput& error) {
         throw InvalidInput(place(file, 1) + ": " + error.what());
     }
+    const std::string text = trimmed(io::without_byte_order_mark(bytes.substr(0, 1000)));
+    if (!text.empty() && text.front() > ' ' && text.front() < '\x7F' && text.front() != '<')
+        throw InvalidInput(io::shown_name(file) +
+                           ": is no XML; a robot is read from a URDF file, and its pairs from an SRDF file");
 }
 
 void refuse_other_content(const std::filesystem::path& file, std::string_view bytes) {
@@ -40,10 +44,6 @@ void refuse_other_content(const std::filesystem::path& file, std::string_view by
     } catch (const InvalidInput& error) {
         throw InvalidInput(io::shown_name(file) + ": " + error.what());
     }
-    const std::string text = trimmed(io::without_byte_order_mark(bytes.substr(0, 1000)));
-    if (!text.empty() && text.front() > ' ' && text.front() < '\x7F' && text.front() != '<')
-        throw InvalidInput(io::shown_name(file) +
-                           ": is no XML; a robot is read from a URDF file, and its pairs from an SRDF file");
 }
 
 /// Of a file that describes a robot in another format.

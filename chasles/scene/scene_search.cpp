@@ -45,7 +45,8 @@ void check(const Scene& scene, const SceneQuery& query) {
     QueryOptions options = query.options;
     if (options.hold) {
         query::require_hold(*options.hold);
-        query::require(*options.hold < scene.margins(options.margin).upper, "hold", "must be less than some margin");
+        query::require(*options.hold < scene.margins(options.margin).upper, "hold",
+                       "must be less than some margin; the margin is 0 unless one is given");
         options.hold.reset(); // that of the question may be less
     }
     query::check_options(options);

@@ -1,5 +1,7 @@
 #include "chasles/search/descent.h"
 
+#include "chasles/base/limit_of_thread.h"
+
 #include <algorithm>
 #include <boost/math/tools/toms748_solve.hpp>
 #include <limits>
@@ -92,6 +94,8 @@ NearMoment local_minimum(const PieceContext& context, double tau, const FeatureP
         descend(approach, best.tau);
         best.tau = approach.best();
         best.near.distance = approach.least();
+        if (is_cancelled())
+            break;
         const auto nearer = nearest_features(bodies_at(context, best.tau), {best.near.distance, 1}, work);
         if (!nearer)
             break;

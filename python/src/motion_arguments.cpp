@@ -92,7 +92,7 @@ TypedMotion motion_from(const MotionArguments& a) {
     }
     const view::MotionKind kind = is_named ? kind_from(a.motion) : view::MotionKind::screw;
     if (a.start.is_none() || a.goal.is_none())
-        throw InvalidInput("motion: start and goal are needed, or a motion");
+        throw InvalidInput("motion: start and goal are needed, or a motion by its name: motion=...");
     return motion_between(a, kind);
 }
 

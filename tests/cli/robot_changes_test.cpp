@@ -95,7 +95,7 @@ TEST_F(RobotChangesCommand, HoldsADistance) {
     const Json held = json("--scene table.json --margin 0.1 --hold 0.01");
     EXPECT_EQ(held["verdict"], "clear");
     EXPECT_EQ(refused("--scene table.json --margin 0.1 --hold 0.1"),
-              "chasles: query: hold: must be less than some margin");
+              "chasles: query: hold: must be less than some margin; the margin is 0 unless one is given");
     EXPECT_TRUE(run("robot arm.urdf --path path.csv --scene table.json --margin 0.1 --hold 0.01")
                     .out.starts_with("CLEAR: proven that no tested pair that is held comes within 0.01"));
 }
@@ -117,7 +117,8 @@ TEST_F(RobotChangesCommand, TakesMarginAndHoldOfTheScene) {
     EXPECT_EQ(json("--scene table.json")["verdict"], "clear");
     EXPECT_EQ(json("--scene table.json --margin 0.005")["warnings"],
               Json({"hold: 0.01 is not less than the margin 0.005 of the command line, and is left out"}));
-    EXPECT_EQ(refused("--scene table.json --hold 0.1"), "chasles: query: hold: must be less than some margin");
+    EXPECT_EQ(refused("--scene table.json --hold 0.1"),
+              "chasles: query: hold: must be less than some margin; the margin is 0 unless one is given");
     const std::string clearance = "robot arm.urdf --path path.csv --clearance --scene table.json";
     EXPECT_EQ(run(clearance).err, "chasles: warning: table.json: margin has no effect on a clearance\n"
                                   "chasles: warning: table.json: hold has no effect on a clearance\n");

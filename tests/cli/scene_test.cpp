@@ -122,7 +122,8 @@ TEST_F(SceneCommand, WhatRestsOnATableMaySlide) {
               std::string::npos);
     EXPECT_EQ(json("--hold 0.049")["verdict"], "clear");
     EXPECT_EQ(json("--margin 0.04 --hold 0.02")["verdict"], "clear");
-    EXPECT_EQ(error_line("scene scene.json --hold 0.1"), "chasles: query: hold: must be less than some margin");
+    EXPECT_EQ(error_line("scene scene.json --hold 0.1"),
+              "chasles: query: hold: must be less than some margin; the margin is 0 unless one is given");
 }
 
 TEST_F(SceneCommand, WhatTouchesATableExactlyIsAContactAtTheStart) {

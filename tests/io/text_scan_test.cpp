@@ -128,6 +128,28 @@ TEST(ValidUtf8, ReplacesWhatIsNoCharacter) {
     EXPECT_EQ(valid_utf8("\xf4\x90\x80\x80"), "????");
 }
 
+TEST(DifferByASlip, IsOneLetterOrTwoNeighbours) {
+    for (const auto& [a, b] : std::vector<std::pair<std::string, std::string>>{{"collision", "colision"},
+                                                                               {"collision", "collisions"},
+                                                                               {"collision", "collisiom"},
+                                                                               {"collision", "ollision"},
+                                                                               {"collision", "colliison"},
+                                                                               {"ab", "ba"},
+                                                                               {"a", ""}}) {
+        EXPECT_TRUE(differ_by_a_slip(a, b)) << a << ' ' << b;
+        EXPECT_TRUE(differ_by_a_slip(b, a)) << b << ' ' << a;
+    }
+    for (const auto& [a, b] : std::vector<std::pair<std::string, std::string>>{{"collision", "collision"},
+                                                                               {"", ""},
+                                                                               {"collision", "colision s"},
+                                                                               {"collision", "coliison"},
+                                                                               {"abc", "cba"},
+                                                                               {"ab", ""}}) {
+        EXPECT_FALSE(differ_by_a_slip(a, b)) << a << ' ' << b;
+        EXPECT_FALSE(differ_by_a_slip(b, a)) << b << ' ' << a;
+    }
+}
+
 TEST(InQuotes, IsShortPrintableAndOneLine) {
     EXPECT_EQ(in_quotes("  v 1 2\t3 \n"), "'v 1 2 3'");
     EXPECT_EQ(in_quotes(std::string("a\0\xff\x1b", 4)), "'a"

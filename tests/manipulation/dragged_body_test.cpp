@@ -316,8 +316,10 @@ TEST(DraggedBody, RefusesWhatItCannotUse) {
     EXPECT_EQ(refusal_with({.margin = -1}), "drag: margin: must be in (0, 1e30], or 0 for the default");
     EXPECT_EQ(refusal_with({.margin = 1, .reach = 1}),
               "drag: reach: must be at least 1.25 times the margin, and at most 1e30");
-    const std::string too_near = ", and so too near to its rounding; give a larger one, or put the bodies near the origin";
-    EXPECT_TRUE(refusal_with({.margin = 1e-10}).starts_with("drag: margin: 1e-10 is below a 2^28th of the lengths of the pose, "));
+    const std::string too_near =
+        ", and so too near to its rounding; give a larger one, or put the bodies near the origin";
+    EXPECT_TRUE(refusal_with({.margin = 1e-10})
+                    .starts_with("drag: margin: 1e-10 is below a 2^28th of the lengths of the pose, "));
     EXPECT_TRUE(refusal_with({.margin = 1e-10}).ends_with(too_near));
     EXPECT_TRUE(refusal([&] {
                     (void)DraggedBody(scene, "box", {.margin = 1e-3}).update(shifted(1e6, 0, 0));

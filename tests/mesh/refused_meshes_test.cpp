@@ -4,8 +4,10 @@
 #include "tests/mesh/shapes.h"
 #include "tests/support/refusal.h"
 
+#include <cmath>
 #include <gtest/gtest.h>
 #include <limits>
+#include <numbers>
 
 namespace chasles {
 namespace {
@@ -79,6 +81,30 @@ TEST(RefusedMeshes, OutlinesThatCrossThemselves) {
     // Lobes of equal area and opposite orientation have no normal.
     expect_refused_unless_cut(test::sheet({{0, 0}, {1, 1}, {1, 0}, {0, 1}}),
                               "face 0: has no area beyond rounding (its outline crosses itself or turns back)");
+}
+
+/// A star that would take minutes to cut, and an outline that goes round and round; a convex polygon is read.
+TEST(RefusedMeshes, PolygonsWithTooManyCorners) {
+    const auto ring = [](int count, double inner) {
+        std::vector<Eigen::Vector2d> corners;
+        for (int i = 0; i < count; ++i) {
+            const double angle = 2 * std::numbers::pi * i / count;
+            corners.emplace_back((i % 2 == 0 ? 1 : inner) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
+        }
+        return corners;
+    };
+    const std::string why =
+        " corners and is not convex; of such faces at most 20000 are read: cut it into smaller ones";
+    Soup round{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, {{}}};
+    for (std::uint32_t i = 0; i < 60'000; ++i)
+        round.faces[0].push_back(i % 3);
+    for (const bool triangulate : {false, true}) {
+        EXPECT_EQ(refusal(test::sheet(ring(200'000, 0.5)), {.triangulate = triangulate}), "face 0: has 200000" + why);
+        EXPECT_EQ(refusal(round, {.triangulate = triangulate}), "face 0: has 60000" + why);
+    }
+    EXPECT_EQ(Polyhedron::from_polygons(test::sheet(ring(2'000, 0.5)).vertices, test::sheet(ring(2'000, 0.5)).faces)
+                  .face_count(),
+              1U);
 }
 
 TEST(RefusedMeshes, OutlinesThatTurnBack) {

@@ -173,6 +173,22 @@ def test_edges_that_cannot_be_used_are_marked(arm, world):
         assert str(error.value).startswith(message)
 
 
+def test_answers_have_no_truth_value(arm, world, cube):
+    scene = chasles.Scene()
+    scene.add("cube", cube)
+    path = np.array([[0, 0, 0, 1, 0, 0, 0], [1, 0, 0, 1, 0, 0, 0]], float)
+    answers = [
+        arm.first_contact(np.zeros(2), np.zeros(2)),
+        chasles.RobotChecker(arm, world).first_contact(np.zeros(2), np.zeros(2)),
+        chasles.first_contact(cube, cube, path[1] + [4, 0, 0, 0, 0, 0, 0], path[1] + [5, 0, 0, 0, 0, 0, 0]),
+        chasles.first_contact_on_path(cube, cube, path + [5, 0, 0, 0, 0, 0, 0]),
+        scene.first_contact(),
+    ]
+    for found in answers:
+        with pytest.raises(TypeError, match="compare its verdict"):
+            bool(found)
+
+
 def test_edges_of_a_checker_take_no_other_scene_and_margin(arm, world):
     checker = chasles.RobotChecker(arm, world, margin=0.01)
     starts = goals = np.zeros((3, 2))

@@ -134,7 +134,7 @@ TEST(RobotHold, AnswersAsAllPairsByThemselves) {
 TEST(RobotHold, NeedsSomeGreaterMargin) {
     Robot robot = crane();
     EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, nullptr, {{.margin = 0.1, .hold = 0.1}}); }),
-              "query: hold: must be less than some margin");
+              "query: hold: must be less than some margin; the margin is 0 unless one is given");
     EXPECT_EQ(refusal([&] { (void)RobotChecker(robot, nullptr, {{.margin = 0.1, .hold = -1}}); }),
               "query: hold: must be in [0, 1e30]");
     robot.set_margin("base", "load", 0.3);

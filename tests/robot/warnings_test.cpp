@@ -80,7 +80,7 @@ TEST_F(RobotWarnings, TheSRDFFileOfAnotherRobotIsNamed) {
 
 TEST_F(RobotWarnings, AMisspeltElementOfAnSRDFFileIsRefused) {
     for (const char* const wrong :
-         {"disable_collision", "Disable_collisions", "enable_collison", "groups", "goup_state"})
+         {"disable_collision", "Disable_collisions", "enable_colisions", "groups", "goup_state"})
         EXPECT_EQ(without_folder(refusal([&] {
                       (void)of_srdf(std::string("<") + wrong + " link1=\"base\" link2=\"arm\"/>");
                   })).find("is not read; if <"),

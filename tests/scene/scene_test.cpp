@@ -260,7 +260,8 @@ TEST(Scene, HeldPairsMayMoveOn) {
     EXPECT_EQ(refusal([&] { scene.set_hold("box", "box", 1); }), "scene: box: hold: the same body twice");
     EXPECT_EQ(refusal([&] { scene.set_group_hold("parts", "static", -1); }), "query: hold: must be in [0, 1e30]");
     query.options.hold = 0.1;
-    EXPECT_EQ(refusal([&] { (void)scene.first_contact(query); }), "query: hold: must be less than some margin");
+    EXPECT_EQ(refusal([&] { (void)scene.first_contact(query); }),
+              "query: hold: must be less than some margin; the margin is 0 unless one is given");
     query.options.hold = std::nan("");
     EXPECT_EQ(refusal([&] { (void)scene.first_contact(query); }), "query: hold: must be in [0, 1e30]");
 }
