@@ -153,8 +153,10 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
     Bracket tau = enclosing(result);
     answer.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
     const bool at_start = scope.is_first_piece && search::may_be_at_start({tau.lower, tau.upper, answer.certain});
-    const double later = std::min(1.0, tau.lower + piece.tau_tolerance(scope.options.time_tolerance));
-    if (!answer.certain && !at_start && are_within(context, later, result.candidates, scope.margin)) {
+    for (const int tolerances : {1, 4}) {
+        const double later = std::min(1.0, tau.lower + tolerances * piece.tau_tolerance(scope.options.time_tolerance));
+        if (answer.certain || at_start || !are_within(context, later, result.candidates, scope.margin))
+            continue;
         answer.certain = true;
         tau.upper = std::max(tau.upper, later);
     }

@@ -346,10 +346,26 @@ TEST(ClosedFormMargin, AVertexStraightOverEdgesIsCertain) {
                     EXPECT_TRUE(found.certain);
                     EXPECT_LE(found.time.lower, 0.725 + 1e-15);
                     EXPECT_GE(found.time.upper, 0.725 - 1e-15);
-                    EXPECT_LE(found.time.upper - found.time.lower, 4e-12);
+                    EXPECT_LE(found.time.upper - found.time.lower, 5e-12);
                 }
             }
     }
+}
+
+/// The reserve of `hold` is some roundings, and so is the proof.
+TEST(ClosedFormMargin, AHeldVertexStraightOverEdgesIsCertain) {
+    const Polyhedron cube = box({5, 5, 5}).polyhedron();
+    for (const double height : {7.0, 7.05})
+        for (const double hold : {0.0, 0.2, 0.3}) {
+            const auto found =
+                first_contact({.moving = cube,
+                               .fixed = flat_grid(8),
+                               .motion = Motion::velocity(shifted(0, 0, height), shifted(0, 0, height - 3)),
+                               .options = {.margin = 2.1, .hold = hold}});
+            ASSERT_EQ(found.verdict, Verdict::contact);
+            EXPECT_TRUE(found.certain) << height << ' ' << hold;
+            EXPECT_NEAR(found.time.lower, (height - 5 - hold) / 3, 1e-11);
+        }
 }
 
 /// A distance that touches the margin and grows again is no contact that can be proven.
