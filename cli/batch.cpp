@@ -137,6 +137,18 @@ std::vector<std::string_view> whole_lines(std::string_view text) {
     return lines;
 }
 
+/// The first line, the last one and a few contacts: lines about clear motions are the same for many questions.
+std::vector<std::size_t> lines_to_answer_again(std::span<const std::string_view> lines) {
+    constexpr std::size_t most_contacts_checked = 8;
+    std::vector<std::size_t> chosen;
+    if (lines.size() > 1)
+        chosen = {1, lines.size() - 1};
+    for (std::size_t i = 1; i < lines.size() && chosen.size() < 2 + most_contacts_checked; ++i)
+        if (lines[i].find(",contact") != std::string_view::npos)
+            chosen.push_back(i);
+    return chosen;
+}
+
 /// Answers the motions in chunks and writes each chunk at once.
 class BatchRun {
 public:
@@ -181,8 +193,8 @@ private:
         return cli::table_of(chunk, answers, rule_.kind, tally);
     }
 
-    /// Counts the rows that a run before has left, and goes on after the last whole one. The first and the last are
-    /// answered once more: the same text shows that they belong to this question.
+    /// Counts the rows that a run before has left, and goes on after the last whole one. Some of them are answered once
+    /// more: the same text shows that they belong to this question.
     Tally keep_rows() {
         const std::string text = out_.kept_rows();
         const std::vector<std::string_view> lines = whole_lines(text);
@@ -193,8 +205,8 @@ private:
                 refuse_rows(i);
             bytes += lines[i].size();
         }
-        for (const std::size_t i : {std::size_t{1}, lines.size() - 1})
-            if (Tally again; lines.size() > 1 && table_of(rows_.subspan(i - 1, 1), again) != lines[i])
+        for (const std::size_t i : lines_to_answer_again(lines))
+            if (Tally again; table_of(rows_.subspan(i - 1, 1), again) != lines[i])
                 refuse_rows(i);
         out_.continue_after(tally.rows() == 0 ? 0 : bytes);
         return tally;

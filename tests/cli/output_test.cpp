@@ -199,5 +199,19 @@ TEST_F(Output, GoesOnFromTheRowsOfTheSameQuestionOnly) {
     EXPECT_EQ(content("out.csv.part"), renamed) << "what is refused stays";
 }
 
+/// Rows of clear motions are the same for all motions between poses.
+TEST_F(Output, GoesOnFromRowsOfTheSameMotionOnly) {
+    const std::string misses = "0,0,9,1,0,0,0,1,0,9,1,0,0,0\n";
+    write("motions.csv", std::string("id,") + columns + "a," + misses + "b," + hits + "c," + misses + "d," + misses);
+    const std::string batch = "batch cube.obj cube.obj --motions motions.csv --out ";
+    ASSERT_EQ(run(batch + "whole.csv").status, 1);
+    const std::string whole = content("whole.csv");
+    write("out.csv.part", whole.substr(0, whole.rfind("d,")));
+    EXPECT_EQ(error_line(batch + "out.csv --resume --motion twist"),
+              "chasles: out.csv.part: line 3: answers another question than this; remove the file to begin anew");
+    EXPECT_EQ(run(batch + "out.csv --resume").status, 1);
+    EXPECT_EQ(content("out.csv"), whole);
+}
+
 } // namespace
 } // namespace chasles
