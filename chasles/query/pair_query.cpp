@@ -70,6 +70,8 @@ private:
         double distance;
         bool is_reached = false; ///< the bodies start as near as they may be
     };
+    [[nodiscard]] std::optional<PieceResult> contact_in(PieceContext& context, search::SearchOptions options,
+                                                        Work& work) const;
     FirstContact run_within(double level, bool checks_start);
     FirstContact run_from_within();
     [[nodiscard]] std::optional<Level> level_of(const PieceContext& piece, const ContactMoment& start,
@@ -92,6 +94,22 @@ FirstContact PieceByPiece::run() {
     return options_.hold ? run_from_within() : run_within(options_.margin, true);
 }
 
+/// A contact in a piece that begins no later than asked for: the tau of that time is rounded up. A search for any
+/// contact may come upon a later one first.
+std::optional<PieceResult> PieceByPiece::contact_in(PieceContext& context, search::SearchOptions options,
+                                                    Work& work) const {
+    for (;; options.finds_any = false) {
+        PieceResult result = search_within_limit(context, options);
+        work += result.work;
+        if (!has_contact(result))
+            return std::nullopt;
+        if (context.piece().time_of(enclosing(result)).lower <= query_.until)
+            return result;
+        if (!options.finds_any)
+            return std::nullopt;
+    }
+}
+
 /// The first time at which the bodies are within the level. `checks_start`: they may be at time 0.
 FirstContact PieceByPiece::run_within(double level, bool checks_start) {
     FirstContact found;
@@ -100,18 +118,16 @@ FirstContact PieceByPiece::run_within(double level, bool checks_start) {
         PieceContext context = piece(i);
         if (i > 0 && context.piece().time_of({0, 0}).lower > query_.until)
             break;
-        const PieceResult result =
-            search_within_limit(context, {.tolerance = context.piece().tau_tolerance(options_.time_tolerance),
-                                          .finds_any = finds_any,
-                                          .margin = level,
-                                          .check_start = checks_start && i == 0,
-                                          .until = tau_after(context.piece(), query_.until),
-                                          .memory = memory_});
-        found.work += result.work;
-        if (has_contact(result)) {
-            if (context.piece().time_of(enclosing(result)).lower > query_.until)
-                break; // the tau of a time is rounded up
-            report(found, context, result, {options_, i == 0, level});
+        const auto result = contact_in(context,
+                                       {.tolerance = context.piece().tau_tolerance(options_.time_tolerance),
+                                        .finds_any = finds_any,
+                                        .margin = level,
+                                        .check_start = checks_start && i == 0,
+                                        .until = tau_after(context.piece(), query_.until),
+                                        .memory = memory_},
+                                       found.work);
+        if (result) {
+            report(found, context, *result, {options_, i == 0, level});
             found.clear_until = finds_any ? context.piece().time_of({0, 0}).lower : found.time.lower;
             return found;
         }

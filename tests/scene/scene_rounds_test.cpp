@@ -148,5 +148,33 @@ TEST(Scene, ListsNoContactThatBeginsAfterATime) {
     }
 }
 
+/// A question of yes or no may come upon a later contact first.
+TEST(Scene, AnyContactBeforeATimeIsFoundAmongLaterOnes) {
+    Random random(1905);
+    int touching = 0, clear = 0;
+    for (int trial = 0; trial < 300; ++trial) {
+        std::mt19937 shapes_random(unsigned(random.integer(0, 1 << 30)));
+        Scene scene;
+        Body pillars;
+        for (int i = 0; i < 25; ++i)
+            add_box(pillars, {random.uniform(-4, 4), random.uniform(-4, 4), random.uniform(-1, 1)}, {0.1, 0.1, 0.1});
+        scene.add({"pillars", pillars.polyhedron(), Motion::at_rest(Pose()), ""});
+        const Pose start = random_pose(random, 3);
+        scene.add({"body", random_octahedron(shapes_random).polyhedron(),
+                   Motion::velocity(start, random_goal(random, start, random.uniform(0.5, 3), 9)), ""});
+        const SceneAnswer whole = scene.first_contact();
+        for (int i = 0; i < 8; ++i) {
+            SceneQuery query{.until = random.uniform(0, 1)};
+            query.options.find = Find::any;
+            const bool is_contact =
+                whole.verdict != Verdict::clear && whole.contacts[0].contact.time.lower <= query.until;
+            EXPECT_EQ(scene.first_contact(query).verdict == Verdict::clear, !is_contact) << trial << ' ' << query.until;
+            ++(is_contact ? touching : clear);
+        }
+    }
+    EXPECT_GT(touching, 100);
+    EXPECT_GT(clear, 100);
+}
+
 } // namespace
 } // namespace chasles::test
