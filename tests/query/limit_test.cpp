@@ -5,6 +5,7 @@
 #include "tests/support/grid.h"
 
 #include <chrono>
+#include <cmath>
 #include <gtest/gtest.h>
 #include <random>
 
@@ -101,6 +102,28 @@ TEST(QueryLimit, ALeastDistanceIsInTheBracketSoFar) {
         wide += found.certain ? 0 : 1;
     }
     EXPECT_GE(wide, 2);
+}
+
+/// The descents to an upper bound look at the limit, too. Their work tells it, where times would depend on the machine.
+TEST(QueryLimit, EndsTheDescentsOfALeastDistance) {
+    const auto barrel = [](double radius) {
+        constexpr std::uint32_t n = 200;
+        std::vector<Eigen::Vector3d> corners;
+        for (std::uint32_t i = 0; i <= n; ++i)
+            for (std::uint32_t j = 0; j <= n; ++j) {
+                const double height = 2.8 * i / n - 1.4, angle = 6.2 * j / n;
+                corners.emplace_back(radius * std::cos(height) * std::cos(angle),
+                                     radius * std::cos(height) * std::sin(angle), radius * std::sin(height));
+            }
+        return Polyhedron::from_polygons(corners, grid_triangles(n, n));
+    };
+    const Polyhedron upper = barrel(1), lower = barrel(1.05);
+    const Motion motion = Motion::twist(Pose(), Pose({0.02, 0.01, 0}, Eigen::Quaterniond(1, 0, 0.05, 1)));
+    const Limit limit(1e-9);
+    const LeastDistance found = least_distance({upper, lower, motion});
+    EXPECT_FALSE(found.certain);
+    EXPECT_GT(found.distance.upper, 0.0273) << "the least distance";
+    EXPECT_LT(found.work.node_pairs, 200'000U) << "those of all descents are four times as many";
 }
 
 /// A rough bracket of surfaces that stay near each other takes far less time than a narrow one.
