@@ -56,7 +56,8 @@ public:
         if (is_final(tau))
             final_lower_ = std::min(final_lower_, tau.lower);
         const bool is_at_start = goal_.start_is_tested_apart ? tau.upper <= 0 : may_be_at_start(tau);
-        is_over_ = is_over_ || goal_.is_any_contact || is_at_start;
+        const bool is_enough = goal_.is_any_contact && tau.upper <= goal_.until; // a narrower bracket may be too late
+        is_over_ = is_over_ || is_enough || is_at_start;
     }
     /// A proven contact before `tau`, which is not kept.
     void shorten(double tau) { best_ = std::min(best_, tau); }

@@ -176,5 +176,45 @@ TEST(Scene, AnyContactBeforeATimeIsFoundAmongLaterOnes) {
     EXPECT_GT(clear, 100);
 }
 
+/// The wide bracket of a contact may begin before the time, and the contact after it. Found by an outsider's attack.
+TEST(Scene, AnyContactIsNoneThatANarrowerBracketHasAfterTheTime) {
+    Body steps;
+    const double height = 1.163406406505169, lower = 0.9724136853723051;
+    for (const double x : {0.0, 0.5, 1.0, 1.5}) {
+        const double z = x < 1 ? height : lower;
+        steps.vertices.insert(steps.vertices.end(), {{x, 0, 0}, {x, 0.5, 0}, {x, 0.5, z}, {x, 0, z}});
+    }
+    for (const std::uint32_t k : {0U, 8U})
+        for (const auto& face : Faces{{3, 2, 0},
+                                      {2, 1, 0},
+                                      {4, 5, 7},
+                                      {5, 6, 7},
+                                      {4, 7, 0},
+                                      {7, 3, 0},
+                                      {1, 2, 5},
+                                      {2, 6, 5},
+                                      {1, 5, 0},
+                                      {5, 4, 0},
+                                      {3, 7, 2},
+                                      {7, 6, 2}})
+            steps.faces.push_back({face[0] + k, face[1] + k, face[2] + k});
+    Body octahedron{{{1, 0, 0}, {-1, 0, 0}, {0, 1, 0}, {0, -1, 0}, {0, 0, 1}, {0, 0, -1}}, {}};
+    octahedron.faces = {{0, 2, 4}, {2, 1, 4}, {1, 3, 4}, {3, 0, 4}, {2, 0, 5}, {1, 2, 5}, {3, 1, 5}, {0, 3, 5}};
+    const Pose start({-0.20862997699820518, -0.6929675894806744, 3.5}, Eigen::Quaterniond::Identity());
+    const Pose goal({-0.48683896026057605, 0.6925002564506451, -3.5},
+                    {-0.43212902179738616, -1.1107303753669326, -0.09946130686293066, -0.46541921746150605});
+    Scene scene;
+    scene.add({"octahedron", octahedron.polyhedron(), Motion::at_rest(Pose()), ""});
+    scene.add({"steps", steps.polyhedron(), Motion::velocity(start, goal), ""});
+    SceneQuery query{.options = {.margin = 0.1}};
+    const double time = scene.first_contact(query).contacts.at(0).contact.time.upper;
+    query.options.find = Find::any;
+    EXPECT_GT(scene.first_contact(query).contacts.at(0).contact.time.lower, time) << "a later one is found first";
+    for (double later = 1e-9; later < 1e-2; later *= 3) {
+        query.until = time + later;
+        EXPECT_EQ(scene.first_contact(query).verdict, Verdict::contact) << later;
+    }
+}
+
 } // namespace
 } // namespace chasles::test
