@@ -154,7 +154,7 @@ FirstContact PieceByPiece::run_from_within() {
     if (!is_within || !level)
         return found;
     found.held = start.contacts_of(near.pairs);
-    found.contacts_cut = cut_to_most(found.held) || near.is_cut || found.contacts_cut;
+    found.contacts_cut = cut_to_nearest(found.held) || near.is_cut || found.contacts_cut;
     if (level->is_reached && found.clear_until < query_.until)
         found.clear_until = 0;
     return found;

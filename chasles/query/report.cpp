@@ -87,6 +87,8 @@ void list_contacts(FirstContact& answer, const ContactMoment& moment, const sear
         pairs.push_back(first_of(result.candidates)); // an uncertain contact may be none
     if (!pairs.empty())
         answer.contacts = moment.contacts_of(pairs);
+    if (moment.scene().margin > 0)
+        answer.contacts_cut = cut_to_nearest(answer.contacts) || answer.contacts_cut;
     put_closing_first(answer.contacts);
     answer.contacts_cut = cut_to_most(answer.contacts) || answer.contacts_cut || is_proven(result.overlap);
 }
@@ -202,6 +204,17 @@ Contact ContactMoment::in_world(Contact contact) const {
     contact.approach_speed *= context_.piece().tau_rate(tau_);
     name_faces(contact, context_);
     return contact;
+}
+
+bool cut_to_nearest(std::vector<Contact>& contacts) {
+    if (contacts.size() <= most_contacts)
+        return false;
+    std::vector<double> gaps(contacts.size());
+    std::ranges::transform(contacts, gaps.begin(), &Contact::gap);
+    std::ranges::nth_element(gaps, gaps.begin() + most_contacts - 1);
+    std::erase_if(contacts, [&](const Contact& contact) { return contact.gap > gaps[most_contacts - 1]; });
+    (void)cut_to_most(contacts); // equal ones may be more
+    return true;
 }
 
 bool cut_to_most(std::vector<Contact>& contacts) {

@@ -77,5 +77,7 @@ private:
 
 /// Cuts a list to the contacts that an answer may list. True if it was longer.
 bool cut_to_most(std::vector<Contact>& contacts);
+/// Likewise to the nearest ones, in their order.
+bool cut_to_nearest(std::vector<Contact>& contacts);
 
 } // namespace chasles::query

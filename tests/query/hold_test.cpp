@@ -1,5 +1,6 @@
 // Bodies that start within the margin slide, roll and lift off. They are reported when they come within `hold`.
 #include "chasles/base/invalid_input.h"
+#include "chasles/query/least_distance.h"
 #include "tests/query/bodies.h"
 #include "tests/support/grid.h"
 
@@ -111,6 +112,22 @@ Polyhedron bowed_plate(std::uint32_t n, double height, double bow) {
         }
     body.faces = grid_triangles(n, n);
     return body.polyhedron();
+}
+
+/// More contacts are held than an answer lists: it lists the nearest.
+TEST(Hold, OfManyContactsTheNearestAreListed) {
+    const Polyhedron moving = bowed_plate(60, 2, 0.5), fixed = bowed_plate(60, 0, 0.49);
+    const auto found = first_contact({.moving = moving,
+                                      .fixed = fixed,
+                                      .motion = ScrewMotion::between(shifted(0, 0, 0), shifted(0, 0, 1)),
+                                      .options = {.margin = 2.3, .hold = 1}});
+    EXPECT_EQ(found.verdict, Verdict::clear);
+    EXPECT_TRUE(found.contacts_cut);
+    double least = 3;
+    for (const Contact& contact : found.held)
+        least = std::min(least, contact.gap);
+    const LeastDistance at_rest = least_distance({moving, fixed, ScrewMotion::between(Pose(), Pose())});
+    EXPECT_LE(least, at_rest.distance.upper);
 }
 
 /// More features are within the margin than a list holds, and none within half of it.
