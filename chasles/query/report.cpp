@@ -28,13 +28,17 @@ const Candidate& first_of(const std::vector<Candidate>& candidates) {
     return *std::ranges::min_element(candidates, {}, rank);
 }
 
-/// Whether features are proven to be within the margin at a tau. Where nothing is before a bracket, that proves a
-/// contact in it, also one that is at the rims of all features, where no test of them is certain.
-bool are_within(const search::PieceContext& context, double tau, const std::vector<Candidate>& candidates,
-                double margin) {
-    return margin > 0 && std::ranges::any_of(candidates, [&](const Candidate& candidate) {
-               return search::are_within(context, tau, candidate, margin);
-           });
+/// A tau at which features are proven to be within the margin, soon after a bracket begins. As nothing is before it,
+/// that proves a contact, also one at the rims of all features, where no test of them is certain (note 16, "Stages").
+std::optional<double> proven_end(const search::PieceContext& context, double lower,
+                                 const std::vector<Candidate>& candidates, const ReportScope& scope) {
+    const double tolerance = context.piece().tau_tolerance(scope.options.time_tolerance);
+    for (const int tolerances : {1, 4})
+        for (const Candidate& candidate : candidates)
+            if (const double tau = std::min(1.0, lower + tolerances * tolerance);
+                scope.margin > 0 && search::are_within(context, tau, candidate, scope.margin))
+                return tau;
+    return std::nullopt;
 }
 
 /// From the body's own numbering of faces to that of its input.
@@ -155,13 +159,11 @@ void report(FirstContact& answer, search::PieceContext& context, const search::P
     Bracket tau = enclosing(result);
     answer.certain = result.overlap ? result.overlap->certain : is_certain(result.candidates, tau);
     const bool at_start = scope.is_first_piece && search::may_be_at_start({tau.lower, tau.upper, answer.certain});
-    for (const int tolerances : {1, 4}) {
-        const double later = std::min(1.0, tau.lower + tolerances * piece.tau_tolerance(scope.options.time_tolerance));
-        if (answer.certain || at_start || !are_within(context, later, result.candidates, scope.margin))
-            continue;
-        answer.certain = true;
-        tau.upper = std::max(tau.upper, later);
-    }
+    if (!answer.certain && !at_start)
+        if (const auto end = proven_end(context, tau.lower, result.candidates, scope)) {
+            answer.certain = true;
+            tau.upper = std::max(tau.upper, *end);
+        }
     answer.tau = piece.tau_of(tau);
     answer.time = piece.time_of(tau);
     answer.verdict = at_start ? Verdict::contact_at_start : Verdict::contact;

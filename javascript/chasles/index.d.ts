@@ -266,6 +266,9 @@ export interface Untested {
   reasons: { reason: "at_rest" | "ignored"; count: number; pairs: [string, string][] }[];
 }
 
+/** A question that lists everything is no question of yes or no. */
+export type SceneListOptions = Omit<SceneOptions, "find"> & { find?: Exclude<Find, "any"> | undefined };
+
 /** The keys of `chasles scene --json` without `motion`, and `fixed_pose`. */
 export type SceneContact =
   | { verdict: "clear"; clear_until: number; work: Work; untested: Untested }
@@ -313,9 +316,9 @@ export declare class Scene {
   /** The earliest contact of all pairs. */
   firstContact(options?: SceneOptions): SceneContact;
   /** The first contact of each pair that touches, in order of time. */
-  allContacts(options?: SceneOptions & { find?: Exclude<Find, "any"> | undefined }): SceneEvents;
+  allContacts(options?: SceneListOptions): SceneEvents;
   /** For each body the time until which it is proven clear of all others. */
-  clearUntil(options?: SceneOptions & { find?: Exclude<Find, "any"> | undefined }): Record<string, number>;
+  clearUntil(options?: SceneListOptions): Record<string, number>;
 }
 
 export interface DragOptions {
