@@ -2,6 +2,7 @@
 #pragma once
 
 #include "chasles/query/first_contact.h"
+#include "tests/support/grid.h"
 
 #include <Eigen/Geometry>
 #include <random>
@@ -93,6 +94,18 @@ inline Pose random_pose(std::mt19937& random, double distance, double turn) {
 /// outer * inner, in double precision.
 inline Pose composed(const Pose& outer, const Pose& inner) {
     return {outer.rotation.normalized() * inner.translation + outer.translation, outer.rotation * inner.rotation};
+}
+
+/// A plate of 40 by 40 and of 2 n^2 triangles, the higher the farther from its middle.
+inline Polyhedron bowed_plate(std::uint32_t n, double height, double bow) {
+    Body body;
+    for (std::uint32_t i = 0; i <= n; ++i)
+        for (std::uint32_t j = 0; j <= n; ++j) {
+            const double x = 40.0 * i / n - 20, y = 40.0 * j / n - 20;
+            body.vertices.emplace_back(x, y, height + bow * (x * x + y * y) / 800);
+        }
+    body.faces = grid_triangles(n, n);
+    return body.polyhedron();
 }
 
 } // namespace chasles::test

@@ -2,7 +2,6 @@
 #include "chasles/base/invalid_input.h"
 #include "chasles/query/least_distance.h"
 #include "tests/query/bodies.h"
-#include "tests/support/grid.h"
 
 #include <gtest/gtest.h>
 #include <numbers>
@@ -100,18 +99,6 @@ TEST(Hold, AWallIsReportedAtTheDistanceThatIsHeld) {
     ASSERT_FALSE(found.contacts.empty());
     for (const Contact& contact : found.contacts)
         EXPECT_LT((contact.normal + Eigen::Vector3d::UnitX()).norm(), 1e-9) << "the wall";
-}
-
-/// A plate of 2 n^2 triangles, the higher the farther from its middle.
-Polyhedron bowed_plate(std::uint32_t n, double height, double bow) {
-    Body body;
-    for (std::uint32_t i = 0; i <= n; ++i)
-        for (std::uint32_t j = 0; j <= n; ++j) {
-            const double x = 40.0 * i / n - 20, y = 40.0 * j / n - 20;
-            body.vertices.emplace_back(x, y, height + bow * (x * x + y * y) / 800);
-        }
-    body.faces = grid_triangles(n, n);
-    return body.polyhedron();
 }
 
 /// More contacts are held than an answer lists: it lists the nearest.
