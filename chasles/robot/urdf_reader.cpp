@@ -73,6 +73,7 @@ Pose UrdfReader::origin(const XmlElement& element) const {
     const XmlElement* const origin = file_.child(element, "origin");
     if (!origin)
         return {};
+    file_.require_no_misspelt_attribute(*origin, {"xyz", "rpy", "quat_xyzw"});
     const Vector3d place = origin->Attribute("xyz") ? vector(*origin, "xyz") : Vector3d(Vector3d::Zero());
     Eigen::Quaterniond turn = Eigen::Quaterniond::Identity();
     if (origin->Attribute("quat_xyzw")) {
@@ -150,6 +151,7 @@ EnclosingPolyhedron UrdfReader::round_body(const XmlElement& element) {
 Polyhedron UrdfReader::mesh(const XmlElement& element) {
     const FoundFile found = found_file(file_.text(element, "filename"), file_.path(), files_);
     missing_packages_.add(found, file_.place_of(element));
+    file_.require_no_misspelt_attribute(element, {"scale"});
     const Vector3d scale = element.Attribute("scale") ? vector(element, "scale") : Vector3d(Vector3d::Ones());
     const MeshKey key{found.path, {scale.x(), scale.y(), scale.z()}};
     if (const auto known = meshes_.find(key); known != meshes_.end())
@@ -204,6 +206,8 @@ JointDescription UrdfReader::joint(const XmlElement& element) {
         file_.fail(element, "axis: is zero");
     add_limits(element, joint);
     const XmlElement* const mimic = file_.child(element, "mimic");
+    if (mimic)
+        file_.require_no_misspelt_attribute(*mimic, {"multiplier", "offset"});
     if (mimic && joint.type != JointType::fixed)
         joint.mimic = MimicDescription{file_.text(*mimic, "joint"), file_.number(*mimic, "multiplier", 1),
                                        file_.number(*mimic, "offset", 0)};
@@ -228,6 +232,7 @@ void UrdfReader::add_limits(const XmlElement& element, JointDescription& joint) 
     if (!given)
         file_.fail(element, joint.type == JointType::revolute ? "has no <limit>; a joint without limits is continuous"
                                                               : "has no <limit>");
+    file_.require_no_misspelt_attribute(*given, {"lower", "upper"});
     joint.lower = limit(*given, "lower");
     joint.upper = limit(*given, "upper");
     if (joint.lower <= joint.upper)

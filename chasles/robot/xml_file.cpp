@@ -66,6 +66,18 @@ bool is_utf8(std::string_view text) {
     return following == 0;
 }
 
+/// The name of which another one differs by capitals or, if it is longer than a short one, by a slip.
+std::optional<std::string_view> name_meant(std::string_view given, std::initializer_list<std::string_view> names,
+                                           std::size_t short_name) {
+    const std::string lower = io::lower_case(given);
+    const auto is_meant = [&](std::string_view name) {
+        return lower == name || (name.size() > short_name && io::differ_by_a_slip(lower, name));
+    };
+    const auto* const found = std::ranges::find_if(names, is_meant);
+    return found == names.end() || std::ranges::find(names, given) != names.end() ? std::nullopt
+                                                                                  : std::optional(*found);
+}
+
 /// Files are often written by merging others, which repeats elements as they are.
 bool is_the_same(const XmlFile::Element& a, const XmlFile::Element& b) {
     return a.NoChildren() && b.NoChildren() && a.ShallowEqual(&b);
@@ -127,14 +139,18 @@ std::vector<const XmlFile::Element*> XmlFile::plain_children(const Element& elem
 
 void XmlFile::require_no_misspelt_child(const Element& element, std::initializer_list<std::string_view> names) const {
     constexpr std::size_t short_name = 4;
-    for (const Element* child : plain_children(element)) {
-        const std::string_view given = child->Name();
-        const std::string lower = io::lower_case(given);
-        for (const std::string_view name : names)
-            if (std::ranges::find(names, given) == names.end() &&
-                (lower == name || (name.size() > short_name && io::differ_by_a_slip(lower, name))))
-                fail(*child, "is not read; if <" + std::string(name) + "> is meant, write it so");
-    }
+    for (const Element* child : plain_children(element))
+        if (const auto meant = name_meant(child->Name(), names, short_name))
+            fail(*child, "is not read; if <" + std::string(*meant) + "> is meant, write it so");
+}
+
+void XmlFile::require_no_misspelt_attribute(const Element& element,
+                                            std::initializer_list<std::string_view> names) const {
+    constexpr std::size_t short_name = 2;
+    for (const auto* attribute = element.FirstAttribute(); attribute; attribute = attribute->Next())
+        if (const auto meant = name_meant(attribute->Name(), names, short_name))
+            fail(element, "the attribute " + io::one_line(attribute->Name()) + " is not read; if " +
+                              std::string(*meant) + " is meant, write it so");
 }
 
 const XmlFile::Element* XmlFile::child(const Element& element, const char* name) const {

@@ -45,6 +45,8 @@ public:
     /// Fails for a child that is not read because its name is one of these with other capitals or, of five letters or
     /// more, with a slip.
     void require_no_misspelt_child(const Element& element, std::initializer_list<std::string_view> names) const;
+    /// Likewise for an attribute, with a slip of three letters or more.
+    void require_no_misspelt_attribute(const Element& element, std::initializer_list<std::string_view> names) const;
     /// Null if there is none; fails if there are several that differ.
     [[nodiscard]] const Element* child(const Element& element, const char* name) const;
     [[nodiscard]] const Element& required_child(const Element& element, const char* name) const;

@@ -90,6 +90,19 @@ TEST_F(XmlFileTest, RefusesMisspeltElements) {
     }
     EXPECT_EQ(refused("<collision>", "<colision/><collision>"),
               "robot.urdf:5: <colision>: is not read; if <collision> is meant, write it so");
+    for (const auto& [right, wrong] :
+         std::vector<std::pair<std::string, std::string>>{{"xyz=\"1 2 3\"", "xyx=\"1 2 3\""},
+                                                          {"xyz=\"1 2 3\"", "XYZ=\"1 2 3\""},
+                                                          {"rpy=\"0.1", "ryp=\"0.1"},
+                                                          {"lower=", "lowr="},
+                                                          {"upper=", "Upper="}})
+        EXPECT_NE(refused(right, wrong).find("the attribute " + wrong.substr(0, wrong.find('=')) + " is not read; if "),
+                  std::string::npos)
+            << refused(right, wrong);
+    EXPECT_NE(refused("<limit", "<mimic joint=\"x\" Offset=\"1\"/><limit").find("if offset is meant"),
+              std::string::npos);
+    EXPECT_EQ(refused("<box size=\"1 2 3\"/>", R"(<mesh filename="cube.obj" scales="2 2 2"/>)"),
+              "robot.urdf:5: <mesh>: the attribute scales is not read; if scale is meant, write it so");
     for (const char* const other : {"<linkage/>", "<drake:Joint/>", "<sensor/>", "<contact/>", "<lin/>"})
         EXPECT_EQ(read("</robot>", std::string(other) + "</robot>").links.size(), 2U) << other;
 }
