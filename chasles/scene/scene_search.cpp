@@ -225,7 +225,9 @@ SceneAnswer Scene::first_contact(const SceneQuery& query) const {
 
 SceneAnswer Scene::all_contacts(const SceneQuery& query) const {
     check(*this, query);
-    query::require(query.options.find != Find::any, "find", "is a question of yes or no");
+    query::require(
+        query.options.find != Find::any, "find",
+        "any asks whether anything touches, and this lists all that does: leave it out, or ask for the first contact");
     SceneSearch search(*this, query);
     SceneAnswer answer = search.within_limit([&] { return search.all(); });
     answer.untested = numbers_of_untested(query);

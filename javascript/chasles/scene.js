@@ -122,8 +122,6 @@ function setRule(scene, rule, a, b, distance = 0) {
 function ask(scene, question, options) {
   const { border, handle } = ownOfScene(scene);
   checkOptions(options, ["margin", "hold", "until", "timeTolerance", "find"]);
-  if (options.find === "any" && question !== "firstContact")
-    throw new InvalidInput(`find: "any" asks whether anything touches, and ${question} asks for all: leave it out, or ask scene.firstContact`);
   border.giveNumbers([...addQuery([], options), number(options.until, "until", 1)]);
   return border.read("scene_question", handle, questions[question]);
 }

@@ -262,6 +262,12 @@ TEST(Scene, HeldPairsMayMoveOn) {
     query.options.hold = 0.1;
     EXPECT_EQ(refusal([&] { (void)scene.first_contact(query); }),
               "query: hold: must be less than some margin; the margin is 0 unless one is given");
+    SceneQuery any;
+    any.options.find = Find::any;
+    const std::string lists = "query: find: any asks whether anything touches, and this lists all that does: leave it "
+                              "out, or ask for the first contact";
+    EXPECT_EQ(refusal([&] { (void)scene.all_contacts(any); }), lists);
+    EXPECT_EQ(refusal([&] { (void)scene.clear_until(any); }), lists);
     query.options.hold = std::nan("");
     EXPECT_EQ(refusal([&] { (void)scene.first_contact(query); }), "query: hold: must be in [0, 1e30]");
 }
